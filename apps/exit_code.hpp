@@ -1,0 +1,14 @@
+#pragma once
+
+namespace rubsweep::apps {
+
+/// Exit codes shared by the programs; 128 + signal when interrupted.
+enum ExitCode : int {
+  done = 0,
+  usage = 1,
+  bad_configuration = 2,
+  input_output = 3,
+  some_cells_failed = 4,
+};
+
+}  // namespace rubsweep::apps

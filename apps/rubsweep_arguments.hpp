@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "rubsweep/batch/progress.hpp"
+
+namespace rubsweep::apps {
+
+enum class Action { run, check, explain, print_config, help, version };
+
+struct RubsweepArguments {
+  Action action = Action::run;
+  std::filesystem::path config;
+  std::optional<std::filesystem::path> output;
+  int threads = 0;
+  std::vector<std::string> overrides;  ///< `key.path=value` of every --set
+  batch::ProgressMode progress = batch::ProgressMode::automatic;
+  bool quiet = false;
+};
+
+/// The command line cannot be understood; programs exit with 1.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws UsageError.
+RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv);
+
+/// Text of --help.
+std::string rubsweep_help();
+
+}  // namespace rubsweep::apps

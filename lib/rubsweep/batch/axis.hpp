@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::batch {
+
+/// `count` values from `from` to `to` (either may be the larger one) at equal distances. The first is exactly
+/// `from`, the last exactly `to`, none lies outside; a count of 1 gives `from` alone.
+/// Throws ConfigError when count < 1.
+inline std::vector<double> evenly_spaced(double from, double to, int count) {
+  if (count < 1) {
+    throw ConfigError(std::string("count: ")
+                          .append(std::to_string(count))
+                          .append(" is out of range, allowed: a number >= 1"));
+  }
+  std::vector<double> values(static_cast<std::size_t>(count), from);
+  const auto [low, high] = std::minmax(from, to);
+  const double intervals = count - 1;
+  for (int i = 1; i + 1 < count; ++i) {
+    // Weighted ends rather than from + i step: whole numbers stay whole where the grid allows it.
+    const double value = (from * (intervals - i) + to * i) / intervals;
+    values[static_cast<std::size_t>(i)] = std::clamp(value, low, high);
+  }
+  if (count > 1) values.back() = to;
+  return values;
+}
+
+}  // namespace rubsweep::batch

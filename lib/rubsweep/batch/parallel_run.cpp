@@ -1,0 +1,95 @@
+#include "rubsweep/batch/parallel_run.hpp"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+
+#include <exception>
+#include <mutex>
+#include <string>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::batch {
+namespace {
+
+/// How many cells threw, and what the one with the lowest index threw.
+struct Failures {
+  std::size_t count = 0;
+  std::size_t first_cell = 0;
+  std::exception_ptr first;
+
+  void add(std::size_t cell, std::exception_ptr error) {
+    if (count++ == 0 || cell < first_cell) {
+      first_cell = cell;
+      first = std::move(error);
+    }
+  }
+};
+
+[[noreturn]] void rethrow(const Failures& failures, std::size_t cells) {
+  const auto message = [&](const std::exception& error) {
+    return fmt::format("cell {}: {} ({} of {} cells failed)", failures.first_cell, error.what(),
+                       failures.count, cells);
+  };
+  try {
+    std::rethrow_exception(failures.first);
+  } catch (const ConfigError& error) {
+    throw ConfigError(message(error));
+  } catch (const IoError& error) {
+    throw IoError(message(error));
+  } catch (const std::exception& error) {
+    throw SolverError(message(error));
+  }
+}
+
+}  // namespace
+
+std::size_t parallel_run(std::size_t count, int threads,
+                         const std::function<void(std::size_t cell)>& run_cell,
+                         const std::function<void(std::size_t cell)>& on_finished,
+                         const std::atomic<bool>& stop) {
+  if (threads < 0) {
+    throw ConfigError(fmt::format("threads: {} is out of range, allowed: 0 (all) or a number >= 1", threads));
+  }
+  const int concurrency = threads == 0 ? tbb::info::default_concurrency() : threads;
+  std::mutex one_at_a_time;  // guards what follows and every call of on_finished
+  std::size_t finished = 0;
+  Failures failures;
+
+  const auto run_one = [&](std::size_t cell) {
+    if (stop) return;
+    try {
+      run_cell(cell);
+    } catch (...) {
+      const std::lock_guard lock(one_at_a_time);
+      failures.add(cell, std::current_exception());
+      return;
+    }
+    const std::lock_guard lock(one_at_a_time);
+    ++finished;
+    on_finished(cell);
+  };
+
+  // An arena alone never gets more threads than processors, the control alone would let the caller's arena
+  // decide.
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(concurrency));
+  tbb::task_arena arena(concurrency);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, 1),
+        [&](const tbb::blocked_range<std::size_t>& cells) {
+          for (std::size_t cell = cells.begin(); cell != cells.end(); ++cell) run_one(cell);
+        },
+        tbb::simple_partitioner());
+  });
+  if (failures.count > 0) rethrow(failures, count);
+  return finished;
+}
+
+}  // namespace rubsweep::batch

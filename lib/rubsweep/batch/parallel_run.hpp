@@ -1,0 +1,26 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+
+namespace rubsweep::batch {
+
+/// Runs run_cell(0) ... run_cell(count - 1) on `threads` threads (0: one per processor this process may use)
+/// and returns how many finished. Cells may differ in cost without bound: each is a task of its own. A cell
+/// must write to its own slot only; then results do not depend on the number of threads.
+///
+/// `on_finished(cell)` follows each cell that did not throw, on the same thread, one call at a time, in any
+/// order. What it throws ends the run: no new cell starts and the exception is rethrown as it is.
+///
+/// Once `stop` is true no new cell starts; cells already running finish and are counted.
+///
+/// When cells throw, the others still run; then the failure with the lowest cell index is thrown again with
+/// "cell I: ... (N of COUNT cells failed)" as its message. ConfigError, IoError and SolverError keep their
+/// type, any other std::exception becomes a SolverError. Throws ConfigError when threads < 0.
+std::size_t parallel_run(std::size_t count, int threads,
+                         const std::function<void(std::size_t cell)>& run_cell,
+                         const std::function<void(std::size_t cell)>& on_finished,
+                         const std::atomic<bool>& stop);
+
+}  // namespace rubsweep::batch

@@ -1,0 +1,69 @@
+#include "rubsweep/batch/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+
+namespace rubsweep::batch {
+namespace {
+
+constexpr auto redraw_interval = std::chrono::milliseconds(100);
+
+std::string hours_minutes_seconds(double duration_s) {
+  const auto seconds = std::llround(duration_s);
+  return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+}
+
+/// Three figures without an exponent.
+std::string rate_text(double per_second) {
+  const int decimals = per_second >= 100 ? 0 : per_second >= 10 ? 1 : per_second >= 1 ? 2 : 3;
+  return fmt::format("{:.{}f}", per_second, decimals);
+}
+
+bool shows(ProgressMode mode, std::FILE* stream) {
+  if (mode == ProgressMode::automatic) return isatty(fileno(stream)) != 0;
+  return mode == ProgressMode::always;
+}
+
+}  // namespace
+
+std::string progress_line(std::size_t done, std::size_t total, double elapsed_s) {
+  const std::size_t percent = total == 0 ? 100 : 100 * done / total;
+  std::string line = fmt::format("{}/{} cells, {}%", done, total, percent);
+  if (done == 0 || elapsed_s <= 0) return line;
+  const double rate = static_cast<double>(done) / elapsed_s;
+  const double left_s = static_cast<double>(total - done) / rate;
+  return line + fmt::format(", {} cells/s, {} left", rate_text(rate), hours_minutes_seconds(left_s));
+}
+
+Progress::Progress(std::size_t total, ProgressMode mode, std::FILE* stream)
+    : total_(total), stream_(shows(mode, stream) ? stream : nullptr) {
+  if (stream_) draw(progress_line(0, total_, 0));
+}
+
+void Progress::advance() {
+  ++done_;
+  if (!stream_ || Clock::now() - drawn_ < redraw_interval) return;
+  draw(progress_line(done_, total_, elapsed_s()));
+  drawn_ = Clock::now();
+}
+
+void Progress::finish() {
+  if (!stream_) return;
+  draw(fmt::format("{}/{} cells in {}", done_, total_, hours_minutes_seconds(elapsed_s())));
+  std::fputc('\n', stream_);
+  std::fflush(stream_);
+  stream_ = nullptr;
+}
+
+double Progress::elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+void Progress::draw(const std::string& line) {
+  // Blanks cover what a longer line left behind.
+  fmt::print(stream_, "\r{:<{}}", line, drawn_width_);
+  std::fflush(stream_);
+  drawn_width_ = line.size();
+}
+
+}  // namespace rubsweep::batch

@@ -1,0 +1,40 @@
+#include "rubsweep/config/diagnostics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "rubsweep/config/text.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::config {
+
+Diagnostics::Diagnostics(std::string file, std::vector<std::string> overrides)
+    : file_(std::move(file)), overrides_(std::move(overrides)) {}
+
+std::string Diagnostics::describe(const Place& place) const {
+  if (place.override_index < 0) return fmt::format("{}:{}:{}", file_, place.line, place.column);
+  return "--set " + shown(overrides_.at(static_cast<std::size_t>(place.override_index)), 200);
+}
+
+void Diagnostics::add(const Place& place, std::string_view path, std::string_view wrong,
+                      std::string_view allowed) {
+  std::string text = describe(place) + ": ";
+  if (!path.empty()) text += fmt::format("{}: ", path);
+  text += wrong;
+  if (!allowed.empty()) text += fmt::format(", allowed: {}", allowed);
+  problems_.push_back({place, std::move(text)});
+}
+
+void Diagnostics::throw_if_any() const {
+  if (problems_.empty()) return;
+  std::vector<Problem> sorted = problems_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Problem& a, const Problem& b) { return a.place < b.place; });
+  std::string message = sorted.front().text;
+  for (std::size_t i = 1; i < sorted.size(); ++i) message += "\n" + sorted[i].text;
+  throw ConfigError(message);
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rubsweep::config {
+
+/// Where something was written. Ordered as a reader meets it: the file from top to bottom, then every --set.
+struct Place {
+  int override_index = -1;  ///< which --set, from 0; -1: the file
+  int line = 1;             ///< of the file, from 1
+  int column = 1;           ///< byte of the line, from 1
+
+  auto operator<=>(const Place&) const = default;
+};
+
+/// Collects every problem of one configuration, so that the user meets all of them at once.
+class Diagnostics {
+ public:
+  /// `file` and `overrides` are the names under which places are reported.
+  Diagnostics(std::string file, std::vector<std::string> overrides);
+
+  /// `path` may be empty (the whole configuration), `allowed` too (nothing could be advised).
+  void add(const Place& place, std::string_view path, std::string_view wrong, std::string_view allowed);
+
+  std::size_t count() const { return problems_.size(); }
+
+  /// Throws ConfigError when there is a problem: one line for each, by place,
+  /// `file:line:column: path: what is wrong, allowed: what is allowed`, or `--set key=value: path: ...`.
+  void throw_if_any() const;
+
+ private:
+  struct Problem {
+    Place place;
+    std::string text;
+  };
+
+  std::string describe(const Place& place) const;
+
+  std::string file_;
+  std::vector<std::string> overrides_;
+  std::vector<Problem> problems_;
+};
+
+}  // namespace rubsweep::config

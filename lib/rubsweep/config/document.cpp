@@ -1,0 +1,198 @@
+#include "rubsweep/config/document.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "rubsweep/config/text.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+struct Refusal {
+  Place place;
+  std::string wrong;
+  std::string allowed;
+};
+
+struct Extent {
+  std::size_t nodes = 1;
+  std::size_t depth = 1;  // of maps and lists, the node itself included
+};
+
+Extent extent_of(const Node& node) {
+  Extent extent{1, node.kind == Node::Kind::list || node.kind == Node::Kind::map ? 1U : 0U};
+  for (const Node& item : node.items) {
+    const Extent inner = extent_of(item);
+    extent.nodes += inner.nodes;
+    extent.depth = std::max(extent.depth, inner.depth + 1);
+  }
+  return extent;
+}
+
+Place place_of(const YAML::Mark& mark, int override_index) {
+  return override_index < 0 ? Place{-1, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1}
+                            : Place{override_index, 1, 1};
+}
+
+/// Builds the tree from yaml-cpp's events. YAML::Load is of no use here: it shares aliased nodes, so that an
+/// override of one would change the other, hides a second document and has no limits.
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  explicit TreeBuilder(int override_index) : override_index_(override_index) {}
+
+  Node take_root() { return std::move(root_); }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++documents_ > 1) refuse(mark, "a second YAML document begins", "one document");
+  }
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    complete(Node{Node::Kind::null, at(mark)}, anchor, {1, 0});
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    refuse_tag(mark, tag);
+    complete(Node{Node::Kind::scalar, at(mark), value, tag == "!"}, anchor, {1, 0});
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchors_.find(anchor);
+    if (found == anchors_.end()) refuse(mark, "an alias stands inside the value it names", "");
+    complete(found->second, 0, extent_of(found->second));
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(mark, tag, anchor, Node::Kind::list);
+  }
+  void OnSequenceEnd() override { close(); }
+
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(mark, tag, anchor, Node::Kind::map);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  Place at(const YAML::Mark& mark) const { return place_of(mark, override_index_); }
+
+  [[noreturn]] void refuse(const YAML::Mark& mark, std::string wrong, std::string allowed) const {
+    throw Refusal{at(mark), std::move(wrong), std::move(allowed)};
+  }
+
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
+    if (tag.empty() || tag == "?" || tag == "!") return;
+    refuse(mark, fmt::format("the tag '{}' is not supported", shown(tag)), "values without a tag");
+  }
+
+  void count(const Place& place, const Extent& extent) {
+    nodes_ += extent.nodes;
+    if (nodes_ > max_document_nodes) {
+      throw Refusal{place, "too many values", fmt::format("at most {}", max_document_nodes)};
+    }
+    if (open_.size() + extent.depth > max_document_depth) {
+      throw Refusal{place, "nested too deep", fmt::format("at most {} levels", max_document_depth)};
+    }
+  }
+
+  void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, Node::Kind kind) {
+    refuse_tag(mark, tag);
+    count(at(mark), {1, 1});
+    open_.emplace_back(Node{kind, at(mark)}, anchor);
+  }
+
+  void close() {
+    auto [node, anchor] = std::move(open_.back());
+    open_.pop_back();
+    complete(std::move(node), anchor, {0, 0});
+  }
+
+  void complete(Node node, YAML::anchor_t anchor, const Extent& extent) {
+    count(node.place, extent);
+    if (anchor != 0) {
+      count(node.place, {extent_of(node).nodes, 0});  // the copy kept for aliases
+      anchors_.insert_or_assign(anchor, node);
+    }
+    if (open_.empty()) {
+      root_ = std::move(node);
+      return;
+    }
+    Node& parent = open_.back().first;
+    const bool is_map = parent.kind == Node::Kind::map;
+    if (is_map && parent.keys.size() == parent.items.size()) {
+      if (node.kind != Node::Kind::scalar)
+        throw Refusal{node.place, "a key is not a name", "a name before ':'"};
+      parent.keys.push_back({std::move(node.text), node.place});
+      return;
+    }
+    // yaml-cpp places a missing value at whatever follows it.
+    if (is_map && node.kind == Node::Kind::null) node.place = parent.keys.back().place;
+    parent.items.push_back(std::move(node));
+  }
+
+  int override_index_;
+  int documents_ = 0;
+  std::size_t nodes_ = 0;
+  Node root_;
+  std::vector<std::pair<Node, YAML::anchor_t>> open_;
+  std::map<YAML::anchor_t, Node> anchors_;
+};
+
+void refuse_unreadable(std::string_view text, int override_index) {
+  if (text.size() > max_document_bytes) {
+    throw Refusal{place_of({}, override_index), "too large",
+                  fmt::format("at most {} bytes", max_document_bytes)};
+  }
+  const auto offset = first_unreadable_byte(text);
+  if (!offset) return;
+  YAML::Mark mark;
+  mark.line = static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(*offset), '\n'));
+  // npos + 1 is 0: the first line starts at the first byte.
+  mark.column = static_cast<int>(*offset - (text.substr(0, *offset).rfind('\n') + 1));
+  const char byte = text[*offset];
+  throw Refusal{place_of(mark, override_index),
+                fmt::format("byte 0x{:02x} is {}", static_cast<unsigned char>(byte),
+                            is_control(byte) ? "a control character" : "not UTF-8"),
+                "UTF-8 text"};
+}
+
+Node parse(std::string_view text, int override_index) {
+  refuse_unreadable(text, override_index);
+  // Without an explicit end yaml-cpp takes a quote that is never closed.
+  std::istringstream stream(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));
+  YAML::Parser parser(stream);
+  TreeBuilder builder(override_index);
+  while (parser.HandleNextDocument(builder)) {
+  }
+  return builder.take_root();
+}
+
+std::string describe(const YAML::Exception& error) {
+  if (error.msg == YAML::ErrorMsg::DOC_IN_SCALAR) return "not valid YAML: a quote is not closed";
+  return "not valid YAML: " + shown(error.msg, 200);
+}
+
+}  // namespace
+
+std::optional<Node> parse_document(std::string_view text, int override_index, std::string_view path,
+                                   Diagnostics& diagnostics) {
+  try {
+    return parse(text, override_index);
+  } catch (const Refusal& refusal) {
+    diagnostics.add(refusal.place, path, refusal.wrong, refusal.allowed);
+  } catch (const YAML::Exception& error) {
+    diagnostics.add(place_of(error.mark, override_index), path, describe(error), "");
+  }
+  return std::nullopt;
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,41 @@
+#include "rubsweep/config/print_config.hpp"
+
+#include "rubsweep/config/kick.hpp"
+#include "rubsweep/config/printer.hpp"
+#include "rubsweep/config/response.hpp"
+#include "rubsweep/config/rotor.hpp"
+#include "rubsweep/config/solver.hpp"
+#include "rubsweep/config/stop.hpp"
+#include "rubsweep/config/sweep.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+void print(Printer& printer, const sweep::Study& study) {
+  print_rotor(printer, study.machine.rotor);
+  print_stops(printer, study.machine.stops);
+  if (study.machine.kick) print_kick(printer, *study.machine.kick);
+  printer.number("gravity_m_per_s2", study.machine.gravity_m_per_s2);
+  print_sweep(printer, study.grid);
+  print_solver(printer, study.solver);
+  print_response(printer, study.response);
+}
+
+}  // namespace
+
+std::string print_config(const RunConfig& config) {
+  Printer printer;
+  print(printer, config.study);
+  printer.open("output");
+  printer.text("directory", config.output_directory.string());
+  printer.close();
+  return printer.yaml();
+}
+
+std::string print_study(const sweep::Study& study) {
+  Printer printer;
+  print(printer, study);
+  return printer.yaml();
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "rubsweep/config/value.hpp"
+#include "rubsweep/config/words.hpp"
+
+namespace rubsweep::config {
+
+/// Writes YAML in block style, two spaces a level, shortest doubles that read back the same.
+class Printer {
+ public:
+  void number(std::string_view name, double value);
+  void numbers(std::string_view name, std::span<const double> values);  ///< in flow style, on one line
+  void integer(std::string_view name, long value);
+  void word(std::string_view name, std::string_view value);
+
+  /// Plain where that reads back, else in double quotes. Throws ConfigError when `value` is not UTF-8: no
+  /// YAML file can hold it.
+  void text(std::string_view name, std::string_view value);
+
+  void open(std::string_view name);  ///< a map or a list; close() ends it
+  void open_item();                  ///< a map as the next item of a list; close() ends it
+  void close();
+
+  /// The same names as in Section, so that one list of fields serves both.
+  void field(std::string_view name, double value, const model::Range&) { number(name, value); }
+  void field(std::string_view name, const std::optional<double>& value, const model::Range&) {
+    if (value) number(name, *value);
+  }
+  template <std::signed_integral Integer>
+  void field(std::string_view name, Integer value, const IntegerRange&) {
+    integer(name, value);
+  }
+  template <class Enum, std::size_t count>
+  void field(std::string_view name, Enum value, const Words<Enum, count>& words) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (words.values[i] == value) word(name, words.texts[i]);
+    }
+  }
+
+  const std::string& yaml() const { return yaml_; }
+
+ private:
+  void line(std::string_view name, std::string_view value);
+
+  std::string yaml_;
+  std::size_t depth_ = 0;
+  bool item_begins_ = false;
+};
+
+/// Prints every field that the struct's own list names.
+template <class Struct>
+void print_fields(Printer& printer, const Struct& source) {
+  Struct::visit_fields(source, [&](std::string_view name, const auto& field, const model::Range& range) {
+    printer.field(name, field, range);
+  });
+}
+
+}  // namespace rubsweep::config

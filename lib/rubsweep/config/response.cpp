@@ -1,0 +1,62 @@
+#include "rubsweep/config/response.hpp"
+
+#include <fmt/format.h>
+
+#include "rubsweep/config/section.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+// The largest window holds 4096 x 4096 samples, 256 MiB for each thread.
+constexpr IntegerRange revolutions{2, 10'000'000};
+constexpr IntegerRange samples{4, 4096, true};
+constexpr IntegerRange window{2, 4096};
+constexpr IntegerRange order{1, 1024};
+
+void visit_fields(auto& response, auto&& visit) {
+  visit("max_revolutions", response.max_revolutions, revolutions);
+  visit("samples_per_revolution", response.samples_per_revolution, samples);
+  visit("window_revolutions", response.window_revolutions, window);
+  visit("max_order", response.max_order, order);
+}
+
+void refuse_contradictions(const Section& section, const response::ResponseOptions& options) {
+  if (options.max_revolutions < 2 * options.window_revolutions) {
+    section.refuse_together("max_revolutions", {"max_revolutions", "window_revolutions"},
+                            fmt::format("{} is less than two windows", options.max_revolutions),
+                            fmt::format(">= {} = 2 window_revolutions", 2 * options.window_revolutions));
+  }
+  if (options.samples_per_revolution < 4 * options.max_order) {
+    section.refuse_together("samples_per_revolution", {"samples_per_revolution", "max_order"},
+                            fmt::format("{} does not resolve max_order", options.samples_per_revolution),
+                            fmt::format(">= {} = 4 max_order", 4 * options.max_order));
+  }
+  if (2 * options.max_order > options.window_revolutions) {
+    section.refuse_together("max_order", {"max_order", "window_revolutions"},
+                            fmt::format("{} is more than half a window", options.max_order),
+                            fmt::format("<= {} = window_revolutions / 2", options.window_revolutions / 2));
+  }
+}
+
+}  // namespace
+
+response::ResponseOptions read_response(const Value& value) {
+  Section section(value);
+  response::ResponseOptions response;
+  const std::size_t problems = section.problem_count();
+  visit_fields(response,
+               [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
+  if (section.problem_count() == problems) refuse_contradictions(section, response);
+  section.refuse_unknown_keys();
+  return response;
+}
+
+void print_response(Printer& printer, const response::ResponseOptions& response) {
+  printer.open("response");
+  visit_fields(response, [&](auto name, const auto& field, const auto& allowed) {
+    printer.field(name, field, allowed);
+  });
+  printer.close();
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,115 @@
+#include "rubsweep/config/section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "rubsweep/config/nearest.hpp"
+#include "rubsweep/config/text.hpp"
+
+namespace rubsweep::config {
+
+Section::Section(const Value& value, std::string_view allowed) : value_(value) {
+  const Node::Kind kind = value.node.kind;
+  if (kind == Node::Kind::map) {
+    refuse_repeated_keys();
+  } else {
+    refuse(value, kind == Node::Kind::scalar ? describe(value.node) + " is not a map" : describe(value.node),
+           allowed);
+  }
+}
+
+void Section::refuse_repeated_keys() const {
+  std::map<std::string_view, Place> first;
+  for (const Node::Key& key : value_.node.keys) {
+    const auto [entry, is_new] = first.emplace(key.text, key.place);
+    if (is_new) continue;
+    const bool in_file = key.place.override_index < 0;
+    const std::string first_line = in_file ? fmt::format(", first at line {}", entry->second.line) : "";
+    value_.diagnostics.add(key.place, path_of(key.text), "given again" + first_line, "each key once");
+  }
+}
+
+std::string Section::path_of(std::string_view name) const { return child_path(value_.path, name); }
+
+const Node* Section::lookup(std::string_view name) const {
+  const auto& keys = value_.node.keys;
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const Node::Key& key) { return key.text == name; });
+  return found == keys.end() ? nullptr : &value_.node.items[static_cast<std::size_t>(found - keys.begin())];
+}
+
+std::optional<Value> Section::find(std::string_view name) {
+  if (std::find(known_.begin(), known_.end(), name) == known_.end()) known_.push_back(name);
+  const Node* node = lookup(name);
+  if (node == nullptr) return std::nullopt;
+  return Value{*node, path_of(name), value_.diagnostics};
+}
+
+std::optional<Value> Section::require(std::string_view name, std::string_view allowed) {
+  auto value = find(name);
+  if (!value && is_map()) value_.diagnostics.add(value_.node.place, path_of(name), "missing", allowed);
+  return value;
+}
+
+void Section::require_exactly_one(std::initializer_list<std::string_view> names) {
+  if (!is_map()) return;
+  const std::vector<std::string_view> all(names);
+  const std::string allowed = "exactly one of " + describe(all);
+  std::string_view last;
+  const Node* last_node = nullptr;
+  std::vector<std::string_view> others;
+  for (const std::string_view name : names) {
+    const Node* node = lookup(name);
+    if (node == nullptr) continue;
+    if (last_node != nullptr) others.push_back(last_node->place < node->place ? last : name);
+    if (last_node != nullptr && node->place < last_node->place) continue;
+    last = name;
+    last_node = node;
+  }
+  if (last_node == nullptr) {
+    refuse(value_, "one key is missing", allowed);
+  } else if (!others.empty()) {
+    const std::string wrong = "given beside " + describe(others);
+    value_.diagnostics.add(last_node->place, path_of(last), wrong, allowed);
+  }
+}
+
+void Section::field(std::string_view name, double& target, const model::Range& range) {
+  const auto value = std::isnan(target) ? require(name, model::describe(range)) : find(name);
+  if (!value) return;
+  if (const auto number = read_number(*value, range)) target = *number;
+}
+
+void Section::field(std::string_view name, std::optional<double>& target, const model::Range& range) {
+  if (const auto value = find(name)) target = read_number(*value, range);
+}
+
+void Section::require_kind(std::string_view name, std::string_view kind) {
+  if (const auto value = require(name, kind)) read_word(*value, {&kind, 1});
+}
+
+void Section::refuse_unknown_keys() const {
+  std::set<std::string_view> unknown;
+  for (const Node::Key& key : value_.node.keys) {
+    if (std::find(known_.begin(), known_.end(), key.text) != known_.end()) continue;
+    if (!unknown.insert(key.text).second) continue;
+    const auto meant = nearest(key.text, known_);
+    const std::string hint = meant ? fmt::format(" (did you mean '{}'?)", *meant) : "";
+    value_.diagnostics.add(key.place, path_of(key.text), "unknown key" + hint, describe(known_));
+  }
+}
+
+void Section::refuse_together(std::string_view name, std::initializer_list<std::string_view> involved,
+                              std::string_view wrong, std::string_view allowed) const {
+  Place place = value_.node.place;
+  for (const std::string_view other : involved) {
+    if (const Node* node = lookup(other)) place = std::max(place, node->place);
+  }
+  value_.diagnostics.add(place, path_of(name), wrong, allowed);
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,83 @@
+#include "rubsweep/config/stop.hpp"
+
+#include <variant>
+
+#include "rubsweep/config/casing.hpp"
+#include "rubsweep/config/friction.hpp"
+#include "rubsweep/config/section.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+constexpr std::string_view nominal_key = "restitution";
+constexpr std::string_view delivered_key = "restitution_delivered";
+constexpr std::string_view explicit_key = "damping_ns_per_m";
+
+model::ContactDamping read_damping(Section& section) {
+  model::ContactDamping damping;
+  section.require_exactly_one({nominal_key, delivered_key, explicit_key});
+  if (const auto value = section.find(nominal_key)) {
+    damping = model::NominalRestitution{read_number(*value, model::Stop::restitution_range).value_or(1)};
+  }
+  if (const auto value = section.find(delivered_key)) {
+    damping = model::DeliveredRestitution{read_number(*value, model::Stop::restitution_range).value_or(1)};
+  }
+  if (const auto value = section.find(explicit_key)) {
+    damping = model::ExplicitDamping{read_number(*value, model::not_negative).value_or(0)};
+  }
+  return damping;
+}
+
+void print_damping(Printer& printer, const model::ContactDamping& damping) {
+  if (const auto* nominal = std::get_if<model::NominalRestitution>(&damping)) {
+    printer.number(nominal_key, nominal->value);
+  } else if (const auto* delivered = std::get_if<model::DeliveredRestitution>(&damping)) {
+    printer.number(delivered_key, delivered->value);
+  } else {
+    printer.number(explicit_key, std::get<model::ExplicitDamping>(damping).damping_ns_per_m);
+  }
+}
+
+model::Stop read_stop(const Value& value) {
+  Section section(value);
+  model::Stop stop;
+  section.require_kind("kind", "one_side");
+  section.field("angle_deg", stop.geometry.angle_deg, model::any_finite);
+  read_fields(section, stop);
+  stop.damping = read_damping(section);
+  section.field("contact_mass_kg", stop.contact_mass_kg, model::positive);
+  if (const auto friction = section.find("friction")) stop.friction = read_friction(*friction);
+  if (const auto casing = section.find("casing")) stop.casing = read_casing(*casing);
+  section.refuse_unknown_keys();
+  return stop;
+}
+
+void print_stop(Printer& printer, const model::Stop& stop) {
+  printer.open_item();
+  printer.word("kind", "one_side");
+  printer.number("angle_deg", stop.geometry.angle_deg);
+  print_fields(printer, stop);
+  print_damping(printer, stop.damping);
+  printer.field("contact_mass_kg", stop.contact_mass_kg, model::positive);
+  print_friction(printer, stop.friction);
+  print_casing(printer, stop.casing);
+  printer.close();
+}
+
+}  // namespace
+
+std::vector<model::Stop> read_stops(const Value& value) {
+  std::vector<model::Stop> stops;
+  const auto items = read_list(value, max_stops);
+  if (!items) return stops;
+  for (const Value& item : *items) stops.push_back(read_stop(item));
+  return stops;
+}
+
+void print_stops(Printer& printer, const std::vector<model::Stop>& stops) {
+  printer.open("stops");
+  for (const model::Stop& stop : stops) print_stop(printer, stop);
+  printer.close();
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "rubsweep/config/printer.hpp"
+#include "rubsweep/config/value.hpp"
+#include "rubsweep/model/stop.hpp"
+
+namespace rubsweep::config {
+
+inline constexpr std::size_t max_stops = 16;
+
+/// `stops`: a list of 1 to max_stops maps, each with kind: one_side, angle_deg, clearance_m,
+/// stiffness_n_per_m, contact_radius_m and one of restitution, restitution_delivered, damping_ns_per_m;
+/// contact_mass_kg, friction and casing are optional.
+std::vector<model::Stop> read_stops(const Value& value);
+void print_stops(Printer& printer, const std::vector<model::Stop>& stops);
+
+}  // namespace rubsweep::config

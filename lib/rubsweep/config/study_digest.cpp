@@ -1,0 +1,15 @@
+#include "rubsweep/config/study_digest.hpp"
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
+
+#include "rubsweep/config/print_config.hpp"
+
+namespace rubsweep::config {
+
+std::string study_digest(const sweep::Study& study) {
+  const boost::uuids::name_generator_sha1 generator(boost::uuids::ns::oid());
+  return boost::uuids::to_string(generator(print_study(study)));
+}
+
+}  // namespace rubsweep::config

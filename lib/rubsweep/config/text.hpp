@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rubsweep::config {
+
+/// Bytes of the valid UTF-8 sequence that `text` starts with (1 to 4); 0 when there is none.
+std::size_t utf8_length(std::string_view text);
+
+/// True for the bytes 0x00 to 0x1f and 0x7f.
+bool is_control(char byte);
+
+/// Offset of the first byte that a configuration may not hold: not UTF-8, or a control character other than
+/// tab and line ends. Empty when there is none.
+std::optional<std::size_t> first_unreadable_byte(std::string_view text);
+
+/// `text` fit for one line of a message: control characters and stray bytes as \xNN, cut after about
+/// `longest` bytes.
+std::string shown(std::string_view text, std::size_t longest = 60);
+
+/// Dotted path of what is called `name` inside `path`, fit for a message.
+std::string child_path(std::string_view path, std::string_view name);
+
+}  // namespace rubsweep::config

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace rubsweep {
+
+/// The user must act: a value, a file or a combination that cannot be simulated. Programs exit with 2.
+class ConfigError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// We must act: an internal contract does not hold. Never thrown for a cell that merely fails to integrate;
+/// such a cell is a row with a status (see integrate/outcome.hpp).
+class SolverError : public std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+/// A file could not be read or written. Programs exit with 3.
+class IoError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace rubsweep

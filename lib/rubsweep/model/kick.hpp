@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "rubsweep/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Half-sine force pulse on the rotor, F(t) = force_n sin(pi t / duration_s) for 0 <= t <= duration_s.
+/// t = 0 is the instant of smallest gap at the first stop; the pulse points at that stop's wall.
+struct Kick {
+  double force_n = required;
+  double duration_s = required;
+  std::optional<double> angle_deg;  ///< direction, from +x towards +y; empty: towards the first stop's wall
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("force_n", self.force_n, not_negative);
+    visit("duration_s", self.duration_s, positive);
+  }
+};
+
+}  // namespace rubsweep::model

@@ -1,0 +1,67 @@
+#include "rubsweep/model/machine.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::model {
+namespace {
+
+void require(const std::string& path, double value, const Range& range) {
+  if (contains(range, value)) return;
+  if (std::isnan(value)) throw ConfigError(fmt::format("{}: missing, allowed: {}", path, describe(range)));
+  throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range)));
+}
+
+auto requiring(std::string prefix) {
+  return [prefix = std::move(prefix)](const char* name, double value, const Range& range) {
+    require(prefix + name, value, range);
+  };
+}
+
+void validate(const Friction& friction, const std::string& path) {
+  if (const auto* constant = std::get_if<ConstantFriction>(&friction)) {
+    require(path + "coefficient", constant->coefficient, ConstantFriction::coefficient_range);
+  } else if (const auto* stribeck = std::get_if<StribeckFriction>(&friction)) {
+    for (const double gamma : stribeck->gamma) require(path + "stribeck", gamma, any_finite);
+  }
+}
+
+void validate(const ContactDamping& damping, const std::string& path) {
+  if (const auto* nominal = std::get_if<NominalRestitution>(&damping)) {
+    require(path + "restitution", nominal->value, Stop::restitution_range);
+  } else if (const auto* delivered = std::get_if<DeliveredRestitution>(&damping)) {
+    require(path + "restitution_delivered", delivered->value, Stop::restitution_range);
+  } else {
+    require(path + "damping_ns_per_m", std::get<ExplicitDamping>(damping).damping_ns_per_m, not_negative);
+  }
+}
+
+void validate(const Stop& stop, const std::string& path) {
+  require(path + "angle_deg", stop.geometry.angle_deg, any_finite);
+  Stop::visit_fields(stop, requiring(path));
+  if (stop.contact_mass_kg) require(path + "contact_mass_kg", *stop.contact_mass_kg, positive);
+  validate(stop.damping, path);
+  validate(stop.friction, path + "friction.");
+  if (stop.casing) Casing::visit_fields(*stop.casing, requiring(path + "casing."));
+}
+
+}  // namespace
+
+void validate(const Machine& machine) {
+  JeffcottRotor::visit_fields(machine.rotor, requiring("rotor."));
+  if (machine.stops.empty()) throw ConfigError("stops: at least one stop is needed");
+  for (std::size_t i = 0; i < machine.stops.size(); ++i) {
+    validate(machine.stops[i], fmt::format("stops.{}.", i));
+  }
+  if (machine.kick) {
+    Kick::visit_fields(*machine.kick, requiring("kick."));
+    if (machine.kick->angle_deg) require("kick.angle_deg", *machine.kick->angle_deg, any_finite);
+  }
+  require("gravity_m_per_s2", machine.gravity_m_per_s2, not_negative);
+}
+
+}  // namespace rubsweep::model

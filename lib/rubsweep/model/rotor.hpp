@@ -1,0 +1,21 @@
+#pragma once
+
+#include "rubsweep/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Jeffcott rotor: one disc in the middle of a massless isotropic shaft, m z'' + c z' + k z = forces, z = x + iy.
+/// (Ishibashi & Kawai, section 3; the lowest bending frequency is their epsilon_L.)
+struct JeffcottRotor {
+  double mass_kg = required;
+  double natural_frequency_hz = required;  ///< undamped, sqrt(k/m)/(2 pi)
+  double damping_ratio = required;         ///< c / (2 sqrt(k m)); 0 and values above 1 are allowed
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("mass_kg", self.mass_kg, positive);
+    visit("natural_frequency_hz", self.natural_frequency_hz, positive);
+    visit("damping_ratio", self.damping_ratio, not_negative);
+  }
+};
+
+}  // namespace rubsweep::model

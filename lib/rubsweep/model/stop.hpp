@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "rubsweep/model/casing.hpp"
+#include "rubsweep/model/friction.hpp"
+#include "rubsweep/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Flat wall whose outward normal (from the rest position towards the wall) stands at `angle_deg`,
+/// counted from +x towards +y.
+struct OneSideGeometry {
+  double angle_deg = required;
+};
+
+/// Where the damping constant of a contact comes from; exactly one is given.
+struct NominalRestitution {
+  double value = required;  ///< e of the unclamped oscillator; the clamp returns more (physics of ElastoGap)
+};
+struct DeliveredRestitution {
+  double value = required;  ///< e that the clamped law really returns in one free impact
+};
+struct ExplicitDamping {
+  double damping_ns_per_m = required;
+};
+using ContactDamping = std::variant<NominalRestitution, DeliveredRestitution, ExplicitDamping>;
+
+/// One place where the rotor can touch: geometry, contact law and the casing behind it.
+struct Stop {
+  OneSideGeometry geometry;
+  double clearance_m = required;        ///< C_R: rotor travel from rest to first touch
+  double stiffness_n_per_m = required;  ///< K of the contact spring
+  ContactDamping damping = NominalRestitution{};
+  std::optional<double> contact_mass_kg;  ///< mass behind a restitution, before reduction with the casing's;
+                                          ///< empty: the Jeffcott mass
+  double contact_radius_m = required;     ///< R in the slip speed: rotor surface speed is R omega
+  Friction friction = NoFriction{};
+  std::optional<Casing> casing;  ///< empty: rigid
+
+  static constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("clearance_m", self.clearance_m, positive);
+    visit("stiffness_n_per_m", self.stiffness_n_per_m, positive);
+    visit("contact_radius_m", self.contact_radius_m, not_negative);
+  }
+};
+
+}  // namespace rubsweep::model

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/response/orbit.hpp"
+
+namespace rubsweep::response {
+
+/// What a motion is called.
+enum class MotionClass {
+  non_contact,      ///< no contact after the kick's transient
+  synchronous,      ///< the section returns after one turn
+  subharmonic,      ///< the section returns after n >= 2 turns and no fewer
+  quasi_periodic,   ///< discrete lines without a common period
+  chaotic,          ///< largest Lyapunov exponent positive beyond its error bar
+  unsettled,        ///< not decided when the run ended
+  initial_contact,  ///< the quiet motion already touches the wall: nothing to kick
+  failed,           ///< the integration did not finish
+};
+
+constexpr std::string_view to_string(MotionClass motion_class) {
+  switch (motion_class) {
+    case MotionClass::non_contact:
+      return "non_contact";
+    case MotionClass::synchronous:
+      return "synchronous";
+    case MotionClass::subharmonic:
+      return "subharmonic";
+    case MotionClass::quasi_periodic:
+      return "quasi_periodic";
+    case MotionClass::chaotic:
+      return "chaotic";
+    case MotionClass::unsettled:
+      return "unsettled";
+    case MotionClass::initial_contact:
+      return "initial_contact";
+    case MotionClass::failed:
+      return "failed";
+  }
+  throw SolverError("motion class without a name");
+}
+
+/// What the evidence itself has to say beside the class.
+enum class MotionStatus {
+  ok,
+  spectrum_disagrees,  ///< the section returned after n turns, the spectrum holds lines off the multiples of
+                       ///< 1/n
+};
+
+constexpr std::string_view to_string(MotionStatus status) {
+  switch (status) {
+    case MotionStatus::ok:
+      return "ok";
+    case MotionStatus::spectrum_disagrees:
+      return "spectrum_disagrees";
+  }
+  throw SolverError("motion status without a name");
+}
+
+/// What the integrator saw of the contacts over all turns of one window.
+struct ContactFacts {
+  int hits = 0;                    ///< contacts that began in the window
+  double contact_fraction = 0;     ///< time in contact / time; 1 with 0 hits is a rotor that slides all along
+  double peak_displacement_m = 0;  ///< largest |z|
+  double peak_contact_force_n = 0;  ///< largest total force at one stop
+};
+
+struct SpectralLine {
+  double order = 0;  ///< in multiples of the shaft speed, negative for backward whirl
+  double amplitude_m = 0;
+};
+
+/// What can be measured in one window whatever the motion is called.
+struct Measures {
+  int turns = 0;           ///< of the window, the base of `contact`
+  int spectrum_turns = 0;  ///< last turns of the window, the base of everything below
+  ContactFacts contact;
+  double amplitude_1x_forward_m = 0;
+  double amplitude_1x_backward_m = 0;
+  std::optional<SpectralLine>
+      dominant;  ///< largest line but 0X; empty, as orbit and whirl, when the rotor rests
+  std::optional<OrbitKind> orbit;
+  std::optional<WhirlKind> whirl;
+};
+
+/// The settled verdict on one run.
+struct Motion {
+  MotionClass motion_class = MotionClass::unsettled;
+  std::optional<int> order;  ///< n of synchronous (1) and subharmonic motion, else empty
+  MotionStatus status = MotionStatus::ok;
+  Measures measures;
+};
+
+}  // namespace rubsweep::response

@@ -1,0 +1,121 @@
+#include "rubsweep/scene/build_scene.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "rubsweep/contact/restitution.hpp"
+#include "rubsweep/structure/jeffcott.hpp"
+
+namespace rubsweep::scene {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// Exact at the quarter turns, so that a wall at 90 degrees does not couple x into y by rounding.
+Eigen::Vector2d direction(double angle_deg) {
+  const double quarter_turns = angle_deg / 90;
+  if (quarter_turns == std::floor(quarter_turns)) {
+    constexpr std::array<std::array<double, 2>, 4> exact{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+    const auto index = static_cast<std::size_t>(std::fmod(std::fmod(quarter_turns, 4) + 4, 4));
+    return {exact[index][0], exact[index][1]};
+  }
+  return {std::cos(angle_deg * degree), std::sin(angle_deg * degree)};
+}
+
+double damping_of(const model::Stop& stop, double rotor_mass_kg) {
+  if (const auto* explicit_damping = std::get_if<model::ExplicitDamping>(&stop.damping)) {
+    return explicit_damping->damping_ns_per_m;
+  }
+  double mass = stop.contact_mass_kg.value_or(rotor_mass_kg);
+  if (stop.casing) mass = contact::reduced_mass(mass, stop.casing->mass_kg);
+  const auto* delivered = std::get_if<model::DeliveredRestitution>(&stop.damping);
+  const double ratio = delivered
+                           ? contact::damping_ratio_delivering(delivered->value)
+                           : contact::nominal_damping_ratio(std::get<model::NominalRestitution>(stop.damping).value);
+  return contact::damping_constant(ratio, mass, stop.stiffness_n_per_m);
+}
+
+Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly, std::size_t index,
+                   double rotor_mass_kg, double speed_rad_per_s) {
+  Contact contact;
+  contact.rotor_point = assembly.rotor_point;
+  contact.casing_point = assembly.casing_points[index];
+  contact.normal = direction(stop.geometry.angle_deg);
+  contact.clearance_m = stop.clearance_m;
+  contact.stiffness_n_per_m = stop.stiffness_n_per_m;
+  contact.damping_ns_per_m = damping_of(stop, rotor_mass_kg);
+  contact.friction = stop.friction;
+  contact.surface_speed_m_per_s = stop.contact_radius_m * speed_rad_per_s;
+  return contact;
+}
+
+Pulse pulse_of(const model::Kick& kick, const Contact& first, const structure::Assembly& assembly) {
+  const Eigen::Vector2d towards = kick.angle_deg ? direction(*kick.angle_deg) : first.normal;
+  const auto& rotor = assembly.system.points[static_cast<std::size_t>(assembly.rotor_point)];
+  return {rotor.map.transpose() * towards, kick.force_n, kick.duration_s};
+}
+
+/// Phase factor that puts the largest normal excursion at the first stop at t = 0.
+std::complex<double> phase_to_smallest_gap(const QuietMotion& unit, const structure::LinearSystem& system,
+                                           const Contact& first) {
+  const Eigen::RowVectorXd row = first.normal.transpose() * relative_map(system, first);
+  const std::complex<double> amplitude = row.cast<std::complex<double>>() * unit.amplitude;
+  const double modulus = std::abs(amplitude);
+  return modulus > 0 && std::isfinite(modulus) ? std::conj(amplitude) / modulus : 1.0;
+}
+
+bool touches_anywhere(const Cell& cell) {
+  for (const Contact& contact : cell.scene.contacts) {
+    const auto [mean, amplitude] = quiet_penetration(cell.quiet, cell.scene.structure, contact);
+    if (mean + amplitude >= 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance) {
+  model::validate(machine);
+  std::vector<std::optional<model::Casing>> casings;
+  for (const model::Stop& stop : machine.stops) casings.push_back(stop.casing);
+  structure::Assembly assembly = structure::assemble_jeffcott(machine.rotor, casings);
+
+  Cell cell;
+  Scene& scene = cell.scene;
+  scene.speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
+  for (std::size_t i = 0; i < machine.stops.size(); ++i) {
+    scene.contacts.push_back(
+        contact_of(machine.stops[i], assembly, i, machine.rotor.mass_kg, scene.speed_rad_per_s));
+  }
+  const Contact& first = scene.contacts.front();
+  if (machine.kick) scene.pulse = pulse_of(*machine.kick, first, assembly);
+  scene.constant_n = machine.gravity_m_per_s2 * assembly.system.weight_kg;
+  scene.observed_point = assembly.rotor_point;
+  scene.length_scale_m = first.clearance_m;
+  scene.structure = std::move(assembly.system);
+
+  const double w = scene.speed_rad_per_s;
+  const Eigen::VectorXcd unit_force = w * w * scene.structure.unbalance_kg;
+  const QuietMotion unit = quiet_motion(scene.structure, w, unit_force, scene.constant_n);
+  const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
+  if (const auto* ratio = std::get_if<WhirlRatio>(&unbalance)) {
+    cell.whirl_ratio = ratio->value;
+    cell.eccentricity_m = ratio->value * -mean / amplitude_per_m;
+  } else {
+    cell.eccentricity_m = std::get<Eccentricity>(unbalance).value_m;
+    cell.whirl_ratio = cell.eccentricity_m * amplitude_per_m / -mean;
+  }
+  if (!std::isfinite(amplitude_per_m) || !std::isfinite(cell.eccentricity_m) || !std::isfinite(mean)) {
+    cell.start = Start::unreachable;
+    return cell;
+  }
+  scene.harmonic_n = cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first) * unit_force;
+  cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
+  scene.displacement_m = cell.quiet.displacement(0);
+  scene.velocity_m_per_s = w * cell.quiet.velocity(0);
+  if (mean >= 0 || touches_anywhere(cell)) cell.start = Start::initial_contact;
+  return cell;
+}
+
+}  // namespace rubsweep::scene

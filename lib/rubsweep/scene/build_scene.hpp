@@ -1,0 +1,40 @@
+#pragma once
+
+#include <variant>
+
+#include "rubsweep/model/machine.hpp"
+#include "rubsweep/scene/quiet_motion.hpp"
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::scene {
+
+/// How much unbalance a cell has: either way of saying it.
+struct WhirlRatio {
+  double value = 0;  ///< largest normal excursion of the quiet motion / remaining clearance at the first stop
+};
+struct Eccentricity {
+  double value_m = 0;
+};
+using Unbalance = std::variant<WhirlRatio, Eccentricity>;
+
+enum class Start {
+  quiet,            ///< whirls without touching; the kick decides
+  initial_contact,  ///< the quiet motion itself reaches a wall: nothing to kick
+  unreachable,      ///< no finite eccentricity gives the whirl ratio (undamped resonance), or no quiet motion exists
+};
+
+/// One cell of a map, ready to run.
+struct Cell {
+  Scene scene;
+  QuietMotion quiet;
+  double eccentricity_m = 0;
+  double whirl_ratio = 0;
+  Start start = Start::quiet;
+};
+
+/// Scene of `machine` at one speed and unbalance: starts on the closed-form quiet whirl with t = 0 at the instant of
+/// smallest gap at the first stop; the kick points at that stop's wall unless it has an angle of its own.
+/// speed_hz > 0. Throws ConfigError where `machine` is not valid.
+Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance);
+
+}  // namespace rubsweep::scene

@@ -1,0 +1,87 @@
+#include "rubsweep/scene/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "rubsweep/contact/friction_coefficient.hpp"
+#include "rubsweep/contact/restitution.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::scene {
+namespace {
+
+std::string explain_casing(const model::Stop& stop, double rotor_mass_kg) {
+  if (!stop.casing) {
+    return "  casing: rigid, no state; contact half-period " +
+           fmt::format("{:.3g} ms\n",
+                       1e3 * std::numbers::pi * std::sqrt(rotor_mass_kg / stop.stiffness_n_per_m));
+  }
+  const double hz = std::sqrt(stop.casing->stiffness_n_per_m / stop.casing->mass_kg) / (2 * std::numbers::pi);
+  const double mass = contact::reduced_mass(rotor_mass_kg, stop.casing->mass_kg);
+  return fmt::format(
+      "  casing: moves in x and y (2 coordinates), {} kg, {:.4g} Hz, damping ratio {}; contact half-period {:.3g} ms\n",
+      stop.casing->mass_kg, hz, stop.casing->damping_ratio,
+      1e3 * std::numbers::pi * std::sqrt(mass / stop.stiffness_n_per_m));
+}
+
+std::string explain_damping(const model::Stop& stop, const Contact& contact, double rotor_mass_kg) {
+  double mass = stop.contact_mass_kg.value_or(rotor_mass_kg);
+  if (stop.casing) mass = contact::reduced_mass(mass, stop.casing->mass_kg);
+  const double ratio = contact.damping_ns_per_m / (2 * std::sqrt(mass * stop.stiffness_n_per_m));
+  std::string text = fmt::format("  force law: clamped ElastoGap, {} N/m, {:.6g} N s/m (damping ratio {:.4g}",
+                                 stop.stiffness_n_per_m, contact.damping_ns_per_m, ratio);
+  if (ratio < 1) {
+    text += fmt::format("; a free impact returns {:.4g} of its speed", contact::delivered_restitution(ratio));
+  }
+  return text + ")\n";
+}
+
+std::string explain_friction(const model::Stop& stop, const Contact& contact) {
+  const double slip = contact.surface_speed_m_per_s;
+  if (std::holds_alternative<model::NoFriction>(stop.friction)) return "  friction: none\n";
+  const double mu = contact::friction_coefficient(stop.friction, slip);
+  if (std::holds_alternative<model::ConstantFriction>(stop.friction)) {
+    return fmt::format("  friction: constant {}; a run whose slip would reverse says slip_reversal\n", mu);
+  }
+  const bool saturated = contact::friction_slope(stop.friction, slip) == 0;
+  return fmt::format("  friction: Stribeck, {:.6g} at the surface speed {:.4g} m/s of the lowest speed ({})\n", mu,
+                     slip, saturated ? "saturated: there it does not depend on the slip" : "depends on the slip");
+}
+
+std::string explain_stop(const model::Machine& machine, const Cell& cell, std::size_t i) {
+  const model::Stop& stop = machine.stops[i];
+  const Contact& contact = cell.scene.contacts[i];
+  return fmt::format("stop {}{}: one side at {} degrees, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
+                     stop.geometry.angle_deg, stop.clearance_m) +
+         explain_damping(stop, contact, machine.rotor.mass_kg) + explain_friction(stop, contact) +
+         explain_casing(stop, machine.rotor.mass_kg);
+}
+
+bool friction_free(const model::Machine& machine) {
+  for (const model::Stop& stop : machine.stops) {
+    if (!std::holds_alternative<model::NoFriction>(stop.friction)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string explain(const model::Machine& machine, double speed_hz) {
+  const Cell cell = build_cell(machine, speed_hz, WhirlRatio{0});
+  const auto coordinates = cell.scene.structure.coordinates();
+  std::string text = fmt::format("rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
+                                 machine.rotor.mass_kg, machine.rotor.natural_frequency_hz,
+                                 machine.rotor.damping_ratio);
+  for (std::size_t i = 0; i < machine.stops.size(); ++i) text += explain_stop(machine, cell, i);
+  text += machine.kick ? fmt::format("kick: half-sine, {} N for {} s\n", machine.kick->force_n, machine.kick->duration_s)
+                       : "kick: none\n";
+  text += fmt::format("states: {} ({} coordinates and their rates)\n", 2 * coordinates, coordinates);
+  text += "left out: torsion and drive (the speed is held constant), axial motion, tilting of the disc\n";
+  if (machine.gravity_m_per_s2 == 0) text += "left out: gravity (gravity_m_per_s2 is 0)\n";
+  if (friction_free(machine)) text += "left out: friction (no stop has any)\n";
+  return text;
+}
+
+}  // namespace rubsweep::scene

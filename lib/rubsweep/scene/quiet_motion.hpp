@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::scene {
+
+/// Steady motion of a structure that touches nothing: q(t) = mean + Re(amplitude e^{i w t}).
+struct QuietMotion {
+  Eigen::VectorXd mean;
+  Eigen::VectorXcd amplitude;
+
+  Eigen::VectorXd displacement(double phase_rad) const;
+  /// Per radian of phase; multiply by the speed for m/s.
+  Eigen::VectorXd velocity(double phase_rad) const;
+};
+
+/// Closed form: K mean = constant, (K - w^2 M + i w C) amplitude = harmonic. Not finite at an undamped resonance or
+/// where the stiffness is singular.
+QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_rad_per_s,
+                         const Eigen::VectorXcd& harmonic_n, const Eigen::VectorXd& constant_n);
+
+/// Static part and largest excursion about it of the penetration of one contact under a quiet motion.
+struct QuietPenetration {
+  double mean_m = 0;       ///< below 0: a gap
+  double amplitude_m = 0;  ///< >= 0
+};
+QuietPenetration quiet_penetration(const QuietMotion& motion, const structure::LinearSystem& structure,
+                                   const Contact& contact);
+
+/// Rows that map q to the displacement of the rotor relative to the casing, 2 x n.
+Eigen::Matrix<double, 2, Eigen::Dynamic> relative_map(const structure::LinearSystem& structure,
+                                                      const Contact& contact);
+
+}  // namespace rubsweep::scene

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/model/friction.hpp"
+#include "rubsweep/structure/linear_system.hpp"
+
+namespace rubsweep::scene {
+
+/// A wall between two points of the structure, flat and with a normal that does not turn.
+/// d = rotor point - casing point; penetration p = d . normal - clearance; tangent = (-n_y, n_x);
+/// slip = d' . tangent + surface speed.
+struct Contact {
+  int rotor_point = 0;
+  std::optional<int> casing_point;  ///< empty: the casing does not move
+  Eigen::Vector2d normal{0, 1};     ///< unit vector from the rest position towards the wall
+  double clearance_m = 0;           ///< >= 0
+  double stiffness_n_per_m = 0;
+  double damping_ns_per_m = 0;
+  model::Friction friction;
+  double surface_speed_m_per_s = 0;  ///< R omega
+};
+
+/// Half-sine pulse F(t) = force_n sin(pi t / duration_s) from t = 0 to duration_s.
+struct Pulse {
+  Eigen::VectorXd direction;  ///< n: generalised force per newton
+  double force_n = 0;
+  double duration_s = 0;
+};
+
+/// All that one run simulates, at one speed: a linear structure, what drives it, and the contacts between its points.
+/// The solvers know nothing else; a new rotor or a new stop changes what fills this, not what reads it.
+struct Scene {
+  structure::LinearSystem structure;
+  std::vector<Contact> contacts;
+  double speed_rad_per_s = 0;      ///< > 0; one revolution lasts 2 pi / speed
+  Eigen::VectorXcd harmonic_n;     ///< n: force Re(harmonic_n e^{i speed t})
+  Eigen::VectorXd constant_n;      ///< n: force that does not change
+  std::optional<Pulse> pulse;
+  Eigen::VectorXd displacement_m;  ///< n: q(0)
+  Eigen::VectorXd velocity_m_per_s;
+  int observed_point = 0;  ///< whose motion is sampled and classified: the rotor
+  double length_scale_m = 0;  ///< > 0: what "small" is measured against, the first stop's clearance
+};
+
+}  // namespace rubsweep::scene

@@ -1,0 +1,55 @@
+#include "rubsweep/structure/jeffcott.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace rubsweep::structure {
+namespace {
+
+/// An isotropic mass on a spring, standing at coordinates `first` (x) and `first + 1` (y).
+void add_body(LinearSystem& system, Eigen::Index first, double mass_kg, double stiffness, double damping_ratio) {
+  for (Eigen::Index i = first; i < first + 2; ++i) {
+    system.mass(i, i) = mass_kg;
+    system.stiffness(i, i) = stiffness;
+    system.damping(i, i) = 2 * damping_ratio * std::sqrt(stiffness * mass_kg);
+  }
+  system.weight_kg(first + 1) = -mass_kg;
+  Point point{Eigen::Matrix<double, 2, Eigen::Dynamic>::Zero(2, system.coordinates())};
+  point.map(0, first) = 1;
+  point.map(1, first + 1) = 1;
+  system.points.push_back(std::move(point));
+}
+
+}  // namespace
+
+Assembly assemble_jeffcott(const model::JeffcottRotor& rotor,
+                           const std::vector<std::optional<model::Casing>>& casings) {
+  Eigen::Index n = 2;
+  for (const auto& casing : casings) n += casing ? 2 : 0;
+
+  Assembly assembly;
+  LinearSystem& system = assembly.system;
+  system.mass = system.damping = system.stiffness = Eigen::MatrixXd::Zero(n, n);
+  system.unbalance_kg = Eigen::VectorXcd::Zero(n);
+  system.weight_kg = Eigen::VectorXd::Zero(n);
+
+  const double omega0 = 2 * std::numbers::pi * rotor.natural_frequency_hz;
+  add_body(system, 0, rotor.mass_kg, rotor.mass_kg * omega0 * omega0, rotor.damping_ratio);
+  system.unbalance_kg(0) = rotor.mass_kg;
+  system.unbalance_kg(1) = std::complex<double>(0, -rotor.mass_kg);
+
+  Eigen::Index next = 2;
+  for (const auto& casing : casings) {
+    if (!casing) {
+      assembly.casing_points.emplace_back();
+      continue;
+    }
+    assembly.casing_points.emplace_back(static_cast<int>(system.points.size()));
+    add_body(system, next, casing->mass_kg, casing->stiffness_n_per_m, casing->damping_ratio);
+    next += 2;
+  }
+  return assembly;
+}
+
+}  // namespace rubsweep::structure

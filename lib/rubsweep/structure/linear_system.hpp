@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace rubsweep::structure {
+
+/// A place of the structure where a force may act or a sensor look: displacement (x, y) = map * q, in metres.
+/// A force (fx, fy) at the point enters the equations as map^T (fx, fy).
+struct Point {
+  Eigen::Matrix<double, 2, Eigen::Dynamic> map;  ///< 2 x n
+};
+
+/// M q'' + C q' + K q = f(t), n coordinates.
+struct LinearSystem {
+  Eigen::MatrixXd mass;            ///< n x n, positive definite
+  Eigen::MatrixXd damping;         ///< n x n; gyroscopic terms are part of it
+  Eigen::MatrixXd stiffness;       ///< n x n
+  Eigen::VectorXcd unbalance_kg;   ///< n: an eccentricity e at speed w forces e w^2 Re(unbalance_kg e^{i w t})
+  Eigen::VectorXd weight_kg;       ///< n: gravity g along -y forces g * weight_kg
+  std::vector<Point> points;
+
+  Eigen::Index coordinates() const { return mass.rows(); }
+};
+
+}  // namespace rubsweep::structure

@@ -1,0 +1,73 @@
+#include "rubsweep/sweep/evaluate_cell.hpp"
+
+#include <string_view>
+#include <variant>
+
+#include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+scene::Unbalance unbalance_of(const Grid& grid, std::size_t index) {
+  const double value = grid.unbalance[index];
+  if (grid.measure == UnbalanceMeasure::whirl_ratio) return scene::WhirlRatio{value};
+  return scene::Eccentricity{value};
+}
+
+bool has_constant_friction(const model::Machine& machine) {
+  for (const model::Stop& stop : machine.stops) {
+    if (std::holds_alternative<model::ConstantFriction>(stop.friction)) return true;
+  }
+  return false;
+}
+
+void add_status(Row& row, std::string_view word) {
+  if (row.status == "ok") {
+    row.status = word;
+  } else {
+    row.status.append(";").append(word);
+  }
+}
+
+void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) {
+  row.motion_class = run.motion.motion_class;
+  row.order = run.motion.order;
+  row.proof = run.proof;
+  row.revolutions = run.revolutions;
+  row.last_contact_revolution = run.last_contact_revolution;
+  if (run.outcome == integrate::Outcome::ok) {
+    row.measures = run.motion.measures;
+  } else {
+    add_status(row, integrate::to_string(run.outcome));
+  }
+  if (run.motion.status != response::MotionStatus::ok) add_status(row, response::to_string(run.motion.status));
+  if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
+}
+
+}  // namespace
+
+std::size_t cell_count(const Grid& grid) { return grid.speed_hz.size() * grid.unbalance.size(); }
+
+Row evaluate_cell(const Study& study, std::size_t cell, response::SpectrumWorkspace& workspace) {
+  const std::size_t speeds = study.grid.speed_hz.size();
+  Row row;
+  row.speed_hz = study.grid.speed_hz[cell % speeds];
+  const scene::Cell start =
+      scene::build_cell(study.machine, row.speed_hz, unbalance_of(study.grid, cell / speeds));
+  row.whirl_ratio = start.whirl_ratio;
+  row.eccentricity_m = start.eccentricity_m;
+  if (start.start == scene::Start::unreachable) {
+    row.status = "unreachable";
+    return row;
+  }
+  if (start.start == scene::Start::initial_contact) {
+    row.motion_class = response::MotionClass::initial_contact;
+    return row;
+  }
+  const integrate::Cursor cursor = integrate::start_adaptive(start.scene, study.solver);
+  fill(row, response::settle(cursor, start, study.response, workspace), has_constant_friction(study.machine));
+  return row;
+}
+
+}  // namespace rubsweep::sweep

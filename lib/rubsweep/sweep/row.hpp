@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "rubsweep/response/settle.hpp"
+
+namespace rubsweep::sweep {
+
+/// All that survives of one cell: one row of the map. What does not apply is empty.
+struct Row {
+  double speed_hz = 0;
+  double whirl_ratio = 0;
+  double eccentricity_m = 0;
+  response::MotionClass motion_class = response::MotionClass::failed;
+  std::optional<int> order;
+  std::optional<response::Measures> measures;  ///< of the settled window; empty where nothing settled can be measured
+  std::optional<response::Proof> proof;
+  std::optional<long> last_contact_revolution;
+  long revolutions = 0;
+  std::string status = "ok";  ///< `ok` or one word per cause, joined by ';'
+};
+
+}  // namespace rubsweep::sweep

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that building, testing and drawing need, and any others named as arguments.
+# Asks the network only when something is missing.
+set -euo pipefail
+
+packages=(g++ cmake ninja-build pkg-config git
+  libboost1.81-dev libboost-program-options1.81-dev libeigen3-dev libfftw3-dev libtbb-dev libyaml-cpp-dev libfmt-dev
+  libgtest-dev fonts-dejavu-core "$@")
+# Any flavour of gnuplot will do, and they exclude each other.
+command -v gnuplot >/dev/null || packages+=(gnuplot-nox)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [[ $status == installed* ]] || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+echo "Installing: ${missing[*]}"
+as_root=(env DEBIAN_FRONTEND=noninteractive)
+((EUID == 0)) || as_root=(sudo "${as_root[@]}")
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" apt-get install -q -y --no-install-recommends "${missing[@]}"

@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# check_layers.sh [LIB]: every folder of LIB/rubsweep includes only folders below it, quoted includes name files that
+# exist, and only config/ knows yaml-cpp. Lists each include that breaks a rule; exits 1 if there is any.
+set -euo pipefail
+lib=${1:-$(dirname "${BASH_SOURCE[0]}")/../lib}
+
+[[ -d $lib/rubsweep ]] || { echo "no directory $lib/rubsweep"; exit 1; }
+
+# What each folder may include directly; what those may include comes with them. `.` is LIB/rubsweep itself.
+declare -A below=(
+  [.]=''
+  [batch]='.'
+  [model]='.'
+  [contact]='model'
+  [structure]='model'
+  [scene]='contact structure'
+  [integrate]='scene'
+  [response]='integrate'
+  [sweep]='response batch'
+  [bench]='response'
+  [ring]='batch'
+  [config]='sweep bench ring'
+  [report]='sweep bench ring'
+)
+
+# reachable FOLDER: FOLDER and everything below it, one per line.
+reachable() {
+  echo "$1"
+  local folder
+  for folder in ${below[$1]}; do reachable "$folder"; done
+}
+
+broken=0
+complain() {
+  echo "$1: $2"
+  broken=1
+}
+
+# check_include FILE:LINE FOLDER NAME OPENING, the last one " or <
+check_include() {
+  local place=$1 folder=$2 name=$3 opening=$4
+  if [[ $name == yaml-cpp/* && $folder != config ]]; then complain "$place" "only config/ may include $name"; fi
+  if [[ $opening == '"' && ! -f $lib/$name ]]; then
+    complain "$place" "there is no $name under $lib"
+  elif [[ $name == rubsweep/* ]]; then
+    local target
+    target=$(dirname "${name#rubsweep/}")
+    grep -qxF -- "$target" <<<"${allowed[$folder]}" || complain "$place" "$folder may not include $name"
+  fi
+}
+
+declare -A allowed=()
+while IFS= read -r file; do
+  folder=$(dirname "${file#"$lib"/rubsweep/}")
+  if [[ -z ${below[$folder]+known} ]]; then
+    complain "$file" "folder $folder has no place in the layers"
+    continue
+  fi
+  [[ -n ${allowed[$folder]+known} ]] || allowed[$folder]=$(reachable "$folder")
+  while IFS=: read -r line text; do
+    [[ $text =~ ([<\"])([^>\"]+) ]]
+    check_include "$file:$line" "$folder" "${BASH_REMATCH[2]}" "${BASH_REMATCH[1]}"
+  done < <(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"]' "$file" || true)
+done < <(find "$lib/rubsweep" -name '*.hpp' -o -name '*.cpp' | sort)
+
+exit "$broken"

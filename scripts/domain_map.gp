@@ -1,0 +1,56 @@
+# Draws the cells that domain_map.awk lays out, one colour per class and order.
+# gnuplot -c domain_map.gp CELLS OUTPUT_BASENAME PRESENT HEADING     PRESENT: the kinds in CELLS, a blank around each
+
+cells = ARG1
+output = ARG2
+present = ARG3
+heading = ARG4
+
+# Colours: Paul Tol's "muted" scheme, made for colour-blind readers. Three rare kinds are hatched.
+array kind[14] = ["non_contact", "synchronous", "subharmonic_2", "subharmonic_3", "subharmonic_4", "subharmonic_5", \
+  "subharmonic_6", "subharmonic_7", "subharmonic_8", "quasi_periodic", "chaotic", \
+  "unsettled", "initial_contact", "failed"]
+array legend[14] = ["no contact", "synchronous", "subharmonic 1/2", "subharmonic 1/3", "subharmonic 1/4", \
+  "subharmonic 1/5", "subharmonic 1/6", "subharmonic 1/7", "subharmonic ≤ 1/8", "quasi-periodic", "chaotic", \
+  "unsettled", "touches before kick", "failed"]
+array colour[14] = ["#F4F4F4", "#88CCEE", "#CC6677", "#332288", "#DDCC77", "#117733", \
+  "#882255", "#44AA99", "#999933", "#AA4499", "#000000", \
+  "#555555", "#999999", "#CC0000"]
+solid = ""
+hatched = ""
+do for [i = 1:14] {
+  if (strstrt(present, " " . kind[i] . " ")) {
+    if (i <= 11) { solid = solid . i . " " } else { hatched = hatched . i . " " }
+  }
+}
+
+if (words(solid . hatched) != words(present)) { exit error "domain_map.gp: unknown class among:" . present }
+
+stats cells index 0 using 3:5 name "LOW" nooutput
+stats cells index 0 using 4:6 name "HIGH" nooutput
+set xrange [LOW_min_x:HIGH_max_x]
+set yrange [LOW_min_y:HIGH_max_y]
+do for [n = int(ceil(LOW_min_x)):int(floor(HIGH_max_x))] {
+  set arrow from n, graph 0 to n, graph 1 nohead front dashtype 2 linewidth 1.5 linecolor rgb "#444444"
+}
+
+set title heading
+set xlabel "shaft speed / natural frequency"
+set ylabel "whirl ratio (quiet whirl / clearance)"
+set xtics 1 out nomirror
+set mxtics 2
+set ytics out nomirror
+set key outside right top Left reverse samplen 1.5 spacing 1.4 width -3
+set style textbox opaque noborder margins 0.4, 0.4
+is(i) = strcol(7) eq kind[i + 0] ? $1 : NaN
+
+set terminal pngcairo size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
+set output output . ".png"
+plot for [i in solid] cells index 0 using (is(i)):2:3:4:5:6 with boxxyerror \
+       linecolor rgb colour[i + 0] linewidth 0.5 fillstyle solid 1 border title legend[i + 0], \
+     for [i in hatched] cells index 0 using (is(i)):2:3:4:5:6 with boxxyerror \
+       linecolor rgb colour[i + 0] linewidth 0.5 fillstyle pattern (i - 8) border title legend[i + 0], \
+     cells index 1 using 1:2:3 with labels boxed font ",16" notitle
+set terminal svg size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
+set output output . ".svg"
+replot

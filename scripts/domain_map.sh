@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# domain_map.sh MAP.csv OUTPUT_BASENAME HEADING: draws any map.csv over speed and whirl ratio as OUTPUT_BASENAME.png
+# and .svg. Takes natural frequency and the parameters under the heading from config.yaml beside the map.
+set -euo pipefail
+export LC_ALL=C.UTF-8
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+map=$1 output=$2 heading=$3
+config_file=$(dirname "$map")/config.yaml
+for file in "$map" "$config_file"; do
+  [[ -r $file ]] || { echo "domain_map.sh: cannot read $file" >&2; exit 3; }
+done
+
+declare -A config
+while IFS='=' read -r path value; do config[$path]=$value; done < <(awk -f "$here/config_values.awk" "$config_file")
+
+natural_frequency_hz=${config[rotor.natural_frequency_hz]:?not in "$config_file"}
+
+# number PATH [FACTOR]: the value at PATH times FACTOR for people, 2e+06 as 2×10^6 in gnuplot's notation.
+number() {
+  awk -v value="${config[$1]}" -v factor="${2:-1}" 'BEGIN { printf "%.4g", value * factor }' |
+    sed -E 's/e\+?(-?)0*([0-9]+)/×10^{\1\2}/'
+}
+
+has() { [[ -n ${config[$1]+set} ]]; }
+
+stop_text() {
+  printf 'clearance %s mm, K = %s N/m' "$(number stops.0.clearance_m 1e3)" "$(number stops.0.stiffness_n_per_m)"
+  ! has stops.0.restitution || printf ', nominal e = %s' "$(number stops.0.restitution)"
+  ! has stops.0.restitution_delivered || printf ', delivered e = %s' "$(number stops.0.restitution_delivered)"
+}
+
+casing_text() {
+  has stops.0.casing.mass_kg || { printf 'rigid casing'; return; }
+  printf 'casing %s kg on %s N/m, ζ = %s' "$(number stops.0.casing.mass_kg)" \
+    "$(number stops.0.casing.stiffness_n_per_m)" "$(number stops.0.casing.damping_ratio)"
+}
+
+kick_text() {
+  has kick.force_n || { printf 'no kick'; return; }
+  printf 'kick %s N for %s ms' "$(number kick.force_n)" "$(number kick.duration_s 1e3)"
+}
+
+rotor_text() {
+  printf 'rotor %s kg, %s Hz, ζ = %s' "$(number rotor.mass_kg)" "$(number rotor.natural_frequency_hz)" \
+    "$(number rotor.damping_ratio)"
+}
+
+cells=$(mktemp)
+trap 'rm -f "$cells"' EXIT
+awk -v natural_frequency_hz="$natural_frequency_hz" -f "$here/domain_map.awk" "$map" >"$cells"
+present=$(awk 'NF == 7 { print $7 }' "$cells" | sort -u | tr '\n' ' ')
+
+mkdir -p "$(dirname "$output")"
+small() { printf '\n{/*0.75 %s}' "$1"; }
+gnuplot -c "$here/domain_map.gp" "$cells" "$output" " $present" \
+  "{/:Bold $heading}$(small "$(rotor_text); $(stop_text)")$(small "$(casing_text); $(kick_text)")"

@@ -1,0 +1,96 @@
+#include "rubsweep/batch/progress.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <thread>
+
+namespace rubsweep::batch {
+namespace {
+
+TEST(ProgressLine, TellsRateAndTimeLeft) {
+  EXPECT_EQ(progress_line(132, 1320, 2.92), "132/1320 cells, 10%, 45.2 cells/s, 0:00:26 left");
+  EXPECT_EQ(progress_line(1, 3601, 1), "1/3601 cells, 0%, 1.00 cells/s, 1:00:00 left");
+  EXPECT_EQ(progress_line(500, 1000000, 1), "500/1000000 cells, 0%, 500 cells/s, 0:33:19 left");
+  EXPECT_EQ(progress_line(1, 1001, 40), "1/1001 cells, 0%, 0.025 cells/s, 11:06:40 left");
+}
+
+TEST(ProgressLine, GuessesNothingBeforeItCan) {
+  EXPECT_EQ(progress_line(0, 10, 0), "0/10 cells, 0%");
+  EXPECT_EQ(progress_line(0, 10, 5), "0/10 cells, 0%");
+  EXPECT_EQ(progress_line(3, 10, 0), "3/10 cells, 30%");
+  EXPECT_EQ(progress_line(0, 0, 0), "0/0 cells, 100%");
+}
+
+TEST(ProgressLine, IsFullOnlyAtTheEnd) {
+  EXPECT_EQ(progress_line(999, 1000, 999), "999/1000 cells, 99%, 1.00 cells/s, 0:00:01 left");
+  EXPECT_EQ(progress_line(1000, 1000, 10), "1000/1000 cells, 100%, 100 cells/s, 0:00:00 left");
+}
+
+/// What `steps` steps of a progress of `total` write to a file.
+std::string written_to_file(ProgressMode mode, std::size_t total, std::size_t steps,
+                            std::chrono::milliseconds pause = {}) {
+  std::FILE* file = std::tmpfile();
+  {
+    Progress progress(total, mode, file);
+    for (std::size_t i = 0; i < steps; ++i) {
+      std::this_thread::sleep_for(pause);
+      progress.advance();
+    }
+  }
+  std::rewind(file);
+  std::array<char, 4096> text{};
+  const std::size_t length = std::fread(text.data(), 1, text.size(), file);
+  std::fclose(file);
+  return std::string(text.data(), length);
+}
+
+TEST(Progress, IsSilentUnlessATerminalOrAsked) {
+  EXPECT_EQ(written_to_file(ProgressMode::automatic, 10, 10), "");
+  EXPECT_EQ(written_to_file(ProgressMode::never, 10, 10), "");
+}
+
+TEST(Progress, EndsWithTheTotalTimeAlsoWhenStoppedEarly) {
+  EXPECT_EQ(written_to_file(ProgressMode::always, 10, 0), "\r0/10 cells, 0%\r0/10 cells in 0:00:00\n");
+  EXPECT_TRUE(written_to_file(ProgressMode::always, 10, 7).ends_with("\r7/10 cells in 0:00:00\n"));
+}
+
+TEST(Progress, RewritesItsLineAtMostTenTimesASecond) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string text = written_to_file(ProgressMode::always, 200, 200, std::chrono::milliseconds(2));
+  const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto drawn = std::ranges::count(text, '\r');
+  EXPECT_GE(drawn, 3);  // first, last and at least one in 0.4 s
+  EXPECT_LE(static_cast<double>(drawn), 2 + elapsed_s / 0.1);
+}
+
+TEST(Progress, LeavesNothingOfALongerLine) {
+  const std::string text = written_to_file(ProgressMode::always, 2, 2, std::chrono::milliseconds(110));
+  const auto before = text.rfind('\r', text.rfind('\r') - 1);
+  const auto longer = text.rfind('\r') - before - 1;
+  const auto last = text.size() - text.rfind('\r') - 2;
+  EXPECT_TRUE(text.ends_with("\n"));
+  EXPECT_GE(last, longer) << text;
+}
+
+TEST(Progress, ShowsOnATerminal) {
+  const int main_end = ::posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_GE(main_end, 0);
+  ASSERT_EQ(::grantpt(main_end), 0);
+  ASSERT_EQ(::unlockpt(main_end), 0);
+  std::FILE* terminal = std::fopen(::ptsname(main_end), "w");
+  ASSERT_NE(terminal, nullptr);
+  Progress(5, ProgressMode::automatic, terminal).finish();
+  std::array<char, 256> text{};
+  const ssize_t length = ::read(main_end, text.data(), text.size());
+  EXPECT_EQ(std::string(text.data(), static_cast<std::size_t>(length)).substr(0, 16), "\r0/5 cells, 0%\r0");
+  std::fclose(terminal);
+  ::close(main_end);
+}
+
+}  // namespace
+}  // namespace rubsweep::batch

@@ -1,0 +1,30 @@
+# Installs the build tree BUILD to a new prefix, then uses it as others would: builds and runs project/ against it with
+# the same GENERATOR, COMPILER and FLAGS, and asks the installed program for its VERSION.
+set(work ${BUILD}/consumer)
+file(REMOVE_RECURSE ${work})
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nended with ${status}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${work}/build -G ${GENERATOR}
+  -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
+  -D CMAKE_PREFIX_PATH=${work}/prefix)
+run(${CMAKE_COMMAND} --build ${work}/build)
+
+run(${work}/build/consumer)
+if(NOT output STREQUAL "5 speeds, the last 240 Hz, 8 natural frequencies\n")
+  message(FATAL_ERROR "The consumer printed:\n${output}")
+endif()
+
+run(${work}/prefix/bin/rubsweep --version)
+string(FIND "${output}" "${VERSION}" place)
+if(place EQUAL -1)
+  message(FATAL_ERROR "rubsweep --version does not name ${VERSION}:\n${output}")
+endif()

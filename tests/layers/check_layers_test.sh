@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# check_layers_test.sh CHECK_LAYERS: the check accepts a clean tree and names each include that breaks a rule.
+set -euo pipefail
+check=$1
+lib=$(mktemp -d)
+trap 'rm -rf "$lib"' EXIT
+
+# source_file FILE LINE...: writes lib/rubsweep/FILE.
+source_file() {
+  local file=$lib/rubsweep/$1
+  shift
+  mkdir -p "$(dirname "$file")"
+  printf '%s\n' "$@" >"$file"
+}
+
+# expect NAME STATUS [LINE...]: runs the check; what it prints must be exactly these lines.
+expect() {
+  local name=$1 status=$2 actual=0 output
+  shift 2
+  output=$("$check" "$lib" 2>&1) || actual=$?
+  output=${output//"$lib"\//}
+  if [[ $actual != "$status" || $output != "$(printf '%s\n' "$@")" ]]; then
+    printf '%s: status %s, wanted %s, output:\n%s\nwanted:\n' "$name" "$actual" "$status" "$output"
+    printf '%s\n' "$@"
+    exit 1
+  fi
+}
+
+expect 'nothing to check' 1 'no directory rubsweep'
+
+source_file error.hpp '#include <stdexcept>'
+source_file model/kick.hpp '#include "rubsweep/error.hpp"'
+source_file scene/scene.cpp '#include "rubsweep/model/kick.hpp"' '#include <vector>  // not "rubsweep/report/map.hpp"'
+source_file config/reader.cpp '  #  include <yaml-cpp/yaml.h>' '#include "rubsweep/scene/scene.cpp"'
+expect 'clean tree, also over two layers' 0
+
+source_file model/range.hpp '#pragma once' '' '#include "rubsweep/scene/scene.cpp"'
+expect 'upwards' 1 'rubsweep/model/range.hpp:3: model may not include rubsweep/scene/scene.cpp'
+source_file model/range.hpp '#include <rubsweep/scene/scene.cpp>'
+expect 'upwards with angle brackets' 1 'rubsweep/model/range.hpp:1: model may not include rubsweep/scene/scene.cpp'
+source_file model/range.hpp '#include "rubsweep/model/gone.hpp"'
+expect 'absent file' 1 "rubsweep/model/range.hpp:1: there is no rubsweep/model/gone.hpp under $lib"
+source_file model/range.hpp '#include <yaml-cpp/yaml.h>'
+expect 'YAML outside config' 1 'rubsweep/model/range.hpp:1: only config/ may include yaml-cpp/yaml.h'
+source_file model/range.hpp ''
+source_file attic/old.hpp ''
+expect 'unknown folder' 1 'rubsweep/attic/old.hpp: folder attic has no place in the layers'
