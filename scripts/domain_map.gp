@@ -1,10 +1,12 @@
 # Draws the cells that domain_map.awk lays out, one colour per class and order.
-# gnuplot -c domain_map.gp CELLS OUTPUT_BASENAME PRESENT HEADING     PRESENT: the kinds in CELLS, a blank around each
+# gnuplot -c domain_map.gp CELLS OUTPUT_BASENAME HEADING PRESENT LABELS
+# PRESENT: the kinds in CELLS, a blank around each; LABELS: x y text x y text ...
 
 cells = ARG1
 output = ARG2
-present = ARG3
-heading = ARG4
+heading = ARG3
+present = ARG4
+labels = ARG5
 
 # Colours: Paul Tol's "muted" scheme, made for colour-blind readers. Three rare kinds are hatched.
 array kind[14] = ["non_contact", "synchronous", "subharmonic_2", "subharmonic_3", "subharmonic_4", "subharmonic_5", \
@@ -34,23 +36,29 @@ do for [n = int(ceil(LOW_min_x)):int(floor(HIGH_max_x))] {
   set arrow from n, graph 0 to n, graph 1 nohead front dashtype 2 linewidth 1.5 linecolor rgb "#444444"
 }
 
+set style textbox opaque noborder margins 0.4, 0.4
+do for [k = 1:words(labels):3] {
+  set label word(labels, k + 2) at real(word(labels, k)), real(word(labels, k + 1)) center front boxed font ",16"
+}
+
 set title heading
 set xlabel "shaft speed / natural frequency"
 set ylabel "whirl ratio (quiet whirl / clearance)"
 set xtics 1 out nomirror
 set mxtics 2
 set ytics out nomirror
-set key outside right top Left reverse samplen 1.5 spacing 1.4 width -3
-set style textbox opaque noborder margins 0.4, 0.4
-is(i) = strcol(7) eq kind[i + 0] ? $1 : NaN
+set key at screen 0.775, graph 1 left top Left reverse samplen 1.5 spacing 1.4
+set rmargin at screen 0.76
+at(list, k) = k > words(list) ? 14 : int(word(list, k))  # gnuplot reads the body of an empty loop, too
+x_if(i) = strcol(7) eq kind[i] ? $1 : NaN
 
 set terminal pngcairo size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
 set output output . ".png"
-plot for [i in solid] cells index 0 using (is(i)):2:3:4:5:6 with boxxyerror \
-       linecolor rgb colour[i + 0] linewidth 0.5 fillstyle solid 1 border title legend[i + 0], \
-     for [i in hatched] cells index 0 using (is(i)):2:3:4:5:6 with boxxyerror \
-       linecolor rgb colour[i + 0] linewidth 0.5 fillstyle pattern (i - 8) border title legend[i + 0], \
-     cells index 1 using 1:2:3 with labels boxed font ",16" notitle
+plot for [k = 1:words(solid)] cells index 0 using (x_if(at(solid, k))):2:3:4:5:6 with boxxyerror \
+       linecolor rgb colour[at(solid, k)] linewidth 0.5 fillstyle solid 1 border title legend[at(solid, k)], \
+     for [k = 1:words(hatched)] cells index 0 using (x_if(at(hatched, k))):2:3:4:5:6 with boxxyerror \
+       linecolor rgb colour[at(hatched, k)] linewidth 0.5 fillstyle pattern (at(hatched, k) - 8) border \
+       title legend[at(hatched, k)]
 set terminal svg size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
 set output output . ".svg"
 replot

@@ -53,5 +53,6 @@ present=$(awk 'NF == 7 { print $7 }' "$cells" | sort -u | tr '\n' ' ')
 
 mkdir -p "$(dirname "$output")"
 small() { printf '\n{/*0.75 %s}' "$1"; }
-gnuplot -c "$here/domain_map.gp" "$cells" "$output" " $present" \
-  "{/:Bold $heading}$(small "$(rotor_text); $(stop_text)")$(small "$(casing_text); $(kick_text)")"
+gnuplot -c "$here/domain_map.gp" "$cells" "$output" \
+  "{/:Bold $heading}$(small "$(rotor_text); $(stop_text)")$(small "$(casing_text); $(kick_text)")" \
+  " $present" "$(awk 'NF == 3' "$cells" | tr '\n' ' ')"

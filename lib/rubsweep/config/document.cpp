@@ -67,7 +67,8 @@ class TreeBuilder : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end()) refuse(mark, "an alias stands inside the value it names", "");
-    complete(found->second, 0, extent_of(found->second));
+    count(at(mark), extent_of(found->second));
+    complete(found->second, 0, {0, 0});
   }
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -129,8 +130,9 @@ class TreeBuilder : public YAML::EventHandler {
     Node& parent = open_.back().first;
     const bool is_map = parent.kind == Node::Kind::map;
     if (is_map && parent.keys.size() == parent.items.size()) {
-      if (node.kind != Node::Kind::scalar)
+      if (node.kind != Node::Kind::scalar) {
         throw Refusal{node.place, "a key is not a name", "a name before ':'"};
+      }
       parent.keys.push_back({std::move(node.text), node.place});
       return;
     }

@@ -89,8 +89,9 @@ void apply(Node& root, std::string_view text, int index, Diagnostics& diagnostic
 }  // namespace
 
 void apply_overrides(Node& root, const std::vector<std::string>& overrides, Diagnostics& diagnostics) {
-  for (std::size_t i = 0; i < overrides.size(); ++i)
+  for (std::size_t i = 0; i < overrides.size(); ++i) {
     apply(root, overrides[i], static_cast<int>(i), diagnostics);
+  }
 }
 
 }  // namespace rubsweep::config

@@ -57,25 +57,19 @@ std::optional<Value> Section::require(std::string_view name, std::string_view al
 
 void Section::require_exactly_one(std::initializer_list<std::string_view> names) {
   if (!is_map()) return;
-  const std::vector<std::string_view> all(names);
-  const std::string allowed = "exactly one of " + describe(all);
-  std::string_view last;
-  const Node* last_node = nullptr;
-  std::vector<std::string_view> others;
+  const std::string allowed = "exactly one of " + describe(std::vector<std::string_view>(names));
+  std::vector<std::string_view> given;
   for (const std::string_view name : names) {
-    const Node* node = lookup(name);
-    if (node == nullptr) continue;
-    if (last_node != nullptr) others.push_back(last_node->place < node->place ? last : name);
-    if (last_node != nullptr && node->place < last_node->place) continue;
-    last = name;
-    last_node = node;
+    if (lookup(name) != nullptr) given.push_back(name);
   }
-  if (last_node == nullptr) {
-    refuse(value_, "one key is missing", allowed);
-  } else if (!others.empty()) {
-    const std::string wrong = "given beside " + describe(others);
-    value_.diagnostics.add(last_node->place, path_of(last), wrong, allowed);
-  }
+  if (given.empty()) refuse(value_, "one key is missing", allowed);
+  if (given.size() < 2) return;
+  std::stable_sort(given.begin(), given.end(), [this](std::string_view a, std::string_view b) {
+    return lookup(a)->place < lookup(b)->place;
+  });
+  const std::string_view last = given.back();
+  given.pop_back();
+  value_.diagnostics.add(lookup(last)->place, path_of(last), "given beside " + describe(given), allowed);
 }
 
 void Section::field(std::string_view name, double& target, const model::Range& range) {

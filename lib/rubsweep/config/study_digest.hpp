@@ -6,8 +6,8 @@
 
 namespace rubsweep::config {
 
-/// Digest of everything that decides the numbers of a map (see print_study): a name-based UUID (version 5, SHA-1).
-/// Equal studies have equal digests however their files were written.
+/// Digest of everything that decides the numbers of a map (see print_study): a name-based UUID (version 5,
+/// SHA-1). Equal studies have equal digests however their files were written.
 std::string study_digest(const sweep::Study& study);
 
 }  // namespace rubsweep::config

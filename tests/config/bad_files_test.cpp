@@ -1,0 +1,36 @@
+// Every file of bad/ with the complete message beside it: the message is the interface.
+#include <algorithm>
+#include <filesystem>
+
+#include "config/support.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+std::vector<std::string> stems(const std::string& extension) {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(RUBSWEEP_TEST_DATA) + "/bad")) {
+    if (entry.path().extension() == extension) found.push_back(entry.path().stem().string());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+class BadFile : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadFile, gives_exactly_the_expected_message) {
+  const std::string name = GetParam() + ".yaml";
+  EXPECT_EQ(message_of(test_file("bad/" + name), {}, name) + "\n",
+            test_file("bad/" + GetParam() + ".expected"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Folder, BadFile, testing::ValuesIn(stems(".yaml")),
+                         [](const auto& parameter) { return parameter.param; });
+
+TEST(BadFiles, all_have_their_message_and_none_is_left_over) {
+  EXPECT_GE(stems(".yaml").size(), 25U);
+  EXPECT_EQ(stems(".yaml"), stems(".expected"));
+}
+
+}  // namespace
+}  // namespace rubsweep::config

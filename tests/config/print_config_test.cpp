@@ -1,0 +1,135 @@
+#include "rubsweep/config/print_config.hpp"
+
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "config/support.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+void expect_round_trip(const RunConfig& config) {
+  const std::string printed = print_config(config);
+  const RunConfig again = read_run_config_text(printed, "printed.yaml", {});
+  EXPECT_EQ(bits_of(again), bits_of(config));
+  EXPECT_EQ(again.output_directory, config.output_directory);
+  EXPECT_EQ(print_config(again), printed);
+}
+
+/// Positive doubles over most of the exponents, so that nearly every one needs 17 digits.
+double awkward(std::mt19937_64& random) {
+  return std::ldexp(1 + std::ldexp(static_cast<double>(random() >> 12), -52),
+                    static_cast<int>(random() % 600) - 300);
+}
+
+RunConfig awkward_config(std::mt19937_64& random) {
+  const auto maybe = [&]() { return random() % 2 == 0 ? std::optional<double>() : awkward(random); };
+  RunConfig config;
+  config.study.machine.rotor = {awkward(random), awkward(random), awkward(random)};
+  for (std::size_t i = 0; i < 1 + random() % 3; ++i) {
+    model::Stop stop;
+    stop.geometry.angle_deg = -awkward(random);
+    stop.clearance_m = awkward(random);
+    stop.stiffness_n_per_m = awkward(random);
+    stop.contact_radius_m = awkward(random);
+    const double restitution = 1 / (1 + awkward(random) / 1e300);
+    const model::ContactDamping dampings[] = {model::NominalRestitution{restitution},
+                                              model::DeliveredRestitution{restitution},
+                                              model::ExplicitDamping{awkward(random)}};
+    stop.damping = dampings[random() % 3];
+    const model::Friction frictions[] = {
+        model::NoFriction{}, model::ConstantFriction{restitution},
+        model::StribeckFriction{{awkward(random), -awkward(random), 0, -0.0, awkward(random), 1}}};
+    stop.friction = frictions[random() % 3];
+    stop.contact_mass_kg = maybe();
+    if (random() % 2 == 0) stop.casing = model::Casing{awkward(random), awkward(random), awkward(random)};
+    config.study.machine.stops.push_back(stop);
+  }
+  if (random() % 2 == 0) config.study.machine.kick = model::Kick{awkward(random), awkward(random), maybe()};
+  config.study.machine.gravity_m_per_s2 = awkward(random);
+  config.study.grid.speed_hz = {awkward(random), std::numeric_limits<double>::denorm_min(), awkward(random)};
+  config.study.grid.measure = sweep::UnbalanceMeasure(random() % 2);
+  config.study.grid.unbalance = {std::numeric_limits<double>::max(), 0, awkward(random)};
+  config.study.solver.method = integrate::Method(random() % 2);
+  config.study.solver.stepper = integrate::Stepper(random() % 5);
+  config.study.solver.contact = integrate::ContactHandling(random() % 2);
+  config.study.solver.relative_tolerance = 1e-9 * std::numbers::pi;
+  config.study.response = {
+      .max_revolutions = 1001, .samples_per_revolution = 66, .window_revolutions = 100, .max_order = 16};
+  config.output_directory = "results/awkward";
+  return config;
+}
+
+TEST(PrintConfig, reads_back_equal_and_prints_the_same_again) {
+  expect_round_trip(read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", {}));
+  expect_round_trip(read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {}));
+  std::mt19937_64 random(20240607);
+  for (int i = 0; i < 200; ++i) expect_round_trip(awkward_config(random));
+}
+
+TEST(PrintConfig, keeps_every_directory) {
+  RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
+  for (const char* directory : {"results/a-b_c.d",
+                                "/tmp/x",
+                                ".",
+                                "...",
+                                "../up",
+                                "-",
+                                "- a",
+                                "a: b",
+                                "a #b",
+                                "~",
+                                "null",
+                                "Null",
+                                "true",
+                                "123",
+                                "1e3",
+                                "'",
+                                "\"",
+                                "a\"b\\c",
+                                "a\nb\r\n",
+                                "\t",
+                                " a ",
+                                "{a}",
+                                "[",
+                                "r\xC3\xA9sultats",
+                                "\xF0\x9F\x8C\x80",
+                                "\x01\x7f",
+                                "%a",
+                                "&a",
+                                "*a",
+                                "!a",
+                                "@",
+                                "`"}) {
+    config.output_directory = directory;
+    expect_round_trip(config);
+  }
+}
+
+TEST(PrintConfig, refuses_a_directory_that_no_yaml_file_can_hold) {
+  RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
+  config.output_directory = "a\xff";
+  EXPECT_THROW(print_config(config), ConfigError);
+}
+
+TEST(PrintConfig, fits_the_reader_at_its_largest) {
+  std::string text = test_file("minimal.yaml");
+  text = replaced(text, "{from: 60, count: 1}", "{from: 10.1, to: 999.7, count: 10000}");
+  text = replaced(text, "{values: [0.5]}", "{from: 0.11, to: 0.97, count: 400}");
+  expect_round_trip(read_run_config_text(text, "large.yaml", {}));
+}
+
+TEST(PrintStudy, is_the_configuration_without_its_output) {
+  RunConfig config = read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", {});
+  const std::string study = print_study(config.study);
+  EXPECT_EQ(print_config(config), study + "output:\n  directory: results/one_side\n");
+}
+
+TEST(PrintConfig, shows_every_default) {
+  const RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
+  EXPECT_EQ(print_config(config), test_file("minimal_printed.yaml"));
+}
+
+}  // namespace
+}  // namespace rubsweep::config

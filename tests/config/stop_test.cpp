@@ -1,0 +1,58 @@
+#include "rubsweep/config/stop.hpp"
+
+#include "config/support.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+model::Stop read_stop_with(const std::vector<std::string>& overrides) {
+  std::string text = replaced(test_file("minimal.yaml"), "    restitution: 0.7\n", "");
+  return read_run_config_text(text, "test.yaml", overrides).study.machine.stops.at(0);
+}
+
+TEST(Stop, takes_each_source_of_damping) {
+  const model::Stop nominal = read_stop_with({"stops.0.restitution=0.7"});
+  EXPECT_EQ(std::get<model::NominalRestitution>(nominal.damping).value, 0.7);
+  const model::Stop delivered = read_stop_with({"stops.0.restitution_delivered=0.6"});
+  EXPECT_EQ(std::get<model::DeliveredRestitution>(delivered.damping).value, 0.6);
+  const model::Stop given = read_stop_with({"stops.0.damping_ns_per_m=0"});
+  EXPECT_EQ(std::get<model::ExplicitDamping>(given.damping).damping_ns_per_m, 0);
+  EXPECT_THROW(read_stop_with({}), ConfigError);
+}
+
+TEST(Stop, takes_each_friction) {
+  const std::string elastic = "stops.0.restitution=1";
+  const auto friction = [&](const std::string& text) {
+    return read_stop_with({elastic, "stops.0.friction=" + text}).friction;
+  };
+  EXPECT_TRUE(std::holds_alternative<model::NoFriction>(friction("none")));
+  EXPECT_EQ(std::get<model::ConstantFriction>(friction("{coefficient: 0.2}")).coefficient, 0.2);
+  EXPECT_EQ(std::get<model::StribeckFriction>(friction("{stribeck: [1, 2, 3, 4, 5, -6]}")).gamma,
+            (std::array<double, 6>{1, 2, 3, 4, 5, -6}));
+}
+
+TEST(Stop, takes_each_casing) {
+  const std::string elastic = "stops.0.restitution=1";
+  EXPECT_FALSE(read_stop_with({elastic, "stops.0.casing=rigid"}).casing);
+  const auto casing =
+      read_stop_with({elastic, "stops.0.casing={mass_kg: 1, stiffness_n_per_m: 2, damping_ratio: 3}"}).casing;
+  ASSERT_TRUE(casing);
+  EXPECT_EQ(casing->mass_kg, 1);
+  EXPECT_EQ(casing->stiffness_n_per_m, 2);
+  EXPECT_EQ(casing->damping_ratio, 3);
+}
+
+TEST(Stop, keeps_the_order_of_the_list) {
+  const std::string minimal = test_file("minimal.yaml");
+  const std::size_t begin = minimal.find("  - kind");
+  const std::size_t end = minimal.find("sweep:");
+  std::string text = minimal;
+  text.insert(end, replaced(minimal.substr(begin, end - begin), "angle_deg: 90", "angle_deg: 270"));
+  const auto stops = read_run_config_text(text, "two.yaml", {}).study.machine.stops;
+  ASSERT_EQ(stops.size(), 2U);
+  EXPECT_EQ(stops[0].geometry.angle_deg, 90);
+  EXPECT_EQ(stops[1].geometry.angle_deg, 270);
+}
+
+}  // namespace
+}  // namespace rubsweep::config

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::config {
+
+inline std::string test_file(const std::string& name) {
+  std::ifstream stream(std::string(RUBSWEEP_TEST_DATA) + "/" + name, std::ios::binary);
+  EXPECT_TRUE(stream) << name;
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The complete message of the ConfigError; "no error" when the text was taken.
+inline std::string message_of(const std::string& text, const std::vector<std::string>& overrides = {},
+                              const std::string& name = "test.yaml") {
+  try {
+    read_run_config_text(text, name, overrides);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// `text` with the first occurrence of `from` replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+/// Every number of a configuration in a fixed order, as bits: alternatives by index, optional ones with a
+/// flag. An equality that shares nothing with the printer.
+inline std::vector<std::uint64_t> bits_of(const RunConfig& config) {
+  std::vector<std::uint64_t> bits;
+  const auto put = [&](double value) { bits.push_back(std::bit_cast<std::uint64_t>(value)); };
+  const auto count = [&](auto value) { bits.push_back(static_cast<std::uint64_t>(value)); };
+  const auto maybe = [&](const std::optional<double>& value) {
+    count(value.has_value());
+    put(value.value_or(0));
+  };
+  const model::Machine& machine = config.study.machine;
+  put(machine.rotor.mass_kg), put(machine.rotor.natural_frequency_hz), put(machine.rotor.damping_ratio);
+  count(machine.stops.size());
+  for (const model::Stop& stop : machine.stops) {
+    put(stop.geometry.angle_deg), put(stop.clearance_m), put(stop.stiffness_n_per_m),
+        put(stop.contact_radius_m);
+    count(stop.damping.index());
+    if (const auto* law = std::get_if<model::NominalRestitution>(&stop.damping)) put(law->value);
+    if (const auto* law = std::get_if<model::DeliveredRestitution>(&stop.damping)) put(law->value);
+    if (const auto* law = std::get_if<model::ExplicitDamping>(&stop.damping)) put(law->damping_ns_per_m);
+    maybe(stop.contact_mass_kg);
+    count(stop.friction.index());
+    if (const auto* law = std::get_if<model::ConstantFriction>(&stop.friction)) put(law->coefficient);
+    if (const auto* law = std::get_if<model::StribeckFriction>(&stop.friction)) {
+      for (const double gamma : law->gamma) put(gamma);
+    }
+    count(stop.casing.has_value());
+    const model::Casing casing = stop.casing.value_or(model::Casing{0, 0, 0});
+    put(casing.mass_kg), put(casing.stiffness_n_per_m), put(casing.damping_ratio);
+  }
+  count(machine.kick.has_value());
+  const model::Kick kick = machine.kick.value_or(model::Kick{0, 0, {}});
+  put(kick.force_n), put(kick.duration_s), maybe(kick.angle_deg);
+  put(machine.gravity_m_per_s2);
+  count(config.study.grid.speed_hz.size());
+  for (const double speed : config.study.grid.speed_hz) put(speed);
+  count(config.study.grid.measure);
+  for (const double unbalance : config.study.grid.unbalance) put(unbalance);
+  const integrate::SolverOptions& solver = config.study.solver;
+  count(solver.method), count(solver.stepper), count(solver.contact), put(solver.relative_tolerance);
+  put(solver.smoothing_m), count(solver.max_steps_per_revolution);
+  const response::ResponseOptions& response = config.study.response;
+  count(response.max_revolutions), count(response.samples_per_revolution);
+  count(response.window_revolutions), count(response.max_order);
+  return bits;
+}
+
+}  // namespace rubsweep::config

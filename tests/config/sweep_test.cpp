@@ -1,0 +1,80 @@
+#include "rubsweep/config/sweep.hpp"
+
+#include "config/support.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+sweep::Grid grid_with(const std::vector<std::string>& overrides) {
+  return read_run_config_text(test_file("minimal.yaml"), "test.yaml", overrides).study.grid;
+}
+
+TEST(Sweep, spaces_whole_numbers_exactly) {
+  const std::vector<double> speeds = grid_with({"sweep.speed_hz={from: 45, to: 240, count: 66}"}).speed_hz;
+  ASSERT_EQ(speeds.size(), 66U);
+  for (std::size_t i = 0; i < speeds.size(); ++i) EXPECT_EQ(speeds[i], 45 + 3 * static_cast<double>(i));
+}
+
+TEST(Sweep, ends_exactly_where_asked) {
+  const std::vector<double> ratios =
+      grid_with({"sweep.whirl_ratio={from: 0.02, to: 0.98, count: 20}"}).unbalance;
+  ASSERT_EQ(ratios.size(), 20U);
+  EXPECT_EQ(ratios.front(), 0.02);
+  EXPECT_EQ(ratios.back(), 0.98);
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    EXPECT_NEAR(ratios[i], (0.02 * (19 - static_cast<double>(i)) + 0.98 * static_cast<double>(i)) / 19,
+                1e-15);
+  }
+}
+
+TEST(Sweep, runs_downwards_too) {
+  EXPECT_EQ(grid_with({"sweep.speed_hz={from: 90, to: 60, count: 4}"}).speed_hz,
+            (std::vector<double>{90, 80, 70, 60}));
+}
+
+TEST(Sweep, takes_a_single_value) {
+  const std::vector<double> one{60};
+  EXPECT_EQ(grid_with({"sweep.speed_hz={from: 60, count: 1}"}).speed_hz, one);
+  EXPECT_EQ(grid_with({"sweep.speed_hz={from: 60, to: 60, count: 1}"}).speed_hz, one);
+  EXPECT_EQ(grid_with({"sweep.speed_hz={values: [60]}"}).speed_hz, one);
+}
+
+TEST(Sweep, keeps_listed_values_in_their_order) {
+  EXPECT_EQ(grid_with({"sweep.speed_hz={values: [70, 60.5, 1e2]}"}).speed_hz,
+            (std::vector<double>{70, 60.5, 100}));
+}
+
+TEST(Sweep, takes_either_measure_of_unbalance) {
+  const sweep::Grid ratio = grid_with({"sweep.whirl_ratio={values: [0, 1.5]}"});
+  EXPECT_EQ(ratio.measure, sweep::UnbalanceMeasure::whirl_ratio);
+  EXPECT_EQ(ratio.unbalance, (std::vector<double>{0, 1.5}));
+  const sweep::Grid eccentricity =
+      grid_with({"sweep={speed_hz: {values: [60]}, eccentricity_m: {values: [1e-5]}}"});
+  EXPECT_EQ(eccentricity.measure, sweep::UnbalanceMeasure::eccentricity_m);
+  EXPECT_EQ(eccentricity.unbalance, std::vector<double>{1e-5});
+}
+
+TEST(Sweep, refuses_zero_as_one_value_twice) {
+  EXPECT_EQ(
+      message_of(test_file("minimal.yaml"), {"sweep.whirl_ratio={values: [0, -0]}"}),
+      "--set sweep.whirl_ratio={values: [0, -0]}: sweep.whirl_ratio.values.1: -0 is listed twice, allowed: "
+      "different values");
+}
+
+TEST(Sweep, takes_up_to_four_million_cells) {
+  const std::string speeds = "sweep.speed_hz={from: 1, to: 4000, count: 2000}";
+  EXPECT_EQ(
+      message_of(test_file("minimal.yaml"), {speeds, "sweep.whirl_ratio={from: 0, to: 1, count: 2000}"}),
+      "no error");
+  EXPECT_NE(
+      message_of(test_file("minimal.yaml"), {speeds, "sweep.whirl_ratio={from: 0, to: 1, count: 2001}"}),
+      "no error");
+}
+
+TEST(Sweep, refuses_a_spacing_that_overflows) {
+  EXPECT_NE(message_of(test_file("minimal.yaml"), {"sweep.speed_hz={from: 1, to: 1e308, count: 5}"}),
+            "no error");
+}
+
+}  // namespace
+}  // namespace rubsweep::config
