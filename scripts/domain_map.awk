@@ -58,20 +58,34 @@ $place["whirl_ratio"] != "" {
   if (!(y[cells] in seen_y)) seen_y[y[cells]] = ys[++ny] = y[cells]
 }
 
-# Writes 1/n into the cell nearest to the middle of all cells of that order, if they are enough to hold it.
+# How many cells beyond its own a label of 4 % of the axis reaches, on an axis of `count` cells.
+function reach(count,    cells_beyond) {
+  cells_beyond = 0.02 * count - 0.5
+  return cells_beyond <= 0 ? 0 : int(cells_beyond) + 1
+}
+
+# True when a label on cell i hides cells of its own kind only.
+function fits(i,    column, row) {
+  for (column = column_of[x[i]] - reach(nx); column <= column_of[x[i]] + reach(nx); ++column) {
+    for (row = row_of[y[i]] - reach(ny); row <= row_of[y[i]] + reach(ny); ++row) {
+      if (kind_at[xs[column], ys[row]] != kind[i]) return 0
+    }
+  }
+  return 1
+}
+
+# Writes 1/n into the cell nearest to the middle of all cells of that order, among those where it fits.
 function print_labels(    n, i, count, middle_x, middle_y, distance, best, best_distance) {
   for (n = 2; n < 8; ++n) {
-    count = middle_x = middle_y = 0
+    count = middle_x = middle_y = best = 0
     for (i = 1; i <= cells; ++i) {
       if (kind[i] != "subharmonic_" n) continue
       ++count
       middle_x += x[i]
       middle_y += y[i]
     }
-    if (count * 150 < cells) continue
-    best = 0
     for (i = 1; i <= cells; ++i) {
-      if (kind[i] != "subharmonic_" n) continue
+      if (kind[i] != "subharmonic_" n || !fits(i)) continue
       distance = ((x[i] - middle_x / count) / (xs[nx] - xs[1] + 1e-9)) ^ 2 + \
                  ((y[i] - middle_y / count) / (ys[ny] - ys[1] + 1e-9)) ^ 2
       if (!best || distance < best_distance) {
@@ -79,7 +93,7 @@ function print_labels(    n, i, count, middle_x, middle_y, distance, best, best_
         best_distance = distance
       }
     }
-    print x[best], y[best], "1/" n
+    if (best) print x[best], y[best], "1/" n
   }
 }
 
@@ -88,6 +102,9 @@ END {
   if (!cells) fail("no cells")
   find_edges(xs, nx, left, right)
   find_edges(ys, ny, bottom, top)
+  for (i = 1; i <= nx; ++i) column_of[xs[i]] = i
+  for (i = 1; i <= ny; ++i) row_of[ys[i]] = i
+  for (i = 1; i <= cells; ++i) kind_at[x[i], y[i]] = kind[i]
   for (i = 1; i <= cells; ++i) print x[i], y[i], left[x[i]], right[x[i]], bottom[y[i]], top[y[i]], kind[i]
   print "\n"
   print_labels()

@@ -87,6 +87,8 @@ TEST(ParallelRun, ReportsEachFinishedCellOnceAndOneAtATime) {
   std::vector<double> results(200, 0);
   const auto on_finished = [&](std::size_t cell) {
     EXPECT_EQ(++inside, 1);
+    std::this_thread::sleep_for(
+        std::chrono::microseconds(50));  // long enough for another call to meet this one
     EXPECT_EQ(results[cell], uneven_work(cell));
     reported.push_back(cell);
     --inside;

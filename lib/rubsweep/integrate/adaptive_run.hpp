@@ -79,8 +79,10 @@ class AdaptiveRun {
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
       const auto& c = system_.contacts[i];
       start_kinematics_[i] = dynamics_.kinematics(i, step_.start, step_.start_rate);
-      dynamics_.modes()[i] = contact::mode_of(c.stiffness, c.damping, start_kinematics_[i].penetration,
-                                              start_kinematics_[i].closing_speed);
+      const contact::Kinematics& k = start_kinematics_[i];
+      const contact::Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
+      // A start exactly at the wall and moving into it is in contact from the first instant.
+      dynamics_.modes()[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
     }
   }
 

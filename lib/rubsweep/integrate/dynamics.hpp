@@ -74,9 +74,9 @@ class Dynamics {
            c.surface_speed_m_per_s;
   }
 
-  /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. Matrix: any with operator()(row, column).
+  /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to one entry.
   template <class State, class Jacobian>
-  void jacobian(const State& state, Jacobian& j, double phase, State& phase_rate) const {
+  void jacobian(const State& state, Jacobian&& j, double phase, State& phase_rate) const {
     const Eigen::Index n = system_.coordinates();
     const ConstMap u(&state[0], n), v(&state[0] + n, n);
     Eigen::MatrixXd by_u = -system_.stiffness, by_v = -system_.damping;
