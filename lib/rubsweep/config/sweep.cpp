@@ -21,8 +21,9 @@ std::vector<double> read_values(const Value& value, const model::Range& range) {
   for (const Value& item : *items) {
     const auto number = read_number(item, range);
     if (!number) continue;
-    if (!seen.insert(*number).second)
+    if (!seen.insert(*number).second) {
       refuse(item, fmt::format("{} is listed twice", *number), "different values");
+    }
     values.push_back(*number);
   }
   return values;
@@ -90,8 +91,9 @@ std::vector<double> read_axis(const Value& value, const model::Range& range) {
 sweep::Grid read_sweep(const Value& value) {
   Section section(value);
   sweep::Grid grid;
-  if (const auto speed = section.require("speed_hz", axis_forms))
+  if (const auto speed = section.require("speed_hz", axis_forms)) {
     grid.speed_hz = read_axis(*speed, model::positive);
+  }
   section.require_exactly_one({"whirl_ratio", "eccentricity_m"});
   if (const auto ratio = section.find("whirl_ratio")) {
     grid.measure = sweep::UnbalanceMeasure::whirl_ratio;
