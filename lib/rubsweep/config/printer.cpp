@@ -53,6 +53,10 @@ void Printer::numbers(std::string_view name, std::span<const double> values) {
   line(name, fmt::format("[{}]", fmt::join(values, ", ")));
 }
 
+void Printer::field(std::string_view name, const std::optional<double>& value, const model::Range&) {
+  if (value) number(name, *value);
+}
+
 void Printer::integer(std::string_view name, long value) { line(name, fmt::format("{}", value)); }
 
 void Printer::word(std::string_view name, std::string_view value) { line(name, value); }

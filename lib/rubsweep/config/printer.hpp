@@ -30,9 +30,7 @@ class Printer {
 
   /// The same names as in Section, so that one list of fields serves both.
   void field(std::string_view name, double value, const model::Range&) { number(name, value); }
-  void field(std::string_view name, const std::optional<double>& value, const model::Range&) {
-    if (value) number(name, *value);
-  }
+  void field(std::string_view name, const std::optional<double>& value, const model::Range& range);
   template <std::signed_integral Integer>
   void field(std::string_view name, Integer value, const IntegerRange&) {
     integer(name, value);

@@ -43,7 +43,8 @@ inline NormalForce smoothed_elastogap(double stiffness, double damping, double p
   const double damper = damping * closing_speed;
   const double clamped =
       damper - smooth_ramp(damper - spring, force_width) + smooth_ramp(-damper - spring, force_width);
-  return {spring, spring + clamped};
+  // `clamped` is within +-spring already, but for rounding, and not even rounding may pull.
+  return {spring, spring + std::clamp(clamped, -spring, spring)};
 }
 
 }  // namespace rubsweep::contact

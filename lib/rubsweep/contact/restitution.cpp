@@ -17,7 +17,7 @@ constexpr double largest_damping_ratio = 0.999999;
 
 double nominal_damping_ratio(double restitution) {
   const double log_e = std::log(restitution);
-  return -log_e / std::hypot(std::numbers::pi, log_e);
+  return std::abs(log_e) / std::hypot(std::numbers::pi, log_e);
 }
 
 double delivered_restitution(double damping_ratio) {

@@ -1,7 +1,9 @@
 #include "rubsweep/scene/build_scene.hpp"
 
+#include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 
 #include "rubsweep/contact/restitution.hpp"
@@ -65,7 +67,23 @@ std::complex<double> phase_to_smallest_gap(const QuietMotion& unit, const struct
   return modulus > 0 && std::isfinite(modulus) ? std::conj(amplitude) / modulus : 1.0;
 }
 
+/// Says the unbalance the other way too. `remaining_m`: clearance that static forces leave at the first stop. Where
+/// they leave none, or the amplitude has no bound, no number says the other way: NaN.
+void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, double amplitude_per_m) {
+  const bool related = remaining_m > 0 && std::isfinite(amplitude_per_m);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  if (const auto* ratio = std::get_if<WhirlRatio>(&unbalance)) {
+    cell.whirl_ratio = ratio->value;
+    cell.eccentricity_m = related ? ratio->value * remaining_m / amplitude_per_m : none;
+  } else {
+    cell.eccentricity_m = std::get<Eccentricity>(unbalance).value_m;
+    cell.whirl_ratio = related ? cell.eccentricity_m * amplitude_per_m / remaining_m : none;
+  }
+}
+
+/// The first stop goes by the whirl ratio, so that rounding does not decide at a ratio of exactly 1.
 bool touches_anywhere(const Cell& cell) {
+  if (!(cell.whirl_ratio < 1)) return true;
   for (const Contact& contact : cell.scene.contacts) {
     const auto [mean, amplitude] = quiet_penetration(cell.quiet, cell.scene.structure, contact);
     if (mean + amplitude >= 0) return true;
@@ -99,22 +117,17 @@ Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance&
   const Eigen::VectorXcd unit_force = w * w * scene.structure.unbalance_kg;
   const QuietMotion unit = quiet_motion(scene.structure, w, unit_force, scene.constant_n);
   const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
-  if (const auto* ratio = std::get_if<WhirlRatio>(&unbalance)) {
-    cell.whirl_ratio = ratio->value;
-    cell.eccentricity_m = ratio->value * -mean / amplitude_per_m;
-  } else {
-    cell.eccentricity_m = std::get<Eccentricity>(unbalance).value_m;
-    cell.whirl_ratio = cell.eccentricity_m * amplitude_per_m / -mean;
-  }
-  if (!std::isfinite(amplitude_per_m) || !std::isfinite(cell.eccentricity_m) || !std::isfinite(mean)) {
-    cell.start = Start::unreachable;
+  set_unbalance(cell, unbalance, -mean, amplitude_per_m);
+  const bool has_quiet_motion = std::isfinite(amplitude_per_m) && std::isfinite(mean);
+  if (!has_quiet_motion || !std::isfinite(cell.eccentricity_m)) {
+    cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;
     return cell;
   }
   scene.harmonic_n = cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first) * unit_force;
   cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
   scene.displacement_m = cell.quiet.displacement(0);
   scene.velocity_m_per_s = w * cell.quiet.velocity(0);
-  if (mean >= 0 || touches_anywhere(cell)) cell.start = Start::initial_contact;
+  if (touches_anywhere(cell)) cell.start = Start::initial_contact;
   return cell;
 }
 

@@ -23,12 +23,12 @@ enum class Start {
   unreachable,      ///< no finite eccentricity gives the whirl ratio (undamped resonance), or no quiet motion exists
 };
 
-/// One cell of a map, ready to run.
+/// One cell of a map, ready to run when `start` is quiet.
 struct Cell {
   Scene scene;
   QuietMotion quiet;
-  double eccentricity_m = 0;
-  double whirl_ratio = 0;
+  double eccentricity_m = 0;  ///< one of these two was given; the other is NaN where none matches it: at an undamped
+  double whirl_ratio = 0;     ///< resonance, or where static forces leave no clearance at the first stop
   Start start = Start::quiet;
 };
 

@@ -35,7 +35,8 @@ Assembly assemble_jeffcott(const model::JeffcottRotor& rotor,
   system.weight_kg = Eigen::VectorXd::Zero(n);
 
   const double omega0 = 2 * std::numbers::pi * rotor.natural_frequency_hz;
-  add_body(system, 0, rotor.mass_kg, rotor.mass_kg * omega0 * omega0, rotor.damping_ratio);
+  // Multiplied in the order of w^2 M, so that at the natural frequency K - w^2 M is zero to the last bit.
+  add_body(system, 0, rotor.mass_kg, omega0 * omega0 * rotor.mass_kg, rotor.damping_ratio);
   system.unbalance_kg(0) = rotor.mass_kg;
   system.unbalance_kg(1) = std::complex<double>(0, -rotor.mass_kg);
 

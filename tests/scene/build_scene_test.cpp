@@ -1,0 +1,311 @@
+#include "rubsweep/scene/build_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "batch/message_of.hpp"
+#include "rubsweep/contact/restitution.hpp"
+#include "rubsweep/error.hpp"
+#include "scene/one_side_machine.hpp"
+#include "support/one_side_equations.hpp"
+
+namespace rubsweep::scene {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double pi = std::numbers::pi;
+
+Complex start_position(const Cell& cell) {
+  return {cell.scene.displacement_m(0), cell.scene.displacement_m(1)};
+}
+Complex start_velocity(const Cell& cell) {
+  return {cell.scene.velocity_m_per_s(0), cell.scene.velocity_m_per_s(1)};
+}
+
+/// Whirl amplitude of a Jeffcott rotor, from the textbook.
+double whirl_amplitude(const model::JeffcottRotor& rotor, double speed_hz, double eccentricity_m) {
+  const double s = speed_hz / rotor.natural_frequency_hz;
+  return eccentricity_m * s * s / std::hypot(1 - s * s, 2 * rotor.damping_ratio * s);
+}
+
+/// `normal . z` is largest at the start among all instants of the quiet motion.
+void expect_smallest_gap_at_start(const Cell& cell) {
+  const auto& contact = cell.scene.contacts.front();
+  const Eigen::RowVectorXd row = contact.normal.transpose() * relative_map(cell.scene.structure, contact);
+  const double at_start = row.dot(cell.scene.displacement_m);
+  for (int i = 0; i < 360; ++i) EXPECT_GE(at_start, row.dot(cell.quiet.displacement(i * pi / 180)) - 1e-17);
+}
+
+TEST(BuildCell, IsTheSceneOfTheEquationsWrittenByHand) {
+  const test::OneSideRotor rotor;
+  const test::OneSideEquations<double> by_hand(rotor);
+  const Cell cell = build_cell(one_side_machine(), rotor.speed_hz, WhirlRatio{rotor.whirl_ratio});
+  const Scene& scene = cell.scene;
+  EXPECT_EQ(cell.start, Start::quiet);
+  ASSERT_EQ(scene.structure.coordinates(), 4);
+  ASSERT_EQ(scene.contacts.size(), 1u);
+  EXPECT_DOUBLE_EQ(scene.speed_rad_per_s, by_hand.omega);
+  EXPECT_DOUBLE_EQ(scene.structure.stiffness(1, 1), by_hand.k);
+  EXPECT_DOUBLE_EQ(scene.structure.damping(2, 2), by_hand.cc);
+  EXPECT_DOUBLE_EQ(scene.contacts[0].stiffness_n_per_m, by_hand.K);
+  EXPECT_DOUBLE_EQ(scene.contacts[0].damping_ns_per_m, by_hand.d);
+  EXPECT_DOUBLE_EQ(scene.contacts[0].surface_speed_m_per_s, by_hand.surface_speed);
+  EXPECT_EQ(scene.contacts[0].clearance_m, by_hand.clearance);
+  EXPECT_EQ(scene.length_scale_m, by_hand.clearance);
+  for (const double phase : {0.0, 0.4, 2.2, 5.0}) {
+    // The force by hand: the rates of a rotor at rest at the origin, times the mass; past the kick.
+    test::OneSideState<double> rate;
+    by_hand({}, rate, (phase + 20 * pi) / by_hand.omega);
+    const Eigen::VectorXd force = (scene.harmonic_n * std::polar(1.0, phase)).real();
+    EXPECT_NEAR(force(0), by_hand.m * rate[4], 1e-10 * std::abs(by_hand.force_x_sin));
+    EXPECT_NEAR(force(1), by_hand.m * rate[5], 1e-10 * std::abs(by_hand.force_x_sin));
+    EXPECT_EQ(force(2), 0);
+    EXPECT_EQ(force(3), 0);
+  }
+  const auto start = by_hand.start();
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    EXPECT_NEAR(scene.displacement_m(i), start[static_cast<std::size_t>(i)], 1e-15 * by_hand.clearance);
+    EXPECT_NEAR(scene.velocity_m_per_s(i), start[static_cast<std::size_t>(i) + 4],
+                1e-15 * by_hand.clearance * by_hand.omega);
+  }
+}
+
+TEST(BuildCell, QuietWhirlIsTheClosedFormAndStartsAtTheStopWhateverItsAngle) {
+  std::mt19937_64 random(1);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  for (int trial = 0; trial < 500; ++trial) {
+    model::Machine machine = one_side_machine();
+    machine.rotor = {uniform(0.1, 10), uniform(5, 200), uniform(0.005, 1.5)};
+    const double angle_deg = trial % 9 == 0 ? 90 : uniform(-720, 720);
+    machine.stops[0].geometry.angle_deg = angle_deg;
+    if (trial % 2 == 0) machine.stops[0].casing.reset();
+    const double speed_hz = uniform(1, 500), e = uniform(1e-9, 1e-7);
+    const Cell cell = build_cell(machine, speed_hz, Eccentricity{e});
+    const double a = whirl_amplitude(machine.rotor, speed_hz, e), w = 2 * pi * speed_hz;
+    const Complex position = std::polar(a, angle_deg * pi / 180);
+    EXPECT_LE(std::abs(start_position(cell) - position), 1e-12 * a);
+    EXPECT_LE(std::abs(start_velocity(cell) - Complex(0, w) * position), 1e-12 * a * w);
+    EXPECT_NEAR(cell.whirl_ratio, a / 1e-3, 1e-12 * a / 1e-3);
+    expect_smallest_gap_at_start(cell);
+  }
+}
+
+TEST(BuildCell, StartsOnTheImaginaryAxisForAStopAbove) {
+  const Cell cell = build_cell(one_side_machine(), 75, WhirlRatio{0.4});
+  const double a = 0.4e-3, w = 2 * pi * 75;
+  EXPECT_LE(std::abs(start_position(cell) - Complex(0, a)), 1e-14 * a);
+  EXPECT_LE(std::abs(start_velocity(cell) - Complex(-a * w, 0)), 1e-14 * a * w);
+}
+
+TEST(BuildCell, WhirlRatioAndEccentricitySayTheSame) {
+  std::mt19937_64 random(2);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    model::Machine machine = one_side_machine();
+    machine.rotor.damping_ratio = uniform(0.01, 1);
+    machine.gravity_m_per_s2 = trial % 2 == 0 ? 0 : 9.81;
+    const double speed_hz = uniform(1, 300), ratio = uniform(0, 0.99);
+    const Cell by_ratio = build_cell(machine, speed_hz, WhirlRatio{ratio});
+    EXPECT_EQ(by_ratio.whirl_ratio, ratio);
+    const Cell by_eccentricity = build_cell(machine, speed_hz, Eccentricity{by_ratio.eccentricity_m});
+    EXPECT_EQ(by_eccentricity.eccentricity_m, by_ratio.eccentricity_m);
+    EXPECT_NEAR(by_eccentricity.whirl_ratio, ratio, 1e-15);
+    EXPECT_LE((by_eccentricity.scene.harmonic_n - by_ratio.scene.harmonic_n).norm(),
+              1e-14 * by_ratio.scene.harmonic_n.norm());
+  }
+}
+
+TEST(BuildCell, GravityShiftsTheMeanAndTheRemainingClearance) {
+  model::Machine machine = one_side_machine();
+  machine.gravity_m_per_s2 = 9.81;
+  const double w0 = 2 * pi * 30;
+  const double rotor_sag = 9.81 / (w0 * w0), casing_sag = 0.05 * 9.81 / 5e5;
+  const Cell cell = build_cell(machine, 75, WhirlRatio{0.5});
+  const double remaining = 1e-3 + rotor_sag - casing_sag;
+  EXPECT_NEAR(cell.quiet.mean(1), -rotor_sag, 1e-18);
+  EXPECT_NEAR(cell.quiet.mean(3), -casing_sag, 1e-18);
+  EXPECT_NEAR(cell.eccentricity_m, 0.5 * remaining / whirl_amplitude(machine.rotor, 75, 1), 1e-17);
+  EXPECT_NEAR(cell.scene.displacement_m(1), 0.5 * remaining - rotor_sag, 1e-17);
+  EXPECT_NEAR(cell.scene.displacement_m(0), 0, 1e-17);
+
+  machine.stops[0].geometry.angle_deg = -90;
+  const Cell below = build_cell(machine, 75, WhirlRatio{0.5});
+  const double remaining_below = 1e-3 - rotor_sag + casing_sag;
+  EXPECT_NEAR(below.scene.displacement_m(1), -rotor_sag - 0.5 * remaining_below, 1e-17);
+
+  machine.stops[0].geometry.angle_deg = 0;
+  EXPECT_NEAR(build_cell(machine, 75, WhirlRatio{0.5}).scene.displacement_m(0), 0.5e-3, 1e-17);
+}
+
+TEST(BuildCell, SagThroughTheStopIsInitialContactAndNoUnbalanceCorresponds) {
+  model::Machine machine = one_side_machine();
+  machine.stops[0].geometry.angle_deg = -90;
+  machine.stops[0].clearance_m = 1e-4;
+  machine.gravity_m_per_s2 = 9.81;
+  const Cell by_ratio = build_cell(machine, 75, WhirlRatio{0.5});
+  EXPECT_EQ(by_ratio.start, Start::initial_contact);
+  EXPECT_TRUE(std::isnan(by_ratio.eccentricity_m));
+  const Cell by_eccentricity = build_cell(machine, 75, Eccentricity{1e-5});
+  EXPECT_EQ(by_eccentricity.start, Start::initial_contact);
+  EXPECT_TRUE(std::isnan(by_eccentricity.whirl_ratio));
+  EXPECT_EQ(by_eccentricity.eccentricity_m, 1e-5);
+}
+
+TEST(BuildCell, InitialContactFromAWhirlRatioOfOne) {
+  std::mt19937_64 random(3);
+  for (int trial = 0; trial < 200; ++trial) {
+    const double speed_hz = std::uniform_real_distribution(5.0, 300.0)(random);
+    EXPECT_EQ(build_cell(one_side_machine(), speed_hz, WhirlRatio{1}).start, Start::initial_contact)
+        << speed_hz;
+    EXPECT_EQ(build_cell(one_side_machine(), speed_hz, WhirlRatio{1.5}).start, Start::initial_contact);
+    EXPECT_EQ(build_cell(one_side_machine(), speed_hz, WhirlRatio{1 - 1e-14}).start, Start::quiet)
+        << speed_hz;
+  }
+}
+
+TEST(BuildCell, InitialContactAtAnyStop) {
+  model::Machine machine = both_sides_machine();
+  machine.stops[1].clearance_m = 0.5e-3;
+  EXPECT_EQ(build_cell(machine, 75, WhirlRatio{0.49}).start, Start::quiet);
+  EXPECT_EQ(build_cell(machine, 75, WhirlRatio{0.51}).start, Start::initial_contact);
+}
+
+TEST(BuildCell, UnreachableAtAnUndampedResonance) {
+  std::mt19937_64 random(4);
+  model::Machine machine = one_side_machine();
+  machine.rotor.damping_ratio = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    // Whatever the rounding of K and w^2 M.
+    machine.rotor.mass_kg = std::uniform_real_distribution(0.1, 5.0)(random);
+    machine.rotor.natural_frequency_hz = std::uniform_real_distribution(5.0, 100.0)(random);
+    const double speed_hz = machine.rotor.natural_frequency_hz;
+    const Cell by_ratio = build_cell(machine, speed_hz, WhirlRatio{0.5});
+    EXPECT_EQ(by_ratio.start, Start::unreachable);
+    EXPECT_TRUE(std::isnan(by_ratio.eccentricity_m));
+    const Cell by_eccentricity = build_cell(machine, speed_hz, Eccentricity{1e-4});
+    EXPECT_EQ(by_eccentricity.start, Start::unreachable);
+    EXPECT_TRUE(std::isnan(by_eccentricity.whirl_ratio));
+    EXPECT_EQ(build_cell(machine, speed_hz * 1.001, WhirlRatio{0.5}).start, Start::quiet);
+  }
+}
+
+TEST(BuildCell, WithoutUnbalanceTheRotorRests) {
+  for (const Unbalance& none : {Unbalance{WhirlRatio{0}}, Unbalance{Eccentricity{0}}}) {
+    const Cell cell = build_cell(one_side_machine(), 75, none);
+    EXPECT_EQ(cell.start, Start::quiet);
+    EXPECT_EQ(cell.eccentricity_m, 0);
+    EXPECT_EQ(cell.whirl_ratio, 0);
+    EXPECT_TRUE(cell.scene.harmonic_n.isZero(0));
+    EXPECT_TRUE(cell.scene.displacement_m.isZero(0));
+    EXPECT_TRUE(cell.scene.velocity_m_per_s.isZero(0));
+  }
+}
+
+TEST(BuildCell, KickPointsAtTheFirstStopUnlessItHasAnAngle) {
+  model::Machine machine = both_sides_machine();
+  machine.stops[0].geometry.angle_deg = 30;
+  const auto direction = [&] {
+    return build_cell(machine, 75, WhirlRatio{0.1}).scene.pulse.value().direction;
+  };
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(6);
+  expected.head(2) << std::sqrt(0.75), 0.5;
+  EXPECT_LE((direction() - expected).norm(), 1e-15);
+  machine.kick->angle_deg = 180;
+  expected.head(2) << -1, 0;
+  EXPECT_EQ(direction(), expected);
+  const Pulse pulse = *build_cell(machine, 75, WhirlRatio{0.1}).scene.pulse;
+  EXPECT_EQ(pulse.force_n, 200);
+  EXPECT_EQ(pulse.duration_s, 0.005);
+  machine.kick.reset();
+  EXPECT_FALSE(build_cell(machine, 75, WhirlRatio{0.1}).scene.pulse);
+}
+
+TEST(BuildCell, EveryStopHasItsContactAndTheMovingOnesTheirCasing) {
+  model::Machine machine = both_sides_machine();
+  machine.stops[1].casing.reset();
+  machine.stops.push_back(machine.stops[0]);
+  machine.stops[2].geometry.angle_deg = 0;
+  machine.stops[2].clearance_m = 2e-3;
+  machine.stops[2].friction = model::ConstantFriction{0.3};
+  const Scene scene = build_cell(machine, 75, WhirlRatio{0.4}).scene;
+  EXPECT_EQ(scene.structure.coordinates(), 6);
+  ASSERT_EQ(scene.contacts.size(), 3u);
+  EXPECT_FALSE(scene.contacts[1].casing_point);
+  // The third stop feels coordinates 4 and 5 of the second moving casing.
+  const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(6, 1, 6);
+  EXPECT_EQ(relative_map(scene.structure, scene.contacts[0]) * q, Eigen::Vector2d(1 - 3, 2 - 4));
+  EXPECT_EQ(relative_map(scene.structure, scene.contacts[1]) * q, Eigen::Vector2d(1, 2));
+  EXPECT_EQ(relative_map(scene.structure, scene.contacts[2]) * q, Eigen::Vector2d(1 - 5, 2 - 6));
+  EXPECT_EQ(scene.contacts[2].clearance_m, 2e-3);
+  EXPECT_EQ(std::get<model::ConstantFriction>(scene.contacts[2].friction).coefficient, 0.3);
+  EXPECT_EQ(scene.length_scale_m, 1e-3);
+}
+
+TEST(BuildCell, DampingTakesTheReducedMassOfRotorAndCasing) {
+  model::Machine machine = one_side_machine();
+  const auto damping = [&] {
+    return build_cell(machine, 75, WhirlRatio{0.4}).scene.contacts[0].damping_ns_per_m;
+  };
+  // d = sqrt(4 ln^2 e m K / (pi^2 + ln^2 e)).
+  const double log_e = std::log(0.7);
+  const auto nominal = [&](double mass) {
+    return std::sqrt(4 * log_e * log_e * mass * 2e6 / (pi * pi + log_e * log_e));
+  };
+  EXPECT_NEAR(damping(), nominal(1 / (1 / 0.8 + 1 / 0.05)), 1e-11);
+  machine.stops[0].contact_mass_kg = 0.3;
+  EXPECT_NEAR(damping(), nominal(1 / (1 / 0.3 + 1 / 0.05)), 1e-11);
+  machine.stops[0].casing.reset();
+  EXPECT_NEAR(damping(), nominal(0.3), 1e-11);
+  machine.stops[0].contact_mass_kg.reset();
+  EXPECT_NEAR(damping(), nominal(0.8), 1e-11);
+  machine.stops[0].damping = model::DeliveredRestitution{0.7};
+  EXPECT_NEAR(contact::delivered_restitution(damping() / (2 * std::sqrt(0.8 * 2e6))), 0.7, 1e-14);
+  machine.stops[0].damping = model::ExplicitDamping{12.5};
+  EXPECT_EQ(damping(), 12.5);
+}
+
+TEST(BuildCell, QuarterTurnsAreExact) {
+  const Eigen::Vector2d quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  model::Machine machine = one_side_machine();
+  for (int quarter = -9; quarter <= 9; ++quarter) {
+    machine.stops[0].geometry.angle_deg = 90.0 * quarter;
+    const Scene scene = build_cell(machine, 75, WhirlRatio{0.4}).scene;
+    EXPECT_EQ(scene.contacts[0].normal, quarters[(quarter + 12) % 4]) << quarter;
+    EXPECT_EQ(Eigen::Vector2d(scene.pulse->direction.head(2)), quarters[(quarter + 12) % 4]) << quarter;
+  }
+  // A wall above does not feel x, nor does the structure couple it to y.
+  machine.stops[0].geometry.angle_deg = 90;
+  const Scene scene = build_cell(machine, 75, WhirlRatio{0.4}).scene;
+  const Eigen::RowVectorXd row =
+      scene.contacts[0].normal.transpose() * relative_map(scene.structure, scene.contacts[0]);
+  EXPECT_EQ(row, Eigen::RowVectorXd(Eigen::RowVector4d(0, 1, 0, -1)));
+}
+
+TEST(BuildCell, OtherAnglesAreUnitVectors) {
+  model::Machine machine = one_side_machine();
+  for (const double angle_deg : {-123.0, 1e-9, 45.0, 89.999999, 1e6 + 1}) {
+    machine.stops[0].geometry.angle_deg = angle_deg;
+    const Eigen::Vector2d normal = build_cell(machine, 75, WhirlRatio{0.4}).scene.contacts[0].normal;
+    EXPECT_NEAR(normal.norm(), 1, 1e-15);
+    EXPECT_NEAR(std::remainder(std::atan2(normal.y(), normal.x()) * 180 / pi - angle_deg, 360), 0, 1e-9);
+  }
+}
+
+TEST(BuildCell, RefusesAMachineThatIsNotValid) {
+  model::Machine machine = one_side_machine();
+  machine.stops[0].clearance_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(message_of<ConfigError>([&] { build_cell(machine, 75, WhirlRatio{0.4}); }),
+            "stops.0.clearance_m: missing, allowed: a number > 0");
+}
+
+}  // namespace
+}  // namespace rubsweep::scene

@@ -1,0 +1,128 @@
+#include "rubsweep/scene/quiet_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
+
+#include "rubsweep/structure/jeffcott.hpp"
+
+namespace rubsweep::scene {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double pi = std::numbers::pi;
+
+/// A structure without any symmetry: full stiffness, damping with a gyroscopic part.
+structure::LinearSystem full_system(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto any = [&] {
+    return Eigen::MatrixXd(Eigen::MatrixXd::NullaryExpr(4, 4, [&] { return uniform(random); }));
+  };
+  const Eigen::MatrixXd a = any(), b = any();
+  structure::LinearSystem system;
+  system.mass = a * a.transpose() + Eigen::MatrixXd::Identity(4, 4);
+  system.stiffness = b * b.transpose() + 3 * Eigen::MatrixXd::Identity(4, 4);
+  system.damping = 0.3 * any();
+  system.points = {{any().topRows(2)}, {any().topRows(2)}};
+  return system;
+}
+
+TEST(QuietMotion, IsTheClosedFormOfTheJeffcottRotor) {
+  std::mt19937_64 random(1);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  for (int trial = 0; trial < 2000; ++trial) {
+    const model::JeffcottRotor rotor{uniform(0.1, 10), uniform(5, 200), uniform(0.005, 1.5)};
+    const double s = uniform(0.05, 8), w = s * 2 * pi * rotor.natural_frequency_hz, e = uniform(1e-6, 1e-2);
+    const auto system = structure::assemble_jeffcott(rotor, {}).system;
+    const QuietMotion motion =
+        quiet_motion(system, w, e * w * w * system.unbalance_kg, Eigen::Vector2d::Zero());
+    // z = A e^{i (w t + psi)}, so x = Re z has amplitude A e^{i psi} and y = Im z has -i A e^{i psi}.
+    const double zeta = rotor.damping_ratio;
+    const double a = e * s * s / std::hypot(1 - s * s, 2 * zeta * s);
+    const Complex whirl = std::polar(a, -std::atan2(2 * zeta * s, 1 - s * s));
+    EXPECT_LE(std::abs(motion.amplitude(0) - whirl), 1e-12 * a) << "s = " << s << ", zeta = " << zeta;
+    EXPECT_LE(std::abs(motion.amplitude(1) - Complex(0, -1) * whirl), 1e-12 * a);
+    EXPECT_EQ(motion.mean, Eigen::Vector2d::Zero());
+  }
+}
+
+TEST(QuietMotion, SolvesTheEquationsOfMotion) {
+  for (unsigned seed = 1; seed < 20; ++seed) {
+    const auto system = full_system(seed);
+    const double w = 0.2 * seed;
+    const Eigen::Vector4cd harmonic(Complex(1, 2), -0.5, Complex(0, 3), 0.7);
+    const Eigen::Vector4d constant(0.3, -2, 0, 1);
+    const QuietMotion motion = quiet_motion(system, w, harmonic, constant);
+    for (const double phase : {0.0, 0.7, 2.1, 5.5}) {
+      const Eigen::VectorXd q = motion.displacement(phase), rate = w * motion.velocity(phase);
+      const Eigen::VectorXd acceleration = -w * w * (q - motion.mean);
+      const Eigen::VectorXd force = constant + (harmonic * std::polar(1.0, phase)).real();
+      const Eigen::VectorXd residual =
+          system.mass * acceleration + system.damping * rate + system.stiffness * q - force;
+      EXPECT_LE(residual.norm(), 1e-11 * (force.norm() + q.norm()));
+    }
+  }
+}
+
+TEST(QuietMotion, VelocityIsTheDifferenceQuotientOfTheDisplacement) {
+  QuietMotion motion;
+  motion.mean = Eigen::Vector2d(0.5, -3);
+  motion.amplitude = Eigen::Vector2cd(Complex(1, 2), Complex(-0.3, 0.1));
+  const double h = 1e-5;
+  for (const double phase : {0.0, 1.0, 4.0}) {
+    const Eigen::VectorXd quotient =
+        (motion.displacement(phase + h) - motion.displacement(phase - h)) / (2 * h);
+    EXPECT_LE((motion.velocity(phase) - quotient).norm(), 1e-9);
+  }
+}
+
+TEST(QuietMotion, IsNotFiniteAtAnUndampedResonance) {
+  const model::JeffcottRotor rotor{0.8, 30, 0};
+  const auto system = structure::assemble_jeffcott(rotor, {}).system;
+  const double w = 2 * pi * 30;
+  const Eigen::VectorXcd force = w * w * system.unbalance_kg;
+  EXPECT_FALSE(quiet_motion(system, w, force, Eigen::Vector2d::Zero()).amplitude.allFinite());
+}
+
+TEST(QuietPenetration, IsTheLargestOfTheSampledMotion) {
+  const auto system = full_system(5);
+  const QuietMotion motion = quiet_motion(system, 1.3, Eigen::Vector4cd(1, Complex(0, 1), 0.3, -2),
+                                          Eigen::Vector4d(0.1, 0.2, -0.3, 0.4));
+  Contact contact;
+  contact.normal = Eigen::Vector2d(std::cos(0.4), std::sin(0.4));
+  contact.clearance_m = 0.25;
+  for (const bool moving_casing : {false, true}) {
+    if (moving_casing) contact.casing_point = 1;
+    double largest = -1e9, smallest = 1e9;
+    for (int i = 0; i < 20'000; ++i) {
+      const Eigen::VectorXd q = motion.displacement(2 * pi * i / 20'000);
+      Eigen::Vector2d d = system.points[0].map * q;
+      if (moving_casing) d -= system.points[1].map * q;
+      const double p = d.dot(contact.normal) - 0.25;
+      largest = std::max(largest, p);
+      smallest = std::min(smallest, p);
+    }
+    const auto [mean, amplitude] = quiet_penetration(motion, system, contact);
+    EXPECT_NEAR(mean + amplitude, largest, 1e-7);
+    EXPECT_NEAR(mean - amplitude, smallest, 1e-7);
+    EXPECT_GT(amplitude, 0.01);
+  }
+}
+
+TEST(RelativeMap, IsRotorMinusCasing) {
+  const auto system = full_system(2);
+  Contact contact;
+  EXPECT_EQ(relative_map(system, contact), system.points[0].map);
+  contact.casing_point = 1;
+  EXPECT_EQ(relative_map(system, contact), system.points[0].map - system.points[1].map);
+}
+
+}  // namespace
+}  // namespace rubsweep::scene
