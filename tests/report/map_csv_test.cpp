@@ -1,0 +1,166 @@
+#include "rubsweep/report/map_csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <random>
+
+#include "batch/temporary_directory.hpp"
+#include "rubsweep/batch/csv_table.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+using sweep::Row;
+
+/// Cells of a line by the name of their column.
+std::map<std::string, std::string> by_column(const std::string& line) {
+  const auto split = [](const std::string& text) {
+    std::vector<std::string> cells(1);
+    for (const char c : text) c == ',' ? cells.emplace_back() : cells.back() += c;
+    return cells;
+  };
+  const auto names = split(map_header()), cells = split(line);
+  EXPECT_EQ(cells.size(), names.size()) << line;
+  std::map<std::string, std::string> result;
+  for (std::size_t i = 0; i < std::min(names.size(), cells.size()); ++i) result[names[i]] = cells[i];
+  return result;
+}
+
+Row full_row() {
+  Row row;
+  row.speed_hz = 75;
+  row.whirl_ratio = 0.4;
+  row.eccentricity_m = 3.36e-4;
+  row.motion_class = response::MotionClass::subharmonic;
+  row.order = 2;
+  row.measures.emplace();
+  row.measures->turns = 64;
+  row.measures->contact = {
+      .hits = 96, .contact_fraction = 0.125, .peak_displacement_m = 2.5e-3, .peak_contact_force_n = 1234.5};
+  row.measures->amplitude_1x_forward_m = 4e-4;
+  row.measures->amplitude_1x_backward_m = 2e-5;
+  row.measures->dominant = {.order = -0.5, .amplitude_m = 1.5e-3};
+  row.measures->orbit = response::OrbitKind::oval;
+  row.measures->whirl = response::WhirlKind::backward;
+  row.proof = response::Proof::observed;
+  row.last_contact_revolution = 600;
+  row.revolutions = 600;
+  return row;
+}
+
+Row failed_row() {
+  Row row;
+  row.speed_hz = 60;
+  row.whirl_ratio = 0.5;
+  row.eccentricity_m = std::numeric_limits<double>::quiet_NaN();
+  row.status = "unreachable";
+  return row;
+}
+
+constexpr const char* contract =
+    "speed_hz,whirl_ratio,eccentricity_m,class,order,orbit,whirl,proof,robust,comb_spacing,hits_per_"
+    "revolution,"
+    "contact_fraction,peak_displacement_m,peak_contact_force_n,amplitude_1x_forward_m,amplitude_1x_backward_"
+    "m,"
+    "dominant_order,dominant_amplitude_m,floquet_modulus,lyapunov_per_revolution,last_contact_revolution,"
+    "revolutions,"
+    "status";
+
+TEST(MapHeader, IsTheContract) { EXPECT_EQ(map_header(), contract); }
+
+TEST(MapLine, OfARowWithEverything) {
+  EXPECT_EQ(map_line(full_row()),
+            "75,0.4,0.000336,subharmonic,2,oval,backward,observed,,,1.5,0.125,0.0025,1234.5,0.0004,2e-05,-0."
+            "5,0.0015,"
+            ",,600,600,ok");
+}
+
+TEST(MapLine, WhatDoesNotApplyIsEmpty) {
+  EXPECT_EQ(map_line(failed_row()), "60,0.5,,failed,,,,,,,,,,,,,,,,,,0,unreachable");
+}
+
+TEST(MapLine, ARotorAtRestHasNoOrbitWhirlOrDominantLine) {
+  Row row;
+  row.motion_class = response::MotionClass::non_contact;
+  row.measures.emplace();
+  row.measures->turns = 1;
+  row.proof = response::Proof::rest;
+  const auto cells = by_column(map_line(row));
+  for (const char* empty :
+       {"orbit", "whirl", "dominant_order", "dominant_amplitude_m", "order", "last_contact_revolution"}) {
+    EXPECT_EQ(cells.at(empty), "") << empty;
+  }
+  EXPECT_EQ(cells.at("hits_per_revolution"), "0");
+  EXPECT_EQ(cells.at("amplitude_1x_forward_m"), "0");
+  EXPECT_EQ(cells.at("class"), "non_contact");
+  EXPECT_EQ(cells.at("proof"), "rest");
+}
+
+TEST(MapLine, NumbersReadBackToTheSameBits) {
+  std::mt19937_64 random(1);
+  const auto awkward = [&] {
+    return std::ldexp(static_cast<double>(random() >> 11), -53 - static_cast<int>(random() % 1000));
+  };
+  for (int trial = 0; trial < 500; ++trial) {
+    Row row = full_row();
+    auto& m = *row.measures;
+    double* const numbers[] = {&row.speed_hz,
+                               &row.whirl_ratio,
+                               &row.eccentricity_m,
+                               &m.contact.contact_fraction,
+                               &m.contact.peak_displacement_m,
+                               &m.contact.peak_contact_force_n,
+                               &m.amplitude_1x_forward_m,
+                               &m.amplitude_1x_backward_m,
+                               &m.dominant->order,
+                               &m.dominant->amplitude_m};
+    for (double* number : numbers) *number = awkward();
+    m.contact.hits = static_cast<int>(random() % 1000);
+    const char* const names[] = {"speed_hz",
+                                 "whirl_ratio",
+                                 "eccentricity_m",
+                                 "contact_fraction",
+                                 "peak_displacement_m",
+                                 "peak_contact_force_n",
+                                 "amplitude_1x_forward_m",
+                                 "amplitude_1x_backward_m",
+                                 "dominant_order",
+                                 "dominant_amplitude_m"};
+    const auto cells = by_column(map_line(row));
+    for (std::size_t i = 0; i < std::size(names); ++i) {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(cells.at(names[i]).c_str(), nullptr)),
+                std::bit_cast<std::uint64_t>(*numbers[i]))
+          << names[i];
+    }
+    EXPECT_EQ(std::strtod(cells.at("hits_per_revolution").c_str(), nullptr), m.contact.hits / 64.0);
+  }
+}
+
+TEST(MapCsv, IsATableWithCommentsHeaderAndTheRowsThatExist) {
+  const std::string text = map_csv("1.2.3", "abc", {full_row(), std::nullopt, failed_row()});
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.csv";
+  std::ofstream(path, std::ios::binary) << text;
+  const batch::CsvTable table = batch::read_csv(path);
+  ASSERT_EQ(table.comments.size(), 3u);
+  EXPECT_EQ(table.comments[0], "rubsweep 1.2.3");
+  EXPECT_EQ(table.comments[1], "digest abc");
+  EXPECT_TRUE(table.comments[2].starts_with("units: SI"));
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(batch::number(table, 0, batch::column(table, "dominant_order")), -0.5);
+  EXPECT_TRUE(std::isnan(batch::number(table, 1, batch::column(table, "eccentricity_m"))));
+  EXPECT_EQ(table.rows[1][batch::column(table, "status")], "unreachable");
+  // Comments, then the contract, then rows as they are written one by one.
+  EXPECT_EQ(text, map_comments("1.2.3", "abc") + contract + "\n" + map_line(full_row()) + "\n" +
+                      map_line(failed_row()) + "\n");
+}
+
+}  // namespace
+}  // namespace rubsweep::report
