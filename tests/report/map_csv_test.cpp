@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <utility>
 
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/batch/csv_table.hpp"
@@ -44,7 +45,7 @@ Row full_row() {
   row.measures->turns = 64;
   row.measures->contact = {
       .hits = 96, .contact_fraction = 0.125, .peak_displacement_m = 2.5e-3, .peak_contact_force_n = 1234.5};
-  row.measures->amplitude_1x_forward_m = 4e-4;
+  row.measures->amplitude_1x_forward_m = 4.56e-4;
   row.measures->amplitude_1x_backward_m = 2e-5;
   row.measures->dominant = {.order = -0.5, .amplitude_m = 1.5e-3};
   row.measures->orbit = response::OrbitKind::oval;
@@ -77,9 +78,8 @@ TEST(MapHeader, IsTheContract) { EXPECT_EQ(map_header(), contract); }
 
 TEST(MapLine, OfARowWithEverything) {
   EXPECT_EQ(map_line(full_row()),
-            "75,0.4,0.000336,subharmonic,2,oval,backward,observed,,,1.5,0.125,0.0025,1234.5,0.0004,2e-05,-0."
-            "5,0.0015,"
-            ",,600,600,ok");
+            "75,0.4,0.000336,subharmonic,2,oval,backward,observed,,,1.5,0.125,0.0025,1234.5,0.000456,2e-05,"
+            "-0.5,0.0015,,,600,600,ok");
 }
 
 TEST(MapLine, WhatDoesNotApplyIsEmpty) {
@@ -111,33 +111,23 @@ TEST(MapLine, NumbersReadBackToTheSameBits) {
   for (int trial = 0; trial < 500; ++trial) {
     Row row = full_row();
     auto& m = *row.measures;
-    double* const numbers[] = {&row.speed_hz,
-                               &row.whirl_ratio,
-                               &row.eccentricity_m,
-                               &m.contact.contact_fraction,
-                               &m.contact.peak_displacement_m,
-                               &m.contact.peak_contact_force_n,
-                               &m.amplitude_1x_forward_m,
-                               &m.amplitude_1x_backward_m,
-                               &m.dominant->order,
-                               &m.dominant->amplitude_m};
-    for (double* number : numbers) *number = awkward();
+    const std::vector<std::pair<const char*, double*>> numbers{
+        {"speed_hz", &row.speed_hz},
+        {"whirl_ratio", &row.whirl_ratio},
+        {"eccentricity_m", &row.eccentricity_m},
+        {"contact_fraction", &m.contact.contact_fraction},
+        {"peak_displacement_m", &m.contact.peak_displacement_m},
+        {"peak_contact_force_n", &m.contact.peak_contact_force_n},
+        {"amplitude_1x_forward_m", &m.amplitude_1x_forward_m},
+        {"amplitude_1x_backward_m", &m.amplitude_1x_backward_m},
+        {"dominant_order", &m.dominant->order},
+        {"dominant_amplitude_m", &m.dominant->amplitude_m}};
+    for (const auto& [name, number] : numbers) *number = awkward();
     m.contact.hits = static_cast<int>(random() % 1000);
-    const char* const names[] = {"speed_hz",
-                                 "whirl_ratio",
-                                 "eccentricity_m",
-                                 "contact_fraction",
-                                 "peak_displacement_m",
-                                 "peak_contact_force_n",
-                                 "amplitude_1x_forward_m",
-                                 "amplitude_1x_backward_m",
-                                 "dominant_order",
-                                 "dominant_amplitude_m"};
     const auto cells = by_column(map_line(row));
-    for (std::size_t i = 0; i < std::size(names); ++i) {
-      EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(cells.at(names[i]).c_str(), nullptr)),
-                std::bit_cast<std::uint64_t>(*numbers[i]))
-          << names[i];
+    for (const auto& [name, number] : numbers) {
+      const double read_back = std::strtod(cells.at(name).c_str(), nullptr);
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(read_back), std::bit_cast<std::uint64_t>(*number)) << name;
     }
     EXPECT_EQ(std::strtod(cells.at("hits_per_revolution").c_str(), nullptr), m.contact.hits / 64.0);
   }

@@ -7,6 +7,7 @@
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/contact/friction_coefficient.hpp"
+#include "rubsweep/integrate/contact_frame.hpp"
 #include "rubsweep/integrate/scaled_system.hpp"
 
 namespace rubsweep::integrate {
@@ -46,14 +47,25 @@ class Dynamics {
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact(i, u, v, acceleration);
   }
 
-  /// Penetration, closing speed and closing acceleration of contact `i`, scaled, from a state and its rate.
+  /// Penetration of contact `i` and its two rates, scaled, from a state and its rate. In an open ring the penetration is
+  /// measured as (|d|^2 - C^2) / (2 C): it rises through zero with |d| - C, and stays smooth through the centre.
   template <class State>
   contact::Kinematics kinematics(std::size_t i, const State& state, const State& rate) const {
     const Eigen::Index n = system_.coordinates();
     const auto& c = system_.contacts[i];
-    return {c.normal_row.dot(ConstMap(&state[0], n).transpose()) - c.clearance,
-            c.normal_row.dot(ConstMap(&state[0] + n, n).transpose()),
-            c.normal_row.dot(ConstMap(&rate[0] + n, n).transpose())};
+    const ConstMap acceleration(&rate[0] + n, n);
+    const RelativeMotion m = relative_motion(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
+    const double a1 = c.first_row.dot(acceleration.transpose());
+    if (!c.ring) return {m.d1 - c.clearance, m.v1, a1};
+    const double a2 = c.second_row.dot(acceleration.transpose());
+    if (!Smoothed && modes_[i] == contact::Mode::open) {
+      return {(m.d1 * m.d1 + m.d2 * m.d2 - c.clearance * c.clearance) / (2 * c.clearance),
+              (m.d1 * m.v1 + m.d2 * m.v2) / c.clearance,
+              (m.v1 * m.v1 + m.v2 * m.v2 + m.d1 * a1 + m.d2 * a2) / c.clearance};
+    }
+    const ContactFrame f = ring_frame(m, c.clearance);
+    return {f.penetration, f.closing_speed,
+            f.cosine * a1 + f.sine * a2 + f.sliding_speed * f.sliding_speed * f.curvature};
   }
 
   /// Normal force in newtons by the law this object integrates.
@@ -70,8 +82,7 @@ class Dynamics {
   double slip_m_per_s(std::size_t i, const State& state) const {
     const Eigen::Index n = system_.coordinates();
     const auto& c = system_.contacts[i];
-    return c.slip_scale_m_per_s * c.tangent_row.dot(ConstMap(&state[0] + n, n).transpose()) +
-           c.surface_speed_m_per_s;
+    return slip(c, frame(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n)));
   }
 
   /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to one entry.
@@ -113,19 +124,39 @@ class Dynamics {
   }
 
  private:
+  using Contact = ScaledContact<N>;
+
+  static RelativeMotion relative_motion(const Contact& c, const ConstMap& u, const ConstMap& v) {
+    return {c.first_row.dot(u.transpose()) + c.offset[0], c.second_row.dot(u.transpose()) + c.offset[1],
+            c.first_row.dot(v.transpose()), c.second_row.dot(v.transpose())};
+  }
+
+  static ContactFrame frame(const Contact& c, const ConstMap& u, const ConstMap& v) {
+    const RelativeMotion m = relative_motion(c, u, v);
+    return c.ring ? ring_frame(m, c.clearance) : flat_frame(m, c.clearance);
+  }
+
+  static double slip(const Contact& c, const ContactFrame& f) {
+    return c.slip_scale_m_per_s * f.sliding_speed + c.surface_speed_m_per_s;
+  }
+
   void add_contact(std::size_t i, const ConstMap& u, const ConstMap& v, Map& acceleration) const {
     if constexpr (!Smoothed) {
       if (modes_[i] == contact::Mode::open) return;
     }
-    const auto& c = system_.contacts[i];
-    const double penetration = c.normal_row.dot(u.transpose()) - c.clearance;
+    const Contact& c = system_.contacts[i];
+    const ContactFrame f = frame(c, u, v);
     if constexpr (Smoothed) {
-      if (penetration <= -smoothing_width_ / 2) return;
+      if (f.penetration <= -smoothing_width_ / 2) return;
     }
-    const contact::NormalForce force = normal_force(i, penetration, c.normal_row.dot(v.transpose()));
-    const double slip = c.slip_scale_m_per_s * c.tangent_row.dot(v.transpose()) + c.surface_speed_m_per_s;
-    const double friction = contact::friction_coefficient(c.friction, slip) * force.spring_n;
-    acceleration += c.normal_push * force.total_n + c.tangent_push * friction;
+    const contact::NormalForce force = normal_force(i, f.penetration, f.closing_speed);
+    const double friction = contact::friction_coefficient(c.friction, slip(c, f)) * force.spring_n;
+    if (!c.ring) {
+      acceleration += c.first_push * force.total_n + c.second_push * friction;
+    } else {
+      acceleration += c.first_push * (f.cosine * force.total_n - f.sine * friction) +
+                      c.second_push * (f.sine * force.total_n + f.cosine * friction);
+    }
   }
 
   /// Partial derivatives of the normal force: of the spring part by p, of the total by p and by v.
@@ -153,19 +184,28 @@ class Dynamics {
     }
   }
 
+  /// f = F(p, v) n + mu(s) S(p) t with n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
   void add_contact_jacobian(std::size_t i, const ConstMap& u, const ConstMap& v, Eigen::MatrixXd& by_u,
                             Eigen::MatrixXd& by_v) const {
-    const auto& c = system_.contacts[i];
-    const double p = c.normal_row.dot(u.transpose()) - c.clearance;
-    const double closing = c.normal_row.dot(v.transpose());
-    const ForceSlopes slopes = force_slopes(i, p, closing);
+    const Contact& c = system_.contacts[i];
+    const ContactFrame f = frame(c, u, v);
+    const ForceSlopes slopes = force_slopes(i, f.penetration, f.closing_speed);
     if (slopes.spring_by_p == 0 && slopes.total_by_v == 0) return;
-    const double slip = c.slip_scale_m_per_s * c.tangent_row.dot(v.transpose()) + c.surface_speed_m_per_s;
-    const double spring = normal_force(i, p, closing).spring_n;
-    const double mu = contact::friction_coefficient(c.friction, slip);
-    const double mu_by_v = contact::friction_slope(c.friction, slip) * c.slip_scale_m_per_s;
-    by_u += (c.normal_push * slopes.total_by_p + c.tangent_push * (mu * slopes.spring_by_p)) * c.normal_row;
-    by_v += c.normal_push * slopes.total_by_v * c.normal_row + c.tangent_push * (mu_by_v * spring) * c.tangent_row;
+    const contact::NormalForce force = normal_force(i, f.penetration, f.closing_speed);
+    const double mu = contact::friction_coefficient(c.friction, slip(c, f));
+    const double mu_by_v = contact::friction_slope(c.friction, slip(c, f)) * c.slip_scale_m_per_s;
+    const Eigen::Vector2d n(f.cosine, f.sine), t(-f.sine, f.cosine);
+    Eigen::Matrix2d by_d = n * (slopes.total_by_p * n + slopes.total_by_v * f.sliding_speed * f.curvature * t).transpose();
+    by_d += t * (mu * slopes.spring_by_p * n).transpose();
+    by_d += f.curvature * (force.total_n * t - mu * force.spring_n * n -
+                           mu_by_v * force.spring_n * f.closing_speed * t) * t.transpose();
+    const Eigen::Matrix2d by_rate =
+        slopes.total_by_v * n * n.transpose() + mu_by_v * force.spring_n * t * t.transpose();
+    Eigen::MatrixXd push(by_u.rows(), 2), rows(2, by_u.cols());
+    push << c.first_push, c.second_push;
+    rows << c.first_row, c.second_row;
+    by_u += push * by_d * rows;
+    by_v += push * by_rate * rows;
   }
 
   const ScaledSystem<N>& system_;

@@ -16,14 +16,17 @@ ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene
   const double length = scene.length_scale_m;
   const double speed = scene.speed_rad_per_s;
   const auto relative = scene::relative_map(scene.structure, contact);
-  const Eigen::Vector2d tangent(-contact.normal.y(), contact.normal.x());
+  const Eigen::Vector2d first = contact.ring ? Eigen::Vector2d(1, 0) : contact.normal;
+  const Eigen::Vector2d second(-first.y(), first.x());
   // A force f on the casing acts on the coordinates as -relative^T f.
   const Eigen::MatrixXd push = -mass.solve(Eigen::MatrixXd(relative.transpose())) / (length * speed * speed);
   ScaledContact<N> scaled;
-  scaled.normal_row = contact.normal.transpose() * relative;
-  scaled.tangent_row = tangent.transpose() * relative;
-  scaled.normal_push = push * contact.normal;
-  scaled.tangent_push = push * tangent;
+  scaled.first_row = first.transpose() * relative;
+  scaled.second_row = second.transpose() * relative;
+  scaled.first_push = push * first;
+  scaled.second_push = push * second;
+  scaled.ring = contact.ring;
+  if (contact.ring) scaled.offset = {contact.offset_m.x() / length, contact.offset_m.y() / length};
   scaled.clearance = contact.clearance_m / length;
   scaled.stiffness = contact.stiffness_n_per_m * length;
   scaled.damping = contact.damping_ns_per_m * length * speed;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -9,18 +10,19 @@
 
 namespace rubsweep::integrate {
 
-/// One contact in scaled units. Forces stay in newtons, so that peaks and `push` need no second scale.
+/// One contact in scaled units. Forces stay in newtons, so that peaks and `push` need no second scale. Vectors at the
+/// contact are written in two fixed directions: normal and tangent of a flat wall, x and y in a ring.
 template <int N>
 struct ScaledContact {
-  Eigen::Matrix<double, 1, N> normal_row;    ///< p = normal_row u - clearance
-  Eigen::Matrix<double, 1, N> tangent_row;   ///< slip = slip_scale * tangent_row u' + surface speed
-  Eigen::Matrix<double, N, 1> normal_push;   ///< scaled acceleration per newton on the casing along the normal
-  Eigen::Matrix<double, N, 1> tangent_push;  ///< the same along the tangent
+  Eigen::Matrix<double, 1, N> first_row, second_row;    ///< d = (first_row u + offset[0], second_row u + offset[1])
+  Eigen::Matrix<double, N, 1> first_push, second_push;  ///< scaled acceleration per newton on the casing
+  bool ring = false;
+  std::array<double, 2> offset{};  ///< ring only, else zero
   double clearance = 0;
   double stiffness = 0;  ///< N per scaled penetration
   double damping = 0;    ///< N per scaled closing speed
   model::Friction friction;
-  double slip_scale_m_per_s = 0;
+  double slip_scale_m_per_s = 0;  ///< slip = slip_scale * (d' . tangent) + surface speed
   double surface_speed_m_per_s = 0;
 };
 

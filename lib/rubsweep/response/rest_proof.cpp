@@ -41,9 +41,10 @@ RestProof::RestProof(const scene::Cell& cell) {
   quiet_ << cell.quiet.displacement(0) / length, cell.quiet.velocity(0) / length;
   for (const scene::Contact& contact : scene.contacts) {
     const auto [mean, amplitude] = scene::quiet_penetration(cell.quiet, scene.structure, contact);
-    const Eigen::RowVectorXd row = contact.normal.transpose() * scene::relative_map(scene.structure, contact);
+    const Eigen::MatrixXd map = scene::relative_map(scene.structure, contact);
+    const Eigen::MatrixXd seen = contact.ring ? map : Eigen::MatrixXd(contact.normal.transpose() * map);
     bounds_.push_back({(mean + amplitude) / length,
-                       (row.cast<std::complex<double>>() * vectors.topRows(n)).cwiseAbs().transpose()});
+                       (seen.cast<std::complex<double>>() * vectors.topRows(n)).colwise().norm().transpose()});
   }
 }
 

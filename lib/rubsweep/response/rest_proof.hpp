@@ -11,7 +11,8 @@ namespace rubsweep::response {
 /// Proves that a rotor in flight will never touch again. Free vibration about the quiet motion is a sum of modes
 /// c_j e^{lambda_j t} that cannot grow, so with row r of a contact (p = r q - clearance)
 ///   p(t) <= static part + harmonic amplitude + sum_j |r v_j| |c_j|   for all later t;
-/// below zero for every contact, no contact can ever come.
+/// below zero for every contact, no contact can ever come. In a ring |r v_j| is the length of the vector that the mode
+/// moves the rotor by.
 class RestProof {
  public:
   /// Factorises the free structure once. Without effect (`proves` is always false) when a mode grows or the

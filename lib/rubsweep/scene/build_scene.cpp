@@ -52,16 +52,16 @@ Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly,
   return contact;
 }
 
-Pulse pulse_of(const model::Kick& kick, const Contact& first, const structure::Assembly& assembly) {
-  const Eigen::Vector2d towards = kick.angle_deg ? direction(*kick.angle_deg) : first.normal;
+Pulse pulse_of(const model::Kick& kick, const Eigen::Vector2d& wall, const structure::Assembly& assembly) {
+  const Eigen::Vector2d towards = kick.angle_deg ? direction(*kick.angle_deg) : wall;
   const auto& rotor = assembly.system.points[static_cast<std::size_t>(assembly.rotor_point)];
   return {rotor.map.transpose() * towards, kick.force_n, kick.duration_s};
 }
 
 /// Phase factor that puts the largest normal excursion at the first stop at t = 0.
 std::complex<double> phase_to_smallest_gap(const QuietMotion& unit, const structure::LinearSystem& system,
-                                           const Contact& first) {
-  const Eigen::RowVectorXd row = first.normal.transpose() * relative_map(system, first);
+                                           const Contact& first, const Eigen::Vector2d& wall) {
+  const Eigen::RowVectorXd row = wall.transpose() * relative_map(system, first);
   const std::complex<double> amplitude = row.cast<std::complex<double>>() * unit.amplitude;
   const double modulus = std::abs(amplitude);
   return modulus > 0 && std::isfinite(modulus) ? std::conj(amplitude) / modulus : 1.0;
@@ -107,23 +107,24 @@ Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance&
         contact_of(machine.stops[i], assembly, i, machine.rotor.mass_kg, scene.speed_rad_per_s));
   }
   const Contact& first = scene.contacts.front();
-  if (machine.kick) scene.pulse = pulse_of(*machine.kick, first, assembly);
   scene.constant_n = machine.gravity_m_per_s2 * assembly.system.weight_kg;
   scene.observed_point = assembly.rotor_point;
   scene.length_scale_m = first.clearance_m;
-  scene.structure = std::move(assembly.system);
+  scene.structure = assembly.system;
 
   const double w = scene.speed_rad_per_s;
   const Eigen::VectorXcd unit_force = w * w * scene.structure.unbalance_kg;
   const QuietMotion unit = quiet_motion(scene.structure, w, unit_force, scene.constant_n);
   const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
+  const Eigen::Vector2d wall = nearest_wall(unit, scene.structure, first);
+  if (machine.kick) scene.pulse = pulse_of(*machine.kick, wall, assembly);
   set_unbalance(cell, unbalance, -mean, amplitude_per_m);
   const bool has_quiet_motion = std::isfinite(amplitude_per_m) && std::isfinite(mean);
   if (!has_quiet_motion || !std::isfinite(cell.eccentricity_m)) {
     cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;
     return cell;
   }
-  scene.harmonic_n = cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first) * unit_force;
+  scene.harmonic_n = cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first, wall) * unit_force;
   cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
   scene.displacement_m = cell.quiet.displacement(0);
   scene.velocity_m_per_s = w * cell.quiet.velocity(0);

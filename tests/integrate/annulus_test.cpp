@@ -1,0 +1,201 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "rubsweep/integrate/adaptive.hpp"
+#include "support/simple_scenes.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr Complex i{0, 1};
+constexpr double pi = std::numbers::pi;
+
+/// Rotor of unit mass and stiffness `stiffness` in a rigid ring of unit clearance, time in units of its own:
+/// z'' + 2 zeta z' + stiffness z = e W^2 e^{i W t} + load - k_c (|z| - 1)(1 + i mu) z / |z| where |z| > 1.
+scene::Scene ring_scene(double stiffness, double zeta, double speed, double unbalance, Complex load, double k_c,
+                        double mu) {
+  auto scene = test::one_mass_scene(1, stiffness, 2 * zeta, 2 * pi / speed, 1);
+  scene.harmonic_n << unbalance * speed * speed, -i * (unbalance * speed * speed);
+  scene.constant_n << load.real(), load.imag();
+  scene::Contact ring;
+  ring.ring = true;
+  ring.clearance_m = 1;
+  ring.stiffness_n_per_m = k_c;
+  if (mu > 0) ring.friction = model::ConstantFriction{mu};
+  scene.contacts.push_back(ring);
+  return scene;
+}
+
+void start_at(scene::Scene& scene, Complex z, Complex v) {
+  scene.displacement_m << z.real(), z.imag();
+  scene.velocity_m_per_s << v.real(), v.imag();
+}
+
+Complex position(const std::vector<double>& states, std::size_t row = 0) {
+  return {states[4 * row], states[4 * row + 1]};
+}
+
+/// Peak-to-peak of the vertical motion at `order`, over 64 turns after 300.
+std::vector<double> vertical_lines(const scene::Scene& scene, const std::vector<double>& orders) {
+  constexpr int samples = 128, turns = 64;
+  const Cursor advance = start_adaptive(scene, {});
+  Turn turn;
+  for (int k = 0; k < 300; ++k) EXPECT_EQ(advance(turn), Outcome::ok);
+  turn.samples_per_revolution = samples;
+  std::vector<Complex> sums(orders.size());
+  for (int k = 0; k < turns; ++k) {
+    EXPECT_EQ(advance(turn), Outcome::ok);
+    for (int j = 0; j < samples; ++j) {
+      const double y = position(turn.samples, static_cast<std::size_t>(j)).imag();
+      for (std::size_t m = 0; m < orders.size(); ++m) {
+        sums[m] += y * std::exp(-i * (2 * pi * orders[m] * (k + double(j) / samples)));
+      }
+    }
+  }
+  std::vector<double> peak_to_peak;
+  for (const Complex& sum : sums) peak_to_peak.push_back(4 * std::abs(sum) / (samples * turns));
+  return peak_to_peak;
+}
+
+// Three published responses of a rotor that sags onto a ring (k_c = 40, zeta = 0.05).
+TEST(RingWithSag, HalfSubharmonicAtOnceTheSpeed) {
+  auto scene = ring_scene(1, 0.05, 2.6, 0.16, -0.7 * i, 40, 0.05);
+  start_at(scene, -0.7 * i, 0);
+  const auto lines = vertical_lines(scene, {0.5, 1});
+  EXPECT_NEAR(lines[0], 1.32, 0.005);
+  EXPECT_NEAR(lines[1], 0.25, 0.005);
+}
+
+TEST(RingWithSag, HalfAndThreeHalvesFromRestOnTheRing) {
+  auto scene = ring_scene(0.3, 0.05, 1.4, 0.8, -1.2 * i, 40, 0);
+  start_at(scene, -41.2 / 40.3 * i, 0);  // 0.3 y + 40 (y - 1) = 1.2
+  const auto lines = vertical_lines(scene, {0.5, 1.5});
+  EXPECT_NEAR(lines[0], 1.11, 0.005);
+  EXPECT_NEAR(lines[1], 1.00, 0.005);
+}
+
+TEST(RingWithSag, FrictionThrowsTheRotorOutwards) {
+  auto scene = ring_scene(1, 0.05, 2.3, 0.25, -0.7 * i, 40, 0.15);
+  start_at(scene, -0.7 * i, 0);
+  const Cursor advance = start_adaptive(scene, {});
+  Turn turn;
+  turn.peaks = true;
+  double peak = 0;
+  for (int k = 0; k < 11; ++k) {
+    ASSERT_EQ(advance(turn), Outcome::ok);
+    peak = std::max(peak, turn.peak_displacement_m);
+  }
+  EXPECT_GT(peak, 1.8);
+}
+
+/// Full annular rub: |(1 + b - W^2) r - b + i (2 zeta W r + mu b (r - 1))| = e W^2 (b = k_c / k).
+struct FullRub {
+  double zeta = 0.1, speed = 1.2, k_c = 10, mu = 0.05, radius = 1.2;
+
+  Complex needed() const {
+    return {(1 + k_c - speed * speed) * radius - k_c, 2 * zeta * speed * radius + mu * k_c * (radius - 1)};
+  }
+  scene::Scene scene() const {
+    const double unbalance = std::abs(needed()) / (speed * speed);
+    auto scene = ring_scene(1, zeta, speed, unbalance, 0, k_c, mu);
+    const Complex z = radius * std::exp(-i * std::arg(needed()));  // lags the unbalance
+    start_at(scene, z, i * speed * z);
+    return scene;
+  }
+};
+
+TEST(FullAnnularRub, StaysOnItsClosedForm) {
+  for (const Stepper stepper : {Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78, Stepper::bulirsch_stoer,
+                                Stepper::rosenbrock4}) {
+    const FullRub rub;
+    SolverOptions options;
+    options.stepper = stepper;
+    options.relative_tolerance = 1e-9;
+    const Cursor advance = start_adaptive(rub.scene(), options);
+    Turn turn;
+    turn.samples_per_revolution = 16;
+    turn.peaks = true;
+    for (int k = 0; k < 20; ++k) {
+      ASSERT_EQ(advance(turn), Outcome::ok);
+      EXPECT_EQ(turn.contact_fraction, 1);
+      for (std::size_t j = 0; j < 16; ++j) EXPECT_NEAR(std::abs(position(turn.samples, j)), rub.radius, 1e-6);
+    }
+    EXPECT_NEAR(turn.peak_contact_force_n, rub.k_c * (rub.radius - 1), 1e-5);
+  }
+}
+
+TEST(FullAnnularRub, IsReachedFromNearby) {
+  const FullRub rub;
+  auto scene = rub.scene();
+  scene.displacement_m *= 1.02;
+  const Cursor advance = start_adaptive(scene, {});
+  Turn turn;
+  for (int k = 0; k < 60; ++k) ASSERT_EQ(advance(turn), Outcome::ok);
+  EXPECT_NEAR(std::abs(position(turn.section)), rub.radius, 1e-6);
+}
+
+TEST(DryWhip, WhirlsBackwardAtItsClosedFormFrequency) {
+  // Without unbalance: w = zeta/mu + sqrt((zeta/mu)^2 + 1), r = 1 / (1 - 2 zeta w / (mu b)), for
+  // mu > 2 zeta sqrt(1 + b) / b.
+  const double zeta = 0.05, mu = 0.2, b = 20;
+  ASSERT_GT(mu, 2 * zeta * std::sqrt(1 + b) / b);
+  const double w = zeta / mu + std::sqrt(zeta * zeta / (mu * mu) + 1);
+  const double radius = 1 / (1 - 2 * zeta * w / (mu * b));
+  auto scene = ring_scene(1, zeta, 1, 0, 0, b, mu);
+  start_at(scene, radius, -i * w * radius);
+  SolverOptions options;
+  options.relative_tolerance = 1e-10;
+  const Cursor advance = start_adaptive(scene, options);
+  Turn turn;
+  for (int k = 1; k <= 5; ++k) {
+    ASSERT_EQ(advance(turn), Outcome::ok);
+    EXPECT_LT(std::abs(position(turn.section) - radius * std::exp(-i * (2 * pi * w * k))), 1e-6);
+  }
+}
+
+TEST(Ring, OffsetMovesTheWall) {
+  // A rotor at rest offset by 0.6 towards +x in a ring of 1, moving slowly outwards: touches at x = 0.4, -x at -1.6.
+  for (const int sign : {1, -1}) {
+    auto scene = test::one_mass_scene(1, 1e-6, 0, 1, 1);
+    scene::Contact ring;
+    ring.ring = true;
+    ring.clearance_m = 1;
+    ring.offset_m << 0.6, 0;
+    ring.stiffness_n_per_m = 1e4;
+    scene.contacts.push_back(ring);
+    scene.velocity_m_per_s << sign * 2.0, 0;
+    const Cursor advance = start_adaptive(scene, {});
+    Turn turn;
+    turn.switches_wanted = true;
+    ASSERT_EQ(advance(turn), Outcome::ok);
+    ASSERT_FALSE(turn.switches.empty());
+    EXPECT_NEAR(turn.switches[0].phase_rad / (2 * pi), (sign > 0 ? 0.4 : 1.6) / 2.0, 1e-6);
+  }
+}
+
+TEST(Ring, PassingThroughTheCentreIsHarmless) {
+  auto scene = test::one_mass_scene(1, 40, 0, 1, 1);
+  scene::Contact ring;
+  ring.ring = true;
+  ring.clearance_m = 1;
+  ring.stiffness_n_per_m = 1e4;
+  scene.contacts.push_back(ring);
+  scene.velocity_m_per_s << 3, 0;  // amplitude 0.47, straight through d = 0 for ever
+  for (const auto contact : {ContactHandling::located, ContactHandling::smoothed}) {
+    SolverOptions options;
+    options.contact = contact;
+    const Cursor advance = start_adaptive(scene, options);
+    Turn turn;
+    for (int k = 1; k <= 20; ++k) ASSERT_EQ(advance(turn), Outcome::ok);
+    EXPECT_FALSE(turn.touched);
+    EXPECT_NEAR(turn.section[0], 3 / std::sqrt(40) * std::sin(std::sqrt(40) * 20), 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate

@@ -1,0 +1,272 @@
+#include "rubsweep/sweep/evaluate_cell.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+
+#include "rubsweep/report/map_csv.hpp"
+#include "support/one_side_equations.hpp"
+#include "sweep/one_side_study.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+Row evaluate(const Study& study, std::size_t cell = 0) {
+  response::SpectrumWorkspace workspace;
+  return evaluate_cell(study, cell, workspace);
+}
+
+/// The one-side rotor by the other route: equations written by hand, classical Runge-Kutta in small equal
+/// steps straight through every corner of the force.
+class ByHand {
+ public:
+  using State = test::OneSideState<double>;
+  static constexpr int steps_per_turn = 2000;
+
+  explicit ByHand(const test::OneSideRotor& rotor)
+      : equations_(rotor), step_s_(1 / (rotor.speed_hz * steps_per_turn)), state_(equations_.start()) {}
+
+  void advance_one_step() {
+    const double t = step_s_ * static_cast<double>(steps_), h = step_s_;
+    State k1, k2, k3, k4;
+    equations_(state_, k1, t);
+    equations_(moved(k1, h / 2), k2, t + h / 2);
+    equations_(moved(k2, h / 2), k3, t + h / 2);
+    equations_(moved(k3, h), k4, t + h);
+    for (std::size_t i = 0; i < 8; ++i) state_[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
+    ++steps_;
+  }
+
+  void advance(long turns) {
+    for (long i = 0; i < turns * steps_per_turn; ++i) advance_one_step();
+  }
+
+  std::complex<double> displacement_m() const { return {state_[0], state_[1]}; }
+  bool touches() const { return equations_.penetration(state_) > 0; }
+
+  double normal_force_n() const {
+    const double spring = equations_.K * equations_.penetration(state_);
+    const double damper = equations_.d * equations_.closing_speed(state_);
+    return std::max(0.0, std::min(2 * spring, spring + damper));
+  }
+
+ private:
+  State moved(const State& rate, double h) const {
+    State to = state_;
+    for (std::size_t i = 0; i < 8; ++i) to[i] += h * rate[i];
+    return to;
+  }
+
+  test::OneSideEquations<double> equations_;
+  double step_s_;
+  State state_;
+  long steps_ = 0;
+};
+
+TEST(CellCount, IsSpeedsTimesUnbalances) {
+  EXPECT_EQ(cell_count(one_side_study({50, 60, 70}, {0.1, 0.2}).grid), 6u);
+}
+
+TEST(EvaluateCell, SpeedRunsFastest) {
+  Study study = one_side_study({50, 60, 70}, {1.1, 1.2});
+  for (std::size_t cell = 0; cell < 6; ++cell) {
+    const Row row = evaluate(study, cell);
+    EXPECT_EQ(row.speed_hz, study.grid.speed_hz[cell % 3]);
+    EXPECT_EQ(row.whirl_ratio, study.grid.unbalance[cell / 3]);
+  }
+}
+
+TEST(EvaluateCell, UnbalanceByEccentricityIsTheSameCell) {
+  Study study = one_side_study({50}, {0.2});
+  const Row by_ratio = evaluate(study);
+  study.grid.measure = UnbalanceMeasure::eccentricity_m;
+  study.grid.unbalance = {by_ratio.eccentricity_m};
+  const Row by_eccentricity = evaluate(study);
+  EXPECT_EQ(by_eccentricity.eccentricity_m, by_ratio.eccentricity_m);
+  EXPECT_NEAR(by_eccentricity.whirl_ratio, 0.2, 1e-15);
+  EXPECT_EQ(by_eccentricity.last_contact_revolution, by_ratio.last_contact_revolution);
+}
+
+TEST(EvaluateCell, InitialContactIsNotRun) {
+  const Row row = evaluate(one_side_study({75}, {1.2}));
+  EXPECT_EQ(to_string(row.motion_class), "initial_contact");
+  EXPECT_EQ(row.status, "ok");
+  EXPECT_EQ(row.revolutions, 0);
+  EXPECT_GT(row.eccentricity_m, 0);
+  EXPECT_FALSE(row.measures || row.proof || row.order || row.last_contact_revolution);
+}
+
+TEST(EvaluateCell, UnreachableWhirlRatio) {
+  Study study = one_side_study({30}, {0.5});
+  study.machine.rotor.damping_ratio = 0;
+  const Row row = evaluate(study);
+  EXPECT_EQ(to_string(row.motion_class), "failed");
+  EXPECT_EQ(row.status, "unreachable");
+  EXPECT_EQ(row.whirl_ratio, 0.5);
+  EXPECT_TRUE(std::isnan(row.eccentricity_m));
+  EXPECT_FALSE(row.measures || row.proof || row.order || row.last_contact_revolution);
+}
+
+TEST(EvaluateCell, WithoutAKickTheQuietWhirlIsProvenAtOnce) {
+  Study study = one_side_study({75}, {0.4});
+  study.machine.kick.reset();
+  const Row row = evaluate(study);
+  EXPECT_EQ(to_string(row.motion_class), "non_contact");
+  EXPECT_EQ(row.proof, response::Proof::rest);
+  EXPECT_EQ(row.status, "ok");
+  EXPECT_EQ(row.revolutions, 1);
+  EXPECT_FALSE(row.last_contact_revolution);
+  EXPECT_FALSE(row.order);
+  // A = e s^2 / sqrt((1 - s^2)^2 + (2 zeta s)^2) is the whirl ratio's share of the clearance.
+  const double s = 75.0 / 30;
+  EXPECT_NEAR(row.eccentricity_m, 0.4e-3 * std::hypot(1 - s * s, 2 * 0.02 * s) / (s * s), 1e-17);
+  ASSERT_TRUE(row.measures);
+  EXPECT_NEAR(row.measures->amplitude_1x_forward_m, 0.4e-3, 1e-17);
+  EXPECT_NEAR(row.measures->amplitude_1x_backward_m, 0, 1e-17);
+  EXPECT_NEAR(row.measures->contact.peak_displacement_m, 0.4e-3, 1e-17);
+  EXPECT_EQ(row.measures->contact.hits, 0);
+  EXPECT_EQ(row.measures->contact.peak_contact_force_n, 0);
+  EXPECT_EQ(row.measures->dominant.value().order, 1);
+  EXPECT_EQ(row.measures->orbit, response::OrbitKind::circle);
+  EXPECT_EQ(row.measures->whirl, response::WhirlKind::forward);
+}
+
+TEST(EvaluateCell, AKickThatMissesTheWallLeavesNoLastContact) {
+  Study study = one_side_study({75}, {0.4});
+  study.machine.kick->force_n = 20;
+  const Row row = evaluate(study);
+  EXPECT_EQ(row.proof, response::Proof::rest);
+  EXPECT_FALSE(row.last_contact_revolution);
+}
+
+TEST(EvaluateCell, LastContactBeforeRestIsTheLastOneEver) {
+  for (const double damping_ratio : {0.05, 0.1}) {
+    Study study = one_side_study({50}, {0.2});
+    study.machine.rotor.damping_ratio = damping_ratio;
+    const Row row = evaluate(study);
+    EXPECT_EQ(to_string(row.motion_class), "non_contact");
+    EXPECT_EQ(row.proof, response::Proof::rest);
+
+    test::OneSideRotor rotor;
+    rotor.speed_hz = 50;
+    rotor.whirl_ratio = 0.2;
+    rotor.damping_ratio = damping_ratio;
+    ByHand by_hand(rotor);
+    long last_contact = 0;
+    for (long turn = 1; turn <= 100; ++turn) {
+      for (int i = 0; i < ByHand::steps_per_turn; ++i) {
+        by_hand.advance_one_step();
+        if (by_hand.touches()) last_contact = turn;
+      }
+    }
+    EXPECT_EQ(row.last_contact_revolution, last_contact);
+    EXPECT_GE(row.revolutions, last_contact);
+    EXPECT_LT(row.revolutions, 40);
+  }
+}
+
+TEST(EvaluateCell, SubharmonicRowHoldsTheNumbersOfTheMotionByHand) {
+  Study study = one_side_study({75}, {0.4});
+  study.response.max_revolutions = 300;
+  const Row row = evaluate(study);
+  EXPECT_EQ(to_string(row.motion_class), "subharmonic");
+  EXPECT_EQ(row.order, 2);
+  EXPECT_EQ(row.proof, response::Proof::observed);
+  EXPECT_EQ(row.status, "ok");
+  EXPECT_EQ(row.revolutions, 300);
+  ASSERT_TRUE(row.measures && row.measures->dominant);
+
+  ByHand by_hand(test::OneSideRotor{});
+  by_hand.advance(298);
+  const auto section = by_hand.displacement_m();
+  std::complex<double> half, forward, backward;
+  double peak_m = 0, peak_n = 0;
+  int touching = 0, hits = 0;
+  const int steps = 2 * ByHand::steps_per_turn;
+  for (int i = 0; i < steps; ++i) {
+    if (i == steps / 2) {
+      EXPECT_GT(std::abs(by_hand.displacement_m() - section), 1e-4);
+    }
+    const auto z = by_hand.displacement_m();
+    const double phase = 4 * std::numbers::pi * i / steps;
+    half += z * std::polar(1.0 / steps, -phase / 2);
+    forward += z * std::polar(1.0 / steps, -phase);
+    backward += z * std::polar(1.0 / steps, phase);
+    peak_m = std::max(peak_m, std::abs(z));
+    const bool touched = by_hand.touches();
+    if (touched) peak_n = std::max(peak_n, by_hand.normal_force_n());
+    by_hand.advance_one_step();
+    touching += touched;
+    hits += !touched && by_hand.touches();
+  }
+  EXPECT_LT(std::abs(by_hand.displacement_m() - section), 1e-9);
+  const response::Measures& m = *row.measures;
+  EXPECT_EQ(m.dominant->order, 0.5);
+  EXPECT_NEAR(m.dominant->amplitude_m, std::abs(half), 1e-7 * std::abs(half));
+  EXPECT_NEAR(m.amplitude_1x_forward_m, std::abs(forward), 1e-7 * std::abs(half));
+  EXPECT_NEAR(m.amplitude_1x_backward_m, std::abs(backward), 1e-7 * std::abs(half));
+  EXPECT_NEAR(m.contact.peak_displacement_m, peak_m, 1e-5 * peak_m);
+  EXPECT_NEAR(m.contact.peak_contact_force_n, peak_n, 1e-4 * peak_n);
+  EXPECT_NEAR(m.contact.contact_fraction, 1.0 * touching / steps, 2.0 / steps);
+  EXPECT_EQ(m.contact.hits * 2, hits * m.turns);
+}
+
+TEST(EvaluateCell, StepLimitIsAFailedRowWithoutMeasures) {
+  Study study = one_side_study({75}, {0.4});
+  study.solver.max_steps_per_revolution = 20;
+  const Row row = evaluate(study);
+  EXPECT_EQ(to_string(row.motion_class), "failed");
+  EXPECT_EQ(row.status, "step_limit");
+  EXPECT_EQ(row.revolutions, 0);
+  EXPECT_FALSE(row.measures || row.proof || row.order);
+}
+
+TEST(EvaluateCell, ReversedSlipIsAStatusOfConstantFrictionAlone) {
+  Study study = one_side_study({75}, {0.4});
+  auto& stop = study.machine.stops[0];
+  stop.contact_radius_m = 0;  // slip is what the rotor and the casing do, of either sign
+  stop.friction = model::ConstantFriction{0.1};
+  EXPECT_EQ(evaluate(study).status, "slip_reversal");
+  stop.friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
+  EXPECT_EQ(evaluate(study).status, "ok");
+  stop.friction = model::NoFriction{};
+  EXPECT_EQ(evaluate(study).status, "ok");
+  stop.friction = model::ConstantFriction{0.1};
+  stop.contact_radius_m = 0.0375;
+  EXPECT_EQ(evaluate(study).status, "ok");
+}
+
+TEST(EvaluateCell, SeveralStatusesAreJoined) {
+  // Among these limits some are enough for the first contacts and not for a later turn.
+  Study study = one_side_study({75}, {0.4});
+  study.machine.stops[0].contact_radius_m = 0;
+  study.machine.stops[0].friction = model::ConstantFriction{0.1};
+  int joined = 0;
+  for (long limit = 20; limit < 400; limit += 10) {
+    study.solver.max_steps_per_revolution = limit;
+    const Row row = evaluate(study);
+    if (row.status != "step_limit;slip_reversal") continue;
+    ++joined;
+    EXPECT_EQ(to_string(row.motion_class), "failed");
+    EXPECT_FALSE(row.measures);
+    EXPECT_GT(row.revolutions, 0);
+  }
+  EXPECT_GT(joined, 0);
+}
+
+TEST(EvaluateCell, DependsOnItsArgumentsAlone) {
+  const Study study = one_side_study({75}, {0.4});
+  Study other = study;
+  other.response.samples_per_revolution = 64;
+  const std::string fresh = report::map_line(evaluate(study));
+  response::SpectrumWorkspace workspace;
+  evaluate_cell(other, 0, workspace);
+  EXPECT_EQ(report::map_line(evaluate_cell(study, 0, workspace)), fresh);
+}
+
+}  // namespace
+}  // namespace rubsweep::sweep

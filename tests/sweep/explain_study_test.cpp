@@ -1,0 +1,61 @@
+#include "rubsweep/sweep/explain_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "rubsweep/scene/explain.hpp"
+#include "sweep/one_side_study.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+testing::AssertionResult says(const std::string& text, const std::string& part) {
+  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "no \"" << part << "\" in\n" << text;
+}
+
+TEST(ExplainStudy, BeginsWithTheSceneAtTheLowestSpeed) {
+  const Study study = one_side_study({75, 50, 90}, {0.4});
+  EXPECT_TRUE(explain(study).starts_with(scene::explain(study.machine, 50)));
+}
+
+TEST(ExplainStudy, GridWhateverItsOrder) {
+  Study study = one_side_study({75, 50, 90}, {0.6, 0.1});
+  EXPECT_TRUE(
+      says(explain(study), "sweep: 6 cells, 3 speeds from 50 to 90 Hz, 2 whirl ratios from 0.1 to 0.6\n"));
+  study.grid.measure = UnbalanceMeasure::eccentricity_m;
+  EXPECT_TRUE(says(explain(study), "2 eccentricities (m) from 0.1 to 0.6\n"));
+}
+
+TEST(ExplainStudy, SolverAndHowACellEnds) {
+  Study study = one_side_study({50}, {0.4});
+  EXPECT_TRUE(says(explain(study), "solver: adaptive (auto: it takes every scene), dopri5"));
+  EXPECT_TRUE(says(explain(study), "relative tolerance 1e-08\n"));
+  EXPECT_TRUE(says(explain(study), "contact: located"));
+  EXPECT_TRUE(
+      says(explain(study),
+           "a cell ends when rest is proven, else after 40 revolutions, by its last two windows of 12\n"));
+  study.solver.method = integrate::Method::adaptive;
+  study.solver.contact = integrate::ContactHandling::smoothed;
+  study.solver.smoothing_m = 2e-7;
+  EXPECT_TRUE(says(explain(study), "solver: adaptive, dopri5"));
+  EXPECT_TRUE(says(explain(study), "contact: smoothed over 2e-07 m of penetration, no event location\n"));
+}
+
+TEST(ExplainStudy, NamesEveryStepper) {
+  using integrate::Stepper;
+  const std::pair<Stepper, const char*> steppers[] = {{Stepper::dopri5, "dopri5 ("},
+                                                      {Stepper::cash_karp54, "cash_karp54 ("},
+                                                      {Stepper::rkf78, "rkf78 ("},
+                                                      {Stepper::bulirsch_stoer, "bulirsch_stoer ("},
+                                                      {Stepper::rosenbrock4, "rosenbrock4 ("}};
+  Study study = one_side_study({50}, {0.4});
+  for (const auto& [stepper, name] : steppers) {
+    study.solver.stepper = stepper;
+    EXPECT_TRUE(says(explain(study), name));
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::sweep
