@@ -172,6 +172,7 @@ TEST(EvaluateCell, LastContactBeforeRestIsTheLastOneEver) {
 TEST(EvaluateCell, SubharmonicRowHoldsTheNumbersOfTheMotionByHand) {
   Study study = one_side_study({75}, {0.4});
   study.response.max_revolutions = 300;
+  study.response.samples_per_revolution = 128;  // 32 would fold orders about 32 onto the lines, 1e-6 of them
   const Row row = evaluate(study);
   EXPECT_EQ(to_string(row.motion_class), "subharmonic");
   EXPECT_EQ(row.order, 2);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -46,6 +48,35 @@ Node* entry_of(Node& map, std::string_view name, const Place& place) {
   return &map.items.back();
 }
 
+/// Keys that exclude each other: writing one of them takes back what the file said by another.
+constexpr std::array<std::array<std::string_view, 4>, 4> alternatives{{
+    {"stribeck", "coefficient"},
+    {"restitution", "restitution_delivered", "damping_ns_per_m"},
+    {"whirl_ratio", "eccentricity_m"},
+    {"values", "from", "to", "count"},
+}};
+
+bool exclude_each_other(std::string_view written, std::string_view other) {
+  if (written == other) return false;
+  // A range stays one when only part of it is written.
+  if (alternatives.back()[0] != written && alternatives.back()[0] != other) {
+    const auto& range = alternatives.back();
+    if (std::find(range.begin(), range.end(), written) != range.end()) return false;
+  }
+  return std::any_of(alternatives.begin(), alternatives.end(), [&](const auto& group) {
+    return std::find(group.begin(), group.end(), written) != group.end() &&
+           std::find(group.begin(), group.end(), other) != group.end();
+  });
+}
+
+void drop_alternatives(Node& map, std::string_view written) {
+  for (std::size_t i = map.keys.size(); i-- > 0;) {
+    if (!exclude_each_other(written, map.keys[i].text)) continue;
+    map.keys.erase(map.keys.begin() + static_cast<std::ptrdiff_t>(i));
+    map.items.erase(map.items.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
 /// The node at the end of the path, created where maps lack a key; null after a problem was added.
 Node* node_at(Node& root, std::string_view path, const Place& place, Diagnostics& diagnostics) {
   const auto names = split_path(path);
@@ -60,6 +91,7 @@ Node* node_at(Node& root, std::string_view path, const Place& place, Diagnostics
     if (node->kind == Node::Kind::list) {
       node = item_of(*node, name, place, walked, diagnostics);
     } else if (node->kind == Node::Kind::map) {
+      if (&name == &names.back()) drop_alternatives(*node, name);
       node = entry_of(*node, name, place);
     } else {
       const std::string found = node->kind == Node::Kind::null ? "has no value" : "is " + describe(*node);
