@@ -18,7 +18,8 @@ TEST(Override, replaces_a_value) {
 }
 
 TEST(Override, indexes_lists_by_number) {
-  EXPECT_EQ(read_with({"stops.0.angle_deg=-90"}).study.machine.stops[0].geometry.angle_deg, -90);
+  const auto stops = read_with({"stops.0.angle_deg=-90"}).study.machine.stops;
+  EXPECT_EQ(std::get<model::OneSideGeometry>(stops[0].geometry).angle_deg, -90);
   EXPECT_EQ(read_with({"sweep.whirl_ratio.values.0=0.25"}).study.grid.unbalance, std::vector<double>{0.25});
 }
 
@@ -28,6 +29,20 @@ TEST(Override, creates_missing_keys_and_the_maps_above_them) {
   EXPECT_EQ(read_with({"solver.max_steps_per_revolution=2000"}).study.solver.max_steps_per_revolution, 2000);
   const RunConfig config = read_with({"stops.0.friction.coefficient=0.2"});
   EXPECT_EQ(std::get<model::ConstantFriction>(config.study.machine.stops[0].friction).coefficient, 0.2);
+}
+
+TEST(Override, takes_back_what_excludes_it) {
+  const auto file = [](const std::vector<std::string>& overrides) {
+    return read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", overrides).study;
+  };
+  const auto stops = file({"stops.0.friction.coefficient=0.2", "stops.0.damping_ns_per_m=3"}).machine.stops;
+  EXPECT_EQ(std::get<model::ConstantFriction>(stops[0].friction).coefficient, 0.2);
+  EXPECT_EQ(std::get<model::ExplicitDamping>(stops[0].damping).damping_ns_per_m, 3);
+  const auto grid = file({"sweep.speed_hz.values=[70, 80]", "sweep.eccentricity_m={values: [1.0e-5]}"}).grid;
+  EXPECT_EQ(grid.speed_hz, (std::vector<double>{70, 80}));
+  EXPECT_EQ(grid.measure, sweep::UnbalanceMeasure::eccentricity_m);
+  // Part of a range leaves the rest of it.
+  EXPECT_EQ(file({"sweep.speed_hz.count=3"}).grid.speed_hz.size(), 3u);
 }
 
 TEST(Override, takes_any_yaml_as_value) {

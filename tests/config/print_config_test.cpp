@@ -29,8 +29,11 @@ RunConfig awkward_config(std::mt19937_64& random) {
   config.study.machine.rotor = {awkward(random), awkward(random), awkward(random)};
   for (std::size_t i = 0; i < 1 + random() % 3; ++i) {
     model::Stop stop;
-    stop.geometry.angle_deg = -awkward(random);
+    stop.geometry = model::OneSideGeometry{-awkward(random)};
     stop.clearance_m = awkward(random);
+    if (random() % 2 == 0) {
+      stop.geometry = model::AnnularGeometry{{stop.clearance_m / 3, -stop.clearance_m / 7}};
+    }
     stop.stiffness_n_per_m = awkward(random);
     stop.contact_radius_m = awkward(random);
     const double restitution = 1 / (1 + awkward(random) / 1e300);

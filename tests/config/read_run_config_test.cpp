@@ -18,7 +18,7 @@ TEST(ReadRunConfig, reads_every_key) {
   EXPECT_EQ(machine.rotor.damping_ratio, 0.02);
   ASSERT_EQ(machine.stops.size(), 1U);
   const model::Stop& stop = machine.stops[0];
-  EXPECT_EQ(stop.geometry.angle_deg, 90);
+  EXPECT_EQ(std::get<model::OneSideGeometry>(stop.geometry).angle_deg, 90);
   EXPECT_EQ(stop.clearance_m, 1e-3);
   EXPECT_EQ(stop.stiffness_n_per_m, 2e6);
   EXPECT_EQ(std::get<model::NominalRestitution>(stop.damping).value, 0.7);

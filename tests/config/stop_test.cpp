@@ -50,8 +50,19 @@ TEST(Stop, keeps_the_order_of_the_list) {
   text.insert(end, replaced(minimal.substr(begin, end - begin), "angle_deg: 90", "angle_deg: 270"));
   const auto stops = read_run_config_text(text, "two.yaml", {}).study.machine.stops;
   ASSERT_EQ(stops.size(), 2U);
-  EXPECT_EQ(stops[0].geometry.angle_deg, 90);
-  EXPECT_EQ(stops[1].geometry.angle_deg, 270);
+  EXPECT_EQ(std::get<model::OneSideGeometry>(stops[0].geometry).angle_deg, 90);
+  EXPECT_EQ(std::get<model::OneSideGeometry>(stops[1].geometry).angle_deg, 270);
+}
+
+TEST(Stop, annular_with_and_without_offset) {
+  const std::string annular = replaced(test_file("minimal.yaml"), "kind: one_side", "kind: annular");
+  const std::string centred = replaced(annular, "angle_deg: 90", "offset_m: [0, 0]");
+  const auto ring_of = [](const std::string& text) {
+    const auto stops = read_run_config_text(text, "f.yaml", {}).study.machine.stops;
+    return std::get<model::AnnularGeometry>(stops[0].geometry).offset_m;
+  };
+  EXPECT_EQ(ring_of(centred), (std::array<double, 2>{0, 0}));
+  EXPECT_EQ(ring_of(replaced(centred, "[0, 0]", "[1e-4, -2e-4]")), (std::array<double, 2>{1e-4, -2e-4}));
 }
 
 }  // namespace

@@ -52,8 +52,12 @@ inline std::vector<std::uint64_t> bits_of(const RunConfig& config) {
   put(machine.rotor.mass_kg), put(machine.rotor.natural_frequency_hz), put(machine.rotor.damping_ratio);
   count(machine.stops.size());
   for (const model::Stop& stop : machine.stops) {
-    put(stop.geometry.angle_deg), put(stop.clearance_m), put(stop.stiffness_n_per_m),
-        put(stop.contact_radius_m);
+    count(stop.geometry.index());
+    if (const auto* wall = std::get_if<model::OneSideGeometry>(&stop.geometry)) put(wall->angle_deg);
+    if (const auto* ring = std::get_if<model::AnnularGeometry>(&stop.geometry)) {
+      put(ring->offset_m[0]), put(ring->offset_m[1]);
+    }
+    put(stop.clearance_m), put(stop.stiffness_n_per_m), put(stop.contact_radius_m);
     count(stop.damping.index());
     if (const auto* law = std::get_if<model::NominalRestitution>(&stop.damping)) put(law->value);
     if (const auto* law = std::get_if<model::DeliveredRestitution>(&stop.damping)) put(law->value);

@@ -71,8 +71,7 @@ TEST(ExitsOf, AreBelowZeroInsideTheMode) {
   RandomContact random(2);
   for (int trial = 0; trial < 40'000; ++trial) {
     const double stiffness = random.stiffness(), damping = random_damping(random, trial);
-    Kinematics k =
-        random_state(random, stiffness, damping, trial % 2 == 0 ? 0 : 4);  // no ties
+    Kinematics k = random_state(random, stiffness, damping, trial % 2 == 0 ? 0 : 4);  // no ties
     const Mode mode = mode_of(stiffness, damping, k.penetration, k.closing_speed);
     for (const Exit& exit : listed(exits_of(mode, stiffness, damping, k))) EXPECT_LT(exit.value, 0);
   }

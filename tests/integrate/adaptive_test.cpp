@@ -253,7 +253,7 @@ TEST(Adaptive, EightCoordinatesTakeTheDynamicPath) {
   model::Stop far = machine.stops[0];
   far.clearance_m = 1;
   for (const double angle : {0.0, 180.0}) {
-    far.geometry.angle_deg = angle;
+    far.geometry = model::OneSideGeometry{angle};
     machine.stops.push_back(far);
   }
   const auto cell = scene::build_cell(machine, rotor.speed_hz, scene::WhirlRatio{rotor.whirl_ratio});

@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Stop rigid_stop() {
   Stop stop;
-  stop.geometry.angle_deg = 90;
+  stop.geometry = model::OneSideGeometry{90};
   stop.clearance_m = 1e-3;
   stop.stiffness_n_per_m = 2e6;
   stop.damping = NominalRestitution{0.7};
@@ -93,7 +93,7 @@ TEST(Validate, NamesEveryNumberOutOfRange) {
        "rotor.natural_frequency_hz: -30 is out of range, allowed: a number > 0"},
       {[](Machine& m) { m.rotor.damping_ratio = infinity; },
        "rotor.damping_ratio: inf is out of range, allowed: a number >= 0"},
-      {[](Machine& m) { m.stops[0].geometry.angle_deg = -infinity; },
+      {[](Machine& m) { m.stops[0].geometry = model::OneSideGeometry{-infinity}; },
        "stops.0.angle_deg: -inf is out of range, allowed: a finite number"},
       {[](Machine& m) { m.stops[1].clearance_m = 0; },
        "stops.1.clearance_m: 0 is out of range, allowed: a number > 0"},

@@ -84,7 +84,7 @@ TEST(BuildCell, QuietWhirlIsTheClosedFormAndStartsAtTheStopWhateverItsAngle) {
     model::Machine machine = one_side_machine();
     machine.rotor = {uniform(0.1, 10), uniform(5, 200), uniform(0.005, 1.5)};
     const double angle_deg = trial % 9 == 0 ? 90 : uniform(-720, 720);
-    machine.stops[0].geometry.angle_deg = angle_deg;
+    machine.stops[0].geometry = model::OneSideGeometry{angle_deg};
     if (trial % 2 == 0) machine.stops[0].casing.reset();
     const double speed_hz = uniform(1, 500), e = uniform(1e-9, 1e-7);
     const Cell cell = build_cell(machine, speed_hz, Eccentricity{e});
@@ -137,18 +137,18 @@ TEST(BuildCell, GravityShiftsTheMeanAndTheRemainingClearance) {
   EXPECT_NEAR(cell.scene.displacement_m(1), 0.5 * remaining - rotor_sag, 1e-17);
   EXPECT_NEAR(cell.scene.displacement_m(0), 0, 1e-17);
 
-  machine.stops[0].geometry.angle_deg = -90;
+  machine.stops[0].geometry = model::OneSideGeometry{-90};
   const Cell below = build_cell(machine, 75, WhirlRatio{0.5});
   const double remaining_below = 1e-3 - rotor_sag + casing_sag;
   EXPECT_NEAR(below.scene.displacement_m(1), -rotor_sag - 0.5 * remaining_below, 1e-17);
 
-  machine.stops[0].geometry.angle_deg = 0;
+  machine.stops[0].geometry = model::OneSideGeometry{0};
   EXPECT_NEAR(build_cell(machine, 75, WhirlRatio{0.5}).scene.displacement_m(0), 0.5e-3, 1e-17);
 }
 
 TEST(BuildCell, SagThroughTheStopIsInitialContactAndNoUnbalanceCorresponds) {
   model::Machine machine = one_side_machine();
-  machine.stops[0].geometry.angle_deg = -90;
+  machine.stops[0].geometry = model::OneSideGeometry{-90};
   machine.stops[0].clearance_m = 1e-4;
   machine.gravity_m_per_s2 = 9.81;
   const Cell by_ratio = build_cell(machine, 75, WhirlRatio{0.5});
@@ -212,7 +212,7 @@ TEST(BuildCell, WithoutUnbalanceTheRotorRests) {
 
 TEST(BuildCell, KickPointsAtTheFirstStopUnlessItHasAnAngle) {
   model::Machine machine = both_sides_machine();
-  machine.stops[0].geometry.angle_deg = 30;
+  machine.stops[0].geometry = model::OneSideGeometry{30};
   const auto direction = [&] {
     return build_cell(machine, 75, WhirlRatio{0.1}).scene.pulse.value().direction;
   };
@@ -233,7 +233,7 @@ TEST(BuildCell, EveryStopHasItsContactAndTheMovingOnesTheirCasing) {
   model::Machine machine = both_sides_machine();
   machine.stops[1].casing.reset();
   machine.stops.push_back(machine.stops[0]);
-  machine.stops[2].geometry.angle_deg = 0;
+  machine.stops[2].geometry = model::OneSideGeometry{0};
   machine.stops[2].clearance_m = 2e-3;
   machine.stops[2].friction = model::ConstantFriction{0.3};
   const Scene scene = build_cell(machine, 75, WhirlRatio{0.4}).scene;
@@ -277,13 +277,13 @@ TEST(BuildCell, QuarterTurnsAreExact) {
   const Eigen::Vector2d quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   model::Machine machine = one_side_machine();
   for (int quarter = -9; quarter <= 9; ++quarter) {
-    machine.stops[0].geometry.angle_deg = 90.0 * quarter;
+    machine.stops[0].geometry = model::OneSideGeometry{90.0 * quarter};
     const Scene scene = build_cell(machine, 75, WhirlRatio{0.4}).scene;
     EXPECT_EQ(scene.contacts[0].normal, quarters[(quarter + 12) % 4]) << quarter;
     EXPECT_EQ(Eigen::Vector2d(scene.pulse->direction.head(2)), quarters[(quarter + 12) % 4]) << quarter;
   }
   // A wall above does not feel x, nor does the structure couple it to y.
-  machine.stops[0].geometry.angle_deg = 90;
+  machine.stops[0].geometry = model::OneSideGeometry{90};
   const Scene scene = build_cell(machine, 75, WhirlRatio{0.4}).scene;
   const Eigen::RowVectorXd row =
       scene.contacts[0].normal.transpose() * relative_map(scene.structure, scene.contacts[0]);
@@ -293,7 +293,7 @@ TEST(BuildCell, QuarterTurnsAreExact) {
 TEST(BuildCell, OtherAnglesAreUnitVectors) {
   model::Machine machine = one_side_machine();
   for (const double angle_deg : {-123.0, 1e-9, 45.0, 89.999999, 1e6 + 1}) {
-    machine.stops[0].geometry.angle_deg = angle_deg;
+    machine.stops[0].geometry = model::OneSideGeometry{angle_deg};
     const Eigen::Vector2d normal = build_cell(machine, 75, WhirlRatio{0.4}).scene.contacts[0].normal;
     EXPECT_NEAR(normal.norm(), 1, 1e-15);
     EXPECT_NEAR(std::remainder(std::atan2(normal.y(), normal.x()) * 180 / pi - angle_deg, 360), 0, 1e-9);

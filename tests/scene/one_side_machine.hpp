@@ -8,7 +8,7 @@ namespace rubsweep::scene {
 /// words.
 inline model::Machine one_side_machine() {
   model::Stop stop;
-  stop.geometry.angle_deg = 90;
+  stop.geometry = model::OneSideGeometry{90};
   stop.clearance_m = 1e-3;
   stop.stiffness_n_per_m = 2e6;
   stop.damping = model::NominalRestitution{0.7};
@@ -26,7 +26,7 @@ inline model::Machine one_side_machine() {
 inline model::Machine both_sides_machine() {
   model::Machine machine = one_side_machine();
   machine.stops.push_back(machine.stops.front());
-  machine.stops.back().geometry.angle_deg = -90;
+  machine.stops.back().geometry = model::OneSideGeometry{-90};
   return machine;
 }
 

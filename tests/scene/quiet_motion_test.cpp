@@ -116,6 +116,67 @@ TEST(QuietPenetration, IsTheLargestOfTheSampledMotion) {
   }
 }
 
+/// A ring around a point that moves freely in the plane, as q itself.
+struct InARing {
+  structure::LinearSystem structure;
+  Contact contact;
+
+  InARing() {
+    structure.points = {{Eigen::MatrixXd::Identity(2, 2)}};
+    contact.ring = true;
+    contact.clearance_m = 2;
+  }
+
+  /// Largest penetration |d| - clearance over one turn of phase.
+  double largest_sampled(const QuietMotion& motion) const {
+    double largest = -1e9;
+    for (int i = 0; i < 20'000; ++i) {
+      const Eigen::Vector2d d = motion.displacement(2 * pi * i / 20'000) + contact.offset_m;
+      largest = std::max(largest, d.norm() - contact.clearance_m);
+    }
+    return largest;
+  }
+};
+
+TEST(QuietPenetration, OfACircleInARingIsTheLargestOfTheSampledMotion) {
+  InARing in;
+  for (const double turn : {1.0, -1.0}) {
+    const QuietMotion circle{Eigen::Vector2d(0.3, 0.2), Eigen::Vector2cd(0.7, Complex(0, -0.7 * turn))};
+    for (const Eigen::Vector2d& offset : {Eigen::Vector2d(0, 0), Eigen::Vector2d(-0.1, 0.6)}) {
+      in.contact.offset_m = offset;
+      const auto [mean, amplitude] = quiet_penetration(circle, in.structure, in.contact);
+      EXPECT_NEAR(amplitude, 0.7, 1e-15);
+      EXPECT_NEAR(mean + amplitude, in.largest_sampled(circle), 1e-7);
+    }
+  }
+}
+
+TEST(QuietPenetration, OfAnEllipseInARingIsExactAboutTheCentreAndABoundElsewhere) {
+  InARing in;
+  QuietMotion ellipse{Eigen::Vector2d(0, 0), Eigen::Vector2cd(Complex(0.5, 0.2), Complex(-0.1, 0.4))};
+  const auto [mean, amplitude] = quiet_penetration(ellipse, in.structure, in.contact);
+  EXPECT_EQ(mean, -2);
+  EXPECT_NEAR(mean + amplitude, in.largest_sampled(ellipse), 1e-7);
+  for (int i = 0; i < 12; ++i) {
+    in.contact.offset_m = Eigen::Vector2d(std::cos(i * pi / 6), std::sin(i * pi / 6));
+    const auto bound = quiet_penetration(ellipse, in.structure, in.contact);
+    EXPECT_GE(bound.mean_m + bound.amplitude_m, in.largest_sampled(ellipse));
+  }
+}
+
+TEST(NearestWall, IsTheNormalOrTheDirectionOfTheMeanOffset) {
+  InARing in;
+  QuietMotion motion{Eigen::Vector2d(0, 0), Eigen::Vector2cd(0, 0)};
+  EXPECT_EQ(nearest_wall(motion, in.structure, in.contact), Eigen::Vector2d(0, 1));
+  in.contact.offset_m = Eigen::Vector2d(3, 0);
+  EXPECT_EQ(nearest_wall(motion, in.structure, in.contact), Eigen::Vector2d(1, 0));
+  motion.mean = Eigen::Vector2d(0, -4);
+  EXPECT_LE((nearest_wall(motion, in.structure, in.contact) - Eigen::Vector2d(0.6, -0.8)).norm(), 1e-15);
+  in.contact.ring = false;
+  in.contact.normal = Eigen::Vector2d(-1, 0);
+  EXPECT_EQ(nearest_wall(motion, in.structure, in.contact), Eigen::Vector2d(-1, 0));
+}
+
 TEST(RelativeMap, IsRotorMinusCasing) {
   const auto system = full_system(2);
   Contact contact;

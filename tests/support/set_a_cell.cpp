@@ -4,7 +4,7 @@ namespace rubsweep::test {
 
 model::Machine machine_of(const OneSideRotor& rotor) {
   model::Stop stop;
-  stop.geometry.angle_deg = 90;
+  stop.geometry = model::OneSideGeometry{90};
   stop.clearance_m = rotor.clearance_m;
   stop.stiffness_n_per_m = rotor.stiffness_n_per_m;
   stop.damping = model::NominalRestitution{rotor.restitution};

@@ -1,7 +1,5 @@
 #include "rubsweep/config/friction.hpp"
 
-#include <fmt/format.h>
-
 #include <variant>
 
 #include "rubsweep/config/section.hpp"
@@ -11,25 +9,6 @@ namespace {
 
 constexpr std::string_view none = "none";
 constexpr std::string_view forms = "none, or a map with stribeck or coefficient";
-
-model::StribeckFriction read_stribeck(const Value& value) {
-  model::StribeckFriction friction;
-  const std::size_t count = friction.gamma.size();
-  const Node& node = value.node;
-  if (node.kind != Node::Kind::list || node.items.size() != count) {
-    const std::string wrong = node.kind == Node::Kind::list
-                                  ? fmt::format("holds {} values", node.items.size())
-                              : node.kind == Node::Kind::scalar ? describe(node) + " is not a list"
-                                                                : describe(node);
-    refuse(value, wrong, fmt::format("a list of {} numbers", count));
-    return friction;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const Value item{node.items[i], fmt::format("{}.{}", value.path, i), value.diagnostics};
-    friction.gamma[i] = read_number(item, model::any_finite).value_or(0);
-  }
-  return friction;
-}
 
 }  // namespace
 
@@ -41,7 +20,9 @@ model::Friction read_friction(const Value& value) {
   Section section(value, forms);
   model::Friction friction;
   section.require_exactly_one({"stribeck", "coefficient"});
-  if (const auto stribeck = section.find("stribeck")) friction = read_stribeck(*stribeck);
+  if (const auto stribeck = section.find("stribeck")) {
+    read_numbers(*stribeck, friction.emplace<model::StribeckFriction>().gamma);
+  }
   if (const auto coefficient = section.find("coefficient")) {
     const auto number = read_number(*coefficient, model::ConstantFriction::coefficient_range);
     friction = model::ConstantFriction{number.value_or(0)};

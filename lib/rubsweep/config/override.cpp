@@ -48,25 +48,21 @@ Node* entry_of(Node& map, std::string_view name, const Place& place) {
   return &map.items.back();
 }
 
-/// Keys that exclude each other: writing one of them takes back what the file said by another.
-constexpr std::array<std::array<std::string_view, 4>, 4> alternatives{{
+/// Keys that exclude each other: writing one of them takes back what the file said by the other.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> alternatives{{
     {"stribeck", "coefficient"},
-    {"restitution", "restitution_delivered", "damping_ns_per_m"},
+    {"restitution", "restitution_delivered"},
+    {"restitution", "damping_ns_per_m"},
+    {"restitution_delivered", "damping_ns_per_m"},
     {"whirl_ratio", "eccentricity_m"},
-    {"values", "from", "to", "count"},
+    {"values", "from"},
+    {"values", "to"},
+    {"values", "count"},
 }};
 
-bool exclude_each_other(std::string_view written, std::string_view other) {
-  if (written == other) return false;
-  // A range stays one when only part of it is written.
-  if (alternatives.back()[0] != written && alternatives.back()[0] != other) {
-    const auto& range = alternatives.back();
-    if (std::find(range.begin(), range.end(), written) != range.end()) return false;
-  }
-  return std::any_of(alternatives.begin(), alternatives.end(), [&](const auto& group) {
-    return std::find(group.begin(), group.end(), written) != group.end() &&
-           std::find(group.begin(), group.end(), other) != group.end();
-  });
+bool exclude_each_other(std::string_view a, std::string_view b) {
+  return std::any_of(alternatives.begin(), alternatives.end(),
+                     [&](const auto& pair) { return pair == std::pair(a, b) || pair == std::pair(b, a); });
 }
 
 void drop_alternatives(Node& map, std::string_view written) {
@@ -87,7 +83,7 @@ Node* node_at(Node& root, std::string_view path, const Place& place, Diagnostics
   }
   Node* node = &root;
   std::string walked;
-  for (const std::string_view name : names) {
+  for (const std::string_view& name : names) {
     if (node->kind == Node::Kind::list) {
       node = item_of(*node, name, place, walked, diagnostics);
     } else if (node->kind == Node::Kind::map) {

@@ -10,8 +10,9 @@ namespace rubsweep::config {
 
 /// Applies `key.path=value` strings in order: the value is YAML, lists are indexed by number from 0, and maps
 /// and keys that are missing on the way are created (the reader refuses those it does not know). What an
-/// override wrote has its index as place. An override that cannot be applied becomes a problem and changes no
-/// value.
+/// override wrote has its index as place. Writing a key takes back the keys beside it that exclude it
+/// (stribeck and coefficient, values and from/to/count, ...). An override that cannot be applied becomes a
+/// problem and changes no value.
 void apply_overrides(Node& root, const std::vector<std::string>& overrides, Diagnostics& diagnostics);
 
 }  // namespace rubsweep::config

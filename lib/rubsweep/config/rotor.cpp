@@ -1,13 +1,21 @@
 #include "rubsweep/config/rotor.hpp"
 
+#include <array>
+#include <string_view>
+
 #include "rubsweep/config/section.hpp"
 
 namespace rubsweep::config {
+namespace {
+
+constexpr std::array<std::string_view, 1> kinds{"jeffcott"};
+
+}  // namespace
 
 model::JeffcottRotor read_rotor(const Value& value) {
   Section section(value);
   model::JeffcottRotor rotor;
-  section.require_kind("kind", "jeffcott");
+  section.require_kind("kind", kinds);
   read_fields(section, rotor);
   section.refuse_unknown_keys();
   return rotor;

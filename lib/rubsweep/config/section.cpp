@@ -82,8 +82,10 @@ void Section::field(std::string_view name, std::optional<double>& target, const 
   if (const auto value = find(name)) target = read_number(*value, range);
 }
 
-void Section::require_kind(std::string_view name, std::string_view kind) {
-  if (const auto value = require(name, kind)) read_word(*value, {&kind, 1});
+std::optional<std::size_t> Section::require_kind(std::string_view name,
+                                                 std::span<const std::string_view> kinds) {
+  const auto value = require(name, describe(kinds));
+  return value ? read_word(*value, kinds) : std::nullopt;
 }
 
 void Section::refuse_unknown_keys() const {

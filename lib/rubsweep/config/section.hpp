@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,8 +51,8 @@ class Section {
     }
   }
 
-  /// The only kind there is of something; the key must be given.
-  void require_kind(std::string_view name, std::string_view kind);
+  /// Index of the kind of something among those there are; the key must be given.
+  std::optional<std::size_t> require_kind(std::string_view name, std::span<const std::string_view> kinds);
 
   /// Refuses every key that was never asked for. Call it last.
   void refuse_unknown_keys() const;

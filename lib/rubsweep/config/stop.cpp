@@ -1,5 +1,7 @@
 #include "rubsweep/config/stop.hpp"
 
+#include <array>
+#include <cmath>
 #include <variant>
 
 #include "rubsweep/config/casing.hpp"
@@ -12,6 +14,37 @@ namespace {
 constexpr std::string_view nominal_key = "restitution";
 constexpr std::string_view delivered_key = "restitution_delivered";
 constexpr std::string_view explicit_key = "damping_ns_per_m";
+
+constexpr std::string_view one_side_kind = "one_side";
+constexpr std::string_view annular_kind = "annular";
+constexpr std::array kinds{one_side_kind, annular_kind};
+
+model::AnnularGeometry read_ring(Section& section) {
+  model::AnnularGeometry ring;
+  if (const auto offset = section.find("offset_m")) read_numbers(*offset, ring.offset_m);
+  return ring;
+}
+
+model::StopGeometry read_geometry(Section& section) {
+  const auto kind = section.require_kind("kind", kinds);
+  if (!kind) {
+    // Without a kind nobody knows which keys belong here: neither miss nor refuse any.
+    section.find("angle_deg");
+    section.find("offset_m");
+    return {};
+  }
+  if (kinds[*kind] == annular_kind) return read_ring(section);
+  model::OneSideGeometry wall;
+  section.field("angle_deg", wall.angle_deg, model::any_finite);
+  return wall;
+}
+
+void refuse_offset_beyond_clearance(const Section& section, const model::Stop& stop) {
+  const auto* ring = std::get_if<model::AnnularGeometry>(&stop.geometry);
+  if (ring == nullptr || !(std::hypot(ring->offset_m[0], ring->offset_m[1]) >= stop.clearance_m)) return;
+  section.refuse_together("offset_m", {"offset_m"}, "the rest position is not inside the ring",
+                          "a vector shorter than clearance_m");
+}
 
 model::ContactDamping read_damping(Section& section) {
   model::ContactDamping damping;
@@ -41,9 +74,9 @@ void print_damping(Printer& printer, const model::ContactDamping& damping) {
 model::Stop read_stop(const Value& value) {
   Section section(value);
   model::Stop stop;
-  section.require_kind("kind", "one_side");
-  section.field("angle_deg", stop.geometry.angle_deg, model::any_finite);
+  stop.geometry = read_geometry(section);
   read_fields(section, stop);
+  refuse_offset_beyond_clearance(section, stop);
   stop.damping = read_damping(section);
   section.field("contact_mass_kg", stop.contact_mass_kg, model::positive);
   if (const auto friction = section.find("friction")) stop.friction = read_friction(*friction);
@@ -54,8 +87,13 @@ model::Stop read_stop(const Value& value) {
 
 void print_stop(Printer& printer, const model::Stop& stop) {
   printer.open_item();
-  printer.word("kind", "one_side");
-  printer.number("angle_deg", stop.geometry.angle_deg);
+  if (const auto* ring = std::get_if<model::AnnularGeometry>(&stop.geometry)) {
+    printer.word("kind", annular_kind);
+    printer.numbers("offset_m", ring->offset_m);
+  } else {
+    printer.word("kind", one_side_kind);
+    printer.number("angle_deg", std::get<model::OneSideGeometry>(stop.geometry).angle_deg);
+  }
   print_fields(printer, stop);
   print_damping(printer, stop.damping);
   printer.field("contact_mass_kg", stop.contact_mass_kg, model::positive);

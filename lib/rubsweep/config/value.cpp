@@ -103,6 +103,26 @@ std::optional<long> read_integer(const Value& value, const IntegerRange& range) 
   return std::nullopt;
 }
 
+bool read_numbers(const Value& value, std::span<double> target) {
+  const Node& node = value.node;
+  if (node.kind != Node::Kind::list || node.items.size() != target.size()) {
+    const std::string wrong = node.kind == Node::Kind::list
+                                  ? fmt::format("holds {} values", node.items.size())
+                              : node.kind == Node::Kind::scalar ? describe(node) + " is not a list"
+                                                                : describe(node);
+    refuse(value, wrong, fmt::format("a list of {} numbers", target.size()));
+    return false;
+  }
+  bool good = true;
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    const Value item{node.items[i], fmt::format("{}.{}", value.path, i), value.diagnostics};
+    const auto number = read_number(item, model::any_finite);
+    if (number) target[i] = *number;
+    good = good && number.has_value();
+  }
+  return good;
+}
+
 std::optional<std::size_t> read_word(const Value& value, std::span<const std::string_view> words) {
   return read_word(value, words, describe(words));
 }

@@ -43,6 +43,9 @@ std::string describe_unknown(std::string_view text, std::span<const std::string_
 std::optional<double> read_number(const Value& value, const model::Range& range);
 std::optional<long> read_integer(const Value& value, const IntegerRange& range);
 
+/// Reads a list of exactly as many finite numbers as `target` has; false after it added a problem.
+bool read_numbers(const Value& value, std::span<double> target);
+
 /// Index of the word in `words`. `allowed` describes more than the words where something else may stand there
 /// too.
 std::optional<std::size_t> read_word(const Value& value, std::span<const std::string_view> words);

@@ -40,8 +40,20 @@ void validate(const ContactDamping& damping, const std::string& path) {
   }
 }
 
+void validate(const StopGeometry& geometry, double clearance_m, const std::string& path) {
+  if (const auto* one_side = std::get_if<OneSideGeometry>(&geometry)) {
+    require(path + "angle_deg", one_side->angle_deg, any_finite);
+    return;
+  }
+  const auto& offset_m = std::get<AnnularGeometry>(geometry).offset_m;
+  for (const double component : offset_m) require(path + "offset_m", component, any_finite);
+  if (std::hypot(offset_m[0], offset_m[1]) >= clearance_m) {
+    throw ConfigError(fmt::format("{}offset_m: the rest position is not inside the ring, allowed: shorter than {}clearance_m", path, path));
+  }
+}
+
 void validate(const Stop& stop, const std::string& path) {
-  require(path + "angle_deg", stop.geometry.angle_deg, any_finite);
+  validate(stop.geometry, stop.clearance_m, path);
   Stop::visit_fields(stop, requiring(path));
   if (stop.contact_mass_kg) require(path + "contact_mass_kg", *stop.contact_mass_kg, positive);
   validate(stop.damping, path);

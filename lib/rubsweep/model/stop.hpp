@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <variant>
 
@@ -15,6 +16,13 @@ struct OneSideGeometry {
   double angle_deg = required;
 };
 
+/// Ring around the rotor. `offset_m` is that of the rotor's rest position against the ring's centre, (x, y).
+struct AnnularGeometry {
+  std::array<double, 2> offset_m{0, 0};
+};
+
+using StopGeometry = std::variant<OneSideGeometry, AnnularGeometry>;
+
 /// Where the damping constant of a contact comes from; exactly one is given.
 struct NominalRestitution {
   double value = required;  ///< e of the unclamped oscillator; the clamp returns more (physics of ElastoGap)
@@ -29,8 +37,8 @@ using ContactDamping = std::variant<NominalRestitution, DeliveredRestitution, Ex
 
 /// One place where the rotor can touch: geometry, contact law and the casing behind it.
 struct Stop {
-  OneSideGeometry geometry;
-  double clearance_m = required;        ///< C_R: rotor travel from rest to first touch
+  StopGeometry geometry;
+  double clearance_m = required;        ///< C_R: rotor travel to first touch from rest, in a ring from its centre
   double stiffness_n_per_m = required;  ///< K of the contact spring
   ContactDamping damping = NominalRestitution{};
   std::optional<double> contact_mass_kg;  ///< mass behind a restitution, before reduction with the casing's;

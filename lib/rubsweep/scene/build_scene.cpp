@@ -43,7 +43,12 @@ Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly,
   Contact contact;
   contact.rotor_point = assembly.rotor_point;
   contact.casing_point = assembly.casing_points[index];
-  contact.normal = direction(stop.geometry.angle_deg);
+  if (const auto* annular = std::get_if<model::AnnularGeometry>(&stop.geometry)) {
+    contact.ring = true;
+    contact.offset_m = {annular->offset_m[0], annular->offset_m[1]};
+  } else {
+    contact.normal = direction(std::get<model::OneSideGeometry>(stop.geometry).angle_deg);
+  }
   contact.clearance_m = stop.clearance_m;
   contact.stiffness_n_per_m = stop.stiffness_n_per_m;
   contact.damping_ns_per_m = damping_of(stop, rotor_mass_kg);

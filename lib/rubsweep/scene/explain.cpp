@@ -50,11 +50,20 @@ std::string explain_friction(const model::Stop& stop, const Contact& contact) {
                      slip, saturated ? "saturated: there it does not depend on the slip" : "depends on the slip");
 }
 
+std::string describe(const model::StopGeometry& geometry) {
+  if (const auto* annular = std::get_if<model::AnnularGeometry>(&geometry)) {
+    const auto& offset_m = annular->offset_m;
+    if (offset_m[0] == 0 && offset_m[1] == 0) return "annular, centred";
+    return fmt::format("annular, rotor offset by ({}, {}) m", offset_m[0], offset_m[1]);
+  }
+  return fmt::format("one side at {} degrees", std::get<model::OneSideGeometry>(geometry).angle_deg);
+}
+
 std::string explain_stop(const model::Machine& machine, const Cell& cell, std::size_t i) {
   const model::Stop& stop = machine.stops[i];
   const Contact& contact = cell.scene.contacts[i];
-  return fmt::format("stop {}{}: one side at {} degrees, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
-                     stop.geometry.angle_deg, stop.clearance_m) +
+  return fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
+                     describe(stop.geometry), stop.clearance_m) +
          explain_damping(stop, contact, machine.rotor.mass_kg) + explain_friction(stop, contact) +
          explain_casing(stop, machine.rotor.mass_kg);
 }

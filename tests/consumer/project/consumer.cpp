@@ -10,7 +10,7 @@
 int main() {
   rubsweep::model::Machine machine{
       .rotor = {.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02},
-      .stops = {{.geometry = {.angle_deg = 90},
+      .stops = {{.geometry = rubsweep::model::OneSideGeometry{90},
                  .clearance_m = 1e-3,
                  .stiffness_n_per_m = 2e6,
                  .damping = rubsweep::model::NominalRestitution{0.7},

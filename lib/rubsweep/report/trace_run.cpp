@@ -1,0 +1,142 @@
+#include "rubsweep/report/trace_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/report/trace_csv.hpp"
+#include "rubsweep/report/trace_state.hpp"
+#include "rubsweep/response/section.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+/// Fills a Trace turn by turn.
+class Recorder {
+ public:
+  Recorder(const scene::Scene& scene, const integrate::SolverOptions& solver, const TraceOptions& options,
+           Trace& trace)
+      : reader_(scene, solver), options_(options), trace_(trace) {
+    trace.section_csv = section_header(reader_.stops());
+    trace.events_csv = events_header();
+    add_section(integrate::scaled_initial_state(scene));
+  }
+
+  /// Asks for everything. Samples that a failing turn does not reach stay NaN.
+  void prepare(integrate::Turn& turn) const {
+    turn.samples_per_revolution = options_.samples_per_revolution;
+    turn.peaks = turn.switches_wanted = true;
+    const std::size_t numbers = static_cast<std::size_t>(options_.samples_per_revolution) * reader_.size();
+    turn.samples.assign(numbers, std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// The part of a turn before its failure, or a whole turn's samples and events.
+  void add_samples(const integrate::Turn& turn) {
+    std::string lines;
+    for (int k = 0; k < options_.samples_per_revolution; ++k) {
+      const auto scaled = std::span(turn.samples).subspan(static_cast<std::size_t>(k) * reader_.size(), reader_.size());
+      if (std::any_of(scaled.begin(), scaled.end(), [](double value) { return std::isnan(value); })) break;
+      const TraceState state = reader_.read(scaled);
+      lines += trajectory_line(sample_time_s(k), state);
+      trace_.displacement_m.emplace_back(state.displacement_m.x(), state.displacement_m.y());
+    }
+    trajectory_.push_back(std::move(lines));
+    if (options_.trajectory_revolutions && static_cast<long>(trajectory_.size()) > *options_.trajectory_revolutions) {
+      trajectory_.pop_front();
+    }
+    for (const integrate::ModeSwitch& change : turn.switches) {
+      const double turns = static_cast<double>(trace_.revolutions) + change.phase_rad / (2 * std::numbers::pi);
+      trace_.events_csv += event_line(turns / options_.speed_hz, change);
+    }
+  }
+
+  /// What is only known at the end of a whole turn, after its samples.
+  void end_turn(const integrate::Turn& turn) {
+    ++trace_.revolutions;
+    trace_.turns.push_back(
+        {turn.hits, turn.contact_fraction, turn.peak_displacement_m, turn.peak_contact_force_n});
+    if (turn.touched) trace_.last_contact_revolution = trace_.revolutions;
+    add_section(turn.section);
+    const std::size_t kept = samples_of(options_.window_revolutions);
+    auto& z = trace_.displacement_m;
+    if (z.size() > kept) z.erase(z.begin(), z.end() - static_cast<std::ptrdiff_t>(kept));
+  }
+
+  void finish() {
+    // Samples of a turn that failed make no whole revolution.
+    const long whole = std::min<long>(trace_.revolutions, options_.window_revolutions);
+    trace_.displacement_m.resize(std::min(trace_.displacement_m.size(), samples_of(whole)));
+    trace_.trajectory_csv = trajectory_header(reader_.stops());
+    for (; !trajectory_.empty(); trajectory_.pop_front()) trace_.trajectory_csv += trajectory_.front();
+  }
+
+ private:
+  std::size_t samples_of(long turns) const {
+    return static_cast<std::size_t>(turns) * static_cast<std::size_t>(options_.samples_per_revolution);
+  }
+
+  /// Sample k of the turn that is being added.
+  double sample_time_s(int k) const {
+    const long sample = trace_.revolutions * options_.samples_per_revolution + k;
+    return static_cast<double>(sample) / (options_.samples_per_revolution * options_.speed_hz);
+  }
+
+  void add_section(std::span<const double> scaled) {
+    trace_.section_csv += section_line(trace_.revolutions, sample_time_s(0), reader_.read(scaled));
+  }
+
+  StateReader reader_;
+  const TraceOptions& options_;
+  Trace& trace_;
+  std::deque<std::string> trajectory_;  ///< lines of one turn each
+};
+
+}  // namespace
+
+Trace trace_run(const integrate::Cursor& cursor, const scene::Scene& scene, const integrate::SolverOptions& solver,
+                const TraceOptions& options) {
+  Trace trace;
+  Recorder recorder(scene, solver, options, trace);
+  integrate::Turn turn;
+  while (trace.revolutions < options.revolutions) {
+    recorder.prepare(turn);
+    trace.outcome = cursor(turn);
+    trace.effort = turn.effort;
+    recorder.add_samples(turn);
+    if (trace.outcome != integrate::Outcome::ok) break;
+    recorder.end_turn(turn);
+  }
+  recorder.finish();
+  return trace;
+}
+
+response::ContactFacts facts_of_last(const Trace& trace, std::size_t turns) {
+  response::ContactFacts all;
+  const std::size_t count = std::min(turns, trace.turns.size());
+  for (const auto& facts : std::span(trace.turns).last(count)) {
+    all.hits += facts.hits;
+    all.contact_fraction += facts.contact_fraction / static_cast<double>(count);
+    all.peak_displacement_m = std::max(all.peak_displacement_m, facts.peak_displacement_m);
+    all.peak_contact_force_n = std::max(all.peak_contact_force_n, facts.peak_contact_force_n);
+  }
+  return all;
+}
+
+TraceWindow last_window(const Trace& trace, const TraceOptions& options, std::optional<int> order,
+                        response::SpectrumWorkspace& workspace) {
+  TraceWindow window;
+  window.turns = static_cast<int>(std::min<long>(trace.revolutions, options.window_revolutions));
+  if (window.turns == 0) return window;
+  if (order && *order <= window.turns) window.turns = response::window_turns(window.turns, *order);
+  const std::size_t samples =
+      static_cast<std::size_t>(window.turns) * static_cast<std::size_t>(options.samples_per_revolution);
+  window.contact = facts_of_last(trace, static_cast<std::size_t>(window.turns));
+  window.spectrum = response::full_spectrum(std::span(trace.displacement_m).last(samples), window.turns, workspace);
+  return window;
+}
+
+}  // namespace rubsweep::report

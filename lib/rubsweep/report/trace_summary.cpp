@@ -1,0 +1,94 @@
+#include "rubsweep/report/trace_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rubsweep/response/classify.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+using response::SpectralLine;
+
+std::string number(double value) { return std::isnan(value) ? "none" : fmt::format("{:.6g}", value); }
+
+std::string motion_text(const sweep::Row& row) {
+  std::string text(response::to_string(row.motion_class));
+  if (row.order && *row.order > 1) text += fmt::format(" 1/{}", *row.order);
+  if (row.measures && row.measures->orbit) text += fmt::format(", {} orbit", to_string(*row.measures->orbit));
+  if (row.measures && row.measures->whirl) text += fmt::format(", {} whirl", to_string(*row.measures->whirl));
+  if (row.proof == response::Proof::rest) text += fmt::format(", rest proven after {} revolutions", row.revolutions);
+  if (row.proof == response::Proof::observed) text += fmt::format(", observed after {} revolutions", row.revolutions);
+  if (row.status != "ok") text += ", status " + row.status;
+  return text;
+}
+
+std::string peaks(const response::ContactFacts& facts, double clearance_m) {
+  return fmt::format("{:.4g} clearances, {:.4g} N", facts.peak_displacement_m / clearance_m,
+                     facts.peak_contact_force_n);
+}
+
+std::string lines_text(const std::vector<SpectralLine>& lines) {
+  std::string text;
+  for (const SpectralLine& line : lines) {
+    text += fmt::format("{}{:+.4g}X {:.4g} m", text.empty() ? "" : ", ", line.order, line.amplitude_m);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string effort_text(const integrate::Effort& effort, long revolutions) {
+  const auto per_turn = [&](long count) { return static_cast<double>(count) / static_cast<double>(revolutions); };
+  return fmt::format("{:.1f} right-hand sides, {:.1f} steps, {:.1f} refused, {:.2f} mode switches per revolution",
+                     per_turn(effort.rhs_calls), per_turn(effort.steps), per_turn(effort.refused),
+                     per_turn(effort.switches));
+}
+
+}  // namespace
+
+std::string motion_summary(const sweep::Row& row) {
+  return fmt::format("cell      {:.6g} Hz, whirl ratio {}, eccentricity {} m\nmotion    {}\n", row.speed_hz,
+                     number(row.whirl_ratio), number(row.eccentricity_m), motion_text(row));
+}
+
+std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m) {
+  const std::string run = fmt::format(
+      "run       {} revolutions, {}\n", trace.revolutions,
+      trace.last_contact_revolution ? fmt::format("last contact in revolution {}", *trace.last_contact_revolution)
+                                    : "no contact");
+  if (window.turns == 0) return run;
+  const response::ContactFacts whole = facts_of_last(trace, trace.turns.size());
+  return run + fmt::format(
+                   "peak      {}; {} in the last {} revolutions\n"
+                   "contact   {:.4g} hits per revolution, {:.3g} % of the time, in the last {} revolutions\n"
+                   "lines     {}\n"
+                   "effort    {}\n",
+                   peaks(whole, clearance_m), peaks(window.contact, clearance_m), window.turns,
+                   static_cast<double>(window.contact.hits) / window.turns, 100 * window.contact.contact_fraction,
+                   window.turns, lines_text(largest_lines(window.spectrum, 5, clearance_m)),
+                   effort_text(trace.effort, trace.revolutions));
+}
+
+std::vector<SpectralLine> largest_lines(const response::FullSpectrum& spectrum, std::size_t count,
+                                        double clearance_m) {
+  const int first = spectrum.first_line(), last = spectrum.last_line();
+  const auto amplitude = [&](int k) { return k < first || k > last || k == 0 ? 0.0 : spectrum.amplitude(k); };
+  std::vector<SpectralLine> lines;
+  for (int k = first; k <= last; ++k) {
+    // On a plateau of two equal lines the first is the one.
+    if (amplitude(k) > amplitude(k - 1) && amplitude(k) >= amplitude(k + 1)) {
+      lines.push_back({spectrum.order(k), amplitude(k)});
+    }
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude_m > b.amplitude_m; });
+  if (lines.empty()) return lines;
+  const double floor_m = std::max(response::significant_share_of_largest * lines.front().amplitude_m,
+                                  response::significant_share_of_clearance * clearance_m);
+  while (!lines.empty() && lines.back().amplitude_m <= floor_m) lines.pop_back();
+  if (lines.size() > count) lines.resize(count);
+  return lines;
+}
+
+}  // namespace rubsweep::report

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Every shipped configuration is accepted, and so is what --print-config makes of it.
+source "$(dirname "$0")/support.sh"
+
+shopt -s nullglob
+configs=("$top"/configs/*.yaml)
+((${#configs[@]})) || fail "there is no configuration in $top/configs"
+
+for config in "${configs[@]}"; do
+  [[ $(head -c 2 "$config") == '# ' ]] || fail "$config does not begin with its purpose"
+  expect_matches "$config" '^# Run time: '
+
+  expect_exit 0 "$config" --check
+  expect_matches stdout "^$config: ok, [1-9][0-9]* cells$"
+  checked=$(<stdout)
+
+  expect_exit 0 "$config" --print-config
+  cp stdout printed.yaml
+  expect_exit 0 printed.yaml --print-config
+  expect_same stdout printed.yaml
+  expect_exit 0 printed.yaml --check
+  [[ $(<stdout) == "${checked/#"$config"/printed.yaml}" ]] || fail "printed.yaml has another number of cells"
+
+  expect_exit 0 "$config" --explain
+  expect_matches stdout '^rotor: '
+  expect_matches stdout '^sweep: [1-9][0-9]* cells'
+  expect_empty stderr
+  cp stdout explained
+  expect_exit 0 printed.yaml --explain
+  expect_same stdout explained
+done
+
+# Asking runs nothing.
+expect_files . explained printed.yaml stderr stdout

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Cells that fail are rows like any other; the program ends with 4.
+source "$(dirname "$0")/support.sh"
+
+# 1000 steps are too few for a turn at this tolerance. Above a whirl ratio of 1 there is nothing to integrate.
+few_steps=(--set solver.max_steps_per_revolution=1000 --set solver.relative_tolerance=1e-13
+  --set 'sweep={speed_hz: {values: [70, 130]}, whirl_ratio: {values: [0.2, 1.2]}}')
+
+expect_exit 4 "$minimal" "${few_steps[@]}" --output out
+expect_empty stderr
+expect_matches stdout '^ +2 +50\.0 %  failed$'
+expect_matches stdout '^ +2 +50\.0 %  initial_contact$'
+expect_matches stdout '^ +2  status step_limit$'
+expect_files out config.yaml map.csv
+expect_whole_rows out/map.csv
+# Nothing was measured in any of them.
+rows out/map.csv | cut -d, -f1,2,4-21,23 >found
+diff - found <<'CSV' || fail 'the rows differ'
+70,0.2,failed,,,,,,,,,,,,,,,,,,step_limit
+130,0.2,failed,,,,,,,,,,,,,,,,,,step_limit
+70,1.2,initial_contact,,,,,,,,,,,,,,,,,,ok
+130,1.2,initial_contact,,,,,,,,,,,,,,,,,,ok
+CSV
+
+expect_exit 4 "$minimal" "${few_steps[@]}" --quiet --output quiet
+expect_empty stdout
+expect_empty stderr
+expect_same quiet/map.csv out/map.csv
+
+# The same cells with as many steps as they need.
+expect_exit 0 "$minimal" "${few_steps[@]}" --set solver.max_steps_per_revolution=1e6 --set solver.relative_tolerance=1e-8 \
+  --output enough
+[[ $(rows enough/map.csv | cut -d, -f23 | sort -u) == ok ]] || fail 'a cell is not ok'

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# SIGINT and SIGTERM end a sweep after the running cells; what is finished stays in map.partial.csv.
+source "$(dirname "$0")/support.sh"
+# With job control, background jobs do not ignore SIGINT.
+set -m
+trap 'kill -KILL %% 2>/dev/null || true; rm -rf "$work"' EXIT
+
+# start DIRECTORY CELLS ARGUMENT...: runs the program in the background, as $running, until CELLS cells are finished.
+start() {
+  local partial=$1/map.partial.csv cells=$2
+  "$rubsweep" "${@:3}" --threads 2 --output "$1" >stdout 2>stderr </dev/null &
+  running=$!
+  until [[ -e $partial ]] && (($(rows "$partial" | wc -l) >= cells)); do
+    kill -0 "$running" 2>/dev/null || fail "the program ended before $cells cells were finished"
+    sleep 0.02
+  done
+}
+
+# expect_end CODE: waits for $running.
+expect_end() {
+  local code=0
+  wait "$running" || code=$?
+  [[ $code == "$1" ]] || fail "exit code $code, expected $1"
+}
+
+# interrupt SIGNAL CODE
+interrupt() {
+  start "$1" 3 "$top/configs/figure06_one_side.yaml"
+  kill -s "$1" "$running"
+  expect_end "$2"
+  expect_empty stdout
+  [[ $(<stderr) == "rubsweep: interrupted; finished cells are in $1/map.partial.csv" ]] || fail 'another message'
+  expect_files "$1" config.yaml map.partial.csv
+  expect_whole_rows "$1/map.partial.csv"
+  (($(rows "$1/map.partial.csv" | wc -l) < 1320)) || fail 'the sweep was not interrupted'
+}
+
+interrupt INT 130
+interrupt TERM 143
+
+# What is finished is final: the last cell alone gives the same row.
+rows TERM/map.partial.csv | tail -n 1 >last
+IFS=, read -r speed_hz whirl_ratio _ <last
+one_cell "$speed_hz" "$whirl_ratio"
+expect_exit 0 "$top/configs/figure06_one_side.yaml" "${cell[@]}" --output alone
+rows alone/map.csv >row
+expect_same row last
+
+# The first cell needs no integration, the second very long. It may finish; a second signal does not wait for it.
+start twice 1 "$minimal" --set 'sweep={speed_hz: {values: [70]}, whirl_ratio: {values: [1.2, 0.2]}}' \
+  --set solver.stepper=rosenbrock4 --set solver.relative_tolerance=1e-14 --set solver.max_steps_per_revolution=1e9
+kill -s INT "$running"
+sleep 0.3
+kill -0 "$running" || fail 'the running cell was not awaited'
+kill -s INT "$running"
+expect_end 130
+expect_empty stderr
+expect_whole_rows twice/map.partial.csv
+expect_files twice config.yaml map.partial.csv

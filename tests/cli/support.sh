@@ -1,0 +1,70 @@
+# Sourced first by every test here, with the test's own arguments: the program, the top of the repository, its version.
+# The test then works in a directory of its own, which is removed when it ends.
+# shellcheck shell=bash disable=SC2034
+set -euo pipefail
+export LC_ALL=C.UTF-8
+rubsweep=$1
+top=$2
+version=$3
+minimal=$top/configs/minimal.yaml
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+# Columns of map.csv.
+header=speed_hz,whirl_ratio,eccentricity_m,class,order,orbit,whirl,proof,robust,comb_spacing,hits_per_revolution\
+,contact_fraction,peak_displacement_m,peak_contact_force_n,amplitude_1x_forward_m,amplitude_1x_backward_m\
+,dominant_order,dominant_amplitude_m,floquet_modulus,lyapunov_per_revolution,last_contact_revolution,revolutions,status
+
+# fail MESSAGE: ends the test, with the line that failed and what the program printed last.
+fail() {
+  printf '%s:%s: %s\n' "$0" "${BASH_LINENO[-2]}" "$1"
+  tail -n 20 -v stdout stderr 2>&1
+  exit 1
+} >&2
+
+# expect_exit CODE [ARGUMENT]...: runs the program; what it prints is in the files stdout and stderr from then on.
+expect_exit() {
+  local expected=$1 code=0
+  shift
+  "$rubsweep" "$@" >stdout 2>stderr </dev/null || code=$?
+  [[ $code == "$expected" ]] || fail "rubsweep $*: exit code $code, expected $expected"
+}
+
+# expect_contains FILE TEXT
+expect_contains() { grep -qF -e "$2" "$1" || fail "$1 does not contain: $2"; }
+
+# expect_matches FILE EXTENDED_REGULAR_EXPRESSION
+expect_matches() { grep -qE -e "$2" "$1" || fail "$1 does not match: $2"; }
+
+# expect_empty FILE
+expect_empty() { [[ -f $1 && ! -s $1 ]] || fail "$1 is not empty: $(<"$1")"; }
+
+# expect_missing PATH
+expect_missing() { [[ ! -e $1 ]] || fail "$1 exists"; }
+
+# expect_files DIRECTORY [NAME]...: it holds these and nothing else.
+expect_files() {
+  local directory=$1
+  shift
+  diff <(printf '%s\n' "$@" | sort) <(find "$directory" -mindepth 1 -printf '%P\n' | sort) >&2 ||
+    fail "$directory does not hold exactly: $*"
+}
+
+# expect_same FILE FILE
+expect_same() { diff "$1" "$2" >&2 || fail "$1 and $2 differ"; }
+
+# rows MAP: the rows of a map, without comments and header.
+rows() { grep -v -e '^#' -e '^speed_hz,' "$1" || true; }
+
+# expect_whole_rows MAP: comments, header, then rows with every column, each ended.
+expect_whole_rows() {
+  sed -n 1p "$1" | grep -q '^# rubsweep ' || fail "$1 does not begin with its version"
+  [[ $(grep -v '^#' "$1" | head -n 1) == "$header" ]] || fail "$1 has another header"
+  [[ -z $(tail -c 1 "$1") ]] || fail "the last line of $1 has no end"
+  local columns=${header//[^,]/}
+  [[ -z $(rows "$1" | awk -F, -v columns=$((${#columns} + 1)) 'NF != columns') ]] || fail "$1 has cut rows"
+}
+
+# one_cell SPEED_HZ WHIRL_RATIO: sets `cell` to the arguments that reduce the grid of a configuration to this cell.
+one_cell() { cell=(--set "sweep={speed_hz: {values: [$1]}, whirl_ratio: {values: [$2]}}"); }

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# The command line: help, version, and what ends with 1 before any file is read.
+source "$(dirname "$0")/support.sh"
+
+expect_exit 0 --help
+expect_empty stderr
+expect_contains stdout 'rubsweep CONFIG.yaml'
+expect_matches stdout '^Examples:$'
+expect_matches stdout '^  rubsweep configs/[a-z0-9_]+\.yaml'
+for option in output threads set check explain print-config progress quiet help version; do
+  expect_matches stdout "^  --$option "
+done
+
+expect_exit 0 --version
+expect_empty stderr
+[[ $(<stdout) == "rubsweep $version" ]] || fail "expected: rubsweep $version"
+
+# expect_usage_error TEXT [ARGUMENT]...: says TEXT and where to read on.
+expect_usage_error() {
+  local text=$1
+  shift
+  expect_exit 1 "$@"
+  expect_empty stdout
+  expect_contains stderr "rubsweep: $text"
+  expect_contains stderr 'Try: rubsweep --help'
+  expect_missing results
+}
+expect_usage_error 'a configuration file is needed'
+expect_usage_error 'a configuration file is needed' --quiet
+expect_usage_error "unrecognised option '--nope'" "$minimal" --nope
+expect_usage_error "unrecognised option '--thread'" "$minimal" --thread 1
+expect_usage_error 'too many positional options' "$minimal" "$minimal"
+expect_usage_error '--threads: allowed: a number >= 0' "$minimal" --threads -1
+expect_usage_error "the argument ('two') for option '--threads' is invalid" "$minimal" --threads two
+expect_usage_error "--progress: 'maybe' is not allowed, allowed: auto, always, never" "$minimal" --progress maybe
+expect_usage_error "the required argument for option '--set' is missing" "$minimal" --set
+for two in '--check --explain' '--explain --print-config' '--print-config --check'; do
+  # shellcheck disable=SC2086  # two arguments
+  expect_usage_error '--check, --explain and --print-config exclude each other' "$minimal" $two
+done
+# Usage comes before the file.
+expect_usage_error '--progress' no_such_file.yaml --progress maybe
