@@ -92,10 +92,6 @@ TEST(Override, names_itself_as_the_place_of_a_bad_value) {
   EXPECT_EQ(problems_with({"response.window_revolutions=400"}),
             "--set response.window_revolutions=400: response.max_revolutions: 600 is less than two windows, "
             "allowed: >= 800 = 2 window_revolutions");
-  EXPECT_EQ(problems_with({"stops.0.damping_ns_per_m=1"}),
-            "--set stops.0.damping_ns_per_m=1: stops.0.damping_ns_per_m: given beside restitution, allowed: "
-            "exactly "
-            "one of restitution, restitution_delivered, damping_ns_per_m");
   EXPECT_EQ(problems_with({"kick={force_n: 1, duration_s: 1, force_n: 2}"}),
             "--set kick={force_n: 1, duration_s: 1, force_n: 2}: kick.force_n: given again, allowed: each "
             "key once");

@@ -42,9 +42,9 @@ Row full_row() {
   row.motion_class = response::MotionClass::subharmonic;
   row.order = 2;
   row.measures.emplace();
-  row.measures->turns = 64;
+  row.measures->turns = 48;
   row.measures->contact = {
-      .hits = 96, .contact_fraction = 0.125, .peak_displacement_m = 2.5e-3, .peak_contact_force_n = 1234.5};
+      .hits = 72, .contact_fraction = 0.125, .peak_displacement_m = 2.5e-3, .peak_contact_force_n = 1234.5};
   row.measures->amplitude_1x_forward_m = 4.56e-4;
   row.measures->amplitude_1x_backward_m = 2e-5;
   row.measures->dominant = {.order = -0.5, .amplitude_m = 1.5e-3};
@@ -129,7 +129,7 @@ TEST(MapLine, NumbersReadBackToTheSameBits) {
       const double read_back = std::strtod(cells.at(name).c_str(), nullptr);
       EXPECT_EQ(std::bit_cast<std::uint64_t>(read_back), std::bit_cast<std::uint64_t>(*number)) << name;
     }
-    EXPECT_EQ(std::strtod(cells.at("hits_per_revolution").c_str(), nullptr), m.contact.hits / 64.0);
+    EXPECT_EQ(std::strtod(cells.at("hits_per_revolution").c_str(), nullptr), m.contact.hits / 48.0);
   }
 }
 

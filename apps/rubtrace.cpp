@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "exit_code.hpp"
+#include "program.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/report/trace_csv.hpp"
+#include "rubsweep/report/trace_run.hpp"
+#include "rubsweep/report/trace_summary.hpp"
+#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubtrace_arguments.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Texts by file name.
+using Files = std::map<std::string_view, std::string>;
+
+sweep::Grid one_cell(const RubtraceArguments& arguments) {
+  if (const auto* ratio = std::get_if<scene::WhirlRatio>(&arguments.unbalance)) {
+    return {{arguments.speed_hz}, sweep::UnbalanceMeasure::whirl_ratio, {ratio->value}};
+  }
+  const auto eccentricity = std::get<scene::Eccentricity>(arguments.unbalance);
+  return {{arguments.speed_hz}, sweep::UnbalanceMeasure::eccentricity_m, {eccentricity.value_m}};
+}
+
+fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {
+  if (arguments.output) return *arguments.output;
+  const fs::path& map = config.output_directory;
+  fs::path trace = map.has_filename() ? map : map.parent_path();  // results/map/ as results/map
+  return trace += "_trace";
+}
+
+/// A directory never mixes two traces: what this one has no text for goes.
+void write(const Files& files, const fs::path& directory) {
+  constexpr std::array<std::string_view, 6> names{"config.yaml",  "motion.csv", "trajectory.csv",
+                                                  "section.csv", "events.csv", "spectrum.csv"};
+  for (const std::string_view name : names) {
+    const auto file = files.find(name);
+    if (file == files.end()) {
+      fs::remove(directory / name);
+    } else {
+      batch::write_whole_file(directory / name, file->second);
+    }
+  }
+}
+
+int cannot_start(scene::Start start) {
+  fmt::print(stderr, "rubtrace: {}; no trace, motion.csv only\n",
+             start == scene::Start::initial_contact
+                 ? "the quiet motion already touches a wall: nothing to kick"
+                 : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion");
+  return some_cells_failed;
+}
+
+int run(const RubtraceArguments& arguments, config::RunConfig config) {
+  config.study.grid = one_cell(arguments);
+  const sweep::Study& study = config.study;
+  const fs::path directory = directory_of(arguments, config);
+  make_directory(directory);
+
+  response::SpectrumWorkspace workspace;
+  const sweep::Row row = sweep::evaluate_cell(study, 0, workspace);
+  Files files{{"config.yaml", config::print_config(config)},
+              {"motion.csv", report::map_csv(RUBSWEEP_VERSION, config::study_digest(study), {row})}};
+  std::string summary = report::motion_summary(row);
+
+  const scene::Cell cell = scene::build_cell(study.machine, arguments.speed_hz, arguments.unbalance);
+  report::Trace trace;
+  if (cell.start == scene::Start::quiet) {
+    const report::TraceOptions options{
+        .speed_hz = arguments.speed_hz,
+        .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
+        .samples_per_revolution = study.response.samples_per_revolution,
+        .window_revolutions = study.response.window_revolutions,
+        .trajectory_revolutions = arguments.last_revolutions};
+    trace = report::trace_run(integrate::start_adaptive(cell.scene, study.solver), cell.scene, study.solver, options);
+    const report::TraceWindow window = report::last_window(trace, options, row.order, workspace);
+    files["trajectory.csv"] = std::move(trace.trajectory_csv);
+    files["section.csv"] = std::move(trace.section_csv);
+    files["events.csv"] = std::move(trace.events_csv);
+    files["spectrum.csv"] = report::spectrum_csv(window.spectrum, arguments.speed_hz);
+    summary += report::trace_summary(trace, window, cell.scene.length_scale_m);
+  }
+  write(files, directory);
+  if (!arguments.quiet) {
+    std::string names;
+    for (const auto& [name, text] : files) names.append(" ").append(name);
+    fmt::print("{}files     {}:{}\n", summary, directory.string(), names);
+  }
+  if (cell.start != scene::Start::quiet) return cannot_start(cell.start);
+  if (trace.outcome == integrate::Outcome::ok) return done;
+  fmt::print(stderr, "rubtrace: the run failed in revolution {}: {}; the files end there\n", trace.revolutions + 1,
+             integrate::to_string(trace.outcome));
+  return some_cells_failed;
+}
+
+int act(int argc, const char* const* argv) {
+  const RubtraceArguments arguments = parse_rubtrace_arguments(argc, argv);
+  if (arguments.version) {
+    fmt::print("rubtrace {}\n", RUBSWEEP_VERSION);
+    return done;
+  }
+  if (arguments.help) {
+    fmt::print("{}", rubtrace_help());
+    return done;
+  }
+  return run(arguments, config::read_run_config(arguments.config, arguments.overrides));
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  return rubsweep::apps::run_program("rubtrace", [&] { return rubsweep::apps::act(argc, argv); });
+}

@@ -1,0 +1,111 @@
+#!/usr/bin/env bash
+# trace.sh TRACE_DIR OUTPUT_BASENAME HEADING [REVOLUTIONS [TRACE_DIR]...]: draws what rubtrace wrote as
+# OUTPUT_BASENAME.png and .svg: time history, orbit and full spectrum, one row of panels per trace.
+# The history shows the first REVOLUTIONS after the start of the kick (default 40), or the last ones where the number
+# is negative. Orbit and section points are those of the end of the run.
+set -euo pipefail
+export LC_ALL=C.UTF-8
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+(($# >= 3)) || { echo 'trace.sh: usage: trace.sh TRACE_DIR OUTPUT_BASENAME HEADING [REVOLUTIONS [TRACE_DIR]...]' >&2; exit 1; }
+output=$2 heading=$3 revolutions=${4:-40}
+traces=("$1" "${@:5}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+calculate() { awk "BEGIN { printf \"%.17g\", $1 }"; }
+
+# columns FILE NAME... [--between FROM TO]: see csv_columns.awk
+columns() {
+  local file=$1 from='' to='' names=()
+  shift
+  while (($#)); do
+    if [[ $1 == --between ]]; then from=$2 to=$3; shift 3; else names+=("$1"); shift; fi
+  done
+  awk -v columns="${names[*]}" -v from="$from" -v to="$to" -f "$here/csv_columns.awk" "$file"
+}
+
+has() { [[ -n ${config[$1]+set} ]]; }
+
+# Flat walls as "NORMAL_X NORMAL_Y CLEARANCE" and rings as "CENTRE_X CENTRE_Y CLEARANCE", in mm.
+read_stops() {
+  local i c offset
+  walls='' rings=''
+  for ((i = 0; ; ++i)); do
+    has "stops.$i.kind" || break
+    c=$(calculate "1e3 * ${config[stops.$i.clearance_m]}")
+    if [[ ${config[stops.$i.kind]} == annular ]]; then
+      # The casing's centre as seen from the rotor's rest position.
+      read -ra offset <<<"$(tr -d '[],' <<<"${config[stops.$i.offset_m]:-[0, 0]}" | tr ',' ' ')"
+      rings+="$(calculate "-1e3 * ${offset[0]}") $(calculate "-1e3 * ${offset[1]}") $c "
+    else
+      walls+="$(calculate "cos(${config[stops.$i.angle_deg]} * atan2(0, -1) / 180)") "
+      walls+="$(calculate "sin(${config[stops.$i.angle_deg]} * atan2(0, -1) / 180)") $c "
+    fi
+  done
+}
+
+# Title of a row of panels from motion.csv.
+title() {
+  local name=$class
+  [[ -z $order || $order == 1 ]] || name="$class 1/$order"
+  printf '%s: %.4g Hz = %.3g × natural frequency, whirl ratio %.3g' "${name//_/ }" "$speed_hz" \
+    "$(calculate "$speed_hz / ${config[rotor.natural_frequency_hz]}")" "$whirl_ratio"
+}
+
+# lay_out ROW DIRECTORY: what trace.gp needs of one trace, as files $work/ROW.* and as assignments on stdout.
+lay_out() {
+  local row=$1 directory=$2 file
+  for file in trajectory.csv section.csv spectrum.csv motion.csv config.yaml; do
+    [[ -r $directory/$file ]] || { echo "trace.sh: cannot read $directory/$file" >&2; exit 3; }
+  done
+  declare -A config=()
+  local path value
+  while IFS='=' read -r path value; do config[$path]=$value; done \
+    < <(awk -f "$here/config_values.awk" "$directory/config.yaml")
+  local speed_hz whirl_ratio class order walls rings
+  # Blanks part the columns, so an empty order would vanish: the row is read with commas.
+  IFS=' ' read -r speed_hz whirl_ratio class order <<<"$(columns "$directory/motion.csv" speed_hz whirl_ratio class order)"
+  read_stops
+
+  local last from=0 to
+  last=$(tail -n 1 "$directory/section.csv" | cut -d, -f1)
+  to=$((revolutions < 0 || revolutions > last ? last : revolutions))
+  ((revolutions >= 0)) || from=$((last + revolutions > 0 ? last + revolutions : 0))
+  # A periodic orbit closes after `order` revolutions; anything else shows all that the spectrum was taken of.
+  local shown=${order:+$((2 * order))}
+  shown=${shown:-${config[response.window_revolutions]}}
+  local orbit_from=$((last > shown ? last - shown : 0))
+  local section_from=$((last > config[response.window_revolutions] ? last - config[response.window_revolutions] + 1 : 0))
+
+  columns "$directory/trajectory.csv" t_s x_m y_m casing_0_y_m \
+    --between "$(calculate "($from - 1e-6) / $speed_hz")" "$(calculate "$to / $speed_hz")" >"$work/$row.history"
+  columns "$directory/trajectory.csv" x_m y_m --between "$(calculate "($orbit_from - 1e-6) / $speed_hz")" inf \
+    >"$work/$row.orbit"
+  columns "$directory/section.csv" x_m y_m --between "$section_from" inf >"$work/$row.section"
+  columns "$directory/spectrum.csv" order amplitude_m --between -4.5 4.5 >"$work/$row.spectrum"
+  local start
+  start=$(columns "$directory/section.csv" y_m vy_m_per_s --between 0 0)
+
+  cat <<ASSIGNMENTS
+row_title[$row] = "$(title)"
+from[$row] = $from
+to[$row] = $to
+speed_hz[$row] = $speed_hz
+order[$row] = ${order:-0}
+kick_s[$row] = ${config[kick.duration_s]:-0}
+moving_wall[$row] = $(has stops.0.casing.mass_kg && [[ ${config[stops.0.angle_deg]:-} == 90 ]] && echo 1 || echo 0)
+gravity[$row] = ${config[gravity_m_per_s2]}
+start_y_m[$row] = ${start% *}
+start_vy_m_per_s[$row] = ${start#* }
+walls[$row] = "$walls"
+rings[$row] = "$rings"
+ASSIGNMENTS
+}
+
+names='row_title from to speed_hz order kick_s moving_wall gravity start_y_m start_vy_m_per_s walls rings'
+for name in $names; do echo "array $name[${#traces[@]}]"; done >"$work/rows.gp"
+for i in "${!traces[@]}"; do lay_out $((i + 1)) "${traces[i]}"; done >>"$work/rows.gp"
+
+mkdir -p "$(dirname "$output")"
+gnuplot -c "$here/trace.gp" "$work" "$output" "$heading" "${#traces[@]}"
