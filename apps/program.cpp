@@ -2,29 +2,52 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <string>
+#include <system_error>
 
 #include "exit_code.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::apps {
 
+namespace {
+
+/// A message that cannot be delivered must not change how the program ends.
+void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
+/// What was printed may still be on its way to a full disk or a closed pipe.
+void flush_stdout() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    throw IoError(fmt::format("standard output: {}", std::strerror(errno)));
+  }
+}
+
+}  // namespace
+
 int run_program(std::string_view name, const std::function<int()>& body) {
-  const auto complain = [name](const std::exception& error) { fmt::print(stderr, "{}: {}\n", name, error.what()); };
+  // A file-size limit is then an error of the write that met it, with its message, instead of a silent death.
+  std::signal(SIGXFSZ, SIG_IGN);
+  const auto complain = [name](const std::exception& error) { say(fmt::format("{}: {}\n", name, error.what())); };
   try {
-    return body();
+    const int code = body();
+    flush_stdout();
+    return code;
   } catch (const UsageError& error) {
-    fmt::print(stderr, "{0}: {1}\nTry: {0} --help\n", name, error.what());
+    say(fmt::format("{0}: {1}\nTry: {0} --help\n", name, error.what()));
     return usage;
   } catch (const ConfigError& error) {
     // Already one line per problem, each with its place.
-    fmt::print(stderr, "{}\n", error.what());
+    say(fmt::format("{}\n", error.what()));
     return bad_configuration;
   } catch (const IoError& error) {
     complain(error);
     return input_output;
-  } catch (const std::filesystem::filesystem_error& error) {
+  } catch (const std::system_error& error) {  // the file system's and {fmt}'s
     complain(error);
     return input_output;
   } catch (const std::exception& error) {

@@ -1,18 +1,17 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 
 #include "exit_code.hpp"
 #include "interrupt.hpp"
+#include "program.hpp"
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
-#include "rubsweep/error.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
@@ -25,12 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void make_directory(const fs::path& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw IoError(fmt::format("{}: {}", directory.string(), error.message()));
-}
-
 /// Some cells failed, or the whole map is there.
 ExitCode verdict(const std::vector<std::optional<sweep::Row>>& rows) {
   for (const auto& row : rows) {
@@ -39,11 +32,19 @@ ExitCode verdict(const std::vector<std::optional<sweep::Row>>& rows) {
   return done;
 }
 
+/// An older map must not stand beside a configuration that it did not come from.
+void remove_map_of_another_study(const fs::path& map, const std::string& digest) {
+  if (!fs::is_regular_file(map)) return;
+  if (batch::read_whole_file(map).find("# digest " + digest + "\n") == std::string::npos) fs::remove(map);
+}
+
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   const fs::path directory = arguments.output.value_or(config.output_directory);
   make_directory(directory);
   const std::string digest = config::study_digest(config.study);
+  const fs::path map = directory / "map.csv";
   batch::write_whole_file(directory / "config.yaml", config::print_config(config));
+  remove_map_of_another_study(map, digest);
   const fs::path partial = directory / "map.partial.csv";
   fs::remove(partial);
   batch::LineLog finished(partial);
@@ -64,7 +65,6 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
     fmt::print(stderr, "rubsweep: interrupted; finished cells are in {}\n", partial.string());
     return 128 + caught_signal();
   }
-  const fs::path map = directory / "map.csv";
   batch::write_whole_file(map, report::map_csv(RUBSWEEP_VERSION, digest, rows));
   fs::remove(partial);
   if (!arguments.quiet) fmt::print("{}map: {}\n", report::map_summary(rows), map.string());
@@ -97,25 +97,6 @@ int act(const RubsweepArguments& arguments) {
 }  // namespace rubsweep::apps
 
 int main(int argc, char** argv) {
-  using namespace rubsweep;
-  const auto complain = [](const std::exception& error) { fmt::print(stderr, "rubsweep: {}\n", error.what()); };
-  try {
-    return apps::act(apps::parse_rubsweep_arguments(argc, argv));
-  } catch (const apps::UsageError& error) {
-    fmt::print(stderr, "rubsweep: {}\nTry: rubsweep --help\n", error.what());
-    return apps::usage;
-  } catch (const ConfigError& error) {
-    // Already one line per problem, each with its place.
-    fmt::print(stderr, "{}\n", error.what());
-    return apps::bad_configuration;
-  } catch (const IoError& error) {
-    complain(error);
-    return apps::input_output;
-  } catch (const std::filesystem::filesystem_error& error) {
-    complain(error);
-    return apps::input_output;
-  } catch (const std::exception& error) {
-    complain(error);
-    return 70;  // a fault of the program itself (sysexits: EX_SOFTWARE)
-  }
+  using namespace rubsweep::apps;
+  return run_program("rubsweep", [&] { return act(parse_rubsweep_arguments(argc, argv)); });
 }

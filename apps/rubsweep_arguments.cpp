@@ -5,10 +5,15 @@
 #include <boost/program_options.hpp>
 #include <sstream>
 
+#include "program.hpp"
+
 namespace rubsweep::apps {
 namespace {
 
 namespace po = boost::program_options;
+
+/// More would only exhaust the system: cells share nothing, a thread per processor is all that helps.
+constexpr int most_threads = 1024;
 
 po::options_description visible_options() {
   po::options_description options("Options");
@@ -72,10 +77,15 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
   if (arguments.action == Action::help || arguments.action == Action::version) return arguments;
   if (given.count("config") == 0) throw UsageError("a configuration file is needed: rubsweep CONFIG.yaml");
   arguments.config = given["config"].as<std::string>();
-  if (given.count("output") != 0) arguments.output = given["output"].as<std::string>();
+  if (given.count("output") != 0) {
+    arguments.output = given["output"].as<std::string>();
+    if (arguments.output->empty()) throw UsageError("--output: allowed: the name of a directory");
+  }
   if (given.count("set") != 0) arguments.overrides = given["set"].as<std::vector<std::string>>();
   arguments.threads = given["threads"].as<int>();
-  if (arguments.threads < 0) throw UsageError("--threads: allowed: a number >= 0");
+  if (arguments.threads < 0 || arguments.threads > most_threads) {
+    throw UsageError(fmt::format("--threads: allowed: a number from 0 to {}", most_threads));
+  }
   arguments.progress = progress_of(given["progress"].as<std::string>());
   arguments.quiet = given.count("quiet") != 0;
   return arguments;

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,12 +21,7 @@ struct RubsweepArguments {
   bool quiet = false;
 };
 
-/// The command line cannot be understood; programs exit with 1.
-class UsageError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// Throws UsageError.
+/// Throws UsageError (program.hpp).
 RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv);
 
 /// Text of --help.

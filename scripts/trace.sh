@@ -27,10 +27,12 @@ columns() {
 
 has() { [[ -n ${config[$1]+set} ]]; }
 
-# Flat walls as "NORMAL_X NORMAL_Y CLEARANCE" and rings as "CENTRE_X CENTRE_Y CLEARANCE", in mm.
+# Flat walls as "NORMAL_X NORMAL_Y CLEARANCE" and rings as "CENTRE_X CENTRE_Y CLEARANCE", in mm. Walls that move up and
+# down as "COLUMN Y", the column of ROW.history that holds their displacement and where they rest; wall_names has the
+# columns of trajectory.csv in that order.
 read_stops() {
-  local i c offset
-  walls='' rings=''
+  local i c offset angle
+  walls='' rings='' moving_walls='' wall_names=()
   for ((i = 0; ; ++i)); do
     has "stops.$i.kind" || break
     c=$(calculate "1e3 * ${config[stops.$i.clearance_m]}")
@@ -39,17 +41,22 @@ read_stops() {
       read -ra offset <<<"$(tr -d '[],' <<<"${config[stops.$i.offset_m]:-[0, 0]}" | tr ',' ' ')"
       rings+="$(calculate "-1e3 * ${offset[0]}") $(calculate "-1e3 * ${offset[1]}") $c "
     else
-      walls+="$(calculate "cos(${config[stops.$i.angle_deg]} * atan2(0, -1) / 180)") "
-      walls+="$(calculate "sin(${config[stops.$i.angle_deg]} * atan2(0, -1) / 180)") $c "
+      angle=${config[stops.$i.angle_deg]}
+      walls+="$(calculate "cos($angle * atan2(0, -1) / 180)") $(calculate "sin($angle * atan2(0, -1) / 180)") $c "
+      if [[ $angle =~ ^-?90$ ]] && has "stops.$i.casing.mass_kg"; then
+        wall_names+=("casing_${i}_y_m")
+        moving_walls+="$((3 + ${#wall_names[@]})) $(calculate "$angle / 90 * $c") "
+      fi
     fi
   done
 }
 
 # Title of a row of panels from motion.csv.
 title() {
-  local name=$class
-  [[ -z $order || $order == 1 ]] || name="$class 1/$order"
-  printf '%s: %.4g Hz = %.3g × natural frequency, whirl ratio %.3g' "${name//_/ }" "$speed_hz" \
+  local name=${class//_/ }
+  [[ $class != non_contact ]] || name='no contact'
+  [[ -z $order || $order == 1 ]] || name+=" 1/$order"
+  printf '%s: %.4g Hz = %.3g × natural frequency, whirl ratio %.3g' "$name" "$speed_hz" \
     "$(calculate "$speed_hz / ${config[rotor.natural_frequency_hz]}")" "$whirl_ratio"
 }
 
@@ -63,9 +70,9 @@ lay_out() {
   local path value
   while IFS='=' read -r path value; do config[$path]=$value; done \
     < <(awk -f "$here/config_values.awk" "$directory/config.yaml")
-  local speed_hz whirl_ratio class order walls rings
-  # Blanks part the columns, so an empty order would vanish: the row is read with commas.
-  IFS=' ' read -r speed_hz whirl_ratio class order <<<"$(columns "$directory/motion.csv" speed_hz whirl_ratio class order)"
+  local speed_hz whirl_ratio class order walls rings moving_walls wall_names
+  # The order may be empty, so it comes last.
+  read -r speed_hz whirl_ratio class order <<<"$(columns "$directory/motion.csv" speed_hz whirl_ratio class order)"
   read_stops
 
   local last from=0 to
@@ -73,17 +80,17 @@ lay_out() {
   to=$((revolutions < 0 || revolutions > last ? last : revolutions))
   ((revolutions >= 0)) || from=$((last + revolutions > 0 ? last + revolutions : 0))
   # A periodic orbit closes after `order` revolutions; anything else shows all that the spectrum was taken of.
-  local shown=${order:+$((2 * order))}
-  shown=${shown:-${config[response.window_revolutions]}}
-  local orbit_from=$((last > shown ? last - shown : 0))
-  local section_from=$((last > config[response.window_revolutions] ? last - config[response.window_revolutions] + 1 : 0))
+  local window=${config[response.window_revolutions]} shown=${order:+$((2 * order))}
+  shown=${shown:-$window}
+  local orbit_from=$((last > shown ? last - shown : 0)) section_from=$((last > window ? last - window + 1 : 0))
 
-  columns "$directory/trajectory.csv" t_s x_m y_m casing_0_y_m \
+  columns "$directory/trajectory.csv" t_s x_m y_m "${wall_names[@]}" \
     --between "$(calculate "($from - 1e-6) / $speed_hz")" "$(calculate "$to / $speed_hz")" >"$work/$row.history"
-  columns "$directory/trajectory.csv" x_m y_m --between "$(calculate "($orbit_from - 1e-6) / $speed_hz")" inf \
+  columns "$directory/trajectory.csv" x_m y_m --between "$(calculate "($orbit_from - 1e-6) / $speed_hz")" '' \
     >"$work/$row.orbit"
-  columns "$directory/section.csv" x_m y_m --between "$section_from" inf >"$work/$row.section"
-  columns "$directory/spectrum.csv" order amplitude_m --between -4.5 4.5 >"$work/$row.spectrum"
+  columns "$directory/section.csv" x_m y_m --between "$section_from" '' >"$work/$row.section"
+  columns "$directory/spectrum.csv" order amplitude_m --between -8 8 >"$work/$row.spectrum"
+  awk -v period="${order:-0}" -f "$here/spectrum_labels.awk" "$work/$row.spectrum" >"$work/$row.labels"
   local start
   start=$(columns "$directory/section.csv" y_m vy_m_per_s --between 0 0)
 
@@ -94,7 +101,7 @@ to[$row] = $to
 speed_hz[$row] = $speed_hz
 order[$row] = ${order:-0}
 kick_s[$row] = ${config[kick.duration_s]:-0}
-moving_wall[$row] = $(has stops.0.casing.mass_kg && [[ ${config[stops.0.angle_deg]:-} == 90 ]] && echo 1 || echo 0)
+moving_walls[$row] = "$moving_walls"
 gravity[$row] = ${config[gravity_m_per_s2]}
 start_y_m[$row] = ${start% *}
 start_vy_m_per_s[$row] = ${start#* }
@@ -103,8 +110,9 @@ rings[$row] = "$rings"
 ASSIGNMENTS
 }
 
-names='row_title from to speed_hz order kick_s moving_wall gravity start_y_m start_vy_m_per_s walls rings'
-for name in $names; do echo "array $name[${#traces[@]}]"; done >"$work/rows.gp"
+for array in row_title from to speed_hz order kick_s moving_walls gravity start_y_m start_vy_m_per_s walls rings; do
+  echo "array ${array}[${#traces[@]}]"
+done >"$work/rows.gp"
 for i in "${!traces[@]}"; do lay_out $((i + 1)) "${traces[i]}"; done >>"$work/rows.gp"
 
 mkdir -p "$(dirname "$output")"

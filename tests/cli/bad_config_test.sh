@@ -32,7 +32,8 @@ expect_problems 4 several.yaml
 expect_matches stderr "^several\.yaml:1:34: rotor\.mass_kg: 'heavy' is not a number"
 expect_matches stderr '^several\.yaml:3:5: stops\.0\.stiffness_n_per_m: missing'
 expect_matches stderr '^several\.yaml:5:18: stops\.0\.clearance_m: -1\.0e-3 is out of range, allowed: a number > 0$'
-expect_matches stderr "^several\.yaml:6:5: stops\.0\.stiffnes_n_per_m: unknown key \(did you mean 'stiffness_n_per_m'\?\)"
+expect_matches stderr \
+  "^several\.yaml:6:5: stops\.0\.stiffnes_n_per_m: unknown key \(did you mean 'stiffness_n_per_m'\?\)"
 
 echo 'rotor: [jeffcott' >broken.yaml
 expect_problems 1 broken.yaml

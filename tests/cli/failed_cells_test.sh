@@ -28,6 +28,6 @@ expect_empty stderr
 expect_same quiet/map.csv out/map.csv
 
 # The same cells with as many steps as they need.
-expect_exit 0 "$minimal" "${few_steps[@]}" --set solver.max_steps_per_revolution=1e6 --set solver.relative_tolerance=1e-8 \
-  --output enough
+expect_exit 0 "$minimal" "${few_steps[@]}" --set solver.max_steps_per_revolution=1e6 \
+  --set solver.relative_tolerance=1e-8 --output enough
 [[ $(rows enough/map.csv | cut -d, -f23 | sort -u) == ok ]] || fail 'a cell is not ok'

@@ -29,8 +29,9 @@ mkdir -p no_config/config.yaml
 expect_io_error no_config/config.yaml "$minimal" "${cell[@]}" --output no_config
 expect_files no_config config.yaml
 
-# map.csv cannot be replaced: the finished cells stay.
+# map.csv cannot be replaced: the finished cells stay, those of an earlier run do not.
 mkdir -p no_map/map.csv
+echo 'an older row' >no_map/map.partial.csv
 expect_io_error no_map/map.csv "$minimal" "${cell[@]}" --output no_map
 expect_files no_map config.yaml map.csv map.partial.csv
 expect_whole_rows no_map/map.partial.csv
@@ -38,9 +39,26 @@ expect_whole_rows no_map/map.partial.csv
 
 # The disk is full after two kilobytes: more than config.yaml needs, less than the map.
 (
-  trap '' XFSZ
   ulimit -f 2
   expect_io_error full/map.partial.csv "$minimal" --output full
 )
 expect_contains stderr 'File too large'
 expect_files full config.yaml map.partial.csv
+
+# A device that is full: the program says so where it can, and never dies of it.
+for action in --print-config --explain --help; do
+  "$rubsweep" "$minimal" "$action" >/dev/full 2>stderr </dev/null && fail "$action into a full device ended with 0" || [[ $? == 3 ]] ||
+    fail "$action into a full device did not end with 3"
+done
+"$rubsweep" no_such_file.yaml 2>/dev/full </dev/null && fail 'no error' || [[ $? == 3 ]] || fail 'a full stderr changed the exit code'
+"$rubsweep" "$minimal" "${cell[@]}" --output gone --progress always --quiet 2>/dev/full </dev/null ||
+  fail 'a full stderr ended a run'
+
+# A map of another study does not stay beside the new configuration; one of the same study does.
+expect_exit 0 "$minimal" "${cell[@]}" --output reused
+cp reused/map.csv before.csv
+(
+  ulimit -f 2
+  expect_exit 3 "$minimal" --output reused
+)
+[[ ! -e reused/map.csv ]] || fail 'the map of another study stayed'

@@ -35,14 +35,13 @@ expect_same stdout results/minimal/config.yaml
 
 # The configuration beside the map makes it again, over whatever an earlier run left behind.
 mkdir again
-echo 'an older map' >again/map.csv
-echo 'an older row' | tee again/map.partial.csv >again/config.yaml
+echo 'an older file' | tee again/map.csv again/map.partial.csv >again/config.yaml
 expect_exit 0 results/minimal/config.yaml --output again
 expect_files again config.yaml map.csv
 expect_same again/map.csv "$map"
 expect_same again/config.yaml results/minimal/config.yaml
 
 for threads in 1 2 3; do
-  expect_exit 0 "$minimal" --threads "$threads" --output threads
-  expect_same threads/map.csv "$map"
+  expect_exit 0 "$minimal" --threads "$threads" --output "threads_$threads"
+  expect_same "threads_$threads/map.csv" "$map"
 done

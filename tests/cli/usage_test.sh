@@ -6,9 +6,16 @@ expect_exit 0 --help
 expect_empty stderr
 expect_contains stdout 'rubsweep CONFIG.yaml'
 expect_matches stdout '^Examples:$'
-expect_matches stdout '^  rubsweep configs/[a-z0-9_]+\.yaml'
 for option in output threads set check explain print-config progress quiet help version; do
   expect_matches stdout "^  --$option "
+done
+
+# Every example is accepted.
+mapfile -t examples < <(sed -n 's,^  rubsweep configs/,,p' stdout)
+((${#examples[@]} >= 3)) || fail 'fewer than three examples'
+for example in "${examples[@]}"; do
+  # shellcheck disable=SC2086  # several arguments
+  expect_exit 0 "$top"/configs/${example% --explain} --check
 done
 
 expect_exit 0 --version
@@ -30,7 +37,9 @@ expect_usage_error 'a configuration file is needed' --quiet
 expect_usage_error "unrecognised option '--nope'" "$minimal" --nope
 expect_usage_error "unrecognised option '--thread'" "$minimal" --thread 1
 expect_usage_error 'too many positional options' "$minimal" "$minimal"
-expect_usage_error '--threads: allowed: a number >= 0' "$minimal" --threads -1
+expect_usage_error '--threads: allowed: a number from 0 to 1024' "$minimal" --threads -1
+expect_usage_error '--threads: allowed: a number from 0 to 1024' "$minimal" --threads 100000
+expect_usage_error '--output: allowed: the name of a directory' "$minimal" --output ''
 expect_usage_error "the argument ('two') for option '--threads' is invalid" "$minimal" --threads two
 expect_usage_error "--progress: 'maybe' is not allowed, allowed: auto, always, never" "$minimal" --progress maybe
 expect_usage_error "the required argument for option '--set' is missing" "$minimal" --set

@@ -83,6 +83,21 @@ TEST(QuietMotion, VelocityIsTheDifferenceQuotientOfTheDisplacement) {
   }
 }
 
+TEST(QuietMotion, AnUndampedPartAtItsOwnFrequencyRestsUnlessDriven) {
+  // The second mass is at resonance, undamped and undriven: it rests; driven, it has no steady motion.
+  structure::LinearSystem system;
+  system.mass = Eigen::Matrix2d::Identity();
+  system.damping = Eigen::Vector2d(0.1, 0).asDiagonal();
+  system.stiffness = Eigen::Vector2d(9, 4).asDiagonal();
+  Eigen::VectorXcd force(2);
+  force << 1, 0;
+  const QuietMotion motion = quiet_motion(system, 2, force, Eigen::VectorXd::Zero(2));
+  EXPECT_LT(std::abs(motion.amplitude(0) - 1.0 / std::complex<double>(5, 0.2)), 1e-15);
+  EXPECT_EQ(motion.amplitude(1), 0.0);
+  force(1) = 1e-9;
+  EXPECT_FALSE(quiet_motion(system, 2, force, Eigen::VectorXd::Zero(2)).amplitude.allFinite());
+}
+
 TEST(QuietMotion, IsNotFiniteAtAnUndampedResonance) {
   const model::JeffcottRotor rotor{0.8, 30, 0};
   const auto system = structure::assemble_jeffcott(rotor, {}).system;

@@ -60,8 +60,8 @@ void Progress::finish() {
 double Progress::elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
 void Progress::draw(const std::string& line) {
-  // Blanks cover what a longer line left behind.
-  fmt::print(stream_, "\r{:<{}}", line, drawn_width_);
+  // Blanks cover what a longer line left behind. A terminal that is gone must not end the run.
+  std::fputs(fmt::format("\r{:<{}}", line, drawn_width_).c_str(), stream_);
   std::fflush(stream_);
   drawn_width_ = line.size();
 }

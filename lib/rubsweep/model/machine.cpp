@@ -34,7 +34,7 @@ void validate(const ContactDamping& damping, const std::string& path) {
   if (const auto* nominal = std::get_if<NominalRestitution>(&damping)) {
     require(path + "restitution", nominal->value, Stop::restitution_range);
   } else if (const auto* delivered = std::get_if<DeliveredRestitution>(&damping)) {
-    require(path + "restitution_delivered", delivered->value, Stop::restitution_range);
+    require(path + "restitution_delivered", delivered->value, Stop::restitution_delivered_range);
   } else {
     require(path + "damping_ns_per_m", std::get<ExplicitDamping>(damping).damping_ns_per_m, not_negative);
   }

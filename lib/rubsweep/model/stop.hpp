@@ -48,6 +48,8 @@ struct Stop {
   std::optional<Casing> casing;  ///< empty: rigid
 
   static constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
+  /// The clamped law delivers e^{-4/3} = 0.26360 at critical damping and more below it.
+  static constexpr Range restitution_delivered_range{.low = 0.2636, .high = 1};
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("clearance_m", self.clearance_m, positive);

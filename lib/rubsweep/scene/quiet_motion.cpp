@@ -1,6 +1,7 @@
 #include "rubsweep/scene/quiet_motion.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <complex>
 
 namespace rubsweep::scene {
@@ -13,13 +14,27 @@ Eigen::VectorXd QuietMotion::velocity(double phase_rad) const {
   return (amplitude * (std::complex<double>(0, 1) * std::polar(1.0, phase_rad))).real();
 }
 
+namespace {
+
+/// An undamped part at its own frequency makes the matrix singular, which matters only where something drives that
+/// part: else it rests (the solution of least norm).
+Eigen::VectorXcd amplitude_of(const Eigen::MatrixXcd& dynamic_stiffness, const Eigen::VectorXcd& harmonic_n) {
+  Eigen::VectorXcd amplitude = dynamic_stiffness.partialPivLu().solve(harmonic_n);
+  if (amplitude.allFinite()) return amplitude;
+  const Eigen::VectorXcd least = dynamic_stiffness.completeOrthogonalDecomposition().solve(harmonic_n);
+  const double defect = (dynamic_stiffness * least - harmonic_n).norm();
+  return defect <= 1e-12 * harmonic_n.norm() ? least : amplitude;
+}
+
+}  // namespace
+
 QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_rad_per_s,
                          const Eigen::VectorXcd& harmonic_n, const Eigen::VectorXd& constant_n) {
   const double w = speed_rad_per_s;
   Eigen::MatrixXcd dynamic_stiffness = (structure.stiffness - w * w * structure.mass).cast<std::complex<double>>();
   dynamic_stiffness += std::complex<double>(0, w) * structure.damping.cast<std::complex<double>>();
   QuietMotion motion;
-  motion.amplitude = dynamic_stiffness.partialPivLu().solve(harmonic_n);
+  motion.amplitude = amplitude_of(dynamic_stiffness, harmonic_n);
   motion.mean = constant_n.isZero(0) ? Eigen::VectorXd(Eigen::VectorXd::Zero(constant_n.size()))
                                      : Eigen::VectorXd(structure.stiffness.partialPivLu().solve(constant_n));
   return motion;
