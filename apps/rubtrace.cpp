@@ -47,7 +47,7 @@ fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfi
 
 /// A directory never mixes two traces: what this one has no text for goes.
 void write(const Files& files, const fs::path& directory) {
-  constexpr std::array<std::string_view, 6> names{"config.yaml",  "motion.csv", "trajectory.csv",
+  constexpr std::array<std::string_view, 6> names{"config.yaml", "motion.csv", "trajectory.csv",
                                                   "section.csv", "events.csv", "spectrum.csv"};
   for (const std::string_view name : names) {
     const auto file = files.find(name);
@@ -88,7 +88,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
         .samples_per_revolution = study.response.samples_per_revolution,
         .window_revolutions = study.response.window_revolutions,
         .trajectory_revolutions = arguments.last_revolutions};
-    trace = report::trace_run(integrate::start_adaptive(cell.scene, study.solver), cell.scene, study.solver, options);
+    trace = report::trace_run(integrate::start_adaptive(cell.scene, study.solver), cell.scene, study.solver,
+                              options);
     const report::TraceWindow window = report::last_window(trace, options, row.order, workspace);
     files["trajectory.csv"] = std::move(trace.trajectory_csv);
     files["section.csv"] = std::move(trace.section_csv);
@@ -104,8 +105,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   }
   if (cell.start != scene::Start::quiet) return cannot_start(cell.start);
   if (trace.outcome == integrate::Outcome::ok) return done;
-  fmt::print(stderr, "rubtrace: the run failed in revolution {}: {}; the files end there\n", trace.revolutions + 1,
-             integrate::to_string(trace.outcome));
+  fmt::print(stderr, "rubtrace: the run failed in revolution {}: {}; the files end there\n",
+             trace.revolutions + 1, integrate::to_string(trace.outcome));
   return some_cells_failed;
 }
 

@@ -118,18 +118,18 @@ do for [format in "png svg"] {
     end = to[row] * period - origin
     unit = end > 2 ? 1 : 1e3
     reach = 1.15 * largest(walls_reach[row], largest(H_max_y, -H_min_y))
-    set lmargin at screen x_at(115)
+    set lmargin at screen x_at(120)
     set rmargin at screen x_at(850)
     set bmargin at screen y_at(row, 0)
     set tmargin at screen y_at(row, panel_px)
     set xrange [begin * unit:end * unit]
     set yrange [-reach:reach]
     set xtics step(end - begin, 8) * unit
-    set ytics step(2 * reach, 6)
+    set ytics step(2 * reach, 7)
     set xlabel (from[row] > 0 ? sprintf("time after revolution %d ", from[row]) : "time ") . \
       (unit == 1 ? "(s)" : "(ms)") offset 0, 0.3
-    set label 1 "y (mm)" at screen x_at(28), y_at(row, 0.5 * panel_px) center rotate by 90
-    set label 2 row_title[row] at screen x_at(115), y_at(row, panel_px + 22) left font ":Bold"
+    set label 1 "y (mm)" at screen x_at(25), y_at(row, 0.5 * panel_px) center rotate by 90
+    set label 2 row_title[row] at screen x_at(120), y_at(row, panel_px + 30) left font ":Bold"
     if (kick_s[row] > 0 && from[row] == 0) {
       set object rectangle from 0, graph 0 to kick_s[row] * unit, graph 1 back \
         fillcolor rgb kick fillstyle solid 0.6 noborder
@@ -159,14 +159,14 @@ do for [format in "png svg"] {
     @clear_panel
     stats file(row, "orbit") using ($1 * 1e3):($2 * 1e3) name "O" nooutput
     reach = 1.2 * largest(walls_reach[row], largest(largest(O_max_x, -O_min_x), largest(O_max_y, -O_min_y)))
-    set lmargin at screen x_at(975)
-    set rmargin at screen x_at(975 + panel_px)
+    set lmargin at screen x_at(985)
+    set rmargin at screen x_at(985 + panel_px)
     set xrange [-reach:reach]
     set yrange [-reach:reach]
     set xlabel "x (mm)" offset 0, 0.3
-    set label 1 "y (mm)" at screen x_at(882), y_at(row, 0.5 * panel_px) center rotate by 90
-    set xtics step(2 * reach, 6)
-    set ytics step(2 * reach, 6)
+    set label 1 "y (mm)" at screen x_at(884), y_at(row, 0.5 * panel_px) center rotate by 90
+    set xtics step(2 * reach, 7)
+    set ytics step(2 * reach, 7)
     do for [k = 1:words(rings[row]):3] {
       set object rectangle from graph 0, graph 0 to graph 1, graph 1 behind \
         fillcolor rgb solid fillstyle solid 1 noborder
@@ -188,17 +188,17 @@ do for [format in "png svg"] {
     # Full spectrum.
     @clear_panel
     stats file(row, "spectrum") using 1:($2 * 1e3) name "S" nooutput
-    set lmargin at screen x_at(1545)
+    set lmargin at screen x_at(1550)
     set rmargin at screen x_at(1970)
     set xrange [-highest - 0.2:highest + 0.2]
     set yrange [0:1.4 * S_max_y]
     set xlabel "order (× shaft speed)" offset 0, 0.3
     set label 4 "backward" at graph 0.03, 0.94 left
     set label 5 "forward" at graph 0.97, 0.94 right
-    set label 1 "amplitude (mm)" at screen x_at(1440), y_at(row, 0.5 * panel_px) center rotate by 90
+    set label 1 "amplitude (mm)" at screen x_at(1449), y_at(row, 0.5 * panel_px) center rotate by 90
     set xtics 1
     set mxtics order[row] > 1 ? order[row] : 1
-    set ytics step(1.4 * S_max_y, 6)
+    set ytics step(1.4 * S_max_y, 7)
     plot file(row, "spectrum") using 1:($2 * 1e3) with impulses linecolor rgb rotor linewidth 2 notitle, \
       file(row, "labels") using 1:($2 * 1e3):3 \
         with labels rotate by 90 left offset 0, 0.4 font ",16" notitle

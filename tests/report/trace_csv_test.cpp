@@ -10,7 +10,8 @@ TraceState state_with_two_stops() {
   state.displacement_m = {1e-3, -2.5e-4};
   state.velocity_m_per_s = {0.5, -0.125};
   state.stops.resize(2);
-  state.stops[0] = {.casing_m = {1e-5, 2e-5}, .gap_m = -3e-6, .normal_force_n = 12.5, .friction_force_n = 1.25};
+  state.stops[0] = {
+      .casing_m = {1e-5, 2e-5}, .gap_m = -3e-6, .normal_force_n = 12.5, .friction_force_n = 1.25};
   state.stops[1].gap_m = 0.1 + 0.2;
   return state;
 }
@@ -27,18 +28,22 @@ TEST(TrajectoryCsv, HasTheRotorThenEveryStop) {
 }
 
 TEST(SectionCsv, HasTheRotorThenTheCasings) {
-  EXPECT_EQ(section_header(2),
-            "revolution,t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,casing_0_x_m,casing_0_y_m,casing_1_x_m,casing_1_y_m\n");
+  EXPECT_EQ(
+      section_header(2),
+      "revolution,t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,casing_0_x_m,casing_0_y_m,casing_1_x_m,casing_1_y_m\n");
   EXPECT_EQ(section_line(100'000, 1250.5, state_with_two_stops()),
             "100000,1250.5,0.001,-0.00025,0.5,-0.125,1e-05,2e-05,0,0\n");
 }
 
 TEST(EventsCsv, NamesTheModes) {
   EXPECT_EQ(events_header(), "t_s,stop,from,to\n");
-  EXPECT_EQ(event_line(0.25, {.phase_rad = 1, .contact = 1, .from = contact::Mode::open, .to = contact::Mode::clamped}),
-            "0.25,1,open,clamped\n");
   EXPECT_EQ(
-      event_line(0.5, {.phase_rad = 1, .contact = 0, .from = contact::Mode::sprung, .to = contact::Mode::released}),
+      event_line(0.25,
+                 {.phase_rad = 1, .contact = 1, .from = contact::Mode::open, .to = contact::Mode::clamped}),
+      "0.25,1,open,clamped\n");
+  EXPECT_EQ(
+      event_line(
+          0.5, {.phase_rad = 1, .contact = 0, .from = contact::Mode::sprung, .to = contact::Mode::released}),
       "0.5,0,sprung,released\n");
 }
 

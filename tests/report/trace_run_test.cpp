@@ -33,7 +33,8 @@ double value(const batch::CsvTable& table, std::size_t row, std::string_view nam
   return batch::number(table, row, batch::column(table, name));
 }
 
-Trace run(const OneSideRotor& rotor, const TraceOptions& options, const integrate::SolverOptions& solver = {}) {
+Trace run(const OneSideRotor& rotor, const TraceOptions& options,
+          const integrate::SolverOptions& solver = {}) {
   const scene::Cell cell = test::cell_of(rotor);
   return trace_run(integrate::start_adaptive(cell.scene, solver), cell.scene, solver, options);
 }
@@ -62,8 +63,8 @@ TEST(TraceRun, SectionStartsWhereTheKickDoesAndFollowsTheReference) {
   EXPECT_EQ(value(section, 0, "casing_0_y_m"), 0);
 
   const auto reference = test::long_double_sections(rotor, 4);
-  const std::map<std::string, std::size_t> columns{{"x_m", 0},        {"y_m", 1},        {"casing_0_x_m", 2},
-                                                   {"casing_0_y_m", 3}, {"vx_m_per_s", 4}, {"vy_m_per_s", 5}};
+  const std::map<std::string, std::size_t> columns{
+      {"x_m", 0}, {"y_m", 1}, {"casing_0_x_m", 2}, {"casing_0_y_m", 3}, {"vx_m_per_s", 4}, {"vy_m_per_s", 5}};
   for (std::size_t r = 0; r <= 4; ++r) {
     EXPECT_EQ(value(section, r, "revolution"), static_cast<double>(r));
     for (const auto& [name, i] : columns) {
@@ -86,10 +87,12 @@ TEST(TraceRun, SamplesLieOnTheGridAndPassThroughTheSection) {
     const double slope = (value(trajectory, i + 1, "x_m") - value(trajectory, i - 1, "x_m")) * 70 * 20 / 2;
     EXPECT_NEAR(value(trajectory, i, "vx_m_per_s"), slope, 0.02);
     EXPECT_NEAR(value(trajectory, i, "gap_0_m"),
-                rotor.clearance_m - value(trajectory, i, "y_m") + value(trajectory, i, "casing_0_y_m"), 1e-17);
+                rotor.clearance_m - value(trajectory, i, "y_m") + value(trajectory, i, "casing_0_y_m"),
+                1e-17);
   }
   for (std::size_t r = 0; r < 3; ++r) {
-    for (const char* name : {"t_s", "x_m", "y_m", "vx_m_per_s", "vy_m_per_s", "casing_0_x_m", "casing_0_y_m"}) {
+    for (const char* name :
+         {"t_s", "x_m", "y_m", "vx_m_per_s", "vy_m_per_s", "casing_0_x_m", "casing_0_y_m"}) {
       EXPECT_EQ(value(trajectory, 20 * r, name), value(section, r, name)) << name << " in " << r;
     }
   }
@@ -113,7 +116,8 @@ TEST(TraceRun, EventsFormOneChainPerStop) {
   machine.stops.push_back(machine.stops.front());
   machine.stops.back().geometry = model::OneSideGeometry{.angle_deg = -90};
   const scene::Cell cell = scene::build_cell(machine, 80, scene::WhirlRatio{0.6});
-  const Trace trace = trace_run(integrate::start_adaptive(cell.scene, {}), cell.scene, {}, options_for({}, 40));
+  const Trace trace =
+      trace_run(integrate::start_adaptive(cell.scene, {}), cell.scene, {}, options_for({}, 40));
   const batch::CsvTable events = table_of(trace.events_csv);
   std::map<std::string, std::string> mode{{"0", "open"}, {"1", "open"}};
   std::map<std::string, int> hits;
@@ -152,7 +156,8 @@ TEST(LastWindow, HoldsTheMeasuresOfTheMap) {
   sweep::Study study;
   study.machine = test::machine_of({});
   study.grid = {.speed_hz = {75}, .measure = sweep::UnbalanceMeasure::whirl_ratio, .unbalance = {0.4}};
-  study.response = {.max_revolutions = 260, .samples_per_revolution = 32, .window_revolutions = 13, .max_order = 4};
+  study.response = {
+      .max_revolutions = 260, .samples_per_revolution = 32, .window_revolutions = 13, .max_order = 4};
   response::SpectrumWorkspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, 0, workspace);
   ASSERT_EQ(row.order, 2);
@@ -185,7 +190,8 @@ TEST(LastWindow, IsTheWholeRunWhereThatIsShorter) {
   EXPECT_EQ(last_window(trace, options, 5, workspace).turns, 3);  // no whole period fits
 }
 
-/// A run of a point that stands still at (1, 2) length scales for `whole` turns, then fails after `samples` more.
+/// A run of a point that stands still at (1, 2) length scales for `whole` turns, then fails after `samples`
+/// more.
 integrate::Cursor failing_after(int whole, int samples) {
   return [whole, samples, turns = 0](Turn& turn) mutable {
     const bool fails = turns++ == whole;
@@ -193,7 +199,8 @@ integrate::Cursor failing_after(int whole, int samples) {
     for (int k = 0; k < (fails ? samples : turn.samples_per_revolution); ++k) {
       std::copy(state.begin(), state.end(), turn.samples.begin() + 4 * k);
     }
-    turn.switches = {{.phase_rad = 0.1, .contact = 0, .from = contact::Mode::open, .to = contact::Mode::sprung}};
+    turn.switches = {
+        {.phase_rad = 0.1, .contact = 0, .from = contact::Mode::open, .to = contact::Mode::sprung}};
     turn.hits = 1;
     turn.peak_displacement_m = turns;
     turn.touched = turns == 2;

@@ -17,7 +17,8 @@ using test::OneSideRotor;
 using test::OneSideState;
 
 constexpr integrate::SolverOptions located{};
-constexpr integrate::SolverOptions smoothed{.contact = integrate::ContactHandling::smoothed, .smoothing_m = 1e-6};
+constexpr integrate::SolverOptions smoothed{.contact = integrate::ContactHandling::smoothed,
+                                            .smoothing_m = 1e-6};
 
 /// SI state as a run holds it.
 std::vector<double> scaled(const OneSideState<double>& state, const OneSideRotor& rotor) {
@@ -101,7 +102,8 @@ TEST(StateReader, ReadsARingAlongTheOffsetDisplacement) {
   const scene::Scene scene = ring_scene();
   const StateReader reader(scene, located);
   const double speed = scene.speed_rad_per_s;
-  // d = (6, 8)e-4 + (3, 4)e-4 = 1.5e-3 along n = (0.6, 0.8); closing at 1 m/s, sliding at 0.5 m/s along (-0.8, 0.6).
+  // d = (6, 8)e-4 + (3, 4)e-4 = 1.5e-3 along n = (0.6, 0.8); closing at 1 m/s, sliding at 0.5 m/s along
+  // (-0.8, 0.6).
   const std::vector<double> touching{0.6, 0.8, (0.6 - 0.4) / (1e-3 * speed), (0.8 + 0.3) / (1e-3 * speed)};
   const StopState stop = reader.read(touching).stops.at(0);
   EXPECT_NEAR(stop.gap_m, -5e-4, 1e-17);

@@ -28,7 +28,8 @@ void append_rotor(std::string& line, const TraceState& state) {
 std::string trajectory_header(std::size_t stops) {
   std::string header = "t_s,x_m,y_m,vx_m_per_s,vy_m_per_s";
   for (std::size_t i = 0; i < stops; ++i) {
-    header += fmt::format(",casing_{0}_x_m,casing_{0}_y_m,gap_{0}_m,normal_force_{0}_n,friction_force_{0}_n", i);
+    header +=
+        fmt::format(",casing_{0}_x_m,casing_{0}_y_m,gap_{0}_m,normal_force_{0}_n,friction_force_{0}_n", i);
   }
   return header + "\n";
 }
@@ -37,7 +38,8 @@ std::string trajectory_line(double time_s, const TraceState& state) {
   std::string line = csv_number(time_s);
   append_rotor(line, state);
   for (const StopState& stop : state.stops) {
-    append(line, {stop.casing_m.x(), stop.casing_m.y(), stop.gap_m, stop.normal_force_n, stop.friction_force_n});
+    append(line,
+           {stop.casing_m.x(), stop.casing_m.y(), stop.gap_m, stop.normal_force_n, stop.friction_force_n});
   }
   return line + "\n";
 }

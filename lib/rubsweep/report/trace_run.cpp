@@ -38,18 +38,21 @@ class Recorder {
   void add_samples(const integrate::Turn& turn) {
     std::string lines;
     for (int k = 0; k < options_.samples_per_revolution; ++k) {
-      const auto scaled = std::span(turn.samples).subspan(static_cast<std::size_t>(k) * reader_.size(), reader_.size());
+      const auto scaled =
+          std::span(turn.samples).subspan(static_cast<std::size_t>(k) * reader_.size(), reader_.size());
       if (std::any_of(scaled.begin(), scaled.end(), [](double value) { return std::isnan(value); })) break;
       const TraceState state = reader_.read(scaled);
       lines += trajectory_line(sample_time_s(k), state);
       trace_.displacement_m.emplace_back(state.displacement_m.x(), state.displacement_m.y());
     }
     trajectory_.push_back(std::move(lines));
-    if (options_.trajectory_revolutions && static_cast<long>(trajectory_.size()) > *options_.trajectory_revolutions) {
+    if (options_.trajectory_revolutions &&
+        static_cast<long>(trajectory_.size()) > *options_.trajectory_revolutions) {
       trajectory_.pop_front();
     }
     for (const integrate::ModeSwitch& change : turn.switches) {
-      const double turns = static_cast<double>(trace_.revolutions) + change.phase_rad / (2 * std::numbers::pi);
+      const double turns =
+          static_cast<double>(trace_.revolutions) + change.phase_rad / (2 * std::numbers::pi);
       trace_.events_csv += event_line(turns / options_.speed_hz, change);
     }
   }
@@ -97,8 +100,8 @@ class Recorder {
 
 }  // namespace
 
-Trace trace_run(const integrate::Cursor& cursor, const scene::Scene& scene, const integrate::SolverOptions& solver,
-                const TraceOptions& options) {
+Trace trace_run(const integrate::Cursor& cursor, const scene::Scene& scene,
+                const integrate::SolverOptions& solver, const TraceOptions& options) {
   Trace trace;
   Recorder recorder(scene, solver, options, trace);
   integrate::Turn turn;
@@ -135,7 +138,8 @@ TraceWindow last_window(const Trace& trace, const TraceOptions& options, std::op
   const std::size_t samples =
       static_cast<std::size_t>(window.turns) * static_cast<std::size_t>(options.samples_per_revolution);
   window.contact = facts_of_last(trace, static_cast<std::size_t>(window.turns));
-  window.spectrum = response::full_spectrum(std::span(trace.displacement_m).last(samples), window.turns, workspace);
+  window.spectrum =
+      response::full_spectrum(std::span(trace.displacement_m).last(samples), window.turns, workspace);
   return window;
 }
 

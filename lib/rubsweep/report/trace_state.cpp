@@ -40,7 +40,8 @@ TraceState StateReader::read(std::span<const double> scaled) const {
   const Eigen::VectorXd rate_m_per_s =
       length_m * scene_.speed_rad_per_s * Eigen::Map<const Eigen::VectorXd>(scaled.data() + n, n);
   const auto& observed = point(scene_, scene_.observed_point);
-  TraceState state{.displacement_m = observed * q_m, .velocity_m_per_s = observed * rate_m_per_s, .stops = {}};
+  TraceState state{
+      .displacement_m = observed * q_m, .velocity_m_per_s = observed * rate_m_per_s, .stops = {}};
   for (std::size_t i = 0; i < stops(); ++i) state.stops.push_back(read_stop(i, q_m, rate_m_per_s));
   return state;
 }
@@ -59,8 +60,8 @@ StopState StateReader::read_stop(std::size_t index, const Eigen::VectorXd& q_m,
   const contact::NormalForce force =
       smoothing_m_ > 0 ? contact::smoothed_elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m,
                                                      penetration_m, closing_speed, smoothing_m_)
-                       : contact::elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m, penetration_m,
-                                            closing_speed);
+                       : contact::elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m,
+                                            penetration_m, closing_speed);
   StopState stop;
   if (contact.casing_point) stop.casing_m = point(scene_, *contact.casing_point) * q_m;
   stop.gap_m = -penetration_m;

@@ -24,9 +24,9 @@ struct TraceState {
   std::vector<StopState> stops;
 };
 
-/// Reads states of a run of `scene`, scaled as integrate::Turn holds them (q then q', 2n numbers), back to SI. Contact
-/// forces are those of the law that a run with these options integrates, as it follows from the state alone.
-/// The scene must outlive the reader.
+/// Reads states of a run of `scene`, scaled as integrate::Turn holds them (q then q', 2n numbers), back to
+/// SI. Contact forces are those of the law that a run with these options integrates, as it follows from the
+/// state alone. The scene must outlive the reader.
 class StateReader {
  public:
   StateReader(const scene::Scene& scene, const integrate::SolverOptions& options);
@@ -39,7 +39,8 @@ class StateReader {
   TraceState read(std::span<const double> scaled) const;
 
  private:
-  StopState read_stop(std::size_t index, const Eigen::VectorXd& q_m, const Eigen::VectorXd& rate_m_per_s) const;
+  StopState read_stop(std::size_t index, const Eigen::VectorXd& q_m,
+                      const Eigen::VectorXd& rate_m_per_s) const;
 
   const scene::Scene& scene_;
   double smoothing_m_;  ///< width of the blended law; 0: the law with its corners

@@ -19,8 +19,10 @@ std::string motion_text(const sweep::Row& row) {
   if (row.order && *row.order > 1) text += fmt::format(" 1/{}", *row.order);
   if (row.measures && row.measures->orbit) text += fmt::format(", {} orbit", to_string(*row.measures->orbit));
   if (row.measures && row.measures->whirl) text += fmt::format(", {} whirl", to_string(*row.measures->whirl));
-  if (row.proof == response::Proof::rest) text += fmt::format(", rest proven after {} revolutions", row.revolutions);
-  if (row.proof == response::Proof::observed) text += fmt::format(", observed after {} revolutions", row.revolutions);
+  if (row.proof == response::Proof::rest)
+    text += fmt::format(", rest proven after {} revolutions", row.revolutions);
+  if (row.proof == response::Proof::observed)
+    text += fmt::format(", observed after {} revolutions", row.revolutions);
   if (row.status != "ok") text += ", status " + row.status;
   return text;
 }
@@ -39,10 +41,13 @@ std::string lines_text(const std::vector<SpectralLine>& lines) {
 }
 
 std::string effort_text(const integrate::Effort& effort, long revolutions) {
-  const auto per_turn = [&](long count) { return static_cast<double>(count) / static_cast<double>(revolutions); };
-  return fmt::format("{:.1f} right-hand sides, {:.1f} steps, {:.1f} refused, {:.2f} mode switches per revolution",
-                     per_turn(effort.rhs_calls), per_turn(effort.steps), per_turn(effort.refused),
-                     per_turn(effort.switches));
+  const auto per_turn = [&](long count) {
+    return static_cast<double>(count) / static_cast<double>(revolutions);
+  };
+  return fmt::format(
+      "{:.1f} right-hand sides, {:.1f} steps, {:.1f} refused, {:.2f} mode switches per revolution",
+      per_turn(effort.rhs_calls), per_turn(effort.steps), per_turn(effort.refused),
+      per_turn(effort.switches));
 }
 
 }  // namespace
@@ -53,10 +58,11 @@ std::string motion_summary(const sweep::Row& row) {
 }
 
 std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m) {
-  const std::string run = fmt::format(
-      "run       {} revolutions, {}\n", trace.revolutions,
-      trace.last_contact_revolution ? fmt::format("last contact in revolution {}", *trace.last_contact_revolution)
-                                    : "no contact");
+  const std::string run =
+      fmt::format("run       {} revolutions, {}\n", trace.revolutions,
+                  trace.last_contact_revolution
+                      ? fmt::format("last contact in revolution {}", *trace.last_contact_revolution)
+                      : "no contact");
   if (window.turns == 0) return run;
   const response::ContactFacts whole = facts_of_last(trace, trace.turns.size());
   return run + fmt::format(
@@ -65,8 +71,9 @@ std::string trace_summary(const Trace& trace, const TraceWindow& window, double 
                    "lines     {}\n"
                    "effort    {}\n",
                    peaks(whole, clearance_m), peaks(window.contact, clearance_m), window.turns,
-                   static_cast<double>(window.contact.hits) / window.turns, 100 * window.contact.contact_fraction,
-                   window.turns, lines_text(largest_lines(window.spectrum, 5, clearance_m)),
+                   static_cast<double>(window.contact.hits) / window.turns,
+                   100 * window.contact.contact_fraction, window.turns,
+                   lines_text(largest_lines(window.spectrum, 5, clearance_m)),
                    effort_text(trace.effort, trace.revolutions));
 }
 
@@ -81,8 +88,9 @@ std::vector<SpectralLine> largest_lines(const response::FullSpectrum& spectrum, 
       lines.push_back({spectrum.order(k), amplitude(k)});
     }
   }
-  std::stable_sort(lines.begin(), lines.end(),
-                   [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude_m > b.amplitude_m; });
+  std::stable_sort(lines.begin(), lines.end(), [](const SpectralLine& a, const SpectralLine& b) {
+    return a.amplitude_m > b.amplitude_m;
+  });
   if (lines.empty()) return lines;
   const double floor_m = std::max(response::significant_share_of_largest * lines.front().amplitude_m,
                                   response::significant_share_of_clearance * clearance_m);

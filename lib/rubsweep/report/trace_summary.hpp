@@ -9,17 +9,17 @@
 
 namespace rubsweep::report {
 
-/// The cell and its motion, one line each, from the row that the map holds of it: class, order, orbit, whirl and what
-/// they rest on.
+/// The cell and its motion, one line each, from the row that the map holds of it: class, order, orbit, whirl
+/// and what they rest on.
 std::string motion_summary(const sweep::Row& row);
 
 /// What a trace shows, for a terminal: peaks, hits, the largest lines and the effort.
 /// `clearance_m` is that of the kicked stop.
 std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m);
 
-/// The `count` largest lines but 0X, largest first; only those above both neighbours (one line spread over several
-/// by an incomplete period is one line) and above the floor of significance (1e-3 of the largest, 1e-6 of the
-/// clearance).
+/// The `count` largest lines but 0X, largest first; only those above both neighbours (one line spread over
+/// several by an incomplete period is one line) and above the floor of significance (1e-3 of the largest,
+/// 1e-6 of the clearance).
 std::vector<response::SpectralLine> largest_lines(const response::FullSpectrum& spectrum, std::size_t count,
                                                   double clearance_m);
 

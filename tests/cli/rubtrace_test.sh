@@ -1,0 +1,121 @@
+#!/usr/bin/env bash
+# rubtrace: what it writes, what it prints and how it ends. The fourth argument is rubsweep, the program of the map.
+source "$(dirname "$0")/support.sh"
+sweep=$4
+rub=(--speed-hz 90 --whirl-ratio 0.6)
+files=(config.yaml events.csv motion.csv section.csv spectrum.csv trajectory.csv)
+
+# expect_header FILE HEADER ROWS
+expect_header() {
+  [[ $(head -n 1 "$1") == "$2" ]] || fail "$1 has another header"
+  [[ $(($(wc -l <"$1") - 1)) == "$3" ]] || fail "$1 has not $3 rows"
+}
+
+# Command line.
+expect_exit 0 --help
+expect_contains stdout 'rubtrace CONFIG.yaml --speed-hz S'
+for option in speed-hz whirl-ratio eccentricity-m revolutions last-revolutions output set quiet help version; do
+  expect_matches stdout "^  --$option "
+done
+expect_exit 0 --version
+[[ $(<stdout) == "rubtrace $version" ]] || fail "expected: rubtrace $version"
+
+# expect_usage_error TEXT ARGUMENT...
+expect_usage_error() {
+  local text=$1
+  shift
+  expect_exit 1 "$@"
+  expect_empty stdout
+  expect_contains stderr "rubtrace: $text"
+  expect_contains stderr 'Try: rubtrace --help'
+  expect_missing results
+}
+expect_usage_error 'a configuration file is needed' "${rub[@]}"
+expect_usage_error 'the shaft speed is needed' "$minimal" --whirl-ratio 0.6
+expect_usage_error 'the unbalance is needed, one way' "$minimal" --speed-hz 90
+expect_usage_error 'the unbalance is needed, one way' "$minimal" "${rub[@]}" --eccentricity-m 1e-4
+expect_usage_error '--speed-hz: allowed: a number > 0' "$minimal" --speed-hz 0 --whirl-ratio 0.6
+expect_usage_error '--speed-hz: allowed: a number > 0' "$minimal" --speed-hz inf --whirl-ratio 0.6
+expect_usage_error '--whirl-ratio: allowed: a number >= 0' "$minimal" --speed-hz 90 --whirl-ratio -0.1
+expect_usage_error '--whirl-ratio: allowed: a number >= 0' "$minimal" --speed-hz 90 --whirl-ratio nan
+expect_usage_error '--revolutions: allowed: a number >= 1' "$minimal" "${rub[@]}" --revolutions 0
+expect_usage_error '--last-revolutions: allowed: a number >= 1' "$minimal" "${rub[@]}" --last-revolutions -3
+expect_usage_error '--output: allowed: the name of a directory' "$minimal" "${rub[@]}" --output ''
+expect_usage_error "unrecognised option '--revolution'" "$minimal" "${rub[@]}" --revolution 3
+expect_usage_error 'too many positional options' "$minimal" "$minimal" "${rub[@]}"
+
+# Configuration and files that cannot be had.
+expect_exit 2 "$minimal" "${rub[@]}" --set rotor.mass_kg=-1
+expect_matches stderr '^--set rotor\.mass_kg=-1: rotor\.mass_kg: -1 is out of range'
+expect_exit 3 no_such_file.yaml "${rub[@]}"
+expect_matches stderr '^rubtrace: .*no_such_file\.yaml'
+echo precious >file
+expect_exit 3 "$minimal" "${rub[@]}" --output file/below
+expect_matches stderr '^rubtrace: .*file/below'
+expect_missing results
+
+# A rub that persists, over all the revolutions of the configuration.
+expect_exit 0 "$minimal" "${rub[@]}"
+expect_empty stderr
+mv results/minimal_trace trace
+expect_files trace "${files[@]}"
+expect_header trace/trajectory.csv t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,casing_0_x_m,casing_0_y_m,gap_0_m,normal_force_0_n\
+,friction_force_0_n $((600 * 128))
+expect_header trace/section.csv revolution,t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,casing_0_x_m,casing_0_y_m 601
+expect_header trace/spectrum.csv order,frequency_hz,amplitude_m $((64 * 128))
+[[ $(head -n 1 trace/events.csv) == t_s,stop,from,to ]] || fail 'events.csv has another header'
+expect_whole_rows trace/motion.csv
+expect_contains stdout 'cell      90 Hz, whirl ratio 0.6, '
+expect_contains stdout 'motion    subharmonic 1/2, '
+expect_contains stdout 'contact   0.5 hits per revolution'
+expect_matches stdout '^lines     [-+]0\.5X '
+expect_contains stdout 'files     results/minimal_trace: config.yaml events.csv motion.csv'
+
+# The row is that of the map, and the configuration beside it makes that map.
+rubtrace=$rubsweep rubsweep=$sweep
+expect_exit 0 trace/config.yaml --output map
+expect_same map/map.csv trace/motion.csv
+expect_exit 0 "$minimal" --output map
+rows trace/motion.csv >row
+grep -qxF -f row map/map.csv || fail 'the map has another row for this cell'
+rubsweep=$rubtrace
+
+# The two lines of the rub are in the spectrum, with the amplitude of the row.
+IFS=, read -ra cells <row
+awk -F, -v order="${cells[16]}" -v amplitude="${cells[17]}" '$1 == order && $3 == amplitude { found = 1 }
+  END { exit !found }' trace/spectrum.csv || fail 'the dominant line is not in spectrum.csv'
+
+# Fewer revolutions, fewer of them in the trajectory, nothing said; the row stays that of the map.
+expect_exit 0 "$minimal" "${rub[@]}" --revolutions 20 --last-revolutions 5 --quiet --output short
+expect_empty stdout
+expect_files short "${files[@]}"
+[[ $(wc -l <short/trajectory.csv) == $((5 * 128 + 1)) ]] || fail 'not five revolutions in trajectory.csv'
+[[ $(wc -l <short/section.csv) == 22 ]] || fail 'not twenty revolutions in section.csv'
+[[ $(tail -n +2 short/trajectory.csv) == "$(tail -n +$((15 * 128 + 2)) trace/trajectory.csv | head -n $((5 * 128)))" ]] ||
+  fail 'not the last five revolutions in trajectory.csv'
+expect_same short/motion.csv trace/motion.csv
+
+# The unbalance said the other way.
+expect_exit 0 "$minimal" --speed-hz 90 --eccentricity-m "${cells[2]}" --revolutions 20 --output other
+[[ $(rows other/motion.csv | cut -d, -f4,5) == subharmonic,2 ]] || fail 'another motion by eccentricity'
+expect_contains other/config.yaml "values: [${cells[2]}]"
+
+# Nothing to kick: the row says so, and nothing of an older trace stays.
+expect_exit 4 "$minimal" --speed-hz 90 --whirl-ratio 1.2 --output short
+expect_matches stderr '^rubtrace: the quiet motion already touches a wall'
+expect_files short config.yaml motion.csv
+[[ $(rows short/motion.csv | cut -d, -f4,23) == initial_contact,ok ]] || fail 'the row is not that of initial contact'
+expect_exit 4 "$minimal" --speed-hz 30 --whirl-ratio 0.5 --set rotor.damping_ratio=0 --output short
+expect_matches stderr '^rubtrace: no eccentricity gives this whirl ratio'
+[[ $(rows short/motion.csv | cut -d, -f4,23) == failed,unreachable ]] || fail 'the row is not that of a failure'
+
+# A run that fails is written up to its failure.
+expect_exit 4 "$minimal" "${rub[@]}" --set solver.max_steps_per_revolution=1000 --set solver.relative_tolerance=1e-13 \
+  --output failed
+expect_matches stderr '^rubtrace: the run failed in revolution [0-9]+: step_limit; the files end there$'
+failed_in=$(sed -E 's/.*revolution ([0-9]+):.*/\1/' stderr)
+expect_files failed "${files[@]}"
+[[ $(wc -l <failed/section.csv) == $((failed_in + 1)) ]] || fail 'section.csv does not end before the failure'
+samples=$(($(wc -l <failed/trajectory.csv) - 1))
+((samples > (failed_in - 1) * 128 && samples < failed_in * 128)) || fail 'trajectory.csv does not end at the failure'
+[[ $(rows failed/motion.csv | cut -d, -f4,23) == failed,step_limit ]] || fail 'the row does not name the failure'

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# scripts/trace.sh draws what rubtrace wrote. Skipped without gnuplot.
+source "$(dirname "$0")/support.sh"
+command -v gnuplot >/dev/null || { echo 'skipped: there is no gnuplot'; exit 77; }
+touch stdout stderr
+
+# trace DIRECTORY ARGUMENT...
+trace() { expect_exit 0 "$minimal" --output "$1" --revolutions 100 --quiet "${@:2}"; }
+trace rub --speed-hz 90 --whirl-ratio 0.6
+trace quiet --speed-hz 54 --whirl-ratio 0.2 --set gravity_m_per_s2=9.81
+trace bare --speed-hz 54 --whirl-ratio 0.2 --set stops.0.casing=rigid --set stops.0.angle_deg=30
+
+# draw EXPECTED_EXIT_CODE ARGUMENT...
+draw() {
+  local code=0
+  "$top/scripts/trace.sh" "${@:2}" >stdout 2>stderr || code=$?
+  [[ $code == "$1" ]] || fail "trace.sh ${*:2}: exit code $code, expected $1"
+}
+
+# expect_picture BASENAME ROWS: both files, 590 pixels per row, and gnuplot had nothing to say.
+expect_picture() {
+  expect_empty stdout
+  expect_empty stderr
+  [[ $(od -An -tu1 -j16 -N8 "$1.png" | awk '{ print $3 * 256 + $4, $7 * 256 + $8 }') == "2000 $((120 + 590 * $2))" ]] ||
+    fail "$1.png has another size"
+  expect_matches "$1.svg" '</svg>'
+}
+
+draw 0 rub out/first Heading
+expect_picture out/first 1
+for text in Heading 'subharmonic 1/2: 90 Hz = 3 × natural frequency, whirl ratio 0.6' 'time (ms)' 'moving wall' kick 1/2X; do
+  expect_contains out/first.svg "$text"
+done
+draw 0 rub out/last Heading -12
+expect_picture out/last 1
+expect_contains out/last.svg 'time after revolution 88 (ms)'
+draw 0 rub out/rows Heading 20 quiet bare
+expect_picture out/rows 3
+expect_contains out/rows.svg 'no contact: 54 Hz'
+draw 0 bare out/bare Heading 20
+expect_picture out/bare 1
+! grep -q 'moving wall' out/bare.svg || fail 'a rigid wall does not move'
+
+draw 1 rub out/nothing
+expect_contains stderr 'usage: trace.sh'
+draw 3 nowhere out/nothing Heading
+expect_contains stderr 'trace.sh: cannot read nowhere/trajectory.csv'
+expect_missing out/nothing.png
