@@ -32,7 +32,9 @@ void flush_stdout() {
 int run_program(std::string_view name, const std::function<int()>& body) {
   // A file-size limit is then an error of the write that met it, with its message, instead of a silent death.
   std::signal(SIGXFSZ, SIG_IGN);
-  const auto complain = [name](const std::exception& error) { say(fmt::format("{}: {}\n", name, error.what())); };
+  const auto complain = [name](const std::exception& error) {
+    say(fmt::format("{}: {}\n", name, error.what()));
+  };
   try {
     const int code = body();
     flush_stdout();

@@ -87,9 +87,14 @@ int act(const RubsweepArguments& arguments) {
         fmt::print("{}: ok, {} cells\n", arguments.config.string(), sweep::cell_count(config.study.grid));
       }
       return done;
-    case Action::explain: fmt::print("{}", sweep::explain(config.study)); return done;
-    case Action::print_config: fmt::print("{}", config::print_config(config)); return done;
-    default: return run(arguments, config);
+    case Action::explain:
+      fmt::print("{}", sweep::explain(config.study));
+      return done;
+    case Action::print_config:
+      fmt::print("{}", config::print_config(config));
+      return done;
+    default:
+      return run(arguments, config);
   }
 }
 

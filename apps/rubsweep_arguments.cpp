@@ -17,19 +17,17 @@ constexpr int most_threads = 1024;
 
 po::options_description visible_options() {
   po::options_description options("Options");
-  options.add_options()
-      ("output", po::value<std::string>()->value_name("DIR"), "write there instead of output.directory")
-      ("threads", po::value<int>()->value_name("N")->default_value(0), "threads; 0: one per processor")
-      ("set", po::value<std::vector<std::string>>()->value_name("KEY.PATH=VALUE")->composing(),
-       "replace one value of the configuration; lists are indexed by number; may be repeated")
-      ("check", "read the configuration, report every problem, run nothing")
-      ("explain", "say what is simulated, what is left out and why, run nothing")
-      ("print-config", "print the complete configuration with every default, run nothing")
-      ("progress", po::value<std::string>()->value_name("WHEN")->default_value("auto"),
-       "auto (only on a terminal), always or never")
-      ("quiet", "print errors only")
-      ("help", "print this and exit")
-      ("version", "print the version and exit");
+  options.add_options()("output", po::value<std::string>()->value_name("DIR"),
+                        "write there instead of output.directory")(
+      "threads", po::value<int>()->value_name("N")->default_value(0), "threads; 0: one per processor")(
+      "set", po::value<std::vector<std::string>>()->value_name("KEY.PATH=VALUE")->composing(),
+      "replace one value of the configuration; lists are indexed by number; may be repeated")(
+      "check", "read the configuration, report every problem, run nothing")(
+      "explain", "say what is simulated, what is left out and why, run nothing")(
+      "print-config", "print the complete configuration with every default, run nothing")(
+      "progress", po::value<std::string>()->value_name("WHEN")->default_value("auto"),
+      "auto (only on a terminal), always or never")("quiet", "print errors only")(
+      "help", "print this and exit")("version", "print the version and exit");
   return options;
 }
 
@@ -68,7 +66,8 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
   try {
     // No guessing: --thread is an error, not --threads.
     const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), given);
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+              given);
   } catch (const po::error& error) {
     throw UsageError(error.what());
   }
@@ -103,7 +102,8 @@ std::string rubsweep_help() {
       "  rubsweep configs/minimal.yaml --output /tmp/map --threads 1\n"
       "  rubsweep configs/figure06_one_side.yaml --set stops.0.friction.coefficient=0.2 --output /tmp/mu02\n"
       "  rubsweep configs/figure06_one_side.yaml --explain\n\n"
-      "Writes DIR/map.csv (one row per cell, speed fastest) and DIR/config.yaml (the complete configuration);\n"
+      "Writes DIR/map.csv (one row per cell, speed fastest) and DIR/config.yaml (the complete "
+      "configuration);\n"
       "finished cells can be watched in DIR/map.partial.csv while the sweep runs.\n\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 done, but some cells failed;\n"
       "128+signal when interrupted: what was computed is kept in map.partial.csv.\n",

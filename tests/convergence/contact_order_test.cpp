@@ -1,5 +1,5 @@
-// What event location is for: through contact a located stepper keeps the order it has in flight, while smoothing
-// leaves an error of its own that no tolerance removes.
+// What event location is for: through contact a located stepper keeps the order it has in flight, while
+// smoothing leaves an error of its own that no tolerance removes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,7 +52,8 @@ TEST(ContactOrder, LocatedKeepsTheOrderOfTheStepper) {
   EXPECT_GT(order_between(located(Stepper::dopri5, 1e-7), located(Stepper::dopri5, 1e-11)), 4.7);
   EXPECT_GT(order_between(located(Stepper::cash_karp54, 1e-7), located(Stepper::cash_karp54, 1e-11)), 4.7);
   EXPECT_GT(order_between(located(Stepper::rkf78, 1e-7), located(Stepper::rkf78, 1e-11)), 7.5);
-  EXPECT_GT(order_between(located(Stepper::bulirsch_stoer, 1e-7), located(Stepper::bulirsch_stoer, 1e-11)), 7.5);
+  EXPECT_GT(order_between(located(Stepper::bulirsch_stoer, 1e-7), located(Stepper::bulirsch_stoer, 1e-11)),
+            7.5);
   EXPECT_GT(order_between(located(Stepper::rosenbrock4, 1e-6), located(Stepper::rosenbrock4, 1e-9)), 3.6);
 }
 

@@ -1,5 +1,5 @@
-// Order of every stepper between switches, measured with fixed steps on a forced oscillator with a closed form. The
-// forcing depends on time, so that a wrong time derivative or node shows too.
+// Order of every stepper between switches, measured with fixed steps on a forced oscillator with a closed
+// form. The forcing depends on time, so that a wrong time derivative or node shows too.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,8 @@ scene::Scene forced_scene() {
 
 /// z at `phase` of the first revolution, closed form.
 Complex exact(double phase) {
-  const double w = two_pi, w0 = 1.7 * w, decay = 0.05 * w0, wd = std::sqrt(w0 * w0 - decay * decay), t = phase / w;
+  const double w = two_pi, w0 = 1.7 * w, decay = 0.05 * w0, wd = std::sqrt(w0 * w0 - decay * decay),
+               t = phase / w;
   const Complex i(0, 1), amplitude = 30.0 / Complex(w0 * w0 - w * w, 2 * decay * w);
   const Complex z0 = Complex(0.3, 0.1) - amplitude, v0 = -i * w * amplitude;
   return amplitude * std::exp(i * phase) +
@@ -94,7 +95,8 @@ double global_order(int steps) {
 /// Order of the local error inside a step: one more than the order of the interpolant.
 template <class Method>
 double inner_order(double h) {
-  return std::log2(Fixed<Method>().error_inside_first_step(h) / Fixed<Method>().error_inside_first_step(h / 2));
+  return std::log2(Fixed<Method>().error_inside_first_step(h) /
+                   Fixed<Method>().error_inside_first_step(h / 2));
 }
 
 using State = std::vector<double>;

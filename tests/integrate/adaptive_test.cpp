@@ -54,8 +54,8 @@ TEST_P(EveryStepper, FreeOscillator) {
   scene.velocity_m_per_s << -1e-3, 2e-3;
   const double t = 5 * 0.7;
   const Complex z0(3e-4, -2e-4), v0(-1e-3, 2e-3);
-  const Complex z = std::exp(-zeta * w0 * t) *
-                    (z0 * std::cos(wd * t) + (v0 + zeta * w0 * z0) / wd * std::sin(wd * t));
+  const Complex z =
+      std::exp(-zeta * w0 * t) * (z0 * std::cos(wd * t) + (v0 + zeta * w0 * z0) / wd * std::sin(wd * t));
   EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 5) - z), 1e-7 * scene.length_scale_m);
 }
 
@@ -68,7 +68,8 @@ TEST_P(EveryStepper, ForcedOscillatorFromRestWithConstantForce) {
   const Complex amplitude = force / Complex(k - m * w * w, c * w), sag = i * load / k;
   const double decay = c / (2 * m), wd = std::sqrt(k / m - decay * decay), t = 3 * T;
   const Complex z0 = -amplitude - sag, v0 = -i * w * amplitude;
-  const Complex free = std::exp(-decay * t) * (z0 * std::cos(wd * t) + (v0 + decay * z0) / wd * std::sin(wd * t));
+  const Complex free =
+      std::exp(-decay * t) * (z0 * std::cos(wd * t) + (v0 + decay * z0) / wd * std::sin(wd * t));
   const Complex z = amplitude * std::exp(i * (w * t)) + sag + free;
   EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 3) - z), 1e-7 * scene.length_scale_m);
 }
@@ -113,7 +114,8 @@ TEST_P(EveryStepper, RubbingRunAgreesWithTheLongDoubleReference) {
   EXPECT_EQ(hits, 6);  // the 1/2 subharmonic: one hit every other turn
 }
 
-/// A single elastic shock with closed form, code_aster test SDND101: m = 100 kg, k = 1e4 N/m, wall K = 1e6 N/m without gap, v(0) = 1 m/s into it.
+/// A single elastic shock with closed form, code_aster test SDND101: m = 100 kg, k = 1e4 N/m, wall K = 1e6
+/// N/m without gap, v(0) = 1 m/s into it.
 TEST_P(EveryStepper, SingleElasticShock) {
   auto scene = test::one_mass_scene(100, 1e4, 0, 1, 1e-2);
   scene.contacts.push_back(test::wall_across_x(1, 0, 1e6, 0));
@@ -126,8 +128,8 @@ TEST_P(EveryStepper, SingleElasticShock) {
   EXPECT_NEAR(turn.peak_contact_force_n, 1e6 / in_contact, 1e-4 * 9950.37);
   ASSERT_GE(turn.switches.size(), 2u);
   const double seconds = 1 / (2 * pi);
-  EXPECT_EQ(turn.switches[0].from, contact::Mode::sprung);  // in contact from the start
-  EXPECT_NEAR(turn.switches[0].phase_rad * seconds, pi / in_contact, 1e-9);                   // 0.03126 s
+  EXPECT_EQ(turn.switches[0].from, contact::Mode::sprung);                   // in contact from the start
+  EXPECT_NEAR(turn.switches[0].phase_rad * seconds, pi / in_contact, 1e-9);  // 0.03126 s
   EXPECT_NEAR(turn.switches[1].phase_rad * seconds, pi / in_contact + pi / in_flight, 1e-9);  // back again
 }
 
@@ -143,7 +145,8 @@ TEST_P(EveryStepper, SamplingDoesNotChangeTheRun) {
     ASSERT_EQ(plain(a), Outcome::ok);
     ASSERT_EQ(sampled(b), Outcome::ok);
     ASSERT_EQ(a.section, b.section);
-    EXPECT_TRUE(std::equal(before.begin(), before.end(), b.samples.begin()));  // sample 0 is the previous section
+    EXPECT_TRUE(
+        std::equal(before.begin(), before.end(), b.samples.begin()));  // sample 0 is the previous section
     before = b.section;
   }
 }
@@ -151,9 +154,10 @@ TEST_P(EveryStepper, SamplingDoesNotChangeTheRun) {
 TEST(Adaptive, SamplesOfAllSteppersAgree) {
   const auto cell = test::cell_of({});
   std::vector<double> reference;
-  for (const Stepper stepper : {Stepper::rkf78, Stepper::dopri5, Stepper::cash_karp54, Stepper::bulirsch_stoer,
-                                Stepper::rosenbrock4}) {
-    const Cursor advance = start_adaptive(cell.scene, with(stepper, stepper == Stepper::rosenbrock4 ? 1e-9 : 1e-10));
+  for (const Stepper stepper : {Stepper::rkf78, Stepper::dopri5, Stepper::cash_karp54,
+                                Stepper::bulirsch_stoer, Stepper::rosenbrock4}) {
+    const Cursor advance =
+        start_adaptive(cell.scene, with(stepper, stepper == Stepper::rosenbrock4 ? 1e-9 : 1e-10));
     Turn turn;
     turn.samples_per_revolution = 37;
     for (int k = 0; k < 3; ++k) ASSERT_EQ(advance(turn), Outcome::ok);
@@ -230,10 +234,12 @@ TEST(Adaptive, StepLimitIsAnOutcome) {
 TEST(Adaptive, NonFiniteStatesAreAnOutcome) {
   auto scene = test::one_mass_scene(1, 1, 0, 1, 1);
   scene.constant_n << std::numeric_limits<double>::infinity(), 0;
-  for (const Stepper stepper : {Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78, Stepper::bulirsch_stoer}) {
+  for (const Stepper stepper :
+       {Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78, Stepper::bulirsch_stoer}) {
     Turn turn;
     const Outcome outcome = start_adaptive(scene, with(stepper, 1e-8))(turn);
-    EXPECT_TRUE(outcome == Outcome::non_finite || outcome == Outcome::step_too_small) << static_cast<int>(stepper);
+    EXPECT_TRUE(outcome == Outcome::non_finite || outcome == Outcome::step_too_small)
+        << static_cast<int>(stepper);
   }
 }
 

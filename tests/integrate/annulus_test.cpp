@@ -17,8 +17,8 @@ constexpr double pi = std::numbers::pi;
 
 /// Rotor of unit mass and stiffness `stiffness` in a rigid ring of unit clearance, time in units of its own:
 /// z'' + 2 zeta z' + stiffness z = e W^2 e^{i W t} + load - k_c (|z| - 1)(1 + i mu) z / |z| where |z| > 1.
-scene::Scene ring_scene(double stiffness, double zeta, double speed, double unbalance, Complex load, double k_c,
-                        double mu) {
+scene::Scene ring_scene(double stiffness, double zeta, double speed, double unbalance, Complex load,
+                        double k_c, double mu) {
   auto scene = test::one_mass_scene(1, stiffness, 2 * zeta, 2 * pi / speed, 1);
   scene.harmonic_n << unbalance * speed * speed, -i * (unbalance * speed * speed);
   scene.constant_n << load.real(), load.imag();
@@ -108,8 +108,8 @@ struct FullRub {
 };
 
 TEST(FullAnnularRub, StaysOnItsClosedForm) {
-  for (const Stepper stepper : {Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78, Stepper::bulirsch_stoer,
-                                Stepper::rosenbrock4}) {
+  for (const Stepper stepper : {Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78,
+                                Stepper::bulirsch_stoer, Stepper::rosenbrock4}) {
     const FullRub rub;
     SolverOptions options;
     options.stepper = stepper;
@@ -157,7 +157,8 @@ TEST(DryWhip, WhirlsBackwardAtItsClosedFormFrequency) {
 }
 
 TEST(Ring, OffsetMovesTheWall) {
-  // A rotor at rest offset by 0.6 towards +x in a ring of 1, moving slowly outwards: touches at x = 0.4, -x at -1.6.
+  // A rotor at rest offset by 0.6 towards +x in a ring of 1, moving slowly outwards: touches at x = 0.4, -x
+  // at -1.6.
   for (const int sign : {1, -1}) {
     auto scene = test::one_mass_scene(1, 1e-6, 0, 1, 1);
     scene::Contact ring;

@@ -1,5 +1,6 @@
-// Coulomb sliding, code_aster test SDND104: m = 1 kg without spring, pressed on a wall by N = 10 N, mu = 0.1, driven
-// along it by A sin 2 pi t: mean wear power (of unit wear coefficient) N mean|v| = 0.409062 W at A = 1.5 N. The tanh law approaches it.
+// Coulomb sliding, code_aster test SDND104: m = 1 kg without spring, pressed on a wall by N = 10 N, mu = 0.1,
+// driven along it by A sin 2 pi t: mean wear power (of unit wear coefficient) N mean|v| = 0.409062 W at A
+// = 1.5 N. The tanh law approaches it.
 #include <gtest/gtest.h>
 
 #include <cmath>

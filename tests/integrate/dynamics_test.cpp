@@ -79,7 +79,8 @@ TEST(Dynamics, DynamicSizeEqualsFixedSize) {
     std::vector<double> rate_a(2 * n), rate_b(2 * n);
     a(s, rate_a, 1.0);
     b(s, rate_b, 1.0);
-    for (std::size_t i = 0; i < rate_a.size(); ++i) EXPECT_NEAR(rate_a[i], rate_b[i], 1e-12 * (1 + std::abs(rate_a[i])));
+    for (std::size_t i = 0; i < rate_a.size(); ++i)
+      EXPECT_NEAR(rate_a[i], rate_b[i], 1e-12 * (1 + std::abs(rate_a[i])));
   }
 }
 

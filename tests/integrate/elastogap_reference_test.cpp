@@ -1,6 +1,6 @@
 // Reference trajectory of Modelica.Mechanics.Translational.Examples.ElastoGap by Dymola, from the Modelica
-// Association's reference results (MAP-LIB): m = 1 kg, s(0) = 2 m, v(0) = 0, walls at |s| = 0.5 m, c = 10 N/m,
-// d = 1.5 N s/m. elastoGap1.v_rel = ds/dt, elastoGap2.s_rel = 2 - s.
+// Association's reference results (MAP-LIB): m = 1 kg, s(0) = 2 m, v(0) = 0, walls at |s| = 0.5 m, c = 10
+// N/m, d = 1.5 N s/m. elastoGap1.v_rel = ds/dt, elastoGap2.s_rel = 2 - s.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,13 +57,13 @@ Deviation from_reference(const SolverOptions& options) {
   return worst;
 }
 
-// All steppers agree with each other to better than 1e-7 m/s; the 3.11e-5 m/s that separate every one of them from the
-// reference at t = 1.02 s are the reference's own integration error.
+// All steppers agree with each other to better than 1e-7 m/s; the 3.11e-5 m/s that separate every one of them
+// from the reference at t = 1.02 s are the reference's own integration error.
 constexpr double reference_error_m_per_s = 3.12e-5;
 
 TEST(ElastoGapReference, EveryStepperMeetsIt) {
-  for (const Stepper stepper : {Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78, Stepper::bulirsch_stoer,
-                                Stepper::rosenbrock4}) {
+  for (const Stepper stepper : {Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78,
+                                Stepper::bulirsch_stoer, Stepper::rosenbrock4}) {
     SolverOptions options;
     options.stepper = stepper;
     options.relative_tolerance = stepper == Stepper::rosenbrock4 ? 1e-8 : 1e-10;

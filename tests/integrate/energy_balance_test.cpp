@@ -15,15 +15,16 @@ using test::OneSideEquations;
 using test::OneSideState;
 
 struct Power {
-  double input = 0;       ///< unbalance and kick
-  double structure = 0;   ///< dissipated by rotor and casing mounts
-  double normal = 0;      ///< taken from the motion by the normal force
-  double friction = 0;    ///< taken from the motion by friction; negative when the shaft drives the rotor
+  double input = 0;      ///< unbalance and kick
+  double structure = 0;  ///< dissipated by rotor and casing mounts
+  double normal = 0;     ///< taken from the motion by the normal force
+  double friction = 0;   ///< taken from the motion by friction; negative when the shaft drives the rotor
 };
 
 double stored(const OneSideEquations<double>& e, const OneSideState<double>& s) {
   return (e.m * (s[4] * s[4] + s[5] * s[5]) + e.k * (s[0] * s[0] + s[1] * s[1]) +
-          e.mc * (s[6] * s[6] + s[7] * s[7]) + e.kc * (s[2] * s[2] + s[3] * s[3])) / 2;
+          e.mc * (s[6] * s[6] + s[7] * s[7]) + e.kc * (s[2] * s[2] + s[3] * s[3])) /
+         2;
 }
 
 Power power(const OneSideEquations<double>& e, const OneSideState<double>& s, double t) {
@@ -68,7 +69,8 @@ Balance balance(ContactHandling contact, double smoothing_m, int samples) {
     }
     OneSideState<double> s;
     for (std::size_t i = 0; i < 8; ++i) {
-      s[i] = turn.samples[static_cast<std::size_t>(k % samples) * 8 + i] * (i < 4 ? rotor.clearance_m : unit_speed);
+      s[i] = turn.samples[static_cast<std::size_t>(k % samples) * 8 + i] *
+             (i < 4 ? rotor.clearance_m : unit_speed);
     }
     const Power now = power(equations, s, k * dt);
     if (k == 0) {
@@ -100,7 +102,8 @@ TEST(EnergyBalance, TheNormalForceOnlyDissipates) {
 }
 
 TEST(EnergyBalance, SmoothingChangesTheForceByItsWidthOnly) {
-  // The blended force is not the one the balance is drawn up with: a defect of its own that shrinks with the width.
+  // The blended force is not the one the balance is drawn up with: a defect of its own that shrinks with the
+  // width.
   const Balance wide = balance(ContactHandling::smoothed, 1e-5, 16384);
   const Balance narrow = balance(ContactHandling::smoothed, 1e-6, 16384);
   EXPECT_LT(narrow.defect, 1e-4 * narrow.throughput);

@@ -13,13 +13,15 @@ struct Polynomial {
 
   double operator()(double x) const { return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4]))); }
   double slope(double x) const { return c[1] + x * (2 * c[2] + x * (3 * c[3] + x * 4 * c[4])); }
-  Quartic bernstein() const { return quartic_through((*this)(0), slope(0), (*this)(0.5), (*this)(1), slope(1)); }
+  Quartic bernstein() const {
+    return quartic_through((*this)(0), slope(0), (*this)(0.5), (*this)(1), slope(1));
+  }
 };
 
 double evaluate(const Quartic& q, double x) {
   const double y = 1 - x;
-  return q[0] * y * y * y * y + 4 * q[1] * x * y * y * y + 6 * q[2] * x * x * y * y + 4 * q[3] * x * x * x * y +
-         q[4] * x * x * x * x;
+  return q[0] * y * y * y * y + 4 * q[1] * x * y * y * y + 6 * q[2] * x * x * y * y +
+         4 * q[3] * x * x * x * y + q[4] * x * x * x * x;
 }
 
 TEST(QuarticThrough, ReproducesThePolynomial) {

@@ -12,7 +12,8 @@ TEST(CubicMaximum, AgreesWithFineSampling) {
   std::normal_distribution<double> normal;
   int inner = 0;
   for (int trial = 0; trial < 2000; ++trial) {
-    const double c0 = normal(random), c1 = normal(random), c2 = normal(random), c3 = trial % 5 ? normal(random) : 0;
+    const double c0 = normal(random), c1 = normal(random), c2 = normal(random),
+                 c3 = trial % 5 ? normal(random) : 0;
     const auto cubic = [&](double x) { return c0 + x * (c1 + x * (c2 + x * c3)); };
     double sampled = cubic(0);
     for (int i = 1; i <= 2000; ++i) sampled = std::max(sampled, cubic(i / 2000.0));

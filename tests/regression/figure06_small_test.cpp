@@ -1,5 +1,5 @@
-// A small Figure 6 against results/golden/figure06_small.csv: class and order exactly, on every cell that a tenfold
-// tighter tolerance leaves unchanged. The others are listed by name in figure06_small_sensitive.csv.
+// A small Figure 6 against results/golden/figure06_small.csv: class and order exactly, on every cell that a
+// tenfold tighter tolerance leaves unchanged. The others are listed by name in figure06_small_sensitive.csv.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -21,7 +21,8 @@ std::vector<std::optional<sweep::Row>> map_at(const std::string& tolerance) {
   const auto config = config::read_run_config(RUBSWEEP_TEST_DATA "/figure06_small.yaml",
                                               {"solver.relative_tolerance=" + tolerance});
   const std::atomic<bool> never{false};
-  return sweep::run_map(config.study, 0, [](const sweep::Row&) {}, never);
+  return sweep::run_map(
+      config.study, 0, [](const sweep::Row&) {}, never);
 }
 
 std::string label(std::string_view motion_class, const std::string& order) {
@@ -59,7 +60,8 @@ TEST(Figure06Small, ClassesAreTheGoldenOnesAtBothTolerances) {
       ASSERT_EQ(row.status, "ok");
       if (sensitive.contains({row.speed_hz, row.whirl_ratio})) continue;
       const std::string expected = label(golden.rows[i][class_column], golden.rows[i][order_column]);
-      EXPECT_EQ(label(row), expected) << row.speed_hz << " Hz, whirl ratio " << row.whirl_ratio << ", " << tolerance;
+      EXPECT_EQ(label(row), expected)
+          << row.speed_hz << " Hz, whirl ratio " << row.whirl_ratio << ", " << tolerance;
       if (!row.order) continue;
       const double peak_m = batch::number(golden, i, peak_column);
       EXPECT_NEAR(row.measures->contact.peak_displacement_m, peak_m, 1e-4 * peak_m)

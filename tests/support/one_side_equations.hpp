@@ -7,8 +7,9 @@
 
 namespace rubsweep::test {
 
-/// Jeffcott rotor against one moving wall at 90 degrees, written out by hand in SI units straight from the equations
-/// of motion, with nothing of the library in it: the other route that the solvers are checked against. Set A.
+/// Jeffcott rotor against one moving wall at 90 degrees, written out by hand in SI units straight from the
+/// equations of motion, with nothing of the library in it: the other route that the solvers are checked
+/// against. Set A.
 struct OneSideRotor {
   double mass_kg = 0.8, natural_frequency_hz = 30, damping_ratio = 0.02;
   double clearance_m = 1e-3, stiffness_n_per_m = 2e6, restitution = 0.7;

@@ -11,7 +11,8 @@ model::Machine machine_of(const OneSideRotor& rotor) {
   stop.contact_radius_m = rotor.contact_radius_m;
   stop.friction =
       model::StribeckFriction{{0, 0, 0, rotor.friction_coefficient, rotor.friction_steepness_s_per_m, 0}};
-  stop.casing = model::Casing{rotor.casing_mass_kg, rotor.casing_stiffness_n_per_m, rotor.casing_damping_ratio};
+  stop.casing =
+      model::Casing{rotor.casing_mass_kg, rotor.casing_stiffness_n_per_m, rotor.casing_damping_ratio};
   model::Machine machine;
   machine.rotor = {rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio};
   machine.stops.push_back(stop);

@@ -1,6 +1,7 @@
-// Speed against error on one rubbing cell (parameter set A, one side, 75 Hz, whirl ratio 0.4) over 60 turns: the plain
-// dopri5 that every ratio is quoted against, and the library's dopri5, located and smoothed. Prints a table; the error
-// is the largest component of the section against the long-double reference, in units of (clearance, clearance omega).
+// Speed against error on one rubbing cell (parameter set A, one side, 75 Hz, whirl ratio 0.4) over 60 turns:
+// the plain dopri5 that every ratio is quoted against, and the library's dopri5, located and smoothed. Prints
+// a table; the error is the largest component of the section against the long-double reference, in units of
+// (clearance, clearance omega).
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -25,7 +26,8 @@ double median_microseconds_per_turn(const std::function<void()>& run) {
   for (int i = 0; i < repeats; ++i) {
     const auto start = std::chrono::steady_clock::now();
     run();
-    times.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
+    times.push_back(
+        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
   }
   std::nth_element(times.begin(), times.begin() + repeats / 2, times.end());
   return times[repeats / 2] / turns;
@@ -40,8 +42,8 @@ std::vector<double> scaled(const test::OneSideState<double>& state, const test::
 
 void print(const char* name, double tolerance, double rhs_calls, double microseconds, double early_error,
            double late_error) {
-  std::printf("%-10s %9.0e %12.0f %10.1f %12.2e %12.2e\n", name, tolerance, rhs_calls, microseconds, early_error,
-              late_error);
+  std::printf("%-10s %9.0e %12.0f %10.1f %12.2e %12.2e\n", name, tolerance, rhs_calls, microseconds,
+              early_error, late_error);
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ model::ContactDamping read_damping(Section& section) {
     damping = model::NominalRestitution{read_number(*value, model::Stop::restitution_range).value_or(1)};
   }
   if (const auto value = section.find(delivered_key)) {
-    damping =
-        model::DeliveredRestitution{read_number(*value, model::Stop::restitution_delivered_range).value_or(1)};
+    damping = model::DeliveredRestitution{
+        read_number(*value, model::Stop::restitution_delivered_range).value_or(1)};
   }
   if (const auto value = section.find(explicit_key)) {
     damping = model::ExplicitDamping{read_number(*value, model::not_negative).value_or(0)};

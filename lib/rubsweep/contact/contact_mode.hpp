@@ -7,7 +7,8 @@
 
 namespace rubsweep::contact {
 
-/// The four smooth pieces of the clamped ElastoGap law. p penetration, v closing speed, K stiffness, d damping.
+/// The four smooth pieces of the clamped ElastoGap law. p penetration, v closing speed, K stiffness, d
+/// damping.
 enum class Mode : unsigned char {
   open,      ///< p <= 0: no force
   clamped,   ///< p > 0, d v >= K p: normal force 2 K p
@@ -42,15 +43,20 @@ constexpr NormalForce force_in_mode(Mode mode, double stiffness, double damping,
                                     double closing_speed) {
   const double spring = stiffness * penetration;
   switch (mode) {
-    case Mode::open: return {0, 0};
-    case Mode::clamped: return {spring, 2 * spring};
-    case Mode::sprung: return {spring, spring + damping * closing_speed};
-    case Mode::released: return {spring, 0};
+    case Mode::open:
+      return {0, 0};
+    case Mode::clamped:
+      return {spring, 2 * spring};
+    case Mode::sprung:
+      return {spring, spring + damping * closing_speed};
+    case Mode::released:
+      return {spring, 0};
   }
   return {};
 }
 
-/// One way out of a mode: `value` < 0 inside, the mode ends when it rises through zero. `rate` = d value / dt.
+/// One way out of a mode: `value` < 0 inside, the mode ends when it rises through zero. `rate` = d value /
+/// dt.
 struct Exit {
   double value = 0;
   double rate = 0;
@@ -75,7 +81,8 @@ constexpr Exits exits_of(Mode mode, double stiffness, double damping, const Kine
       const Mode touching = damping > 0 ? Mode::clamped : Mode::sprung;
       return {{{{k.penetration, k.closing_speed, touching}, {}}}, 1};
     }
-    case Mode::clamped: return {{{{spring - damper, spring_rate - damper_rate, Mode::sprung}, {}}}, 1};
+    case Mode::clamped:
+      return {{{{spring - damper, spring_rate - damper_rate, Mode::sprung}, {}}}, 1};
     case Mode::sprung:
       if (damping == 0) return {{{{-k.penetration, -k.closing_speed, Mode::open}, {}}}, 1};
       return {{{{damper - spring, damper_rate - spring_rate, Mode::clamped},
@@ -89,9 +96,9 @@ constexpr Exits exits_of(Mode mode, double stiffness, double damping, const Kine
   return {};
 }
 
-/// Mode just after an instant at which `mode` may have ended: follows every exit that is at or past zero and still
-/// rising, until none is. An exit past zero but falling is a return from a graze, not an event. Bounded: a state with
-/// all exits at zero and rising cannot exist, and four hops visit every mode.
+/// Mode just after an instant at which `mode` may have ended: follows every exit that is at or past zero and
+/// still rising, until none is. An exit past zero but falling is a return from a graze, not an event.
+/// Bounded: a state with all exits at zero and rising cannot exist, and four hops visit every mode.
 constexpr Mode mode_after(Mode mode, double stiffness, double damping, const Kinematics& kinematics) {
   for (int hop = 0; hop < mode_count; ++hop) {
     const Exits exits = exits_of(mode, stiffness, damping, kinematics);

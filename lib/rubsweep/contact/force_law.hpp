@@ -10,10 +10,10 @@ struct NormalForce {
   double total_n = 0;   ///< F_s + F_d, never negative: a contact does not pull
 };
 
-/// The clamped ElastoGap law (Modelica.Mechanics.Translational.Components.ElastoGap; Ishibashi & Kawai eq. 1-2 with
-/// the clamp that the text names and the print leaves out): F_s = K p, F_d = clamp(d v, -F_s, F_s) for penetration
-/// p > 0, nothing otherwise. Continuous in p and v.
-/// stiffness [N per unit of p], damping [N per unit of v], both >= 0; v is the closing speed dp/dt.
+/// The clamped ElastoGap law (Modelica.Mechanics.Translational.Components.ElastoGap; Ishibashi & Kawai eq.
+/// 1-2 with the clamp that the text names and the print leaves out): F_s = K p, F_d = clamp(d v, -F_s, F_s)
+/// for penetration p > 0, nothing otherwise. Continuous in p and v. stiffness [N per unit of p], damping [N
+/// per unit of v], both >= 0; v is the closing speed dp/dt.
 inline NormalForce elastogap(double stiffness, double damping, double penetration, double closing_speed) {
   if (penetration <= 0) return {};
   const double spring = stiffness * penetration;
@@ -29,15 +29,13 @@ inline double smooth_ramp(double y, double width) {
 }
 
 /// d smooth_ramp / dy.
-inline double smooth_ramp_slope(double y, double width) {
-  return std::clamp(y / width + 0.5, 0.0, 1.0);
-}
+inline double smooth_ramp_slope(double y, double width) { return std::clamp(y / width + 0.5, 0.0, 1.0); }
 
-/// The same law, continuously differentiable: every corner becomes a parabola over the penetration width `width`
-/// (over stiffness * width for the corners of the clamp). Differs from `elastogap` by O(width^2) in impulse, still
-/// never pulls, and is zero below a penetration of -width/2.
-inline NormalForce smoothed_elastogap(double stiffness, double damping, double penetration, double closing_speed,
-                                      double width) {
+/// The same law, continuously differentiable: every corner becomes a parabola over the penetration width
+/// `width` (over stiffness * width for the corners of the clamp). Differs from `elastogap` by O(width^2) in
+/// impulse, still never pulls, and is zero below a penetration of -width/2.
+inline NormalForce smoothed_elastogap(double stiffness, double damping, double penetration,
+                                      double closing_speed, double width) {
   const double force_width = stiffness * width;
   const double spring = stiffness * smooth_ramp(penetration, width);
   const double damper = damping * closing_speed;

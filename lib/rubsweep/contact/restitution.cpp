@@ -51,8 +51,8 @@ double damping_ratio_delivering(double restitution) {
   }
   auto excess = [restitution](double zeta) { return delivered_restitution(zeta) - restitution; };
   std::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(excess, 0.0, largest_damping_ratio,
-                                                         boost::math::tools::eps_tolerance<double>(52), iterations);
+  const auto bracket = boost::math::tools::toms748_solve(
+      excess, 0.0, largest_damping_ratio, boost::math::tools::eps_tolerance<double>(52), iterations);
   return (bracket.first + bracket.second) / 2;
 }
 

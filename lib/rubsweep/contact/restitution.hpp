@@ -11,8 +11,8 @@ double nominal_damping_ratio(double restitution);
 double delivered_restitution(double damping_ratio);
 
 /// Inverse of `delivered_restitution`, which gives `restitution` back to 1e-15. Throws ConfigError when
-/// `restitution` is outside the range that zeta in [0, 1) can deliver: e^{-4/3} = 0.2636, the limit at critical
-/// damping, to 1.
+/// `restitution` is outside the range that zeta in [0, 1) can deliver: e^{-4/3} = 0.2636, the limit at
+/// critical damping, to 1.
 double damping_ratio_delivering(double restitution);
 
 /// d = 2 zeta sqrt(m K), in N s/m. `mass_kg` is the reduced mass of the impact.

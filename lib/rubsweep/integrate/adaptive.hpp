@@ -6,8 +6,8 @@
 
 namespace rubsweep::integrate {
 
-/// Starts a run of `scene` with one of Odeint's steppers; the scene need not outlive the call. The specialised model
-/// (stepper, number of coordinates, contact handling) is chosen here, once.
+/// Starts a run of `scene` with one of Odeint's steppers; the scene need not outlive the call. The
+/// specialised model (stepper, number of coordinates, contact handling) is chosen here, once.
 Cursor start_adaptive(const scene::Scene& scene, const SolverOptions& options);
 
 namespace detail {

@@ -6,7 +6,8 @@
 namespace rubsweep::integrate::detail {
 
 Cursor start_rkf78(const scene::Scene& scene, const SolverOptions& options) {
-  return start_run<ReStepping<odeint::runge_kutta_fehlberg78<std::vector<double>>>, Eigen::Dynamic>(scene, options);
+  return start_run<ReStepping<odeint::runge_kutta_fehlberg78<std::vector<double>>>, Eigen::Dynamic>(scene,
+                                                                                                    options);
 }
 
 }  // namespace rubsweep::integrate::detail

@@ -16,8 +16,9 @@
 
 namespace rubsweep::integrate {
 
-/// A run by one of Odeint's steppers. Located (Smoothed = false): a step that crosses a mode's exit is cut there and
-/// the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper keeps its order.
+/// A run by one of Odeint's steppers. Located (Smoothed = false): a step that crosses a mode's exit is cut
+/// there and the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper
+/// keeps its order.
 template <class Method, int N, bool Smoothed>
 class AdaptiveRun {
  public:
@@ -31,7 +32,8 @@ class AdaptiveRun {
         start_kinematics_(system_.contacts.size()),
         end_kinematics_(system_.contacts.size()) {
     const std::vector<double> initial = scaled_initial_state(scene);
-    for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_}) resize(*state, initial.size());
+    for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_})
+      resize(*state, initial.size());
     std::copy(initial.begin(), initial.end(), step_.start.begin());
     remembered_sizes_.resize(std::size_t{1} << (2 * std::min<std::size_t>(system_.contacts.size(), 4)), 0.0);
     size_ = 1e-3;
@@ -65,7 +67,6 @@ class AdaptiveRun {
   struct Crossing {
     double phase = 0;
     std::size_t contact = 0;
-    int exit = 0;
     contact::Mode next = contact::Mode::open;
   };
 
@@ -161,7 +162,9 @@ class AdaptiveRun {
   double exit_value(std::size_t i, int exit, double phase) {
     method_.state_at(dynamics_, step_, phase, probe_);
     // Values need no acceleration, so any rate will do for the third number.
-    return exits(i, dynamics_.kinematics(i, probe_, step_.end_rate)).list[static_cast<std::size_t>(exit)].value;
+    return exits(i, dynamics_.kinematics(i, probe_, step_.end_rate))
+        .list[static_cast<std::size_t>(exit)]
+        .value;
   }
 
   std::optional<Crossing> first_crossing() {
@@ -178,20 +181,22 @@ class AdaptiveRun {
     return first;
   }
 
-  std::optional<Crossing> locate(std::size_t i, int exit, const contact::Exit& at_start, const contact::Exit& at_end) {
+  std::optional<Crossing> locate(std::size_t i, int exit, const contact::Exit& at_start,
+                                 const contact::Exit& at_end) {
     const double h = step_.end_phase - step_.start_phase;
-    if (clearly_below_zero(at_start.value, h * at_start.rate, at_end.value, h * at_end.rate)) return std::nullopt;
+    if (clearly_below_zero(at_start.value, h * at_start.rate, at_end.value, h * at_end.rate))
+      return std::nullopt;
     const double middle = exit_value(i, exit, step_.start_phase + h / 2);
-    const auto rise = first_rise(
-        quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
+    const auto rise =
+        first_rise(quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
     if (!rise) return std::nullopt;
     const auto phase = refine(i, exit, *rise);
     if (!phase) return std::nullopt;
-    return Crossing{*phase, i, exit, at_start.next};
+    return Crossing{*phase, i, at_start.next};
   }
 
-  /// Root of the true exit function near the root of its interpolant; `rise` in units of the step. Empty when the
-  /// function stays on one side: a graze shallower than the interpolation error, which no tolerance sees.
+  /// Root of the true exit function near the root of its interpolant; `rise` in units of the step. Empty when
+  /// the function stays on one side: a graze shallower than the interpolation error, which no tolerance sees.
   std::optional<double> refine(std::size_t i, int exit, double rise) {
     const double h = step_.end_phase - step_.start_phase;
     const auto value = [&](double x) { return exit_value(i, exit, step_.start_phase + x * h); };
@@ -254,7 +259,7 @@ class AdaptiveRun {
   long max_steps_;
   Step<State> step_;
   State probe_;
-  double size_ = 0;  ///< next step to try, in radians of rotation
+  double size_ = 0;                       ///< next step to try, in radians of rotation
   std::vector<double> remembered_sizes_;  ///< per joint mode of the first four contacts; 0: none yet
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
   long revolution_ = 0;

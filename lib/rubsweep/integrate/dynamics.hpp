@@ -12,9 +12,9 @@
 
 namespace rubsweep::integrate {
 
-/// Right-hand side of a scaled system as Odeint wants it, u then u' in one state. Located: every contact obeys the
-/// law of its current mode, continued smoothly past the mode's end. Smoothed: the blended law, whatever the mode.
-/// Any state with contiguous doubles behind operator[] will do.
+/// Right-hand side of a scaled system as Odeint wants it, u then u' in one state. Located: every contact
+/// obeys the law of its current mode, continued smoothly past the mode's end. Smoothed: the blended law,
+/// whatever the mode. Any state with contiguous doubles behind operator[] will do.
 template <int N, bool Smoothed>
 class Dynamics {
  public:
@@ -24,7 +24,9 @@ class Dynamics {
   using Map = Eigen::Map<Vector>;
 
   Dynamics(const ScaledSystem<N>& system, double smoothing_width)
-      : system_(system), smoothing_width_(smoothing_width), modes_(system.contacts.size(), contact::Mode::open) {}
+      : system_(system),
+        smoothing_width_(smoothing_width),
+        modes_(system.contacts.size(), contact::Mode::open) {}
 
   /// `phase` in [0, 2 pi]: the revolution is an integer kept elsewhere, so that phases stay exact for ever.
   template <class State>
@@ -47,8 +49,9 @@ class Dynamics {
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact(i, u, v, acceleration);
   }
 
-  /// Penetration of contact `i` and its two rates, scaled, from a state and its rate. In an open ring the penetration is
-  /// measured as (|d|^2 - C^2) / (2 C): it rises through zero with |d| - C, and stays smooth through the centre.
+  /// Penetration of contact `i` and its two rates, scaled, from a state and its rate. In an open ring the
+  /// penetration is measured as (|d|^2 - C^2) / (2 C): it rises through zero with |d| - C, and stays smooth
+  /// through the centre.
   template <class State>
   contact::Kinematics kinematics(std::size_t i, const State& state, const State& rate) const {
     const Eigen::Index n = system_.coordinates();
@@ -72,7 +75,8 @@ class Dynamics {
   contact::NormalForce normal_force(std::size_t i, double penetration, double closing_speed) const {
     const auto& c = system_.contacts[i];
     if constexpr (Smoothed) {
-      return contact::smoothed_elastogap(c.stiffness, c.damping, penetration, closing_speed, smoothing_width_);
+      return contact::smoothed_elastogap(c.stiffness, c.damping, penetration, closing_speed,
+                                         smoothing_width_);
     } else {
       return contact::force_in_mode(modes_[i], c.stiffness, c.damping, penetration, closing_speed);
     }
@@ -85,7 +89,8 @@ class Dynamics {
     return slip(c, frame(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n)));
   }
 
-  /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to one entry.
+  /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to
+  /// one entry.
   template <class State, class Jacobian>
   void jacobian(const State& state, Jacobian&& j, double phase, State& phase_rate) const {
     const Eigen::Index n = system_.coordinates();
@@ -175,10 +180,14 @@ class Dynamics {
       return {spring_by_p, spring_by_p * (1 + above - below), c.damping * (1 - above - below)};
     } else {
       switch (modes_[i]) {
-        case contact::Mode::open: return {};
-        case contact::Mode::clamped: return {c.stiffness, 2 * c.stiffness, 0};
-        case contact::Mode::sprung: return {c.stiffness, c.stiffness, c.damping};
-        case contact::Mode::released: return {c.stiffness, 0, 0};
+        case contact::Mode::open:
+          return {};
+        case contact::Mode::clamped:
+          return {c.stiffness, 2 * c.stiffness, 0};
+        case contact::Mode::sprung:
+          return {c.stiffness, c.stiffness, c.damping};
+        case contact::Mode::released:
+          return {c.stiffness, 0, 0};
       }
       return {};
     }
@@ -195,10 +204,12 @@ class Dynamics {
     const double mu = contact::friction_coefficient(c.friction, slip(c, f));
     const double mu_by_v = contact::friction_slope(c.friction, slip(c, f)) * c.slip_scale_m_per_s;
     const Eigen::Vector2d n(f.cosine, f.sine), t(-f.sine, f.cosine);
-    Eigen::Matrix2d by_d = n * (slopes.total_by_p * n + slopes.total_by_v * f.sliding_speed * f.curvature * t).transpose();
+    Eigen::Matrix2d by_d =
+        n * (slopes.total_by_p * n + slopes.total_by_v * f.sliding_speed * f.curvature * t).transpose();
     by_d += t * (mu * slopes.spring_by_p * n).transpose();
-    by_d += f.curvature * (force.total_n * t - mu * force.spring_n * n -
-                           mu_by_v * force.spring_n * f.closing_speed * t) * t.transpose();
+    by_d += f.curvature *
+            (force.total_n * t - mu * force.spring_n * n - mu_by_v * force.spring_n * f.closing_speed * t) *
+            t.transpose();
     const Eigen::Matrix2d by_rate =
         slopes.total_by_v * n * n.transpose() + mu_by_v * force.spring_n * t * t.transpose();
     Eigen::MatrixXd push(by_u.rows(), 2), rows(2, by_u.cols());

@@ -18,7 +18,8 @@ std::array<Quartic, 2> halves(const Quartic& q) {
   return {left, right};
 }
 
-/// Searches [low, low + width]; `below` says whether the curve was below zero just before, and is carried along.
+/// Searches [low, low + width]; `below` says whether the curve was below zero just before, and is carried
+/// along.
 std::optional<double> search(const Quartic& q, double low, double width, bool& below) {
   const auto [smallest, largest] = std::minmax_element(q.begin(), q.end());
   if (*largest < 0) {
@@ -46,8 +47,7 @@ Quartic quartic_through(double start, double start_slope, double middle, double 
 }
 
 bool clearly_below_zero(double start, double start_slope, double end, double end_slope) {
-  const auto [low, high] =
-      std::minmax({start, start + start_slope / 3, end - end_slope / 3, end});
+  const auto [low, high] = std::minmax({start, start + start_slope / 3, end - end_slope / 3, end});
   return high < -0.25 * (high - low);
 }
 

@@ -14,10 +14,14 @@ enum class Outcome {
 
 constexpr std::string_view to_string(Outcome outcome) {
   switch (outcome) {
-    case Outcome::ok: return "ok";
-    case Outcome::step_limit: return "step_limit";
-    case Outcome::step_too_small: return "step_too_small";
-    case Outcome::non_finite: return "non_finite";
+    case Outcome::ok:
+      return "ok";
+    case Outcome::step_limit:
+      return "step_limit";
+    case Outcome::step_too_small:
+      return "step_too_small";
+    case Outcome::non_finite:
+      return "non_finite";
   }
   return "";
 }

@@ -12,7 +12,8 @@ namespace {
 using MassFactor = Eigen::LDLT<Eigen::MatrixXd>;
 
 template <int N>
-ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene& scene, const MassFactor& mass) {
+ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene& scene,
+                               const MassFactor& mass) {
   const double length = scene.length_scale_m;
   const double speed = scene.speed_rad_per_s;
   const auto relative = scene::relative_map(scene.structure, contact);
@@ -64,7 +65,8 @@ void scale_forcing(const scene::Scene& scene, const MassFactor& mass, ScaledSyst
 
 template <int N>
 ScaledSystem<N> scale(const scene::Scene& scene) {
-  if (N != Eigen::Dynamic && scene.structure.coordinates() != N) throw SolverError("scale: wrong coordinate count");
+  if (N != Eigen::Dynamic && scene.structure.coordinates() != N)
+    throw SolverError("scale: wrong coordinate count");
   const MassFactor mass(scene.structure.mass);
   ScaledSystem<N> system;
   scale_structure(scene, mass, system);

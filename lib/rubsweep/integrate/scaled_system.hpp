@@ -10,11 +10,13 @@
 
 namespace rubsweep::integrate {
 
-/// One contact in scaled units. Forces stay in newtons, so that peaks and `push` need no second scale. Vectors at the
-/// contact are written in two fixed directions: normal and tangent of a flat wall, x and y in a ring.
+/// One contact in scaled units. Forces stay in newtons, so that peaks and `push` need no second scale.
+/// Vectors at the contact are written in two fixed directions: normal and tangent of a flat wall, x and y in
+/// a ring.
 template <int N>
 struct ScaledContact {
-  Eigen::Matrix<double, 1, N> first_row, second_row;    ///< d = (first_row u + offset[0], second_row u + offset[1])
+  Eigen::Matrix<double, 1, N> first_row,
+      second_row;  ///< d = (first_row u + offset[0], second_row u + offset[1])
   Eigen::Matrix<double, N, 1> first_push, second_push;  ///< scaled acceleration per newton on the casing
   bool ring = false;
   std::array<double, 2> offset{};  ///< ring only, else zero
@@ -26,8 +28,9 @@ struct ScaledContact {
   double surface_speed_m_per_s = 0;
 };
 
-/// A scene in the units that make every tolerance a pure number: length in L = scene.length_scale_m, time in radians
-/// of shaft rotation. u'' = -stiffness u - damping u' + cosine cos(phase) + sine sin(phase) + constant + pulse
+/// A scene in the units that make every tolerance a pure number: length in L = scene.length_scale_m, time in
+/// radians of shaft rotation. u'' = -stiffness u - damping u' + cosine cos(phase) + sine sin(phase) +
+/// constant + pulse
 /// + contacts, with the mass matrix already divided out. N coordinates, or Eigen::Dynamic.
 template <int N>
 struct ScaledSystem {
@@ -38,9 +41,9 @@ struct ScaledSystem {
   Vector stiffness_diagonal, damping_diagonal;
   Matrix stiffness, damping;
   Vector cosine, sine, constant;
-  Vector pulse;                ///< acceleration at the top of the half-sine
-  double pulse_rate = 0;       ///< phase of the half-sine per radian of rotation
-  double pulse_end_rad = 0;    ///< 0: no pulse
+  Vector pulse;                          ///< acceleration at the top of the half-sine
+  double pulse_rate = 0;                 ///< phase of the half-sine per radian of rotation
+  double pulse_end_rad = 0;              ///< 0: no pulse
   Eigen::Matrix<double, 2, N> observed;  ///< (x, y) of the observed point in units of L
   std::vector<ScaledContact<N>> contacts;
   double length_m = 0;

@@ -67,7 +67,8 @@ class StepObserver {
   void end_turn(const State& state, const Dynamics& dynamics) {
     turn_.section.assign(state.begin(), state.end());
     for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
-      if (touching_now(dynamics, i, dynamics.kinematics(i, state, state).penetration)) turn_.touching_at_end = true;
+      if (touching_now(dynamics, i, dynamics.kinematics(i, state, state).penetration))
+        turn_.touching_at_end = true;
     }
   }
 
@@ -78,8 +79,8 @@ class StepObserver {
     return dynamics.modes()[i] != contact::Mode::open;
   }
 
-  /// Share of the step in contact. A located step is in one mode throughout; a smoothed one may begin or end contact
-  /// anywhere, taken linear in the penetration.
+  /// Share of the step in contact. A located step is in one mode throughout; a smoothed one may begin or end
+  /// contact anywhere, taken linear in the penetration.
   template <class Dynamics>
   double touching_share(const Dynamics& dynamics, std::size_t i, const contact::Kinematics& start,
                         const contact::Kinematics& end) {
@@ -100,8 +101,10 @@ class StepObserver {
     const auto rate = [&](const contact::Kinematics& k) {
       // One step of the law is linear in (p, v) when located; a small difference serves the smoothed law too.
       constexpr double nudge = 1e-6;
-      return (total(k.penetration + nudge * k.closing_speed, k.closing_speed + nudge * k.closing_acceleration) -
-              total(k.penetration - nudge * k.closing_speed, k.closing_speed - nudge * k.closing_acceleration)) /
+      return (total(k.penetration + nudge * k.closing_speed,
+                    k.closing_speed + nudge * k.closing_acceleration) -
+              total(k.penetration - nudge * k.closing_speed,
+                    k.closing_speed - nudge * k.closing_acceleration)) /
              (2 * nudge);
     };
     const double peak = cubic_maximum(total(start.penetration, start.closing_speed), h * rate(start),

@@ -17,9 +17,11 @@
 namespace rubsweep::integrate {
 
 /// Every method below offers the same three calls on a Step whose start is filled in:
-///   bool try_step(dynamics, step, size): true: `end`, `end_rate` and `end_phase` are filled. Either way `size`
+///   bool try_step(dynamics, step, size): true: `end`, `end_rate` and `end_phase` are filled. Either way
+///   `size`
 ///        becomes the next size to try.
-///   void state_at(dynamics, step, phase, out): state inside the last accepted step; by dense output where the method
+///   void state_at(dynamics, step, phase, out): state inside the last accepted step; by dense output where
+///   the method
 ///        has one, else by the same method from the start of the step.
 ///   void restart(): the right-hand side changed its form.
 namespace odeint = boost::numeric::odeint;
@@ -50,8 +52,8 @@ class Dopri5 {
 
   template <class Dynamics>
   void state_at(Dynamics&, const Step<State>& step, double phase, State& out) {
-    stepper_.stepper().calc_state(phase, out, step.start, step.start_rate, step.start_phase, step.end, step.end_rate,
-                                  step.end_phase);
+    stepper_.stepper().calc_state(phase, out, step.start, step.start_rate, step.start_phase, step.end,
+                                  step.end_rate, step.end_phase);
   }
 
   void restart() {}
@@ -91,13 +93,14 @@ class ReStepping {
   odeint::controlled_runge_kutta<ErrorStepper> stepper_;
 };
 
-/// Extrapolated midpoint rule of variable order. Odeint's dense variant cannot be stopped at a mode switch, so states
-/// inside a step come from the same method run again from the step's start.
+/// Extrapolated midpoint rule of variable order. Odeint's dense variant cannot be stopped at a mode switch,
+/// so states inside a step come from the same method run again from the step's start.
 template <class StateType>
 class BulirschStoer {
  public:
   using State = StateType;
-  explicit BulirschStoer(double tolerance) : tolerance_(tolerance), stepper_(tolerance, tolerance, 1.0, 0.0) {}
+  explicit BulirschStoer(double tolerance)
+      : tolerance_(tolerance), stepper_(tolerance, tolerance, 1.0, 0.0) {}
 
   template <class Dynamics>
   bool try_step(Dynamics& dynamics, Step<State>& step, double& size) {
@@ -135,13 +138,14 @@ class BulirschStoer {
   odeint::bulirsch_stoer<State> stepper_;
 };
 
-/// Odeint's coefficients of RODAS with the sign of d4 put right: Boost 1.81 has +0.0362, which makes the method first
-/// order as soon as the right-hand side depends on time (Hairer & Wanner, RODAS: D4 = -0.0362).
+/// Odeint's coefficients of RODAS with the sign of d4 put right: Boost 1.81 has +0.0362, which makes the
+/// method first order as soon as the right-hand side depends on time (Hairer & Wanner, RODAS: D4 = -0.0362).
 struct RodasCoefficients : odeint::default_rosenbrock_coefficients<double> {
   const double d4 = -0.3620000000000023e-01;
 };
 
-/// Rosenbrock method of order 4 with dense output, for stiff friction. Uses the analytic Jacobian of the dynamics.
+/// Rosenbrock method of order 4 with dense output, for stiff friction. Uses the analytic Jacobian of the
+/// dynamics.
 class Rosenbrock4 {
  public:
   using State = boost::numeric::ublas::vector<double>;

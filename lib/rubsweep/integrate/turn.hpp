@@ -26,7 +26,8 @@ struct Effort {
 };
 
 /// One revolution: what is asked of the integrator, and what it answers. Reused from turn to turn.
-/// States are scaled: displacements by the scene's length scale L, velocities by L * speed; q then q', 2n numbers.
+/// States are scaled: displacements by the scene's length scale L, velocities by L * speed; q then q', 2n
+/// numbers.
 struct Turn {
   int samples_per_revolution = 0;  ///< asked: states at phases 2 pi k / N, k = 0..N-1; 0: none
   bool peaks = false;              ///< asked: fill the peak_ numbers
@@ -45,7 +46,8 @@ struct Turn {
   Effort effort;               ///< of the whole run so far
 };
 
-/// Advances a run by exactly one revolution and fills the turn. After an outcome other than ok the run is over.
+/// Advances a run by exactly one revolution and fills the turn. After an outcome other than ok the run is
+/// over.
 using Cursor = std::function<Outcome(Turn&)>;
 
 }  // namespace rubsweep::integrate

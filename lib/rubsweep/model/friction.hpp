@@ -9,7 +9,8 @@ namespace rubsweep::model {
 
 struct NoFriction {};
 
-/// mu(v) = coefficient for every slip speed: never reverses. A run whose slip would reverse says so in its status.
+/// mu(v) = coefficient for every slip speed: never reverses. A run whose slip would reverse says so in its
+/// status.
 struct ConstantFriction {
   double coefficient = required;
   static constexpr Range coefficient_range{.low = 0, .high = 10};

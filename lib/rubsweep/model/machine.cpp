@@ -48,7 +48,9 @@ void validate(const StopGeometry& geometry, double clearance_m, const std::strin
   const auto& offset_m = std::get<AnnularGeometry>(geometry).offset_m;
   for (const double component : offset_m) require(path + "offset_m", component, any_finite);
   if (std::hypot(offset_m[0], offset_m[1]) >= clearance_m) {
-    throw ConfigError(fmt::format("{}offset_m: the rest position is not inside the ring, allowed: shorter than {}clearance_m", path, path));
+    throw ConfigError(fmt::format(
+        "{}offset_m: the rest position is not inside the ring, allowed: shorter than {}clearance_m", path,
+        path));
   }
 }
 

@@ -17,8 +17,8 @@ struct Machine {
   double gravity_m_per_s2 = 0;  ///< acceleration along -y, on rotor and moving casings; >= 0
 };
 
-/// Throws ConfigError naming the first number that is missing or out of range. The YAML reader reports the same
-/// limits with their place in the file; this guards direct users of the library.
+/// Throws ConfigError naming the first number that is missing or out of range. The YAML reader reports the
+/// same limits with their place in the file; this guards direct users of the library.
 void validate(const Machine& machine);
 
 }  // namespace rubsweep::model

@@ -38,7 +38,7 @@ using ContactDamping = std::variant<NominalRestitution, DeliveredRestitution, Ex
 /// One place where the rotor can touch: geometry, contact law and the casing behind it.
 struct Stop {
   StopGeometry geometry;
-  double clearance_m = required;        ///< C_R: rotor travel to first touch from rest, in a ring from its centre
+  double clearance_m = required;  ///< C_R: rotor travel to first touch from rest, in a ring from its centre
   double stiffness_n_per_m = required;  ///< K of the contact spring
   ContactDamping damping = NominalRestitution{};
   std::optional<double> contact_mass_kg;  ///< mass behind a restitution, before reduction with the casing's;

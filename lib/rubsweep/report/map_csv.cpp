@@ -37,8 +37,8 @@ std::string hits_per_revolution(const Measures& m) {
   return csv_number(static_cast<double>(m.contact.hits) / m.turns);
 }
 
-/// Columns in the order of the file. `robust`, `comb_spacing`, `floquet_modulus` and `lyapunov_per_revolution` are
-/// part of the format and stay empty until something measures them.
+/// Columns in the order of the file. `robust`, `comb_spacing`, `floquet_modulus` and
+/// `lyapunov_per_revolution` are part of the format and stay empty until something measures them.
 constexpr std::array columns{
     Column{"speed_hz", [](const Row& r) { return csv_number(r.speed_hz); }},
     Column{"whirl_ratio", [](const Row& r) { return csv_number(r.whirl_ratio); }},
@@ -79,7 +79,8 @@ constexpr std::array columns{
            }},
     Column{"dominant_order",
            [](const Row& r) {
-             return measured(r, [](const Measures& m) { return m.dominant ? csv_number(m.dominant->order) : ""; });
+             return measured(
+                 r, [](const Measures& m) { return m.dominant ? csv_number(m.dominant->order) : ""; });
            }},
     Column{"dominant_amplitude_m",
            [](const Row& r) {

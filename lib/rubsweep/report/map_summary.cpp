@@ -26,7 +26,8 @@ std::string map_summary(const std::vector<std::optional<sweep::Row>>& rows) {
     if (row->status != "ok") ++by_status[row->status];
   }
   std::vector<std::pair<std::string, int>> sorted(by_name.begin(), by_name.end());
-  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string text;
   for (const auto& [name, count] : sorted) {
     text += fmt::format("{:>8}  {:5.1f} %  {}\n", count, 100.0 * count / total, name);

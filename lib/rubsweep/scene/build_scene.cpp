@@ -32,9 +32,9 @@ double damping_of(const model::Stop& stop, double rotor_mass_kg) {
   double mass = stop.contact_mass_kg.value_or(rotor_mass_kg);
   if (stop.casing) mass = contact::reduced_mass(mass, stop.casing->mass_kg);
   const auto* delivered = std::get_if<model::DeliveredRestitution>(&stop.damping);
-  const double ratio = delivered
-                           ? contact::damping_ratio_delivering(delivered->value)
-                           : contact::nominal_damping_ratio(std::get<model::NominalRestitution>(stop.damping).value);
+  const double ratio =
+      delivered ? contact::damping_ratio_delivering(delivered->value)
+                : contact::nominal_damping_ratio(std::get<model::NominalRestitution>(stop.damping).value);
   return contact::damping_constant(ratio, mass, stop.stiffness_n_per_m);
 }
 
@@ -72,8 +72,8 @@ std::complex<double> phase_to_smallest_gap(const QuietMotion& unit, const struct
   return modulus > 0 && std::isfinite(modulus) ? std::conj(amplitude) / modulus : 1.0;
 }
 
-/// Says the unbalance the other way too. `remaining_m`: clearance that static forces leave at the first stop. Where
-/// they leave none, or the amplitude has no bound, no number says the other way: NaN.
+/// Says the unbalance the other way too. `remaining_m`: clearance that static forces leave at the first stop.
+/// Where they leave none, or the amplitude has no bound, no number says the other way: NaN.
 void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, double amplitude_per_m) {
   const bool related = remaining_m > 0 && std::isfinite(amplitude_per_m);
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -129,7 +129,8 @@ Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance&
     cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;
     return cell;
   }
-  scene.harmonic_n = cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first, wall) * unit_force;
+  scene.harmonic_n =
+      cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first, wall) * unit_force;
   cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
   scene.displacement_m = cell.quiet.displacement(0);
   scene.velocity_m_per_s = w * cell.quiet.velocity(0);

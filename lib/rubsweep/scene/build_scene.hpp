@@ -20,21 +20,23 @@ using Unbalance = std::variant<WhirlRatio, Eccentricity>;
 enum class Start {
   quiet,            ///< whirls without touching; the kick decides
   initial_contact,  ///< the quiet motion itself reaches a wall: nothing to kick
-  unreachable,      ///< no finite eccentricity gives the whirl ratio (undamped resonance), or no quiet motion exists
+  unreachable,      ///< no finite eccentricity gives the whirl ratio (undamped resonance), or no quiet motion
+                    ///< exists
 };
 
 /// One cell of a map, ready to run when `start` is quiet.
 struct Cell {
   Scene scene;
   QuietMotion quiet;
-  double eccentricity_m = 0;  ///< one of these two was given; the other is NaN where none matches it: at an undamped
-  double whirl_ratio = 0;     ///< resonance, or where static forces leave no clearance at the first stop
+  double eccentricity_m =
+      0;  ///< one of these two was given; the other is NaN where none matches it: at an undamped
+  double whirl_ratio = 0;  ///< resonance, or where static forces leave no clearance at the first stop
   Start start = Start::quiet;
 };
 
-/// Scene of `machine` at one speed and unbalance: starts on the closed-form quiet whirl with t = 0 at the instant of
-/// smallest gap at the first stop; the kick points at that stop's wall unless it has an angle of its own.
-/// speed_hz > 0. Throws ConfigError where `machine` is not valid.
+/// Scene of `machine` at one speed and unbalance: starts on the closed-form quiet whirl with t = 0 at the
+/// instant of smallest gap at the first stop; the kick points at that stop's wall unless it has an angle of
+/// its own. speed_hz > 0. Throws ConfigError where `machine` is not valid.
 Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance);
 
 }  // namespace rubsweep::scene

@@ -21,7 +21,8 @@ std::string explain_casing(const model::Stop& stop, double rotor_mass_kg) {
   const double hz = std::sqrt(stop.casing->stiffness_n_per_m / stop.casing->mass_kg) / (2 * std::numbers::pi);
   const double mass = contact::reduced_mass(rotor_mass_kg, stop.casing->mass_kg);
   return fmt::format(
-      "  casing: moves in x and y (2 coordinates), {} kg, {:.4g} Hz, damping ratio {}; contact half-period {:.3g} ms\n",
+      "  casing: moves in x and y (2 coordinates), {} kg, {:.4g} Hz, damping ratio {}; contact half-period "
+      "{:.3g} ms\n",
       stop.casing->mass_kg, hz, stop.casing->damping_ratio,
       1e3 * std::numbers::pi * std::sqrt(mass / stop.stiffness_n_per_m));
 }
@@ -46,8 +47,9 @@ std::string explain_friction(const model::Stop& stop, const Contact& contact) {
     return fmt::format("  friction: constant {}; a run whose slip would reverse says slip_reversal\n", mu);
   }
   const bool saturated = contact::friction_slope(stop.friction, slip) == 0;
-  return fmt::format("  friction: Stribeck, {:.6g} at the surface speed {:.4g} m/s of the lowest speed ({})\n", mu,
-                     slip, saturated ? "saturated: there it does not depend on the slip" : "depends on the slip");
+  return fmt::format(
+      "  friction: Stribeck, {:.6g} at the surface speed {:.4g} m/s of the lowest speed ({})\n", mu, slip,
+      saturated ? "saturated: there it does not depend on the slip" : "depends on the slip");
 }
 
 std::string describe(const model::StopGeometry& geometry) {
@@ -62,8 +64,8 @@ std::string describe(const model::StopGeometry& geometry) {
 std::string explain_stop(const model::Machine& machine, const Cell& cell, std::size_t i) {
   const model::Stop& stop = machine.stops[i];
   const Contact& contact = cell.scene.contacts[i];
-  return fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
-                     describe(stop.geometry), stop.clearance_m) +
+  return fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "", describe(stop.geometry),
+                     stop.clearance_m) +
          explain_damping(stop, contact, machine.rotor.mass_kg) + explain_friction(stop, contact) +
          explain_casing(stop, machine.rotor.mass_kg);
 }
@@ -80,11 +82,12 @@ bool friction_free(const model::Machine& machine) {
 std::string explain(const model::Machine& machine, double speed_hz) {
   const Cell cell = build_cell(machine, speed_hz, WhirlRatio{0});
   const auto coordinates = cell.scene.structure.coordinates();
-  std::string text = fmt::format("rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
-                                 machine.rotor.mass_kg, machine.rotor.natural_frequency_hz,
-                                 machine.rotor.damping_ratio);
+  std::string text =
+      fmt::format("rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
+                  machine.rotor.mass_kg, machine.rotor.natural_frequency_hz, machine.rotor.damping_ratio);
   for (std::size_t i = 0; i < machine.stops.size(); ++i) text += explain_stop(machine, cell, i);
-  text += machine.kick ? fmt::format("kick: half-sine, {} N for {} s\n", machine.kick->force_n, machine.kick->duration_s)
+  text += machine.kick ? fmt::format("kick: half-sine, {} N for {} s\n", machine.kick->force_n,
+                                     machine.kick->duration_s)
                        : "kick: none\n";
   text += fmt::format("states: {} ({} coordinates and their rates)\n", 2 * coordinates, coordinates);
   text += "left out: torsion and drive (the speed is held constant), axial motion, tilting of the disc\n";

@@ -16,8 +16,8 @@ Eigen::VectorXd QuietMotion::velocity(double phase_rad) const {
 
 namespace {
 
-/// An undamped part at its own frequency makes the matrix singular, which matters only where something drives that
-/// part: else it rests (the solution of least norm).
+/// An undamped part at its own frequency makes the matrix singular, which matters only where something drives
+/// that part: else it rests (the solution of least norm).
 Eigen::VectorXcd amplitude_of(const Eigen::MatrixXcd& dynamic_stiffness, const Eigen::VectorXcd& harmonic_n) {
   Eigen::VectorXcd amplitude = dynamic_stiffness.partialPivLu().solve(harmonic_n);
   if (amplitude.allFinite()) return amplitude;
@@ -31,7 +31,8 @@ Eigen::VectorXcd amplitude_of(const Eigen::MatrixXcd& dynamic_stiffness, const E
 QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_rad_per_s,
                          const Eigen::VectorXcd& harmonic_n, const Eigen::VectorXd& constant_n) {
   const double w = speed_rad_per_s;
-  Eigen::MatrixXcd dynamic_stiffness = (structure.stiffness - w * w * structure.mass).cast<std::complex<double>>();
+  Eigen::MatrixXcd dynamic_stiffness =
+      (structure.stiffness - w * w * structure.mass).cast<std::complex<double>>();
   dynamic_stiffness += std::complex<double>(0, w) * structure.damping.cast<std::complex<double>>();
   QuietMotion motion;
   motion.amplitude = amplitude_of(dynamic_stiffness, harmonic_n);
@@ -55,7 +56,8 @@ Eigen::Vector2d mean_offset_m(const QuietMotion& motion, const structure::Linear
   return relative_map(structure, contact) * motion.mean + contact.offset_m;
 }
 
-/// Largest distance from its mean of a point that moves as Re(amplitude e^{i phase}): the long half-axis of the ellipse.
+/// Largest distance from its mean of a point that moves as Re(amplitude e^{i phase}): the long half-axis of
+/// the ellipse.
 double long_half_axis(const Eigen::Vector2cd& amplitude) {
   const std::complex<double> i(0, 1);
   return (std::abs(amplitude.x() + i * amplitude.y()) + std::abs(amplitude.x() - i * amplitude.y())) / 2;
@@ -68,7 +70,8 @@ QuietPenetration quiet_penetration(const QuietMotion& motion, const structure::L
   const auto map = relative_map(structure, contact);
   if (contact.ring) {
     const Eigen::Vector2cd amplitude = map.cast<std::complex<double>>() * motion.amplitude;
-    return {mean_offset_m(motion, structure, contact).norm() - contact.clearance_m, long_half_axis(amplitude)};
+    return {mean_offset_m(motion, structure, contact).norm() - contact.clearance_m,
+            long_half_axis(amplitude)};
   }
   const Eigen::RowVectorXd row = contact.normal.transpose() * map;
   const std::complex<double> amplitude = row.cast<std::complex<double>>() * motion.amplitude;

@@ -9,16 +9,16 @@
 
 namespace rubsweep::scene {
 
-/// A wall between two points of the structure: flat with a normal that does not turn, or a ring around the rotor.
-/// d = rotor point - casing point + offset; penetration p = d . n - clearance with n = normal (flat) or d / |d| (ring);
-/// tangent t = (-n_y, n_x); slip = d' . t + surface speed.
+/// A wall between two points of the structure: flat with a normal that does not turn, or a ring around the
+/// rotor. d = rotor point - casing point + offset; penetration p = d . n - clearance with n = normal (flat)
+/// or d / |d| (ring); tangent t = (-n_y, n_x); slip = d' . t + surface speed.
 struct Contact {
   int rotor_point = 0;
   std::optional<int> casing_point;  ///< empty: the casing does not move
   bool ring = false;
   Eigen::Vector2d normal{0, 1};    ///< flat: unit vector from the rest position towards the wall
   Eigen::Vector2d offset_m{0, 0};  ///< ring: of the rotor's rest position against the ring's centre
-  double clearance_m = 0;           ///< >= 0
+  double clearance_m = 0;          ///< >= 0
   double stiffness_n_per_m = 0;
   double damping_ns_per_m = 0;
   model::Friction friction;
@@ -32,18 +32,19 @@ struct Pulse {
   double duration_s = 0;
 };
 
-/// All that one run simulates, at one speed: a linear structure, what drives it, and the contacts between its points.
-/// The solvers know nothing else; a new rotor or a new stop changes what fills this, not what reads it.
+/// All that one run simulates, at one speed: a linear structure, what drives it, and the contacts between its
+/// points. The solvers know nothing else; a new rotor or a new stop changes what fills this, not what reads
+/// it.
 struct Scene {
   structure::LinearSystem structure;
   std::vector<Contact> contacts;
-  double speed_rad_per_s = 0;      ///< > 0; one revolution lasts 2 pi / speed
-  Eigen::VectorXcd harmonic_n;     ///< n: force Re(harmonic_n e^{i speed t})
-  Eigen::VectorXd constant_n;      ///< n: force that does not change
+  double speed_rad_per_s = 0;   ///< > 0; one revolution lasts 2 pi / speed
+  Eigen::VectorXcd harmonic_n;  ///< n: force Re(harmonic_n e^{i speed t})
+  Eigen::VectorXd constant_n;   ///< n: force that does not change
   std::optional<Pulse> pulse;
   Eigen::VectorXd displacement_m;  ///< n: q(0)
   Eigen::VectorXd velocity_m_per_s;
-  int observed_point = 0;  ///< whose motion is sampled and classified: the rotor
+  int observed_point = 0;     ///< whose motion is sampled and classified: the rotor
   double length_scale_m = 0;  ///< > 0: what "small" is measured against, the first stop's clearance
 };
 

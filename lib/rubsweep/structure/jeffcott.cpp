@@ -8,7 +8,8 @@ namespace rubsweep::structure {
 namespace {
 
 /// An isotropic mass on a spring, standing at coordinates `first` (x) and `first + 1` (y).
-void add_body(LinearSystem& system, Eigen::Index first, double mass_kg, double stiffness, double damping_ratio) {
+void add_body(LinearSystem& system, Eigen::Index first, double mass_kg, double stiffness,
+              double damping_ratio) {
   for (Eigen::Index i = first; i < first + 2; ++i) {
     system.mass(i, i) = mass_kg;
     system.stiffness(i, i) = stiffness;

@@ -16,9 +16,9 @@ struct Assembly {
   std::vector<std::optional<int>> casing_points;  ///< one per stop; empty: rigid casing, no state
 };
 
-/// Jeffcott rotor and the moving ones among `casings` (one entry per stop). Coordinates: x and y of the rotor, then
-/// x and y of every moving casing in the order of the stops; all matrices diagonal. The unbalance turns from +x
-/// towards +y: at t = 0 it points along +x.
+/// Jeffcott rotor and the moving ones among `casings` (one entry per stop). Coordinates: x and y of the
+/// rotor, then x and y of every moving casing in the order of the stops; all matrices diagonal. The unbalance
+/// turns from +x towards +y: at t = 0 it points along +x.
 Assembly assemble_jeffcott(const model::JeffcottRotor& rotor,
                            const std::vector<std::optional<model::Casing>>& casings);
 

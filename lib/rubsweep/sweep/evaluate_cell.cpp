@@ -41,7 +41,8 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
   } else {
     add_status(row, integrate::to_string(run.outcome));
   }
-  if (run.motion.status != response::MotionStatus::ok) add_status(row, response::to_string(run.motion.status));
+  if (run.motion.status != response::MotionStatus::ok)
+    add_status(row, response::to_string(run.motion.status));
   if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
 }
 

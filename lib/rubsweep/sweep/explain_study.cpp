@@ -13,11 +13,16 @@ namespace {
 
 std::string_view describe(integrate::Stepper stepper) {
   switch (stepper) {
-    case integrate::Stepper::dopri5: return "dopri5 (Dormand-Prince 5(4), dense output of order 4)";
-    case integrate::Stepper::cash_karp54: return "cash_karp54 (order 5(4), states inside a step by re-stepping)";
-    case integrate::Stepper::rkf78: return "rkf78 (order 8(7), states inside a step by re-stepping)";
-    case integrate::Stepper::bulirsch_stoer: return "bulirsch_stoer (variable order, states inside a step by re-stepping)";
-    case integrate::Stepper::rosenbrock4: return "rosenbrock4 (implicit, order 4(3), dense output)";
+    case integrate::Stepper::dopri5:
+      return "dopri5 (Dormand-Prince 5(4), dense output of order 4)";
+    case integrate::Stepper::cash_karp54:
+      return "cash_karp54 (order 5(4), states inside a step by re-stepping)";
+    case integrate::Stepper::rkf78:
+      return "rkf78 (order 8(7), states inside a step by re-stepping)";
+    case integrate::Stepper::bulirsch_stoer:
+      return "bulirsch_stoer (variable order, states inside a step by re-stepping)";
+    case integrate::Stepper::rosenbrock4:
+      return "rosenbrock4 (implicit, order 4(3), dense output)";
   }
   return "";
 }
@@ -27,7 +32,8 @@ std::string explain_solver(const integrate::SolverOptions& solver) {
   if (solver.method == integrate::Method::automatic) text += " (auto: it takes every scene)";
   text += fmt::format(", {}, relative tolerance {}\n", describe(solver.stepper), solver.relative_tolerance);
   if (solver.contact == integrate::ContactHandling::smoothed) {
-    return text + fmt::format("contact: smoothed over {} m of penetration, no event location\n", solver.smoothing_m);
+    return text +
+           fmt::format("contact: smoothed over {} m of penetration, no event location\n", solver.smoothing_m);
   }
   return text + "contact: located, every change of contact mode is found to rounding\n";
 }
@@ -37,14 +43,15 @@ std::string explain_solver(const integrate::SolverOptions& solver) {
 std::string explain(const Study& study) {
   const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
   std::string text = scene::explain(study.machine, *slowest) + explain_solver(study.solver);
-  text += fmt::format("a cell ends when rest is proven, else after {} revolutions, by its last two windows of {}\n",
-                      study.response.max_revolutions, study.response.window_revolutions);
+  text += fmt::format(
+      "a cell ends when rest is proven, else after {} revolutions, by its last two windows of {}\n",
+      study.response.max_revolutions, study.response.window_revolutions);
   const bool by_ratio = study.grid.measure == UnbalanceMeasure::whirl_ratio;
   const auto [least, most] = std::minmax_element(study.grid.unbalance.begin(), study.grid.unbalance.end());
   return text + fmt::format("sweep: {} cells, {} speeds from {} to {} Hz, {} {} from {} to {}\n",
                             cell_count(study.grid), study.grid.speed_hz.size(), *slowest, *fastest,
-                            study.grid.unbalance.size(), by_ratio ? "whirl ratios" : "eccentricities (m)", *least,
-                            *most);
+                            study.grid.unbalance.size(), by_ratio ? "whirl ratios" : "eccentricities (m)",
+                            *least, *most);
 }
 
 }  // namespace rubsweep::sweep

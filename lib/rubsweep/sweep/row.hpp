@@ -14,7 +14,8 @@ struct Row {
   double eccentricity_m = 0;
   response::MotionClass motion_class = response::MotionClass::failed;
   std::optional<int> order;
-  std::optional<response::Measures> measures;  ///< of the settled window; empty where nothing settled can be measured
+  std::optional<response::Measures>
+      measures;  ///< of the settled window; empty where nothing settled can be measured
   std::optional<response::Proof> proof;
   std::optional<long> last_contact_revolution;
   long revolutions = 0;
