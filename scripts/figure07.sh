@@ -6,7 +6,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(dirname "$here")
 
 program=$top/build/release/apps/rubtrace
-[[ -x $program ]] || { echo "figure07.sh: no $program; run scripts/quickstart.sh" >&2; exit 1; }
+[[ -x $program ]] || { echo "figure07.sh: no $program; cmake --preset release && cmake --build --preset release" >&2; exit 1; }
 traces=()
 for speed_hz in 72 111 150 186; do
   trace=$top/results/figure07_trace/${speed_hz}_hz

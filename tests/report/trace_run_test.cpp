@@ -141,14 +141,17 @@ TEST(TraceRun, EventsFormOneChainPerStop) {
 
 TEST(TraceRun, EventsAreTimedInTheirRevolution) {
   const OneSideRotor rotor;
-  const Trace trace = run(rotor, options_for(rotor, 30));
+  TraceOptions options = options_for(rotor, 30);
+  options.samples_per_revolution = 500;
+  const Trace trace = run(rotor, options);
   const batch::CsvTable events = table_of(trace.events_csv), trajectory = table_of(trace.trajectory_csv);
   ASSERT_GT(events.rows.size(), 8u);
-  // Between the grid points on both sides of a first touch the gap closes.
+  // At a touch the gap closes between two neighbours of the grid.
   for (std::size_t i = 0; i < events.rows.size(); ++i) {
     if (events.rows[i].at(2) != "open") continue;
-    const auto before = static_cast<std::size_t>(std::floor(value(events, i, "t_s") * rotor.speed_hz * 20));
+    const auto before = static_cast<std::size_t>(std::floor(value(events, i, "t_s") * rotor.speed_hz * 500));
     EXPECT_GT(value(trajectory, before, "gap_0_m"), 0) << events.rows[i].at(0);
+    EXPECT_LT(value(trajectory, before + 1, "gap_0_m"), 0) << events.rows[i].at(0);
   }
 }
 
@@ -195,7 +198,7 @@ TEST(LastWindow, IsTheWholeRunWhereThatIsShorter) {
 integrate::Cursor failing_after(int whole, int samples) {
   return [whole, samples, turns = 0](Turn& turn) mutable {
     const bool fails = turns++ == whole;
-    const std::vector<double> state{1, 2, 0, 0};
+    const std::vector<double> state{static_cast<double>(turns), 2, 0, 0};
     for (int k = 0; k < (fails ? samples : turn.samples_per_revolution); ++k) {
       std::copy(state.begin(), state.end(), turn.samples.begin() + 4 * k);
     }
@@ -220,6 +223,7 @@ TEST(TraceRun, GoesOnToTheFailure) {
   const batch::CsvTable trajectory = table_of(trace.trajectory_csv);
   ASSERT_EQ(trajectory.rows.size(), 3u * 20 + 7);
   EXPECT_DOUBLE_EQ(value(trajectory, 66, "t_s"), 0.3 + 0.1 * 6 / 20);
+  EXPECT_EQ(value(trajectory, 66, "x_m"), 4e-3);
   EXPECT_EQ(value(trajectory, 66, "y_m"), 2e-3);
   EXPECT_EQ(table_of(trace.section_csv).rows.size(), 4u);
   const batch::CsvTable events = table_of(trace.events_csv);
@@ -229,7 +233,7 @@ TEST(TraceRun, GoesOnToTheFailure) {
   response::SpectrumWorkspace workspace;
   const TraceWindow window = last_window(trace, options, std::nullopt, workspace);
   EXPECT_EQ(window.turns, 3);
-  EXPECT_NEAR(window.spectrum.amplitude(0), std::sqrt(5) * 1e-3, 1e-15);
+  EXPECT_NEAR(window.spectrum.amplitude(0), std::sqrt(8) * 1e-3, 1e-15);  // at (2, 2) in the mean
   EXPECT_EQ(window.contact.hits, 3);
   EXPECT_EQ(facts_of_last(trace, 2).peak_displacement_m, 3);
   EXPECT_EQ(facts_of_last(trace, 2).hits, 2);

@@ -37,7 +37,8 @@ OneSideState<double> near_the_wall(std::mt19937& random) {
 }
 
 TEST(StateReader, GivesTheForcesThatTheEquationsOfMotionNeed) {
-  const OneSideRotor rotor;
+  // Slip of either sign, and a friction that tells one slip from another.
+  const OneSideRotor rotor{.contact_radius_m = 0.0005, .friction_steepness_s_per_m = 2};
   const OneSideEquations<double> equations(rotor);
   const scene::Cell cell = test::cell_of(rotor);
   const StateReader reader(cell.scene, located);
