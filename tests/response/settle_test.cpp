@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "rubsweep/integrate/adaptive.hpp"
+#include <cmath>
+
+#include "response/annular_cell.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::response {
@@ -12,7 +14,7 @@ SettledRun run(const test::OneSideRotor& rotor, const ResponseOptions& options,
                const integrate::SolverOptions& solver = {}) {
   const auto cell = test::cell_of(rotor);
   SpectrumWorkspace workspace;
-  return settle(integrate::start_adaptive(cell.scene, solver), cell, options, workspace);
+  return settle(cell, solver, options, workspace);
 }
 
 TEST(Settle, TheHalfSubharmonicOfSetA) {
@@ -52,7 +54,8 @@ TEST(Settle, AWeakKickIsProvenToRestInTheClosedFormCircle) {
   EXPECT_NEAR(settled.motion.measures.amplitude_1x_forward_m, rotor.whirl_ratio * rotor.clearance_m, 1e-15);
   EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::circle);
   EXPECT_EQ(settled.motion.measures.whirl, WhirlKind::forward);
-  EXPECT_NEAR(settled.motion.measures.contact.peak_displacement_m, rotor.whirl_ratio * rotor.clearance_m, 1e-15);
+  EXPECT_NEAR(settled.motion.measures.contact.peak_displacement_m, rotor.whirl_ratio * rotor.clearance_m,
+              1e-15);
 }
 
 TEST(Settle, ProvenRestIsWhatALongRunShows) {
@@ -93,6 +96,86 @@ TEST(Settle, NoUnbalanceRestsWithoutAnyLine) {
   EXPECT_EQ(settled.motion.motion_class, MotionClass::non_contact);
   EXPECT_FALSE(settled.motion.measures.dominant);
   EXPECT_EQ(settled.motion.measures.amplitude_1x_forward_m, 0);
+}
+
+std::string name(const SettledRun& settled) { return std::string(to_string(settled.motion.motion_class)); }
+
+SettledRun run_annulus(double speed_hz, double whirl_ratio, double offset_y_m = 0) {
+  SpectrumWorkspace workspace;
+  return settle(testing::annular_cell(speed_hz, whirl_ratio, offset_y_m), {}, {}, workspace);
+}
+
+TEST(Settle, TheAnnulusCirclesAtLowSpeed) {
+  const auto settled = run_annulus(90, 0.6);
+  EXPECT_EQ(name(settled), "synchronous");
+  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::circle);
+  EXPECT_NEAR(settled.motion.measures.contact.contact_fraction, 1, 1e-9);
+  EXPECT_FALSE(settled.motion.measures.comb_spacing);
+  EXPECT_FALSE(settled.motion.exponent);
+}
+
+TEST(Settle, TheAnnulusTurnsOvalsAtHighSpeed) {
+  for (const double whirl_ratio : {0.3, 0.6, 0.9}) {
+    const auto settled = run_annulus(165, whirl_ratio);
+    EXPECT_EQ(name(settled), "quasi_periodic");
+    EXPECT_EQ(settled.proof, Proof::observed);
+    EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::oval);
+    EXPECT_FALSE(settled.motion.order || settled.motion.exponent);
+    // The largest line is 1X or the next of the comb; the window's bins are 1/64 wide.
+    const double spacing = settled.motion.measures.comb_spacing.value();
+    const double off_1x = std::abs(settled.motion.measures.dominant.value().order - 1);
+    EXPECT_NEAR(off_1x / spacing, std::round(off_1x / spacing), 1.0 / 64 / spacing);
+    EXPECT_GT(spacing, 0.3);
+    EXPECT_LT(spacing, 0.8);
+  }
+}
+
+TEST(Settle, AnOvalMayBeChaotic) {
+  const auto settled = run_annulus(132, 0.2737);
+  EXPECT_EQ(name(settled), "chaotic");
+  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::oval);
+  EXPECT_FALSE(settled.motion.measures.comb_spacing);
+  EXPECT_NEAR(settled.motion.exponent.value().per_revolution, 0.19, 0.03);
+  EXPECT_EQ(settled.proof, Proof::observed);
+}
+
+TEST(Settle, WithAnOffsetTheSameMotionsTakeAnExponent) {
+  const auto torus = run_annulus(237, 0.778, 2.5e-4);
+  EXPECT_EQ(name(torus), "quasi_periodic");
+  EXPECT_FALSE(torus.motion.measures.comb_spacing);
+  EXPECT_NEAR(torus.motion.exponent.value().per_revolution, 0, 1e-3);
+  EXPECT_EQ(torus.revolutions, 600);
+  const auto chaos = run_annulus(108, 0.98, 2.5e-4);
+  EXPECT_EQ(name(chaos), "chaotic");
+  EXPECT_NEAR(chaos.motion.exponent.value().per_revolution, 0.33, 0.05);
+}
+
+TEST(Settle, AnOrderAboveTheLargestIsUnsettledAndSaysSo) {
+  test::OneSideRotor rotor;
+  rotor.speed_hz = 102;
+  rotor.whirl_ratio = 0.879;
+  const auto settled = run(rotor, {});
+  EXPECT_EQ(name(settled), "unsettled");
+  EXPECT_EQ(to_string(settled.motion.status), "order_above_max");
+  EXPECT_FALSE(settled.proof);
+  // What decays last is the rotor's tangential motion or faster: see section_map_test.
+  EXPECT_LT(settled.motion.exponent.value().per_revolution, -0.03);
+
+  ResponseOptions options;
+  options.max_order = 14;
+  EXPECT_EQ(run(rotor, options).motion.order, 14);
+}
+
+TEST(Settle, WhileItSettlesItIsNeverCalledAnythingElse) {
+  ResponseOptions options;
+  for (options.max_revolutions = 128; options.max_revolutions < 400; options.max_revolutions += 16) {
+    const auto settled = run({}, options);
+    if (name(settled) == "subharmonic") break;
+    EXPECT_EQ(name(settled), "unsettled") << options.max_revolutions;
+    EXPECT_LT(settled.motion.exponent ? settled.motion.exponent->per_revolution : -1, 0);
+  }
+  EXPECT_GT(options.max_revolutions, 128);
+  EXPECT_LT(options.max_revolutions, 400);
 }
 
 }  // namespace

@@ -55,7 +55,10 @@ constexpr std::array columns{
            }},
     Column{"proof", [](const Row& r) { return r.proof ? word(to_string(*r.proof)) : std::string(); }},
     Column{"robust", [](const Row&) { return std::string(); }},
-    Column{"comb_spacing", [](const Row&) { return std::string(); }},
+    Column{"comb_spacing",
+           [](const Row& r) {
+             return measured(r, [](const Measures& m) { return m.comb_spacing ? csv_number(*m.comb_spacing) : ""; });
+           }},
     Column{"hits_per_revolution", [](const Row& r) { return measured(r, hits_per_revolution); }},
     Column{"contact_fraction",
            [](const Row& r) {
@@ -88,7 +91,10 @@ constexpr std::array columns{
                  r, [](const Measures& m) { return m.dominant ? csv_number(m.dominant->amplitude_m) : ""; });
            }},
     Column{"floquet_modulus", [](const Row&) { return std::string(); }},
-    Column{"lyapunov_per_revolution", [](const Row&) { return std::string(); }},
+    Column{"lyapunov_per_revolution",
+           [](const Row& r) {
+             return r.lyapunov_per_revolution ? csv_number(*r.lyapunov_per_revolution) : std::string();
+           }},
     Column{"last_contact_revolution", [](const Row& r) { return integer(r.last_contact_revolution); }},
     Column{"revolutions", [](const Row& r) { return fmt::format("{}", r.revolutions); }},
     Column{"status", [](const Row& r) { return r.status; }},

@@ -65,7 +65,8 @@ Measures measure(const Window& window, std::span<const std::complex<double>> dis
                     .amplitude_1x_backward_m = spectrum.amplitude(-spectrum.turns),
                     .dominant = {},
                     .orbit = {},
-                    .whirl = {}};
+                    .whirl = {},
+                    .comb_spacing = {}};
   const int k = dominant_line(spectrum);
   if (spectrum.amplitude(k) > significant_share_of_clearance * window.clearance_m) {
     measures.dominant = SpectralLine{.order = spectrum.order(k), .amplitude_m = spectrum.amplitude(k)};
@@ -108,7 +109,8 @@ Motion settle_verdict(const WindowVerdict& previous, const WindowVerdict& last) 
   Motion motion{.motion_class = MotionClass::unsettled,
                 .order = {},
                 .status = MotionStatus::ok,
-                .measures = last.measures};
+                .measures = last.measures,
+                .exponent = {}};
   if (previous.motion_class == last.motion_class && previous.order == last.order) {
     motion.motion_class = last.motion_class;
     motion.order = last.order;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/response/exponent.hpp"
 #include "rubsweep/response/orbit.hpp"
 
 namespace rubsweep::response {
@@ -13,7 +14,7 @@ enum class MotionClass {
   non_contact,      ///< no contact after the kick's transient
   synchronous,      ///< the section returns after one turn
   subharmonic,      ///< the section returns after n >= 2 turns and no fewer
-  quasi_periodic,   ///< discrete lines without a common period
+  quasi_periodic,   ///< discrete lines without a common period; in symmetric scenes a comb
   chaotic,          ///< largest Lyapunov exponent positive beyond its error bar
   unsettled,        ///< not decided when the run ended
   initial_contact,  ///< the quiet motion already touches the wall: nothing to kick
@@ -47,6 +48,8 @@ enum class MotionStatus {
   ok,
   spectrum_disagrees,  ///< the section returned after n turns, the spectrum holds lines off the multiples of
                        ///< 1/n
+  order_above_max,  ///< unsettled, and on the way to or on a section that returns after more than max_order
+                    ///< turns
 };
 
 constexpr std::string_view to_string(MotionStatus status) {
@@ -55,6 +58,8 @@ constexpr std::string_view to_string(MotionStatus status) {
       return "ok";
     case MotionStatus::spectrum_disagrees:
       return "spectrum_disagrees";
+    case MotionStatus::order_above_max:
+      return "order_above_max";
   }
   throw SolverError("motion status without a name");
 }
@@ -83,6 +88,8 @@ struct Measures {
       dominant;  ///< largest line but 0X; empty, as orbit and whirl, when the rotor rests
   std::optional<OrbitKind> orbit;
   std::optional<WhirlKind> whirl;
+  std::optional<double> comb_spacing;  ///< of a closed orbit in the turning frame of a rotationally symmetric
+                                       ///< scene: lines at orders 1 + k comb_spacing, over both windows
 };
 
 /// The settled verdict on one run.
@@ -91,6 +98,7 @@ struct Motion {
   std::optional<int> order;  ///< n of synchronous (1) and subharmonic motion, else empty
   MotionStatus status = MotionStatus::ok;
   Measures measures;
+  std::optional<Exponent> exponent;  ///< measured where two windows and a comb did not decide
 };
 
 }  // namespace rubsweep::response

@@ -3,87 +3,82 @@
 #include <algorithm>
 #include <array>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <vector>
 
+#include "rubsweep/integrate/adaptive.hpp"
 #include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/response/aperiodic.hpp"
+#include "rubsweep/response/comb.hpp"
+#include "rubsweep/response/record.hpp"
 #include "rubsweep/response/rest_proof.hpp"
+#include "rubsweep/response/section_map.hpp"
+#include "rubsweep/response/symmetry.hpp"
 
 namespace rubsweep::response {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// The last two windows of a run, filled turn by turn.
-class Record {
- public:
-  Record(const scene::Scene& scene, const ResponseOptions& options)
-      : options_(options),
-        map_(scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map * scene.length_scale_m),
-        length_scale_m_(scene.length_scale_m),
-        states_(2 * static_cast<std::size_t>(scene.structure.coordinates())) {
-    const auto turns = static_cast<std::size_t>(2 * options.window_revolutions);
-    displacement_m_.reserve(turns * static_cast<std::size_t>(options.samples_per_revolution));
-    section_.reserve((turns + 1) * states_);
-  }
-
-  /// Section at the start of the first recorded turn.
-  void begin(std::span<const double> section) { section_.insert(section_.end(), section.begin(), section.end()); }
-
-  void add(const integrate::Turn& turn) {
-    for (int k = 0; k < turn.samples_per_revolution; ++k) {
-      const Eigen::Map<const Eigen::VectorXd> q(turn.samples.data() + static_cast<std::size_t>(k) * states_,
-                                                map_.cols());
-      displacement_m_.emplace_back(map_.row(0).dot(q), map_.row(1).dot(q));
-    }
-    section_.insert(section_.end(), turn.section.begin(), turn.section.end());
-    ContactFacts& facts = facts_[turns_ < options_.window_revolutions ? 0 : 1];
-    facts.hits += turn.hits;
-    facts.contact_fraction += turn.contact_fraction / options_.window_revolutions;
-    facts.peak_displacement_m = std::max(facts.peak_displacement_m, turn.peak_displacement_m);
-    facts.peak_contact_force_n = std::max(facts.peak_contact_force_n, turn.peak_contact_force_n);
-    ++turns_;
-  }
-
-  Window window(std::size_t which) const {
-    const auto turns = static_cast<std::size_t>(options_.window_revolutions);
-    const std::size_t samples = turns * static_cast<std::size_t>(options_.samples_per_revolution);
-    Window window;
-    window.turns = options_.window_revolutions;
-    window.samples_per_revolution = options_.samples_per_revolution;
-    window.clearance_m = length_scale_m_;
-    window.displacement_m = std::span(displacement_m_).subspan(which * samples, samples);
-    window.states = static_cast<int>(states_);
-    window.section = std::span(section_).subspan(which * turns * states_, (turns + 1) * states_);
-    window.contact = facts_[which];
-    return window;
-  }
-
- private:
-  const ResponseOptions& options_;
-  Eigen::Matrix<double, 2, Eigen::Dynamic> map_;
-  double length_scale_m_;
-  std::size_t states_;
-  int turns_ = 0;
-  std::vector<Complex> displacement_m_;
-  std::vector<double> section_;
-  std::array<ContactFacts, 2> facts_;
-};
+/// A hundredth of the companion's separation: the solver's noise must not part the states.
+constexpr double largest_tolerance_of_an_exponent = 1e-7;
 
 double pulse_end_s(const scene::Scene& scene) { return scene.pulse ? scene.pulse->duration_s : 0; }
 
-void classify(const Record& record, const ResponseOptions& options, SpectrumWorkspace& workspace, SettledRun& run) {
+const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const scene::Scene& scene) {
+  return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
+}
+
+void look_for_comb(const Record& record, const ResponseOptions& options, SpectrumWorkspace& workspace,
+                   Motion& motion) {
+  const auto comb = find_comb(record.displacement_m(), options.samples_per_revolution, workspace);
+  if (!comb) return;
+  const bool holds_the_energy = comb->closed || comb->energy_share >= oval_energy_share;
+  if (motion.measures.orbit == OrbitKind::complex && holds_the_energy)
+    motion.measures.orbit = OrbitKind::oval;
+  if (!comb->closed) return;
+  motion.motion_class = MotionClass::quasi_periodic;
+  motion.measures.comb_spacing = comb->spacing;
+}
+
+void follow_on(const scene::Scene& scene, integrate::SolverOptions solver, const ResponseOptions& options,
+               std::span<const double> section, SpectrumWorkspace& workspace, Motion& motion) {
+  solver.relative_tolerance = std::min(solver.relative_tolerance, largest_tolerance_of_an_exponent);
+  SceneMap map(scene, solver);
+  const Aperiodic found = classify_aperiodic(
+      std::ref(map), [&map] { return map.touched(); }, {section.begin(), section.end()}, observed(scene),
+      options.window_revolutions, workspace);
+  motion.motion_class = found.motion_class;
+  motion.exponent = found.exponent;
+  if (found.returns_after.value_or(0) > options.max_order) motion.status = MotionStatus::order_above_max;
+}
+
+/// Neither a period nor rest: what the end of the run shows may have none.
+bool may_be_aperiodic(const WindowVerdict& verdict) {
+  return verdict.motion_class == MotionClass::unsettled && !verdict.period;
+}
+
+/// Verdict at the end of the run; `section` is that of its last turn.
+Motion verdict(const scene::Scene& scene, const integrate::SolverOptions& solver,
+               const ResponseOptions& options, const Record& record, std::span<const double> section,
+               SpectrumWorkspace& workspace) {
   const WindowVerdict previous = classify_window(record.window(0), options, workspace);
   const WindowVerdict last = classify_window(record.window(1), options, workspace);
-  run.motion = settle_verdict(previous, last);
-  if (run.motion.motion_class != MotionClass::unsettled) run.proof = Proof::observed;
+  Motion motion = settle_verdict(previous, last);
+  if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return motion;
+  if (rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
+  if (motion.motion_class == MotionClass::unsettled)
+    follow_on(scene, solver, options, section, workspace, motion);
+  return motion;
 }
 
 }  // namespace
 
-SettledRun settle(const integrate::Cursor& cursor, const scene::Cell& cell, const ResponseOptions& options,
-                  SpectrumWorkspace& workspace) {
+SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solver,
+                  const ResponseOptions& options, SpectrumWorkspace& workspace) {
   SettledRun run;
+  const integrate::Cursor cursor = integrate::start_adaptive(cell.scene, solver);
   const RestProof rest(cell);
   Record record(cell.scene, options);
   const long first_recorded = options.max_revolutions - 2L * options.window_revolutions;
@@ -113,12 +108,14 @@ SettledRun settle(const integrate::Cursor& cursor, const scene::Cell& cell, cons
       return run;
     }
   }
-  classify(record, options, workspace, run);
+  run.motion = verdict(cell.scene, solver, options, record, turn.section, workspace);
+  if (run.motion.motion_class != MotionClass::unsettled) run.proof = Proof::observed;
   return run;
 }
 
-Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options, SpectrumWorkspace& workspace) {
-  const auto& map = cell.scene.structure.points[static_cast<std::size_t>(cell.scene.observed_point)].map;
+Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options,
+                        SpectrumWorkspace& workspace) {
+  const auto& map = observed(cell.scene);
   std::vector<Complex> displacement_m;
   double peak = 0;
   for (int k = 0; k < options.samples_per_revolution; ++k) {

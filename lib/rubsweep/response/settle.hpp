@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "rubsweep/integrate/options.hpp"
 #include "rubsweep/integrate/turn.hpp"
 #include "rubsweep/response/classify.hpp"
 #include "rubsweep/response/options.hpp"
@@ -13,7 +14,7 @@ namespace rubsweep::response {
 /// What the class of a motion rests on.
 enum class Proof {
   rest,      ///< a bound on the free vibration: no contact can ever come again
-  observed,  ///< two successive windows at the end of the run agree
+  observed,  ///< what the end of the run shows: windows that agree, a comb that closes, an exponent
 };
 
 constexpr std::string_view to_string(Proof proof) { return proof == Proof::rest ? "rest" : "observed"; }
@@ -23,18 +24,22 @@ struct SettledRun {
   integrate::Outcome outcome = integrate::Outcome::ok;
   Motion motion;               ///< class `failed` when the outcome is not ok
   std::optional<Proof> proof;  ///< empty: unsettled or failed
-  long revolutions = 0;        ///< revolutions integrated
+  long revolutions =
+      0;  ///< from the kick to the end of the windows; those that measure an exponent do not count
   std::optional<long> last_contact_revolution;  ///< 1 for the first; empty: the wall was never touched
   bool slip_reversed = false;                   ///< some slip speed was <= 0 while touching
   integrate::Effort effort;
 };
 
-/// Asks `cursor` (a run of `cell`, at its start) for turn after turn until the motion is known: at once when rest is
-/// proven, else after `max_revolutions`, whose last two windows decide.
-SettledRun settle(const integrate::Cursor& cursor, const scene::Cell& cell, const ResponseOptions& options,
-                  SpectrumWorkspace& workspace);
+/// Runs `cell` turn by turn until its motion is known: at once when rest is proven, else after
+/// `max_revolutions`, whose last two windows decide. When both windows find neither a period nor rest, a
+/// rotationally symmetric scene is searched for a comb, and what is left undecided is followed further by
+/// `classify_aperiodic`, at the run's tolerance or 1e-7, whichever is tighter.
+SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solver,
+                  const ResponseOptions& options, SpectrumWorkspace& workspace);
 
 /// Measures of the quiet motion of a cell that touches nothing, from its closed form.
-Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options, SpectrumWorkspace& workspace);
+Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options,
+                        SpectrumWorkspace& workspace);
 
 }  // namespace rubsweep::response

@@ -3,7 +3,6 @@
 #include <string_view>
 #include <variant>
 
-#include "rubsweep/integrate/adaptive.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::sweep {
@@ -34,6 +33,7 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
   row.motion_class = run.motion.motion_class;
   row.order = run.motion.order;
   row.proof = run.proof;
+  if (run.motion.exponent) row.lyapunov_per_revolution = run.motion.exponent->per_revolution;
   row.revolutions = run.revolutions;
   row.last_contact_revolution = run.last_contact_revolution;
   if (run.outcome == integrate::Outcome::ok) {
@@ -66,8 +66,7 @@ Row evaluate_cell(const Study& study, std::size_t cell, response::SpectrumWorksp
     row.motion_class = response::MotionClass::initial_contact;
     return row;
   }
-  const integrate::Cursor cursor = integrate::start_adaptive(start.scene, study.solver);
-  fill(row, response::settle(cursor, start, study.response, workspace), has_constant_friction(study.machine));
+  fill(row, response::settle(start, study.solver, study.response, workspace), has_constant_friction(study.machine));
   return row;
 }
 

@@ -17,6 +17,7 @@ struct Row {
   std::optional<response::Measures>
       measures;  ///< of the settled window; empty where nothing settled can be measured
   std::optional<response::Proof> proof;
+  std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found
   std::optional<long> last_contact_revolution;
   long revolutions = 0;
   std::string status = "ok";  ///< `ok` or one word per cause, joined by ';'

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/response/exponent.hpp"
+#include "rubsweep/response/full_spectrum.hpp"
+#include "rubsweep/response/motion.hpp"
+#include "rubsweep/response/section_map.hpp"
+
+namespace rubsweep::response {
+
+/// Exponents below this, either way, may be slow motions of any kind: one that leaves an unstable periodic
+/// motion shows 7e-4, its error bar a hundredth of that.
+inline constexpr double chaos_floor = 0.01;
+/// An exponent nearer to zero than this counts as zero, whatever its bar: 2000 turns could not tell.
+inline constexpr double zero_exponent = 5e-4;
+/// A section that returns closer than this, in units of the clearance, is not known to be a torus.
+inline constexpr double significant_return = 1e-4;
+/// The rate at which the closest return grows or shrinks must be known to within `known_rate` per turn, and
+/// counts as zero below `zero_rate`, whatever its bar: 5 % in 2560 turns.
+inline constexpr double known_rate = 5e-4;
+inline constexpr double zero_rate = 2e-5;
+
+/// What a motion without a period turned out to be.
+struct Aperiodic {
+  MotionClass motion_class = MotionClass::unsettled;  ///< quasi_periodic, chaotic or unsettled
+  std::optional<Exponent> exponent;                   ///< empty when the map failed or contact ended
+  std::optional<int> returns_after;  ///< turns after which the section returns; the class is then unsettled
+};
+
+/// Follows a motion that showed no period for 640 more turns; where they do not decide for 1280, then for
+/// 2560. A turn is one call of `map`, `touched` says whether it saw contact, `observed` (2 x states / 2) maps
+/// displacements to (x, y).
+/// - Unsettled at once when the map fails, or when `window` turns pass without contact.
+/// - Unsettled when the section returns, after any number of turns that fits twice into the last two fifths
+///   (`returns_after`), or when the exponent is below -chaos_floor beyond its bar: still settling.
+/// - Chaotic when the exponent is positive beyond its bar and above chaos_floor, and 1280 turns have not
+/// ended it.
+/// - Quasi-periodic when the exponent is zero within its bar, which lies within +-chaos_floor; the closest
+/// return within
+///   window / 2 turns is significant and neither grows nor shrinks; and both halves of the last four fifths
+///   of the turns hold the same discrete lines.
+/// - Else unsettled.
+Aperiodic classify_aperiodic(const SectionMap& map, const std::function<bool()>& touched,
+                             std::vector<double> section,
+                             const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
+                             SpectrumWorkspace& workspace);
+
+}  // namespace rubsweep::response

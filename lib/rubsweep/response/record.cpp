@@ -1,0 +1,50 @@
+#include "rubsweep/response/record.hpp"
+
+#include <algorithm>
+
+namespace rubsweep::response {
+
+Record::Record(const scene::Scene& scene, const ResponseOptions& options)
+    : options_(options),
+      map_(scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map * scene.length_scale_m),
+      length_scale_m_(scene.length_scale_m),
+      states_(2 * static_cast<std::size_t>(scene.structure.coordinates())) {
+  const auto turns = static_cast<std::size_t>(2 * options.window_revolutions);
+  displacement_m_.reserve(turns * static_cast<std::size_t>(options.samples_per_revolution));
+  section_.reserve((turns + 1) * states_);
+}
+
+void Record::begin(std::span<const double> section) {
+  section_.insert(section_.end(), section.begin(), section.end());
+}
+
+void Record::add(const integrate::Turn& turn) {
+  for (int k = 0; k < turn.samples_per_revolution; ++k) {
+    const Eigen::Map<const Eigen::VectorXd> q(turn.samples.data() + static_cast<std::size_t>(k) * states_,
+                                              map_.cols());
+    displacement_m_.emplace_back(map_.row(0).dot(q), map_.row(1).dot(q));
+  }
+  section_.insert(section_.end(), turn.section.begin(), turn.section.end());
+  ContactFacts& facts = facts_[turns_ < options_.window_revolutions ? 0 : 1];
+  facts.hits += turn.hits;
+  facts.contact_fraction += turn.contact_fraction / options_.window_revolutions;
+  facts.peak_displacement_m = std::max(facts.peak_displacement_m, turn.peak_displacement_m);
+  facts.peak_contact_force_n = std::max(facts.peak_contact_force_n, turn.peak_contact_force_n);
+  ++turns_;
+}
+
+Window Record::window(std::size_t which) const {
+  const auto turns = static_cast<std::size_t>(options_.window_revolutions);
+  const std::size_t samples = turns * static_cast<std::size_t>(options_.samples_per_revolution);
+  Window window;
+  window.turns = options_.window_revolutions;
+  window.samples_per_revolution = options_.samples_per_revolution;
+  window.clearance_m = length_scale_m_;
+  window.displacement_m = std::span(displacement_m_).subspan(which * samples, samples);
+  window.states = static_cast<int>(states_);
+  window.section = std::span(section_).subspan(which * turns * states_, (turns + 1) * states_);
+  window.contact = facts_[which];
+  return window;
+}
+
+}  // namespace rubsweep::response
