@@ -12,6 +12,7 @@ namespace rubsweep::response {
 namespace {
 
 constexpr std::size_t blocks = 8;
+constexpr std::size_t fewest = 40;           ///< four per block
 constexpr double student_quantile = 3.4995;  ///< 99 %, two-sided, blocks - 1 degrees of freedom
 constexpr double lost_in_rounding = 1e-15;
 
@@ -61,10 +62,11 @@ double Companion::pull_back(std::span<const double> base) {
 }
 
 Exponent exponent_of(std::span<const double> contributions) {
-  const std::size_t length = (contributions.size() - contributions.size() / 5) / blocks;
-  if (length < 4) {
-    throw SolverError(fmt::format("an exponent takes 40 iterations or more, got {}", contributions.size()));
+  if (contributions.size() < fewest) {
+    throw SolverError(
+        fmt::format("an exponent takes {} iterations or more, got {}", fewest, contributions.size()));
   }
+  const std::size_t length = (contributions.size() - contributions.size() / 5) / blocks;
   const auto kept = contributions.last(blocks * length);
   std::array<double, blocks> means{};
   double mean = 0;
