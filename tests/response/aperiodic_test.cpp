@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace rubsweep::response {
 namespace {
 
 constexpr int window = 64;
+constexpr double golden_angle = 2.39996322972865332;  ///< returns as badly as an angle can
 
 /// Follows a map whose observed x is the first of its coordinates. `contact_ends`: turns after which there is
 /// none.
@@ -48,8 +51,8 @@ SectionMap modulated_period_two(double rate) {
   return [=](std::span<double> s) {
     s[0] = -s[0] * (1.5 - 0.5 * s[0] * s[0]);
     const double u = s[1], v = s[2], grow = std::exp(rate);
-    s[1] = grow * (u * std::cos(1.0) - v * std::sin(1.0));
-    s[2] = grow * (u * std::sin(1.0) + v * std::cos(1.0));
+    s[1] = grow * (u * std::cos(golden_angle) - v * std::sin(golden_angle));
+    s[2] = grow * (u * std::sin(golden_angle) + v * std::cos(golden_angle));
     s[3] *= 0.1;
     return true;
   };
@@ -136,11 +139,75 @@ TEST(ClassifyAperiodic, AShorterPauseIsContact) {
 }
 
 TEST(ClassifyAperiodic, AMapThatFailsLeavesNoExponent) {
+  // After the first look, which does not decide.
   int calls = 0;
-  const SectionMap map = [&calls](std::span<double> s) { return ++calls < 500 && henon(s); };
+  const SectionMap map = [&calls](std::span<double> s) { return ++calls < 1500 && henon(s); };
   const Aperiodic found = follow(map, {0.1, 0.2});
   EXPECT_EQ(name(found), "unsettled");
   EXPECT_FALSE(found.exponent);
+}
+
+TEST(ClassifyAperiodic, AModulationTooSmallToTellIsUnsettled) {
+  EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 1e-3, 0, 0.1})), "quasi_periodic");
+  // Returns within 7e-5 after 8 turns, and within 1e-5 after none that the first look knows.
+  EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 2e-4, 0, 0.1})), "unsettled");
+}
+
+/// The torus of `modulated_period_two(0)`, whose companion moreover grows by exp(growth(turn)) in a
+/// coordinate that the motion itself never uses.
+Aperiodic follow_with_growth(const std::function<double(int)>& growth, int& turns) {
+  int calls = 0;
+  const auto torus = modulated_period_two(0);
+  const SectionMap map = [&](std::span<double> s) {
+    const double unused = s[3];
+    torus(s);
+    s[3] = unused * std::exp(growth(calls++ / 2));
+    return true;
+  };
+  const Aperiodic found = follow(map, {0.9, 0.05, 0, 0});
+  turns = calls / 2;
+  return found;
+}
+
+TEST(ClassifyAperiodic, AnExponentWithAWideBarIsNotZero) {
+  int turns = 0;
+  // Waves longer than the blocks of every look, so that each block sees another mean.
+  const auto slow = [](int turn) { return 0.05 * std::sin(2 * std::numbers::pi * turn / 400); };
+  const Aperiodic found = follow_with_growth(slow, turns);
+  EXPECT_LT(std::abs(found.exponent.value().per_revolution), found.exponent->error_bar);
+  EXPECT_EQ(name(found), "unsettled");
+  EXPECT_EQ(turns, 2560);
+}
+
+TEST(ClassifyAperiodic, WhatOneLookLeavesOpenTheNextMayDecide) {
+  int turns = 0;
+  const auto early = [](int turn) { return turn < 500 ? 0.05 : 0; };
+  EXPECT_EQ(name(follow_with_growth(early, turns)), "quasi_periodic");
+  EXPECT_EQ(turns, 2560);
+  EXPECT_EQ(name(follow_with_growth([](int) { return 0.0; }, turns)), "quasi_periodic");
+  EXPECT_EQ(turns, 640);
+}
+
+TEST(ClassifyAperiodic, AReturnWhoseTrendIsUnknownIsNotDecided) {
+  // Two modulations that beat, cancelling in the middle of what the first look sees: no trend, but no
+  // knowledge either.
+  constexpr double beat = 0.01, cancel = 384;
+  int calls = 0;
+  const SectionMap map = [&](std::span<double> s) {
+    const double turn = calls++ / 2;
+    const double size = 0.1 * std::sin(beat * (turn - cancel));
+    s[0] = -s[0] * (1.5 - 0.5 * s[0] * s[0]);
+    s[1] = size * std::cos(turn);
+    s[2] = size * std::sin(turn);
+    // Keeps its distance: exponent zero.
+    const double u = s[3], v = s[4];
+    s[3] = u * std::cos(0.7) - v * std::sin(0.7);
+    s[4] = u * std::sin(0.7) + v * std::cos(0.7);
+    s[5] = 0;
+    return true;
+  };
+  follow(map, {0.9, 0, 0, 1e-9, 0, 0});
+  EXPECT_GT(calls, 2 * 640);
 }
 
 TEST(ClassifyAperiodic, BroadLinesAreNoTorus) {

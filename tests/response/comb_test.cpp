@@ -37,10 +37,10 @@ void expect_closed(const TimeFunction& z, double spacing) {
   const auto found = comb_of(z);
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->closed);
-  EXPECT_NEAR(found->spacing, spacing, 1e-6);
+  EXPECT_NEAR(found->spacing, spacing, 1e-8);
 }
 
-TEST(FindComb, ReadsTheSpacingOfACombToSixDigits) {
+TEST(FindComb, ReadsTheSpacingOfACombToEightDigits) {
   for (const double spacing : {0.1813, 0.3333, 0.515, 0.6871, 0.94, 1.6180339887, 2.3}) {
     SCOPED_TRACE(spacing);
     expect_closed(comb(spacing, -3, {0.05, 0.2, 0.5, 0.8, 0.1, 0.03}), spacing);
@@ -122,6 +122,11 @@ TEST(FindComb, DoesNotCloseInNoiseNorChaos) {
     return phasor(1, turn) + 0.4 * (henon[k] + blend * (henon[k + 1] - henon[k])) * phasor(0.4, turn);
   });
   EXPECT_FALSE(chaos->closed);
+}
+
+TEST(FindComb, DoesNotLookForPeriodsAboveAQuarterOfTheSamples) {
+  EXPECT_FALSE(comb_of(comb(1.0 / 33, -1, {0.3, 0.8}))->closed);
+  EXPECT_TRUE(comb_of(comb(1.0 / 31, -1, {0.3, 0.8}))->closed);
 }
 
 TEST(FindComb, NeedsAMotionThatMovesInTheTurningFrame) {

@@ -121,7 +121,7 @@ std::optional<double> closing_period(const TurningOrbit& orbit, double first_gue
     if (!(std::abs(period - first_guess) <= margin)) return std::nullopt;
     if (orbit.return_error(periods * period) > comb_tolerance) return std::nullopt;
   }
-  return orbit.return_error(period) <= comb_tolerance ? std::optional(period) : std::nullopt;
+  return period;
 }
 
 /// The window makes 1.5 times the energy of every line.

@@ -14,7 +14,7 @@ using SectionMap = std::function<bool(std::span<double> state)>;
 
 /// One revolution of a scene as a map of its scaled section (as Turn::section): from phase 0 to phase 0, the
 /// pulse left out. Every call starts a run of its own, so that the map has no memory: equal sections give
-/// equal sections to the last bit, near ones go through nearly the same steps. Starting a run costs a few
+/// equal sections to the last bit, near ones go through nearly the same steps. Starting a run costs two
 /// percent of a turn.
 class SceneMap {
  public:
