@@ -9,6 +9,8 @@ enum ExitCode : int {
   bad_configuration = 2,
   input_output = 3,
   some_cells_failed = 4,
+  maps_differ = 5,
+  directory_in_use = 6,
 };
 
 }  // namespace rubsweep::apps

@@ -49,6 +49,9 @@ int run_program(std::string_view name, const std::function<int()>& body) {
   } catch (const IoError& error) {
     complain(error);
     return input_output;
+  } catch (const LockedError& error) {
+    complain(error);
+    return directory_in_use;
   } catch (const std::system_error& error) {  // the file system's and {fmt}'s
     complain(error);
     return input_output;

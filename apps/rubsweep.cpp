@@ -1,74 +1,79 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <string>
 
 #include "exit_code.hpp"
 #include "interrupt.hpp"
+#include "map_directory.hpp"
 #include "program.hpp"
+#include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/progress.hpp"
-#include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/error.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "rubsweep/sweep/explain_study.hpp"
-#include "rubsweep/sweep/run_map.hpp"
+#include "rubsweep/sweep/run_cells.hpp"
 #include "rubsweep_arguments.hpp"
 
 namespace rubsweep::apps {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// Some cells failed, or the whole map is there.
-ExitCode verdict(const std::vector<std::optional<sweep::Row>>& rows) {
-  for (const auto& row : rows) {
-    if (row && row->motion_class == response::MotionClass::failed) return some_cells_failed;
-  }
-  return done;
+/// "rubsweep" or "rubsweep --shard 2/8": who others are told is at work.
+std::string own_name(const RubsweepArguments& arguments) {
+  if (!arguments.shard) return "rubsweep";
+  return fmt::format("rubsweep --shard {}/{}", arguments.shard->index + 1, arguments.shard->count);
 }
 
-/// An older map must not stand beside a configuration that it did not come from.
-void remove_map_of_another_study(const fs::path& map, const std::string& digest) {
-  if (!fs::is_regular_file(map)) return;
-  if (batch::read_whole_file(map).find("# digest " + digest + "\n") == std::string::npos) fs::remove(map);
-}
-
-int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
-  const fs::path directory = arguments.output.value_or(config.output_directory);
-  make_directory(directory);
-  const std::string digest = config::study_digest(config.study);
-  const fs::path map = directory / "map.csv";
-  batch::write_whole_file(directory / "config.yaml", config::print_config(config));
-  remove_map_of_another_study(map, digest);
-  const fs::path partial = directory / "map.partial.csv";
-  fs::remove(partial);
-  batch::LineLog finished(partial);
-  finished.append(report::map_comments(RUBSWEEP_VERSION, digest) + report::map_header());
-
+/// Runs the cells that are missing; false when it was interrupted before they were finished.
+bool run_missing_cells(const RubsweepArguments& arguments, const config::RunConfig& config,
+                       const MapDirectory& directory) {
+  batch::Journal journal = directory.journal();
+  batch::LineLog partial(directory.partial());
   const std::atomic<bool>& stop = catch_interrupts();
   const batch::ProgressMode mode = arguments.quiet ? batch::ProgressMode::never : arguments.progress;
-  batch::Progress progress(sweep::cell_count(config.study.grid), mode);
-  const auto rows = sweep::run_map(
-      config.study, arguments.threads,
-      [&](const sweep::Row& row) {
-        finished.append(report::map_line(row));
+  batch::Progress progress(directory.cells(), mode, stderr, directory.finished());
+  const std::size_t finished = sweep::run_cells(
+      config.study, directory.missing(), arguments.threads,
+      [&](std::size_t cell, const sweep::Row& row) {
+        const std::string line = report::map_line(row);
+        journal.append(cell, line);
+        partial.append(line);
         progress.advance();
       },
       stop);
+  if (finished == directory.missing().size()) return true;
   progress.finish();
-  if (caught_signal() != 0) {
-    fmt::print(stderr, "rubsweep: interrupted; finished cells are in {}\n", partial.string());
-    return 128 + caught_signal();
+  fmt::print(stderr,
+             "rubsweep: interrupted; {} of {} cells are finished, the same command computes the others\n",
+             directory.finished() + finished, directory.cells());
+  return false;
+}
+
+int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
+  const MapDirectory directory(arguments.output.value_or(config.output_directory), config, arguments.shard,
+                               arguments.fresh, own_name(arguments));
+  if (arguments.merge && !directory.missing().empty()) {
+    throw IoError(fmt::format("nothing to merge yet: {} of {} cells are not finished",
+                              directory.missing().size(), directory.cells()));
   }
-  batch::write_whole_file(map, report::map_csv(RUBSWEEP_VERSION, digest, rows));
-  fs::remove(partial);
-  if (!arguments.quiet) fmt::print("{}map: {}\n", report::map_summary(rows), map.string());
-  return verdict(rows);
+  if (!arguments.quiet && !arguments.merge && directory.finished() > 0) {
+    fmt::print(stderr, "rubsweep: {} of {} cells were finished before\n", directory.finished(),
+               directory.cells());
+  }
+  if (!directory.missing().empty() && !run_missing_cells(arguments, config, directory))
+    return 128 + caught_signal();
+  if (arguments.shard) {
+    if (!arguments.quiet)
+      fmt::print("{} cells finished; when every shard is: rubsweep --merge\n", directory.cells());
+    return done;
+  }
+  const report::MapSummary summary = directory.write_map();
+  if (!arguments.quiet) fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+  return summary.has_failed_cells() ? some_cells_failed : done;
 }
 
 int act(const RubsweepArguments& arguments) {

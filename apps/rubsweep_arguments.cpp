@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <boost/program_options.hpp>
+#include <charconv>
 #include <sstream>
 
 #include "program.hpp"
@@ -15,6 +16,9 @@ namespace po = boost::program_options;
 /// More would only exhaust the system: cells share nothing, a thread per processor is all that helps.
 constexpr int most_threads = 1024;
 
+/// Each leaves a journal that the merge opens.
+constexpr std::size_t most_shards = 10000;
+
 po::options_description visible_options() {
   po::options_description options("Options");
   options.add_options()("output", po::value<std::string>()->value_name("DIR"),
@@ -22,6 +26,10 @@ po::options_description visible_options() {
       "threads", po::value<int>()->value_name("N")->default_value(0), "threads; 0: one per processor")(
       "set", po::value<std::vector<std::string>>()->value_name("KEY.PATH=VALUE")->composing(),
       "replace one value of the configuration; lists are indexed by number; may be repeated")(
+      "fresh", "forget what an interrupted run finished and start over")(
+      "shard", po::value<std::string>()->value_name("I/N"),
+      "compute the I-th of N parts of the map alone; others may run at the same time, on any machine")(
+      "merge", "run nothing, put the finished shards of a map together")(
       "check", "read the configuration, report every problem, run nothing")(
       "explain", "say what is simulated, what is left out and why, run nothing")(
       "print-config", "print the complete configuration with every default, run nothing")(
@@ -53,6 +61,29 @@ batch::ProgressMode progress_of(const std::string& word) {
   if (word == "always") return batch::ProgressMode::always;
   if (word == "never") return batch::ProgressMode::never;
   throw UsageError(fmt::format("--progress: '{}' is not allowed, allowed: auto, always, never", word));
+}
+
+/// "2/8", both numbers from 1.
+Share shard_of(const std::string& text) {
+  Share share;
+  const char* end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, share.index);
+  if (index.ec == std::errc() && index.ptr != end && *index.ptr == '/') {
+    const auto count = std::from_chars(index.ptr + 1, end, share.count);
+    const bool good = count.ec == std::errc() && count.ptr == end && share.count <= most_shards;
+    if (good && share.index >= 1 && share.index-- <= share.count) return share;
+  }
+  throw UsageError(
+      fmt::format("--shard: '{}' is not allowed, allowed: I/N with 1 <= I <= N <= {}", text, most_shards));
+}
+
+void read_division(const po::variables_map& given, RubsweepArguments& arguments) {
+  arguments.fresh = given.count("fresh") != 0;
+  arguments.merge = given.count("merge") != 0;
+  if (given.count("shard") != 0) arguments.shard = shard_of(given["shard"].as<std::string>());
+  if (arguments.merge && (arguments.fresh || arguments.shard)) {
+    throw UsageError("--merge excludes --fresh and --shard");
+  }
 }
 
 }  // namespace
@@ -87,6 +118,7 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
   }
   arguments.progress = progress_of(given["progress"].as<std::string>());
   arguments.quiet = given.count("quiet") != 0;
+  read_division(given, arguments);
   return arguments;
 }
 
@@ -101,12 +133,16 @@ std::string rubsweep_help() {
       "  rubsweep configs/figure06_one_side.yaml\n"
       "  rubsweep configs/minimal.yaml --output /tmp/map --threads 1\n"
       "  rubsweep configs/figure06_one_side.yaml --set stops.0.friction.coefficient=0.2 --output /tmp/mu02\n"
-      "  rubsweep configs/figure06_one_side.yaml --explain\n\n"
+      "  rubsweep configs/figure06_one_side.yaml --explain\n"
+      "  rubsweep configs/figure06_one_side.yaml --shard 2/8\n\n"
       "Writes DIR/map.csv (one row per cell, speed fastest) and DIR/config.yaml (the complete "
       "configuration);\n"
-      "finished cells can be watched in DIR/map.partial.csv while the sweep runs.\n\n"
-      "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 done, but some cells failed;\n"
-      "128+signal when interrupted: what was computed is kept in map.partial.csv.\n",
+      "finished cells can be watched in DIR/map.partial.csv while the sweep runs. However a run ends before "
+      "the map\n"
+      "is whole, DIR/map.journal keeps every finished cell and the same command computes the others.\n\n"
+      "Exit codes: 0 done; 1 usage; 2 bad configuration, or DIR holds cells of another one; 3 input/output; "
+      "4 done,\n"
+      "but some cells failed; 6 another process is at work in DIR; 128+signal when interrupted.\n",
       options.str());
 }
 

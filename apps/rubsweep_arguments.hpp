@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "map_directory.hpp"
 #include "rubsweep/batch/progress.hpp"
 
 namespace rubsweep::apps {
@@ -19,6 +20,9 @@ struct RubsweepArguments {
   std::vector<std::string> overrides;  ///< `key.path=value` of every --set
   batch::ProgressMode progress = batch::ProgressMode::automatic;
   bool quiet = false;
+  bool fresh = false;          ///< forget what an interrupted run finished
+  bool merge = false;          ///< only put together what shards finished
+  std::optional<Share> shard;  ///< compute this part alone
 };
 
 /// Throws UsageError (program.hpp).

@@ -15,6 +15,11 @@ class SolverError : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
+/// Another process is at work where we would be. Programs exit with 6.
+class LockedError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// A file could not be read or written. Programs exit with 3.
 class IoError : public std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -26,6 +26,11 @@ TEST(ProgressLine, GuessesNothingBeforeItCan) {
   EXPECT_EQ(progress_line(0, 0, 0), "0/0 cells, 100%");
 }
 
+TEST(ProgressLine, CountsNoTimeForWhatWasDoneBefore) {
+  EXPECT_EQ(progress_line(600, 1000, 5, 500), "600/1000 cells, 60%, 20.0 cells/s, 0:00:20 left");
+  EXPECT_EQ(progress_line(500, 1000, 5, 500), "500/1000 cells, 50%");
+}
+
 TEST(ProgressLine, IsFullOnlyAtTheEnd) {
   EXPECT_EQ(progress_line(999, 1000, 999), "999/1000 cells, 99%, 1.00 cells/s, 0:00:01 left");
   EXPECT_EQ(progress_line(1000, 1000, 10), "1000/1000 cells, 100%, 100 cells/s, 0:00:00 left");

@@ -1,13 +1,12 @@
 #include "rubsweep/batch/whole_file.hpp"
 
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <fstream>
 #include <iterator>
 
+#include "batch/file_size_limit.hpp"
 #include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/error.hpp"
@@ -18,26 +17,6 @@ namespace {
 std::ptrdiff_t entries(const std::filesystem::path& directory) {
   return std::distance(std::filesystem::directory_iterator(directory), {});
 }
-
-/// While it lives, no file of this process may grow beyond `bytes`; writing more fails with "File too large".
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : old_handler_(::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &old_);
-    const rlimit limit{.rlim_cur = bytes, .rlim_max = old_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &old_);
-    ::signal(SIGXFSZ, old_handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  sighandler_t old_handler_;
-  rlimit old_{};
-};
 
 TEST(WriteWholeFile, HoldsExactlyTheTextAndNothingStaysBeside) {
   const TemporaryDirectory directory;
@@ -105,36 +84,30 @@ TEST(ReadWholeFile, SaysWhyItCannot) {
             "cannot read " + directory.path().string() + ": Is a directory");
 }
 
-TEST(LineLog, EachLineIsThereAtOnce) {
+TEST(WholeFile, IsThereOnlyOnceItIsCommitted) {
   const TemporaryDirectory directory;
-  const auto path = directory.path() / "map.partial.csv";
-  LineLog log(path);
-  EXPECT_EQ(read_whole_file(path), "");
-  log.append("a,b");
-  EXPECT_EQ(read_whole_file(path), "a,b\n");
-  log.append("");
-  log.append("1,2");
-  EXPECT_EQ(read_whole_file(path), "a,b\n\n1,2\n");
-}
-
-TEST(LineLog, GoesOnAfterTheLastWholeLine) {
-  const TemporaryDirectory directory;
-  const auto path = directory.path() / "map.partial.csv";
-  for (const auto& [before, after] :
-       {std::pair{"a\nb\n", "a\nb\nnext\n"}, std::pair{"a\nb\n1.23", "a\nb\nnext\n"},
-        std::pair{"torn", "next\n"}, std::pair{"", "next\n"}}) {
-    write_whole_file(path, before);
-    LineLog(path).append("next");
-    EXPECT_EQ(read_whole_file(path), after);
+  const auto path = directory.path() / "map.csv";
+  write_whole_file(path, "old");
+  const std::string longer_than_the_buffer(100000, 'x');
+  {
+    WholeFile file(path);
+    file.write("begin ");
+    file.write(longer_than_the_buffer);
+    file.write(" end");
+    EXPECT_EQ(read_whole_file(path), "old");
+    file.commit();
+    EXPECT_EQ(read_whole_file(path), "begin " + longer_than_the_buffer + " end");
   }
+  EXPECT_EQ(entries(directory.path()), 1);
 }
 
-TEST(LineLog, FailuresAreErrors) {
-  EXPECT_EQ(message_of<IoError>([] { LineLog("/nowhere/map.partial.csv"); }),
-            "cannot write /nowhere/map.partial.csv: No such file or directory");
-  LineLog full("/dev/full");
-  EXPECT_EQ(message_of<IoError>([&] { full.append("1,2"); }),
-            "cannot write /dev/full: No space left on device");
+TEST(WholeFile, ThatIsGivenUpLeavesTheOlderOne) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.csv";
+  write_whole_file(path, "old");
+  WholeFile(path).write("new");
+  EXPECT_EQ(read_whole_file(path), "old");
+  EXPECT_EQ(entries(directory.path()), 1);
 }
 
 }  // namespace

@@ -29,21 +29,21 @@ mkdir -p no_config/config.yaml
 expect_io_error no_config/config.yaml "$minimal" "${cell[@]}" --output no_config
 expect_files no_config config.yaml
 
-# map.csv cannot be replaced: the finished cells stay, those of an earlier run do not.
+# map.csv cannot be replaced: the finished cells stay, the map.partial.csv of an earlier run does not.
 mkdir -p no_map/map.csv
 echo 'an older row' >no_map/map.partial.csv
 expect_io_error no_map/map.csv "$minimal" "${cell[@]}" --output no_map
-expect_files no_map config.yaml map.csv map.partial.csv
+expect_files no_map config.yaml map.csv map.journal map.partial.csv
 expect_whole_rows no_map/map.partial.csv
 [[ $(rows no_map/map.partial.csv) == 50,0.2,* ]] || fail 'the finished cell is not in map.partial.csv'
 
-# The disk is full after two kilobytes: more than config.yaml needs, less than the map.
+# The disk is full after a few kilobytes: more than config.yaml needs, less than the map.
 (
-  ulimit -f 2
-  expect_io_error full/map.partial.csv "$minimal" --output full
+  ulimit -f 4
+  expect_io_error full/map.journal "$minimal" --output full
 )
 expect_contains stderr 'File too large'
-expect_files full config.yaml map.partial.csv
+expect_files full config.yaml map.journal map.partial.csv
 
 # A device that is full: the program says so where it can, and never dies of it.
 for action in --print-config --explain --help; do
@@ -58,7 +58,7 @@ done
 expect_exit 0 "$minimal" "${cell[@]}" --output reused
 cp reused/map.csv before.csv
 (
-  ulimit -f 2
+  ulimit -f 4
   expect_exit 3 "$minimal" --output reused
 )
 [[ ! -e reused/map.csv ]] || fail 'the map of another study stayed'

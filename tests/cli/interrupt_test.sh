@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# SIGINT and SIGTERM end a sweep after the running cells; what is finished stays in map.partial.csv.
+# SIGINT and SIGTERM end a sweep after the running cells; what is finished stays, and can be seen in map.partial.csv.
 source "$(dirname "$0")/support.sh"
 # With job control, background jobs do not ignore SIGINT.
 set -m
@@ -29,8 +29,11 @@ interrupt() {
   kill -s "$1" "$running"
   expect_end "$2"
   expect_empty stdout
-  [[ $(<stderr) == "rubsweep: interrupted; finished cells are in $1/map.partial.csv" ]] || fail 'another message'
-  expect_files "$1" config.yaml map.partial.csv
+  expect_files "$1" config.yaml map.journal map.partial.csv
+  local finished
+  finished=$(rows "$1/map.partial.csv" | wc -l)
+  [[ $(<stderr) == "rubsweep: interrupted; $finished of 1320 cells are finished, the same command computes the others" ]] ||
+    fail 'another message'
   expect_whole_rows "$1/map.partial.csv"
   (($(rows "$1/map.partial.csv" | wc -l) < 1320)) || fail 'the sweep was not interrupted'
 }
@@ -56,4 +59,4 @@ kill -s INT "$running"
 expect_end 130
 expect_empty stderr
 expect_whole_rows twice/map.partial.csv
-expect_files twice config.yaml map.partial.csv
+expect_files twice config.yaml map.journal map.lock map.partial.csv

@@ -7,6 +7,8 @@ rubsweep=$1
 top=$2
 version=$3
 minimal=$top/configs/minimal.yaml
+# The same with a kick too weak to reach the wall: a fifth of a millisecond for each cell.
+quick=("$minimal" --set kick.force_n=50 --set sweep.speed_hz.count=12 --set 'sweep.whirl_ratio={from: 0.02, to: 0.2, count: 8}')
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"

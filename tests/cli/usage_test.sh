@@ -6,7 +6,7 @@ expect_exit 0 --help
 expect_empty stderr
 expect_contains stdout 'rubsweep CONFIG.yaml'
 expect_matches stdout '^Examples:$'
-for option in output threads set check explain print-config progress quiet help version; do
+for option in output threads set fresh shard merge check explain print-config progress quiet help version; do
   expect_matches stdout "^  --$option "
 done
 
@@ -43,6 +43,11 @@ expect_usage_error '--output: allowed: the name of a directory' "$minimal" --out
 expect_usage_error "the argument ('two') for option '--threads' is invalid" "$minimal" --threads two
 expect_usage_error "--progress: 'maybe' is not allowed, allowed: auto, always, never" "$minimal" --progress maybe
 expect_usage_error "the required argument for option '--set' is missing" "$minimal" --set
+for shard in 0/2 3/2 1 1/ /2 1/2/3 -1/2 1/10001 a/b ''; do
+  expect_usage_error "--shard: '$shard' is not allowed, allowed: I/N with 1 <= I <= N <= 10000" "$minimal" --shard "$shard"
+done
+expect_usage_error '--merge excludes --fresh and --shard' "$minimal" --merge --fresh
+expect_usage_error '--merge excludes --fresh and --shard' "$minimal" --shard 1/2 --merge
 for two in '--check --explain' '--explain --print-config' '--print-config --check'; do
   # shellcheck disable=SC2086  # two arguments
   expect_usage_error '--check, --explain and --print-config exclude each other' "$minimal" $two

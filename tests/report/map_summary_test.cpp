@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rubsweep/report/map_csv.hpp"
+
 namespace rubsweep::report {
 namespace {
 
@@ -16,17 +18,19 @@ Row row(MotionClass motion_class, std::optional<int> order = {}, const std::stri
   return result;
 }
 
+MapSummary summary_of(const std::vector<Row>& rows) {
+  MapSummary summary;
+  for (const Row& row : rows) summary.add(map_line(row));
+  return summary;
+}
+
 TEST(MapSummary, CountsClassesByOrderAndStatuses) {
-  const std::vector<std::optional<Row>> rows{row(MotionClass::subharmonic, 3),
-                                             row(MotionClass::synchronous, 1),
-                                             std::nullopt,
-                                             row(MotionClass::subharmonic, 2),
-                                             row(MotionClass::non_contact),
-                                             row(MotionClass::subharmonic, 2, "slip_reversal"),
-                                             row(MotionClass::subharmonic, 2),
-                                             row(MotionClass::failed, {}, "step_limit"),
-                                             row(MotionClass::failed, {}, "step_limit")};
-  EXPECT_EQ(map_summary(rows),
+  const MapSummary summary =
+      summary_of({row(MotionClass::subharmonic, 3), row(MotionClass::synchronous, 1),
+                  row(MotionClass::subharmonic, 2), row(MotionClass::non_contact),
+                  row(MotionClass::subharmonic, 2, "slip_reversal"), row(MotionClass::subharmonic, 2),
+                  row(MotionClass::failed, {}, "step_limit"), row(MotionClass::failed, {}, "step_limit")});
+  EXPECT_EQ(summary.text(),
             "       3   37.5 %  subharmonic 1/2\n"
             "       2   25.0 %  failed\n"
             "       1   12.5 %  non_contact\n"
@@ -34,9 +38,14 @@ TEST(MapSummary, CountsClassesByOrderAndStatuses) {
             "       1   12.5 %  synchronous\n"
             "       1  status slip_reversal\n"
             "       2  status step_limit\n");
+  EXPECT_TRUE(summary.has_failed_cells());
 }
 
-TEST(MapSummary, OfNothingIsEmpty) { EXPECT_EQ(map_summary({std::nullopt, std::nullopt}), ""); }
+TEST(MapSummary, OnlyTheClassTellsAFailedCell) {
+  EXPECT_FALSE(summary_of({row(MotionClass::subharmonic, 2, "slip_reversal")}).has_failed_cells());
+}
+
+TEST(MapSummary, OfNothingIsEmpty) { EXPECT_EQ(MapSummary().text(), ""); }
 
 }  // namespace
 }  // namespace rubsweep::report

@@ -28,24 +28,24 @@ bool shows(ProgressMode mode, std::FILE* stream) {
 
 }  // namespace
 
-std::string progress_line(std::size_t done, std::size_t total, double elapsed_s) {
+std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before) {
   const std::size_t percent = total == 0 ? 100 : 100 * done / total;
   std::string line = fmt::format("{}/{} cells, {}%", done, total, percent);
-  if (done == 0 || elapsed_s <= 0) return line;
-  const double rate = static_cast<double>(done) / elapsed_s;
+  if (done == done_before || elapsed_s <= 0) return line;
+  const double rate = static_cast<double>(done - done_before) / elapsed_s;
   const double left_s = static_cast<double>(total - done) / rate;
   return line + fmt::format(", {} cells/s, {} left", rate_text(rate), hours_minutes_seconds(left_s));
 }
 
-Progress::Progress(std::size_t total, ProgressMode mode, std::FILE* stream)
-    : total_(total), stream_(shows(mode, stream) ? stream : nullptr) {
-  if (stream_) draw(progress_line(0, total_, 0));
+Progress::Progress(std::size_t total, ProgressMode mode, std::FILE* stream, std::size_t done_before)
+    : done_before_(done_before), total_(total), stream_(shows(mode, stream) ? stream : nullptr) {
+  if (stream_) draw(progress_line(done_, total_, 0, done_before_));
 }
 
-void Progress::advance() {
-  ++done_;
+void Progress::advance(std::size_t cells) {
+  done_ += cells;
   if (!stream_ || Clock::now() - drawn_ < redraw_interval) return;
-  draw(progress_line(done_, total_, elapsed_s()));
+  draw(progress_line(done_, total_, elapsed_s(), done_before_));
   drawn_ = Clock::now();
 }
 

@@ -10,21 +10,23 @@ namespace rubsweep::batch {
 /// `automatic`: only when the stream is a terminal.
 enum class ProgressMode { automatic, always, never };
 
-/// "132/1320 cells, 10%, 45.2 cells/s, 0:00:26 left" after `elapsed_s` seconds. The rate and the time left
-/// are missing as long as nothing tells them (no cell or no time yet). The percentage is rounded down.
-std::string progress_line(std::size_t done, std::size_t total, double elapsed_s);
+/// "132/1320 cells, 10%, 45.2 cells/s, 0:00:26 left" after `elapsed_s` seconds, which did not go into the
+/// first `done_before` cells. The rate and the time left are missing as long as nothing tells them (no cell
+/// or no time yet). The percentage is rounded down.
+std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before = 0);
 
 /// A line on a terminal that counts finished cells, rewritten in place at most ten times a second. Time
-/// counts from construction. Not for use by several threads at once.
+/// counts from construction; `done_before` cells were finished by then. Not for use by several threads at
+/// once.
 class Progress {
  public:
-  Progress(std::size_t total, ProgressMode mode, std::FILE* stream = stderr);
+  Progress(std::size_t total, ProgressMode mode, std::FILE* stream = stderr, std::size_t done_before = 0);
   ~Progress() { finish(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// One more cell is finished.
-  void advance();
+  /// So many more cells are finished.
+  void advance(std::size_t cells = 1);
 
   /// Replaces the line by "1320/1320 cells in 0:00:29" and ends it; later calls do nothing. The destructor
   /// calls it, so that an error message after an exception starts on its own line.
@@ -36,7 +38,8 @@ class Progress {
   double elapsed_s() const;
   void draw(const std::string& line);
 
-  std::size_t done_ = 0;
+  std::size_t done_before_;
+  std::size_t done_ = done_before_;
   std::size_t total_;
   std::FILE* stream_;  ///< null: nothing is (or is any longer) shown
   Clock::time_point start_ = Clock::now();

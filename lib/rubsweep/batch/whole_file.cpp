@@ -7,86 +7,67 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <system_error>
 #include <utility>
-
-#include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
 namespace {
 
-[[noreturn]] void fail(std::string_view action, const std::filesystem::path& path, int error) {
-  throw IoError(
-      fmt::format("cannot {} {}: {}", action, path.string(), std::generic_category().message(error)));
-}
+constexpr std::size_t buffer_bytes = 65536;
 
-/// Returns -1 and sets errno on failure. `how`: O_TRUNC or O_APPEND.
-int open_to_write(const std::filesystem::path& path, int how) {
-  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | how, 0666);
-}
-
-/// Writes everything; returns 0 or the system's error number.
-int write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor, text.data(), text.size());
-    if (written >= 0) {
-      text.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
-      return errno;
-    }
-  }
-  return 0;
-}
-
-void cut_unfinished_line(const std::filesystem::path& path) {
-  std::error_code unknown;  // what cannot be looked at cannot be opened either, and open tells why
-  if (!std::filesystem::is_regular_file(path, unknown)) return;
-  const std::string text = read_whole_file(path);
-  const std::size_t whole = text.rfind('\n') + 1;  // npos + 1 is 0: no line is whole
-  if (whole != text.size() && ::truncate(path.c_str(), static_cast<off_t>(whole)) != 0)
-    fail("shorten", path, errno);
+/// Two processes that write one path do not share a temporary, nor do two hosts of one file system.
+std::filesystem::path beside(std::filesystem::path path) {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return path += fmt::format(".tmp-{}-{}", host.data(), ::getpid());
 }
 
 }  // namespace
 
 std::string read_whole_file(const std::filesystem::path& path) {
   std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (!file) fail("read", path, errno);
+  if (!file) throw_io_error("read", path, errno);
   std::string text;
-  std::array<char, 65536> piece;
+  std::array<char, buffer_bytes> piece;
   std::size_t length = 0;
   while ((length = std::fread(piece.data(), 1, piece.size(), file)) > 0) text.append(piece.data(), length);
   const int error = std::ferror(file) ? errno : 0;
   std::fclose(file);
-  if (error != 0) fail("read", path, error);
+  if (error != 0) throw_io_error("read", path, error);
   return text;
 }
 
+WholeFile::WholeFile(std::filesystem::path path)
+    : path_(std::move(path)),
+      temporary_(beside(path_)),
+      descriptor_(open_file(temporary_, O_WRONLY | O_CREAT | O_TRUNC, "write", path_)) {}
+
+WholeFile::~WholeFile() {
+  if (!committed_) ::unlink(temporary_.c_str());
+}
+
+void WholeFile::write(std::string_view text) {
+  waiting_ += text;
+  if (waiting_.size() >= buffer_bytes) flush();
+}
+
+void WholeFile::flush() {
+  if (const int error = write_all(descriptor_.get(), waiting_)) throw_io_error("write", path_, error);
+  waiting_.clear();
+}
+
+void WholeFile::commit() {
+  flush();
+  if (::fsync(descriptor_.get()) != 0 || ::close(descriptor_.release()) != 0 ||
+      std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    throw_io_error("write", path_, errno);
+  }
+  committed_ = true;
+}
+
 void write_whole_file(const std::filesystem::path& path, std::string_view text) {
-  std::filesystem::path temporary = path;
-  temporary += fmt::format(".tmp-{}", ::getpid());
-  const int descriptor = open_to_write(temporary, O_TRUNC);
-  if (descriptor < 0) fail("write", path, errno);
-  int error = write_all(descriptor, text);
-  if (error == 0 && ::fsync(descriptor) != 0) error = errno;
-  if (::close(descriptor) != 0 && error == 0) error = errno;
-  if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return;
-  ::unlink(temporary.c_str());
-  fail("write", path, error);
-}
-
-LineLog::LineLog(std::filesystem::path path) : path_(std::move(path)) {
-  cut_unfinished_line(path_);
-  descriptor_ = open_to_write(path_, O_APPEND);
-  if (descriptor_ < 0) fail("write", path_, errno);
-}
-
-LineLog::~LineLog() { ::close(descriptor_); }
-
-void LineLog::append(std::string_view line) {
-  const int error = write_all(descriptor_, std::string(line) + '\n');
-  if (error != 0) fail("write", path_, error);
+  WholeFile file(path);
+  file.write(text);
+  file.commit();
 }
 
 }  // namespace rubsweep::batch

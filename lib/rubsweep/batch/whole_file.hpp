@@ -4,33 +4,38 @@
 #include <string>
 #include <string_view>
 
+#include "rubsweep/batch/descriptor.hpp"
+
 namespace rubsweep::batch {
 
 /// The whole content of a file. Throws IoError with the path and the system's reason.
 std::string read_whole_file(const std::filesystem::path& path);
 
-/// Makes `path` hold exactly `text`, whole or not at all: writes a temporary file beside it, waits until that
-/// is on the disk, then renames it. On any failure removes the temporary, leaves an older `path` as it was
-/// and throws IoError with the path and the system's reason. Not for two threads and one path.
-void write_whole_file(const std::filesystem::path& path, std::string_view text);
-
-/// A text file that grows by whole lines, each handed to the system at once, so that it can be watched and
-/// survives the end of the process, however that comes.
-class LineLog {
+/// A file that appears under its name whole or not at all: what is written goes to a temporary beside it,
+/// which takes the name at the end. Not for two threads and one path. Every function throws IoError with the
+/// path and the system's reason, and then an older file of that name is as it was.
+class WholeFile {
  public:
-  /// Appends to `path` or creates it. A last line without an end (an interrupted write) is cut off first.
-  /// Throws IoError.
-  explicit LineLog(std::filesystem::path path);
-  ~LineLog();
-  LineLog(const LineLog&) = delete;
-  LineLog& operator=(const LineLog&) = delete;
+  explicit WholeFile(std::filesystem::path path);
+  ~WholeFile();  ///< removes the temporary unless commit() succeeded
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
 
-  /// Adds `line` and a line end. Throws IoError.
-  void append(std::string_view line);
+  void write(std::string_view text);
+
+  /// Waits until everything is on the disk, then renames. Nothing may be written afterwards.
+  void commit();
 
  private:
-  std::filesystem::path path_;
-  int descriptor_;
+  void flush();
+
+  std::filesystem::path path_, temporary_;
+  Descriptor descriptor_;
+  std::string waiting_;  ///< not yet handed to the system
+  bool committed_ = false;
 };
+
+/// Makes `path` hold exactly `text`, whole or not at all (see WholeFile).
+void write_whole_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace rubsweep::batch

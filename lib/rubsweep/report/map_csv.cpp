@@ -57,7 +57,8 @@ constexpr std::array columns{
     Column{"robust", [](const Row&) { return std::string(); }},
     Column{"comb_spacing",
            [](const Row& r) {
-             return measured(r, [](const Measures& m) { return m.comb_spacing ? csv_number(*m.comb_spacing) : ""; });
+             return measured(
+                 r, [](const Measures& m) { return m.comb_spacing ? csv_number(*m.comb_spacing) : ""; });
            }},
     Column{"hits_per_revolution", [](const Row& r) { return measured(r, hits_per_revolution); }},
     Column{"contact_fraction",
@@ -120,15 +121,6 @@ std::string map_comments(const std::string& version, const std::string& digest) 
       "# digest {}\n"
       "# units: SI, named in the columns; orders and ratios are pure numbers; forward whirl is positive\n",
       version, digest);
-}
-
-std::string map_csv(const std::string& version, const std::string& digest,
-                    const std::vector<std::optional<Row>>& rows) {
-  std::string text = map_comments(version, digest) + map_header() + "\n";
-  for (const auto& row : rows) {
-    if (row) text += map_line(*row) + "\n";
-  }
-  return text;
 }
 
 }  // namespace rubsweep::report

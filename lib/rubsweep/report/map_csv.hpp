@@ -1,8 +1,6 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "rubsweep/sweep/row.hpp"
 
@@ -14,11 +12,8 @@ std::string map_header();
 /// One row of map.csv, without its end. Numbers read back to the same double; what does not apply is empty.
 std::string map_line(const sweep::Row& row);
 
-/// `#` lines with version, digest of the physics and units, one per line with its end.
+/// What stands above the header: `#` lines with version, digest of the physics and units, one per line with
+/// its end.
 std::string map_comments(const std::string& version, const std::string& digest);
-
-/// The whole map.csv: comments, header, then the rows that exist.
-std::string map_csv(const std::string& version, const std::string& digest,
-                    const std::vector<std::optional<sweep::Row>>& rows);
 
 }  // namespace rubsweep::report

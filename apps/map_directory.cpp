@@ -1,0 +1,196 @@
+#include "map_directory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <utility>
+
+#include "program.hpp"
+#include "program_digest.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/config/differing_keys.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/sweep/evaluate_cell.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_of(const std::optional<Share>& part) {
+  return part ? fmt::format("map.shard-{}-of-{}", part->index + 1, part->count) : "map";
+}
+
+std::vector<fs::path> files(const fs::path& directory, std::string_view ending) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with("map.") && name.ends_with(ending)) found.push_back(entry.path());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+std::string comments_and_header(const std::string& digest) {
+  return report::map_comments(RUBSWEEP_VERSION, digest) + report::map_header() + '\n';
+}
+
+/// What follows `# digest ` in a map, "" when there is nothing of the kind.
+std::string digest_of_map(const fs::path& map) {
+  std::ifstream stream(map);
+  const std::string mark = "# digest ";
+  for (std::string line; std::getline(stream, line) && line.starts_with('#');) {
+    if (line.starts_with(mark)) return line.substr(mark.size());
+  }
+  return "";
+}
+
+std::string describe_difference(const batch::JournalHeader& there, const batch::JournalHeader& here) {
+  if (there.study_digest == here.study_digest) {
+    return fmt::format("of another build of the program (digest {}, this one has {})", there.program_digest,
+                       here.program_digest);
+  }
+  std::string text = fmt::format("of another configuration (digest {}, this one has {}):", there.study_digest,
+                                 here.study_digest);
+  for (const std::string& line : config::differing_keys(there.study, here.study)) text += "\n  " + line;
+  return text;
+}
+
+}  // namespace
+
+MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, std::optional<Share> part,
+                           bool fresh, const std::string& program)
+    : directory_(std::move(directory)),
+      name_(name_of(part)),
+      part_(part),
+      header_{config::study_digest(config.study), program_digest, sweep::cell_count(config.study.grid),
+              config::print_study(config.study)} {
+  make_directory(directory_);
+  lock(program);
+  remove_leftovers();
+  if (fresh) forget();
+  refuse_journals_of_others();
+  batch::write_whole_file(directory_ / "config.yaml", config::print_config(config));
+  remove_map_of_another_study();
+  read_journals();
+}
+
+fs::path MapDirectory::path(std::string_view ending) const {
+  return directory_ / (name_ + std::string(ending));
+}
+
+std::vector<fs::path> MapDirectory::journals() const { return files(directory_, ".journal"); }
+
+batch::Journal MapDirectory::rank_journal(int rank) const {
+  return {directory_ / fmt::format("map.rank-{}.journal", rank), header_};
+}
+
+/// Parts share the directory, each with a lock of its own; the whole takes it alone.
+void MapDirectory::lock(const std::string& program) {
+  const fs::path whole = directory_ / "map.lock";
+  if (part_) {
+    own_lock_.emplace(path(".lock"), batch::LockMode::exclusive, program);
+    directory_lock_.emplace(whole, batch::LockMode::shared, program);
+    return;
+  }
+  try {
+    directory_lock_.emplace(whole, batch::LockMode::exclusive, program);
+  } catch (const LockedError&) {
+    for (const fs::path& other : files(directory_, ".lock")) {
+      const auto holder = other == whole ? std::nullopt : batch::lock_holder(other);
+      if (holder) throw LockedError(fmt::format("{} is held by {}", other.string(), *holder));
+    }
+    throw;
+  }
+}
+
+/// What a killed process was about to write whole.
+void MapDirectory::remove_leftovers() const {
+  for (const auto& entry : fs::directory_iterator(directory_)) {
+    const std::string file = entry.path().filename();
+    const bool ours = file.starts_with(name_ + ".") || (!part_ && file.starts_with("config.yaml."));
+    if (ours && file.find(".tmp-") != std::string::npos) fs::remove(entry.path());
+  }
+}
+
+void MapDirectory::forget() const {
+  if (part_) {
+    fs::remove(path(".journal"));
+  } else {
+    for (const fs::path& journal : journals()) fs::remove(journal);
+  }
+}
+
+void MapDirectory::refuse_journals_of_others() const {
+  for (const fs::path& journal : journals()) {
+    const batch::JournalHeader there = batch::read_journal_header(journal);
+    if (batch::same_results(there, header_)) continue;
+    throw ConfigError(
+        fmt::format("{}: holds finished cells {}\nallowed: the same again, another --output, or --fresh "
+                    "to forget them",
+                    journal.string(), describe_difference(there, header_)));
+  }
+}
+
+void MapDirectory::read_journals() {
+  batch::FinishedCells finished(header_.cells);
+  for (const fs::path& journal : journals()) {
+    // No part needs what the other parts of the same division hold.
+    const std::string name = journal.filename();
+    if (part_ && name.starts_with("map.shard-") && name != name_ + ".journal" &&
+        name.ends_with(fmt::format("-of-{}.journal", part_->count))) {
+      continue;
+    }
+    if (const std::size_t damaged = finished.add(journal)) {
+      fmt::print(stderr, "{}: {} damaged records; their cells are computed again\n", journal.string(),
+                 damaged);
+    }
+  }
+  const Share share = part_.value_or(Share{});
+  missing_ = finished.missing(share.index, share.count);
+  cells_ = share.index < header_.cells ? (header_.cells - share.index - 1) / share.count + 1 : 0;
+  write_partial(finished);
+}
+
+void MapDirectory::write_partial(const batch::FinishedCells& finished) const {
+  batch::WholeFile file(partial());
+  file.write(comments_and_header(header_.study_digest));
+  const Share share = part_.value_or(Share{});
+  for (std::size_t cell = share.index; cell < header_.cells; cell += share.count) {
+    if (finished.contains(cell)) file.write(finished.text(cell) + '\n');
+  }
+  file.commit();
+}
+
+/// An older map must not stand beside a configuration that it did not come from.
+void MapDirectory::remove_map_of_another_study() const {
+  if (fs::is_regular_file(map()) && digest_of_map(map()) != header_.study_digest) fs::remove(map());
+}
+
+report::MapSummary MapDirectory::write_map() const {
+  batch::FinishedCells finished(header_.cells);
+  for (const fs::path& journal : journals()) finished.add(journal);
+  report::MapSummary summary;
+  batch::WholeFile file(map());
+  file.write(comments_and_header(header_.study_digest));
+  for (std::size_t cell = 0; cell < header_.cells; ++cell) {
+    if (!finished.contains(cell)) {
+      throw IoError(fmt::format("{}: {} of {} cells are not finished", directory_.string(),
+                                header_.cells - finished.count(), header_.cells));
+    }
+    const std::string line = finished.text(cell);
+    summary.add(line);
+    file.write(line + '\n');
+  }
+  file.commit();
+  for (const fs::path& other : files(directory_, ".partial.csv")) fs::remove(other);
+  for (const fs::path& journal : journals()) fs::remove(journal);
+  return summary;
+}
+
+}  // namespace rubsweep::apps

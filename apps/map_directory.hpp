@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/batch/file_lock.hpp"
+#include "rubsweep/batch/finished_cells.hpp"
+#include "rubsweep/batch/journal.hpp"
+#include "rubsweep/config/run_config.hpp"
+#include "rubsweep/report/map_summary.hpp"
+
+namespace rubsweep::apps {
+
+/// The cells that are `index` modulo `count`: a part of every map that takes about as long as the other
+/// parts.
+struct Share {
+  std::size_t index = 0;
+  std::size_t count = 1;
+};
+
+/// The directory of one map while a process is at work there:
+/// - map.csv, the result, only ever whole, and config.yaml, the complete configuration;
+/// - `NAME.journal`: finished cells as one process wrote them, until they are in map.csv;
+/// - `NAME.partial.csv`: the same cells to look at;
+/// - `NAME.lock`: says who is at work.
+/// NAME is `map`, or `map.shard-I-of-N` for a part, or `map.rank-R`.
+class MapDirectory {
+ public:
+  /// Begins work on a share, or goes on with it; `fresh`: after forgetting what was finished. `program` is
+  /// who the lock names. Throws LockedError when another process is at work there, ConfigError when what is
+  /// finished there belongs to another configuration or program, IoError.
+  MapDirectory(std::filesystem::path directory, const config::RunConfig& config, std::optional<Share> part,
+               bool fresh, const std::string& program);
+
+  std::size_t cells() const { return cells_; }                       ///< of the share
+  std::size_t finished() const { return cells_ - missing_.size(); }  ///< of them, when the work began
+  const std::vector<std::size_t>& missing() const { return missing_; }
+
+  /// Opens the journal of this process, or of one rank, to add finished cells. Throws IoError.
+  batch::Journal journal() const { return {path(".journal"), header_}; }
+  batch::Journal rank_journal(int rank) const;
+
+  /// Where finished cells can be watched: holds those that were finished when the work began.
+  std::filesystem::path partial() const { return path(".partial.csv"); }
+
+  /// Writes map.csv from every journal and removes those; only when no cell is missing. Throws IoError.
+  report::MapSummary write_map() const;
+
+  std::filesystem::path map() const { return directory_ / "map.csv"; }
+
+ private:
+  std::filesystem::path path(std::string_view ending) const;
+  std::vector<std::filesystem::path> journals() const;
+  void lock(const std::string& program);
+  void remove_leftovers() const;
+  void forget() const;
+  void refuse_journals_of_others() const;
+  void read_journals();
+  void write_partial(const batch::FinishedCells& finished) const;
+  void remove_map_of_another_study() const;
+
+  std::filesystem::path directory_;
+  std::string name_;
+  std::optional<Share> part_;
+  batch::JournalHeader header_;
+  std::optional<batch::FileLock> own_lock_, directory_lock_;
+  std::size_t cells_ = 0;
+  std::vector<std::size_t> missing_;
+};
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,45 @@
+#include "rubsweep/batch/descriptor.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::batch {
+
+void throw_io_error(std::string_view action, const std::filesystem::path& path, int error) {
+  throw IoError(
+      fmt::format("cannot {} {}: {}", action, path.string(), std::generic_category().message(error)));
+}
+
+Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action,
+                     const std::filesystem::path& known_as) {
+  Descriptor descriptor(::open(path.c_str(), flags | O_CLOEXEC, 0666));
+  if (descriptor.get() < 0) throw_io_error(action, known_as, errno);
+  return descriptor;
+}
+
+Descriptor::~Descriptor() {
+  if (value_ >= 0) ::close(value_);
+}
+
+int Descriptor::release() { return std::exchange(value_, -1); }
+
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
+}  // namespace rubsweep::batch

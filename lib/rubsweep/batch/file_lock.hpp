@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "rubsweep/batch/descriptor.hpp"
+
+namespace rubsweep::batch {
+
+enum class LockMode {
+  exclusive,  ///< nobody else may hold the lock
+  shared      ///< others may share it
+};
+
+/// A lock that a process holds as long as this lives: the system releases it however the process ends. It is
+/// a file that says who holds it; a file that nobody holds (its process was killed) means nothing.
+class FileLock {
+ public:
+  /// Throws LockedError "PATH is held by HOLDER", IoError when there can be no such file. `purpose` is told
+  /// to whoever finds the lock taken.
+  FileLock(std::filesystem::path path, LockMode mode, const std::string& purpose);
+  ~FileLock();  ///< removes the file unless others share the lock
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  std::filesystem::path path_;
+  std::optional<Descriptor> descriptor_;
+};
+
+/// Who holds the lock at `path`; empty when nobody does. Throws IoError.
+std::optional<std::string> lock_holder(const std::filesystem::path& path);
+
+}  // namespace rubsweep::batch

@@ -1,0 +1,159 @@
+#include "rubsweep/batch/journal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/crc.hpp>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::batch {
+namespace {
+
+constexpr std::string_view first_line = "rubsweep journal 1";
+constexpr std::string_view last_header_line = "records";
+constexpr std::size_t checksum_length = 9;  // eight hexadecimal digits and a blank
+
+std::string with_checksum(std::string_view content) {
+  boost::crc_32_type checksum;
+  checksum.process_bytes(content.data(), content.size());
+  return fmt::format("{:08x} {}", checksum.checksum(), content);
+}
+
+std::optional<std::string_view> content_of(std::string_view line) {
+  if (line.size() < checksum_length) return std::nullopt;
+  const std::string_view content = line.substr(checksum_length);
+  if (with_checksum(content) != line) return std::nullopt;
+  return content;
+}
+
+std::optional<std::size_t> read_size(std::string_view text) {
+  std::size_t value = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// Lines of a file of any size, one at a time.
+class LineReader {
+ public:
+  explicit LineReader(const std::filesystem::path& path)
+      : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
+    if (!file_) throw_io_error("read", path, errno);
+  }
+  ~LineReader() { std::free(buffer_); }
+  LineReader(const LineReader&) = delete;
+  LineReader& operator=(const LineReader&) = delete;
+
+  /// The next line without its end; false when no whole line is left: one without an end was torn.
+  bool next(std::string_view& line, std::uint64_t& offset) {
+    errno = 0;
+    const ssize_t length = ::getline(&buffer_, &capacity_, file_.get());
+    if (length < 0 && std::ferror(file_.get())) throw_io_error("read", path_, errno);
+    if (length < 0 || buffer_[length - 1] != '\n') return false;
+    offset = position_;
+    position_ += static_cast<std::uint64_t>(length);
+    line = std::string_view(buffer_, static_cast<std::size_t>(length - 1));
+    return true;
+  }
+
+ private:
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  char* buffer_ = nullptr;
+  std::size_t capacity_ = 0;
+  std::uint64_t position_ = 0;
+};
+
+std::string header_text(const JournalHeader& header) {
+  std::string text;
+  const auto add = [&](std::string_view line) { text += with_checksum(line) + '\n'; };
+  add(first_line);
+  add(header.study_digest);
+  add(header.program_digest);
+  add(std::to_string(header.cells));
+  std::string_view rest = header.study;
+  while (!rest.empty()) {
+    const std::size_t length = std::min(rest.find('\n'), rest.size());
+    add(fmt::format(":{}", rest.substr(0, length)));
+    rest.remove_prefix(std::min(length + 1, rest.size()));
+  }
+  add(last_header_line);
+  return text;
+}
+
+JournalHeader read_header(LineReader& lines, const std::filesystem::path& path) {
+  int number = 0;
+  const auto next = [&] {
+    ++number;
+    std::string_view line;
+    std::uint64_t offset = 0;
+    const auto content = lines.next(line, offset) ? content_of(line) : std::nullopt;
+    if (!content || (number == 1 && *content != first_line)) {
+      throw IoError(
+          fmt::format("{}:{}: not a journal of this program, or a damaged one", path.string(), number));
+    }
+    return std::string(*content);
+  };
+  next();
+  JournalHeader header;
+  header.study_digest = next();
+  header.program_digest = next();
+  header.cells = read_size(next()).value_or(0);
+  for (std::string line = next(); line != last_header_line; line = next()) {
+    header.study.append(line, std::min<std::size_t>(line.size(), 1)) += '\n';
+  }
+  return header;
+}
+
+}  // namespace
+
+bool same_results(const JournalHeader& a, const JournalHeader& b) {
+  return a.study_digest == b.study_digest && a.program_digest == b.program_digest && a.cells == b.cells;
+}
+
+JournalHeader read_journal_header(const std::filesystem::path& path) {
+  LineReader lines(path);
+  return read_header(lines, path);
+}
+
+std::size_t read_journal(const std::filesystem::path& path,
+                         const std::function<void(const JournalRecord&)>& on_record) {
+  LineReader lines(path);
+  const JournalHeader header = read_header(lines, path);
+  std::size_t damaged = 0;
+  std::string_view line;
+  std::uint64_t offset = 0;
+  while (lines.next(line, offset)) {
+    const auto content = content_of(line);
+    const std::size_t blank = content ? content->find(' ') : std::string_view::npos;
+    const auto cell = blank == std::string_view::npos ? std::nullopt : read_size(content->substr(0, blank));
+    if (!cell || *cell >= header.cells) {
+      ++damaged;
+    } else {
+      on_record({*cell, content->substr(blank + 1), offset + checksum_length + blank + 1});
+    }
+  }
+  return damaged;
+}
+
+Journal::Journal(const std::filesystem::path& path, const JournalHeader& header)
+    : log_([&] {
+        std::error_code unknown;  // what cannot be looked at cannot be opened either, and that tells why
+        if (!std::filesystem::exists(path, unknown)) write_whole_file(path, header_text(header));
+        return path;
+      }()) {}
+
+void Journal::append(std::size_t cell, std::string_view text) {
+  if (text.find('\n') != std::string_view::npos) throw SolverError("a journal keeps single lines");
+  log_.append(with_checksum(fmt::format("{} {}", cell, text)));
+}
+
+}  // namespace rubsweep::batch

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "rubsweep/batch/line_log.hpp"
+
+namespace rubsweep::batch {
+
+/// What the results in a journal belong to. Results of two journals with equal digests and cells may be
+/// mixed.
+struct JournalHeader {
+  std::string study_digest;    ///< of everything that decides the results
+  std::string program_digest;  ///< of the code that computes them
+  std::size_t cells = 0;       ///< of the whole grid; records name cells 0 ... cells - 1
+  std::string study;           ///< the study itself as lines of text, so that a difference can be named
+};
+
+/// True when results under one header are results under the other.
+bool same_results(const JournalHeader& a, const JournalHeader& b);
+
+/// A finished cell as the journal holds it.
+struct JournalRecord {
+  std::size_t cell;
+  std::string_view text;  ///< one line without its end
+  std::uint64_t offset;   ///< of the text in the file
+};
+
+/// Reads what stands before the records. Throws IoError: the file cannot be read, or is no whole header.
+JournalHeader read_journal_header(const std::filesystem::path& path);
+
+/// Hands every good record to `on_record`, in the order of the file, and returns how many were damaged on the
+/// disk: their cells are simply not finished, as is that of a last record that the end of a process tore. A
+/// cell may come more than once. Throws IoError as read_journal_header.
+std::size_t read_journal(const std::filesystem::path& path,
+                         const std::function<void(const JournalRecord&)>& on_record);
+
+/// An append-only file of finished cells: one line each, `CRC-32 cell text`, so that every record stands for
+/// itself. The header is written whole or not at all.
+class Journal {
+ public:
+  /// Goes on with the journal at `path`, whose header must have been found to fit, or begins one. Throws
+  /// IoError.
+  Journal(const std::filesystem::path& path, const JournalHeader& header);
+
+  /// Keeps a finished cell, `text` being one line. Throws IoError; SolverError when `text` has a line end.
+  void append(std::size_t cell, std::string_view text);
+
+ private:
+  LineLog log_;
+};
+
+}  // namespace rubsweep::batch

@@ -1,0 +1,75 @@
+#include "rubsweep/batch/file_lock.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <optional>
+#include <regex>
+
+#include "batch/message_of.hpp"
+#include "batch/temporary_directory.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::batch {
+namespace {
+
+class LockFile : public testing::Test {
+ protected:
+  void expect_taken(LockMode mode) {
+    EXPECT_TRUE(std::regex_match(message_of<LockedError>([&] { FileLock(path_, mode, "second"); }),
+                                 std::regex(".*map.lock is held by first, process [0-9]+ on .+ since "
+                                            "[0-9]{4}-[0-9]{2}-[0-9]{2} [0-9:]{8} UTC")));
+  }
+
+  const TemporaryDirectory directory_;
+  const std::filesystem::path path_ = directory_.path() / "map.lock";
+};
+
+TEST_F(LockFile, IsHeldUntilTheEndAndThenGone) {
+  {
+    const FileLock lock(path_, LockMode::exclusive, "first");
+    expect_taken(LockMode::exclusive);
+    expect_taken(LockMode::shared);
+    EXPECT_TRUE(lock_holder(path_).has_value());
+  }
+  EXPECT_FALSE(std::filesystem::exists(path_));
+  const FileLock again(path_, LockMode::exclusive, "first");
+}
+
+TEST_F(LockFile, CanBeShared) {
+  std::optional<FileLock> one(std::in_place, path_, LockMode::shared, "first");
+  {
+    const FileLock two(path_, LockMode::shared, "first");
+    expect_taken(LockMode::exclusive);
+  }
+  ASSERT_TRUE(std::filesystem::exists(path_)) << "the other one still holds it";
+  expect_taken(LockMode::exclusive);
+  one.reset();
+  EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+TEST_F(LockFile, OfAProcessThatWasKilledMeansNothing) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const FileLock lock(path_, LockMode::exclusive, "killed");
+    ::raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_NE(read_whole_file(path_).find("killed, process " + std::to_string(child)), std::string::npos);
+  EXPECT_EQ(lock_holder(path_), std::nullopt);
+  const FileLock lock(path_, LockMode::exclusive, "first");
+  expect_taken(LockMode::exclusive);
+}
+
+TEST_F(LockFile, ThatCannotBeIsAnError) {
+  EXPECT_EQ(message_of<IoError>([] { FileLock("/nowhere/map.lock", LockMode::exclusive, "first"); }),
+            "cannot lock /nowhere/map.lock: No such file or directory");
+}
+
+}  // namespace
+}  // namespace rubsweep::batch

@@ -1,0 +1,52 @@
+#include "rubsweep/batch/finished_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "batch/temporary_directory.hpp"
+#include "rubsweep/batch/journal.hpp"
+
+namespace rubsweep::batch {
+namespace {
+
+using Cells = std::vector<std::size_t>;
+
+const JournalHeader header{"study", "program", 6, ""};
+
+TEST(FinishedCells, WithoutJournalsEverythingIsMissing) {
+  const FinishedCells cells(6);
+  EXPECT_EQ(cells.count(), 0u);
+  EXPECT_EQ(cells.missing(), (Cells{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(cells.missing(1, 4), (Cells{1, 5}));
+  EXPECT_EQ(cells.missing(6, 7), Cells{});
+}
+
+TEST(FinishedCells, AreThoseOfAllJournals) {
+  const TemporaryDirectory directory;
+  const auto one = directory.path() / "one.journal", two = directory.path() / "two.journal";
+  const std::string long_text(5000, 'x');
+  {
+    Journal journal(one, header);
+    journal.append(4, "four");
+    journal.append(1, long_text);
+  }
+  {
+    Journal journal(two, header);
+    journal.append(1, "again");
+    journal.append(0, "");
+  }
+  FinishedCells cells(6);
+  EXPECT_EQ(cells.add(one), 0u);
+  EXPECT_EQ(cells.add(two), 0u);
+  EXPECT_EQ(cells.count(), 3u);
+  EXPECT_EQ(cells.missing(), (Cells{2, 3, 5}));
+  EXPECT_EQ(cells.missing(1, 2), (Cells{3, 5}));
+  EXPECT_EQ(cells.text(0), "");
+  EXPECT_EQ(cells.text(1), long_text) << "the first record counts";
+  EXPECT_EQ(cells.text(4), "four");
+}
+
+}  // namespace
+}  // namespace rubsweep::batch

@@ -1,0 +1,70 @@
+#include "rubsweep/batch/line_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "batch/file_size_limit.hpp"
+#include "batch/message_of.hpp"
+#include "batch/temporary_directory.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::batch {
+namespace {
+
+TEST(LineLog, EachLineIsThereAtOnce) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.partial.csv";
+  LineLog log(path);
+  EXPECT_EQ(read_whole_file(path), "");
+  log.append("a,b");
+  EXPECT_EQ(read_whole_file(path), "a,b\n");
+  log.append("");
+  log.append("1,2");
+  EXPECT_EQ(read_whole_file(path), "a,b\n\n1,2\n");
+}
+
+TEST(LineLog, GoesOnAfterTheLastWholeLine) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.partial.csv";
+  const std::string longer_than_a_block(10000, 'x');
+  for (const auto& [before, after] : {std::pair<std::string, std::string>{"a\nb\n", "a\nb\nnext\n"},
+                                      {"a\nb\n1.23", "a\nb\nnext\n"},
+                                      {"torn", "next\n"},
+                                      {"", "next\n"},
+                                      {"a\n" + longer_than_a_block, "a\nnext\n"},
+                                      {longer_than_a_block, "next\n"},
+                                      {longer_than_a_block + "\n", longer_than_a_block + "\nnext\n"}}) {
+    write_whole_file(path, before);
+    LineLog(path).append("next");
+    EXPECT_EQ(read_whole_file(path), after);
+  }
+}
+
+TEST(LineLog, ALineThatDoesNotFitLeavesNothingBehind) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.partial.csv";
+  LineLog log(path);
+  log.append("1,2");
+  {
+    const FileSizeLimit limit(10);
+    EXPECT_EQ(message_of<IoError>([&] { log.append("a line of many bytes"); }),
+              "cannot write " + path.string() + ": File too large");
+  }
+  EXPECT_EQ(read_whole_file(path), "1,2\n");
+  log.append("3,4");
+  EXPECT_EQ(read_whole_file(path), "1,2\n3,4\n");
+}
+
+TEST(LineLog, FailuresAreErrors) {
+  EXPECT_EQ(message_of<IoError>([] { LineLog("/nowhere/map.partial.csv"); }),
+            "cannot write /nowhere/map.partial.csv: No such file or directory");
+  LineLog full("/dev/full");
+  EXPECT_EQ(message_of<IoError>([&] { full.append("1,2"); }),
+            "cannot write /dev/full: No space left on device");
+}
+
+}  // namespace
+}  // namespace rubsweep::batch

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# A map computed in parts, by processes that know nothing of each other, is the same map.
+source "$(dirname "$0")/support.sh"
+
+expect_exit 0 "${quick[@]}" --output whole
+for shards in 1 2 5 100; do
+  for ((i = 1; i <= shards; ++i)); do
+    expect_exit 0 "${quick[@]}" --output "of_$shards" --shard "$i/$shards"
+    expect_contains stdout ' cells finished; when every shard is: rubsweep --merge'
+    expect_missing "of_$shards/map.csv"
+  done
+  expect_exit 0 "${quick[@]}" --output "of_$shards" --merge
+  expect_matches stdout '^ +[0-9]+ +[0-9.]+ %  non_contact$'
+  expect_same "of_$shards/map.csv" whole/map.csv
+  expect_files "of_$shards" config.yaml map.csv
+done
+
+# At the same time.
+for i in 1 2 3; do "$rubsweep" "${quick[@]}" --output together --shard $i/3 --threads 1 --quiet & done
+wait
+expect_exit 0 "${quick[@]}" --output together --merge --quiet
+expect_empty stdout
+expect_same together/map.csv whole/map.csv
+
+# A part that is not there yet: the merge says so, loses nothing, and any run may finish the rest.
+expect_exit 0 "${quick[@]}" --output part --shard 2/4
+expect_matches part/map.shard-2-of-4.partial.csv '^59[.0-9]*,0.02,'
+[[ $(rows part/map.shard-2-of-4.partial.csv | wc -l) == 24 ]] || fail 'not a quarter of the cells'
+expect_whole_rows part/map.shard-2-of-4.partial.csv
+expect_exit 3 "${quick[@]}" --output part --merge
+expect_contains stderr 'rubsweep: nothing to merge yet: 72 of 96 cells are not finished'
+# The same part again has nothing left to do; another division goes on from there.
+expect_exit 0 "${quick[@]}" --output part --shard 2/4
+expect_contains stderr '24 of 24 cells were finished before'
+expect_exit 0 "${quick[@]}" --output part --shard 2/2
+expect_contains stderr '24 of 48 cells were finished before'
+expect_exit 0 "${quick[@]}" --output part
+expect_contains stderr '48 of 96 cells were finished before'
+expect_same part/map.csv whole/map.csv
+expect_files part config.yaml map.csv
+
+# Parts of different studies do not mix, and --fresh forgets one's own part only.
+expect_exit 0 "${quick[@]}" --output mixed --shard 1/2
+expect_exit 2 "${quick[@]}" --output mixed --shard 2/2 --set rotor.mass_kg=0.9
+expect_contains stderr 'mixed/map.shard-1-of-2.journal: holds finished cells of another configuration'
+expect_contains stderr 'rotor.mass_kg: 0.8 there, 0.9 here'
+expect_exit 0 "${quick[@]}" --output mixed --shard 2/2
+expect_exit 0 "${quick[@]}" --output mixed --shard 2/2 --fresh
+expect_empty stderr
+expect_exit 0 "${quick[@]}" --output mixed --merge
+expect_same mixed/map.csv whole/map.csv
