@@ -76,7 +76,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   response::SpectrumWorkspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, 0, workspace);
   Files files{{"config.yaml", config::print_config(config)},
-              {"motion.csv", report::map_csv(RUBSWEEP_VERSION, config::study_digest(study), {row})}};
+              {"motion.csv", report::map_comments(RUBSWEEP_VERSION, config::study_digest(study)) +
+                                 report::map_header() + "\n" + report::map_line(row) + "\n"}};
   std::string summary = report::motion_summary(row);
 
   const scene::Cell cell = scene::build_cell(study.machine, arguments.speed_hz, arguments.unbalance);
