@@ -49,12 +49,15 @@ Node* entry_of(Node& map, std::string_view name, const Place& place) {
 }
 
 /// Keys that exclude each other: writing one of them takes back what the file said by the other.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> alternatives{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> alternatives{{
     {"stribeck", "coefficient"},
     {"restitution", "restitution_delivered"},
     {"restitution", "damping_ns_per_m"},
     {"restitution_delivered", "damping_ns_per_m"},
     {"whirl_ratio", "eccentricity_m"},
+    {"modal_stiffness_n_per_m", "natural_frequency_hz"},
+    {"modal_stiffness_n_per_m", "natural_frequency_rad_per_s"},
+    {"natural_frequency_hz", "natural_frequency_rad_per_s"},
     {"values", "from"},
     {"values", "to"},
     {"values", "count"},

@@ -1,6 +1,7 @@
 #include "rubsweep/config/print_config.hpp"
 
 #include "rubsweep/config/kick.hpp"
+#include "rubsweep/config/output.hpp"
 #include "rubsweep/config/printer.hpp"
 #include "rubsweep/config/response.hpp"
 #include "rubsweep/config/rotor.hpp"
@@ -26,9 +27,7 @@ void print(Printer& printer, const sweep::Study& study) {
 std::string print_config(const RunConfig& config) {
   Printer printer;
   print(printer, config.study);
-  printer.open("output");
-  printer.text("directory", config.output_directory.string());
-  printer.close();
+  print_output(printer, config.output_directory);
   return printer.yaml();
 }
 

@@ -7,9 +7,11 @@
 
 namespace rubsweep::config {
 
-std::string study_digest(const sweep::Study& study) {
+std::string digest_of(std::string_view text) {
   const boost::uuids::name_generator_sha1 generator(boost::uuids::ns::oid());
-  return boost::uuids::to_string(generator(print_study(study)));
+  return boost::uuids::to_string(generator(std::string(text)));
 }
+
+std::string study_digest(const sweep::Study& study) { return digest_of(print_study(study)); }
 
 }  // namespace rubsweep::config

@@ -2,92 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <set>
-#include <vector>
-
+#include "rubsweep/config/axis.hpp"
 #include "rubsweep/config/section.hpp"
 
 namespace rubsweep::config {
-namespace {
-
-constexpr std::string_view axis_forms = "{from, to, count} or {values: [...]}";
-
-std::vector<double> read_values(const Value& value, const model::Range& range) {
-  std::vector<double> values;
-  const auto items = read_list(value, static_cast<std::size_t>(max_axis_values));
-  if (!items) return values;
-  std::set<double> seen;
-  for (const Value& item : *items) {
-    const auto number = read_number(item, range);
-    if (!number) continue;
-    if (!seen.insert(*number).second) {
-      refuse(item, fmt::format("{} is listed twice", *number), "different values");
-    }
-    values.push_back(*number);
-  }
-  return values;
-}
-
-/// Multiplied before divided: whole numbers then stay whole.
-std::vector<double> spaced(double from, double to, long count) {
-  std::vector<double> values(static_cast<std::size_t>(count), from);
-  const double intervals = static_cast<double>(count - 1);
-  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    values[i] = from + (to - from) * static_cast<double>(i) / intervals;
-  }
-  if (count > 1) values.back() = to;
-  return values;
-}
-
-bool all_different_and_allowed(const std::vector<double>& values, const model::Range& range) {
-  const auto allowed = [&](double value) { return model::contains(range, value); };
-  return std::all_of(values.begin(), values.end(), allowed) &&
-         std::set<double>(values.begin(), values.end()).size() == values.size();
-}
-
-std::vector<double> read_spaced(Section& section, const model::Range& range) {
-  const std::size_t problems = section.problem_count();
-  double from = model::required;
-  section.field("from", from, range);
-  std::optional<double> to;
-  section.field("to", to, range);
-  long count = 0;
-  constexpr IntegerRange counts{1, max_axis_values};
-  if (section.require("count", describe(counts))) section.field("count", count, counts);
-  if (section.problem_count() != problems) return {};
-  if (!to && count != 1) section.require("to", model::describe(range));
-  if (!to) return std::vector<double>(1, from);
-  if (count == 1 && *to != from) {
-    section.refuse_together("count", {"count", "to"}, "1 value cannot be both from and to",
-                            "a count of 2 or more, or no to");
-  }
-  const std::vector<double> values = spaced(from, *to, count);
-  if (!all_different_and_allowed(values, range)) {
-    section.refuse_together("count", {"from", "to", "count"},
-                            fmt::format("from {} to {} there are no {} different values", from, *to, count),
-                            "from and to far enough apart");
-  }
-  return values;
-}
-
-std::vector<double> read_axis(const Value& value, const model::Range& range) {
-  Section section(value, axis_forms);
-  std::vector<double> result;
-  if (const auto values = section.find("values")) {
-    for (const std::string_view name : {"from", "to", "count"}) {
-      if (section.find(name)) section.refuse_together(name, {name}, "given beside values", axis_forms);
-    }
-    result = read_values(*values, range);
-  } else if (section.is_map()) {
-    result = read_spaced(section, range);
-  }
-  section.refuse_unknown_keys();
-  return result;
-}
-
-}  // namespace
-
 sweep::Grid read_sweep(const Value& value) {
   Section section(value);
   sweep::Grid grid;

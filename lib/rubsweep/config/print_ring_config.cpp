@@ -1,0 +1,39 @@
+#include "rubsweep/config/print_ring_config.hpp"
+
+#include "rubsweep/config/output.hpp"
+#include "rubsweep/config/printer.hpp"
+#include "rubsweep/config/ring.hpp"
+#include "rubsweep/config/ring_chart.hpp"
+#include "rubsweep/config/ring_load.hpp"
+#include "rubsweep/config/study_digest.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+void print(Printer& printer, const ring::Study& study) {
+  print_ring(printer, study.system.ring);
+  print_ring_loads(printer, study.system.loads);
+  printer.number("friction_coefficient", study.system.friction_coefficient);
+  printer.number("preload_n", study.system.preload_n);
+  printer.open("speed_rpm");
+  printer.numbers("values", study.speeds_rpm);
+  printer.close();
+  if (study.chart) print_ring_chart(printer, *study.chart);
+}
+
+}  // namespace
+
+std::string print_ring_config(const RingConfig& config) {
+  Printer printer;
+  print(printer, config.study);
+  print_output(printer, config.output_directory);
+  return printer.yaml();
+}
+
+std::string ring_study_digest(const ring::Study& study) {
+  Printer printer;
+  print(printer, study);
+  return digest_of(printer.yaml());
+}
+
+}  // namespace rubsweep::config

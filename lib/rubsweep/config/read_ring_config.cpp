@@ -1,0 +1,78 @@
+#include "rubsweep/config/read_ring_config.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rubsweep/config/axis.hpp"
+#include "rubsweep/config/file.hpp"
+#include "rubsweep/config/output.hpp"
+#include "rubsweep/config/ring.hpp"
+#include "rubsweep/config/ring_chart.hpp"
+#include "rubsweep/config/ring_load.hpp"
+#include "rubsweep/config/section.hpp"
+#include "rubsweep/config/sweep.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/ring/normal_form.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+constexpr std::string_view root_form = "a map with ring, loads, friction_coefficient, speed_rpm, output";
+
+/// What only shows in the whole system.
+void check_system(const ring::System& system, const Section& section) {
+  try {
+    ring::normal_form(system);
+  } catch (const ConfigError& error) {
+    section.refuse_together("loads", {"loads", "friction_coefficient"}, error.what(),
+                            "masses and a friction coefficient with regular inertia");
+  }
+}
+
+RingConfig read_sections(const Value& root) {
+  Section section(root, root_form);
+  const std::size_t problems = section.problem_count();
+  RingConfig config;
+  ring::Study& study = config.study;
+  study.system.friction_coefficient = model::required;
+  if (const auto value = section.require("ring", "a map")) study.system.ring = read_ring(*value);
+  if (const auto value = section.require("loads", "a list of maps")) {
+    study.system.loads = read_ring_loads(*value, study.system.ring.radius_m);
+  }
+  section.field("friction_coefficient", study.system.friction_coefficient, model::not_negative);
+  section.field("preload_n", study.system.preload_n, model::not_negative);
+  if (const auto value = section.require("speed_rpm", axis_forms)) {
+    study.speeds_rpm = read_axis(*value, model::not_negative);
+    std::sort(study.speeds_rpm.begin(), study.speeds_rpm.end());
+  }
+  if (const auto value = section.find("chart")) study.chart = read_ring_chart(*value, study.system.loads);
+  if (const auto value = section.require("output", "a map")) config.output_directory = read_output(*value);
+  section.refuse_unknown_keys();
+  const std::size_t lines = study.chart ? study.chart->values.size() : 0;
+  if (lines * study.speeds_rpm.size() > max_cells) {
+    section.refuse_together(
+        "chart", {"chart", "speed_rpm"},
+        fmt::format("{} x {} = {} points", study.speeds_rpm.size(), lines, lines * study.speeds_rpm.size()),
+        fmt::format("at most {}", max_cells));
+  }
+  if (section.problem_count() == problems && section.is_map()) check_system(study.system, section);
+  return config;
+}
+
+}  // namespace
+
+RingConfig read_ring_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return read_ring_config_text(read_config_bytes(file), file.string(), overrides);
+}
+
+RingConfig read_ring_config_text(std::string_view text, const std::string& name,
+                                 const std::vector<std::string>& overrides) {
+  Diagnostics diagnostics(name, overrides);
+  const Node root = parse_config(text, root_form, overrides, diagnostics);
+  RingConfig config = read_sections({root, "", diagnostics});
+  diagnostics.throw_if_any();
+  return config;
+}
+
+}  // namespace rubsweep::config

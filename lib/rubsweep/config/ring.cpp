@@ -1,0 +1,79 @@
+#include "rubsweep/config/ring.hpp"
+
+#include <numbers>
+
+#include "rubsweep/config/section.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+constexpr IntegerRange nodal_diameters{2, 100};
+constexpr model::Range thickness_ratios{.low = 0, .high = 1, .high_open = true};
+
+ring::Ring read_geometry(const Value& value, int diameters) {
+  Section section(value);
+  ring::RingGeometry geometry{model::required, model::required, model::required, model::required,
+                              model::required};
+  const std::size_t problems = section.problem_count();
+  section.field("radius_m", geometry.radius_m, model::positive);
+  section.field("thickness_m", geometry.thickness_m, model::positive);
+  section.field("width_m", geometry.width_m, model::positive);
+  section.field("density_kg_per_m3", geometry.density_kg_per_m3, model::positive);
+  section.field("youngs_modulus_pa", geometry.youngs_modulus_pa, model::positive);
+  section.refuse_unknown_keys();
+  if (section.problem_count() != problems) return {};
+  if (geometry.thickness_m >= geometry.radius_m) {
+    section.refuse_together("thickness_m", {"thickness_m", "radius_m"}, "is not below radius_m",
+                            "a thin ring");
+  }
+  return ring::ring(geometry, diameters);
+}
+
+ring::Ring read_modal(Section& section, int diameters) {
+  const std::size_t problems = section.problem_count();
+  ring::Ring ring{diameters, model::required, 0, model::required, {}};
+  section.field("modal_mass_kg", ring.modal_mass_kg, model::positive);
+  section.field("thickness_ratio", ring.thickness_ratio, thickness_ratios);
+  section.field("radius_m", ring.radius_m, model::positive);
+  section.require_exactly_one(
+      {"modal_stiffness_n_per_m", "natural_frequency_hz", "natural_frequency_rad_per_s"});
+  std::optional<double> stiffness, hertz, radians;
+  section.field("modal_stiffness_n_per_m", stiffness, model::positive);
+  section.field("natural_frequency_hz", hertz, model::positive);
+  section.field("natural_frequency_rad_per_s", radians, model::positive);
+  if (section.problem_count() != problems || !section.is_map()) return {};
+  if (hertz) radians = 2 * std::numbers::pi * *hertz;
+  ring.modal_stiffness_n_per_m =
+      stiffness ? *stiffness : ring::stiffness_of_frequency(*radians, ring.modal_mass_kg, diameters);
+  return ring;
+}
+
+}  // namespace
+
+ring::Ring read_ring(const Value& value) {
+  Section section(value);
+  int diameters = 2;
+  if (section.require("nodal_diameters", describe(nodal_diameters))) {
+    section.field("nodal_diameters", diameters, nodal_diameters);
+  }
+  ring::Ring ring;
+  if (const auto geometry = section.find("geometry")) {
+    ring = read_geometry(*geometry, diameters);
+  } else {
+    ring = read_modal(section, diameters);
+  }
+  section.refuse_unknown_keys();
+  return ring;
+}
+
+void print_ring(Printer& printer, const ring::Ring& ring) {
+  printer.open("ring");
+  printer.integer("nodal_diameters", ring.nodal_diameters);
+  printer.number("modal_mass_kg", ring.modal_mass_kg);
+  printer.number("modal_stiffness_n_per_m", ring.modal_stiffness_n_per_m);
+  printer.number("thickness_ratio", ring.thickness_ratio);
+  if (ring.radius_m) printer.number("radius_m", *ring.radius_m);
+  printer.close();
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/ring/analysis.hpp"
+#include "rubsweep/ring/static_load.hpp"
+#include "rubsweep/ring/study.hpp"
+
+namespace rubsweep::report {
+
+/// For a terminal: stable where, unstable how, the onsets, the speeds known in closed form.
+std::string ring_summary(const ring::Study& study, const ring::Analysis& analysis);
+
+/// At which speeds the model's assumption of steady contact and slip fails, by the static state.
+std::string validity_summary(const ring::Study& study, const std::vector<ring::StaticLoad>& loads);
+
+/// Lines of the chart that failed, and the shares of its points; empty without a chart.
+std::string chart_summary(const std::vector<std::optional<ring::ChartLine>>& lines);
+
+/// What is modelled, what is left out and why, and how it is solved.
+std::string explain_ring(const ring::Study& study);
+
+}  // namespace rubsweep::report

@@ -1,0 +1,85 @@
+#include "rubsweep/ring/assembly.hpp"
+
+#include <boost/math/special_functions/cos_pi.hpp>
+#include <boost/math/special_functions/sin_pi.hpp>
+
+namespace rubsweep::ring {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+/// Exact at multiples of 90 degrees.
+double cos_deg(double angle_deg) { return boost::math::cos_pi(angle_deg / 180); }
+double sin_deg(double angle_deg) { return boost::math::sin_pi(angle_deg / 180); }
+
+void add_ring(Matrices& matrices, const Ring& ring) {
+  const double n = ring.nodal_diameters, a = amplitude_mass_kg(ring), critical = critical_speed(ring);
+  matrices.mass.topLeftCorner<2, 2>() += a * Matrix2d::Identity();
+  matrices.rotation(0, 1) -= 2 * a * n;
+  matrices.rotation(1, 0) += 2 * a * n;
+  matrices.stiffness.topLeftCorner<2, 2>() += a * n * n * critical * critical * Matrix2d::Identity();
+  matrices.softening.topLeftCorner<2, 2>() += a * n * n * Matrix2d::Identity();
+}
+
+void add_load(Matrices& matrices, const System& system, const Load& load, Index coordinate) {
+  const LoadMaps maps = load_maps(system.ring, load, coordinate, matrices.coordinates());
+  // The load's own forces reach X through its tip, and through friction by their part along the normal.
+  const Eigen::MatrixXd reach =
+      maps.tip.transpose() - system.friction_coefficient * maps.friction * maps.inward;
+  const auto add = [&](Eigen::MatrixXd& target, const Matrix2d& own) { target += reach * own * maps.tip; };
+  Matrix2d own = Matrix2d::Zero();
+  own.diagonal() << load.radial_mass_kg, load.flexural_mass_kg;
+  add(matrices.mass, own);
+  own.diagonal() << load.radial_stiffness_n_per_m, load.tangential_stiffness_n_per_m;
+  add(matrices.stiffness, own);
+  own.diagonal() << load.radial_mass_kg, load.flexural_mass_kg - load.rotary_mass_kg;
+  add(matrices.softening, own);
+  own << 0, -2 * load.gyroscopic_mass_kg, 2 * load.gyroscopic_mass_kg, 0;
+  add(matrices.rotation, own);
+  matrices.force += reach * (-system.preload_n * maps.inward.transpose());
+  matrices.centrifugal += reach * Vector2d(load.centrifugal_mass_kg * system.ring.radius_m.value_or(0), 0);
+}
+
+}  // namespace
+
+LoadMaps load_maps(const Ring& ring, const Load& load, Index coordinate, Index size) {
+  const double n = ring.nodal_diameters, eta = surface_ratio(ring);
+  const double cos_n = cos_deg(n * load.angle_deg), sin_n = sin_deg(n * load.angle_deg);
+  const double c = cos_deg(load.inclination_deg), s = sin_deg(load.inclination_deg);
+  LoadMaps maps{Eigen::MatrixXd::Zero(2, size), {-c, s}, Eigen::VectorXd::Zero(size)};
+  if (load.motion != Motion::tangential) {
+    const Eigen::RowVector2d inward(-n * sin_n, n * cos_n);
+    maps.tip.topLeftCorner<1, 2>() = -c * inward;
+    maps.tip.bottomLeftCorner<1, 2>() = s * inward;
+  }
+  maps.friction.head<2>() << eta * cos_n, eta * sin_n;
+  if (coordinate >= 0) {
+    maps.tip.col(coordinate) << s, c;
+    maps.friction(coordinate) = -1;
+  }
+  return maps;
+}
+
+std::vector<Index> load_coordinates(const System& system) {
+  std::vector<Index> coordinates;
+  Index next = 2;
+  for (const Load& load : system.loads) coordinates.push_back(load.motion == Motion::radial ? -1 : next++);
+  return coordinates;
+}
+
+Matrices assemble(const System& system) {
+  const std::vector<Index> coordinates = load_coordinates(system);
+  Index size = 2;
+  for (const Index coordinate : coordinates) size += coordinate >= 0 ? 1 : 0;
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(size, size);
+  Matrices matrices{zero, zero, zero, zero, Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
+  add_ring(matrices, system.ring);
+  for (std::size_t j = 0; j < system.loads.size(); ++j) {
+    add_load(matrices, system, system.loads[j], coordinates[j]);
+  }
+  return matrices;
+}
+
+}  // namespace rubsweep::ring

@@ -1,0 +1,237 @@
+#include "rubsweep/ring/changes.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace rubsweep::ring {
+namespace {
+
+using Complex = std::complex<double>;
+using Values = Eigen::VectorXcd;
+using Function = std::function<double(double speed)>;
+
+struct End {
+  double speed;
+  Signature signature;
+};
+
+Complex nearest(const Values& values, Complex place) {
+  return *std::min_element(values.begin(), values.end(), [&](const Complex& a, const Complex& b) {
+    return std::abs(a - place) < std::abs(b - place);
+  });
+}
+
+/// (lambda_1 - lambda_2)^2 of the two roots nearest to `place`: smooth where they merge, and known to
+/// rounding although each of them is only known to its square root.
+double discriminant(const Values& values, Complex place) {
+  std::array<Complex, 2> two{};
+  std::partial_sort_copy(
+      values.begin(), values.end(), two.begin(), two.end(),
+      [&](const Complex& a, const Complex& b) { return std::abs(a - place) < std::abs(b - place); });
+  const Complex difference = two[0] - two[1];
+  return (difference * difference).real();
+}
+
+/// Mean of the two roots nearest to `place`.
+Complex middle(const Values& values, Complex place) {
+  std::array<Complex, 2> two{};
+  std::partial_sort_copy(
+      values.begin(), values.end(), two.begin(), two.end(),
+      [&](const Complex& a, const Complex& b) { return std::abs(a - place) < std::abs(b - place); });
+  return 0.5 * (two[0] + two[1]);
+}
+
+/// The pair nearest to the real axis on the growing or the decaying side.
+Complex flattest_pair(const Values& values, bool grows, double zero) {
+  Complex best(0, std::numeric_limits<double>::infinity());
+  for (const Complex& value : values) {
+    if (value.imag() > zero && (value.real() > zero) == grows && value.imag() < best.imag()) best = value;
+  }
+  return best;
+}
+
+/// Where a complex root crosses the imaginary axis, guessed from its values on both sides: the closest ones
+/// of which only one grows.
+Complex crossing_pair(const Values& low, const Values& high, double zero) {
+  Complex best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Complex& a : low) {
+    for (const Complex& b : high) {
+      const bool crosses = (a.real() > zero) != (b.real() > zero);
+      if (!(a.imag() > zero && b.imag() > zero && crosses && std::abs(a - b) < least)) continue;
+      least = std::abs(a - b);
+      best = 0.5 * (a + b);
+    }
+  }
+  return best;
+}
+
+enum class Kind { zero_crossing, axis_crossing, neutral_merger, growing_merger, decaying_merger, composite };
+
+Kind kind_of(const NormalForm& form, const Signature& a, const Signature& b) {
+  const int growing = std::abs(a.growing_real - b.growing_real);
+  const int decaying = std::abs(a.decaying_real - b.decaying_real);
+  const int pairs = std::abs(a.growing_pairs - b.growing_pairs);
+  if (growing == 1 && decaying == 1 && pairs == 0) return Kind::zero_crossing;
+  if (growing == 0 && decaying == 0 && pairs == 1) {
+    return form.has_friction ? Kind::axis_crossing : Kind::neutral_merger;
+  }
+  // Without friction growing and decaying roots mirror each other and merge together.
+  const bool mirrored = !form.has_friction && decaying == 2;
+  if (growing == 2 && (decaying == 0 || mirrored) && pairs == 1) return Kind::growing_merger;
+  if (growing == 0 && decaying == 2 && pairs == 0) return Kind::decaying_merger;
+  return Kind::composite;
+}
+
+class Search {
+ public:
+  Search(const NormalForm& form, const ChangeOptions& options, std::vector<Change>& found)
+      : form_(form), options_(options), found_(found) {}
+
+  void between(const End& low, const End& high) {
+    if (low.signature == high.signature) return;
+    const double width = high.speed - low.speed;
+    const double middle_speed = low.speed + 0.5 * width;
+    const bool ends =
+        width <= options_.tolerance_rad_per_s || middle_speed <= low.speed || middle_speed >= high.speed;
+    if (starts_with_rotation(low, high)) return keep(low, high, low.speed);
+    if (options_.polish && !ends && width < width_to_polish_) {
+      if (const auto speed = polish(low, high)) return keep(low, high, *speed);
+      // Another root was too near to tell: try again much closer.
+      const double wide = std::exchange(width_to_polish_, width / 16);
+      bisect(low, high, middle_speed);
+      width_to_polish_ = wide;
+      return;
+    }
+    if (ends) return keep(low, high, middle_speed);
+    bisect(low, high, middle_speed);
+  }
+
+ private:
+  void bisect(const End& low, const End& high, double middle_speed) {
+    const End middle_end{middle_speed, signature_at(middle_speed)};
+    between(low, middle_end);
+    between(middle_end, high);
+  }
+
+  /// Friction drives a pair as soon as the loads turn: its real part is proportional to the speed.
+  bool starts_with_rotation(const End& low, const End& high) {
+    const double probe = 1e-6 * form_.reference_rad_per_s;
+    return form_.has_friction && low.speed == 0 && high.speed > probe &&
+           signature_at(probe) == high.signature;
+  }
+
+  Values values_at(double speed) {
+    ++evaluations_;
+    return eigenvalues(form_, speed);
+  }
+  Signature signature_at(double speed) { return signature(form_, values_at(speed)); }
+
+  /// Where the root that changes is, seen from the end that tells it best.
+  Complex place_of(Kind kind, const End& low, const End& high) {
+    if (kind == Kind::zero_crossing) return 0;
+    if (kind == Kind::axis_crossing || kind == Kind::neutral_merger) {
+      const Values at_low = values_at(low.speed), at_high = values_at(high.speed);
+      const Complex pair = crossing_pair(at_low, at_high, zero_tolerance(form_) * size_of(at_high));
+      return kind == Kind::neutral_merger ? Complex(0, pair.imag()) : pair;
+    }
+    const bool more_growing_pairs = high.signature.growing_pairs > low.signature.growing_pairs;
+    const bool fewer_real = high.signature.decaying_real < low.signature.decaying_real;
+    const bool at_high = kind == Kind::decaying_merger ? fewer_real : more_growing_pairs;
+    const Values values = values_at(at_high ? high.speed : low.speed);
+    const double zero = zero_tolerance(form_) * size_of(values);
+    return flattest_pair(values, kind == Kind::growing_merger, zero).real();
+  }
+
+  Function smooth_function(Kind kind, Complex place) {
+    if (kind == Kind::zero_crossing) {
+      return [this](double speed) {
+        const double scaled = speed / form_.reference_rad_per_s;
+        return (form_.stiffness - scaled * scaled * form_.softening).determinant();
+      };
+    }
+    if (kind == Kind::axis_crossing) {
+      return [this, place](double speed) { return nearest(values_at(speed), place).real(); };
+    }
+    return [this, place](double speed) { return discriminant(values_at(speed), place); };
+  }
+
+  std::optional<double> polish(const End& low, const End& high) {
+    const Kind kind = kind_of(form_, low.signature, high.signature);
+    if (kind == Kind::composite) return std::nullopt;
+    const Function function = smooth_function(kind, place_of(kind, low, high));
+    const double at_low = function(low.speed), at_high = function(high.speed);
+    if (!(std::isfinite(at_low) && std::isfinite(at_high)) || at_low * at_high >= 0) return std::nullopt;
+    std::uintmax_t steps = 60;
+    const auto [from, to] =
+        boost::math::tools::toms748_solve(function, low.speed, high.speed, at_low, at_high,
+                                          boost::math::tools::eps_tolerance<double>(51), steps);
+    const double speed = from + 0.5 * (to - from);
+    // Another root of the same function may lie in the bracket: the signatures must agree on both sides.
+    // Far enough aside for a slowly moving root to leave the tolerance of zero.
+    const double aside = 1e-6 * form_.reference_rad_per_s;
+    const bool before = speed - aside <= low.speed || signature_at(speed - aside) == low.signature;
+    const bool after = speed + aside >= high.speed || signature_at(speed + aside) == high.signature;
+    if (!before || !after) return std::nullopt;
+    return speed;
+  }
+
+  void keep(const End& low, const End& high, double speed) {
+    const Kind kind = kind_of(form_, low.signature, high.signature);
+    Complex root = kind == Kind::composite ? Complex(0) : place_of(kind, low, high);
+    if (kind == Kind::axis_crossing) root = nearest(values_at(speed), root);
+    if (kind != Kind::axis_crossing && kind != Kind::composite) root = middle(values_at(speed), root);
+    found_.push_back(
+        {speed, low.signature, high.signature, {root.real(), std::abs(root.imag())}, evaluations_});
+    evaluations_ = 0;
+  }
+
+  const NormalForm& form_;
+  const ChangeOptions& options_;
+  std::vector<Change>& found_;
+  double width_to_polish_ = 1e-2 * form_.reference_rad_per_s;
+  int evaluations_ = 0;
+};
+
+/// A grid point that lies on a crossing of zero by a neutral pair has a signature of its own for a moment.
+void drop_moments(std::vector<Change>& changes) {
+  for (std::size_t i = 0; i + 1 < changes.size();) {
+    const Change &first = changes[i], &second = changes[i + 1];
+    const double apart = second.speed_rad_per_s - first.speed_rad_per_s;
+    if (apart < 1e-6 * (1 + first.speed_rad_per_s) && first.before == second.after) {
+      changes.erase(changes.begin() + static_cast<std::ptrdiff_t>(i),
+                    changes.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+    } else {
+      ++i;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Change> find_changes(const NormalForm& form, std::span<const double> speeds_rad_per_s,
+                                 std::span<const Signature> signatures, const ChangeOptions& options) {
+  std::vector<Change> changes;
+  Search search(form, options, changes);
+  for (std::size_t i = 0; i + 1 < speeds_rad_per_s.size(); ++i) {
+    search.between({speeds_rad_per_s[i], signatures[i]}, {speeds_rad_per_s[i + 1], signatures[i + 1]});
+  }
+  drop_moments(changes);
+  return changes;
+}
+
+std::vector<Change> find_changes(const NormalForm& form, std::span<const double> speeds_rad_per_s,
+                                 const ChangeOptions& options) {
+  std::vector<Signature> signatures;
+  for (const double speed : speeds_rad_per_s) signatures.push_back(signature(form, speed));
+  return find_changes(form, speeds_rad_per_s, signatures, options);
+}
+
+}  // namespace rubsweep::ring

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/ring/changes.hpp"
+#include "rubsweep/ring/system.hpp"
+
+namespace rubsweep::ring {
+
+/// A speed known in closed form beside what the eigenvalues say.
+struct CriticalSpeed {
+  std::string name;
+  double closed_form_rad_per_s = 0;
+  std::optional<double>
+      numeric_rad_per_s;  ///< empty: outside of the range of speeds, or nothing happens there
+};
+
+/// Every closed form that holds for this system (see closed_forms.hpp), each with the nearest speed of its
+/// kind that was found numerically within 1e-6 of it: singular K for divergence, `changes` (of the system
+/// with its friction) for the others.
+std::vector<CriticalSpeed> critical_speeds(const System& system, const std::vector<Change>& changes);
+
+}  // namespace rubsweep::ring
