@@ -11,6 +11,7 @@
 #include "interrupt.hpp"
 #include "program.hpp"
 #include "ringstab_arguments.hpp"
+#include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/print_ring_config.hpp"
