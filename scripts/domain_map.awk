@@ -2,7 +2,8 @@
 # Prints two blocks, parted by two empty lines as gnuplot wants them:
 #   one line per cell:   x y left right bottom top kind     x = speed / natural frequency, y = whirl ratio
 #   one line per domain: x y text                           where to write 1/n
-# A cell reaches half way to its neighbours. `kind` is the class, with the order behind a subharmonic (8: 8 and more).
+# A cell reaches half way to its neighbours. `kind` is the class, with the order behind a subharmonic (8: 8 and more),
+# and with what parts the two synchronous motions of an annulus: synchronous_circle, quasi_periodic_comb.
 
 function fail(message) {
   print FILENAME ":" FNR ": " message > "/dev/stderr"
@@ -31,9 +32,11 @@ function find_edges(values, count, low, high,    i, v, before, after) {
   }
 }
 
-function kind_of(class, order) {
-  if (class != "subharmonic") return class
-  return class "_" (order > 8 ? 8 : order)
+function kind_of(class, order, orbit, comb_spacing) {
+  if (class == "subharmonic") return class "_" (order > 8 ? 8 : order)
+  if (class == "synchronous" && orbit == "circle") return "synchronous_circle"
+  if (class == "quasi_periodic" && comb_spacing != "") return "quasi_periodic_comb"
+  return class
 }
 
 BEGIN {
@@ -45,7 +48,7 @@ BEGIN {
 !columns {
   columns = NF
   for (i = 1; i <= NF; ++i) place[$i] = i
-  split("speed_hz whirl_ratio class order", need, " ")
+  split("speed_hz whirl_ratio class order orbit comb_spacing", need, " ")
   for (i in need) if (!(need[i] in place)) fail("no column '" need[i] "'")
   next
 }
@@ -53,7 +56,7 @@ $place["whirl_ratio"] != "" {
   ++cells
   x[cells] = $place["speed_hz"] / natural_frequency_hz
   y[cells] = $place["whirl_ratio"] + 0
-  kind[cells] = kind_of($place["class"], $place["order"])
+  kind[cells] = kind_of($place["class"], $place["order"], $place["orbit"], $place["comb_spacing"])
   if (!(x[cells] in seen_x)) seen_x[x[cells]] = xs[++nx] = x[cells]
   if (!(y[cells] in seen_y)) seen_y[y[cells]] = ys[++ny] = y[cells]
 }

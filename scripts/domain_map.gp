@@ -9,20 +9,21 @@ present = ARG4
 labels = ARG5
 
 # Colours: Paul Tol's "muted" scheme, made for colour-blind readers. Three rare kinds are hatched.
-array kind[14] = ["non_contact", "synchronous", "subharmonic_2", "subharmonic_3", "subharmonic_4", "subharmonic_5", \
-  "subharmonic_6", "subharmonic_7", "subharmonic_8", "quasi_periodic", "chaotic", \
-  "unsettled", "initial_contact", "failed"]
-array legend[14] = ["no contact", "synchronous", "subharmonic 1/2", "subharmonic 1/3", "subharmonic 1/4", \
-  "subharmonic 1/5", "subharmonic 1/6", "subharmonic 1/7", "subharmonic ≤ 1/8", "quasi-periodic", "chaotic", \
-  "unsettled", "touches before kick", "failed"]
-array colour[14] = ["#F4F4F4", "#88CCEE", "#CC6677", "#332288", "#DDCC77", "#117733", \
-  "#882255", "#44AA99", "#999933", "#AA4499", "#000000", \
-  "#555555", "#999999", "#CC0000"]
+array kind[16] = ["non_contact", "synchronous_circle", "synchronous", "subharmonic_2", "subharmonic_3", \
+  "subharmonic_4", "subharmonic_5", "subharmonic_6", "subharmonic_7", "subharmonic_8", "quasi_periodic_comb", \
+  "quasi_periodic", "chaotic", "unsettled", "initial_contact", "failed"]
+array legend[16] = ["no contact", "synchronous circle", "synchronous", "subharmonic 1/2", "subharmonic 1/3", \
+  "subharmonic 1/4", "subharmonic 1/5", "subharmonic 1/6", "subharmonic 1/7", "subharmonic ≤ 1/8", \
+  "oval, lines form a comb\n(“synchronous oval”)", \
+  "quasi-periodic", "chaotic", "unsettled", "touches before kick", "failed"]
+array colour[16] = ["#F4F4F4", "#4F9BD0", "#88CCEE", "#CC6677", "#332288", \
+  "#DDCC77", "#117733", "#882255", "#44AA99", "#999933", "#EE8866", \
+  "#AA4499", "#000000", "#555555", "#999999", "#CC0000"]
 solid = ""
 hatched = ""
-do for [i = 1:14] {
+do for [i = 1:16] {
   if (strstrt(present, " " . kind[i] . " ")) {
-    if (i <= 11) { solid = solid . i . " " } else { hatched = hatched . i . " " }
+    if (i <= 13) { solid = solid . i . " " } else { hatched = hatched . i . " " }
   }
 }
 
@@ -49,7 +50,7 @@ set mxtics 2
 set ytics out nomirror
 set key at screen 0.775, graph 1 left top Left reverse samplen 1.5 spacing 1.4
 set rmargin at screen 0.76
-at(list, k) = k > words(list) ? 14 : int(word(list, k))  # gnuplot reads the body of an empty loop, too
+at(list, k) = k > words(list) ? 16 : int(word(list, k))  # gnuplot reads the body of an empty loop, too
 x_if(i) = strcol(7) eq kind[i] ? $1 : NaN
 
 set terminal pngcairo size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
@@ -57,7 +58,7 @@ set output output . ".png"
 plot for [k = 1:words(solid)] cells index 0 using (x_if(at(solid, k))):2:3:4:5:6 with boxxyerror \
        linecolor rgb colour[at(solid, k)] linewidth 0.5 fillstyle solid 1 border title legend[at(solid, k)], \
      for [k = 1:words(hatched)] cells index 0 using (x_if(at(hatched, k))):2:3:4:5:6 with boxxyerror \
-       linecolor rgb colour[at(hatched, k)] linewidth 0.5 fillstyle pattern (at(hatched, k) - 8) border \
+       linecolor rgb colour[at(hatched, k)] linewidth 0.5 fillstyle pattern (at(hatched, k) - 10) border \
        title legend[at(hatched, k)]
 set terminal svg size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
 set output output . ".svg"

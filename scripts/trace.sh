@@ -56,6 +56,9 @@ title() {
   local name=${class//_/ }
   [[ $class != non_contact ]] || name='no contact'
   [[ -z $order || $order == 1 ]] || name+=" 1/$order"
+  [[ $class != synchronous || $orbit != circle ]] || name+=' circle'
+  # Ishibashi & Kawai's name for it.
+  [[ -z $comb_spacing ]] || name="oval whirl (“synchronous oval”), lines at 1 ± k $(printf '%.4g' "$comb_spacing")"
   printf '%s: %.4g Hz = %.3g × natural frequency, whirl ratio %.3g' "$name" "$speed_hz" \
     "$(calculate "$speed_hz / ${config[rotor.natural_frequency_hz]}")" "$whirl_ratio"
 }
@@ -70,9 +73,11 @@ lay_out() {
   local path value
   while IFS='=' read -r path value; do config[$path]=$value; done \
     < <(awk -f "$here/config_values.awk" "$directory/config.yaml")
-  local speed_hz whirl_ratio class order walls rings moving_walls wall_names
-  # The order may be empty, so it comes last.
-  read -r speed_hz whirl_ratio class order <<<"$(columns "$directory/motion.csv" speed_hz whirl_ratio class order)"
+  local speed_hz whirl_ratio class order orbit comb_spacing walls rings moving_walls wall_names
+  # What may be empty is read alone.
+  read -r speed_hz whirl_ratio class <<<"$(columns "$directory/motion.csv" speed_hz whirl_ratio class)"
+  order=$(columns "$directory/motion.csv" order) orbit=$(columns "$directory/motion.csv" orbit)
+  comb_spacing=$(columns "$directory/motion.csv" comb_spacing)
   read_stops
 
   local last from=0 to
