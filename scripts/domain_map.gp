@@ -14,7 +14,7 @@ array kind[16] = ["non_contact", "synchronous_circle", "synchronous", "subharmon
   "quasi_periodic", "chaotic", "unsettled", "initial_contact", "failed"]
 array legend[16] = ["no contact", "synchronous circle", "synchronous", "subharmonic 1/2", "subharmonic 1/3", \
   "subharmonic 1/4", "subharmonic 1/5", "subharmonic 1/6", "subharmonic 1/7", "subharmonic ≤ 1/8", \
-  "oval, lines form a comb\n(“synchronous oval”)", \
+  "“synchronous oval”", \
   "quasi-periodic", "chaotic", "unsettled", "touches before kick", "failed"]
 array colour[16] = ["#F4F4F4", "#4F9BD0", "#88CCEE", "#CC6677", "#332288", \
   "#DDCC77", "#117733", "#882255", "#44AA99", "#999933", "#EE8866", \

@@ -1,11 +1,13 @@
 # Names the lines of a spectrum that a picture has room for. Input: lines "ORDER AMPLITUDE" in rising order; set -v
-# period=n where the orders are multiples of 1/n, 0 where they are not. Prints "ORDER AMPLITUDE TEXT", largest first.
+# period=n where the orders are multiples of 1/n, 0 where they are not, and comb_spacing=s where they are 1 + k s, which
+# the spectrum's lines only come near to. Prints "ORDER AMPLITUDE TEXT", largest first.
 
 function absolute(x) { return x < 0 ? -x : x }
 function nearest(x) { return x < 0 ? -int(0.5 - x) : int(x + 0.5) }
 function divisor(a, b) { return b == 0 ? a : divisor(b, a % b) }
 
 function text(order,    p, common) {
+  if (comb_spacing) order = 1 + nearest((order - 1) / comb_spacing) * comb_spacing
   p = nearest(order * period)
   if (!period || absolute(p - order * period) > 1e-6) return sprintf("%s%.3gX", order < 0 ? "−" : "", absolute(order))
   common = divisor(absolute(p), period)

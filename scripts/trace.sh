@@ -84,8 +84,10 @@ lay_out() {
   last=$(tail -n 1 "$directory/section.csv" | cut -d, -f1)
   to=$((revolutions < 0 || revolutions > last ? last : revolutions))
   ((revolutions >= 0)) || from=$((last + revolutions > 0 ? last + revolutions : 0))
-  # A periodic orbit closes after `order` revolutions; anything else shows all that the spectrum was taken of.
+  # A periodic orbit closes after `order` revolutions, an oval fills a ring as it turns: eight show how it begins.
+  # Anything else shows all that the spectrum was taken of.
   local window=${config[response.window_revolutions]} shown=${order:+$((2 * order))}
+  [[ -z $comb_spacing ]] || shown=8
   shown=${shown:-$window}
   local orbit_from=$((last > shown ? last - shown : 0)) section_from=$((last > window ? last - window + 1 : 0))
 
@@ -95,7 +97,7 @@ lay_out() {
     >"$work/$row.orbit"
   columns "$directory/section.csv" x_m y_m --between "$section_from" '' >"$work/$row.section"
   columns "$directory/spectrum.csv" order amplitude_m --between -8 8 >"$work/$row.spectrum"
-  awk -v period="${order:-0}" -f "$here/spectrum_labels.awk" "$work/$row.spectrum" >"$work/$row.labels"
+  awk -v period="${order:-0}" -v comb_spacing="${comb_spacing:-0}" -f "$here/spectrum_labels.awk" "$work/$row.spectrum" >"$work/$row.labels"
   local start
   start=$(columns "$directory/section.csv" y_m vy_m_per_s --between 0 0)
 
