@@ -16,8 +16,8 @@
 #                                   has to reach higher speed than in both
 #   small_circle_cells, _lowest     synchronous circles smaller than the clearance at rest: the casing is out of phase
 #   oval_cells, _lowest, _least_ratio, _hits, _repeated_percent
-#                                   ovals (combs): lowest speed, smallest whirl ratio, median of the hits per whirl,
-#                                   share with two and more hits per whirl
+#                                   ovals (combs): lowest speed, smallest whirl ratio, median of the hits per whirl about
+#                                   the centre, share with more than 1.5: there most whirls see two hits or more
 #   <class>_percent                 share of all cells
 function median(values, count,    i, j, value) {
   for (i = 2; i <= count; i++) {
@@ -28,10 +28,10 @@ function median(values, count,    i, j, value) {
   return count % 2 ? values[(count + 1) / 2] : (values[count / 2] + values[count / 2 + 1]) / 2
 }
 
-# Revolutions are read in windows of 64: a line is known to 1/64 of the shaft speed. Where 1X is the largest line, the
+# The dominant line is only known to 1/64 of the shaft speed, the comb's spacing well. Where 1X is the largest line, the
 # whirl's own is taken to be the next one of the comb.
 function whirl_order(dominant, comb_spacing) {
-  return dominant > 1 - 1 / 64 && dominant < 1 + 1 / 64 ? 1 - comb_spacing : dominant
+  return absolute(dominant - 1) < 1 / 64 || absolute(dominant - 1 + comb_spacing) < 1 / 64 ? 1 - comb_spacing : dominant
 }
 function absolute(x) { return x < 0 ? -x : x }
 function keep_least(name, value) { if (!(name in least) || value < least[name]) least[name] = value }
@@ -99,8 +99,7 @@ class == "synchronous" {
 }
 class == "quasi_periodic" && $at["comb_spacing"] != "" {
   hits[++ovals] = $at["hits_per_revolution"] / absolute(whirl_order($at["dominant_order"], $at["comb_spacing"]))
-  # Two in 64 revolutions more or less are counted differently from window to window.
-  if (hits[ovals] > 1.75) repeated++
+  if (hits[ovals] > 1.5) repeated++
   keep_least("oval_lowest", speed)
   keep_least("oval_least_ratio", ratio)
 }
