@@ -61,15 +61,20 @@ std::string describe_difference(const batch::JournalHeader& there, const batch::
   return text;
 }
 
+batch::JournalHeader header_of(const config::RunConfig& config) {
+  return {config::study_digest(config.study), program_digest, sweep::cell_count(config.study.grid),
+          config::print_study(config.study)};
+}
+
 }  // namespace
+
+batch::Journal rank_journal(const config::RunConfig& config, int rank) {
+  return {config.output_directory / fmt::format("map.rank-{}.journal", rank), header_of(config)};
+}
 
 MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, std::optional<Share> part,
                            bool fresh, const std::string& program)
-    : directory_(std::move(directory)),
-      name_(name_of(part)),
-      part_(part),
-      header_{config::study_digest(config.study), program_digest, sweep::cell_count(config.study.grid),
-              config::print_study(config.study)} {
+    : directory_(std::move(directory)), name_(name_of(part)), part_(part), header_(header_of(config)) {
   make_directory(directory_);
   lock(program);
   remove_leftovers();
@@ -85,10 +90,6 @@ fs::path MapDirectory::path(std::string_view ending) const {
 }
 
 std::vector<fs::path> MapDirectory::journals() const { return files(directory_, ".journal"); }
-
-batch::Journal MapDirectory::rank_journal(int rank) const {
-  return {directory_ / fmt::format("map.rank-{}.journal", rank), header_};
-}
 
 /// Parts share the directory, each with a lock of its own; the whole takes it alone.
 void MapDirectory::lock(const std::string& program) {

@@ -40,9 +40,8 @@ class MapDirectory {
   std::size_t finished() const { return cells_ - missing_.size(); }  ///< of them, when the work began
   const std::vector<std::size_t>& missing() const { return missing_; }
 
-  /// Opens the journal of this process, or of one rank, to add finished cells. Throws IoError.
+  /// Opens the journal of this process to add finished cells. Throws IoError.
   batch::Journal journal() const { return {path(".journal"), header_}; }
-  batch::Journal rank_journal(int rank) const;
 
   /// Where finished cells can be watched: holds those that were finished when the work began.
   std::filesystem::path partial() const { return path(".partial.csv"); }
@@ -71,5 +70,8 @@ class MapDirectory {
   std::size_t cells_ = 0;
   std::vector<std::size_t> missing_;
 };
+
+/// Opens the journal of another process that helps the one whose MapDirectory this is. Throws IoError.
+batch::Journal rank_journal(const config::RunConfig& config, int rank);
 
 }  // namespace rubsweep::apps

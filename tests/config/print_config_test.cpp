@@ -60,6 +60,7 @@ RunConfig awkward_config(std::mt19937_64& random) {
   config.study.solver.relative_tolerance = 1e-9 * std::numbers::pi;
   config.study.response = {
       .max_revolutions = 1001, .samples_per_revolution = 66, .window_revolutions = 100, .max_order = 16};
+  config.study.robustness = sweep::Robustness(random() % 2);
   config.output_directory = "results/awkward";
   return config;
 }

@@ -85,7 +85,7 @@ inline std::vector<std::uint64_t> bits_of(const RunConfig& config) {
   put(solver.smoothing_m), count(solver.max_steps_per_revolution);
   const response::ResponseOptions& response = config.study.response;
   count(response.max_revolutions), count(response.samples_per_revolution);
-  count(response.window_revolutions), count(response.max_order);
+  count(response.window_revolutions), count(response.max_order), count(config.study.robustness);
   return bits;
 }
 

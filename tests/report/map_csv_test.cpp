@@ -51,6 +51,7 @@ Row full_row() {
   row.measures->orbit = response::OrbitKind::oval;
   row.measures->whirl = response::WhirlKind::backward;
   row.proof = response::Proof::observed;
+  row.robust = true;
   row.last_contact_revolution = 600;
   row.revolutions = 600;
   return row;
@@ -78,8 +79,14 @@ TEST(MapHeader, IsTheContract) { EXPECT_EQ(map_header(), contract); }
 
 TEST(MapLine, OfARowWithEverything) {
   EXPECT_EQ(map_line(full_row()),
-            "75,0.4,0.000336,subharmonic,2,oval,backward,observed,,,1.5,0.125,0.0025,1234.5,0.000456,2e-05,"
+            "75,0.4,0.000336,subharmonic,2,oval,backward,observed,yes,,1.5,0.125,0.0025,1234.5,0.000456,2e-05,"
             "-0.5,0.0015,,,600,600,ok");
+}
+
+TEST(MapLine, ASensitiveCellSaysSo) {
+  Row row = full_row();
+  row.robust = false;
+  EXPECT_EQ(by_column(map_line(row)).at("robust"), "no");
 }
 
 TEST(MapLine, WhatDoesNotApplyIsEmpty) {

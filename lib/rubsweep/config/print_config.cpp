@@ -19,7 +19,7 @@ void print(Printer& printer, const sweep::Study& study) {
   printer.number("gravity_m_per_s2", study.machine.gravity_m_per_s2);
   print_sweep(printer, study.grid);
   print_solver(printer, study.solver);
-  print_response(printer, study.response);
+  print_response(printer, study);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ RunConfig read_sections(const Value& root) {
   section.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);
   if (const auto value = section.require("sweep", "a map")) study.grid = read_sweep(*value);
   if (const auto value = section.find("solver")) study.solver = read_solver(*value);
-  if (const auto value = section.find("response")) study.response = read_response(*value);
+  if (const auto value = section.find("response")) read_response(*value, study);
   if (const auto value = section.require("output", "a map")) config.output_directory = read_output(*value);
   section.refuse_unknown_keys();
   return config;

@@ -13,11 +13,16 @@ constexpr IntegerRange samples{4, 4096, true};
 constexpr IntegerRange window{2, 4096};
 constexpr IntegerRange order{1, 1024};
 
-void visit_fields(auto& response, auto&& visit) {
+constexpr Words<sweep::Robustness, 2> switches{{"off", "on"},
+                                               {sweep::Robustness::off, sweep::Robustness::on}};
+
+void visit_fields(auto& study, auto&& visit) {
+  auto& response = study.response;
   visit("max_revolutions", response.max_revolutions, revolutions);
   visit("samples_per_revolution", response.samples_per_revolution, samples);
   visit("window_revolutions", response.window_revolutions, window);
   visit("max_order", response.max_order, order);
+  visit("robustness", study.robustness, switches);
 }
 
 void refuse_contradictions(const Section& section, const response::ResponseOptions& options) {
@@ -40,22 +45,19 @@ void refuse_contradictions(const Section& section, const response::ResponseOptio
 
 }  // namespace
 
-response::ResponseOptions read_response(const Value& value) {
+void read_response(const Value& value, sweep::Study& study) {
   Section section(value);
-  response::ResponseOptions response;
   const std::size_t problems = section.problem_count();
-  visit_fields(response,
+  visit_fields(study,
                [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
-  if (section.problem_count() == problems) refuse_contradictions(section, response);
+  if (section.problem_count() == problems) refuse_contradictions(section, study.response);
   section.refuse_unknown_keys();
-  return response;
 }
 
-void print_response(Printer& printer, const response::ResponseOptions& response) {
+void print_response(Printer& printer, const sweep::Study& study) {
   printer.open("response");
-  visit_fields(response, [&](auto name, const auto& field, const auto& allowed) {
-    printer.field(name, field, allowed);
-  });
+  visit_fields(
+      study, [&](auto name, const auto& field, const auto& allowed) { printer.field(name, field, allowed); });
   printer.close();
 }
 

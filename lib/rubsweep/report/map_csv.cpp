@@ -37,8 +37,8 @@ std::string hits_per_revolution(const Measures& m) {
   return csv_number(static_cast<double>(m.contact.hits) / m.turns);
 }
 
-/// Columns in the order of the file. `robust`, `comb_spacing`, `floquet_modulus` and
-/// `lyapunov_per_revolution` are part of the format and stay empty until something measures them.
+/// Columns in the order of the file. `floquet_modulus` is part of the format and stays empty until something
+/// measures it.
 constexpr std::array columns{
     Column{"speed_hz", [](const Row& r) { return csv_number(r.speed_hz); }},
     Column{"whirl_ratio", [](const Row& r) { return csv_number(r.whirl_ratio); }},
@@ -54,7 +54,7 @@ constexpr std::array columns{
              return measured(r, [](const Measures& m) { return m.whirl ? word(to_string(*m.whirl)) : ""; });
            }},
     Column{"proof", [](const Row& r) { return r.proof ? word(to_string(*r.proof)) : std::string(); }},
-    Column{"robust", [](const Row&) { return std::string(); }},
+    Column{"robust", [](const Row& r) { return r.robust ? word(*r.robust ? "yes" : "no") : std::string(); }},
     Column{"comb_spacing",
            [](const Row& r) {
              return measured(

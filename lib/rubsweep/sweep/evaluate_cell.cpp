@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/sweep/robustness.hpp"
 
 namespace rubsweep::sweep {
 namespace {
@@ -46,16 +47,13 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
   if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
 }
 
-}  // namespace
-
-std::size_t cell_count(const Grid& grid) { return grid.speed_hz.size() * grid.unbalance.size(); }
-
-Row evaluate_cell(const Study& study, std::size_t cell, response::SpectrumWorkspace& workspace) {
+/// The cell with a machine that may differ from the study's.
+Row evaluate(const Study& study, const model::Machine& machine, std::size_t cell,
+             response::SpectrumWorkspace& workspace) {
   const std::size_t speeds = study.grid.speed_hz.size();
   Row row;
   row.speed_hz = study.grid.speed_hz[cell % speeds];
-  const scene::Cell start =
-      scene::build_cell(study.machine, row.speed_hz, unbalance_of(study.grid, cell / speeds));
+  const scene::Cell start = scene::build_cell(machine, row.speed_hz, unbalance_of(study.grid, cell / speeds));
   row.whirl_ratio = start.whirl_ratio;
   row.eccentricity_m = start.eccentricity_m;
   if (start.start == scene::Start::unreachable) {
@@ -66,7 +64,21 @@ Row evaluate_cell(const Study& study, std::size_t cell, response::SpectrumWorksp
     row.motion_class = response::MotionClass::initial_contact;
     return row;
   }
-  fill(row, response::settle(start, study.solver, study.response, workspace), has_constant_friction(study.machine));
+  fill(row, response::settle(start, study.solver, study.response, workspace), has_constant_friction(machine));
+  return row;
+}
+
+}  // namespace
+
+std::size_t cell_count(const Grid& grid) { return grid.speed_hz.size() * grid.unbalance.size(); }
+
+Row evaluate_cell(const Study& study, std::size_t cell, response::SpectrumWorkspace& workspace) {
+  Row row = evaluate(study, study.machine, cell, workspace);
+  if (study.robustness == Robustness::on) {
+    row.robust = is_robust(row, study.machine, [&](const model::Machine& machine) {
+      return evaluate(study, machine, cell, workspace);
+    });
+  }
   return row;
 }
 

@@ -21,12 +21,16 @@ struct Grid {
   std::vector<double> unbalance;
 };
 
+/// Whether each cell is run twice more to tell how firmly it holds its class (see is_robust).
+enum class Robustness { off, on };
+
 /// Everything that decides the numbers of a map: never paths, threads or times.
 struct Study {
   model::Machine machine;
   Grid grid;
   integrate::SolverOptions solver;
   response::ResponseOptions response;
+  Robustness robustness = Robustness::off;
 };
 
 }  // namespace rubsweep::sweep

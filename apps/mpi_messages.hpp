@@ -1,0 +1,53 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chunk_queue.hpp"
+
+/// What the ranks of rubsweep-mpi say to each other; the only place that knows MPI. Only the thread that made
+/// the Session may call. Whoever waits sleeps in between, where MPI itself would keep a processor busy.
+namespace rubsweep::apps::mpi {
+
+/// MPI as long as this lives.
+class Session {
+ public:
+  Session(int& argc, char**& argv);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+};
+
+int rank();
+int ranks();
+
+/// The first rank's value, to all.
+int broadcast_number(int number);
+std::string broadcast_text(std::string text);
+
+/// A worker's word to the first rank: the finished lines of its last chunk, and a request for the next one
+/// unless it stopped.
+struct Report {
+  int rank = 0;
+  bool stopped = false;
+  std::vector<std::string> lines;  ///< without line ends
+};
+
+void send_report(const Report& report);
+
+/// The next report; empty when none came within `patience`.
+std::optional<Report> receive_report(std::chrono::milliseconds patience);
+
+/// The answer to a request; empty: nothing is left.
+void send_chunk(int rank, const Chunk& chunk);
+Chunk receive_chunk();
+
+/// Returns when every rank has called it.
+void wait_for_all();
+
+/// Ends every rank with this exit code.
+[[noreturn]] void abort(int code);
+
+}  // namespace rubsweep::apps::mpi

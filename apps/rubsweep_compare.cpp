@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <boost/program_options.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "exit_code.hpp"
+#include "program.hpp"
+#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/report/compare_maps.hpp"
+#include "rubsweep/report/comparison_figure.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+namespace po = boost::program_options;
+
+constexpr double default_tolerance = 1e-4;
+
+po::options_description visible_options() {
+  po::options_description options("Options");
+  options.add_options()(
+      "tolerance", po::value<double>()->value_name("R")->default_value(default_tolerance, "1e-4"),
+      "largest relative difference of a number; lengths are relative to the cell's peak displacement")(
+      "sensitive", po::value<std::string>()->value_name("FILE.csv"),
+      "cells to leave out besides those whose robust column says no: columns speed_hz and whirl_ratio or "
+      "eccentricity_m")(
+      "figure", po::value<std::string>()->value_name("FILE"),
+      "draw where the maps differ: FILE.png, FILE.svg, or FILE.gp for the gnuplot script alone")(
+      "quiet", "print errors only")("help", "print this and exit")("version", "print the version and exit");
+  return options;
+}
+
+std::string help() {
+  std::ostringstream options;
+  options << visible_options();
+  return fmt::format(
+      "rubsweep-compare A.csv B.csv [options]\n"
+      "Compares two maps cell by cell: class and order exactly, numbers of motions that repeat to a "
+      "tolerance.\n\n"
+      "{}\n"
+      "Examples:\n"
+      "  rubsweep-compare results/golden/figure06_small.csv /tmp/new/map.csv --figure "
+      "/tmp/new/difference.png\n"
+      "  rubsweep-compare gcc/map.csv clang/map.csv --tolerance 1e-9\n\n"
+      "Exit codes: 0 the maps are equal on robust cells; 1 usage; 3 input/output; 5 they differ.\n",
+      options.str());
+}
+
+po::variables_map parse(int argc, char** argv) {
+  po::options_description all = visible_options();
+  all.add_options()("map", po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add("map", -1);
+  po::variables_map given;
+  try {
+    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+              given);
+  } catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+  return given;
+}
+
+/// Gnuplot reads the script from a pipe and leaves the picture where it says.
+void draw(const std::string& script, const fs::path& picture) {
+  std::FILE* gnuplot = ::popen("gnuplot", "w");
+  if (!gnuplot) throw IoError("gnuplot cannot be started");
+  std::fputs(script.c_str(), gnuplot);
+  if (::pclose(gnuplot) != 0) throw IoError(fmt::format("{}: gnuplot could not draw it", picture.string()));
+}
+
+void write_figure(const report::MapComparison& comparison, const std::string& heading, const fs::path& file) {
+  if (file.extension() == ".gp") {
+    fs::path picture = file;
+    picture.replace_extension(".png");
+    batch::write_whole_file(file, report::comparison_figure(comparison, heading, "pngcairo", picture));
+  } else {
+    draw(
+        report::comparison_figure(comparison, heading, file.extension() == ".svg" ? "svg" : "pngcairo", file),
+        file);
+  }
+}
+
+int compare(const po::variables_map& given) {
+  const auto maps =
+      given.count("map") ? given["map"].as<std::vector<std::string>>() : std::vector<std::string>{};
+  if (maps.size() != 2) throw UsageError("two maps are needed: rubsweep-compare A.csv B.csv");
+  const double tolerance = given["tolerance"].as<double>();
+  if (!std::isfinite(tolerance) || tolerance < 0) throw UsageError("--tolerance: allowed: a number >= 0");
+  std::optional<fs::path> figure;
+  if (given.count("figure")) {
+    figure = given["figure"].as<std::string>();
+    const std::string kind = figure->extension();
+    if (kind != ".png" && kind != ".svg" && kind != ".gp") {
+      throw UsageError("--figure: allowed: a name that ends with .png, .svg or .gp");
+    }
+  }
+  const batch::CsvTable a = batch::read_csv(maps[0]), b = batch::read_csv(maps[1]);
+  std::optional<batch::CsvTable> sensitive;
+  if (given.count("sensitive")) sensitive = batch::read_csv(given["sensitive"].as<std::string>());
+  const auto comparison = report::compare_maps(a, b, tolerance, sensitive ? &*sensitive : nullptr);
+  if (!given.count("quiet")) fmt::print("{}", report::describe(comparison, tolerance));
+  if (figure) write_figure(comparison, fmt::format("{} -> {}", maps[0], maps[1]), *figure);
+  return comparison.equal() ? done : maps_differ;
+}
+
+int act(const po::variables_map& given) {
+  if (given.count("help")) {
+    fmt::print("{}", help());
+  } else if (given.count("version")) {
+    fmt::print("rubsweep-compare {}\n", RUBSWEEP_VERSION);
+  } else {
+    return compare(given);
+  }
+  return done;
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  using namespace rubsweep::apps;
+  return run_program("rubsweep-compare", [&] { return act(parse(argc, argv)); });
+}

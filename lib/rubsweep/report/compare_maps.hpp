@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/batch/csv_table.hpp"
+
+namespace rubsweep::report {
+
+/// What a cell of two maps turned out to be.
+enum class CellVerdict {
+  equal,
+  sensitive,       ///< listed as such or `robust` is `no` in one of the maps: not compared
+  numbers_differ,  ///< class and order are equal, a number or a word of the motion is not
+  classes_differ,  ///< class or order differ
+  only_in_one      ///< the other map has no such cell
+};
+
+struct ComparedCell {
+  double speed_hz = 0;
+  double unbalance = 0;  ///< in the unit of the maps' second axis
+  CellVerdict verdict = CellVerdict::equal;
+  std::string label_a,
+      label_b;  ///< class and order, such as "subharmonic 1/2"; empty where there is no such cell
+};
+
+/// The worst difference of one column.
+struct ColumnDifference {
+  std::string column;
+  std::size_t cells = 0;          ///< in how many it differs
+  std::optional<double> largest;  ///< relative difference; empty: a word, or a number on one side only
+  std::size_t cell = 0;           ///< where, an index into MapComparison::cells
+  std::string a, b;
+};
+
+struct MapComparison {
+  std::string axis;                       ///< second axis: whirl_ratio or eccentricity_m
+  std::vector<ComparedCell> cells;        ///< of A in its order, then those that only B has
+  std::vector<ColumnDifference> columns;  ///< that differ, of cells with equal class and order
+  std::string digest_a, digest_b;         ///< empty where a file says none
+
+  std::size_t count(CellVerdict verdict) const;
+  bool equal() const;  ///< nothing but equal and sensitive cells
+};
+
+/// Compares two tables of map.csv cell by cell. Class and order must be equal. In cells at rest, synchronous
+/// or subharmonic in both, orbit and whirl must be equal too and every measured number within `tolerance`
+/// relative to the larger of both, lengths relative to the cell's peak displacement; numbers of motions that
+/// never repeat, and how long a transient lasted, are no property of the cell. `sensitive` (may be null) is a
+/// table of cells to leave out, with columns speed_hz and the second axis. Throws IoError when a column is
+/// missing or a number is none, or when a map holds a cell twice.
+MapComparison compare_maps(const batch::CsvTable& a, const batch::CsvTable& b, double tolerance,
+                           const batch::CsvTable* sensitive);
+
+/// The comparison for people, ending with "equal" or "different".
+std::string describe(const MapComparison& comparison, double tolerance);
+
+}  // namespace rubsweep::report

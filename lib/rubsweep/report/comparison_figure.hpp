@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "rubsweep/report/compare_maps.hpp"
+
+namespace rubsweep::report {
+
+/// A gnuplot script with its data in it that draws where two maps differ. `terminal` is gnuplot's (pngcairo,
+/// svg), `output` the picture.
+std::string comparison_figure(const MapComparison& comparison, const std::string& heading,
+                              const std::string& terminal, const std::string& output);
+
+}  // namespace rubsweep::report

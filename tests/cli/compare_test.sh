@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# rubsweep-compare: what it says of two maps, what it draws and how it ends.
+source "$(dirname "$0")/support.sh"
+compare=$4
+
+# expect_compared CODE [ARGUMENT]...
+expect_compared() {
+  local expected=$1 code=0
+  shift
+  "$compare" "$@" >stdout 2>stderr </dev/null || code=$?
+  [[ $code == "$expected" ]] || fail "rubsweep-compare $*: exit code $code, expected $expected"
+}
+
+expect_exit 0 "${quick[@]}" --output a
+expect_exit 0 "${quick[@]}" --output b --set solver.relative_tolerance=1e-9
+expect_compared 0 a/map.csv a/map.csv --tolerance 0
+expect_matches stdout '^96 cells: 96 equal, '
+expect_matches stdout '^equal$'
+expect_empty stderr
+# Two tolerances of the solver: other last digits, the same map. The digests say that it is another study.
+expect_compared 0 a/map.csv b/map.csv
+expect_matches stdout '^digests: [0-9a-f-]{36} and [0-9a-f-]{36}, two studies$'
+expect_compared 0 a/map.csv b/map.csv --quiet
+expect_empty stdout
+
+# A changed class, as a regression would show it.
+sed '10s/non_contact,,/subharmonic,3,/' a/map.csv >changed.csv
+speed_hz=$(sed -n 10p a/map.csv | cut -d, -f1) whirl_ratio=$(sed -n 10p a/map.csv | cut -d, -f2)
+expect_compared 5 a/map.csv changed.csv --figure difference.gp
+expect_contains stdout "speed_hz $speed_hz, whirl_ratio $whirl_ratio: non_contact -> subharmonic 1/3"
+expect_matches stdout '^different$'
+expect_contains difference.gp "$speed_hz $whirl_ratio"
+printf 'speed_hz,whirl_ratio\n%s,%s\n' "$speed_hz" "$whirl_ratio" >list.csv
+expect_compared 0 a/map.csv changed.csv --sensitive list.csv
+expect_contains stdout 'not compared: 1 sensitive cells, 1 of them with another class'
+# A smaller grid.
+expect_exit 0 "${quick[@]}" --output c --set sweep.speed_hz.count=11
+expect_compared 5 a/map.csv c/map.csv
+expect_matches stdout 'in one map only$'
+
+if command -v gnuplot >/dev/null; then
+  expect_compared 5 a/map.csv changed.csv --figure difference.png
+  [[ $(head -c 4 difference.png | tail -c 3) == PNG ]] || fail 'no picture'
+  gnuplot difference.gp && expect_contains difference.gp "set output 'difference.png'"
+  expect_compared 5 a/map.csv changed.csv --figure difference.svg
+  expect_contains difference.svg 'another class (1)'
+  expect_compared 3 a/map.csv a/map.csv --figure nowhere/difference.png
+  expect_contains stderr 'nowhere/difference.png: gnuplot could not draw it'
+fi
+
+expect_compared 3 a/map.csv missing.csv
+expect_contains stderr 'rubsweep-compare: cannot read missing.csv: No such file or directory'
+expect_compared 3 a/map.csv a/config.yaml
+expect_compared 1 a/map.csv
+expect_contains stderr 'rubsweep-compare: two maps are needed'
+expect_compared 1 a/map.csv a/map.csv --tolerance -1
+expect_compared 1 a/map.csv a/map.csv --tolerance nan
+expect_compared 1 a/map.csv a/map.csv --figure difference.pdf
+expect_compared 0 --help
+expect_contains stdout 'Exit codes: 0 the maps are equal on robust cells; 1 usage; 3 input/output; 5 they differ.'
+expect_compared 0 --version
+[[ $(<stdout) == "rubsweep-compare $version" ]] || fail 'another version'

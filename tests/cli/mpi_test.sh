@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# rubsweep-mpi: several ranks write the map that one process writes, also after some of them were killed.
+source "$(dirname "$0")/support.sh"
+set -m
+trap 'kill -KILL %% 2>/dev/null || true; rm -rf "$work"' EXIT
+program=$4 mpirun=$5
+# Fewer processors than ranks, and containers where everybody is root, are allowed here.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_MCA_btl_base_warn_component_unused=0 OMPI_MCA_btl=self,vader
+
+# expect_mpi CODE RANKS [ARGUMENT]...
+expect_mpi() {
+  local expected=$1 ranks=$2 code=0
+  shift 2
+  "$mpirun" -n "$ranks" --oversubscribe "$program" "$@" --threads 1 >stdout 2>stderr </dev/null || code=$?
+  [[ $code == "$expected" ]] || fail "mpirun -n $ranks rubsweep-mpi $*: exit code $code, expected $expected"
+}
+
+expect_exit 0 "${quick[@]}" --output whole
+for ranks in 1 2 3; do
+  expect_mpi 0 $ranks "${quick[@]}" --output "ranks_$ranks"
+  expect_matches stdout '^ +96  100\.0 %  non_contact$'
+  expect_same "ranks_$ranks/map.csv" whole/map.csv
+  expect_files "ranks_$ranks" config.yaml map.csv
+done
+
+# A map of some seconds, and one rank is killed in the middle: the job ends, the finished cells stay.
+slow=("$minimal" --set sweep.speed_hz.count=20)
+expect_exit 0 "${slow[@]}" --output slow
+"$mpirun" -n 3 --oversubscribe "$program" "${slow[@]}" --output killed --threads 1 >stdout 2>stderr </dev/null &
+running=$!
+until [[ -e killed/map.rank-2.journal ]] && grep -q ',ok$' killed/map.rank-2.journal; do
+  kill -0 $running 2>/dev/null || fail 'the job ended too early'
+  sleep 0.01
+done
+read -ra ranks <"/proc/$running/task/$running/children" || true
+kill -KILL "${ranks[-1]}"
+wait $running 2>/dev/null && fail 'a job without one of its ranks ended well'
+expect_missing killed/map.csv
+finished=$(cat killed/map*.journal | grep -c ',ok$')
+((finished > 0 && finished < 80)) || fail "$finished cells were finished"
+# The rest with another number of ranks, or without MPI; both programs of a build may share the work.
+cp -r killed copy
+expect_mpi 0 2 "${slow[@]}" --output killed
+expect_contains stderr "rubsweep-mpi: $finished of 80 cells were finished before"
+expect_same killed/map.csv slow/map.csv
+expect_files killed config.yaml map.csv
+expect_exit 0 "${slow[@]}" --output copy
+expect_contains stderr "rubsweep: $finished of 80 cells were finished before"
+expect_same copy/map.csv slow/map.csv
+
+# What the first rank finds is said once, and ends all of them.
+expect_mpi 2 2 "${quick[@]}" --set rotor.mass_kg=-1
+[[ $(grep -c 'rotor.mass_kg: -1 is out of range' stderr) == 1 ]] || fail 'not said once'
+expect_mpi 3 2 missing.yaml
+expect_mpi 1 2 "${quick[@]}" --shard 1/2
+expect_contains stderr 'rubsweep-mpi: this program only computes maps; use rubsweep for everything else'
+expect_mpi 0 2 --help
+[[ $(grep -c '^mpirun -n N rubsweep-mpi' stdout) == 1 ]] || fail 'not helped once'
+# A full disk ends all ranks; where mounting is allowed.
+mkdir disk
+if mount -t tmpfs -o size=36k none disk 2>/dev/null; then
+  trap 'kill -KILL %% 2>/dev/null || true; umount disk; rm -rf "$work"' EXIT
+  expect_mpi 3 2 "${quick[@]}" --output disk/full
+  expect_contains stderr 'No space left on device'
+  mount -o remount,size=1m disk
+  expect_mpi 0 2 "${quick[@]}" --output disk/full
+  expect_contains stderr 'of 96 cells were finished before'
+  expect_same disk/full/map.csv whole/map.csv
+fi

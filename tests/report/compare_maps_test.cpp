@@ -1,0 +1,227 @@
+#include "rubsweep/report/compare_maps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "batch/message_of.hpp"
+#include "batch/temporary_directory.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/report/comparison_figure.hpp"
+#include "rubsweep/report/map_csv.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+using sweep::Row;
+
+Row row(double speed_hz, double whirl_ratio, response::MotionClass motion_class, std::optional<int> order) {
+  Row row;
+  row.speed_hz = speed_hz;
+  row.whirl_ratio = whirl_ratio;
+  row.eccentricity_m = whirl_ratio * 1e-3 / speed_hz;
+  row.motion_class = motion_class;
+  row.order = order;
+  row.measures.emplace();
+  row.measures->turns = 64;
+  row.measures->contact = {
+      .hits = 32, .contact_fraction = 0.1, .peak_displacement_m = 2e-3, .peak_contact_force_n = 500};
+  row.measures->amplitude_1x_forward_m = 1e-3;
+  row.measures->amplitude_1x_backward_m = 8e-22;
+  row.measures->orbit = response::OrbitKind::oval;
+  return row;
+}
+
+/// Four cells: two motions that repeat, rest and chaos.
+std::vector<Row> map() {
+  using enum response::MotionClass;
+  return {row(50, 0.2, subharmonic, 2), row(60, 0.2, non_contact, {}), row(50, 0.4, chaotic, {}),
+          row(60, 0.4, subharmonic, 3)};
+}
+
+class CompareMaps : public testing::Test {
+ protected:
+  batch::CsvTable table(const std::string& name, const std::vector<Row>& rows) const {
+    std::string text = map_comments("1", "digest") + map_header() + "\n";
+    for (const Row& row : rows) text += map_line(row) + "\n";
+    return table_of(name, text);
+  }
+
+  batch::CsvTable table_of(const std::string& name, const std::string& text) const {
+    batch::write_whole_file(directory_.path() / name, text);
+    return batch::read_csv(directory_.path() / name);
+  }
+
+  MapComparison compare(const std::vector<Row>& a, const std::vector<Row>& b, double tolerance = 1e-4) const {
+    return compare_maps(table("a.csv", a), table("b.csv", b), tolerance, nullptr);
+  }
+
+  const TemporaryDirectory directory_;
+};
+
+std::vector<CellVerdict> verdicts(const MapComparison& comparison) {
+  std::vector<CellVerdict> verdicts;
+  for (const ComparedCell& cell : comparison.cells) verdicts.push_back(cell.verdict);
+  return verdicts;
+}
+
+using enum CellVerdict;
+
+TEST_F(CompareMaps, EqualMapsAreEqual) {
+  const MapComparison comparison = compare(map(), map(), 0);
+  EXPECT_TRUE(comparison.equal());
+  EXPECT_EQ(comparison.axis, "whirl_ratio");
+  EXPECT_EQ(
+      describe(comparison, 0),
+      "4 cells: 4 equal, 0 with another class, 0 with other numbers (beyond 0), 0 in one map only\nequal\n");
+}
+
+TEST_F(CompareMaps, ClassAndOrderMustBeTheSame) {
+  auto other = map();
+  other[0].order = 4;
+  other[1].motion_class = response::MotionClass::unsettled;
+  const MapComparison comparison = compare(map(), other);
+  EXPECT_FALSE(comparison.equal());
+  EXPECT_EQ(verdicts(comparison), (std::vector{classes_differ, classes_differ, equal, equal}));
+  EXPECT_EQ(
+      describe(comparison, 1e-4),
+      "4 cells: 2 equal, 2 with another class, 0 with other numbers (beyond 0.0001), 0 in one map only\n"
+      "  speed_hz 50, whirl_ratio 0.2: subharmonic 1/2 -> subharmonic 1/4\n"
+      "  speed_hz 60, whirl_ratio 0.2: non_contact -> unsettled\n"
+      "different\n");
+}
+
+TEST_F(CompareMaps, NumbersMayDifferByTheTolerance) {
+  auto other = map();
+  other[0].measures->contact.peak_contact_force_n *= 1.002;
+  other[3].measures->contact.peak_contact_force_n *= 1.004;
+  EXPECT_TRUE(compare(map(), other, 5e-3).equal());
+  const MapComparison comparison = compare(map(), other, 1e-3);
+  EXPECT_EQ(verdicts(comparison), (std::vector{numbers_differ, equal, equal, numbers_differ}));
+  ASSERT_EQ(comparison.columns.size(), 1u);
+  const ColumnDifference& force = comparison.columns[0];
+  EXPECT_EQ(force.column, "peak_contact_force_n");
+  EXPECT_EQ(force.cells, 2u);
+  EXPECT_EQ(force.cell, 3u) << "the worst";
+  EXPECT_NEAR(force.largest.value(), 0.004 / 1.004, 1e-9);
+  EXPECT_NE(describe(comparison, 1e-3)
+                .find("  peak_contact_force_n: 2 cells, largest 0.004 at speed_hz 60, "
+                      "whirl_ratio 0.4: 500 -> 502\ndifferent\n"),
+            std::string::npos);
+}
+
+TEST_F(CompareMaps, LengthsAreRelativeToThePeakDisplacement) {
+  auto other = map();
+  other[1].measures->amplitude_1x_backward_m = 9e-20;
+  EXPECT_TRUE(compare(map(), other).equal()) << "rounding of nothing";
+  other[1].measures->amplitude_1x_backward_m = 2.1e-3 * 1e-4;
+  EXPECT_EQ(compare(map(), other).columns.at(0).column, "amplitude_1x_backward_m");
+}
+
+TEST_F(CompareMaps, WordsAndEmptyNumbersOfARepeatingMotionMustBeTheSame) {
+  auto other = map();
+  other[0].measures->orbit = response::OrbitKind::complex;
+  other[1].measures->comb_spacing = 0.3;
+  const MapComparison comparison = compare(map(), other);
+  EXPECT_EQ(verdicts(comparison), (std::vector{numbers_differ, numbers_differ, equal, equal}));
+  EXPECT_NE(describe(comparison, 1e-4)
+                .find("orbit: 1 cells, first at speed_hz 50, whirl_ratio 0.2: oval -> complex"),
+            std::string::npos);
+  EXPECT_NE(describe(comparison, 1e-4)
+                .find("comb_spacing: 1 cells, first at speed_hz 60, whirl_ratio 0.2: empty -> 0.3"),
+            std::string::npos);
+}
+
+TEST_F(CompareMaps, MotionsThatNeverRepeatHaveNoNumbers) {
+  auto other = map();
+  other[2].measures->contact.peak_contact_force_n *= 2;
+  EXPECT_TRUE(compare(map(), other).equal());
+}
+
+TEST_F(CompareMaps, HowLongATransientLastedIsNotCompared) {
+  auto other = map();
+  other[0].revolutions = 999;
+  other[0].last_contact_revolution = 77;
+  other[0].proof = response::Proof::observed;
+  EXPECT_TRUE(compare(map(), other).equal());
+}
+
+TEST_F(CompareMaps, ListedCellsAreLeftOut) {
+  auto other = map();
+  other[0].order = 4;
+  const auto list = table_of("list.csv", "# why\nspeed_hz,whirl_ratio\n50,0.2\n60,0.4\n");
+  const auto comparison = compare_maps(table("a.csv", map()), table("b.csv", other), 0, &list);
+  EXPECT_TRUE(comparison.equal());
+  EXPECT_EQ(verdicts(comparison), (std::vector{sensitive, equal, equal, sensitive}));
+  EXPECT_NE(describe(comparison, 0).find("not compared: 2 sensitive cells, 1 of them with another class\n"),
+            std::string::npos);
+}
+
+TEST_F(CompareMaps, CellsThatAreNotRobustAreLeftOut) {
+  auto other = map();
+  other[0].order = 4;
+  other[3].order = 4;
+  auto a = table("a.csv", map()), b = table("b.csv", other);
+  const std::size_t robust = batch::column(a, "robust");
+  a.rows[0][robust] = "no";
+  a.rows[3][robust] = "yes";
+  b.rows[1][robust] = "no";
+  EXPECT_EQ(verdicts(compare_maps(a, b, 0, nullptr)),
+            (std::vector{sensitive, sensitive, equal, classes_differ}));
+}
+
+TEST_F(CompareMaps, CellsOfOneMapOnlyAreADifference) {
+  auto some = map();
+  some.pop_back();
+  std::reverse(some.begin(), some.end());
+  const MapComparison fewer = compare(map(), some), more = compare(some, map());
+  EXPECT_EQ(verdicts(fewer), (std::vector{equal, equal, equal, only_in_one}));
+  EXPECT_EQ(verdicts(more), (std::vector{equal, equal, equal, only_in_one}))
+      << "the order of rows means nothing";
+  EXPECT_FALSE(fewer.equal());
+  EXPECT_NE(describe(fewer, 0).find("  speed_hz 60, whirl_ratio 0.4: subharmonic 1/3 -> no such cell\n"),
+            std::string::npos);
+  EXPECT_NE(describe(more, 0).find("  speed_hz 60, whirl_ratio 0.4: no such cell -> subharmonic 1/3\n"),
+            std::string::npos);
+}
+
+TEST_F(CompareMaps, OfEccentricityMapsTheCellsAreFoundByEccentricity) {
+  std::vector<Row> a;
+  for (const double speed_hz : {50., 60., 70.}) {
+    a.push_back(row(speed_hz, 0.1 * speed_hz, response::MotionClass::synchronous, 1));
+    a.back().eccentricity_m = 1e-4;
+  }
+  auto b = a;
+  b[1].whirl_ratio *= 1 + 1e-15;  // follows from the eccentricity, by another compiler
+  const MapComparison comparison = compare(a, b);
+  EXPECT_EQ(comparison.axis, "eccentricity_m");
+  EXPECT_TRUE(comparison.equal());
+}
+
+TEST_F(CompareMaps, WhatIsNoMapIsAnError) {
+  const auto good = table("a.csv", map()), bad = table_of("b.csv", "speed_hz,whirl_ratio\n50,0.2\n");
+  EXPECT_NE(
+      message_of<IoError>([&] { compare_maps(good, bad, 0, nullptr); }).find("b.csv: no column 'class'"),
+      std::string::npos);
+  auto twice = map();
+  twice.push_back(twice.front());
+  EXPECT_NE(
+      message_of<IoError>([&] { compare(map(), twice); }).find("b.csv:9: this cell is in the map twice"),
+      std::string::npos);
+}
+
+TEST_F(CompareMaps, TheFigureHoldsEveryCellUnderItsVerdict) {
+  auto other = map();
+  other[0].order = 4;
+  const std::string script = comparison_figure(compare(map(), other), "it's a map", "svg", "out.svg");
+  EXPECT_NE(script.find("set title 'it''s a map'\n"), std::string::npos);
+  EXPECT_NE(script.find("set output 'out.svg'\n"), std::string::npos);
+  EXPECT_NE(script.find("$cells_0 << END\n60 0.2\n50 0.4\n60 0.4\nEND\n"), std::string::npos);
+  EXPECT_NE(script.find("$cells_3 << END\n50 0.2\nEND\n"), std::string::npos);
+  EXPECT_NE(script.find("title 'another class (1)'"), std::string::npos);
+  EXPECT_EQ(script.find("$cells_2"), std::string::npos) << "nothing is drawn for what there is not";
+}
+
+}  // namespace
+}  // namespace rubsweep::report
