@@ -19,7 +19,7 @@ sweep:
   whirl_ratio: {from: 0.2, count: 1}
   speed_hz:
     values: [5.0e1, 51]
-solver: {stepper: dopri5}   # the default
+solver: {stepper: auto}   # the default
 stops:
   - friction: {coefficient: 1e-1}
     contact_radius_m: 37.5e-3

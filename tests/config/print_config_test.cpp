@@ -55,7 +55,7 @@ RunConfig awkward_config(std::mt19937_64& random) {
   config.study.grid.measure = sweep::UnbalanceMeasure(random() % 2);
   config.study.grid.unbalance = {std::numeric_limits<double>::max(), 0, awkward(random)};
   config.study.solver.method = integrate::Method(random() % 2);
-  config.study.solver.stepper = integrate::Stepper(random() % 5);
+  config.study.solver.stepper = integrate::Stepper(random() % 6);
   config.study.solver.contact = integrate::ContactHandling(random() % 2);
   config.study.solver.relative_tolerance = 1e-9 * std::numbers::pi;
   config.study.response = {

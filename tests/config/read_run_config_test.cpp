@@ -78,7 +78,7 @@ TEST(ReadRunConfig, gives_defaults_to_what_is_left_out) {
 }
 
 TEST(ReadRunConfig, takes_each_stepper) {
-  for (const std::string word : {"dopri5", "cash_karp54", "rkf78", "bulirsch_stoer", "rosenbrock4"}) {
+  for (const std::string word : {"auto", "dopri5", "cash_karp54", "rkf78", "bulirsch_stoer", "rosenbrock4"}) {
     EXPECT_EQ(message_of(test_file("minimal.yaml"), {"solver.stepper=" + word}), "no error");
   }
 }

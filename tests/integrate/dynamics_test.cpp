@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <cmath>
 #include <random>
 #include <vector>
 
 #include "support/set_a_cell.hpp"
+#include "support/simple_scenes.hpp"
 
 namespace rubsweep::integrate {
 namespace {
@@ -64,6 +66,32 @@ TEST(Dynamics, EqualTheHandWrittenEquationsInEveryMode) {
     }
   }
   for (const int count : seen) EXPECT_GT(count, 10);
+}
+
+TEST(Dynamics, FrictionRatioIsTheRateOfTheSlipOverTheFrequencyOfTheContact) {
+  // m v' = -mu'(v) K p (v - v0) beside m p'' = -K p.
+  const double m = 2, K = 5e4, p = 1e-4, limit = 0.3, steepness = 40, speed = 0.01;
+  auto scene = test::one_mass_scene(m, 100, 0, 0.1, 1e-3);
+  scene.contacts.push_back(test::wall_across_x(1, 1e-3, K, 10));
+  scene.contacts[0].friction = model::StribeckFriction{{0, 0, 0, limit, steepness, 0}};
+  scene.displacement_m << 1e-3 + p, 0;
+  scene.velocity_m_per_s << 0, speed;
+  const auto system = scale<2>(scene);
+  const std::vector<double> state = scaled_initial_state(scene);
+  Dynamics<2, false> located(system, 0);
+  EXPECT_EQ(located.friction_ratio(state), 0);  // open
+  located.modes()[0] = contact::Mode::sprung;
+  const double slope = limit * steepness / std::pow(std::cosh(steepness * speed), 2);
+  const double expected = slope * K * p / m / std::sqrt(K / m);
+  EXPECT_NEAR(located.friction_ratio(state), expected, 1e-12 * expected);
+  const Dynamics<2, true> smoothed(system, 1e-4);
+  EXPECT_NEAR(smoothed.friction_ratio(state), expected, 1e-12 * expected);
+  // Friction that falls with the slip drives; it is not stiff.
+  scene.contacts[0].friction = model::StribeckFriction{{0, 0, 0, 0, 0, -0.1}};
+  const auto falling = scale<2>(scene);
+  Dynamics<2, false> driven(falling, 0);
+  driven.modes()[0] = contact::Mode::sprung;
+  EXPECT_EQ(driven.friction_ratio(state), 0);
 }
 
 TEST(Dynamics, DynamicSizeEqualsFixedSize) {

@@ -43,6 +43,19 @@ TEST(ExplainStudy, SolverAndHowACellEnds) {
   EXPECT_TRUE(says(explain(study), "contact: smoothed over 2e-07 m of penetration, no event location\n"));
 }
 
+TEST(ExplainStudy, SaysWhichStepperAutoTakesAndWhy) {
+  Study study = one_side_study({50}, {0.4});
+  EXPECT_TRUE(says(explain(study), "stepper auto: rosenbrock4 (implicit"));
+  // 4 tolerance^(-1/4)
+  EXPECT_TRUE(says(explain(study), "change the slip 400 times faster than the contact spring"));
+  study.solver.relative_tolerance = 1e-4;
+  EXPECT_TRUE(says(explain(study), "change the slip 40 times faster"));
+  study.machine.stops[0].friction = model::ConstantFriction{0.1};
+  EXPECT_TRUE(says(explain(study), "stepper auto: dopri5 throughout, as no friction depends on the slip\n"));
+  study.solver.stepper = integrate::Stepper::dopri5;
+  EXPECT_FALSE(says(explain(study), "stepper auto"));
+}
+
 TEST(ExplainStudy, NamesEveryStepper) {
   using integrate::Stepper;
   const std::pair<Stepper, const char*> steppers[] = {{Stepper::dopri5, "dopri5 ("},

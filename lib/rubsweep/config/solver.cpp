@@ -11,9 +11,10 @@ using integrate::SolverOptions;
 using integrate::Stepper;
 
 constexpr Words<Method, 2> methods{{"auto", "adaptive"}, {Method::automatic, Method::adaptive}};
-constexpr Words<Stepper, 5> steppers{
-    {"dopri5", "cash_karp54", "rkf78", "bulirsch_stoer", "rosenbrock4"},
-    {Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78, Stepper::bulirsch_stoer, Stepper::rosenbrock4}};
+constexpr Words<Stepper, 6> steppers{
+    {"auto", "dopri5", "cash_karp54", "rkf78", "bulirsch_stoer", "rosenbrock4"},
+    {Stepper::automatic, Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78, Stepper::bulirsch_stoer,
+     Stepper::rosenbrock4}};
 constexpr Words<ContactHandling, 2> contacts{{"located", "smoothed"},
                                              {ContactHandling::located, ContactHandling::smoothed}};
 constexpr IntegerRange max_steps{SolverOptions::max_steps_low, 1'000'000'000};

@@ -6,6 +6,7 @@ namespace rubsweep::integrate {
 
 Cursor start_adaptive(const scene::Scene& scene, const SolverOptions& options) {
   switch (options.stepper) {
+    case Stepper::automatic:
     case Stepper::dopri5:
       return detail::start_dopri5(scene, options);
     case Stepper::cash_karp54:

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/dopri5_or_rosenbrock4.hpp"
 #include "rubsweep/integrate/start_run.hpp"
 
 namespace rubsweep::integrate::detail {
@@ -10,13 +11,13 @@ Cursor start_dopri5(const scene::Scene& scene, const SolverOptions& options) {
   // The default stepper gets fixed sizes for the usual scenes (rotor with no, one or two moving casings).
   switch (scene.structure.coordinates()) {
     case 2:
-      return start_run<Dopri5<std::array<double, 4>>, 2>(scene, options);
+      return start_run<Dopri5OrRosenbrock4<std::array<double, 4>>, 2>(scene, options);
     case 4:
-      return start_run<Dopri5<std::array<double, 8>>, 4>(scene, options);
+      return start_run<Dopri5OrRosenbrock4<std::array<double, 8>>, 4>(scene, options);
     case 6:
-      return start_run<Dopri5<std::array<double, 12>>, 6>(scene, options);
+      return start_run<Dopri5OrRosenbrock4<std::array<double, 12>>, 6>(scene, options);
     default:
-      return start_run<Dopri5<std::vector<double>>, Eigen::Dynamic>(scene, options);
+      return start_run<Dopri5OrRosenbrock4<std::vector<double>>, Eigen::Dynamic>(scene, options);
   }
 }
 

@@ -27,7 +27,7 @@ class AdaptiveRun {
   AdaptiveRun(const scene::Scene& scene, const SolverOptions& options)
       : system_(scale<N>(scene)),
         dynamics_(system_, options.smoothing_m / scene.length_scale_m),
-        method_(options.relative_tolerance),
+        method_(options),
         max_steps_(options.max_steps_per_revolution),
         start_kinematics_(system_.contacts.size()),
         end_kinematics_(system_.contacts.size()) {
@@ -249,7 +249,13 @@ class AdaptiveRun {
   }
 
   Outcome finish(Turn& turn, Outcome outcome) const {
-    turn.effort = {dynamics_.rhs_calls(), steps_, refused_, switches_};
+    turn.effort = {.rhs_calls = dynamics_.rhs_calls(),
+                   .steps = steps_,
+                   .refused = refused_,
+                   .switches = switches_,
+                   .implicit_steps = 0};
+    if constexpr (requires { method_.implicit_steps(); })
+      turn.effort.implicit_steps = method_.implicit_steps();
     return outcome;
   }
 

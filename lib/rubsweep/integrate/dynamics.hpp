@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -87,6 +88,26 @@ class Dynamics {
     const Eigen::Index n = system_.coordinates();
     const auto& c = system_.contacts[i];
     return slip(c, frame(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n)));
+  }
+
+  /// Rate at which friction alone changes the slip at a contact, over the angular frequency of that contact's
+  /// spring between the masses it joins; the largest of all contacts that touch. Zero where friction does not
+  /// depend on the slip.
+  template <class State>
+  double friction_ratio(const State& state) const {
+    const Eigen::Index n = system_.coordinates();
+    const ConstMap u(&state[0], n), v(&state[0] + n, n);
+    double largest = 0;
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+      const Contact& c = system_.contacts[i];
+      if (!Smoothed && modes_[i] == contact::Mode::open) continue;
+      const ContactFrame f = frame(c, u, v);
+      const double slope = contact::friction_slope(c.friction, slip(c, f)) * c.slip_scale_m_per_s;
+      if (slope <= 0) continue;
+      const double spring_n = normal_force(i, f.penetration, f.closing_speed).spring_n;
+      largest = std::max(largest, slope * spring_n * std::sqrt(c.mobility() / c.stiffness));
+    }
+    return largest;
   }
 
   /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to

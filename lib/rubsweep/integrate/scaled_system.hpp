@@ -26,6 +26,9 @@ struct ScaledContact {
   model::Friction friction;
   double slip_scale_m_per_s = 0;  ///< slip = slip_scale * (d' . tangent) + surface speed
   double surface_speed_m_per_s = 0;
+
+  /// Scaled relative acceleration of rotor and casing along the first direction per newton between them.
+  double mobility() const { return -first_row.dot(first_push.transpose()); }
 };
 
 /// A scene in the units that make every tolerance a pure number: length in L = scene.length_scale_m, time in

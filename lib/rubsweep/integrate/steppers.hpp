@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "rubsweep/integrate/options.hpp"
 #include "rubsweep/integrate/step.hpp"
 
 namespace rubsweep::integrate {
@@ -39,7 +40,8 @@ template <class StateType>
 class Dopri5 {
  public:
   using State = StateType;
-  explicit Dopri5(double tolerance) : stepper_(error_checker<State>(tolerance)) {}
+  explicit Dopri5(const SolverOptions& options)
+      : stepper_(error_checker<State>(options.relative_tolerance)) {}
 
   template <class Dynamics>
   bool try_step(Dynamics& dynamics, Step<State>& step, double& size) {
@@ -67,7 +69,8 @@ template <class ErrorStepper>
 class ReStepping {
  public:
   using State = typename ErrorStepper::state_type;
-  explicit ReStepping(double tolerance) : stepper_(error_checker<State>(tolerance)) {}
+  explicit ReStepping(const SolverOptions& options)
+      : stepper_(error_checker<State>(options.relative_tolerance)) {}
 
   template <class Dynamics>
   bool try_step(Dynamics& dynamics, Step<State>& step, double& size) {
@@ -99,8 +102,8 @@ template <class StateType>
 class BulirschStoer {
  public:
   using State = StateType;
-  explicit BulirschStoer(double tolerance)
-      : tolerance_(tolerance), stepper_(tolerance, tolerance, 1.0, 0.0) {}
+  explicit BulirschStoer(const SolverOptions& options)
+      : tolerance_(options.relative_tolerance), stepper_(tolerance_, tolerance_, 1.0, 0.0) {}
 
   template <class Dynamics>
   bool try_step(Dynamics& dynamics, Step<State>& step, double& size) {
@@ -149,7 +152,8 @@ struct RodasCoefficients : odeint::default_rosenbrock_coefficients<double> {
 class Rosenbrock4 {
  public:
   using State = boost::numeric::ublas::vector<double>;
-  explicit Rosenbrock4(double tolerance) : stepper_(tolerance, tolerance) {}
+  explicit Rosenbrock4(const SolverOptions& options)
+      : stepper_(options.relative_tolerance, options.relative_tolerance) {}
 
   template <class Dynamics>
   bool try_step(Dynamics& dynamics, Step<State>& step, double& size) {

@@ -23,6 +23,7 @@ struct Effort {
   long steps = 0;    ///< accepted
   long refused = 0;  ///< refused by the error control
   long switches = 0;
+  long implicit_steps = 0;  ///< accepted ones that Stepper::automatic took with rosenbrock4
 };
 
 /// One revolution: what is asked of the integrator, and what it answers. Reused from turn to turn.

@@ -84,8 +84,8 @@ struct Measures {
   ContactFacts contact;
   double amplitude_1x_forward_m = 0;
   double amplitude_1x_backward_m = 0;
-  std::optional<SpectralLine>
-      dominant;  ///< largest line but 0X; empty, as orbit and whirl, when the rotor rests
+  std::optional<SpectralLine> dominant;  ///< largest line but 0X, of a closed comb at its exact order; empty,
+                                         ///< as orbit and whirl, when the rotor rests
   std::optional<OrbitKind> orbit;
   std::optional<WhirlKind> whirl;
   std::optional<double> comb_spacing;  ///< of a closed orbit in the turning frame of a rotationally symmetric

@@ -11,6 +11,7 @@
 #include "rubsweep/integrate/scaled_system.hpp"
 #include "rubsweep/response/aperiodic.hpp"
 #include "rubsweep/response/comb.hpp"
+#include "rubsweep/response/comb_line.hpp"
 #include "rubsweep/response/record.hpp"
 #include "rubsweep/response/rest_proof.hpp"
 #include "rubsweep/response/section_map.hpp"
@@ -40,6 +41,9 @@ void look_for_comb(const Record& record, const ResponseOptions& options, Spectru
   if (!comb->closed) return;
   motion.motion_class = MotionClass::quasi_periodic;
   motion.measures.comb_spacing = comb->spacing;
+  if (!motion.measures.dominant) return;
+  motion.measures.dominant =
+      largest_comb_line(record.displacement_m(), options.samples_per_revolution, comb->spacing);
 }
 
 void follow_on(const scene::Scene& scene, integrate::SolverOptions solver, const ResponseOptions& options,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <variant>
 
 #include "rubsweep/scene/explain.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
@@ -13,6 +14,7 @@ namespace {
 
 std::string_view describe(integrate::Stepper stepper) {
   switch (stepper) {
+    case integrate::Stepper::automatic:
     case integrate::Stepper::dopri5:
       return "dopri5 (Dormand-Prince 5(4), dense output of order 4)";
     case integrate::Stepper::cash_karp54:
@@ -27,10 +29,32 @@ std::string_view describe(integrate::Stepper stepper) {
   return "";
 }
 
-std::string explain_solver(const integrate::SolverOptions& solver) {
+bool friction_depends_on_slip(const model::Machine& machine) {
+  return std::ranges::any_of(machine.stops, [](const model::Stop& stop) {
+    return std::holds_alternative<model::StribeckFriction>(stop.friction);
+  });
+}
+
+/// What `stepper: auto` comes to for this machine, and why.
+std::string explain_automatic(const Study& study) {
+  if (!friction_depends_on_slip(study.machine))
+    return "stepper auto: dopri5 throughout, as no friction depends on the slip\n";
+  return fmt::format(
+      "stepper auto: rosenbrock4 (implicit, order 4(3), dense output) for steps that start in stiff "
+      "friction, "
+      "where friction alone would change the slip {:.3g} times faster than the contact spring does: slip "
+      "near "
+      "zero (backward rolling, sticking) under a steep tanh; dopri5 elsewhere, being several times faster "
+      "per step there\n",
+      integrate::stiff_friction_ratio(study.solver.relative_tolerance));
+}
+
+std::string explain_solver(const Study& study) {
+  const integrate::SolverOptions& solver = study.solver;
   std::string text = "solver: adaptive";
   if (solver.method == integrate::Method::automatic) text += " (auto: it takes every scene)";
   text += fmt::format(", {}, relative tolerance {}\n", describe(solver.stepper), solver.relative_tolerance);
+  if (solver.stepper == integrate::Stepper::automatic) text += explain_automatic(study);
   if (solver.contact == integrate::ContactHandling::smoothed) {
     return text +
            fmt::format("contact: smoothed over {} m of penetration, no event location\n", solver.smoothing_m);
@@ -42,7 +66,7 @@ std::string explain_solver(const integrate::SolverOptions& solver) {
 
 std::string explain(const Study& study) {
   const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
-  std::string text = scene::explain(study.machine, *slowest) + explain_solver(study.solver);
+  std::string text = scene::explain(study.machine, *slowest) + explain_solver(study);
   text += fmt::format(
       "a cell ends when rest is proven, else after {} revolutions, by its last two windows of {}\n",
       study.response.max_revolutions, study.response.window_revolutions);

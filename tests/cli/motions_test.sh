@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Motions of a rotor in a ring, by the columns that tell them apart: forward circle, oval, chaos, backward whip.
+source "$(dirname "$0")/support.sh"
+
+# column NAME: of the only row of out/map.csv.
+column() {
+  awk -F, -v name="$1" '/^speed_hz,/ { for (i = 1; i <= NF; ++i) at[$i] = i; next } !/^#/ { print $at[name] }' out/map.csv
+}
+
+# expect_motion SPEED WHIRL_RATIO 'CLASS ORDER ORBIT WHIRL PROOF STATUS' [ARGUMENT]...
+expect_motion() {
+  local speed=$1 ratio=$2 expected=$3
+  shift 3
+  expect_exit 0 "$top/configs/figure11_annulus.yaml" --output out --quiet \
+    --set "sweep={speed_hz: {values: [$speed]}, whirl_ratio: {values: [$ratio]}}" "$@"
+  local found
+  found="$(column class) $(column order) $(column orbit) $(column whirl) $(column proof) $(column status)"
+  [[ $found == "$expected" ]] || fail "$speed Hz, whirl ratio $ratio: $found, expected $expected"
+}
+
+# expect_between COLUMN LOW HIGH
+expect_between() {
+  awk -v x="$(column "$1")" -v low="$2" -v high="$3" 'BEGIN { exit !(x != "" && x >= low && x <= high) }' ||
+    fail "$1 is '$(column "$1")', expected $2 to $3"
+}
+
+# expect_none COLUMN...
+expect_none() {
+  local name
+  for name in "$@"; do
+    [[ -z $(column "$name") ]] || fail "$name is '$(column "$name")', expected nothing"
+  done
+}
+
+expect_motion 60 0.5 'synchronous 1 circle forward observed ok'
+expect_none comb_spacing lyapunov_per_revolution
+expect_between dominant_order 1 1
+
+expect_motion 165 0.6 'quasi_periodic  oval forward observed ok'
+expect_between comb_spacing 0.6123 0.6125
+expect_between dominant_order 0.3875 0.3877
+expect_none lyapunov_per_revolution
+
+expect_motion 132 0.2737 'chaotic  oval forward observed ok'
+expect_none comb_spacing
+expect_between lyapunov_per_revolution 0.16 0.22
+
+# Dry whip: 1 - comb_spacing is its own frequency over the shaft's, from Im (1 + i mu)(1 / Z_rotor + 1 / Z_casing) = 0.
+whip=(--set 'stops.0.friction={stribeck: [0, 0, 0, 0.1, 100, 0]}' --set stops.0.casing.damping_ratio=0.1
+  --set rotor.damping_ratio=0.02 --set kick.force_n=200 --set response.max_revolutions=300)
+expect_motion 60 0 'quasi_periodic  circle backward observed ok' "${whip[@]}"
+expect_none order lyapunov_per_revolution
+expect_between comb_spacing 2.6856 2.6858
+expect_between dominant_order -1.6858 -1.6856
+expect_between contact_fraction 0.999999 1.000001
+
+expect_exit 0 "$top/configs/figure11_annulus.yaml" --explain
+expect_matches stdout '^stepper auto: rosenbrock4 \(implicit, .* where friction alone would change the slip 400 times faster'
+expect_exit 0 "$top/configs/figure11_annulus.yaml" --explain --set 'stops.0.friction={coefficient: 0.1}'
+expect_matches stdout '^stepper auto: dopri5 throughout'
+expect_exit 0 "$top/configs/figure11_annulus.yaml" --explain --set solver.stepper=rkf78
+expect_matches stdout ', rkf78 \(order 8'

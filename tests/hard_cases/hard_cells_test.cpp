@@ -1,0 +1,96 @@
+// Hard cells from start to row: each ends, with a class that holds or with a status that names why there is
+// none.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "scene/one_side_machine.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+Study study_of(const model::Machine& machine, double speed_hz, double whirl_ratio) {
+  Study study;
+  study.machine = machine;
+  study.grid.speed_hz = {speed_hz};
+  study.grid.unbalance = {whirl_ratio};
+  study.response = {
+      .max_revolutions = 60, .samples_per_revolution = 32, .window_revolutions = 24, .max_order = 6};
+  return study;
+}
+
+struct Expected {
+  std::string motion_class, status;
+};
+
+void expect_row(const Study& study, const Expected& expected) {
+  response::SpectrumWorkspace workspace;
+  const Row row = evaluate_cell(study, 0, workspace);
+  EXPECT_EQ(to_string(row.motion_class), expected.motion_class);
+  EXPECT_EQ(row.status, expected.status);
+}
+
+model::Machine undamped_rotor() {
+  model::Machine machine = scene::one_side_machine();
+  machine.rotor.damping_ratio = 0;
+  return machine;
+}
+
+TEST(HardCells, WhirlRatioOfOneAndAboveIsInitialContact) {
+  for (const double whirl_ratio : {1.0, 1.2, 1e6})
+    expect_row(study_of(scene::one_side_machine(), 75, whirl_ratio), {"initial_contact", "ok"});
+}
+
+TEST(HardCells, JustBelowOneTheKickDecides) {
+  Study study = study_of(scene::one_side_machine(), 75, 1 - 1e-12);
+  study.machine.kick.reset();
+  expect_row(study, {"non_contact", "ok"});
+}
+
+TEST(HardCells, NoUnbalanceReachesAWhirlRatioAtAnUndampedResonance) {
+  expect_row(study_of(undamped_rotor(), 30, 0.5), {"failed", "unreachable"});
+  expect_row(study_of(undamped_rotor(), 30, 1.5), {"failed", "unreachable"});
+}
+
+TEST(HardCells, AnUndampedRotorJustOffItsResonanceRuns) {
+  expect_row(study_of(undamped_rotor(), 30.0001, 1.5), {"initial_contact", "ok"});
+  Study study = study_of(undamped_rotor(), 30.0001, 0.5);
+  study.machine.kick.reset();
+  expect_row(study, {"non_contact", "ok"});
+}
+
+TEST(HardCells, ARotorThatSagsOntoItsStopIsInitialContact) {
+  model::Machine machine = scene::one_side_machine();
+  machine.stops[0].geometry = model::OneSideGeometry{-90};
+  machine.gravity_m_per_s2 = 1e3;  // sags by 28 mm
+  expect_row(study_of(machine, 75, 0.1), {"initial_contact", "ok"});
+}
+
+TEST(HardCells, WithoutUnbalanceTheKickDiesOut) {
+  expect_row(study_of(scene::one_side_machine(), 75, 0), {"non_contact", "ok"});
+}
+
+/// Constant friction does not reverse: it drives the rotor round a rigid ring ever faster. The run ends as
+/// soon as there is no number for it, and says what is wrong with the model.
+TEST(HardCells, FrictionThatNeverReversesRunsAwayAndIsNamed) {
+  model::Machine machine = scene::one_side_machine();
+  auto& stop = machine.stops[0];
+  stop.geometry = model::AnnularGeometry{};
+  stop.casing.reset();
+  stop.friction = model::ConstantFriction{0.2};
+  Study study = study_of(machine, 75, 0.1);
+  study.response.max_revolutions = 600;
+  expect_row(study, {"failed", "non_finite;slip_reversal"});
+}
+
+TEST(HardCells, ALimitOnStepsEndsWhatWouldTakeTooLong) {
+  Study study = study_of(scene::one_side_machine(), 75, 0.4);
+  study.solver.relative_tolerance = 1e-14;
+  study.solver.max_steps_per_revolution = 1000;
+  expect_row(study, {"failed", "step_limit"});
+}
+
+}  // namespace
+}  // namespace rubsweep::sweep

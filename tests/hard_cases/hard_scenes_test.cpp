@@ -1,0 +1,99 @@
+// Every hard scene by every solver: either the right answer, or a named outcome where the scene has none; and
+// it ends. The answer comes from a closed form, a conservation law, a long-double run of equations written by
+// hand, or from a stepper of another kind at a tighter tolerance.
+#include "hard_cases/hard_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rubsweep/integrate/adaptive.hpp"
+
+namespace rubsweep::test {
+namespace {
+
+using integrate::SolverOptions;
+using integrate::Stepper;
+
+struct Solver {
+  const char* name;
+  SolverOptions options;
+};
+
+SolverOptions with(Stepper stepper, double tolerance) {
+  SolverOptions options;
+  options.stepper = stepper;
+  options.relative_tolerance = tolerance;
+  return options;
+}
+
+/// Another solver takes its place here.
+std::vector<Solver> solvers() {
+  return {{"auto", with(Stepper::automatic, 1e-8)},
+          {"auto, loose", with(Stepper::automatic, 1e-6)},
+          {"dopri5", with(Stepper::dopri5, 1e-10)},
+          {"cash_karp54", with(Stepper::cash_karp54, 1e-8)},
+          {"rkf78", with(Stepper::rkf78, 1e-10)},
+          {"bulirsch_stoer", with(Stepper::bulirsch_stoer, 1e-10)},
+          {"rosenbrock4", with(Stepper::rosenbrock4, 1e-7)}};
+}
+
+struct Found {
+  integrate::Outcome outcome = integrate::Outcome::ok;
+  std::vector<double> section;
+  int hits = 0;
+  bool slip_reversed = false;
+};
+
+Found run(const HardScene& hard, const SolverOptions& options) {
+  const integrate::Cursor advance = integrate::start_adaptive(hard.scene, options);
+  integrate::Turn turn;
+  Found result;
+  for (int k = 0; k < hard.turns && result.outcome == integrate::Outcome::ok; ++k) {
+    result.outcome = advance(turn);
+    result.hits += turn.hits;
+    result.slip_reversed = result.slip_reversed || turn.slip_reversed;
+  }
+  result.section = turn.section;
+  return result;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+class HardScenes : public testing::TestWithParam<std::pair<const char*, HardScene (*)()>> {};
+
+INSTANTIATE_TEST_SUITE_P(All, HardScenes, testing::ValuesIn(hard_scenes),
+                         [](const auto& scene) { return std::string(scene.param.first); });
+
+TEST_P(HardScenes, AnswerOfEverySolver) {
+  const HardScene hard = GetParam().second();
+  const std::vector<double> answer =
+      hard.section.empty() ? run(hard, with(Stepper::rkf78, 1e-12)).section : hard.section;
+  for (const Solver& solver : solvers()) {
+    SCOPED_TRACE(solver.name);
+    const Found found = run(hard, solver.options);
+    ASSERT_EQ(integrate::to_string(found.outcome), "ok");
+    const double error = largest_difference(found.section, answer) / solver.options.relative_tolerance;
+    EXPECT_LT(error, hard.error_per_tolerance);
+    if (hard.hits) EXPECT_EQ(found.hits, *hard.hits);
+    if (hard.slip_reverses) EXPECT_TRUE(found.slip_reversed);
+    if (hard.energy_j) {
+      const double share = stored_energy_j(hard.scene, found.section) / *hard.energy_j - 1;
+      EXPECT_LT(std::abs(share), 500 * solver.options.relative_tolerance);
+    }
+  }
+  // The blended law is another law with another answer; it must end all the same.
+  SolverOptions smoothed = with(Stepper::automatic, 1e-6);
+  smoothed.contact = integrate::ContactHandling::smoothed;
+  EXPECT_EQ(integrate::to_string(run(hard, smoothed).outcome), "ok");
+}
+
+}  // namespace
+}  // namespace rubsweep::test
