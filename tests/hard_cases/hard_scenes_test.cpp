@@ -36,7 +36,7 @@ std::vector<Solver> solvers() {
           {"cash_karp54", with(Stepper::cash_karp54, 1e-8)},
           {"rkf78", with(Stepper::rkf78, 1e-10)},
           {"bulirsch_stoer", with(Stepper::bulirsch_stoer, 1e-10)},
-          {"rosenbrock4", with(Stepper::rosenbrock4, 1e-7)}};
+          {"rosenbrock4", with(Stepper::rosenbrock4, 1e-6)}};
 }
 
 struct Found {
@@ -67,13 +67,13 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return largest;
 }
 
-class HardScenes : public testing::TestWithParam<std::pair<const char*, HardScene (*)()>> {};
+class HardScenes : public testing::TestWithParam<NamedHardScene> {};
 
 INSTANTIATE_TEST_SUITE_P(All, HardScenes, testing::ValuesIn(hard_scenes),
-                         [](const auto& scene) { return std::string(scene.param.first); });
+                         [](const auto& scene) { return std::string(scene.param.name); });
 
 TEST_P(HardScenes, AnswerOfEverySolver) {
-  const HardScene hard = GetParam().second();
+  const HardScene hard = GetParam().make();
   const std::vector<double> answer =
       hard.section.empty() ? run(hard, with(Stepper::rkf78, 1e-12)).section : hard.section;
   for (const Solver& solver : solvers()) {
@@ -82,8 +82,8 @@ TEST_P(HardScenes, AnswerOfEverySolver) {
     ASSERT_EQ(integrate::to_string(found.outcome), "ok");
     const double error = largest_difference(found.section, answer) / solver.options.relative_tolerance;
     EXPECT_LT(error, hard.error_per_tolerance);
-    if (hard.hits) EXPECT_EQ(found.hits, *hard.hits);
-    if (hard.slip_reverses) EXPECT_TRUE(found.slip_reversed);
+    EXPECT_EQ(found.hits, hard.hits.value_or(found.hits));
+    EXPECT_TRUE(found.slip_reversed || !hard.slip_reverses);
     if (hard.energy_j) {
       const double share = stored_energy_j(hard.scene, found.section) / *hard.energy_j - 1;
       EXPECT_LT(std::abs(share), 500 * solver.options.relative_tolerance);

@@ -156,6 +156,23 @@ TEST(DryWhip, WhirlsBackwardAtItsClosedFormFrequency) {
   }
 }
 
+TEST(DryWhip, FeedsItselfOnlyAboveItsLeastFriction) {
+  // Deep in the ring z'' + 2 zeta z' + (1 + b (1 + i mu)) z = 0 but for a constant: a backward whirl grows
+  // when mu > 2 zeta sqrt(1 + b) / b.
+  const double zeta = 0.05, b = 20, least = 2 * zeta * std::sqrt(1 + b) / b, whirl = std::sqrt(1 + b);
+  for (const double share : {0.9, 1.1}) {
+    auto scene = ring_scene(1, zeta, 1, 0, 0, b, share * least);
+    start_at(scene, 1e4, -i * whirl * 1e4);
+    const Cursor advance = start_adaptive(scene, {});
+    Turn turn;
+    for (int k = 0; k < 10; ++k) ASSERT_EQ(advance(turn), Outcome::ok);
+    // The slower of the two whirls dies out; |z| of the other changes as e^{(mu b / (2 whirl) - zeta) t}.
+    const double rate = share * least * b / (2 * whirl) - zeta;
+    EXPECT_NEAR(std::log(std::abs(position(turn.section)) / 1e4) / (20 * pi), rate, 0.05 * std::abs(rate))
+        << share;
+  }
+}
+
 TEST(Ring, OffsetMovesTheWall) {
   // A rotor at rest offset by 0.6 towards +x in a ring of 1, moving slowly outwards: touches at x = 0.4, -x
   // at -1.6.

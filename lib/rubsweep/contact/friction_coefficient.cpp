@@ -34,8 +34,9 @@ double friction_slope(const model::Friction& friction, double slip_m_per_s) {
   const auto* stribeck = std::get_if<model::StribeckFriction>(&friction);
   if (stribeck == nullptr) return 0;
   const auto& g = stribeck->gamma;
-  return g[0] * (tanh_slope(g[1], slip_m_per_s) - tanh_slope(g[2], slip_m_per_s)) +
-         g[3] * tanh_slope(g[4], slip_m_per_s) + g[5];
+  double slope = g[3] * tanh_slope(g[4], slip_m_per_s) + g[5];
+  if (g[0] != 0) slope += g[0] * (tanh_slope(g[1], slip_m_per_s) - tanh_slope(g[2], slip_m_per_s));
+  return slope;
 }
 
 }  // namespace rubsweep::contact
