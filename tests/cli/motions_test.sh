@@ -2,6 +2,21 @@
 # Motions of a rotor in a ring, by the columns that tell them apart: forward circle, oval, chaos, backward whip.
 source "$(dirname "$0")/support.sh"
 
+cat >ring.yaml <<'YAML'
+rotor: {kind: jeffcott, mass_kg: 0.8, natural_frequency_hz: 30, damping_ratio: 0.04}
+stops:
+  - kind: annular
+    clearance_m: 1.0e-3
+    stiffness_n_per_m: 2.0e6
+    restitution: 0.5
+    contact_radius_m: 0.0375
+    friction: {stribeck: [0, 0, 0, 0.02, 100, 0]}
+    casing: {mass_kg: 0.05, stiffness_n_per_m: 5.0e5, damping_ratio: 1}
+kick: {force_n: 150, duration_s: 0.005}
+sweep: {speed_hz: {values: [60]}, whirl_ratio: {values: [0.5]}}
+output: {directory: out}
+YAML
+
 # column NAME: of the only row of out/map.csv.
 column() {
   awk -F, -v name="$1" '/^speed_hz,/ { for (i = 1; i <= NF; ++i) at[$i] = i; next } !/^#/ { print $at[name] }' out/map.csv
@@ -11,7 +26,7 @@ column() {
 expect_motion() {
   local speed=$1 ratio=$2 expected=$3
   shift 3
-  expect_exit 0 "$top/configs/figure11_annulus.yaml" --output out --quiet \
+  expect_exit 0 ring.yaml --output out --fresh --quiet \
     --set "sweep={speed_hz: {values: [$speed]}, whirl_ratio: {values: [$ratio]}}" "$@"
   local found
   found="$(column class) $(column order) $(column orbit) $(column whirl) $(column proof) $(column status)"
@@ -54,9 +69,9 @@ expect_between comb_spacing 2.6856 2.6858
 expect_between dominant_order -1.6858 -1.6856
 expect_between contact_fraction 0.999999 1.000001
 
-expect_exit 0 "$top/configs/figure11_annulus.yaml" --explain
+expect_exit 0 ring.yaml --explain
 expect_matches stdout '^stepper auto: rosenbrock4 \(implicit, .* where friction alone would change the slip 400 times faster'
-expect_exit 0 "$top/configs/figure11_annulus.yaml" --explain --set 'stops.0.friction={coefficient: 0.1}'
+expect_exit 0 ring.yaml --explain --set 'stops.0.friction={coefficient: 0.1}'
 expect_matches stdout '^stepper auto: dopri5 throughout'
-expect_exit 0 "$top/configs/figure11_annulus.yaml" --explain --set solver.stepper=rkf78
+expect_exit 0 ring.yaml --explain --set solver.stepper=rkf78
 expect_matches stdout ', rkf78 \(order 8'
