@@ -78,101 +78,101 @@ constexpr const char* contract =
 TEST(MapHeader, IsTheContract) { EXPECT_EQ(map_header(), contract); }
 
 TEST(MapLine, OfARowWithEverything) {
-  EXPECT_EQ(
-      map_line(full_row()),
-      "75,0.4,0.000336,subharmonic,2,oval,backward,observed,yes,,1.5,0.125,0.0025,1234.5,0.000456,2e-05,"
-      "-0.5,0.0015,,,600,600,ok");
+  EXPECT_EQ(map_line(full_row()),
+            "75,0.4,0.000336,subharmonic,2,oval,backward,observed,yes,,1.5,0.125,0.0025,1234.5,0.000456,2e-05,"
+            "-0.5,0.0015,,,600,600,ok");
 }
 
 TEST(MapLine, ASensitiveCellSaysSo) {
   Row row = full_row();
   row.robust = false;
   EXPECT_EQ(by_column(map_line(row)).at("robust"), "no");
+}
 
-  TEST(MapLine, CombSpacingAndExponentStandInTheirOwnColumns) {
+TEST(MapLine, CombSpacingAndExponentStandInTheirOwnColumns) {
+  Row row = full_row();
+  EXPECT_EQ(by_column(map_line(row)).at("comb_spacing"), "");
+  EXPECT_EQ(by_column(map_line(row)).at("lyapunov_per_revolution"), "");
+  row.measures->comb_spacing = 2.6857;
+  EXPECT_EQ(by_column(map_line(row)).at("comb_spacing"), "2.6857");
+  EXPECT_EQ(by_column(map_line(row)).at("lyapunov_per_revolution"), "");
+  row.measures->comb_spacing.reset();
+  row.lyapunov_per_revolution = 0.1925;
+  EXPECT_EQ(by_column(map_line(row)).at("comb_spacing"), "");
+  EXPECT_EQ(by_column(map_line(row)).at("lyapunov_per_revolution"), "0.1925");
+  row.lyapunov_per_revolution = 0;
+  EXPECT_EQ(by_column(map_line(row)).at("lyapunov_per_revolution"), "0");
+  row.measures.reset();
+  EXPECT_EQ(by_column(map_line(row)).at("comb_spacing"), "");
+}
+
+TEST(MapLine, WhatDoesNotApplyIsEmpty) {
+  EXPECT_EQ(map_line(failed_row()), "60,0.5,,failed,,,,,,,,,,,,,,,,,,0,unreachable");
+}
+
+TEST(MapLine, ARotorAtRestHasNoOrbitWhirlOrDominantLine) {
+  Row row;
+  row.motion_class = response::MotionClass::non_contact;
+  row.measures.emplace();
+  row.measures->turns = 1;
+  row.proof = response::Proof::rest;
+  const auto cells = by_column(map_line(row));
+  for (const char* empty :
+       {"orbit", "whirl", "dominant_order", "dominant_amplitude_m", "order", "last_contact_revolution"}) {
+    EXPECT_EQ(cells.at(empty), "") << empty;
+  }
+  EXPECT_EQ(cells.at("hits_per_revolution"), "0");
+  EXPECT_EQ(cells.at("amplitude_1x_forward_m"), "0");
+  EXPECT_EQ(cells.at("class"), "non_contact");
+  EXPECT_EQ(cells.at("proof"), "rest");
+}
+
+TEST(MapLine, NumbersReadBackToTheSameBits) {
+  std::mt19937_64 random(1);
+  const auto awkward = [&] {
+    return std::ldexp(static_cast<double>(random() >> 11), -53 - static_cast<int>(random() % 1000));
+  };
+  for (int trial = 0; trial < 500; ++trial) {
     Row row = full_row();
-    EXPECT_EQ(by_column(map_line(row)).at("comb_spacing"), "");
-    EXPECT_EQ(by_column(map_line(row)).at("lyapunov_per_revolution"), "");
-    row.measures->comb_spacing = 2.6857;
-    EXPECT_EQ(by_column(map_line(row)).at("comb_spacing"), "2.6857");
-    EXPECT_EQ(by_column(map_line(row)).at("lyapunov_per_revolution"), "");
-    row.measures->comb_spacing.reset();
-    row.lyapunov_per_revolution = 0.1925;
-    EXPECT_EQ(by_column(map_line(row)).at("comb_spacing"), "");
-    EXPECT_EQ(by_column(map_line(row)).at("lyapunov_per_revolution"), "0.1925");
-    row.lyapunov_per_revolution = 0;
-    EXPECT_EQ(by_column(map_line(row)).at("lyapunov_per_revolution"), "0");
-    row.measures.reset();
-    EXPECT_EQ(by_column(map_line(row)).at("comb_spacing"), "");
-  }
-
-  TEST(MapLine, WhatDoesNotApplyIsEmpty) {
-    EXPECT_EQ(map_line(failed_row()), "60,0.5,,failed,,,,,,,,,,,,,,,,,,0,unreachable");
-  }
-
-  TEST(MapLine, ARotorAtRestHasNoOrbitWhirlOrDominantLine) {
-    Row row;
-    row.motion_class = response::MotionClass::non_contact;
-    row.measures.emplace();
-    row.measures->turns = 1;
-    row.proof = response::Proof::rest;
+    auto& m = *row.measures;
+    const std::vector<std::pair<const char*, double*>> numbers{
+        {"speed_hz", &row.speed_hz},
+        {"whirl_ratio", &row.whirl_ratio},
+        {"eccentricity_m", &row.eccentricity_m},
+        {"contact_fraction", &m.contact.contact_fraction},
+        {"peak_displacement_m", &m.contact.peak_displacement_m},
+        {"peak_contact_force_n", &m.contact.peak_contact_force_n},
+        {"amplitude_1x_forward_m", &m.amplitude_1x_forward_m},
+        {"amplitude_1x_backward_m", &m.amplitude_1x_backward_m},
+        {"dominant_order", &m.dominant->order},
+        {"dominant_amplitude_m", &m.dominant->amplitude_m}};
+    for (const auto& [name, number] : numbers) *number = awkward();
+    m.contact.hits = static_cast<int>(random() % 1000);
     const auto cells = by_column(map_line(row));
-    for (const char* empty :
-         {"orbit", "whirl", "dominant_order", "dominant_amplitude_m", "order", "last_contact_revolution"}) {
-      EXPECT_EQ(cells.at(empty), "") << empty;
+    for (const auto& [name, number] : numbers) {
+      const double read_back = std::strtod(cells.at(name).c_str(), nullptr);
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(read_back), std::bit_cast<std::uint64_t>(*number)) << name;
     }
-    EXPECT_EQ(cells.at("hits_per_revolution"), "0");
-    EXPECT_EQ(cells.at("amplitude_1x_forward_m"), "0");
-    EXPECT_EQ(cells.at("class"), "non_contact");
-    EXPECT_EQ(cells.at("proof"), "rest");
+    EXPECT_EQ(std::strtod(cells.at("hits_per_revolution").c_str(), nullptr), m.contact.hits / 48.0);
   }
+}
 
-  TEST(MapLine, NumbersReadBackToTheSameBits) {
-    std::mt19937_64 random(1);
-    const auto awkward = [&] {
-      return std::ldexp(static_cast<double>(random() >> 11), -53 - static_cast<int>(random() % 1000));
-    };
-    for (int trial = 0; trial < 500; ++trial) {
-      Row row = full_row();
-      auto& m = *row.measures;
-      const std::vector<std::pair<const char*, double*>> numbers{
-          {"speed_hz", &row.speed_hz},
-          {"whirl_ratio", &row.whirl_ratio},
-          {"eccentricity_m", &row.eccentricity_m},
-          {"contact_fraction", &m.contact.contact_fraction},
-          {"peak_displacement_m", &m.contact.peak_displacement_m},
-          {"peak_contact_force_n", &m.contact.peak_contact_force_n},
-          {"amplitude_1x_forward_m", &m.amplitude_1x_forward_m},
-          {"amplitude_1x_backward_m", &m.amplitude_1x_backward_m},
-          {"dominant_order", &m.dominant->order},
-          {"dominant_amplitude_m", &m.dominant->amplitude_m}};
-      for (const auto& [name, number] : numbers) *number = awkward();
-      m.contact.hits = static_cast<int>(random() % 1000);
-      const auto cells = by_column(map_line(row));
-      for (const auto& [name, number] : numbers) {
-        const double read_back = std::strtod(cells.at(name).c_str(), nullptr);
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(read_back), std::bit_cast<std::uint64_t>(*number)) << name;
-      }
-      EXPECT_EQ(std::strtod(cells.at("hits_per_revolution").c_str(), nullptr), m.contact.hits / 48.0);
-    }
-  }
-
-  TEST(MapCsv, CommentsHeaderAndLinesAreATable) {
-    const std::string text = map_comments("1.2.3", "abc") + map_header() + "\n" + map_line(full_row()) +
-                             "\n" + map_line(failed_row()) + "\n";
-    const TemporaryDirectory directory;
-    const auto path = directory.path() / "map.csv";
-    std::ofstream(path, std::ios::binary) << text;
-    const batch::CsvTable table = batch::read_csv(path);
-    ASSERT_EQ(table.comments.size(), 3u);
-    EXPECT_EQ(table.comments[0], "rubsweep 1.2.3");
-    EXPECT_EQ(table.comments[1], "digest abc");
-    EXPECT_TRUE(table.comments[2].starts_with("units: SI"));
-    ASSERT_EQ(table.rows.size(), 2u);
-    EXPECT_EQ(batch::number(table, 0, batch::column(table, "dominant_order")), -0.5);
-    EXPECT_TRUE(std::isnan(batch::number(table, 1, batch::column(table, "eccentricity_m"))));
-    EXPECT_EQ(table.rows[1][batch::column(table, "status")], "unreachable");
-  }
+TEST(MapCsv, CommentsHeaderAndLinesAreATable) {
+  const std::string text = map_comments("1.2.3", "abc") + map_header() + "\n" + map_line(full_row()) + "\n" +
+                           map_line(failed_row()) + "\n";
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.csv";
+  std::ofstream(path, std::ios::binary) << text;
+  const batch::CsvTable table = batch::read_csv(path);
+  ASSERT_EQ(table.comments.size(), 3u);
+  EXPECT_EQ(table.comments[0], "rubsweep 1.2.3");
+  EXPECT_EQ(table.comments[1], "digest abc");
+  EXPECT_TRUE(table.comments[2].starts_with("units: SI"));
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(batch::number(table, 0, batch::column(table, "dominant_order")), -0.5);
+  EXPECT_TRUE(std::isnan(batch::number(table, 1, batch::column(table, "eccentricity_m"))));
+  EXPECT_EQ(table.rows[1][batch::column(table, "status")], "unreachable");
+}
 
 }  // namespace
 }  // namespace rubsweep::report
