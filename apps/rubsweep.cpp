@@ -1,13 +1,18 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "map_directory.hpp"
 #include "program.hpp"
 #include "rubsweep/batch/line_log.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
@@ -16,6 +21,7 @@
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "rubsweep/sweep/explain_study.hpp"
+#include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
 #include "rubsweep_arguments.hpp"
 
@@ -36,15 +42,32 @@ bool run_missing_cells(const RubsweepArguments& arguments, const config::RunConf
   const std::atomic<bool>& stop = catch_interrupts();
   const batch::ProgressMode mode = arguments.quiet ? batch::ProgressMode::never : arguments.progress;
   batch::Progress progress(directory.cells(), mode, stderr, directory.finished());
-  const std::size_t finished = sweep::run_cells(
-      config.study, directory.missing(), arguments.threads,
-      [&](std::size_t cell, const sweep::Row& row) {
-        const std::string line = report::map_line(row);
-        journal.append(cell, line);
-        partial.append(line);
-        progress.advance();
-      },
-      stop);
+  const auto run_cells = [&](std::span<const std::size_t> cells) {
+    return sweep::run_cells(
+        config.study, cells, arguments.threads,
+        [&](std::size_t cell, const sweep::Row& row) {
+          const std::string line = report::map_line(row);
+          journal.append(cell, line);
+          partial.append(line);
+          progress.advance();
+        },
+        stop);
+  };
+  const int threads = batch::thread_count(arguments.threads);
+  std::vector<std::size_t> cells = directory.missing();
+  std::size_t finished = 0;
+  // A few cells from all over the map tell how long it will take, where somebody is there to read it.
+  if (progress.say(sweep::describe(config.study, threads)) && cells.size() >= 1000) {
+    const auto pilots = sweep::take_pilot_cells(cells, 16 * static_cast<std::size_t>(threads));
+    const auto start = std::chrono::steady_clock::now();
+    finished = run_cells(pilots);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const double cell_s = elapsed.count() / static_cast<double>(pilots.size());
+    progress.say(fmt::format("about {} by {} cells spread over the map",
+                             batch::hours_minutes_seconds(cell_s * static_cast<double>(cells.size())),
+                             pilots.size()));
+  }
+  finished += run_cells(cells);
   if (finished == directory.missing().size()) return true;
   progress.finish();
   fmt::print(stderr,
@@ -53,7 +76,19 @@ bool run_missing_cells(const RubsweepArguments& arguments, const config::RunConf
   return false;
 }
 
+/// What does not fit into the machine is refused before it begins, not killed in the middle.
+void refuse_more_than_there_is(const sweep::Study& study, int threads) {
+  const auto there =
+      static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  if (sweep::footprint(study, threads).memory_bytes <= there) return;
+  throw ConfigError(
+      fmt::format("{}, this machine has {} MB, allowed: fewer --threads, response.window_revolutions or "
+                  "response.samples_per_revolution",
+                  sweep::describe(study, threads), there / 1'000'000));
+}
+
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
+  refuse_more_than_there_is(config.study, batch::thread_count(arguments.threads));
   const MapDirectory directory(arguments.output.value_or(config.output_directory), config, arguments.shard,
                                arguments.fresh, own_name(arguments));
   if (arguments.merge && !directory.missing().empty()) {
@@ -93,7 +128,8 @@ int act(const RubsweepArguments& arguments) {
       }
       return done;
     case Action::explain:
-      fmt::print("{}", sweep::explain(config.study));
+      fmt::print("{}{}\n", sweep::explain(config.study),
+                 sweep::describe(config.study, batch::thread_count(arguments.threads)));
       return done;
     case Action::print_config:
       fmt::print("{}", config::print_config(config));

@@ -10,8 +10,20 @@ expect_empty stderr
 
 expect_exit 0 "$minimal" "${cell[@]}" --progress always
 expect_matches stderr $'^\r0/1 cells, 0%'
+expect_matches stderr $'\r1 cells on [0-9]+ threads: up to [0-9.]+ MB of memory, 0.1 MB of disk *$'
 expect_matches stderr $'\r1/1 cells in 0:0[0-9]:[0-9]{2} *$'
 expect_contains stdout 'map: '
+
+# A long one says beforehand how long, by cells that are part of it.
+expect_exit 0 "${quick[@]}" --set sweep.speed_hz.count=125 --progress always --threads 2 --output long
+expect_matches stderr $'\rabout 0:0[0-9]:[0-9]{2} by 32 cells spread over the map *$'
+expect_exit 0 "${quick[@]}" --set sweep.speed_hz.count=125 --threads 1 --output long_too
+expect_same long/map.csv long_too/map.csv
+# What does not fit is refused before anything is written.
+expect_exit 2 "$minimal" --threads 1024 --output large \
+  --set 'response={window_revolutions: 4096, samples_per_revolution: 4096, max_revolutions: 10000}'
+expect_matches stderr '^24 cells on 1024 threads: up to [0-9.e+]+ GB of memory, 0.1 MB of disk, this machine has [0-9]+ MB, allowed: fewer'
+expect_missing large
 
 for progress in auto always never; do
   expect_exit 0 "$minimal" "${cell[@]}" --quiet --progress "$progress"

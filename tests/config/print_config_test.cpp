@@ -1,5 +1,6 @@
 #include "rubsweep/config/print_config.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -30,12 +31,12 @@ RunConfig awkward_config(std::mt19937_64& random) {
   for (std::size_t i = 0; i < 1 + random() % 3; ++i) {
     model::Stop stop;
     stop.geometry = model::OneSideGeometry{-awkward(random)};
-    stop.clearance_m = awkward(random);
+    stop.contact_radius_m = std::min(awkward(random), 10.);
+    stop.clearance_m = std::min(awkward(random), 0.9 * stop.contact_radius_m);
     if (random() % 2 == 0) {
       stop.geometry = model::AnnularGeometry{{stop.clearance_m / 3, -stop.clearance_m / 7}};
     }
     stop.stiffness_n_per_m = awkward(random);
-    stop.contact_radius_m = awkward(random);
     const double restitution = 1 / (1 + awkward(random) / 1e300);
     const model::ContactDamping dampings[] = {model::NominalRestitution{restitution},
                                               model::DeliveredRestitution{restitution},
@@ -49,9 +50,15 @@ RunConfig awkward_config(std::mt19937_64& random) {
     if (random() % 2 == 0) stop.casing = model::Casing{awkward(random), awkward(random), awkward(random)};
     config.study.machine.stops.push_back(stop);
   }
-  if (random() % 2 == 0) config.study.machine.kick = model::Kick{awkward(random), awkward(random), maybe()};
-  config.study.machine.gravity_m_per_s2 = awkward(random);
-  config.study.grid.speed_hz = {awkward(random), std::numeric_limits<double>::denorm_min(), awkward(random)};
+  // No number may look like one in another unit.
+  const double frequency_hz = config.study.machine.rotor.natural_frequency_hz;
+  if (random() % 2 == 0)
+    config.study.machine.kick =
+        model::Kick{awkward(random), std::min(awkward(random), 90 / frequency_hz), maybe()};
+  config.study.machine.gravity_m_per_s2 = std::min(awkward(random), 100.);
+  config.study.grid.speed_hz = {std::min(awkward(random), 80 * frequency_hz),
+                                std::numeric_limits<double>::denorm_min(),
+                                std::min(awkward(random), 90 * frequency_hz)};
   config.study.grid.measure = sweep::UnbalanceMeasure(random() % 2);
   config.study.grid.unbalance = {std::numeric_limits<double>::max(), 0, awkward(random)};
   config.study.solver.method = integrate::Method(random() % 2);

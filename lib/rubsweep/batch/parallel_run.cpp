@@ -49,14 +49,18 @@ struct Failures {
 
 }  // namespace
 
+int thread_count(int threads) {
+  if (threads < 0) {
+    throw ConfigError(fmt::format("threads: {} is out of range, allowed: 0 (all) or a number >= 1", threads));
+  }
+  return threads == 0 ? tbb::info::default_concurrency() : threads;
+}
+
 std::size_t parallel_run(std::size_t count, int threads,
                          const std::function<void(std::size_t cell)>& run_cell,
                          const std::function<void(std::size_t cell)>& on_finished,
                          const std::atomic<bool>& stop) {
-  if (threads < 0) {
-    throw ConfigError(fmt::format("threads: {} is out of range, allowed: 0 (all) or a number >= 1", threads));
-  }
-  const int concurrency = threads == 0 ? tbb::info::default_concurrency() : threads;
+  const int concurrency = thread_count(threads);
   std::mutex one_at_a_time;  // guards what follows and every call of on_finished
   std::size_t finished = 0;
   Failures failures;

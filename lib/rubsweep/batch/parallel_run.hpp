@@ -6,9 +6,13 @@
 
 namespace rubsweep::batch {
 
-/// Runs run_cell(0) ... run_cell(count - 1) on `threads` threads (0: one per processor this process may use)
-/// and returns how many finished. Cells may differ in cost without bound: each is a task of its own. A cell
-/// must write to its own slot only; then results do not depend on the number of threads.
+/// What a wish for `threads` threads means: 0 is one per processor this process may use. Throws ConfigError
+/// when threads < 0.
+int thread_count(int threads);
+
+/// Runs run_cell(0) ... run_cell(count - 1) on thread_count(threads) threads and returns how many finished.
+/// Cells may differ in cost without bound: each is a task of its own. A cell must write to its own slot only;
+/// then results do not depend on the number of threads.
 ///
 /// `on_finished(cell)` follows each cell that did not throw, on the same thread, one call at a time, in any
 /// order. What it throws ends the run: no new cell starts and the exception is rethrown as it is.

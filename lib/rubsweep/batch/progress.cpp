@@ -10,11 +10,6 @@ namespace {
 
 constexpr auto redraw_interval = std::chrono::milliseconds(100);
 
-std::string hours_minutes_seconds(double duration_s) {
-  const auto seconds = std::llround(duration_s);
-  return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
-}
-
 /// Three figures without an exponent.
 std::string rate_text(double per_second) {
   const int decimals = per_second >= 100 ? 0 : per_second >= 10 ? 1 : per_second >= 1 ? 2 : 3;
@@ -27,6 +22,11 @@ bool shows(ProgressMode mode, std::FILE* stream) {
 }
 
 }  // namespace
+
+std::string hours_minutes_seconds(double duration_s) {
+  const auto seconds = std::llround(duration_s);
+  return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+}
 
 std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before) {
   const std::size_t percent = total == 0 ? 100 : 100 * done / total;
@@ -47,6 +47,15 @@ void Progress::advance(std::size_t cells) {
   if (!stream_ || Clock::now() - drawn_ < redraw_interval) return;
   draw(progress_line(done_, total_, elapsed_s(), done_before_));
   drawn_ = Clock::now();
+}
+
+bool Progress::say(const std::string& text) {
+  if (!stream_) return false;
+  draw(text);
+  std::fputc('\n', stream_);
+  drawn_width_ = 0;
+  draw(progress_line(done_, total_, elapsed_s(), done_before_));
+  return true;
 }
 
 void Progress::finish() {

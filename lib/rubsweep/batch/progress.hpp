@@ -10,6 +10,9 @@ namespace rubsweep::batch {
 /// `automatic`: only when the stream is a terminal.
 enum class ProgressMode { automatic, always, never };
 
+/// "0:07:02", also for days: "50:00:00".
+std::string hours_minutes_seconds(double duration_s);
+
 /// "132/1320 cells, 10%, 45.2 cells/s, 0:00:26 left" after `elapsed_s` seconds, which did not go into the
 /// first `done_before` cells. The rate and the time left are missing as long as nothing tells them (no cell
 /// or no time yet). The percentage is rounded down.
@@ -27,6 +30,9 @@ class Progress {
 
   /// So many more cells are finished.
   void advance(std::size_t cells = 1);
+
+  /// Puts `text` on a line of its own above, where progress is shown; true if it is.
+  bool say(const std::string& text);
 
   /// Replaces the line by "1320/1320 cells in 0:00:29" and ends it; later calls do nothing. The destructor
   /// calls it, so that an error message after an exception starts on its own line.

@@ -11,6 +11,7 @@
 #include "rubsweep/config/solver.hpp"
 #include "rubsweep/config/stop.hpp"
 #include "rubsweep/config/sweep.hpp"
+#include "rubsweep/config/unit_slips.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -44,6 +45,7 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
   Diagnostics diagnostics(name, overrides);
   const Node root = parse_config(text, root_form, overrides, diagnostics);
   RunConfig config = read_sections({root, "", diagnostics});
+  if (diagnostics.count() == 0) refuse_unit_slips({root, "", diagnostics});
   diagnostics.throw_if_any();
   return config;
 }

@@ -1,0 +1,92 @@
+#include "rubsweep/config/unit_slips.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
+
+#include "rubsweep/config/number.hpp"
+#include "rubsweep/config/text.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+constexpr double most_kick_periods = 100, most_speed_ratio = 100, most_gravity = 100, most_radius_m = 10;
+
+std::optional<Value> child(const std::optional<Value>& parent, std::string_view name) {
+  if (!parent || parent->node.kind != Node::Kind::map) return std::nullopt;
+  for (std::size_t i = 0; i < parent->node.keys.size(); ++i) {
+    if (parent->node.keys[i].text == name) {
+      return Value{parent->node.items[i], child_path(parent->path, name), parent->diagnostics};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<double> number(const std::optional<Value>& value) {
+  if (!value || value->node.kind != Node::Kind::scalar) return std::nullopt;
+  const ParsedNumber parsed = parse_number(value->node.text);
+  return parsed.error == NumberError::none ? std::optional(parsed.value) : std::nullopt;
+}
+
+void check_stop(const Value& stop) {
+  const auto clearance = child(stop, "clearance_m"), radius = child(stop, "contact_radius_m");
+  const double clearance_m = number(clearance).value_or(0), radius_m = number(radius).value_or(0);
+  if (radius_m > most_radius_m) {
+    refuse(*radius, fmt::format("{} m is no radius of a shaft (millimetres?)", radius_m),
+           fmt::format("at most {}", most_radius_m));
+  } else if (radius_m > 0 && clearance_m >= radius_m) {
+    refuse(*clearance, fmt::format("{} m is no less than contact_radius_m (millimetres?)", clearance_m),
+           fmt::format("less than {}", radius_m));
+  }
+}
+
+void check_speed(const Value& speed, double natural_frequency_hz) {
+  const auto speed_hz = number(speed);
+  if (!speed_hz || *speed_hz <= most_speed_ratio * natural_frequency_hz) return;
+  refuse(speed,
+         fmt::format("{} Hz is over {} times rotor.natural_frequency_hz (revolutions per minute?)", *speed_hz,
+                     most_speed_ratio),
+         fmt::format("at most {}", most_speed_ratio * natural_frequency_hz));
+}
+
+void check_speeds(const std::optional<Value>& axis, double natural_frequency_hz) {
+  for (const std::string_view end : {"from", "to"}) {
+    if (const auto speed = child(axis, end)) check_speed(*speed, natural_frequency_hz);
+  }
+  const auto values = child(axis, "values");
+  if (!values) return;
+  for (std::size_t i = 0; i < values->node.items.size(); ++i) {
+    check_speed({values->node.items[i], fmt::format("{}.{}", values->path, i), values->diagnostics},
+                natural_frequency_hz);
+  }
+}
+
+void check_kick(const Value& duration, double natural_frequency_hz) {
+  const double periods = number(duration).value_or(0) * natural_frequency_hz;
+  if (periods <= most_kick_periods) return;
+  refuse(duration, fmt::format("{} periods of the rotor are no kick (milliseconds?)", periods),
+         fmt::format("at most {} = {} periods", most_kick_periods / natural_frequency_hz, most_kick_periods));
+}
+
+}  // namespace
+
+void refuse_unit_slips(const Value& root) {
+  const std::optional<Value> whole = root;
+  if (const auto stops = child(whole, "stops")) {
+    for (std::size_t i = 0; i < stops->node.items.size(); ++i) {
+      check_stop({stops->node.items[i], fmt::format("stops.{}", i), stops->diagnostics});
+    }
+  }
+  if (const auto frequency_hz = number(child(child(whole, "rotor"), "natural_frequency_hz"))) {
+    if (const auto duration = child(child(whole, "kick"), "duration_s")) check_kick(*duration, *frequency_hz);
+    check_speeds(child(child(whole, "sweep"), "speed_hz"), *frequency_hz);
+  }
+  const auto gravity = child(whole, "gravity_m_per_s2");
+  if (number(gravity).value_or(0) > most_gravity) {
+    refuse(*gravity, fmt::format("{} m/s2 is no gravity (millimetres?)", *number(gravity)),
+           fmt::format("at most {}", most_gravity));
+  }
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,52 @@
+#include "rubsweep/sweep/footprint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "rubsweep/sweep/evaluate_cell.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+constexpr std::size_t program_bytes = 12'000'000, thread_bytes = 1'000'000, sample_bytes = 192,
+                      cell_bytes = 24, row_bytes = 3 * 340;
+
+std::string shown(std::size_t bytes) {
+  const double value = static_cast<double>(bytes);
+  return value < 1e9 ? fmt::format("{:.{}f} MB", std::max(value, 1e5) / 1e6, value < 1e7 ? 1 : 0)
+                     : fmt::format("{:.3g} GB", value / 1e9);
+}
+
+}  // namespace
+
+Footprint footprint(const Study& study, int threads) {
+  const std::size_t cells = cell_count(study.grid);
+  const std::size_t samples = static_cast<std::size_t>(study.response.window_revolutions) *
+                              static_cast<std::size_t>(study.response.samples_per_revolution);
+  return {program_bytes + static_cast<std::size_t>(threads) * (thread_bytes + sample_bytes * samples) +
+              cell_bytes * cells,
+          row_bytes * cells};
+}
+
+std::string describe(const Study& study, int threads) {
+  const Footprint needed = footprint(study, threads);
+  return fmt::format("{} cells on {} threads: up to {} of memory, {} of disk", cell_count(study.grid),
+                     threads, shown(needed.memory_bytes), shown(needed.disk_bytes));
+}
+
+std::vector<std::size_t> take_pilot_cells(std::vector<std::size_t>& cells, std::size_t count) {
+  std::vector<std::size_t> pilots, others;
+  const std::size_t wanted = std::min(count, cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    // The middle one of each of `wanted` stretches.
+    const bool chosen =
+        pilots.size() < wanted && i == ((2 * pilots.size() + 1) * cells.size()) / (2 * wanted);
+    (chosen ? pilots : others).push_back(cells[i]);
+  }
+  cells = std::move(others);
+  return pilots;
+}
+
+}  // namespace rubsweep::sweep
