@@ -14,7 +14,7 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
-#include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/trace_csv.hpp"
 #include "rubsweep/report/trace_run.hpp"
@@ -73,7 +73,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const fs::path directory = directory_of(arguments, config);
   make_directory(directory);
 
-  response::SpectrumWorkspace workspace;
+  response::Workspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, 0, workspace);
   Files files{{"config.yaml", config::print_config(config)},
               {"motion.csv", report::map_comments(RUBSWEEP_VERSION, config::study_digest(study)) +
@@ -89,9 +89,9 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
         .samples_per_revolution = study.response.samples_per_revolution,
         .window_revolutions = study.response.window_revolutions,
         .trajectory_revolutions = arguments.last_revolutions};
-    trace = report::trace_run(integrate::start_adaptive(cell.scene, study.solver), cell.scene, study.solver,
-                              options);
-    const report::TraceWindow window = report::last_window(trace, options, row.order, workspace);
+    trace = report::trace_run(integrate::start(cell.scene, study.solver, workspace.plans).advance, cell.scene,
+                              study.solver, options);
+    const report::TraceWindow window = report::last_window(trace, options, row.order, workspace.spectrum);
     files["trajectory.csv"] = std::move(trace.trajectory_csv);
     files["section.csv"] = std::move(trace.section_csv);
     files["events.csv"] = std::move(trace.events_csv);

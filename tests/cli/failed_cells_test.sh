@@ -3,7 +3,7 @@
 source "$(dirname "$0")/support.sh"
 
 # 1000 steps are too few for a turn at this tolerance. Above a whirl ratio of 1 there is nothing to integrate.
-few_steps=(--set solver.max_steps_per_revolution=1000 --set solver.relative_tolerance=1e-13
+few_steps=(--set solver.method=adaptive --set solver.max_steps_per_revolution=1000 --set solver.relative_tolerance=1e-13
   --set 'sweep={speed_hz: {values: [70, 130]}, whirl_ratio: {values: [0.2, 1.2]}}')
 
 expect_exit 4 "$minimal" "${few_steps[@]}" --output out

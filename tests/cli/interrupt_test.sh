@@ -25,7 +25,7 @@ expect_end() {
 
 # interrupt SIGNAL CODE
 interrupt() {
-  start "$1" 3 "$top/configs/figure06_one_side.yaml"
+  start "$1" 3 "$top/configs/figure06_one_side.yaml" --set solver.method=adaptive
   kill -s "$1" "$running"
   expect_end "$2"
   expect_empty stdout
@@ -45,13 +45,13 @@ interrupt TERM 143
 rows TERM/map.partial.csv | tail -n 1 >last
 IFS=, read -r speed_hz whirl_ratio _ <last
 one_cell "$speed_hz" "$whirl_ratio"
-expect_exit 0 "$top/configs/figure06_one_side.yaml" "${cell[@]}" --output alone
+expect_exit 0 "$top/configs/figure06_one_side.yaml" "${cell[@]}" --set solver.method=adaptive --output alone
 rows alone/map.csv >row
 expect_same row last
 
 # The first cell needs no integration, the second very long. It may finish; a second signal does not wait for it.
 start twice 1 "$minimal" --set 'sweep={speed_hz: {values: [70]}, whirl_ratio: {values: [1.2, 0.2]}}' \
-  --set solver.stepper=rosenbrock4 --set solver.relative_tolerance=1e-14 --set solver.max_steps_per_revolution=1e9
+  --set solver.method=adaptive --set solver.stepper=rosenbrock4 --set solver.relative_tolerance=1e-14 --set solver.max_steps_per_revolution=1e9
 kill -s INT "$running"
 sleep 0.3
 kill -0 "$running" || fail 'the running cell was not awaited'

@@ -47,7 +47,7 @@ expect_none() {
   done
 }
 
-expect_motion 60 0.5 'synchronous 1 circle forward observed ok'
+expect_motion 60 0.5 'synchronous 1 circle forward floquet ok'
 expect_none comb_spacing lyapunov_per_revolution
 expect_between dominant_order 1 1
 
@@ -74,4 +74,4 @@ expect_matches stdout '^stepper auto: rosenbrock4 \(implicit, .* where friction 
 expect_exit 0 ring.yaml --explain --set 'stops.0.friction={coefficient: 0.1}'
 expect_matches stdout '^stepper auto: dopri5 throughout'
 expect_exit 0 ring.yaml --explain --set solver.stepper=rkf78
-expect_matches stdout ', rkf78 \(order 8'
+expect_matches stdout 'rkf78 \(order 8'

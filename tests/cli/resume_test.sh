@@ -5,7 +5,7 @@ source "$(dirname "$0")/support.sh"
 set -m
 trap 'kill -KILL %% 2>/dev/null || true; rm -rf "$work"' EXIT
 
-quick+=(--set sweep.speed_hz.count=200)
+quick+=(--set sweep.speed_hz.count=200 --set solver.method=adaptive --set response.floquet_proof=off)
 cells=1600
 expect_exit 0 "${quick[@]}" --output whole
 

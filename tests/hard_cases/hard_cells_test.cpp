@@ -26,7 +26,7 @@ struct Expected {
 };
 
 void expect_row(const Study& study, const Expected& expected) {
-  response::SpectrumWorkspace workspace;
+  response::Workspace workspace;
   const Row row = evaluate_cell(study, 0, workspace);
   EXPECT_EQ(to_string(row.motion_class), expected.motion_class);
   EXPECT_EQ(row.status, expected.status);
@@ -49,7 +49,7 @@ TEST(HardCells, JustBelowOneItWhirlsWithoutContactUnlessTheSolversErrorGrazes) {
   expect_row(study, {"non_contact", "ok"});
   // Far less than the tolerance away, a graze in every turn is the same circle.
   study.grid.unbalance = {1 - 1e-12};
-  response::SpectrumWorkspace workspace;
+  response::Workspace workspace;
   const Row row = evaluate_cell(study, 0, workspace);
   EXPECT_EQ(row.status, "ok");
   EXPECT_TRUE(row.motion_class == response::MotionClass::non_contact ||
@@ -96,6 +96,7 @@ TEST(HardCells, FrictionThatNeverReversesRunsAwayAndIsNamed) {
 
 TEST(HardCells, ALimitOnStepsEndsWhatWouldTakeTooLong) {
   Study study = study_of(scene::one_side_machine(), 75, 0.4);
+  study.solver.method = integrate::Method::adaptive;
   study.solver.relative_tolerance = 1e-14;
   study.solver.max_steps_per_revolution = 1000;
   expect_row(study, {"failed", "step_limit"});

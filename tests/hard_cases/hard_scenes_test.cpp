@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/start.hpp"
 
 namespace rubsweep::test {
 namespace {
@@ -23,6 +23,7 @@ struct Solver {
 
 SolverOptions with(Stepper stepper, double tolerance) {
   SolverOptions options;
+  options.method = integrate::Method::adaptive;
   options.stepper = stepper;
   options.relative_tolerance = tolerance;
   return options;
@@ -30,7 +31,10 @@ SolverOptions with(Stepper stepper, double tolerance) {
 
 /// Another solver takes its place here.
 std::vector<Solver> solvers() {
-  return {{"auto", with(Stepper::automatic, 1e-8)},
+  SolverOptions exact = with(Stepper::automatic, 1e-10);
+  exact.method = integrate::Method::exact;
+  return {{"exact", exact},
+          {"auto", with(Stepper::automatic, 1e-8)},
           {"auto, loose", with(Stepper::automatic, 1e-6)},
           {"dopri5", with(Stepper::dopri5, 1e-10)},
           {"cash_karp54", with(Stepper::cash_karp54, 1e-8)},
@@ -47,7 +51,8 @@ struct Found {
 };
 
 Found run(const HardScene& hard, const SolverOptions& options) {
-  const integrate::Cursor advance = integrate::start_adaptive(hard.scene, options);
+  integrate::ExactPlans plans;
+  const integrate::Cursor advance = integrate::start(hard.scene, options, plans).advance;
   integrate::Turn turn;
   Found result;
   for (int k = 0; k < hard.turns && result.outcome == integrate::Outcome::ok; ++k) {

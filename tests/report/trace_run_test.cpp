@@ -159,9 +159,13 @@ TEST(LastWindow, HoldsTheMeasuresOfTheMap) {
   sweep::Study study;
   study.machine = test::machine_of({});
   study.grid = {.speed_hz = {75}, .measure = sweep::UnbalanceMeasure::whirl_ratio, .unbalance = {0.4}};
-  study.response = {
-      .max_revolutions = 260, .samples_per_revolution = 32, .window_revolutions = 13, .max_order = 4};
-  response::SpectrumWorkspace workspace;
+  study.response = {.max_revolutions = 260,
+                    .samples_per_revolution = 32,
+                    .window_revolutions = 13,
+                    .floquet_proof = false,
+                    .max_order = 4};
+  study.solver.method = integrate::Method::adaptive;  // as the trace of these tests
+  response::Workspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, 0, workspace);
   ASSERT_EQ(row.order, 2);
 
@@ -171,7 +175,7 @@ TEST(LastWindow, HoldsTheMeasuresOfTheMap) {
                              .window_revolutions = study.response.window_revolutions,
                              .trajectory_revolutions = 1};
   const Trace trace = run({}, options);
-  const TraceWindow window = last_window(trace, options, row.order, workspace);
+  const TraceWindow window = last_window(trace, options, row.order, workspace.spectrum);
   EXPECT_EQ(window.turns, 12);  // whole periods of 2 in 13
   EXPECT_EQ(window.contact.hits, 6);
   EXPECT_NEAR(window.contact.contact_fraction, row.measures->contact.contact_fraction, 0.1);

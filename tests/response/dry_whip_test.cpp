@@ -19,7 +19,7 @@ constexpr Complex i{0, 1};
 SettledRun run(const model::Machine& machine, double speed_hz, double whirl_ratio,
                int max_revolutions = 300) {
   const ResponseOptions options{.max_revolutions = max_revolutions};
-  SpectrumWorkspace workspace;
+  Workspace workspace;
   return settle(scene::build_cell(machine, speed_hz, scene::WhirlRatio{whirl_ratio}), {}, options, workspace);
 }
 

@@ -29,7 +29,8 @@ TEST(SceneMap, RepeatsTheTurnsOfARun) {
   const auto cell = test::cell_of({});
   integrate::SolverOptions solver;
   solver.relative_tolerance = 1e-11;
-  SceneMap map(cell.scene, solver);
+  integrate::ExactPlans plans;
+  SceneMap map(cell.scene, solver, plans);
   std::vector<double> section = section_after(cell.scene, 3, solver);
   for (int turn = 4; turn <= 12; ++turn) {
     ASSERT_TRUE(map(section));
@@ -40,7 +41,8 @@ TEST(SceneMap, RepeatsTheTurnsOfARun) {
 
 TEST(SceneMap, HasNoMemoryAndNoPulse) {
   const auto cell = test::cell_of({});
-  SceneMap map(cell.scene, {});
+  integrate::ExactPlans plans;
+  SceneMap map(cell.scene, {}, plans);
   // The quiet motion stays on its circle: nothing kicks it.
   const auto quiet = integrate::scaled_initial_state(cell.scene);
   auto section = quiet;
@@ -60,8 +62,9 @@ TEST(SceneMap, HasNoMemoryAndNoPulse) {
 TEST(SceneMap, SaysWhenTheSolverFailsAndRefusesOtherSections) {
   const auto cell = test::cell_of({});
   integrate::SolverOptions solver;
-  solver.max_steps_per_revolution = 5;
-  SceneMap map(cell.scene, solver);
+  solver.max_steps_per_revolution = 1;
+  integrate::ExactPlans plans;
+  SceneMap map(cell.scene, solver, plans);
   std::vector<double> section(8);
   EXPECT_FALSE(map(section));
   section.pop_back();
@@ -79,7 +82,8 @@ TEST(SceneMap, ExponentOfTheHalfSubharmonicIsTheDecayOfItsTangentialMotion) {
   for (const double tolerance : {1e-6, 1e-7, 1e-8}) {
     integrate::SolverOptions solver;
     solver.relative_tolerance = tolerance;
-    SceneMap map(cell.scene, solver);
+    integrate::ExactPlans plans;
+    SceneMap map(cell.scene, solver, plans);
     const auto exponent = largest_exponent(std::ref(map), section_after(cell.scene, 400, solver), 400);
     ASSERT_TRUE(exponent);
     EXPECT_NEAR(exponent->per_revolution, expected, exponent->error_bar) << tolerance;
@@ -91,7 +95,8 @@ TEST(SceneMap, ExponentIsTheRateAtWhichSectionsApproachTheirOrbit) {
   const auto cell = test::cell_of({});
   integrate::SolverOptions solver;
   solver.relative_tolerance = 1e-10;
-  SceneMap map(cell.scene, solver);
+  integrate::ExactPlans plans;
+  SceneMap map(cell.scene, solver, plans);
   std::vector<double> rows, section = section_after(cell.scene, 40, solver);
   for (int k = 0; k < 180; ++k) {
     ASSERT_TRUE(map(section));

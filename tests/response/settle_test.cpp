@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "response/annular_cell.hpp"
 #include "support/set_a_cell.hpp"
@@ -13,12 +14,45 @@ namespace {
 SettledRun run(const test::OneSideRotor& rotor, const ResponseOptions& options,
                const integrate::SolverOptions& solver = {}) {
   const auto cell = test::cell_of(rotor);
-  SpectrumWorkspace workspace;
+  Workspace workspace;
   return settle(cell, solver, options, workspace);
 }
 
+ResponseOptions without_floquet_proof() {
+  ResponseOptions options;
+  options.floquet_proof = false;
+  return options;
+}
+
+TEST(Settle, TheHalfSubharmonicOfSetAIsProven) {
+  const auto proven = run({}, {}), observed = run({}, without_floquet_proof());
+  EXPECT_EQ(proven.proof, Proof::floquet);
+  EXPECT_EQ(proven.motion.order, 2);
+  EXPECT_LT(proven.revolutions, 100);
+  // Nothing damps the rotor's tangential motion but its own damper: e^{-zeta w0 2T} over two turns.
+  const double decay = 0.02 * 2 * std::numbers::pi * 30 * 2 / 75;
+  EXPECT_NEAR(proven.floquet_modulus.value(), std::exp(-decay), 1e-9);
+  const Measures &a = proven.motion.measures, &b = observed.motion.measures;
+  EXPECT_EQ(a.turns, 2);
+  EXPECT_EQ(a.contact.hits * b.turns, b.contact.hits * a.turns);
+  EXPECT_NEAR(a.amplitude_1x_forward_m, b.amplitude_1x_forward_m, 1e-12);
+  EXPECT_NEAR(a.contact.peak_contact_force_n, b.contact.peak_contact_force_n, 1e-6);
+  EXPECT_EQ(a.dominant.value().order, b.dominant.value().order);
+  EXPECT_EQ(a.orbit, b.orbit);
+}
+
+TEST(Settle, BothSolversProveTheSameOrbit) {
+  integrate::SolverOptions adaptive;
+  adaptive.method = integrate::Method::adaptive;
+  const auto a = run({}, {}), b = run({}, {}, adaptive);
+  EXPECT_EQ(b.proof, Proof::floquet);
+  EXPECT_EQ(b.motion.order, 2);
+  EXPECT_NEAR(a.floquet_modulus.value(), b.floquet_modulus.value(), 1e-4);
+  EXPECT_NEAR(a.motion.measures.amplitude_1x_forward_m, b.motion.measures.amplitude_1x_forward_m, 1e-12);
+}
+
 TEST(Settle, TheHalfSubharmonicOfSetA) {
-  const auto settled = run({}, {});
+  const auto settled = run({}, without_floquet_proof());
   EXPECT_EQ(settled.motion.motion_class, MotionClass::subharmonic);
   EXPECT_EQ(settled.motion.order, 2);
   EXPECT_EQ(settled.proof, Proof::observed);
@@ -82,7 +116,7 @@ TEST(Settle, FailuresNameTheirOutcome) {
 }
 
 TEST(Settle, ShortestRunKeepsExactlyTwoWindows) {
-  ResponseOptions options;
+  ResponseOptions options = without_floquet_proof();
   options.max_revolutions = 128;
   const auto settled = run({}, options);
   EXPECT_EQ(settled.revolutions, 128);
@@ -100,9 +134,12 @@ TEST(Settle, NoUnbalanceRestsWithoutAnyLine) {
 
 std::string name(const SettledRun& settled) { return std::string(to_string(settled.motion.motion_class)); }
 
+/// By the adaptive solver alone, whose transients lead to the motions that the tests name.
 SettledRun run_annulus(double speed_hz, double whirl_ratio, double offset_y_m = 0) {
-  SpectrumWorkspace workspace;
-  return settle(testing::annular_cell(speed_hz, whirl_ratio, offset_y_m), {}, {}, workspace);
+  Workspace workspace;
+  integrate::SolverOptions solver;
+  solver.method = integrate::Method::adaptive;
+  return settle(testing::annular_cell(speed_hz, whirl_ratio, offset_y_m), solver, {}, workspace);
 }
 
 TEST(Settle, TheAnnulusCirclesAtLowSpeed) {
@@ -161,20 +198,24 @@ TEST(Settle, AnOrderAboveTheLargestIsUnsettledAndSaysSo) {
   test::OneSideRotor rotor;
   rotor.speed_hz = 102;
   rotor.whirl_ratio = 0.879;
-  const auto settled = run(rotor, {});
+  ResponseOptions options = without_floquet_proof();
+  const auto settled = run(rotor, options);
   EXPECT_EQ(name(settled), "unsettled");
   EXPECT_EQ(to_string(settled.motion.status), "order_above_max");
   EXPECT_FALSE(settled.proof);
   // What decays last is the rotor's tangential motion or faster: see section_map_test.
   EXPECT_LT(settled.motion.exponent.value().per_revolution, -0.03);
 
-  ResponseOptions options;
+  // A proof may name it nevertheless.
+  const auto proven = run(rotor, {});
+  EXPECT_EQ(proven.motion.order, 14);
+  EXPECT_EQ(proven.proof, Proof::floquet);
   options.max_order = 14;
   EXPECT_EQ(run(rotor, options).motion.order, 14);
 }
 
 TEST(Settle, WhileItSettlesItIsNeverCalledAnythingElse) {
-  ResponseOptions options;
+  ResponseOptions options = without_floquet_proof();
   options.window_revolutions = 32;
   int measured = 0, not_measured = 0;
   for (options.max_revolutions = 64; options.max_revolutions < 400; options.max_revolutions += 16) {

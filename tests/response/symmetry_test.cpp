@@ -68,7 +68,8 @@ double turning_first_and_last_differ_by(const scene::Scene& scene) {
   unforced.harmonic_n.setZero();
   integrate::SolverOptions solver;
   solver.relative_tolerance = 1e-10;
-  SceneMap map(unforced, solver);
+  integrate::ExactPlans plans;
+  SceneMap map(unforced, solver, plans);
   std::vector<double> first{0.9, 0.2, 0, 0, 0.3, -0.4, 0.1, 0};
   auto last = turned(first);
   map(last);

@@ -16,7 +16,7 @@ namespace rubsweep::sweep {
 namespace {
 
 Row evaluate(const Study& study, std::size_t cell = 0) {
-  response::SpectrumWorkspace workspace;
+  response::Workspace workspace;
   return evaluate_cell(study, cell, workspace);
 }
 
@@ -173,6 +173,7 @@ TEST(EvaluateCell, SubharmonicRowHoldsTheNumbersOfTheMotionByHand) {
   Study study = one_side_study({75}, {0.4});
   study.response.max_revolutions = 300;
   study.response.samples_per_revolution = 128;  // 32 would fold orders about 32 onto the lines, 1e-6 of them
+  study.response.floquet_proof = false;
   const Row row = evaluate(study);
   EXPECT_EQ(to_string(row.motion_class), "subharmonic");
   EXPECT_EQ(row.order, 2);
@@ -264,7 +265,7 @@ TEST(EvaluateCell, DependsOnItsArgumentsAlone) {
   Study other = study;
   other.response.samples_per_revolution = 64;
   const std::string fresh = report::map_line(evaluate(study));
-  response::SpectrumWorkspace workspace;
+  response::Workspace workspace;
   evaluate_cell(other, 0, workspace);
   EXPECT_EQ(report::map_line(evaluate_cell(study, 0, workspace)), fresh);
 }

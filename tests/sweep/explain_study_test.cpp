@@ -30,12 +30,13 @@ TEST(ExplainStudy, GridWhateverItsOrder) {
 
 TEST(ExplainStudy, SolverAndHowACellEnds) {
   Study study = one_side_study({50}, {0.4});
-  EXPECT_TRUE(says(explain(study), "solver: adaptive (auto: it takes every scene), dopri5"));
+  EXPECT_TRUE(says(explain(study), "solver: exact (auto: wherever it applies), closed forms"));
+  EXPECT_TRUE(says(explain(study), "turns whose friction is not saturated by the\n  adaptive one: dopri5"));
   EXPECT_TRUE(says(explain(study), "relative tolerance 1e-08\n"));
   EXPECT_TRUE(says(explain(study), "contact: located"));
-  EXPECT_TRUE(
-      says(explain(study),
-           "a cell ends when rest is proven, else after 40 revolutions, by its last two windows of 12\n"));
+  EXPECT_TRUE(says(explain(study),
+                   "a cell ends when rest or a stable orbit is proven, else after 40 revolutions, by its "
+                   "last two windows of 12\n"));
   study.solver.method = integrate::Method::adaptive;
   study.solver.contact = integrate::ContactHandling::smoothed;
   study.solver.smoothing_m = 2e-7;

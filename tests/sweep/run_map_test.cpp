@@ -31,7 +31,7 @@ TEST(RunMap, AnyNumberOfThreadsGivesTheRowsOfTheCellsInTheirOrder) {
   const Study study = mixed_study();
   Lines expected;
   for (std::size_t cell = 0; cell < cell_count(study.grid); ++cell) {
-    response::SpectrumWorkspace workspace;
+    response::Workspace workspace;
     expected.push_back(report::map_line(evaluate_cell(study, cell, workspace)));
   }
   for (const int threads : {1, 2, 5, 0}) {

@@ -13,6 +13,7 @@ constexpr IntegerRange samples{4, 4096, true};
 constexpr IntegerRange window{2, 4096};
 constexpr IntegerRange order{1, 1024};
 
+constexpr Words<bool, 2> on_off{{"off", "on"}, {false, true}};
 constexpr Words<sweep::Robustness, 2> switches{{"off", "on"},
                                                {sweep::Robustness::off, sweep::Robustness::on}};
 
@@ -22,6 +23,7 @@ void visit_fields(auto& study, auto&& visit) {
   visit("samples_per_revolution", response.samples_per_revolution, samples);
   visit("window_revolutions", response.window_revolutions, window);
   visit("max_order", response.max_order, order);
+  visit("floquet_proof", response.floquet_proof, on_off);
   visit("robustness", study.robustness, switches);
 }
 

@@ -10,7 +10,8 @@ using integrate::Method;
 using integrate::SolverOptions;
 using integrate::Stepper;
 
-constexpr Words<Method, 2> methods{{"auto", "adaptive"}, {Method::automatic, Method::adaptive}};
+constexpr Words<Method, 3> methods{{"auto", "exact", "adaptive"},
+                                   {Method::automatic, Method::exact, Method::adaptive}};
 constexpr Words<Stepper, 6> steppers{
     {"auto", "dopri5", "cash_karp54", "rkf78", "bulirsch_stoer", "rosenbrock4"},
     {Stepper::automatic, Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78, Stepper::bulirsch_stoer,
@@ -35,6 +36,11 @@ SolverOptions read_solver(const Value& value) {
   SolverOptions solver;
   visit_fields(solver,
                [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
+  if (solver.method == Method::exact && solver.contact == ContactHandling::smoothed) {
+    section.refuse_together("contact", {"method", "contact"},
+                            "'smoothed' is a law that the exact solver does not know",
+                            "located, or method adaptive");
+  }
   section.refuse_unknown_keys();
   return solver;
 }

@@ -89,7 +89,7 @@ class AdaptiveRun {
 
   /// Switches the pulse for the stretch that starts at `phase`; returns where that stretch ends.
   double set_pulse(double phase) {
-    const double elapsed = full_turn * static_cast<double>(revolution_);
+    const double elapsed = full_turn * static_cast<double>(revolution_) + system_.pulse_elapsed_rad;
     const double pulse_end = system_.pulse_end_rad - elapsed;
     const bool on = pulse_end > phase;
     dynamics_.set_pulse(on, elapsed);

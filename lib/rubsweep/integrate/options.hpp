@@ -6,7 +6,7 @@
 
 namespace rubsweep::integrate {
 
-enum class Method { automatic, adaptive };
+enum class Method { automatic, exact, adaptive };
 enum class Stepper {
   dopri5,
   cash_karp54,

@@ -58,6 +58,7 @@ void scale_forcing(const scene::Scene& scene, const MassFactor& mass, ScaledSyst
     system.pulse = mass.solve(scene.pulse->direction) * (scene.pulse->force_n / unit);
     system.pulse_end_rad = scene.pulse->duration_s * scene.speed_rad_per_s;
     system.pulse_rate = std::numbers::pi / system.pulse_end_rad;
+    system.pulse_elapsed_rad = scene.pulse->elapsed_s * scene.speed_rad_per_s;
   }
 }
 

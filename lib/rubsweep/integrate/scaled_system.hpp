@@ -46,7 +46,8 @@ struct ScaledSystem {
   Vector cosine, sine, constant;
   Vector pulse;                          ///< acceleration at the top of the half-sine
   double pulse_rate = 0;                 ///< phase of the half-sine per radian of rotation
-  double pulse_end_rad = 0;              ///< 0: no pulse
+  double pulse_end_rad = 0;              ///< rotation over which it lasts; 0: no pulse
+  double pulse_elapsed_rad = 0;          ///< rotation since its start at phase 0 of revolution 0
   Eigen::Matrix<double, 2, N> observed;  ///< (x, y) of the observed point in units of L
   std::vector<ScaledContact<N>> contacts;
   double length_m = 0;

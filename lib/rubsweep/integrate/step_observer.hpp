@@ -58,9 +58,11 @@ class StepObserver {
     if (turn_.peaks) watch_displacement(step, dynamics, h);
   }
 
-  void mode_switch(const ModeSwitch& change) {
-    if (change.from == contact::Mode::open) ++turn_.hits;
-    if (turn_.switches_wanted) turn_.switches.push_back(change);
+  void mode_switch(const ModeSwitch& change) { count(turn_, change); }
+
+  static void count(Turn& turn, const ModeSwitch& change) {
+    if (change.from == contact::Mode::open) ++turn.hits;
+    if (turn.switches_wanted) turn.switches.push_back(change);
   }
 
   template <class State, class Dynamics>

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "rubsweep/contact/contact_mode.hpp"
@@ -24,6 +26,7 @@ struct Effort {
   long refused = 0;  ///< refused by the error control
   long switches = 0;
   long implicit_steps = 0;  ///< accepted ones that Stepper::automatic took with rosenbrock4
+  long adaptive_turns = 0;  ///< by an exact run: revolutions that had no closed form
 };
 
 /// One revolution: what is asked of the integrator, and what it answers. Reused from turn to turn.
@@ -33,10 +36,12 @@ struct Turn {
   int samples_per_revolution = 0;  ///< asked: states at phases 2 pi k / N, k = 0..N-1; 0: none
   bool peaks = false;              ///< asked: fill the peak_ numbers
   bool switches_wanted = false;    ///< asked: fill `switches`
+  bool transition_wanted = false;  ///< asked: fill `transition`; exact solver only
 
   std::vector<double> section;  ///< scaled state at the end of the turn, 2n
   std::vector<double> samples;  ///< samples_per_revolution x 2n, row by row
   std::vector<ModeSwitch> switches;
+  Eigen::MatrixXd transition;   ///< 2n x 2n: d(section at the end) / d(section at the start)
   int hits = 0;                 ///< open -> touching, all contacts together
   double contact_fraction = 0;  ///< share of the turn with at least one contact touching
   double peak_displacement_m = 0;
@@ -50,5 +55,12 @@ struct Turn {
 /// Advances a run by exactly one revolution and fills the turn. After an outcome other than ok the run is
 /// over.
 using Cursor = std::function<Outcome(Turn&)>;
+
+/// A run that can be set back: `restart` puts it at the start of revolution 0 of its scene at another section
+/// (as Turn::section), with no memory of what it did before.
+struct Run {
+  Cursor advance;
+  std::function<void(std::span<const double>)> restart;
+};
 
 }  // namespace rubsweep::integrate

@@ -37,8 +37,7 @@ std::string hits_per_revolution(const Measures& m) {
   return csv_number(static_cast<double>(m.contact.hits) / m.turns);
 }
 
-/// Columns in the order of the file. `floquet_modulus` is part of the format and stays empty until something
-/// measures it.
+/// Columns in the order of the file.
 constexpr std::array columns{
     Column{"speed_hz", [](const Row& r) { return csv_number(r.speed_hz); }},
     Column{"whirl_ratio", [](const Row& r) { return csv_number(r.whirl_ratio); }},
@@ -91,7 +90,8 @@ constexpr std::array columns{
              return measured(
                  r, [](const Measures& m) { return m.dominant ? csv_number(m.dominant->amplitude_m) : ""; });
            }},
-    Column{"floquet_modulus", [](const Row&) { return std::string(); }},
+    Column{"floquet_modulus",
+           [](const Row& r) { return r.floquet_modulus ? csv_number(*r.floquet_modulus) : std::string(); }},
     Column{"lyapunov_per_revolution",
            [](const Row& r) {
              return r.lyapunov_per_revolution ? csv_number(*r.lyapunov_per_revolution) : std::string();

@@ -105,6 +105,12 @@ WindowVerdict classify_window(const Window& window, const ResponseOptions& optio
   return verdict;
 }
 
+Measures measure_window(const Window& window, SpectrumWorkspace& workspace) {
+  require_shape(window);
+  return measure(window, window.displacement_m,
+                 full_spectrum(window.displacement_m, window.turns, workspace));
+}
+
 Motion settle_verdict(const WindowVerdict& previous, const WindowVerdict& last) {
   Motion motion{.motion_class = MotionClass::unsettled,
                 .order = {},

@@ -51,6 +51,9 @@ struct WindowVerdict {
 WindowVerdict classify_window(const Window& window, const ResponseOptions& options,
                               SpectrumWorkspace& workspace);
 
+/// Measures of a window, its spectrum over all of its turns.
+Measures measure_window(const Window& window, SpectrumWorkspace& workspace);
+
 /// The verdict of two successive windows: they must agree in class and order, else the motion is `unsettled`.
 /// The measures are those of the last window. Status is `spectrum_disagrees` when it did so in either.
 Motion settle_verdict(const WindowVerdict& previous, const WindowVerdict& last);

@@ -43,8 +43,9 @@ RestProof::RestProof(const scene::Cell& cell) {
     const auto [mean, amplitude] = scene::quiet_penetration(cell.quiet, scene.structure, contact);
     const Eigen::MatrixXd map = scene::relative_map(scene.structure, contact);
     const Eigen::MatrixXd seen = contact.ring ? map : Eigen::MatrixXd(contact.normal.transpose() * map);
-    bounds_.push_back({(mean + amplitude) / length,
-                       (seen.cast<std::complex<double>>() * vectors.topRows(n)).colwise().norm().transpose()});
+    bounds_.push_back(
+        {(mean + amplitude) / length,
+         (seen.cast<std::complex<double>>() * vectors.topRows(n)).colwise().norm().transpose()});
   }
 }
 

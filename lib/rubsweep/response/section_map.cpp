@@ -5,27 +5,57 @@
 #include <algorithm>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/response/floquet.hpp"
 
 namespace rubsweep::response {
+namespace {
 
-SceneMap::SceneMap(const scene::Scene& scene, const integrate::SolverOptions& solver)
-    : scene_(scene), solver_(solver) {
-  scene_.pulse.reset();
+/// Differences of this width: their own error (its square) and that of a solver at 1e-11 both stay near 1e-6.
+constexpr double difference_step = 1e-5;
+
+}  // namespace
+
+scene::Scene after_the_kick(scene::Scene scene) {
+  scene.pulse.reset();
+  return scene;
+}
+
+SceneMap::SceneMap(const scene::Scene& scene, const integrate::SolverOptions& solver,
+                   integrate::ExactPlans& plans)
+    : states_(2 * static_cast<std::size_t>(scene.structure.coordinates())),
+      exact_(integrate::solver_of(scene, solver) == integrate::Solver::exact),
+      run_(integrate::start(after_the_kick(scene), solver, plans)) {}
+
+bool SceneMap::advance(std::span<double> section) {
+  if (section.size() != states_) {
+    throw SolverError(fmt::format("a section of {} coordinates has {} numbers, got {}", states_ / 2, states_,
+                                  section.size()));
+  }
+  run_.restart(section);
+  if (run_.advance(turn_) != integrate::Outcome::ok) return false;
+  std::ranges::copy(turn_.section, section.begin());
+  return true;
 }
 
 bool SceneMap::operator()(std::span<double> section) {
-  const Eigen::Index n = scene_.structure.coordinates();
-  if (section.size() != 2 * static_cast<std::size_t>(n)) {
-    throw SolverError(
-        fmt::format("a section of {} coordinates has {} numbers, got {}", n, 2 * n, section.size()));
+  turn_.transition_wanted = false;
+  return advance(section);
+}
+
+bool SceneMap::differentiate(std::span<double> section, Eigen::MatrixXd& transition) {
+  if (exact_) {
+    std::vector<double> next(section.begin(), section.end());
+    const long adaptive_turns = turn_.effort.adaptive_turns;
+    turn_.transition_wanted = true;
+    if (!advance(next)) return false;
+    if (turn_.effort.adaptive_turns == adaptive_turns) {
+      transition = turn_.transition;
+      std::ranges::copy(next, section.begin());
+      return true;
+    }
   }
-  const Eigen::Map<const Eigen::VectorXd> state(section.data(), 2 * n);
-  scene_.displacement_m = scene_.length_scale_m * state.head(n);
-  scene_.velocity_m_per_s = scene_.length_scale_m * scene_.speed_rad_per_s * state.tail(n);
-  if (integrate::start_adaptive(scene_, solver_)(turn_) != integrate::Outcome::ok) return false;
-  std::ranges::copy(turn_.section, section.begin());
-  return true;
+  return response::differentiate([this](std::span<double> s) { return (*this)(s); }, section, difference_step,
+                                 transition);
 }
 
 }  // namespace rubsweep::response

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <span>
 
-#include "rubsweep/integrate/options.hpp"
-#include "rubsweep/integrate/turn.hpp"
+#include "rubsweep/integrate/start.hpp"
 #include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::response {
@@ -13,23 +13,32 @@ namespace rubsweep::response {
 using SectionMap = std::function<bool(std::span<double> state)>;
 
 /// One revolution of a scene as a map of its scaled section (as Turn::section): from phase 0 to phase 0, the
-/// pulse left out. Every call starts a run of its own, so that the map has no memory: equal sections give
-/// equal sections to the last bit, near ones go through nearly the same steps. Starting a run costs two
-/// percent of a turn.
+/// pulse left out. Every call starts afresh, so that the map has no memory: equal sections give equal
+/// sections to the last bit, near ones go through nearly the same steps.
 class SceneMap {
  public:
-  SceneMap(const scene::Scene& scene, const integrate::SolverOptions& solver);
+  SceneMap(const scene::Scene& scene, const integrate::SolverOptions& solver, integrate::ExactPlans& plans);
 
   /// `section`: 2n numbers. False when the solver fails.
   bool operator()(std::span<double> section);
+
+  /// The same with the 2n x 2n derivative of the new section by the old: from the exact solver where the turn
+  /// has closed forms, else by central differences.
+  bool differentiate(std::span<double> section, Eigen::MatrixXd& transition);
 
   /// Some contact was touching at some time in the revolution made last.
   bool touched() const { return turn_.touched; }
 
  private:
-  scene::Scene scene_;
-  integrate::SolverOptions solver_;
+  bool advance(std::span<double> section);
+
+  std::size_t states_;
+  bool exact_;
+  integrate::Run run_;
   integrate::Turn turn_;
 };
+
+/// The scene without its pulse.
+scene::Scene after_the_kick(scene::Scene scene);
 
 }  // namespace rubsweep::response

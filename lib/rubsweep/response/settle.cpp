@@ -7,11 +7,12 @@
 #include <numbers>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive.hpp"
 #include "rubsweep/integrate/scaled_system.hpp"
 #include "rubsweep/response/aperiodic.hpp"
 #include "rubsweep/response/comb.hpp"
 #include "rubsweep/response/comb_line.hpp"
+#include "rubsweep/response/floquet.hpp"
+#include "rubsweep/response/period_search.hpp"
 #include "rubsweep/response/record.hpp"
 #include "rubsweep/response/rest_proof.hpp"
 #include "rubsweep/response/section_map.hpp"
@@ -31,9 +32,9 @@ const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const scene::Scene& sce
   return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
 }
 
-void look_for_comb(const Record& record, const ResponseOptions& options, SpectrumWorkspace& workspace,
+void look_for_comb(const Record& record, const ResponseOptions& options, Workspace& workspace,
                    Motion& motion) {
-  const auto comb = find_comb(record.displacement_m(), options.samples_per_revolution, workspace);
+  const auto comb = find_comb(record.displacement_m(), options.samples_per_revolution, workspace.spectrum);
   if (!comb) return;
   const bool holds_the_energy = comb->closed || comb->energy_share >= oval_energy_share;
   if (motion.measures.orbit == OrbitKind::complex && holds_the_energy)
@@ -47,12 +48,12 @@ void look_for_comb(const Record& record, const ResponseOptions& options, Spectru
 }
 
 void follow_on(const scene::Scene& scene, integrate::SolverOptions solver, const ResponseOptions& options,
-               std::span<const double> section, SpectrumWorkspace& workspace, Motion& motion) {
+               std::span<const double> section, Workspace& workspace, Motion& motion) {
   solver.relative_tolerance = std::min(solver.relative_tolerance, largest_tolerance_of_an_exponent);
-  SceneMap map(scene, solver);
+  SceneMap map(scene, solver, workspace.plans);
   const Aperiodic found = classify_aperiodic(
       std::ref(map), [&map] { return map.touched(); }, {section.begin(), section.end()}, observed(scene),
-      options.window_revolutions, workspace);
+      options.window_revolutions, workspace.spectrum);
   motion.motion_class = found.motion_class;
   motion.exponent = found.exponent;
   if (found.returns_after.value_or(0) > options.max_order) motion.status = MotionStatus::order_above_max;
@@ -66,9 +67,9 @@ bool may_be_aperiodic(const WindowVerdict& verdict) {
 /// Verdict at the end of the run; `section` is that of its last turn.
 Motion verdict(const scene::Scene& scene, const integrate::SolverOptions& solver,
                const ResponseOptions& options, const Record& record, std::span<const double> section,
-               SpectrumWorkspace& workspace) {
-  const WindowVerdict previous = classify_window(record.window(0), options, workspace);
-  const WindowVerdict last = classify_window(record.window(1), options, workspace);
+               Workspace& workspace) {
+  const WindowVerdict previous = classify_window(record.window(0), options, workspace.spectrum);
+  const WindowVerdict last = classify_window(record.window(1), options, workspace.spectrum);
   Motion motion = settle_verdict(previous, last);
   if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return motion;
   if (rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
@@ -77,13 +78,86 @@ Motion verdict(const scene::Scene& scene, const integrate::SolverOptions& solver
   return motion;
 }
 
+/// Tight enough for derivatives by differences.
+constexpr double tolerance_of_a_proof = 1e-11;
+
+/// Looks for a stable orbit that the transient is on its way to.
+class OrbitProof {
+ public:
+  OrbitProof(const scene::Cell& cell, const integrate::SolverOptions& solver, const ResponseOptions& options,
+             Workspace& workspace)
+      : scene_(after_the_kick(cell.scene)),
+        solver_(solver),
+        options_(options),
+        workspace_(workspace),
+        search_(2 * static_cast<std::size_t>(cell.scene.structure.coordinates()), 2 * options.max_order) {
+    solver_.relative_tolerance = std::min(solver.relative_tolerance, tolerance_of_a_proof);
+  }
+
+  std::optional<StableOrbit> look(const integrate::Turn& turn) {
+    search_.add(turn.section, turn.touched);
+    const auto order = search_.candidate();
+    if (!order) return std::nullopt;
+    if (!map_) map_.emplace(scene_, solver_, workspace_.plans);
+    const TurnMap map = [this](std::span<double> section, Eigen::MatrixXd* transition) {
+      return transition ? map_->differentiate(section, *transition) : (*map_)(section);
+    };
+    auto orbit = prove_orbit(map, turn.section, *order);
+    if (!orbit) search_.refuse(*order);
+    return orbit;
+  }
+
+  /// Measures over exactly one period; empty when the orbit touches nothing.
+  std::optional<Measures> measure(const StableOrbit& orbit) {
+    ResponseOptions window = options_;
+    window.window_revolutions = orbit.order;
+    Record record(scene_, window);
+    record.begin(orbit.section);
+    const integrate::Run run = integrate::start(scene_, solver_, workspace_.plans);
+    run.restart(orbit.section);
+    integrate::Turn turn;
+    turn.samples_per_revolution = options_.samples_per_revolution;
+    turn.peaks = true;
+    bool touched = false;
+    for (int k = 0; k < orbit.order; ++k) {
+      if (run.advance(turn) != integrate::Outcome::ok) return std::nullopt;
+      record.add(turn);
+      touched = touched || turn.touched;
+    }
+    if (!touched) return std::nullopt;
+    return measure_window(record.window(0), workspace_.spectrum);
+  }
+
+ private:
+  scene::Scene scene_;
+  integrate::SolverOptions solver_;
+  const ResponseOptions& options_;
+  Workspace& workspace_;
+  PeriodSearch search_;
+  std::optional<SceneMap> map_;
+};
+
+bool prove(OrbitProof& proof, const integrate::Turn& turn, SettledRun& run) {
+  const auto orbit = proof.look(turn);
+  if (!orbit) return false;
+  const auto measures = proof.measure(*orbit);
+  if (!measures) return false;
+  run.motion.motion_class = orbit->order == 1 ? MotionClass::synchronous : MotionClass::subharmonic;
+  run.motion.order = orbit->order;
+  run.motion.measures = *measures;
+  run.proof = Proof::floquet;
+  run.floquet_modulus = orbit->floquet_modulus;
+  return true;
+}
+
 }  // namespace
 
 SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solver,
-                  const ResponseOptions& options, SpectrumWorkspace& workspace) {
+                  const ResponseOptions& options, Workspace& workspace) {
   SettledRun run;
-  const integrate::Cursor cursor = integrate::start_adaptive(cell.scene, solver);
+  const integrate::Run motion = integrate::start(cell.scene, solver, workspace.plans);
   const RestProof rest(cell);
+  OrbitProof orbits(cell, solver, options, workspace);
   Record record(cell.scene, options);
   const long first_recorded = options.max_revolutions - 2L * options.window_revolutions;
   const double kick_turns = pulse_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
@@ -94,7 +168,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solve
       turn.peaks = true;
       record.begin(first_recorded == 0 ? integrate::scaled_initial_state(cell.scene) : turn.section);
     }
-    run.outcome = cursor(turn);
+    run.outcome = motion.advance(turn);
     run.effort = turn.effort;
     if (run.outcome != integrate::Outcome::ok) {
       run.motion.motion_class = MotionClass::failed;
@@ -104,8 +178,9 @@ SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solve
     if (turn.touched) run.last_contact_revolution = run.revolutions;
     run.slip_reversed = run.slip_reversed || turn.slip_reversed;
     if (run.revolutions > first_recorded) record.add(turn);
-    const bool may_rest = !turn.touching_at_end && static_cast<double>(run.revolutions) >= kick_turns;
-    if (may_rest && rest.proves(turn.section)) {
+    if (static_cast<double>(run.revolutions) < kick_turns) continue;
+    if (options.floquet_proof && prove(orbits, turn, run)) return run;
+    if (!turn.touching_at_end && rest.proves(turn.section)) {
       run.motion.motion_class = MotionClass::non_contact;
       run.motion.measures = quiet_measures(cell, options, workspace);
       run.proof = Proof::rest;
@@ -117,8 +192,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solve
   return run;
 }
 
-Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options,
-                        SpectrumWorkspace& workspace) {
+Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options, Workspace& workspace) {
   const auto& map = observed(cell.scene);
   std::vector<Complex> displacement_m;
   double peak = 0;
@@ -137,7 +211,7 @@ Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options,
   window.states = 1;
   window.section = rest;
   window.contact.peak_displacement_m = peak;
-  return classify_window(window, options, workspace).measures;
+  return classify_window(window, options, workspace.spectrum).measures;
 }
 
 }  // namespace rubsweep::response

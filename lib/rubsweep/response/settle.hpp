@@ -7,6 +7,7 @@
 #include "rubsweep/integrate/turn.hpp"
 #include "rubsweep/response/classify.hpp"
 #include "rubsweep/response/options.hpp"
+#include "rubsweep/response/workspace.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::response {
@@ -14,16 +15,21 @@ namespace rubsweep::response {
 /// What the class of a motion rests on.
 enum class Proof {
   rest,      ///< a bound on the free vibration: no contact can ever come again
+  floquet,   ///< the section returns to rounding, and every multiplier of the orbit lies inside the unit
+             ///< circle
   observed,  ///< what the end of the run shows: windows that agree, a comb that closes, an exponent
 };
 
-constexpr std::string_view to_string(Proof proof) { return proof == Proof::rest ? "rest" : "observed"; }
+constexpr std::string_view to_string(Proof proof) {
+  return proof == Proof::rest ? "rest" : proof == Proof::floquet ? "floquet" : "observed";
+}
 
 /// A run from the kick to its verdict.
 struct SettledRun {
   integrate::Outcome outcome = integrate::Outcome::ok;
-  Motion motion;               ///< class `failed` when the outcome is not ok
-  std::optional<Proof> proof;  ///< empty: unsettled or failed
+  Motion motion;                          ///< class `failed` when the outcome is not ok
+  std::optional<Proof> proof;             ///< empty: unsettled or failed
+  std::optional<double> floquet_modulus;  ///< of a proven orbit: largest multiplier over its period
   long revolutions =
       0;  ///< from the kick to the end of the windows; those that measure an exponent do not count
   std::optional<long> last_contact_revolution;  ///< 1 for the first; empty: the wall was never touched
@@ -31,15 +37,15 @@ struct SettledRun {
   integrate::Effort effort;
 };
 
-/// Runs `cell` turn by turn until its motion is known: at once when rest is proven, else after
-/// `max_revolutions`, whose last two windows decide. When both windows find neither a period nor rest, a
-/// rotationally symmetric scene is searched for a comb, and what is left undecided is followed further by
-/// `classify_aperiodic`, at the run's tolerance or 1e-7, whichever is tighter.
+/// Runs `cell` turn by turn until its motion is known: at once when rest or a stable orbit (of up to twice
+/// max_order turns) is proven, else after `max_revolutions`, whose last two windows decide. When both windows
+/// find neither a period nor rest, a rotationally symmetric scene is searched for a comb, and what is left
+/// undecided is followed further by `classify_aperiodic`, at the run's tolerance or 1e-7, whichever is
+/// tighter.
 SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solver,
-                  const ResponseOptions& options, SpectrumWorkspace& workspace);
+                  const ResponseOptions& options, Workspace& workspace);
 
 /// Measures of the quiet motion of a cell that touches nothing, from its closed form.
-Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options,
-                        SpectrumWorkspace& workspace);
+Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options, Workspace& workspace);
 
 }  // namespace rubsweep::response

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -25,11 +26,13 @@ struct Contact {
   double surface_speed_m_per_s = 0;  ///< R omega
 };
 
-/// Half-sine pulse F(t) = force_n sin(pi t / duration_s) from t = 0 to duration_s.
+/// Half-sine pulse F(t) = force_n sin(pi (t + elapsed_s) / duration_s) while 0 <= t + elapsed_s <=
+/// duration_s.
 struct Pulse {
   Eigen::VectorXd direction;  ///< n: generalised force per newton
   double force_n = 0;
   double duration_s = 0;
+  double elapsed_s = 0;  ///< >= 0: how long before t = 0 it started
 };
 
 /// All that one run simulates, at one speed: a linear structure, what drives it, and the contacts between its
@@ -46,6 +49,8 @@ struct Scene {
   Eigen::VectorXd velocity_m_per_s;
   int observed_point = 0;     ///< whose motion is sampled and classified: the rotor
   double length_scale_m = 0;  ///< > 0: what "small" is measured against, the first stop's clearance
+
+  double period_s() const { return 2 * std::numbers::pi / speed_rad_per_s; }
 };
 
 }  // namespace rubsweep::scene

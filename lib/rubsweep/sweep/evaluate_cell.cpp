@@ -34,6 +34,7 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
   row.motion_class = run.motion.motion_class;
   row.order = run.motion.order;
   row.proof = run.proof;
+  row.floquet_modulus = run.floquet_modulus;
   if (run.motion.exponent) row.lyapunov_per_revolution = run.motion.exponent->per_revolution;
   row.revolutions = run.revolutions;
   row.last_contact_revolution = run.last_contact_revolution;
@@ -49,7 +50,7 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
 
 /// The cell with a machine that may differ from the study's.
 Row evaluate(const Study& study, const model::Machine& machine, std::size_t cell,
-             response::SpectrumWorkspace& workspace) {
+             response::Workspace& workspace) {
   const std::size_t speeds = study.grid.speed_hz.size();
   Row row;
   row.speed_hz = study.grid.speed_hz[cell % speeds];
@@ -72,7 +73,7 @@ Row evaluate(const Study& study, const model::Machine& machine, std::size_t cell
 
 std::size_t cell_count(const Grid& grid) { return grid.speed_hz.size() * grid.unbalance.size(); }
 
-Row evaluate_cell(const Study& study, std::size_t cell, response::SpectrumWorkspace& workspace) {
+Row evaluate_cell(const Study& study, std::size_t cell, response::Workspace& workspace) {
   Row row = evaluate(study, study.machine, cell, workspace);
   if (study.robustness == Robustness::on) {
     row.robust = is_robust(row, study.machine, [&](const model::Machine& machine) {

@@ -13,6 +13,6 @@ std::size_t cell_count(const Grid& grid);
 
 /// Runs one cell from kick to verdict. Depends on its arguments alone, so that any thread may run any cell.
 /// A cell that fails numerically is a row of class `failed` whose status names the cause.
-Row evaluate_cell(const Study& study, std::size_t cell, response::SpectrumWorkspace& workspace);
+Row evaluate_cell(const Study& study, std::size_t cell, response::Workspace& workspace);
 
 }  // namespace rubsweep::sweep

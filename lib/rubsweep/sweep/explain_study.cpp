@@ -6,6 +6,9 @@
 #include <string_view>
 #include <variant>
 
+#include "rubsweep/contact/saturation.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/scene/explain.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
@@ -49,11 +52,39 @@ std::string explain_automatic(const Study& study) {
       integrate::stiff_friction_ratio(study.solver.relative_tolerance));
 }
 
+/// Where the exact solver has no closed form.
+std::string explain_beyond(const model::Machine& machine) {
+  bool ring = false, unsaturated = false;
+  for (const model::Stop& stop : machine.stops) {
+    ring = ring || std::holds_alternative<model::AnnularGeometry>(stop.geometry);
+    unsaturated = unsaturated || !contact::saturated_friction(stop.friction);
+  }
+  if (ring) return "turns that touch the ring";
+  if (unsaturated) return "turns with contact (friction has a viscous part or never saturates)";
+  return "turns whose friction is not saturated";
+}
+
+bool exact(const Study& study) {
+  const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
+  const auto cell = scene::build_cell(study.machine, *slowest, scene::Eccentricity{0});
+  return integrate::solver_of(cell.scene, study.solver) == integrate::Solver::exact;
+}
+
 std::string explain_solver(const Study& study) {
   const integrate::SolverOptions& solver = study.solver;
-  std::string text = "solver: adaptive";
-  if (solver.method == integrate::Method::automatic) text += " (auto: it takes every scene)";
-  text += fmt::format(", {}, relative tolerance {}\n", describe(solver.stepper), solver.relative_tolerance);
+  const bool chosen = solver.method == integrate::Method::automatic;
+  std::string text;
+  if (exact(study)) {
+    text = fmt::format(
+        "solver: exact{}, closed forms between mode switches, which certified steps find; {} by the\n  "
+        "adaptive one: ",
+        chosen ? " (auto: wherever it applies)" : "", explain_beyond(study.machine));
+  } else {
+    text =
+        fmt::format("solver: adaptive{}, ",
+                    chosen ? " (auto: the exact one takes no smoothed contact and at most six stops)" : "");
+  }
+  text += fmt::format("{}, relative tolerance {}\n", describe(solver.stepper), solver.relative_tolerance);
   if (solver.stepper == integrate::Stepper::automatic) text += explain_automatic(study);
   if (solver.contact == integrate::ContactHandling::smoothed) {
     return text +
@@ -68,8 +99,9 @@ std::string explain(const Study& study) {
   const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
   std::string text = scene::explain(study.machine, *slowest) + explain_solver(study);
   text += fmt::format(
-      "a cell ends when rest is proven, else after {} revolutions, by its last two windows of {}\n",
-      study.response.max_revolutions, study.response.window_revolutions);
+      "a cell ends when rest {}is proven, else after {} revolutions, by its last two windows of {}\n",
+      study.response.floquet_proof ? "or a stable orbit " : "", study.response.max_revolutions,
+      study.response.window_revolutions);
   const bool by_ratio = study.grid.measure == UnbalanceMeasure::whirl_ratio;
   const auto [least, most] = std::minmax_element(study.grid.unbalance.begin(), study.grid.unbalance.end());
   return text + fmt::format("sweep: {} cells, {} speeds from {} to {} Hz, {} {} from {} to {}\n",

@@ -18,6 +18,7 @@ struct Row {
       measures;  ///< of the settled window; empty where nothing settled can be measured
   std::optional<response::Proof> proof;
   std::optional<bool> robust;                     ///< see is_robust; empty unless asked for
+  std::optional<double> floquet_modulus;          ///< of a proven orbit, over its period
   std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found
   std::optional<long> last_contact_revolution;
   long revolutions = 0;

@@ -6,7 +6,7 @@
 namespace rubsweep::sweep {
 namespace {
 
-thread_local response::SpectrumWorkspace workspace;
+thread_local response::Workspace workspace;
 thread_local Row latest;  ///< handed on by the thread that made it, before it takes another cell
 
 }  // namespace

@@ -1,0 +1,193 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <memory>
+#include <vector>
+
+#include "rubsweep/integrate/exact_plan.hpp"
+
+namespace rubsweep::integrate {
+namespace detail {
+
+inline double real_product(const std::complex<double>& a, const std::complex<double>& b) {
+  return a.real() * b.real() - a.imag() * b.imag();
+}
+
+/// std::complex's own operator looks for infinities.
+inline std::complex<double> product(const std::complex<double>& a, const std::complex<double>& b) {
+  return {real_product(a, b), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+}  // namespace detail
+
+/// State of an exact run: the free vibration in the present contact mode and the phases of what drives it.
+/// Propagation has no truncation error; it knows nothing of when a mode ends. Time in seconds, lengths
+/// scaled.
+template <int N>
+class ExactMotion {
+ public:
+  using State = typename ExactTypes<N>::State;
+  using Flow = typename ExactTypes<N>::Flow;
+
+  /// An exit function (or what stands for it), its rate, and a bound on its second derivative within the
+  /// mode's longest step.
+  struct Exit {
+    double value = 0, rate = 0, curvature = 0;
+  };
+
+  ExactMotion(const scene::Scene& scene, std::shared_ptr<ExactPlan<N>> plan);
+
+  /// Puts a state (u, u') into a joint mode. False where the mode has no closed form here: no equilibrium, or
+  /// a drive at an undamped resonance.
+  bool enter(std::size_t joint, const State& physical);
+
+  /// Sets the phases: `phase_rad` of the shaft, `kick_rad` of the kick's half-sine, negative when there is
+  /// none.
+  void set_phases(double phase_rad, double kick_rad);
+
+  State physical() const { return forced() + mode_->from_free(free_); }
+  State rate_of(const State& physical) const;
+
+  /// Size of every pair or component of the free vibration, that bounds are multiplied by.
+  State sizes() const;
+  Exit exit(std::size_t e, const State& sizes) const;
+  /// The slow part of an exit function with the amplitude of its fast part added: never below the function.
+  Exit slow_exit(std::size_t e, const State& sizes) const;
+  /// (|d|^2 - C^2) / (2 C) of a ring.
+  Exit ring(std::size_t r, const State& sizes) const;
+
+  void step_by_table(int k);
+  /// Any duration up to the mode's longest step, of either sign.
+  void step_by(double duration_s);
+
+  /// Bound on |d slip / dt| / length scale of a touching contact, within the longest step.
+  double sliding_rate_bound(const TouchPlan<N>& touch) const;
+
+  /// d(state) / d(state when this was called); only followed when wanted.
+  void follow_transition(bool wanted);
+  Flow transition() const { return mode_->basis * transition_; }
+
+  const ModePlan<N>& mode() const { return *mode_; }
+  std::size_t joint() const { return joint_; }
+  ExactPlan<N>& plan() const { return *plan_; }
+  const State& free() const { return free_; }
+
+ private:
+  using Complex = std::complex<double>;
+  using ComplexVector = Eigen::Matrix<Complex, N, 1>;
+
+  /// What one harmonic force does in one mode: u = Re(amplitude e^{i rate t}).
+  struct Drive {
+    double rate = 0;
+    ComplexVector amplitude;
+    std::vector<Complex> at_exit;
+    std::vector<double> curvature;  ///< per exit: |at_exit| rate^2
+    std::vector<std::array<Complex, 2>> at_ring;
+    std::vector<double> ring_length;              ///< per ring: bound on |at_ring e^{i rate t}|
+    std::vector<double> sliding;                  ///< per touch: |sliding amplitude| rate
+    std::array<Complex, exact_step_count> steps;  ///< e^{i rate h} of the table's steps
+  };
+
+  struct ModeCell {
+    bool made = false, usable = false;
+    Drive unbalance, kick;
+  };
+
+  void make(ModeCell& cell) const;
+  bool make(Drive& drive, const Eigen::VectorXcd& force, double rate) const;
+  State forced() const;
+  void add_forced(const Drive& drive, Complex phasor, State& state) const;
+  void turn_phasors(double duration_s);
+  template <class Columns>
+  static void apply(const Pair& flow, Eigen::Index j, Columns& columns);
+  void step_transition_by_table(std::size_t index);
+  void add_drives(std::size_t e, Exit& exit) const;
+  void step_by_pairs(double duration_s);
+  void step_by_series(double duration_s);
+  template <class Columns>
+  void apply_series(double duration_s, int terms, Columns& columns) const;
+  template <class Columns>
+  Columns rate_of_free(const Columns& columns) const;
+
+  std::shared_ptr<ExactPlan<N>> plan_;
+  Eigen::VectorXcd unbalance_, kick_;  ///< acceleration per s^2 is Re(. e^{i rate t})
+  double speed_ = 0, kick_rate_ = 0;
+  std::vector<ModeCell> cells_;
+  const ModePlan<N>* mode_ = nullptr;
+  const ModeCell* cell_ = nullptr;
+  std::size_t joint_ = 0;
+  State free_;
+  Complex phasor_{1}, kick_phasor_{1};
+  bool kick_on_ = false;
+  Flow transition_;
+  bool transition_wanted_ = false;  ///< transition_ in the mode's coordinates
+};
+
+template <int N>
+typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
+  if (!mode_->paired) return free_.cwiseAbs();
+  State sizes = State::Zero(free_.size());
+  const Eigen::Index n = unbalance_.size();
+  for (Eigen::Index j = 0; j < n; ++j) {
+    // max + min / 2 is an upper bound of the length, at most 12 % above it.
+    const double a = std::abs(free_(j)), b = std::abs(free_(n + j));
+    sizes(j) = a > b ? a + b / 2 : b + a / 2;
+  }
+  return sizes;
+}
+
+template <int N>
+void ExactMotion<N>::add_drives(std::size_t e, Exit& exit) const {
+  const auto add = [&](const Drive& drive, Complex phasor) {
+    const Complex z = detail::product(drive.at_exit[e], phasor);
+    exit.value += z.real();
+    exit.rate -= drive.rate * z.imag();
+    exit.curvature += drive.curvature[e];
+  };
+  add(cell_->unbalance, phasor_);
+  if (kick_on_) add(cell_->kick, kick_phasor_);
+}
+
+template <int N>
+typename ExactMotion<N>::Exit ExactMotion<N>::exit(std::size_t e, const State& sizes) const {
+  const ExitPlan<N>& plan = mode_->exits[e];
+  Exit exit{plan.constant + plan.whole.row.dot(free_.transpose()), plan.whole.rate.dot(free_.transpose()),
+            plan.whole.curvature_bound.dot(sizes.transpose())};
+  add_drives(e, exit);
+  return exit;
+}
+
+template <int N>
+typename ExactMotion<N>::Exit ExactMotion<N>::slow_exit(std::size_t e, const State& sizes) const {
+  const ExitPlan<N>& plan = mode_->exits[e];
+  Exit exit{plan.constant + plan.slow.row.dot(free_.transpose()) + plan.envelope.dot(sizes.transpose()),
+            plan.slow.rate.dot(free_.transpose()), plan.slow.curvature_bound.dot(sizes.transpose())};
+  add_drives(e, exit);
+  return exit;
+}
+
+template <int N>
+void ExactMotion<N>::step_by_table(int k) {
+  const auto index = static_cast<std::size_t>(k);
+  if (mode_->paired) {
+    const auto& f = mode_->pair_steps[index];
+    const Eigen::Index n = f.rows();
+    const Eigen::Array<double, N, 1> u = free_.template head<N>(n).array(),
+                                     v = free_.template segment<N>(n, n).array();
+    free_.template head<N>(n) = (f.col(0) * u + f.col(1) * v).matrix();
+    free_.template segment<N>(n, n) = (f.col(2) * u + f.col(3) * v).matrix();
+  } else {
+    free_ = mode_->steps[index].lazyProduct(free_).eval();
+  }
+  if (transition_wanted_) step_transition_by_table(index);
+  phasor_ = detail::product(phasor_, cell_->unbalance.steps[index]);
+  if (kick_on_) kick_phasor_ = detail::product(kick_phasor_, cell_->kick.steps[index]);
+}
+
+extern template class ExactMotion<2>;
+extern template class ExactMotion<4>;
+extern template class ExactMotion<6>;
+extern template class ExactMotion<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate

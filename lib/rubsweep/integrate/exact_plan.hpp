@@ -1,0 +1,165 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "rubsweep/contact/contact_mode.hpp"
+#include "rubsweep/contact/saturation.hpp"
+#include "rubsweep/integrate/pair_flow.hpp"
+#include "rubsweep/integrate/scaled_system.hpp"
+
+namespace rubsweep::integrate {
+
+/// Number of steps in a mode's table: sizes 2^(-k/2) of the longest.
+inline constexpr int exact_step_count = 44;
+
+/// Size of step k in units of the longest.
+inline double exact_step_size(int k) {
+  return k % 2 == 0 ? std::ldexp(1.0, -k / 2) : std::ldexp(std::numbers::sqrt2 / 2, -(k - 1) / 2);
+}
+
+/// The largest step of the table that is not longer than `size` (in units of the longest, > 0);
+/// exact_step_count when all are longer.
+inline int exact_step_below(double size) {
+  if (size >= 1) return 0;
+  int exponent = 0;
+  const double mantissa = std::frexp(size, &exponent);  // size = mantissa 2^exponent, 1/2 <= mantissa < 1
+  const int k = mantissa >= std::numbers::sqrt2 / 2 ? 1 - 2 * exponent : 2 - 2 * exponent;
+  return k < exact_step_count ? k : exact_step_count;
+}
+
+/// Sizes of an exact run over N coordinates; its state is (u, u'), 2N numbers, lengths in units of the
+/// scene's length scale, time in seconds.
+template <int N>
+struct ExactTypes {
+  static constexpr int states = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N;
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using State = Eigen::Matrix<double, states, 1>;
+  using Row = Eigen::Matrix<double, 1, states>;
+  using Flow = Eigen::Matrix<double, states, states>;
+};
+
+/// A linear function of the free vibration z: row.z, its rate, and what a unit of each component's size can
+/// do to its second derivative within the mode's longest step.
+template <int N>
+struct Watched {
+  typename ExactTypes<N>::Row row, rate, curvature_bound;
+};
+
+/// One armed exit of a mode, divided by the contact stiffness so that it is a length. Negative inside the
+/// mode.
+template <int N>
+struct ExitPlan {
+  std::size_t contact = 0;
+  contact::Mode next = contact::Mode::open;
+  typename ExactTypes<N>::Row physical;  ///< value = physical . (u, u') - clearance's part
+  Watched<N> whole;
+  double constant = 0;  ///< value = row . z + constant + forced part
+  /// Fast pairs (a ringing casing) may instead be bounded by their amplitude, which lets the step go by the
+  /// slow ones: value <= slow.row . z + envelope . sizes + constant + forced part.
+  bool split = false;
+  Watched<N> slow;
+  typename ExactTypes<N>::Row envelope;
+};
+
+/// A ring seen from inside: d = rows . z + centre + forced part stays shorter than the clearance. Bounds as
+/// above, for the lengths of d' and d''.
+template <int N>
+struct RingPlan {
+  std::size_t contact = 0;
+  std::array<typename ExactTypes<N>::Row, 2> physical, row, rate;
+  std::array<double, 2> centre{};
+  typename ExactTypes<N>::Row speed_bound, curvature_bound;
+};
+
+/// What a touching contact is watched for.
+template <int N>
+struct TouchPlan {
+  std::size_t contact = 0;
+  typename ExactTypes<N>::Row force;  ///< normal force = force . (state - rest) + constant, newtons
+  double force_constant = 0;
+  typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
+  typename ExactTypes<N>::Row sliding_rate_bound;  ///< as above
+  /// Where nonempty, `sliding_rate_bound` leaves friction out, and friction adds at most this times each
+  /// contact's penetration at the start: all contacts are released, so that penetrations only fall.
+  std::vector<double> friction_rate;
+};
+
+/// Exact flow of one joint contact mode, (u, u') = particular solution + basis z. With a modal form z is made
+/// of pairs (z_j, z_{n+j}) and the size of a pair is its length; else basis = 1, z moves by full matrices and
+/// every component has its own size.
+template <int N>
+struct ModePlan {
+  using Types = ExactTypes<N>;
+  std::size_t index = 0;                           ///< plans of one ExactPlan are numbered as they are made
+  std::vector<contact::Mode> modes;                ///< per contact
+  Eigen::Matrix<double, N, N> stiffness, damping;  ///< contacts included
+  typename Types::Flow generator;                  ///< of (u, u')
+  typename Types::Vector rest;                     ///< u of the constant particular solution
+  bool paired = false;
+  bool diagonal_basis = false;
+  typename Types::Flow basis, inverse;
+  std::vector<Pair> pairs;
+  double longest_step_s = 0;
+  double series_limit_s = 0;  ///< up to here a short series gives the flow to rounding
+  std::vector<Eigen::Array<double, N, 4>> pair_steps;  ///< uu, uv, vu, vv per pair; or
+  std::vector<typename Types::Flow> steps;             ///< e^{A h}
+  std::vector<ExitPlan<N>> exits;
+  std::vector<RingPlan<N>> rings;
+  std::vector<TouchPlan<N>> touches;
+
+  typename Types::State from_free(const typename Types::State& z) const { return change(basis, z); }
+  typename Types::State to_free(const typename Types::State& vibration) const {
+    return change(inverse, vibration);
+  }
+
+ private:
+  typename Types::State change(const typename Types::Flow& matrix, const typename Types::State& state) const {
+    if (diagonal_basis) return matrix.diagonal().cwiseProduct(state);
+    return matrix.lazyProduct(state);
+  }
+};
+
+/// Everything about a structure and its stops that no speed, unbalance or kick changes: the exact flows of
+/// its contact modes, with friction saturated. Modes are made when first met; one thread uses a plan at a
+/// time.
+template <int N>
+class ExactPlan {
+ public:
+  explicit ExactPlan(const scene::Scene& scene);
+
+  /// Whether this plan was made for the same structure, stops and constant forces.
+  bool fits(const scene::Scene& scene) const;
+
+  /// Plan of a joint mode, numbered mode of contact i times 4^i. Null where the mode has no equilibrium, as
+  /// in a structure without springs.
+  const ModePlan<N>* mode(std::size_t joint);
+
+  /// Scaled with time in seconds.
+  const ScaledSystem<Eigen::Dynamic>& system() const { return system_; }
+  const Eigen::MatrixXd& inverse_mass() const { return inverse_mass_; }
+  const std::vector<contact::SaturatedFriction>& friction() const { return friction_; }
+
+ private:
+  scene::Scene scene_;
+  ScaledSystem<Eigen::Dynamic> system_;
+  Eigen::MatrixXd inverse_mass_;
+  std::vector<contact::SaturatedFriction> friction_;
+  std::vector<std::unique_ptr<ModePlan<N>>> modes_;
+  std::vector<bool> made_;
+  std::size_t count_ = 0;
+};
+
+/// Stops whose joint modes a plan can number.
+inline constexpr std::size_t most_exact_contacts = 6;
+
+extern template class ExactPlan<2>;
+extern template class ExactPlan<4>;
+extern template class ExactPlan<6>;
+extern template class ExactPlan<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate

@@ -1,0 +1,401 @@
+#include "rubsweep/integrate/exact_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rubsweep/integrate/step_observer.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+using contact::Mode;
+
+/// A crossing is taken by Newton when M |g| <= this g'^2: then g is monotone up to the crossing, and the
+/// first estimate is off by at most an eighth.
+constexpr double newton_reach = 0.2;
+constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
+constexpr int longest_standstill = 16;   ///< mode switches without progress before a graze is stepped over
+constexpr double steps_per_turn_when_watched = 64;
+constexpr int newton_iterations = 12;
+
+/// First root of g + g' t + M t^2 / 2 for g <= 0: as long as that nothing can happen.
+double safe_step(double value, double rate, double curvature) {
+  const double gap = std::max(0.0, -value);
+  const double root = std::sqrt(rate * rate + 2 * curvature * gap);
+  if (rate > 0) return 2 * gap / (rate + root);
+  return curvature > 0 ? (root - rate) / curvature : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+template <int N>
+ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<ExactPlan<N>> plan, long max_steps)
+    : motion_(scene, plan),
+      speed_(scene.speed_rad_per_s),
+      period_s_(2 * std::numbers::pi / scene.speed_rad_per_s),
+      length_m_(scene.length_scale_m),
+      observed_(plan->system().observed),
+      max_steps_(max_steps) {
+  if (scene.pulse && scene.pulse->force_n != 0) {
+    kick_s_ = scene.pulse->duration_s;
+    kick_elapsed_s_ = scene.pulse->elapsed_s;
+  }
+  for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+    const bool saturates = contact::saturated_friction(scene.contacts[i].friction).has_value();
+    slip_above_m_per_s_.push_back(saturates ? plan->friction()[i].above_m_per_s
+                                            : std::numeric_limits<double>::infinity());
+    surface_speed_m_per_s_.push_back(scene.contacts[i].surface_speed_m_per_s);
+  }
+  slip_start_.resize(scene.contacts.size());
+  slip_rate_bound_.resize(scene.contacts.size());
+  slip_friction_rate_.resize(scene.contacts.size());
+  force_n_.resize(scene.contacts.size());
+  force_rate_n_.resize(scene.contacts.size());
+  const Eigen::Index n = scene.structure.coordinates();
+  turn_start_.resize(2 * n);
+  turn_start_ << scene.displacement_m / length_m_, scene.velocity_m_per_s / length_m_;
+}
+
+template <int N>
+std::vector<double> ExactRun<N>::section() const {
+  std::vector<double> section(turn_start_.data(), turn_start_.data() + turn_start_.size());
+  for (std::size_t i = section.size() / 2; i < section.size(); ++i) section[i] /= speed_;
+  return section;
+}
+
+template <int N>
+void ExactRun<N>::resume(std::span<const double> section) {
+  std::copy(section.begin(), section.end(), turn_start_.data());
+  turn_start_.tail(turn_start_.size() / 2) *= speed_;
+  ++revolution_;
+  goes_on_ = false;
+}
+
+template <int N>
+void ExactRun<N>::restart(std::span<const double> section) {
+  resume(section);
+  revolution_ = 0;
+}
+
+template <int N>
+ExactEnding ExactRun<N>::advance(Turn& turn) {
+  if (!begin_turn(turn)) return ExactEnding::beyond;
+  const long limit = effort_.steps + max_steps_;
+  ExactEnding ending = ExactEnding::ok;
+  while (ending == ExactEnding::ok && time_s_ < period_s_) {
+    ending = effort_.steps < limit ? advance_once(turn) : ExactEnding::step_limit;
+  }
+  if (ending == ExactEnding::ok) ending = end_turn(turn);
+  turn.effort = effort_;
+  return ending;
+}
+
+template <int N>
+bool ExactRun<N>::begin_turn(Turn& turn) {
+  StepObserver{turn};
+  if (turn.samples_per_revolution > 0) {
+    turn.samples.resize(static_cast<std::size_t>(turn.samples_per_revolution) *
+                        static_cast<std::size_t>(turn_start_.size()));
+  }
+  time_s_ = 0;
+  next_sample_ = 0;
+  standstill_ = 0;
+  motion_.follow_transition(false);
+  if (goes_on_) {
+    // The state stands; only the phase starts again from exactly zero.
+    set_phases();
+  } else if (set_phases(); !enter_by_state(turn_start_)) {
+    return false;
+  }
+  goes_on_ = false;
+  if (!begin_stretch(turn_start_)) return false;
+  motion_.follow_transition(turn.transition_wanted);
+  if (turn.peaks) watch_from_here();
+  return true;
+}
+
+template <int N>
+void ExactRun<N>::set_phases() {
+  const double kick_time = kick_elapsed_s_ + static_cast<double>(revolution_) * period_s_;
+  kicked_ = kick_time < kick_s_;
+  motion_.set_phases(0, kicked_ ? std::numbers::pi * kick_time / kick_s_ : -1);
+}
+
+/// Modes by the state alone, with the rates of the open law: a start exactly at the wall and moving into it
+/// is in contact from the first instant.
+template <int N>
+bool ExactRun<N>::enter_by_state(const State& physical) {
+  if (!motion_.enter(0, physical)) return false;
+  const State rate = motion_.rate_of(physical);
+  const auto& contacts = motion_.plan().system().contacts;
+  std::size_t joint = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& c = contacts[i];
+    if (c.ring) continue;
+    const contact::Kinematics k = kinematics(i, physical, rate);
+    const Mode mode = contact::mode_after(
+        contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed), c.stiffness, c.damping, k);
+    joint += static_cast<std::size_t>(mode) << (2 * i);
+  }
+  return joint == 0 || motion_.enter(joint, physical);
+}
+
+template <int N>
+contact::Kinematics ExactRun<N>::kinematics(std::size_t i, const State& physical, const State& rate) const {
+  const auto& c = motion_.plan().system().contacts[i];
+  const Eigen::Index n = c.first_row.size();
+  return {c.first_row.dot(physical.head(n).transpose()) - c.clearance,
+          c.first_row.dot(physical.tail(n).transpose()), c.first_row.dot(rate.tail(n).transpose())};
+}
+
+template <int N>
+ExactEnding ExactRun<N>::end_turn(Turn& turn) {
+  const State end = motion_.physical();
+  if (!slip_stays_saturated(turn, end)) return ExactEnding::beyond;
+  if (!end.allFinite()) return ExactEnding::non_finite;
+  turn_start_ = end;
+  ++revolution_;
+  goes_on_ = true;
+  turn.section.resize(static_cast<std::size_t>(end.size()));
+  for (Eigen::Index j = 0; j < end.size(); ++j)
+    turn.section[static_cast<std::size_t>(j)] = j < end.size() / 2 ? end(j) : end(j) / speed_;
+  turn.touching_at_end = motion_.joint() != 0;
+  if (turn.transition_wanted) {
+    const Eigen::Index n = end.size() / 2;
+    turn.transition = motion_.transition();
+    turn.transition.topRightCorner(n, n) *= speed_;
+    turn.transition.bottomLeftCorner(n, n) /= speed_;
+  }
+  return ExactEnding::ok;
+}
+
+template <int N>
+ExactEnding ExactRun<N>::advance_once(Turn& turn) {
+  if (next_sample_ < turn.samples_per_revolution) sample(turn);
+  const double boundary =
+      std::min(next_boundary(), next_sample_ < turn.samples_per_revolution
+                                    ? period_s_ * next_sample_ / turn.samples_per_revolution
+                                    : period_s_);
+  const double until = boundary - time_s_;
+  Choice choice = choose(until);
+  ++effort_.steps;
+  if (choice.ring) return ExactEnding::beyond;
+  if (choice.crossing && standstill_ < longest_standstill) {
+    land(turn, *choice.crossing, choice.step_s);
+    return switch_mode(turn, *choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
+  }
+  if (turn.peaks) {
+    choice.step_s = std::min(choice.step_s, period_s_ / steps_per_turn_when_watched);
+    if (motion_.joint() != 0) choice.step_s = std::min(choice.step_s, motion_.mode().series_limit_s);
+  }
+  const double step = std::max(choice.step_s, shortest_step * period_s_);
+  if (!(step < until)) {
+    move(turn, until, -1);
+    time_s_ = boundary;
+    if (kicked_ && boundary < period_s_ && boundary == next_boundary()) {
+      const State here = motion_.physical();
+      kicked_ = false;
+      motion_.set_phases(speed_ * time_s_, -1);
+      if (!motion_.enter(motion_.joint(), here)) return ExactEnding::beyond;
+    }
+  } else {
+    const int k = exact_step_below(step / motion_.mode().longest_step_s);
+    move(turn, k < exact_step_count ? motion_.mode().longest_step_s * exact_step_size(k) : step, k);
+    standstill_ = 0;
+  }
+  if (motion_.joint() != 0 && stretch_s_ > motion_.mode().longest_step_s / 2) {
+    const State here = motion_.physical();
+    if (!slip_stays_saturated(turn, here)) return ExactEnding::beyond;
+    begin_stretch(here);
+  }
+  return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
+}
+
+/// End of the turn, or of the kick where that is sooner.
+template <int N>
+double ExactRun<N>::next_boundary() const {
+  if (!kicked_) return period_s_;
+  const double end = kick_s_ - kick_elapsed_s_ - static_cast<double>(revolution_) * period_s_;
+  return std::min(period_s_, end);
+}
+
+template <int N>
+typename ExactRun<N>::Choice ExactRun<N>::choose(double until_boundary_s) const {
+  const ModePlan<N>& mode = motion_.mode();
+  Choice choice;
+  choice.step_s = std::min(mode.longest_step_s, until_boundary_s);
+  const State sizes = motion_.sizes();
+  for (std::size_t e = 0; e < mode.exits.size(); ++e) add_exit(e, sizes, choice);
+  for (std::size_t r = 0; r < mode.rings.size(); ++r) {
+    const Exit ring = motion_.ring(r, sizes);
+    const double step = safe_step(ring.value, ring.rate, ring.curvature);
+    const bool near = ring.rate > 0 && ring.curvature * -ring.value <= newton_reach * ring.rate * ring.rate;
+    if (ring.value >= 0 || (near && step < choice.step_s) || step < 1e-7 * period_s_) choice.ring = true;
+    choice.step_s = std::min(choice.step_s, step);
+  }
+  return choice;
+}
+
+template <int N>
+void ExactRun<N>::add_exit(std::size_t e, const State& sizes, Choice& choice) const {
+  const Exit exit = motion_.exit(e, sizes);
+  double step = safe_step(exit.value, exit.rate, exit.curvature);
+  if (step >= choice.step_s) return;
+  const double gap = std::max(0.0, -exit.value);
+  if (exit.rate > 0 && exit.curvature * gap <= newton_reach * exit.rate * exit.rate) {
+    // g + g' t - M t^2 / 2 is past zero here: the crossing is at most this far.
+    const double latest = 2 * gap / (exit.rate + std::sqrt(exit.rate * exit.rate - 2 * exit.curvature * gap));
+    if (latest < choice.step_s) {
+      choice.step_s = gap / exit.rate;
+      choice.crossing = e;
+      return;
+    }
+  }
+  if (motion_.mode().exits[e].split) {
+    const Exit slow = motion_.slow_exit(e, sizes);
+    if (slow.value < 0) step = std::max(step, safe_step(slow.value, slow.rate, slow.curvature));
+  }
+  if (step >= choice.step_s) return;
+  choice.step_s = step;
+  choice.crossing.reset();
+}
+
+/// `table_step` < 0 or beyond the table: by `duration_s` as it is.
+template <int N>
+void ExactRun<N>::move(Turn& turn, double duration_s, int table_step) {
+  if (table_step >= 0 && table_step < exact_step_count) {
+    motion_.step_by_table(table_step);
+  } else {
+    motion_.step_by(duration_s);
+  }
+  time_s_ += duration_s;
+  if (motion_.joint() != 0) {
+    stretch_s_ += duration_s;
+    turn.contact_fraction += duration_s / period_s_;
+  }
+  if (turn.peaks) watch_to_here(turn, duration_s);
+}
+
+/// Newton's iteration on the exact flow; ends when a step no longer gets shorter, that is at rounding.
+template <int N>
+void ExactRun<N>::land(Turn& turn, std::size_t e, double estimate_s) {
+  const double before = time_s_;
+  double step = estimate_s;
+  for (int i = 0; i < newton_iterations; ++i) {
+    if (step != 0) move(turn, step, -1);
+    const Exit exit = motion_.exit(e, State::Zero(motion_.free().size()));
+    const double next = -exit.value / exit.rate;
+    if (!(std::abs(next) > 1e-17 * period_s_) || !(std::abs(next) < std::abs(step) / 2)) break;
+    step = next;
+  }
+  standstill_ = time_s_ - before > shortest_step * period_s_ ? 0 : standstill_ + 1;
+}
+
+template <int N>
+bool ExactRun<N>::switch_mode(Turn& turn, std::size_t e) {
+  const auto& plan = motion_.mode();
+  const auto& contacts = motion_.plan().system().contacts;
+  const State here = motion_.physical();
+  if (!slip_stays_saturated(turn, here)) return false;
+  const State rate = motion_.rate_of(here);
+  std::size_t joint = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& c = contacts[i];
+    const Mode from = plan.modes[i];
+    Mode to = plan.exits[e].contact == i ? plan.exits[e].next : from;
+    if (!c.ring) to = contact::mode_after(to, c.stiffness, c.damping, kinematics(i, here, rate));
+    joint += static_cast<std::size_t>(to) << (2 * i);
+    if (to == from) continue;
+    ++effort_.switches;
+    StepObserver::count(turn, {speed_ * time_s_, static_cast<int>(i), from, to});
+  }
+  if (!motion_.enter(joint, here) || !begin_stretch(here)) return false;
+  if (turn.peaks) watch_from_here();
+  return true;
+}
+
+template <int N>
+void ExactRun<N>::sample(Turn& turn) {
+  const double due = period_s_ * next_sample_ / turn.samples_per_revolution;
+  if (time_s_ < due) return;
+  State here = motion_.physical();
+  here.tail(here.size() / 2) /= speed_;
+  std::copy(here.data(), here.data() + here.size(), turn.samples.begin() + next_sample_ * here.size());
+  ++next_sample_;
+}
+
+/// Slip at the start of a stretch of contact; false when friction is not saturated here.
+template <int N>
+bool ExactRun<N>::begin_stretch(const State& here) {
+  stretch_s_ = 0;
+  for (const TouchPlan<N>& touch : motion_.mode().touches) {
+    const std::size_t i = touch.contact;
+    slip_start_[i] = surface_speed_m_per_s_[i] + length_m_ * touch.sliding.dot(here.transpose());
+    slip_rate_bound_[i] = length_m_ * motion_.sliding_rate_bound(touch);
+    slip_friction_rate_[i] = 0;
+    for (std::size_t k = 0; k < touch.friction_rate.size(); ++k) {
+      const auto& c = motion_.plan().system().contacts[k];
+      const double penetration = c.first_row.dot(here.head(c.first_row.size()).transpose()) - c.clearance;
+      slip_friction_rate_[i] += length_m_ * touch.friction_rate[k] * std::max(0.0, penetration);
+    }
+    if (!(slip_start_[i] > slip_above_m_per_s_[i])) return false;
+  }
+  return true;
+}
+
+/// Between two instants a function stays above their mean less half of what its rate allows.
+template <int N>
+bool ExactRun<N>::slip_stays_saturated(Turn& turn, const State& here) {
+  if (motion_.joint() == 0) return true;
+  turn.touched = true;
+  for (const TouchPlan<N>& touch : motion_.mode().touches) {
+    const std::size_t i = touch.contact;
+    const double slip = surface_speed_m_per_s_[i] + length_m_ * touch.sliding.dot(here.transpose());
+    if (slip <= 0) turn.slip_reversed = true;
+    // What friction has moved by the end swings back with the structure's own frequencies.
+    const double friction = slip_friction_rate_[i] * (1 + stretch_s_ / motion_.mode().series_limit_s);
+    const double least = (slip + slip_start_[i] - (slip_rate_bound_[i] + friction) * stretch_s_) / 2;
+    if (!(least > slip_above_m_per_s_[i])) return false;
+  }
+  return true;
+}
+
+template <int N>
+void ExactRun<N>::watch_from_here() {
+  const State here = motion_.physical();
+  const Eigen::Index n = here.size() / 2;
+  const Eigen::Vector2d z = observed_ * here.head(n), v = observed_ * here.tail(n);
+  square_ = z.squaredNorm();
+  square_rate_ = 2 * z.dot(v);
+  const State offset =
+      here - (State(here.size()) << motion_.mode().rest, Eigen::VectorXd::Zero(n)).finished();
+  const State rate = motion_.rate_of(here);
+  for (const TouchPlan<N>& touch : motion_.mode().touches) {
+    force_n_[touch.contact] = touch.force.dot(offset.transpose()) + touch.force_constant;
+    force_rate_n_[touch.contact] = touch.force.dot(rate.transpose());
+  }
+}
+
+template <int N>
+void ExactRun<N>::watch_to_here(Turn& turn, double duration_s) {
+  const double square = square_, square_rate = square_rate_;
+  const std::vector<double> force = force_n_, force_rate = force_rate_n_;
+  watch_from_here();
+  const double largest = cubic_maximum(square, duration_s * square_rate, square_, duration_s * square_rate_);
+  turn.peak_displacement_m =
+      std::max(turn.peak_displacement_m, length_m_ * std::sqrt(std::max(0.0, largest)));
+  for (const TouchPlan<N>& touch : motion_.mode().touches) {
+    const std::size_t i = touch.contact;
+    turn.peak_contact_force_n = std::max(
+        turn.peak_contact_force_n,
+        cubic_maximum(force[i], duration_s * force_rate[i], force_n_[i], duration_s * force_rate_n_[i]));
+  }
+}
+
+template class ExactRun<2>;
+template class ExactRun<4>;
+template class ExactRun<6>;
+template class ExactRun<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate

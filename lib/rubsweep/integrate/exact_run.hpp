@@ -1,0 +1,103 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rubsweep/integrate/exact_motion.hpp"
+#include "rubsweep/integrate/turn.hpp"
+
+namespace rubsweep::integrate {
+
+/// How a turn of an exact run ended.
+enum class ExactEnding {
+  ok,
+  beyond,  ///< this turn has no closed form: touching a ring, friction not saturated, an undamped resonance
+  step_limit,
+  non_finite,
+};
+
+/// A run between flat stops with saturated friction, without truncation error: inside a contact mode the
+/// state follows the mode's exact flow, and mode switches are found by certified steps: a bound M on the
+/// second derivative of every exit function g keeps g + g' t + M t^2 / 2 negative over the whole step, so
+/// that no exit is missed, graze or not; a crossing is accepted where M proves g monotone up to it. Rings are
+/// taken as far as they are not touched.
+template <int N>
+class ExactRun {
+ public:
+  /// `plan` must fit the scene.
+  ExactRun(const scene::Scene& scene, std::shared_ptr<ExactPlan<N>> plan, long max_steps_per_revolution);
+
+  /// Integrates the next revolution. After `beyond` the run stands where the revolution began, and the turn's
+  /// numbers mean nothing.
+  ExactEnding advance(Turn& turn);
+
+  /// The next revolution starts from `section` (as Turn::section): another solver made the turns before it.
+  void resume(std::span<const double> section);
+
+  /// Back to the start of revolution 0, at another section.
+  void restart(std::span<const double> section);
+
+  /// Scaled state where the next revolution begins, as Turn::section.
+  std::vector<double> section() const;
+  long revolution() const { return revolution_; }
+  const Effort& effort() const { return effort_; }
+
+ private:
+  using Motion = ExactMotion<N>;
+  using State = typename Motion::State;
+  using Exit = typename Motion::Exit;
+
+  struct Choice {
+    double step_s = 0;
+    std::optional<std::size_t> crossing;  ///< Newton's first estimate of this exit's crossing
+    bool ring = false;                    ///< a ring is about to be touched
+  };
+
+  bool begin_turn(Turn& turn);
+  ExactEnding end_turn(Turn& turn);
+  void set_phases();
+  bool enter_by_state(const State& physical);
+  ExactEnding advance_once(Turn& turn);
+  double next_boundary() const;
+  Choice choose(double until_boundary_s) const;
+  void add_exit(std::size_t e, const State& sizes, Choice& choice) const;
+  void move(Turn& turn, double duration_s, int table_step);
+  void land(Turn& turn, std::size_t exit, double estimate_s);
+  bool switch_mode(Turn& turn, std::size_t exit);
+  contact::Kinematics kinematics(std::size_t contact, const State& physical, const State& rate) const;
+  void sample(Turn& turn);
+
+  bool begin_stretch(const State& here);
+  bool slip_stays_saturated(Turn& turn, const State& here);
+  void watch_from_here();
+  void watch_to_here(Turn& turn, double duration_s);
+
+  Motion motion_;
+  double speed_ = 0, period_s_ = 0, length_m_ = 0;
+  double kick_s_ = 0, kick_elapsed_s_ = 0;  ///< duration (0: none), and how much of it was over at the start
+  std::vector<double> slip_above_m_per_s_, surface_speed_m_per_s_;
+  Eigen::Matrix<double, 2, N> observed_;
+  long max_steps_ = 0;
+
+  State turn_start_;  ///< physical
+  std::vector<double> scaled_start_;
+  long revolution_ = 0;
+  bool goes_on_ = false;  ///< the motion stands where the last turn ended
+  double time_s_ = 0;     ///< into the revolution
+  bool kicked_ = false;
+  int next_sample_ = 0, standstill_ = 0;
+  double stretch_s_ = 0;  ///< since slip was last checked
+  std::vector<double> slip_start_, slip_rate_bound_, slip_friction_rate_;
+  double square_ = 0, square_rate_ = 0;
+  std::vector<double> force_n_, force_rate_n_;
+  Effort effort_;
+};
+
+extern template class ExactRun<2>;
+extern template class ExactRun<4>;
+extern template class ExactRun<6>;
+extern template class ExactRun<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate

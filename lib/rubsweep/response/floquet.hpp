@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rubsweep::response {
+
+/// One revolution: replaces a scaled section by the next; fills the 2n x 2n derivative of one by the other
+/// where asked for (not null). False when the turn cannot be made.
+using TurnMap = std::function<bool(std::span<double> section, Eigen::MatrixXd* transition)>;
+
+/// A motion that repeats after `order` turns, with every disturbance dying out.
+struct StableOrbit {
+  int order = 0;
+  std::vector<double> section;  ///< at phase 0 of one of its turns, scaled
+  double floquet_modulus = 0;   ///< largest modulus of the multipliers over `order` turns, < 1
+};
+
+/// All multipliers must lie inside this.
+inline constexpr double largest_floquet_modulus = 1 - 1e-6;
+
+/// Proves that a transient now at `section` settles on an orbit of `order` turns: Newton's iteration on the
+/// section finds the orbit to rounding, the monodromy matrix has all its multipliers inside, and the
+/// transient is already where the map about the orbit is linear (one period takes it where the monodromy
+/// says, to a tenth of its distance), so that it is this orbit that it approaches. Empty when any of this
+/// fails. An orbit that returns after fewer turns is reported with those.
+std::optional<StableOrbit> prove_orbit(const TurnMap& turn, std::span<const double> section, int order);
+
+/// Derivative of `turn` at `section` by central differences of `step`, where the solver offers none.
+bool differentiate(const std::function<bool(std::span<double>)>& turn, std::span<double> section, double step,
+                   Eigen::MatrixXd& transition);
+
+}  // namespace rubsweep::response

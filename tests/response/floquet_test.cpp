@@ -1,0 +1,105 @@
+#include "rubsweep/response/floquet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rubsweep::response {
+namespace {
+
+/// The logistic map: orbits and multipliers in closed form.
+TurnMap logistic(double r) {
+  return [r](std::span<double> s, Eigen::MatrixXd* transition) {
+    if (transition) transition->setConstant(1, 1, r * (1 - 2 * s[0]));
+    s[0] = r * s[0] * (1 - s[0]);
+    return true;
+  };
+}
+
+double logistic_after(double r, double x, int turns) {
+  for (int k = 0; k < turns; ++k) x = r * x * (1 - x);
+  return x;
+}
+
+TEST(ProveOrbit, FixedPointWithItsMultiplier) {
+  const double r = 2.8, section = logistic_after(r, 0.3, 12);
+  const auto orbit = prove_orbit(logistic(r), {&section, 1}, 1);
+  ASSERT_TRUE(orbit);
+  EXPECT_EQ(orbit->order, 1);
+  EXPECT_NEAR(orbit->section[0], 1 - 1 / r, 1e-11);
+  EXPECT_NEAR(orbit->floquet_modulus, std::abs(2 - r), 1e-10);
+}
+
+TEST(ProveOrbit, TwoCycleWithItsMultiplier) {
+  const double r = 3.3, section = logistic_after(r, 0.3, 40);
+  const auto orbit = prove_orbit(logistic(r), {&section, 1}, 2);
+  ASSERT_TRUE(orbit);
+  EXPECT_EQ(orbit->order, 2);
+  EXPECT_NEAR(orbit->floquet_modulus, std::abs(4 + 2 * r - r * r), 1e-9);
+}
+
+TEST(ProveOrbit, FewerTurnsAreTheOrder) {
+  const double section = logistic_after(2.8, 0.3, 30);
+  const auto orbit = prove_orbit(logistic(2.8), {&section, 1}, 6);
+  ASSERT_TRUE(orbit);
+  EXPECT_EQ(orbit->order, 1);
+}
+
+TEST(ProveOrbit, AnUnstableOrbitIsNoProof) {
+  const double section = 1 - 1 / 3.3 + 1e-9;
+  EXPECT_FALSE(prove_orbit(logistic(3.3), {&section, 1}, 1));
+}
+
+TEST(ProveOrbit, AMultiplierOnTheUnitCircleIsNoProof) {
+  const TurnMap rotation = [](std::span<double> s, Eigen::MatrixXd* transition) {
+    Eigen::Matrix2d turn;
+    turn << std::cos(1), -std::sin(1), std::sin(1), std::cos(1);
+    if (transition) *transition = turn;
+    const Eigen::Vector2d x = turn * Eigen::Vector2d(s[0], s[1]);
+    s[0] = x[0];
+    s[1] = x[1];
+    return true;
+  };
+  const std::array<double, 2> section{1e-3, 0};
+  EXPECT_FALSE(prove_orbit(rotation, section, 1));
+}
+
+/// Two stable points with a jump between them: Newton from one side may land on the other's, which the
+/// transient does not approach.
+TEST(ProveOrbit, DoesNotHopToAnotherOrbit) {
+  const TurnMap two_sides = [](std::span<double> s, Eigen::MatrixXd* transition) {
+    const double slope = s[0] < 0 ? 0.9 : 0.2, centre = s[0] < 0 ? 0.05 : 0.1;
+    if (transition) transition->setConstant(1, 1, slope);
+    s[0] = s[0] < 0 ? centre - 0.2 + slope * (s[0] - centre) : centre + slope * (s[0] - centre);
+    return true;
+  };
+  double section = -0.01;
+  const auto orbit = prove_orbit(two_sides, {&section, 1}, 1);
+  EXPECT_FALSE(orbit && orbit->section[0] > 0);
+}
+
+TEST(ProveOrbit, AMapThatFailsIsNoProof) {
+  const TurnMap broken = [](std::span<double>, Eigen::MatrixXd*) { return false; };
+  const double section = 0;
+  EXPECT_FALSE(prove_orbit(broken, {&section, 1}, 1));
+}
+
+TEST(Differentiate, CentralDifferencesOfAMap) {
+  const auto map = [](std::span<double> s) {
+    const double x = s[0], y = s[1];
+    s[0] = x * x * y;
+    s[1] = std::sin(x) + y;
+    return true;
+  };
+  std::array<double, 2> section{0.7, -0.4};
+  Eigen::MatrixXd transition;
+  ASSERT_TRUE(differentiate(map, section, 1e-5, transition));
+  EXPECT_NEAR(transition(0, 0), 2 * 0.7 * -0.4, 1e-9);
+  EXPECT_NEAR(transition(0, 1), 0.49, 1e-9);
+  EXPECT_NEAR(transition(1, 0), std::cos(0.7), 1e-9);
+  EXPECT_NEAR(transition(1, 1), 1, 1e-9);
+  EXPECT_DOUBLE_EQ(section[0], 0.49 * -0.4);
+}
+
+}  // namespace
+}  // namespace rubsweep::response
