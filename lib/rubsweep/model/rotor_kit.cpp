@@ -1,0 +1,101 @@
+#include "rubsweep/model/rotor_kit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::model {
+namespace {
+
+void require(const std::string& path, double value, const Range& range) {
+  if (contains(range, value)) return;
+  if (std::isnan(value)) throw ConfigError(fmt::format("{}: missing, allowed: {}", path, describe(range)));
+  throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range)));
+}
+
+template <class Part>
+void require_fields(const Part& part, const std::string& path) {
+  Part::visit_fields(
+      part, [&](const char* name, double value, const Range& range) { require(path + name, value, range); });
+}
+
+template <class Part>
+void require_parts(const std::vector<Part>& parts, const std::string& path, const char* list,
+                   double length_m) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string name = fmt::format("{}{}.{}.", path, list, i);
+    require_fields(parts[i], name);
+    require(name + "position_m", parts[i].position_m, Range{.low = 0, .high = length_m});
+  }
+}
+
+void validate(const Bow& bow, const std::string& path, double length_m) {
+  require(path + "phase_deg", bow.phase_deg, any_finite);
+  if (const auto* mode = std::get_if<BowMode>(&bow.shape)) {
+    require(path + "amplitude_m", mode->amplitude_m, not_negative);
+    require(path + "mode", mode->mode, Range{.low = 1, .high = RotorKit::most_modes});
+    return;
+  }
+  const auto& points = std::get<BowPoints>(bow.shape);
+  for (const double position : points.position_m) {
+    require(path + "position_m", position, Range{.low = 0, .high = length_m});
+  }
+  for (const double deflection : points.deflection_m) require(path + "deflection_m", deflection, any_finite);
+  std::vector<double> sorted = points.position_m;
+  std::sort(sorted.begin(), sorted.end());
+  const bool distinct = std::adjacent_find(sorted.begin(), sorted.end(), [&](double a, double b) {
+                          return b - a <= 1e-6 * length_m;
+                        }) == sorted.end();
+  if (sorted.size() < 2 || !distinct) {
+    throw ConfigError(path + "position_m: a bow needs two or more points at different places of the shaft");
+  }
+  if (sorted.size() != points.deflection_m.size()) {
+    throw ConfigError(path + "deflection_m: allowed: as many numbers as position_m has");
+  }
+}
+
+}  // namespace
+
+double shaft_length_m(const RotorKit& kit) {
+  double length = 0;
+  for (const auto& segment : kit.shaft) length += segment.length_m;
+  return length;
+}
+
+void validate(const RotorKit& kit, const std::string& path) {
+  if (kit.shaft.empty()) throw ConfigError(path + "shaft: at least one segment is needed");
+  for (std::size_t i = 0; i < kit.shaft.size(); ++i) {
+    const ShaftSegment& segment = kit.shaft[i];
+    const std::string name = fmt::format("{}shaft.{}.", path, i);
+    require_fields(segment, name);
+    require(name + "inner_diameter_m", segment.inner_diameter_m,
+            Range{.low = 0, .high = segment.outer_diameter_m, .high_open = true});
+  }
+  const double length = shaft_length_m(kit);
+  require_parts(kit.discs, path, "discs", length);
+  require_parts(kit.supports, path, "supports", length);
+  require_parts(kit.sensors, path, "sensors", length);
+  require_parts(kit.couplings, path, "couplings", length);
+  for (std::size_t i = 0; i < kit.couplings.size(); ++i) {
+    require(fmt::format("{}couplings.{}.position_m", path, i), kit.couplings[i].position_m,
+            Range{.low = 0, .high = length, .low_open = true, .high_open = true});
+  }
+  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
+    if (!kit.supports[i].pedestal) continue;
+    require_fields(*kit.supports[i].pedestal, fmt::format("{}supports.{}.pedestal.", path, i));
+  }
+  if (kit.bow) validate(*kit.bow, path + "bow.", length);
+  if (kit.torsion) require_fields(*kit.torsion, path + "torsion.");
+  if (kit.damping_ratio.empty()) throw ConfigError(path + "damping_ratio: at least one number is needed");
+  for (const double ratio : kit.damping_ratio) {
+    require(path + "damping_ratio", ratio, RotorKit::damping_ratio_range);
+  }
+  if (kit.modes) require(path + "modes", *kit.modes, Range{.low = 1, .high = RotorKit::most_modes});
+  require(path + "modes_up_to_hz", kit.modes_up_to_hz, positive);
+  require(path + "elements", kit.elements, Range{.low = 1, .high = RotorKit::most_elements});
+}
+
+}  // namespace rubsweep::model

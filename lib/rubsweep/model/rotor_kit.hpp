@@ -1,0 +1,179 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "rubsweep/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Straight piece of shaft between two stations, of one material. Positions along the shaft count from the
+/// free end of the first segment.
+struct ShaftSegment {
+  double length_m = required;
+  double outer_diameter_m = required;
+  double inner_diameter_m = 0;
+  double youngs_modulus_pa = required;
+  double shear_modulus_pa = required;
+  double density_kg_per_m3 = required;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("length_m", self.length_m, positive);
+    visit("outer_diameter_m", self.outer_diameter_m, positive);
+    visit("inner_diameter_m", self.inner_diameter_m, not_negative);
+    visit("youngs_modulus_pa", self.youngs_modulus_pa, positive);
+    visit("shear_modulus_pa", self.shear_modulus_pa, positive);
+    visit("density_kg_per_m3", self.density_kg_per_m3, positive);
+  }
+};
+
+/// Rigid disc on the shaft. Its unbalance is said per metre of the cell's eccentricity e: the centre of mass
+/// stands eccentricity_ratio * e off the shaft's axis, the axis of inertia leans by skew_rad_per_m * e.
+/// Phases count from the mark on the shaft that every disc and the bow share, in the direction of rotation.
+struct Disc {
+  double position_m = required;
+  double mass_kg = required;
+  double polar_inertia_kg_m2 = required;
+  double diametral_inertia_kg_m2 = required;
+  double eccentricity_ratio = 1;
+  double eccentricity_phase_deg = 0;
+  double skew_rad_per_m = 0;
+  double skew_phase_deg = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, not_negative);
+    visit("mass_kg", self.mass_kg, not_negative);
+    visit("polar_inertia_kg_m2", self.polar_inertia_kg_m2, not_negative);
+    visit("diametral_inertia_kg_m2", self.diametral_inertia_kg_m2, not_negative);
+    visit("eccentricity_ratio", self.eccentricity_ratio, not_negative);
+    visit("eccentricity_phase_deg", self.eccentricity_phase_deg, any_finite);
+    visit("skew_rad_per_m", self.skew_rad_per_m, not_negative);
+    visit("skew_phase_deg", self.skew_phase_deg, any_finite);
+  }
+};
+
+/// What holds a support's housing, where the housing has a mass of its own.
+struct Pedestal {
+  double mass_kg = required;
+  double stiffness_x_n_per_m = required;
+  double stiffness_y_n_per_m = required;
+  double damping_x_ns_per_m = 0;
+  double damping_y_ns_per_m = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("mass_kg", self.mass_kg, positive);
+    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, positive);
+    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, positive);
+    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, not_negative);
+    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, not_negative);
+  }
+};
+
+/// Bearing between the shaft and the ground, or a pedestal. Force on the shaft:
+/// f_x = -(stiffness_x x + stiffness_xy y) - the same with damping; f_y with yx and y.
+struct Support {
+  double position_m = required;
+  double stiffness_x_n_per_m = required;
+  double stiffness_y_n_per_m = required;
+  double stiffness_xy_n_per_m = 0;
+  double stiffness_yx_n_per_m = 0;
+  double damping_x_ns_per_m = 0;
+  double damping_y_ns_per_m = 0;
+  double damping_xy_ns_per_m = 0;
+  double damping_yx_ns_per_m = 0;
+  double angular_stiffness_nm_per_rad = 0;  ///< against tilting of the shaft, always to the ground
+  std::optional<Pedestal> pedestal;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, not_negative);
+    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, not_negative);
+    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, not_negative);
+    visit("stiffness_xy_n_per_m", self.stiffness_xy_n_per_m, any_finite);
+    visit("stiffness_yx_n_per_m", self.stiffness_yx_n_per_m, any_finite);
+    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, not_negative);
+    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, not_negative);
+    visit("damping_xy_ns_per_m", self.damping_xy_ns_per_m, any_finite);
+    visit("damping_yx_ns_per_m", self.damping_yx_ns_per_m, any_finite);
+    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, not_negative);
+  }
+};
+
+/// Elastic joint that cuts the shaft at an inner station into two ends.
+struct Coupling {
+  double position_m = required;
+  double lateral_stiffness_n_per_m = required;
+  double angular_stiffness_nm_per_rad = required;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, positive);
+    visit("lateral_stiffness_n_per_m", self.lateral_stiffness_n_per_m, positive);
+    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, positive);
+  }
+};
+
+/// Residual bow: what the shaft's axis is off a straight line without any load, turning with the shaft. The
+/// cell's unbalance is scaled, the bow is not.
+struct BowPoints {  ///< the least bent line through these points
+  std::vector<double> position_m;
+  std::vector<double> deflection_m;
+};
+struct BowMode {  ///< the shape of a mode of the shaft on its supports, 1 the lowest
+  int mode = 1;
+  double amplitude_m = required;  ///< its largest deflection
+};
+struct Bow {
+  std::variant<BowPoints, BowMode> shape;
+  double phase_deg = 0;
+};
+
+/// One degree of freedom of torsion: the whole rotor against a drive that turns at constant speed.
+struct Torsion {
+  double drive_stiffness_nm_per_rad = required;
+  double drive_damping_nms_per_rad = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("drive_stiffness_nm_per_rad", self.drive_stiffness_nm_per_rad, positive);
+    visit("drive_damping_nms_per_rad", self.drive_damping_nms_per_rad, not_negative);
+  }
+};
+
+/// Proximity probe: displacement of the shaft at `position_m` along the direction `angle_deg`.
+struct Sensor {
+  double position_m = required;
+  double angle_deg = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, not_negative);
+    visit("angle_deg", self.angle_deg, any_finite);
+  }
+};
+
+/// Shaft line made of stations: Timoshenko beam segments with discs, supports and couplings.
+struct RotorKit {
+  std::vector<ShaftSegment> shaft;
+  std::vector<Disc> discs;
+  std::vector<Support> supports;
+  std::vector<Coupling> couplings;
+  std::optional<Bow> bow;
+  std::optional<Torsion> torsion;
+  std::vector<Sensor> sensors;
+  std::vector<double> damping_ratio{0};  ///< structural, of mode 1, 2, ...; the last one goes on
+  std::optional<int> modes;              ///< bending modes kept in each plane; empty: as many as it takes
+  double modes_up_to_hz = 2000;          ///< up to where the reduced rotor answers as the full one
+  int elements = 24;                     ///< least number of beam elements along the whole shaft
+
+  static constexpr Range damping_ratio_range{.low = 0, .high = 1};
+  static constexpr int most_modes = 40;
+  static constexpr int most_elements = 200;
+};
+
+/// Sum of the lengths of the segments.
+double shaft_length_m(const RotorKit& kit);
+
+/// Throws ConfigError naming the first number that is missing or out of range, or a part that is not on the
+/// shaft. `path` opens every message, e.g. "rotor.".
+void validate(const RotorKit& kit, const std::string& path);
+
+}  // namespace rubsweep::model

@@ -1,0 +1,203 @@
+#include "rubsweep/structure/beam_shaft.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/structure/beam_element.hpp"
+
+namespace rubsweep::structure {
+namespace {
+
+constexpr double same_place = 1e-9;  ///< of the shaft's length
+
+std::complex<double> phasor(double amplitude, double phase_deg) {
+  return std::polar(amplitude, phase_deg * std::numbers::pi / 180);
+}
+
+std::vector<double> stations_of(const model::RotorKit& kit, std::vector<double> stations) {
+  double end = 0;
+  stations.push_back(end);
+  for (const auto& segment : kit.shaft) stations.push_back(end += segment.length_m);
+  for (const auto& disc : kit.discs) stations.push_back(disc.position_m);
+  for (const auto& support : kit.supports) stations.push_back(support.position_m);
+  for (const auto& coupling : kit.couplings) stations.push_back(coupling.position_m);
+  for (const auto& sensor : kit.sensors) stations.push_back(sensor.position_m);
+  if (kit.bow) {
+    if (const auto* points = std::get_if<model::BowPoints>(&kit.bow->shape)) {
+      stations.insert(stations.end(), points->position_m.begin(), points->position_m.end());
+    }
+  }
+  std::sort(stations.begin(), stations.end());
+  const auto same = [&](double a, double b) { return b - a <= same_place * end; };
+  stations.erase(std::unique(stations.begin(), stations.end(), same), stations.end());
+  return stations;
+}
+
+struct Element {
+  std::size_t first_node;
+  double length_m;
+  const model::ShaftSegment* segment;
+};
+
+struct Mesh {
+  std::vector<double> node_position_m;
+  std::vector<Element> elements;
+};
+
+bool coupling_at(const model::RotorKit& kit, double position_m, double tolerance_m) {
+  return std::ranges::any_of(kit.couplings, [&](const auto& coupling) {
+    return std::abs(coupling.position_m - position_m) <= tolerance_m;
+  });
+}
+
+const model::ShaftSegment& segment_at(const model::RotorKit& kit, double position_m) {
+  double end = 0;
+  for (const auto& segment : kit.shaft) {
+    if (position_m < (end += segment.length_m)) return segment;
+  }
+  return kit.shaft.back();
+}
+
+Mesh mesh_of(const model::RotorKit& kit, const std::vector<double>& stations) {
+  const double length = stations.back(), longest = length / kit.elements * (1 + same_place);
+  Mesh mesh;
+  mesh.node_position_m.push_back(stations.front());
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    const double gap = stations[i + 1] - stations[i];
+    if (i > 0 && coupling_at(kit, stations[i], same_place * length)) {
+      mesh.node_position_m.push_back(stations[i]);
+    }
+    const auto pieces = static_cast<int>(std::ceil(gap / longest));
+    const auto& segment = segment_at(kit, stations[i] + gap / 2);
+    for (int k = 1; k <= pieces; ++k) {
+      mesh.elements.push_back({mesh.node_position_m.size() - 1, gap / pieces, &segment});
+      mesh.node_position_m.push_back(k == pieces ? stations[i + 1] : stations[i] + gap * k / pieces);
+    }
+  }
+  return mesh;
+}
+
+/// The same coefficient at both ends of a spring or damper between two coordinates.
+void connect(Eigen::MatrixXd& matrix, Eigen::Index a, Eigen::Index b, double value) {
+  matrix(a, a) += value;
+  matrix(b, b) += value;
+  matrix(a, b) -= value;
+  matrix(b, a) -= value;
+}
+
+void add_shaft(const Mesh& mesh, BeamShaft& shaft) {
+  for (const Element& element : mesh.elements) {
+    const BeamElement beam = timoshenko_element(*element.segment, element.length_m);
+    const auto first = static_cast<Eigen::Index>(2 * element.first_node);
+    shaft.mass.block<4, 4>(first, first) += beam.mass;
+    shaft.gyroscopic.block<4, 4>(first, first) += beam.gyroscopic;
+    shaft.elastic.block<4, 4>(first, first) += beam.stiffness;
+    shaft.polar_inertia_kg_m2 +=
+        2 * element.segment->density_kg_per_m3 * section_moment_m4(*element.segment) * element.length_m;
+  }
+}
+
+void add_disc(const model::Disc& disc, BeamShaft& shaft) {
+  const Eigen::Index w = shaft.deflection(disc.position_m), s = w + 1;
+  shaft.mass(w, w) += disc.mass_kg;
+  shaft.mass(s, s) += disc.diametral_inertia_kg_m2;
+  shaft.gyroscopic(s, s) += disc.polar_inertia_kg_m2;
+  shaft.polar_inertia_kg_m2 += disc.polar_inertia_kg_m2;
+  shaft.unbalance_kg(w) += phasor(disc.mass_kg * disc.eccentricity_ratio, disc.eccentricity_phase_deg);
+  // A disc whose axis leans by t e^{i w t} against the shaft's feels (I_d - I_p) w^2 t e^{i w t}.
+  const double leaning = (disc.diametral_inertia_kg_m2 - disc.polar_inertia_kg_m2) * disc.skew_rad_per_m;
+  shaft.unbalance_kg(s) += phasor(leaning, disc.skew_phase_deg);
+}
+
+void add_support(const model::Support& support, Eigen::Index pedestal, BeamShaft& shaft) {
+  const Eigen::Index w = shaft.deflection(support.position_m);
+  const double k[2][2] = {{support.stiffness_x_n_per_m, support.stiffness_xy_n_per_m},
+                          {support.stiffness_yx_n_per_m, support.stiffness_y_n_per_m}};
+  const double c[2][2] = {{support.damping_x_ns_per_m, support.damping_xy_ns_per_m},
+                          {support.damping_yx_ns_per_m, support.damping_y_ns_per_m}};
+  for (std::size_t a = 0; a < 2; ++a) {
+    for (std::size_t b = 0; b < 2; ++b) {
+      if (support.pedestal) {
+        connect(shaft.support_stiffness[a][b], w, pedestal, k[a][b]);
+        connect(shaft.support_damping[a][b], w, pedestal, c[a][b]);
+      } else {
+        shaft.support_stiffness[a][b](w, w) += k[a][b];
+        shaft.support_damping[a][b](w, w) += c[a][b];
+      }
+    }
+    shaft.support_stiffness[a][a](w + 1, w + 1) += support.angular_stiffness_nm_per_rad;
+  }
+  if (!support.pedestal) return;
+  const model::Pedestal& housing = *support.pedestal;
+  shaft.mass(pedestal, pedestal) += housing.mass_kg;
+  shaft.support_stiffness[0][0](pedestal, pedestal) += housing.stiffness_x_n_per_m;
+  shaft.support_stiffness[1][1](pedestal, pedestal) += housing.stiffness_y_n_per_m;
+  shaft.support_damping[0][0](pedestal, pedestal) += housing.damping_x_ns_per_m;
+  shaft.support_damping[1][1](pedestal, pedestal) += housing.damping_y_ns_per_m;
+}
+
+}  // namespace
+
+Eigen::Index BeamShaft::deflection(double position_m) const {
+  const double tolerance = same_place * node_position_m.back();
+  for (std::size_t node = 0; node < node_position_m.size(); ++node) {
+    if (std::abs(node_position_m[node] - position_m) <= tolerance) return static_cast<Eigen::Index>(2 * node);
+  }
+  throw SolverError("beam shaft: there is no node at a station");
+}
+
+BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<double>& stations_m) {
+  const Mesh mesh = mesh_of(kit, stations_of(kit, stations_m));
+  BeamShaft shaft;
+  shaft.node_position_m = mesh.node_position_m;
+  const auto on_shaft = static_cast<Eigen::Index>(2 * mesh.node_position_m.size());
+  Eigen::Index n = on_shaft;
+  for (const auto& support : kit.supports) n += support.pedestal ? 1 : 0;
+  shaft.mass = shaft.gyroscopic = shaft.elastic = Eigen::MatrixXd::Zero(n, n);
+  for (auto* pairs : {&shaft.support_stiffness, &shaft.support_damping}) {
+    for (auto& row : *pairs) row.fill(Eigen::MatrixXd::Zero(n, n));
+  }
+  shaft.unbalance_kg = Eigen::VectorXcd::Zero(n);
+  add_shaft(mesh, shaft);
+  for (const auto& coupling : kit.couplings) {
+    const Eigen::Index w = shaft.deflection(coupling.position_m);
+    connect(shaft.elastic, w, w + 2, coupling.lateral_stiffness_n_per_m);
+    connect(shaft.elastic, w + 1, w + 3, coupling.angular_stiffness_nm_per_rad);
+  }
+  for (const auto& disc : kit.discs) add_disc(disc, shaft);
+  Eigen::Index pedestal = on_shaft;
+  for (const auto& support : kit.supports) {
+    add_support(support, pedestal, shaft);
+    if (support.pedestal) ++pedestal;
+  }
+  // A translation as a whole: deflections 1, angles 0. Consistent, so that static sag is exact at the nodes.
+  Eigen::VectorXd translation = Eigen::VectorXd::Ones(n);
+  for (Eigen::Index s = 1; s < on_shaft; s += 2) translation(s) = 0;
+  shaft.weight_kg = shaft.mass * translation;
+  return shaft;
+}
+
+Eigen::VectorXd least_bent_line(const BeamShaft& shaft, const model::BowPoints& points) {
+  const auto n = static_cast<Eigen::Index>(2 * shaft.node_position_m.size());
+  const auto count = static_cast<Eigen::Index>(points.position_m.size());
+  // Stationary energy under the constraints; scaled, so that the multipliers do not dwarf the shape.
+  const auto elastic = shaft.elastic.topLeftCorner(n, n);
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + count, n + count);
+  system.topLeftCorner(n, n) = elastic / elastic.cwiseAbs().maxCoeff();
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n + count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const Eigen::Index w = shaft.deflection(points.position_m[index]);
+    system(n + i, w) = system(w, n + i) = 1;
+    right(n + i) = points.deflection_m[index];
+  }
+  Eigen::VectorXd line = Eigen::VectorXd::Zero(shaft.coordinates());
+  line.head(n) = system.fullPivLu().solve(right).head(n);
+  return line;
+}
+
+}  // namespace rubsweep::structure

@@ -1,0 +1,113 @@
+#include "rubsweep/structure/lateral_system.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::structure {
+namespace {
+
+/// Adds the projected block of planes (a, b) where its shapes stand.
+void add(const LateralSystem& system, std::size_t a, std::size_t b, const Eigen::MatrixXd& block,
+         Eigen::MatrixXd& matrix) {
+  for (Eigen::Index i = 0; i < block.rows(); ++i) {
+    for (Eigen::Index j = 0; j < block.cols(); ++j) {
+      matrix(system.index(a, i), system.index(b, j)) += block(i, j);
+    }
+  }
+}
+
+bool equal_planes(const BeamShaft& shaft, const PlaneBases& bases) {
+  return bases[0].cols() == bases[1].cols() && bases[0] == bases[1] &&
+         shaft.support_stiffness[0][0] == shaft.support_stiffness[1][1] &&
+         shaft.support_damping[0][0] == shaft.support_damping[1][1];
+}
+
+}  // namespace
+
+Eigen::Index LateralSystem::index(std::size_t plane, Eigen::Index j) const {
+  const Eigen::Index pairs = std::min(shapes[0], shapes[1]);
+  return j < pairs ? 2 * j + static_cast<Eigen::Index>(plane) : pairs + j;
+}
+
+Eigen::VectorXd LateralSystem::scatter(std::size_t plane, const Eigen::VectorXd& per_shape) const {
+  Eigen::VectorXd vector = Eigen::VectorXd::Zero(coordinates());
+  for (Eigen::Index j = 0; j < per_shape.size(); ++j) vector(index(plane, j)) = per_shape(j);
+  return vector;
+}
+
+LateralSystem project(const BeamShaft& shaft, const PlaneBases& bases) {
+  LateralSystem system;
+  system.shapes = {bases[0].cols(), bases[1].cols()};
+  const Eigen::Index n = system.coordinates();
+  system.mass = system.damping = system.gyroscopic = system.stiffness = Eigen::MatrixXd::Zero(n, n);
+  const auto between = [&](std::size_t a, std::size_t b, const Eigen::MatrixXd& full) {
+    return Eigen::MatrixXd(bases[a].transpose() * full * bases[b]);
+  };
+  for (std::size_t a = 0; a < 2; ++a) {
+    // Equal planes get the same bits: a symmetry of the machine is not lost to rounding.
+    const std::size_t from = equal_planes(shaft, bases) ? 0 : a;
+    add(system, a, a, between(from, from, shaft.mass), system.mass);
+    add(system, a, a, between(from, from, shaft.plane_stiffness(from)), system.stiffness);
+    add(system, a, a, between(from, from, shaft.support_damping[from][from]), system.damping);
+    const std::size_t b = 1 - a;
+    if (!shaft.support_stiffness[a][b].isZero(0)) {
+      add(system, a, b, between(a, b, shaft.support_stiffness[a][b]), system.stiffness);
+    }
+    if (!shaft.support_damping[a][b].isZero(0)) {
+      add(system, a, b, between(a, b, shaft.support_damping[a][b]), system.damping);
+    }
+  }
+  Eigen::MatrixXd turning = between(0, 1, shaft.gyroscopic);
+  if (equal_planes(shaft, bases)) turning = (turning + turning.transpose().eval()) / 2;
+  add(system, 0, 1, turning, system.gyroscopic);
+  add(system, 1, 0, -turning.transpose(), system.gyroscopic);
+  return system;
+}
+
+PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, Eigen::Index count) {
+  constexpr double massless = 1e-14;  // of the largest 1/w^2
+  const Eigen::LLT<Eigen::MatrixXd> factor(stiffness);
+  if (factor.info() != Eigen::Success) {
+    throw ConfigError(
+        "rotor.supports: they leave the shaft free to move as a whole, allowed: supports that hold it");
+  }
+  const auto lower = factor.matrixL();
+  const Eigen::MatrixXd half = lower.solve(mass);
+  Eigen::MatrixXd inverse = lower.solve(half.transpose());
+  inverse = (inverse + inverse.transpose().eval()) / 2;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(inverse);
+  const Eigen::VectorXd& values = solver.eigenvalues();
+  const Eigen::Index n = values.size();
+  Eigen::Index kept = 0;
+  while (kept < std::min(count, n) && values(n - 1 - kept) > massless * values(n - 1)) ++kept;
+  PlaneModes modes{Eigen::VectorXd(kept), Eigen::MatrixXd(n, kept)};
+  for (Eigen::Index j = 0; j < kept; ++j) {
+    const double value = values(n - 1 - j);
+    modes.rad_per_s(j) = 1 / std::sqrt(value);
+    modes.shape.col(j) = factor.matrixU().solve(solver.eigenvectors().col(n - 1 - j)) / std::sqrt(value);
+  }
+  return modes;
+}
+
+Eigen::VectorXd whirl_rad_per_s(const LateralSystem& system, double speed_rad_per_s) {
+  const Eigen::Index n = system.coordinates();
+  const Eigen::LLT<Eigen::MatrixXd> mass(system.mass);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  a.topRightCorner(n, n).setIdentity();
+  a.bottomLeftCorner(n, n) = -mass.solve(system.stiffness);
+  a.bottomRightCorner(n, n) = -mass.solve(system.damping + speed_rad_per_s * system.gyroscopic);
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(a, false);
+  std::vector<double> found;
+  for (const auto& value : solver.eigenvalues()) {
+    if (value.imag() > 0) found.push_back(value.imag());
+  }
+  std::sort(found.begin(), found.end());
+  return Eigen::Map<Eigen::VectorXd>(found.data(), static_cast<Eigen::Index>(found.size()));
+}
+
+}  // namespace rubsweep::structure

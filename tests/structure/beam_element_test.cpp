@@ -1,0 +1,131 @@
+#include "rubsweep/structure/beam_element.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "structure/steel.hpp"
+
+namespace rubsweep::structure {
+namespace {
+
+using std::numbers::pi;
+
+/// A line of equal elements; `fixed` coordinates are struck out. Frequencies in rad/s, ascending.
+Eigen::VectorXd frequencies(const model::ShaftSegment& segment, int elements, const std::vector<int>& fixed) {
+  const BeamElement beam = timoshenko_element(segment, segment.length_m / elements);
+  const Eigen::Index n = 2 * (elements + 1);
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n), stiffness = mass;
+  for (int e = 0; e < elements; ++e) {
+    mass.block<4, 4>(2 * e, 2 * e) += beam.mass;
+    stiffness.block<4, 4>(2 * e, 2 * e) += beam.stiffness;
+  }
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (std::find(fixed.begin(), fixed.end(), static_cast<int>(i)) == fixed.end()) kept.push_back(i);
+  }
+  const Eigen::MatrixXd k = stiffness(kept, kept), m = mass(kept, kept);
+  Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(k, m, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+}
+
+/// Simply supported Timoshenko beam: lower root of
+/// rho^2 I / (k G) w^4 - (rho A + rho I (1 + E / (k G)) a^2) w^2 + E I a^4 = 0, a = n pi / L.
+double simply_supported(const model::ShaftSegment& s, int mode) {
+  const double area = section_area_m2(s), moment = section_moment_m4(s), rho = s.density_kg_per_m3;
+  const double shear = shear_coefficient(s) * s.shear_modulus_pa, a = mode * pi / s.length_m;
+  const double p = rho * rho * moment / shear;
+  const double q = rho * area + rho * moment * (1 + s.youngs_modulus_pa / shear) * a * a;
+  const double r = s.youngs_modulus_pa * moment * std::pow(a, 4);
+  return std::sqrt(2 * r / (q + std::sqrt(q * q - 4 * p * r)));
+}
+
+TEST(TimoshenkoElement, SectionOfTubeAndRod) {
+  const auto tube = steel_segment(1, 0.08, 0.03);
+  EXPECT_NEAR(section_area_m2(tube), pi / 4 * (0.0064 - 0.0009), 1e-18);
+  EXPECT_NEAR(section_moment_m4(tube), pi / 64 * (std::pow(0.08, 4) - std::pow(0.03, 4)), 1e-20);
+  // Cowper's solid round section: 6 (1 + nu) / (7 + 6 nu).
+  const double nu = 211.0 / 162.4 - 1;
+  EXPECT_NEAR(shear_coefficient(steel_segment(1, 0.08)), 6 * (1 + nu) / (7 + 6 * nu), 1e-15);
+  EXPECT_LT(shear_coefficient(tube), shear_coefficient(steel_segment(1, 0.08)));
+}
+
+TEST(TimoshenkoElement, RigidMotionIsFreeAndWeighsWhatTheBeamWeighs) {
+  for (const double length : {0.01, 0.3}) {
+    const auto segment = steel_segment(length, 0.05, 0.02);
+    const BeamElement beam = timoshenko_element(segment, length);
+    const Eigen::Vector4d shift(1, 0, 1, 0), tilt(-length / 2, 1, length / 2, 1);
+    EXPECT_LT((beam.stiffness * shift).norm(), 1e-12 * beam.stiffness.norm());
+    EXPECT_LT((beam.stiffness * tilt).norm(), 1e-12 * beam.stiffness.norm());
+    const double mass = segment.density_kg_per_m3 * section_area_m2(segment) * length;
+    const double moment = segment.density_kg_per_m3 * section_moment_m4(segment) * length;
+    EXPECT_NEAR(shift.dot(beam.mass * shift), mass, 1e-13 * mass);
+    EXPECT_NEAR(shift.dot(beam.mass * tilt), 0, 1e-13 * mass);
+    const double about_diameter = mass * length * length / 12 + moment;
+    EXPECT_NEAR(tilt.dot(beam.mass * tilt), about_diameter, 1e-13 * about_diameter);
+    EXPECT_NEAR(tilt.dot(beam.gyroscopic * tilt), 2 * moment, 1e-12 * moment);
+    EXPECT_EQ(beam.mass, beam.mass.transpose());
+    EXPECT_EQ(beam.stiffness, beam.stiffness.transpose());
+    EXPECT_EQ(beam.gyroscopic, beam.gyroscopic.transpose());
+  }
+}
+
+TEST(TimoshenkoElement, OneElementBendsExactlyUnderEndLoads) {
+  for (const double length : {0.05, 0.2, 2.0}) {
+    const auto segment = steel_segment(length, 0.05);
+    const BeamElement beam = timoshenko_element(segment, length);
+    const double bending = segment.youngs_modulus_pa * section_moment_m4(segment);
+    const double shear = shear_coefficient(segment) * segment.shear_modulus_pa * section_area_m2(segment);
+    const Eigen::Matrix2d flexibility = beam.stiffness.bottomRightCorner<2, 2>().inverse();
+    const double tip = std::pow(length, 3) / (3 * bending) + length / shear;
+    EXPECT_NEAR(flexibility(0, 0), tip, 1e-12 * tip);
+    EXPECT_NEAR(flexibility(0, 1), length * length / (2 * bending), 1e-12 * tip / length);
+    EXPECT_NEAR(flexibility(1, 1), length / bending, 1e-12 * length / bending);
+  }
+}
+
+std::vector<double> errors_of_8_16_32_elements(const model::ShaftSegment& segment, int mode) {
+  std::vector<double> error;
+  for (const int elements : {8, 16, 32}) {
+    const auto w = frequencies(segment, elements, {0, 2 * elements});
+    error.push_back(w(mode - 1) / simply_supported(segment, mode) - 1);
+    EXPECT_GT(error.back(), -1e-9);  // a Galerkin frequency is an upper bound
+  }
+  return error;
+}
+
+TEST(TimoshenkoElement, SimplySupportedBeamConvergesWithFourthOrderInBendingAndSecondInShear) {
+  for (const int mode : {1, 2, 3}) {
+    const auto slender = errors_of_8_16_32_elements(steel_segment(2, 0.002), mode);
+    EXPECT_NEAR(std::log2(slender[0] / slender[1]), 4, 0.2) << mode;
+    EXPECT_LT(slender[2], 1e-5) << mode;
+    const auto thick = errors_of_8_16_32_elements(steel_segment(1, 0.2), mode);
+    EXPECT_NEAR(std::log2(thick[0] / thick[1]), 2, 0.1) << mode;
+    EXPECT_NEAR(std::log2(thick[1] / thick[2]), 2, 0.1) << mode;
+    EXPECT_LT(thick[2], 1.5e-3) << mode;
+  }
+}
+
+TEST(TimoshenkoElement, SlenderCantileverAndFreeBeamAreThoseOfEuler) {
+  // First roots of cosh b cos b = -1 and of cosh b cos b = 1.
+  const double cantilever[] = {1.8751040687119611, 4.694091132974175, 7.854757438237613};
+  const double free[] = {4.730040744862704, 7.853204624095838, 10.995607838001671};
+  const auto segment = steel_segment(2, 0.002);
+  const double bending = segment.youngs_modulus_pa * section_moment_m4(segment);
+  const double per_length = segment.density_kg_per_m3 * section_area_m2(segment);
+  const double unit = std::sqrt(bending / per_length) / (segment.length_m * segment.length_m);
+  const auto clamped = frequencies(segment, 24, {0, 1});
+  const auto loose = frequencies(segment, 24, {});
+  for (int mode = 0; mode < 3; ++mode) {
+    EXPECT_NEAR(clamped(mode) / (cantilever[mode] * cantilever[mode] * unit), 1, 2e-5);
+    EXPECT_NEAR(loose(mode + 2) / (free[mode] * free[mode] * unit), 1, 4e-5);
+  }
+  EXPECT_LT(loose(1), 1e-3 * loose(2));  // two rigid motions
+}
+
+}  // namespace
+}  // namespace rubsweep::structure
