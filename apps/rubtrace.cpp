@@ -74,13 +74,14 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   make_directory(directory);
 
   response::Workspace workspace;
-  const sweep::Row row = sweep::evaluate_cell(study, 0, workspace);
+  const scene::Plan plan = scene::make_plan(study.machine);
+  const sweep::Row row = sweep::evaluate_cell(study, plan, 0, workspace);
   Files files{{"config.yaml", config::print_config(config)},
               {"motion.csv", report::map_comments(RUBSWEEP_VERSION, config::study_digest(study)) +
                                  report::map_header() + "\n" + report::map_line(row) + "\n"}};
   std::string summary = report::motion_summary(row);
 
-  const scene::Cell cell = scene::build_cell(study.machine, arguments.speed_hz, arguments.unbalance);
+  const scene::Cell cell = scene::build_cell(plan, arguments.speed_hz, arguments.unbalance);
   report::Trace trace;
   if (cell.start == scene::Start::quiet) {
     const report::TraceOptions options{

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scene/one_side_machine.hpp"
+#include "scene/kit_machine.hpp"
 
 namespace rubsweep::scene {
 namespace {
@@ -31,6 +31,21 @@ TEST(Explain, MovingCasing) {
   EXPECT_TRUE(says(text, "left out: torsion"));
   EXPECT_TRUE(says(text, "left out: gravity"));
   EXPECT_FALSE(says(text, "left out: friction"));
+}
+
+TEST(Explain, RotorKitSaysWhatItWasReducedTo) {
+  model::Machine machine = light_shaft_machine();
+  machine.kit->shaft[0].density_kg_per_m3 = 7850;
+  const std::string text = explain(machine, 45);
+  EXPECT_TRUE(says(text, "rotor: kit, shaft of 0.4 m in 4 or more Timoshenko elements, 1 discs, 2 supports"));
+  EXPECT_TRUE(says(text, "  reduced in x to modes 1 ("));
+  EXPECT_TRUE(says(text, "; attachment modes of the stops "));
+  EXPECT_TRUE(says(text, "number of modes: as configured\n"));
+  EXPECT_TRUE(says(text, "  at 0.2 m of the shaft; mass behind the contact "));
+  EXPECT_TRUE(says(text, "states: 12 (6 coordinates and their rates)\n"));
+  EXPECT_FALSE(says(text, "tilting"));
+  machine.kit->modes.reset();
+  EXPECT_TRUE(says(explain(machine, 45), "number of modes: auto, the smallest within 0.01\n"));
 }
 
 TEST(Explain, RigidCasingHasNoState) {

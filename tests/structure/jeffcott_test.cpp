@@ -43,7 +43,7 @@ void expect_point_at(const Point& point, Eigen::Index x, Eigen::Index n) {
 }
 
 TEST(AssembleJeffcott, EveryEntryOfTheMatrices) {
-  const auto [system, rotor_point, casing_points] = assemble_jeffcott(rotor, {first, std::nullopt, second});
+  const LinearSystem system = assemble_jeffcott(rotor, {first, std::nullopt, second}).system;
   EXPECT_EQ(system.coordinates(), 6);
   expect_diagonal(system.mass, {0.8, 0.8, 0.05, 0.05, 0.03, 0.03});
   // m (2 pi f)^2 and 2 zeta m 2 pi f of the rotor, 2 zeta sqrt(k m) of the casings; digits by hand.
@@ -53,11 +53,15 @@ TEST(AssembleJeffcott, EveryEntryOfTheMatrices) {
 }
 
 TEST(AssembleJeffcott, PointsFollowTheStopsAndRigidCasingsHaveNone) {
-  const auto [system, rotor_point, casing_points] = assemble_jeffcott(rotor, {first, std::nullopt, second});
+  const Assembly assembly = assemble_jeffcott(rotor, {first, std::nullopt, second});
+  const LinearSystem& system = assembly.system;
+  const auto& casing_points = assembly.casing_points;
   ASSERT_EQ(casing_points.size(), 3u);
   EXPECT_FALSE(casing_points[1]);
   ASSERT_EQ(system.points.size(), 3u);
-  expect_point_at(system.points[static_cast<std::size_t>(rotor_point)], 0, 6);
+  EXPECT_EQ(assembly.rotor_points, std::vector<int>(3, 0));
+  EXPECT_EQ(assembly.contact_mass_kg, std::vector<double>(3, 0.8));
+  expect_point_at(system.points[0], 0, 6);
   expect_point_at(system.points[static_cast<std::size_t>(casing_points[0].value())], 2, 6);
   expect_point_at(system.points[static_cast<std::size_t>(casing_points[2].value())], 4, 6);
 }

@@ -4,11 +4,12 @@
 
 namespace rubsweep::config {
 
-model::Kick read_kick(const Value& value) {
+model::Kick read_kick(const Value& value, const std::optional<model::Range>& places) {
   Section section(value);
   model::Kick kick;
   read_fields(section, kick);
   section.field("angle_deg", kick.angle_deg, model::any_finite);
+  if (places) section.field("position_m", kick.position_m, *places);
   section.refuse_unknown_keys();
   return kick;
 }
@@ -17,6 +18,7 @@ void print_kick(Printer& printer, const model::Kick& kick) {
   printer.open("kick");
   print_fields(printer, kick);
   printer.field("angle_deg", kick.angle_deg, model::any_finite);
+  printer.field("position_m", kick.position_m, model::any_finite);
   printer.close();
 }
 

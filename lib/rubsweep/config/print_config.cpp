@@ -13,7 +13,7 @@ namespace rubsweep::config {
 namespace {
 
 void print(Printer& printer, const sweep::Study& study) {
-  print_rotor(printer, study.machine.rotor);
+  print_rotor(printer, study.machine);
   print_stops(printer, study.machine.stops);
   if (study.machine.kick) print_kick(printer, *study.machine.kick);
   printer.number("gravity_m_per_s2", study.machine.gravity_m_per_s2);

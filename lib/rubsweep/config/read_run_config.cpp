@@ -7,6 +7,7 @@
 #include "rubsweep/config/output.hpp"
 #include "rubsweep/config/response.hpp"
 #include "rubsweep/config/rotor.hpp"
+#include "rubsweep/config/rotor_kit.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/config/solver.hpp"
 #include "rubsweep/config/stop.hpp"
@@ -18,13 +19,27 @@ namespace {
 
 constexpr std::string_view root_form = "a map with rotor, stops, sweep, output";
 
+/// In a ring the tangent turns, along which the surface of a twisting rotor would move.
+void refuse_torsion_in_rings(const Value& stops, const model::Machine& machine) {
+  if (!machine.kit || !machine.kit->torsion) return;
+  for (const model::Stop& stop : machine.stops) {
+    if (!std::holds_alternative<model::AnnularGeometry>(stop.geometry)) continue;
+    refuse(stops, "has an annular stop beside torsion of the rotor", "one_side stops only, or no torsion");
+    return;
+  }
+}
+
 RunConfig read_sections(const Value& root) {
   Section section(root, root_form);
   RunConfig config;
   sweep::Study& study = config.study;
-  if (const auto value = section.require("rotor", "a map")) study.machine.rotor = read_rotor(*value);
-  if (const auto value = section.require("stops", "a list of maps")) study.machine.stops = read_stops(*value);
-  if (const auto value = section.find("kick")) study.machine.kick = read_kick(*value);
+  if (const auto value = section.require("rotor", "a map")) read_rotor(*value, study.machine);
+  const auto shaft = study.machine.kit ? std::optional(places(*study.machine.kit)) : std::nullopt;
+  if (const auto value = section.require("stops", "a list of maps")) {
+    study.machine.stops = read_stops(*value, shaft);
+    refuse_torsion_in_rings(*value, study.machine);
+  }
+  if (const auto value = section.find("kick")) study.machine.kick = read_kick(*value, shaft);
   section.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);
   if (const auto value = section.require("sweep", "a map")) study.grid = read_sweep(*value);
   if (const auto value = section.find("solver")) study.solver = read_solver(*value);

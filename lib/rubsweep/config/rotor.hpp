@@ -2,12 +2,13 @@
 
 #include "rubsweep/config/printer.hpp"
 #include "rubsweep/config/value.hpp"
-#include "rubsweep/model/rotor.hpp"
+#include "rubsweep/model/machine.hpp"
 
 namespace rubsweep::config {
 
-/// `rotor`: {kind: jeffcott, mass_kg, natural_frequency_hz, damping_ratio}, all required.
-model::JeffcottRotor read_rotor(const Value& value);
-void print_rotor(Printer& printer, const model::JeffcottRotor& rotor);
+/// `rotor`: {kind: jeffcott, mass_kg, natural_frequency_hz, damping_ratio}, all required, or {kind:
+/// rotor_kit, ...}, see rotor_kit.hpp. Fills machine.rotor or machine.kit.
+void read_rotor(const Value& value, model::Machine& machine);
+void print_rotor(Printer& printer, const model::Machine& machine);
 
 }  // namespace rubsweep::config

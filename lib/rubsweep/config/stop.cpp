@@ -72,10 +72,15 @@ void print_damping(Printer& printer, const model::ContactDamping& damping) {
   }
 }
 
-model::Stop read_stop(const Value& value) {
+model::Stop read_stop(const Value& value, const std::optional<model::Range>& places) {
   Section section(value);
   model::Stop stop;
   stop.geometry = read_geometry(section);
+  if (places) {
+    double position_m = model::required;
+    section.field("position_m", position_m, *places);
+    stop.position_m = position_m;
+  }
   read_fields(section, stop);
   refuse_offset_beyond_clearance(section, stop);
   stop.damping = read_damping(section);
@@ -95,6 +100,7 @@ void print_stop(Printer& printer, const model::Stop& stop) {
     printer.word("kind", one_side_kind);
     printer.number("angle_deg", std::get<model::OneSideGeometry>(stop.geometry).angle_deg);
   }
+  printer.field("position_m", stop.position_m, model::any_finite);
   print_fields(printer, stop);
   print_damping(printer, stop.damping);
   printer.field("contact_mass_kg", stop.contact_mass_kg, model::positive);
@@ -105,11 +111,11 @@ void print_stop(Printer& printer, const model::Stop& stop) {
 
 }  // namespace
 
-std::vector<model::Stop> read_stops(const Value& value) {
+std::vector<model::Stop> read_stops(const Value& value, const std::optional<model::Range>& places) {
   std::vector<model::Stop> stops;
   const auto items = read_list(value, max_stops);
   if (!items) return stops;
-  for (const Value& item : *items) stops.push_back(read_stop(item));
+  for (const Value& item : *items) stops.push_back(read_stop(item, places));
   return stops;
 }
 

@@ -63,17 +63,38 @@ void validate(const Stop& stop, const std::string& path) {
   if (stop.casing) Casing::visit_fields(*stop.casing, requiring(path + "casing."));
 }
 
+/// Places along the shaft: a rotor kit has them, a Jeffcott rotor has none.
+void validate_position(const Machine& machine, const std::optional<double>& position_m, bool needed,
+                       const std::string& path) {
+  if (!machine.kit) {
+    if (position_m)
+      throw ConfigError(path + ": a Jeffcott rotor has no places along its shaft, allowed: nothing");
+  } else if (position_m || needed) {
+    require(path, position_m.value_or(required), Range{.low = 0, .high = shaft_length_m(*machine.kit)});
+  }
+}
+
 }  // namespace
 
 void validate(const Machine& machine) {
-  JeffcottRotor::visit_fields(machine.rotor, requiring("rotor."));
+  if (machine.kit) {
+    validate(*machine.kit, "rotor.");
+  } else {
+    JeffcottRotor::visit_fields(machine.rotor, requiring("rotor."));
+  }
   if (machine.stops.empty()) throw ConfigError("stops: at least one stop is needed");
   for (std::size_t i = 0; i < machine.stops.size(); ++i) {
-    validate(machine.stops[i], fmt::format("stops.{}.", i));
+    const Stop& stop = machine.stops[i];
+    validate(stop, fmt::format("stops.{}.", i));
+    validate_position(machine, stop.position_m, true, fmt::format("stops.{}.position_m", i));
+    if (machine.kit && machine.kit->torsion && std::holds_alternative<AnnularGeometry>(stop.geometry)) {
+      throw ConfigError(fmt::format("stops.{}.kind: torsion needs flat walls, allowed: one_side", i));
+    }
   }
   if (machine.kick) {
     Kick::visit_fields(*machine.kick, requiring("kick."));
     if (machine.kick->angle_deg) require("kick.angle_deg", *machine.kick->angle_deg, any_finite);
+    validate_position(machine, machine.kick->position_m, false, "kick.position_m");
   }
   require("gravity_m_per_s2", machine.gravity_m_per_s2, not_negative);
 }

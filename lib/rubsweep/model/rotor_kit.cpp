@@ -59,6 +59,23 @@ void validate(const Bow& bow, const std::string& path, double length_m) {
 
 }  // namespace
 
+bool supports_hold(const RotorKit& kit, int plane) {
+  // Stiffness against translation and tilting about the shaft's free end.
+  double translation = 0, mixed = 0, tilting = 0;
+  for (const Support& support : kit.supports) {
+    double k = plane == 0 ? support.stiffness_x_n_per_m : support.stiffness_y_n_per_m;
+    if (support.pedestal && k > 0) {
+      const double ground =
+          plane == 0 ? support.pedestal->stiffness_x_n_per_m : support.pedestal->stiffness_y_n_per_m;
+      k = k * ground / (k + ground);
+    }
+    translation += k;
+    mixed += k * support.position_m;
+    tilting += k * support.position_m * support.position_m + support.angular_stiffness_nm_per_rad;
+  }
+  return translation > 0 && translation * tilting - mixed * mixed > 1e-12 * translation * tilting;
+}
+
 double shaft_length_m(const RotorKit& kit) {
   double length = 0;
   for (const auto& segment : kit.shaft) length += segment.length_m;
@@ -86,6 +103,12 @@ void validate(const RotorKit& kit, const std::string& path) {
   for (std::size_t i = 0; i < kit.supports.size(); ++i) {
     if (!kit.supports[i].pedestal) continue;
     require_fields(*kit.supports[i].pedestal, fmt::format("{}supports.{}.pedestal.", path, i));
+  }
+  for (const int plane : {0, 1}) {
+    if (supports_hold(kit, plane)) continue;
+    throw ConfigError(
+        fmt::format("{}supports: they leave the shaft free to move in {}, allowed: supports that hold it",
+                    path, plane == 0 ? "x" : "y"));
   }
   if (kit.bow) validate(*kit.bow, path + "bow.", length);
   if (kit.torsion) require_fields(*kit.torsion, path + "torsion.");

@@ -169,6 +169,9 @@ struct RotorKit {
   static constexpr int most_elements = 200;
 };
 
+/// True when the supports leave the shaft, taken as rigid, no free motion in the plane of x (0) or y (1).
+bool supports_hold(const RotorKit& kit, int plane);
+
 /// Sum of the lengths of the segments.
 double shaft_length_m(const RotorKit& kit);
 

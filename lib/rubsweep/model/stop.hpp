@@ -38,11 +38,13 @@ using ContactDamping = std::variant<NominalRestitution, DeliveredRestitution, Ex
 /// One place where the rotor can touch: geometry, contact law and the casing behind it.
 struct Stop {
   StopGeometry geometry;
+  std::optional<double> position_m;  ///< along the shaft of a rotor kit; a Jeffcott rotor has none
   double clearance_m = required;  ///< C_R: rotor travel to first touch from rest, in a ring from its centre
   double stiffness_n_per_m = required;  ///< K of the contact spring
   ContactDamping damping = NominalRestitution{};
   std::optional<double> contact_mass_kg;  ///< mass behind a restitution, before reduction with the casing's;
-                                          ///< empty: the Jeffcott mass
+                                          ///< empty: the Jeffcott mass, or of a kit the modal mass of the
+                                          ///< first mode at the stop
   double contact_radius_m = required;     ///< R in the slip speed: rotor surface speed is R omega
   Friction friction = NoFriction{};
   std::optional<Casing> casing;  ///< empty: rigid

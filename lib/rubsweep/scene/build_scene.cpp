@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "rubsweep/contact/restitution.hpp"
-#include "rubsweep/structure/jeffcott.hpp"
+#include "rubsweep/scene/unbalance.hpp"
 
 namespace rubsweep::scene {
 namespace {
@@ -39,9 +39,9 @@ double damping_of(const model::Stop& stop, double rotor_mass_kg) {
 }
 
 Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly, std::size_t index,
-                   double rotor_mass_kg, double speed_rad_per_s) {
+                   double speed_rad_per_s) {
   Contact contact;
-  contact.rotor_point = assembly.rotor_point;
+  contact.rotor_point = assembly.rotor_points[index];
   contact.casing_point = assembly.casing_points[index];
   if (const auto* annular = std::get_if<model::AnnularGeometry>(&stop.geometry)) {
     contact.ring = true;
@@ -51,7 +51,7 @@ Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly,
   }
   contact.clearance_m = stop.clearance_m;
   contact.stiffness_n_per_m = stop.stiffness_n_per_m;
-  contact.damping_ns_per_m = damping_of(stop, rotor_mass_kg);
+  contact.damping_ns_per_m = damping_of(stop, assembly.contact_mass_kg[index]);
   contact.friction = stop.friction;
   contact.surface_speed_m_per_s = stop.contact_radius_m * speed_rad_per_s;
   return contact;
@@ -59,7 +59,7 @@ Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly,
 
 Pulse pulse_of(const model::Kick& kick, const Eigen::Vector2d& wall, const structure::Assembly& assembly) {
   const Eigen::Vector2d towards = kick.angle_deg ? direction(*kick.angle_deg) : wall;
-  const auto& rotor = assembly.system.points[static_cast<std::size_t>(assembly.rotor_point)];
+  const auto& rotor = assembly.system.points[static_cast<std::size_t>(assembly.kick_point)];
   return {rotor.map.transpose() * towards, kick.force_n, kick.duration_s};
 }
 
@@ -86,6 +86,29 @@ void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, d
   }
 }
 
+/// Unbalance on top of a bow that is already there; both ways of saying it as in set_unbalance.
+void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaining_m, const QuietMotion& bow,
+                          const QuietMotion& unit) {
+  const structure::LinearSystem& structure = cell.scene.structure;
+  const Contact& contact = cell.scene.contacts.front();
+  const auto excursion = [&](double e) {
+    return quiet_penetration({bow.mean, bow.amplitude + e * unit.amplitude}, structure, contact).amplitude_m;
+  };
+  const double slope = quiet_penetration(unit, structure, contact).amplitude_m;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const bool related = remaining_m > 0 && std::isfinite(slope) && slope > 0;
+  if (const auto* ratio = std::get_if<WhirlRatio>(&unbalance)) {
+    cell.whirl_ratio = ratio->value;
+    cell.eccentricity_m =
+        related
+            ? eccentricity_reaching(ratio->value * remaining_m, excursion(0), slope, excursion).value_or(none)
+            : none;
+  } else {
+    cell.eccentricity_m = std::get<Eccentricity>(unbalance).value_m;
+    cell.whirl_ratio = related ? excursion(cell.eccentricity_m) / remaining_m : none;
+  }
+}
+
 /// The first stop goes by the whirl ratio, so that rounding does not decide at a ratio of exactly 1.
 bool touches_anywhere(const Cell& cell) {
   if (!(cell.whirl_ratio < 1)) return true;
@@ -98,44 +121,58 @@ bool touches_anywhere(const Cell& cell) {
 
 }  // namespace
 
-Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance) {
-  model::validate(machine);
-  std::vector<std::optional<model::Casing>> casings;
-  for (const model::Stop& stop : machine.stops) casings.push_back(stop.casing);
-  structure::Assembly assembly = structure::assemble_jeffcott(machine.rotor, casings);
-
+Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
+  const model::Machine& machine = plan.machine;
+  const structure::Assembly& assembly = plan.assembly;
   Cell cell;
   Scene& scene = cell.scene;
   scene.speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
   for (std::size_t i = 0; i < machine.stops.size(); ++i) {
-    scene.contacts.push_back(
-        contact_of(machine.stops[i], assembly, i, machine.rotor.mass_kg, scene.speed_rad_per_s));
+    scene.contacts.push_back(contact_of(machine.stops[i], assembly, i, scene.speed_rad_per_s));
   }
   const Contact& first = scene.contacts.front();
   scene.constant_n = machine.gravity_m_per_s2 * assembly.system.weight_kg;
-  scene.observed_point = assembly.rotor_point;
+  scene.observed_point = assembly.observed_point;
   scene.length_scale_m = first.clearance_m;
   scene.structure = assembly.system;
-
   const double w = scene.speed_rad_per_s;
+  if (assembly.gyroscopic.size() > 0) scene.structure.damping += w * assembly.gyroscopic;
+
   const Eigen::VectorXcd unit_force = w * w * scene.structure.unbalance_kg;
   const QuietMotion unit = quiet_motion(scene.structure, w, unit_force, scene.constant_n);
   const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
   const Eigen::Vector2d wall = nearest_wall(unit, scene.structure, first);
   if (machine.kick) scene.pulse = pulse_of(*machine.kick, wall, assembly);
-  set_unbalance(cell, unbalance, -mean, amplitude_per_m);
+  const bool bowed = assembly.bow_n.size() > 0;
+  QuietMotion bow;
+  if (bowed) {
+    bow = quiet_motion(scene.structure, w, assembly.bow_n, scene.constant_n);
+    set_unbalance_on_bow(cell, unbalance, -mean, bow, unit);
+  } else {
+    set_unbalance(cell, unbalance, -mean, amplitude_per_m);
+  }
   const bool has_quiet_motion = std::isfinite(amplitude_per_m) && std::isfinite(mean);
   if (!has_quiet_motion || !std::isfinite(cell.eccentricity_m)) {
     cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;
     return cell;
   }
-  scene.harmonic_n =
-      cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first, wall) * unit_force;
+  if (bowed) {
+    bow.amplitude += cell.eccentricity_m * unit.amplitude;
+    scene.harmonic_n = phase_to_smallest_gap(bow, scene.structure, first, wall) *
+                       (assembly.bow_n + cell.eccentricity_m * unit_force);
+  } else {
+    scene.harmonic_n =
+        cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first, wall) * unit_force;
+  }
   cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
   scene.displacement_m = cell.quiet.displacement(0);
   scene.velocity_m_per_s = w * cell.quiet.velocity(0);
   if (touches_anywhere(cell)) cell.start = Start::initial_contact;
   return cell;
+}
+
+Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance) {
+  return build_cell(make_plan(machine), speed_hz, unbalance);
 }
 
 }  // namespace rubsweep::scene

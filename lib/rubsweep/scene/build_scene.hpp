@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "rubsweep/model/machine.hpp"
+#include "rubsweep/scene/plan.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 #include "rubsweep/scene/scene.hpp"
 
@@ -34,9 +35,13 @@ struct Cell {
   Start start = Start::quiet;
 };
 
-/// Scene of `machine` at one speed and unbalance: starts on the closed-form quiet whirl with t = 0 at the
-/// instant of smallest gap at the first stop; the kick points at that stop's wall unless it has an angle of
-/// its own. speed_hz > 0. Throws ConfigError where `machine` is not valid.
+/// Scene of the plan's machine at one speed and unbalance: starts on the closed-form quiet whirl with t = 0
+/// at the instant of smallest gap at the first stop; the kick points at that stop's wall unless it has an
+/// angle of its own. A bow of the shaft stays what it is whatever the unbalance; where two eccentricities
+/// give the whirl ratio, the larger one is taken. speed_hz > 0.
+Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance);
+
+/// The same for a single cell. Throws ConfigError where `machine` is not valid.
 Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance);
 
 }  // namespace rubsweep::scene

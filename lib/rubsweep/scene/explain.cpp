@@ -61,13 +61,19 @@ std::string describe(const model::StopGeometry& geometry) {
   return fmt::format("one side at {} degrees", std::get<model::OneSideGeometry>(geometry).angle_deg);
 }
 
-std::string explain_stop(const model::Machine& machine, const Cell& cell, std::size_t i) {
-  const model::Stop& stop = machine.stops[i];
+std::string explain_stop(const Plan& plan, const Cell& cell, std::size_t i) {
+  const model::Stop& stop = plan.machine.stops[i];
+  const double mass_kg = plan.assembly.contact_mass_kg[i];
   const Contact& contact = cell.scene.contacts[i];
-  return fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "", describe(stop.geometry),
-                     stop.clearance_m) +
-         explain_damping(stop, contact, machine.rotor.mass_kg) + explain_friction(stop, contact) +
-         explain_casing(stop, machine.rotor.mass_kg);
+  std::string text = fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
+                                 describe(stop.geometry), stop.clearance_m);
+  if (plan.machine.kit) {
+    text += fmt::format("  at {} m of the shaft; mass behind the contact {:.4g} kg{}\n", *stop.position_m,
+                        stop.contact_mass_kg.value_or(mass_kg),
+                        stop.contact_mass_kg ? "" : " (modal mass of the first mode there)");
+  }
+  return text + explain_damping(stop, contact, mass_kg) + explain_friction(stop, contact) +
+         explain_casing(stop, mass_kg);
 }
 
 bool friction_free(const model::Machine& machine) {
@@ -77,20 +83,72 @@ bool friction_free(const model::Machine& machine) {
   return true;
 }
 
+std::string explain_plane(const structure::Reduction& reduction, std::size_t plane) {
+  const auto& numbers = reduction.mode_number[plane];
+  const auto& hz = reduction.frequency_hz[plane];
+  std::string modes, attachments;
+  for (Eigen::Index j = 0; j < hz.size(); ++j) {
+    const auto column = static_cast<std::size_t>(j);
+    if (column < numbers.size()) {
+      modes += fmt::format("{}{} ({:.5g} Hz)", modes.empty() ? "" : ", ", numbers[column], hz(j));
+    } else {
+      attachments += fmt::format("{}{:.5g} Hz", attachments.empty() ? "" : ", ", hz(j));
+    }
+  }
+  return fmt::format("modes {}; attachment modes of the stops {}\n", modes,
+                     attachments.empty() ? "none" : attachments);
+}
+
+std::string explain_kit(const Plan& plan) {
+  const model::RotorKit& kit = *plan.machine.kit;
+  const structure::Reduction& reduction = *plan.reduction;
+  std::string text = fmt::format(
+      "rotor: kit, shaft of {:.6g} m in {} or more Timoshenko elements, {} discs, {} supports, {} "
+      "couplings{}{}\n",
+      model::shaft_length_m(kit), kit.elements, kit.discs.size(), kit.supports.size(), kit.couplings.size(),
+      kit.bow ? ", residual bow" : "", kit.torsion ? ", torsion against the drive (1 coordinate)" : "");
+  text += "  reduced in x to " + explain_plane(reduction, 0);
+  text += "  reduced in y to " + explain_plane(reduction, 1);
+  text += "  the attachment modes make the static compliance between the stops exact\n";
+  text += fmt::format(
+      "  receptance from the stops to stops and sensors, at rest and turning with the force: within {:.2g} "
+      "of that of all "
+      "modes up to {} Hz\n",
+      reduction.receptance_error, kit.modes_up_to_hz);
+  text += reduction.automatic ? fmt::format("  number of modes: auto, the smallest within {}\n",
+                                            structure::receptance_tolerance)
+                              : std::string("  number of modes: as configured\n");
+  return text + "left out: modes that no stop and no sensor sees, and those above the last one listed\n";
+}
+
+std::string explain_rotor(const Plan& plan) {
+  if (plan.machine.kit) return explain_kit(plan);
+  const model::JeffcottRotor& rotor = plan.machine.rotor;
+  return fmt::format("rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
+                     rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio);
+}
+
+std::string left_out(const model::Machine& machine) {
+  if (!machine.kit) {
+    return "left out: torsion and drive (the speed is held constant), axial motion, tilting of the disc\n";
+  }
+  return machine.kit->torsion ? "left out: axial motion\n"
+                              : "left out: torsion and drive (the speed is held constant), axial motion\n";
+}
+
 }  // namespace
 
 std::string explain(const model::Machine& machine, double speed_hz) {
-  const Cell cell = build_cell(machine, speed_hz, WhirlRatio{0});
+  const Plan plan = make_plan(machine);
+  const Cell cell = build_cell(plan, speed_hz, WhirlRatio{0});
   const auto coordinates = cell.scene.structure.coordinates();
-  std::string text =
-      fmt::format("rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
-                  machine.rotor.mass_kg, machine.rotor.natural_frequency_hz, machine.rotor.damping_ratio);
-  for (std::size_t i = 0; i < machine.stops.size(); ++i) text += explain_stop(machine, cell, i);
+  std::string text = explain_rotor(plan);
+  for (std::size_t i = 0; i < machine.stops.size(); ++i) text += explain_stop(plan, cell, i);
   text += machine.kick ? fmt::format("kick: half-sine, {} N for {} s\n", machine.kick->force_n,
                                      machine.kick->duration_s)
                        : "kick: none\n";
   text += fmt::format("states: {} ({} coordinates and their rates)\n", 2 * coordinates, coordinates);
-  text += "left out: torsion and drive (the speed is held constant), axial motion, tilting of the disc\n";
+  text += left_out(machine);
   if (machine.gravity_m_per_s2 == 0) text += "left out: gravity (gravity_m_per_s2 is 0)\n";
   if (friction_free(machine)) text += "left out: friction (no stop has any)\n";
   return text;

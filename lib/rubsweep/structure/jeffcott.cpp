@@ -5,24 +5,6 @@
 #include <numbers>
 
 namespace rubsweep::structure {
-namespace {
-
-/// An isotropic mass on a spring, standing at coordinates `first` (x) and `first + 1` (y).
-void add_body(LinearSystem& system, Eigen::Index first, double mass_kg, double stiffness,
-              double damping_ratio) {
-  for (Eigen::Index i = first; i < first + 2; ++i) {
-    system.mass(i, i) = mass_kg;
-    system.stiffness(i, i) = stiffness;
-    system.damping(i, i) = 2 * damping_ratio * std::sqrt(stiffness * mass_kg);
-  }
-  system.weight_kg(first + 1) = -mass_kg;
-  Point point{Eigen::Matrix<double, 2, Eigen::Dynamic>::Zero(2, system.coordinates())};
-  point.map(0, first) = 1;
-  point.map(1, first + 1) = 1;
-  system.points.push_back(std::move(point));
-}
-
-}  // namespace
 
 Assembly assemble_jeffcott(const model::JeffcottRotor& rotor,
                            const std::vector<std::optional<model::Casing>>& casings) {
@@ -41,6 +23,8 @@ Assembly assemble_jeffcott(const model::JeffcottRotor& rotor,
   system.unbalance_kg(0) = rotor.mass_kg;
   system.unbalance_kg(1) = std::complex<double>(0, -rotor.mass_kg);
 
+  assembly.rotor_points.assign(casings.size(), 0);
+  assembly.contact_mass_kg.assign(casings.size(), rotor.mass_kg);
   Eigen::Index next = 2;
   for (const auto& casing : casings) {
     if (!casing) {

@@ -5,16 +5,9 @@
 
 #include "rubsweep/model/casing.hpp"
 #include "rubsweep/model/rotor.hpp"
-#include "rubsweep/structure/linear_system.hpp"
+#include "rubsweep/structure/assembly.hpp"
 
 namespace rubsweep::structure {
-
-/// A rotor and its casings as one linear system; the numbers index `system.points`.
-struct Assembly {
-  LinearSystem system;
-  int rotor_point = 0;
-  std::vector<std::optional<int>> casing_points;  ///< one per stop; empty: rigid casing, no state
-};
 
 /// Jeffcott rotor and the moving ones among `casings` (one entry per stop). Coordinates: x and y of the
 /// rotor, then x and y of every moving casing in the order of the stops; all matrices diagonal. The unbalance

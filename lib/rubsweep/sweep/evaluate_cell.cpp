@@ -48,13 +48,13 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
   if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
 }
 
-/// The cell with a machine that may differ from the study's.
-Row evaluate(const Study& study, const model::Machine& machine, std::size_t cell,
+/// The cell of a plan whose machine may differ from the study's.
+Row evaluate(const Study& study, const scene::Plan& plan, std::size_t cell,
              response::Workspace& workspace) {
   const std::size_t speeds = study.grid.speed_hz.size();
   Row row;
   row.speed_hz = study.grid.speed_hz[cell % speeds];
-  const scene::Cell start = scene::build_cell(machine, row.speed_hz, unbalance_of(study.grid, cell / speeds));
+  const scene::Cell start = scene::build_cell(plan, row.speed_hz, unbalance_of(study.grid, cell / speeds));
   row.whirl_ratio = start.whirl_ratio;
   row.eccentricity_m = start.eccentricity_m;
   if (start.start == scene::Start::unreachable) {
@@ -65,7 +65,8 @@ Row evaluate(const Study& study, const model::Machine& machine, std::size_t cell
     row.motion_class = response::MotionClass::initial_contact;
     return row;
   }
-  fill(row, response::settle(start, study.solver, study.response, workspace), has_constant_friction(machine));
+  fill(row, response::settle(start, study.solver, study.response, workspace),
+       has_constant_friction(plan.machine));
   return row;
 }
 
@@ -74,10 +75,16 @@ Row evaluate(const Study& study, const model::Machine& machine, std::size_t cell
 std::size_t cell_count(const Grid& grid) { return grid.speed_hz.size() * grid.unbalance.size(); }
 
 Row evaluate_cell(const Study& study, std::size_t cell, response::Workspace& workspace) {
-  Row row = evaluate(study, study.machine, cell, workspace);
+  return evaluate_cell(study, scene::make_plan(study.machine), cell, workspace);
+}
+
+Row evaluate_cell(const Study& study, const scene::Plan& plan, std::size_t cell,
+                  response::Workspace& workspace) {
+  Row row = evaluate(study, plan, cell, workspace);
   if (study.robustness == Robustness::on) {
     row.robust = is_robust(row, study.machine, [&](const model::Machine& machine) {
-      return evaluate(study, machine, cell, workspace);
+      // Only the kick differs: the structure stays.
+      return evaluate(study, scene::Plan{machine, plan.assembly, plan.reduction}, cell, workspace);
     });
   }
   return row;

@@ -14,8 +14,9 @@ thread_local Row latest;  ///< handed on by the thread that made it, before it t
 std::size_t run_cells(const Study& study, std::span<const std::size_t> cells, int threads,
                       const std::function<void(std::size_t cell, const Row&)>& on_row,
                       const std::atomic<bool>& stop) {
+  const scene::Plan plan = scene::make_plan(study.machine);
   return batch::parallel_run(
-      cells.size(), threads, [&](std::size_t i) { latest = evaluate_cell(study, cells[i], workspace); },
+      cells.size(), threads, [&](std::size_t i) { latest = evaluate_cell(study, plan, cells[i], workspace); },
       [&](std::size_t i) { on_row(cells[i], latest); }, stop);
 }
 

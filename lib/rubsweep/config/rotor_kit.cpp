@@ -1,0 +1,205 @@
+#include "rubsweep/config/rotor_kit.hpp"
+
+#include <cmath>
+#include <string_view>
+
+namespace rubsweep::config {
+namespace {
+
+constexpr std::size_t most_parts = 64;
+constexpr std::string_view automatic = "auto";
+constexpr IntegerRange mode_counts{1, model::RotorKit::most_modes};
+constexpr IntegerRange element_counts{1, model::RotorKit::most_elements};
+
+/// Reads a part, its position within `range`.
+template <class Part>
+void read_part(Section& section, Part& part, const model::Range& range) {
+  Part::visit_fields(part, [&](std::string_view name, double& field, const model::Range& allowed) {
+    section.field(name, field, name == "position_m" ? range : allowed);
+  });
+}
+
+template <class Part, class More>
+std::vector<Part> read_parts(const Value& list, const model::Range& range, More more) {
+  std::vector<Part> parts;
+  const auto items = read_list(list, most_parts);
+  if (!items) return parts;
+  for (const Value& item : *items) {
+    Section section(item);
+    Part& part = parts.emplace_back();
+    read_part(section, part, range);
+    more(section, part);
+    section.refuse_unknown_keys();
+  }
+  return parts;
+}
+
+constexpr auto nothing_more = [](Section&, auto&) {};
+
+void read_hole(Section& section, const model::ShaftSegment& segment) {
+  if (!(segment.inner_diameter_m >= segment.outer_diameter_m)) return;
+  section.refuse_together("inner_diameter_m", {"inner_diameter_m"}, "no wall is left",
+                          "a number below outer_diameter_m");
+}
+
+void read_pedestal(Section& section, model::Support& support) {
+  const auto value = section.find("pedestal");
+  if (!value) return;
+  Section pedestal(*value);
+  read_fields(pedestal, support.pedestal.emplace());
+  pedestal.refuse_unknown_keys();
+}
+
+std::vector<double> read_number_list(const Value& value, const model::Range& range) {
+  std::vector<double> numbers;
+  const auto items = read_list(value, most_parts);
+  if (!items) return numbers;
+  for (const Value& item : *items) {
+    if (const auto number = read_number(item, range)) numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+model::BowPoints read_bow_points(Section& section, const model::Range& range) {
+  model::BowPoints points;
+  if (const auto positions = section.require("position_m", "a list of numbers")) {
+    points.position_m = read_number_list(*positions, range);
+  }
+  if (const auto deflections = section.require("deflection_m", "a list of numbers")) {
+    points.deflection_m = read_number_list(*deflections, model::any_finite);
+  }
+  return points;
+}
+
+model::Bow read_bow(const Value& value, const model::Range& range) {
+  Section section(value);
+  model::Bow bow;
+  const std::size_t problems = section.problem_count();
+  section.require_exactly_one({"mode", "position_m"});
+  if (section.find("mode")) {
+    auto& mode = bow.shape.emplace<model::BowMode>();
+    section.field("mode", mode.mode, mode_counts);
+    section.field("amplitude_m", mode.amplitude_m, model::not_negative);
+  } else if (section.problem_count() == problems && section.is_map()) {
+    bow.shape = read_bow_points(section, range);
+  }
+  section.field("phase_deg", bow.phase_deg, model::any_finite);
+  section.refuse_unknown_keys();
+  return bow;
+}
+
+void read_damping_ratio(const Value& value, model::RotorKit& kit) {
+  if (value.node.kind == Node::Kind::list) {
+    kit.damping_ratio = read_number_list(value, model::RotorKit::damping_ratio_range);
+  } else if (const auto ratio = read_number(value, model::RotorKit::damping_ratio_range)) {
+    kit.damping_ratio = {*ratio};
+  }
+}
+
+void read_modes(const Value& value, model::RotorKit& kit) {
+  if (value.node.kind == Node::Kind::scalar && value.node.text == automatic) {
+    kit.modes.reset();
+  } else if (const auto count = read_integer(value, mode_counts)) {
+    kit.modes = static_cast<int>(*count);
+  }
+}
+
+void refuse_loose_shaft(const Value& supports, const model::RotorKit& kit) {
+  for (const int plane : {0, 1}) {
+    if (model::supports_hold(kit, plane)) continue;
+    refuse(supports, plane == 0 ? "leaves the shaft free to move in x" : "leaves the shaft free to move in y",
+           "supports that hold the shaft");
+  }
+}
+
+template <class Part, class More>
+void print_parts(Printer& printer, std::string_view name, const std::vector<Part>& parts, More more) {
+  if (parts.empty()) return;
+  printer.open(name);
+  for (const Part& part : parts) {
+    printer.open_item();
+    print_fields(printer, part);
+    more(part);
+    printer.close();
+  }
+  printer.close();
+}
+
+void print_bow(Printer& printer, const model::Bow& bow) {
+  printer.open("bow");
+  if (const auto* mode = std::get_if<model::BowMode>(&bow.shape)) {
+    printer.integer("mode", mode->mode);
+    printer.number("amplitude_m", mode->amplitude_m);
+  } else {
+    const auto& points = std::get<model::BowPoints>(bow.shape);
+    printer.numbers("position_m", points.position_m);
+    printer.numbers("deflection_m", points.deflection_m);
+  }
+  printer.number("phase_deg", bow.phase_deg);
+  printer.close();
+}
+
+}  // namespace
+
+model::Range places(const model::RotorKit& kit) {
+  const double length_m = model::shaft_length_m(kit);
+  return std::isfinite(length_m) ? model::Range{.low = 0, .high = length_m} : model::not_negative;
+}
+
+model::RotorKit read_rotor_kit(Section& section) {
+  model::RotorKit kit;
+  const std::size_t problems = section.problem_count();
+  const auto list = [&](std::string_view name, auto& parts, auto more) {
+    using Part = typename std::remove_reference_t<decltype(parts)>::value_type;
+    if (const auto value = section.find(name)) parts = read_parts<Part>(*value, places(kit), more);
+  };
+  section.require("shaft", "a list of maps");
+  list("shaft", kit.shaft, read_hole);
+  list("discs", kit.discs, nothing_more);
+  const auto supports = section.require("supports", "a list of maps");
+  list("supports", kit.supports, read_pedestal);
+  list("couplings", kit.couplings, nothing_more);
+  list("sensors", kit.sensors, nothing_more);
+  if (const auto value = section.find("bow")) kit.bow = read_bow(*value, places(kit));
+  if (const auto value = section.find("torsion")) {
+    Section torsion(*value);
+    read_fields(torsion, kit.torsion.emplace());
+    torsion.refuse_unknown_keys();
+  }
+  if (const auto value = section.find("damping_ratio")) read_damping_ratio(*value, kit);
+  if (const auto value = section.find("modes")) read_modes(*value, kit);
+  section.field("modes_up_to_hz", kit.modes_up_to_hz, model::positive);
+  section.field("elements", kit.elements, element_counts);
+  if (supports && section.problem_count() == problems) refuse_loose_shaft(*supports, kit);
+  return kit;
+}
+
+void print_rotor_kit(Printer& printer, const model::RotorKit& kit) {
+  const auto nothing = [](const auto&) {};
+  print_parts(printer, "shaft", kit.shaft, nothing);
+  print_parts(printer, "discs", kit.discs, nothing);
+  print_parts(printer, "supports", kit.supports, [&](const model::Support& support) {
+    if (!support.pedestal) return;
+    printer.open("pedestal");
+    print_fields(printer, *support.pedestal);
+    printer.close();
+  });
+  print_parts(printer, "couplings", kit.couplings, nothing);
+  print_parts(printer, "sensors", kit.sensors, nothing);
+  if (kit.bow) print_bow(printer, *kit.bow);
+  if (kit.torsion) {
+    printer.open("torsion");
+    print_fields(printer, *kit.torsion);
+    printer.close();
+  }
+  printer.numbers("damping_ratio", kit.damping_ratio);
+  if (kit.modes) {
+    printer.integer("modes", *kit.modes);
+  } else {
+    printer.word("modes", automatic);
+  }
+  printer.number("modes_up_to_hz", kit.modes_up_to_hz);
+  printer.integer("elements", kit.elements);
+}
+
+}  // namespace rubsweep::config

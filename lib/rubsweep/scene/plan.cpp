@@ -1,0 +1,22 @@
+#include "rubsweep/scene/plan.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "rubsweep/structure/jeffcott.hpp"
+#include "rubsweep/structure/kit_assembly.hpp"
+
+namespace rubsweep::scene {
+
+Plan make_plan(const model::Machine& machine) {
+  model::validate(machine);
+  if (machine.kit) {
+    structure::KitAssembly kit = structure::assemble_rotor_kit(machine);
+    return {machine, std::move(kit.assembly), std::move(kit.reduction)};
+  }
+  std::vector<std::optional<model::Casing>> casings;
+  for (const model::Stop& stop : machine.stops) casings.push_back(stop.casing);
+  return {machine, structure::assemble_jeffcott(machine.rotor, casings), {}};
+}
+
+}  // namespace rubsweep::scene

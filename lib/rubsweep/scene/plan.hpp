@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "rubsweep/model/machine.hpp"
+#include "rubsweep/structure/assembly.hpp"
+#include "rubsweep/structure/reduction.hpp"
+
+namespace rubsweep::scene {
+
+/// What all cells of one machine share, whatever their speed: never changed, so that threads may share it.
+struct Plan {
+  model::Machine machine;
+  structure::Assembly assembly;
+  std::optional<structure::Reduction> reduction;  ///< of a rotor kit
+};
+
+/// Validates the machine, builds its structure and reduces it. Throws ConfigError.
+Plan make_plan(const model::Machine& machine);
+
+}  // namespace rubsweep::scene

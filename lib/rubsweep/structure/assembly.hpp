@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rubsweep/structure/linear_system.hpp"
+
+namespace rubsweep::structure {
+
+/// A rotor and its casings as one linear system; the numbers index `system.points`.
+struct Assembly {
+  LinearSystem system;         ///< without the part of the damping that grows with the speed
+  Eigen::MatrixXd gyroscopic;  ///< n x n or empty: at a speed w the damping is system.damping + w gyroscopic
+  Eigen::VectorXcd bow_n;      ///< n or empty: a residual bow forces Re(bow_n e^{i w t}) at any speed w
+  std::vector<int> rotor_points;                  ///< one per stop
+  std::vector<std::optional<int>> casing_points;  ///< one per stop; empty: rigid casing, no state
+  std::vector<int> sensor_points;                 ///< one per sensor
+  int observed_point = 0;                         ///< whose motion is classified
+  int kick_point = 0;
+  std::vector<double> contact_mass_kg;  ///< one per stop: rotor mass behind a restitution
+};
+
+/// Adds an isotropic mass on a spring at coordinates `first` (x) and `first + 1` (y), and the point that it
+/// is.
+void add_body(LinearSystem& system, Eigen::Index first, double mass_kg, double stiffness_n_per_m,
+              double damping_ratio);
+
+}  // namespace rubsweep::structure

@@ -1,0 +1,182 @@
+#include "rubsweep/structure/kit_assembly.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::structure {
+namespace {
+
+constexpr double node_of_mode = 1e-6;  ///< share of the largest deflection, squared
+
+class KitBuilder {
+ public:
+  explicit KitBuilder(const model::Machine& machine) : machine_(machine), kit_(*machine.kit) {
+    for (const auto& stop : machine.stops) stops_.push_back(*stop.position_m);
+    for (const auto& sensor : kit_.sensors) sensors_.push_back(sensor.position_m);
+    kick_ = machine.kick && machine.kick->position_m ? *machine.kick->position_m : stops_.front();
+    std::vector<double> stations = stops_;
+    stations.push_back(kick_);
+    shaft_ = assemble_beam_shaft(kit_, stations);
+    result_.reduction = reduce(shaft_, kit_, stops_, sensors_);
+    lateral_ = reduced_system(shaft_, kit_, result_.reduction);
+  }
+
+  KitAssembly build() {
+    allocate();
+    add_lateral();
+    if (kit_.torsion) add_torsion();
+    if (kit_.bow) add_bow();
+    add_points();
+    add_casings();
+    return std::move(result_);
+  }
+
+ private:
+  LinearSystem& system() { return result_.assembly.system; }
+  Eigen::Index lateral() const { return lateral_.coordinates(); }
+
+  void allocate() {
+    Eigen::Index n = lateral() + (kit_.torsion ? 1 : 0);
+    for (const auto& stop : machine_.stops) n += stop.casing ? 2 : 0;
+    system().mass = system().damping = system().stiffness = Eigen::MatrixXd::Zero(n, n);
+    result_.assembly.gyroscopic = Eigen::MatrixXd::Zero(n, n);
+    system().unbalance_kg = Eigen::VectorXcd::Zero(n);
+    system().weight_kg = Eigen::VectorXd::Zero(n);
+  }
+
+  void add_lateral() {
+    const Eigen::Index n = lateral();
+    system().mass.topLeftCorner(n, n) = lateral_.mass;
+    system().damping.topLeftCorner(n, n) = lateral_.damping;
+    system().stiffness.topLeftCorner(n, n) = lateral_.stiffness;
+    result_.assembly.gyroscopic.topLeftCorner(n, n) = lateral_.gyroscopic;
+    system().unbalance_kg.head(n) = turning(shaft_.unbalance_kg);
+    system().weight_kg.head(n) = -lateral_.scatter(1, basis(1).transpose() * shaft_.weight_kg);
+  }
+
+  /// A load that turns with the shaft, given in the x plane of the full model.
+  Eigen::VectorXcd turning(const Eigen::VectorXcd& load) const {
+    const std::complex<double> i(0, 1);
+    Eigen::VectorXcd force = Eigen::VectorXcd::Zero(lateral());
+    for (std::size_t plane = 0; plane < 2; ++plane) {
+      const Eigen::VectorXd real = basis(plane).transpose() * load.real();
+      const Eigen::VectorXd imaginary = basis(plane).transpose() * load.imag();
+      const Eigen::VectorXcd both = lateral_.scatter(plane, real).cast<std::complex<double>>() +
+                                    i * lateral_.scatter(plane, imaginary).cast<std::complex<double>>();
+      force += plane == 0 ? both : Eigen::VectorXcd(-i * both);
+    }
+    return force;
+  }
+
+  const Eigen::MatrixXd& basis(std::size_t plane) const { return result_.reduction.bases[plane]; }
+
+  void add_torsion() {
+    const Eigen::Index angle = lateral();
+    system().mass(angle, angle) = shaft_.polar_inertia_kg_m2;
+    system().stiffness(angle, angle) = kit_.torsion->drive_stiffness_nm_per_rad;
+    system().damping(angle, angle) = kit_.torsion->drive_damping_nms_per_rad;
+  }
+
+  void add_bow() {
+    Eigen::VectorXd line;
+    if (const auto* points = std::get_if<model::BowPoints>(&kit_.bow->shape)) {
+      line = least_bent_line(shaft_, *points);
+    } else {
+      const auto& mode = std::get<model::BowMode>(kit_.bow->shape);
+      const PlaneModes modes = plane_modes(shaft_.mass, shaft_.plane_stiffness(0), mode.mode);
+      const auto nodes = static_cast<Eigen::Index>(shaft_.node_position_m.size());
+      line = modes.shape.rightCols<1>();
+      Eigen::Index largest = 0;
+      line(Eigen::seqN(0, nodes, 2)).cwiseAbs().maxCoeff(&largest);
+      line *= mode.amplitude_m / line(2 * largest);
+    }
+    // A shaft that is bowed without load pulls towards its bow as a straight one pulls back from it.
+    const Eigen::VectorXcd load = (shaft_.elastic * line).cast<std::complex<double>>() *
+                                  std::polar(1.0, kit_.bow->phase_deg * std::numbers::pi / 180);
+    result_.assembly.bow_n = Eigen::VectorXcd::Zero(system().coordinates());
+    result_.assembly.bow_n.head(lateral()) = turning(load);
+  }
+
+  int add_point(double position_m) {
+    Point point{Eigen::Matrix<double, 2, Eigen::Dynamic>::Zero(2, system().coordinates())};
+    const Eigen::Index w = shaft_.deflection(position_m);
+    for (std::size_t plane = 0; plane < 2; ++plane) {
+      point.map.row(static_cast<Eigen::Index>(plane)).head(lateral()) =
+          lateral_.scatter(plane, basis(plane).row(w).transpose()).transpose();
+    }
+    system().points.push_back(std::move(point));
+    return static_cast<int>(system().points.size()) - 1;
+  }
+
+  void add_points() {
+    Assembly& assembly = result_.assembly;
+    for (std::size_t i = 0; i < stops_.size(); ++i) {
+      assembly.rotor_points.push_back(add_point(stops_[i]));
+      if (kit_.torsion) add_twist(machine_.stops[i]);
+      assembly.contact_mass_kg.push_back(contact_mass_kg(i));
+    }
+    for (const double position : sensors_) assembly.sensor_points.push_back(add_point(position));
+    assembly.observed_point = add_point(sensors_.empty() ? stops_.front() : sensors_.front());
+    assembly.kick_point = add_point(kick_);
+  }
+
+  /// The surface moves along the tangent by radius * angle; flat walls only, where the tangent does not turn.
+  void add_twist(const model::Stop& stop) {
+    const double angle = std::get<model::OneSideGeometry>(stop.geometry).angle_deg * std::numbers::pi / 180;
+    const Eigen::Vector2d tangent(-std::sin(angle), std::cos(angle));
+    system().points.back().map.col(lateral()) = stop.contact_radius_m * tangent;
+  }
+
+  /// Along the normal of a flat stop; in a ring the mean of both planes.
+  double contact_mass_kg(std::size_t i) const {
+    const model::Stop& stop = machine_.stops[i];
+    double share_x = 0.5;
+    if (const auto* wall = std::get_if<model::OneSideGeometry>(&stop.geometry)) {
+      share_x = std::pow(std::cos(wall->angle_deg * std::numbers::pi / 180), 2);
+    }
+    const double inverse = share_x / modal_mass_kg(shaft_, result_.reduction, 0, 0, stops_[i]) +
+                           (1 - share_x) / modal_mass_kg(shaft_, result_.reduction, 1, 0, stops_[i]);
+    const double largest = 1 / basis(0).col(0).dot(shaft_.mass * basis(0).col(0));
+    const bool needed =
+        !stop.contact_mass_kg && !std::holds_alternative<model::ExplicitDamping>(stop.damping);
+    if (needed && inverse <= node_of_mode * largest) {
+      throw ConfigError(
+          "stops." + std::to_string(i) +
+          ".contact_mass_kg: missing; the stop sits at a node of the first mode, whose mass would be the "
+          "default, allowed: a number > 0");
+    }
+    return 1 / inverse;
+  }
+
+  void add_casings() {
+    Eigen::Index next = lateral() + (kit_.torsion ? 1 : 0);
+    for (const auto& stop : machine_.stops) {
+      if (!stop.casing) {
+        result_.assembly.casing_points.emplace_back();
+        continue;
+      }
+      result_.assembly.casing_points.emplace_back(static_cast<int>(system().points.size()));
+      add_body(system(), next, stop.casing->mass_kg, stop.casing->stiffness_n_per_m,
+               stop.casing->damping_ratio);
+      next += 2;
+    }
+  }
+
+  const model::Machine& machine_;
+  const model::RotorKit& kit_;
+  std::vector<double> stops_, sensors_;
+  double kick_ = 0;
+  BeamShaft shaft_;
+  LateralSystem lateral_;
+  KitAssembly result_;
+};
+
+}  // namespace
+
+KitAssembly assemble_rotor_kit(const model::Machine& machine) { return KitBuilder(machine).build(); }
+
+}  // namespace rubsweep::structure

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/model/machine.hpp"
+#include "rubsweep/structure/assembly.hpp"
+#include "rubsweep/structure/reduction.hpp"
+
+namespace rubsweep::structure {
+
+/// A reduced rotor kit with its casings, and how it was reduced.
+struct KitAssembly {
+  Assembly assembly;
+  Reduction reduction;
+};
+
+/// Rotor kit of `machine` (machine.kit must be there) and its moving casings. Coordinates: shapes of the
+/// shaft, pairs of x and y; then the angle of torsion where asked for; then x and y of every moving casing in
+/// the order of the stops. With torsion the tangential displacement at a flat stop includes radius * angle,
+/// so that slip and friction torque follow from the point's map. A rotor mass behind a restitution is the
+/// modal mass, at the stop, of the first mode that is kept. The unbalance turns from +x towards +y: at t = 0
+/// the mark of the shaft points along +x. Throws ConfigError where the supports do not hold the shaft, or a
+/// stop without contact_mass_kg sits at a node of the first mode.
+KitAssembly assemble_rotor_kit(const model::Machine& machine);
+
+}  // namespace rubsweep::structure

@@ -1,0 +1,107 @@
+#include "rubsweep/config/rotor_kit.hpp"
+
+#include "config/support.hpp"
+#include "rubsweep/config/print_config.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+model::Machine read_with(const std::vector<std::string>& overrides) {
+  return read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml", overrides).study.machine;
+}
+
+TEST(RotorKit, reads_every_key) {
+  const model::Machine machine = read_with({});
+  ASSERT_TRUE(machine.kit);
+  const model::RotorKit& kit = *machine.kit;
+  ASSERT_EQ(kit.shaft.size(), 2U);
+  EXPECT_EQ(kit.shaft[0].inner_diameter_m, 0);
+  EXPECT_EQ(kit.shaft[1].length_m, 0.3);
+  EXPECT_EQ(kit.shaft[1].inner_diameter_m, 0.004);
+  ASSERT_EQ(kit.discs.size(), 1U);
+  EXPECT_EQ(kit.discs[0].eccentricity_ratio, 0.5);
+  EXPECT_EQ(kit.discs[0].skew_phase_deg, 20);
+  ASSERT_EQ(kit.supports.size(), 2U);
+  EXPECT_EQ(kit.supports[0].stiffness_yx_n_per_m, -90);
+  EXPECT_EQ(kit.supports[0].damping_yx_ns_per_m, 0.2);
+  EXPECT_EQ(kit.supports[0].angular_stiffness_nm_per_rad, 7);
+  EXPECT_FALSE(kit.supports[0].pedestal);
+  ASSERT_TRUE(kit.supports[1].pedestal);
+  EXPECT_EQ(kit.supports[1].pedestal->stiffness_y_n_per_m, 1.1e5);
+  EXPECT_EQ(kit.couplings.at(0).angular_stiffness_nm_per_rad, 1e3);
+  EXPECT_EQ(kit.sensors.at(0).angle_deg, 45);
+  ASSERT_TRUE(kit.bow);
+  EXPECT_EQ(std::get<model::BowPoints>(kit.bow->shape).deflection_m, (std::vector<double>{0, 1e-5, 0}));
+  EXPECT_EQ(kit.bow->phase_deg, 30);
+  ASSERT_TRUE(kit.torsion);
+  EXPECT_EQ(kit.torsion->drive_damping_nms_per_rad, 0.1);
+  EXPECT_EQ(kit.damping_ratio, (std::vector<double>{0.02, 0.01}));
+  EXPECT_EQ(kit.modes, 4);
+  EXPECT_EQ(kit.modes_up_to_hz, 900);
+  EXPECT_EQ(kit.elements, 30);
+  EXPECT_EQ(machine.stops.at(0).position_m, 0.3);
+  EXPECT_EQ(machine.kick->position_m, 0.25);
+}
+
+TEST(RotorKit, other_forms) {
+  const model::RotorKit kit =
+      *read_with({"rotor.modes=auto", "rotor.damping_ratio=0.03", "rotor.bow={mode: 2, amplitude_m: 1e-4}"})
+           .kit;
+  EXPECT_FALSE(kit.modes);
+  EXPECT_EQ(kit.damping_ratio, (std::vector<double>{0.03}));
+  EXPECT_EQ(std::get<model::BowMode>(kit.bow->shape).mode, 2);
+  EXPECT_EQ(std::get<model::BowMode>(kit.bow->shape).amplitude_m, 1e-4);
+}
+
+TEST(RotorKit, what_is_printed_reads_back_the_same) {
+  for (const std::vector<std::string>& overrides :
+       {std::vector<std::string>{}, {"rotor.modes=auto", "rotor.bow={mode: 2, amplitude_m: 1e-4}"}}) {
+    const RunConfig config = read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml", overrides);
+    const std::string printed = print_config(config);
+    EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
+    for (const std::string key : {"skew_rad_per_m: 2", "damping_yx_ns_per_m: 0.2", "pedestal:",
+                                  "position_m: 0.25", "drive_damping_nms_per_rad: 0.1", "elements: 30"}) {
+      EXPECT_NE(printed.find(key), std::string::npos) << key;
+    }
+  }
+}
+
+TEST(RotorKit, problems_have_their_places) {
+  const auto message = [](const std::string& override) {
+    return message_of(test_file("rotor_kit.yaml"), {override}, "kit.yaml");
+  };
+  EXPECT_NE(message("rotor.discs.0.position_m=0.6")
+                .find("rotor.discs.0.position_m: 0.6 is out of range, allowed: a number >= 0 and <= 0.5"),
+            std::string::npos);
+  EXPECT_NE(message("stops.0.position_m=0.6").find("stops.0.position_m: 0.6 is out of range"),
+            std::string::npos);
+  EXPECT_NE(message("kick.position_m=-1").find("kick.position_m: -1 is out of range"), std::string::npos);
+  EXPECT_NE(
+      message("rotor.shaft.1.inner_diameter_m=0.02").find("rotor.shaft.1.inner_diameter_m: no wall is left"),
+      std::string::npos);
+  EXPECT_NE(message("rotor.bow={mode: 1}").find("rotor.bow.amplitude_m: missing"), std::string::npos);
+  EXPECT_NE(message("rotor.bow={phase_deg: 1}")
+                .find("rotor.bow: one key is missing, allowed: exactly one of mode, position_m"),
+            std::string::npos);
+  EXPECT_NE(message("rotor.modes=all").find("rotor.modes: 'all' is not an integer"), std::string::npos);
+  EXPECT_NE(message("rotor.discs.0.mas_kg=1").find("unknown key (did you mean 'mass_kg'?)"),
+            std::string::npos);
+  EXPECT_NE(
+      message("rotor.supports=[{position_m: 0.1, stiffness_x_n_per_m: 1, stiffness_y_n_per_m: 1}]")
+          .find("rotor.supports: leaves the shaft free to move in x, allowed: supports that hold the shaft"),
+      std::string::npos);
+  EXPECT_NE(message("rotor.mass_kg=1").find("rotor.mass_kg: unknown key"), std::string::npos);
+  EXPECT_NE(message("stops.0={kind: annular, position_m: 0.3, clearance_m: 1, stiffness_n_per_m: 1, "
+                    "contact_radius_m: 1, restitution: 1}")
+                .find("stops: has an annular stop beside torsion of the rotor"),
+            std::string::npos);
+}
+
+TEST(RotorKit, a_jeffcott_rotor_has_no_places) {
+  EXPECT_NE(message_of(test_file("minimal.yaml"), {"stops.0.position_m=0.1"})
+                .find("stops.0.position_m: unknown key"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace rubsweep::config
