@@ -3,12 +3,34 @@
 #include <variant>
 
 #include "rubsweep/config/section.hpp"
+#include "rubsweep/contact/stribeck_curve.hpp"
 
 namespace rubsweep::config {
 namespace {
 
 constexpr std::string_view none = "none";
-constexpr std::string_view forms = "none, or a map with stribeck or coefficient";
+constexpr std::string_view forms = "none, or a map with stribeck, static or coefficient";
+
+model::StribeckFriction read_curve(Section& section) {
+  model::StribeckCurve curve;
+  const std::size_t problems = section.problem_count();
+  read_fields(section, curve);
+  if (section.problem_count() != problems) return {};
+  if (curve.static_coefficient < curve.kinetic) {
+    section.refuse_together("static", {"static", "kinetic"}, "below kinetic",
+                            "a number no less than kinetic");
+  } else if (curve.settle_speed_m_per_s <= 1.5 * curve.peak_speed_m_per_s) {
+    section.refuse_together("settle_speed_m_per_s", {"settle_speed_m_per_s", "peak_speed_m_per_s"},
+                            "too close to the peak", "more than 1.5 peak_speed_m_per_s");
+  } else if (curve.viscous_s_per_m * curve.settle_speed_m_per_s > curve.kinetic) {
+    section.refuse_together("viscous_s_per_m", {"viscous_s_per_m", "settle_speed_m_per_s", "kinetic"},
+                            "more than all of the kinetic friction at the settling speed",
+                            "a number <= kinetic / settle_speed_m_per_s");
+  } else {
+    return contact::stribeck_of(curve);
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -19,10 +41,11 @@ model::Friction read_friction(const Value& value) {
   }
   Section section(value, forms);
   model::Friction friction;
-  section.require_exactly_one({"stribeck", "coefficient"});
+  section.require_exactly_one({"stribeck", "static", "coefficient"});
   if (const auto stribeck = section.find("stribeck")) {
     read_numbers(*stribeck, friction.emplace<model::StribeckFriction>().gamma);
   }
+  if (section.find("static")) friction = read_curve(section);
   if (const auto coefficient = section.find("coefficient")) {
     const auto number = read_number(*coefficient, model::ConstantFriction::coefficient_range);
     friction = model::ConstantFriction{number.value_or(0)};
@@ -38,7 +61,11 @@ void print_friction(Printer& printer, const model::Friction& friction) {
   }
   printer.open("friction");
   if (const auto* stribeck = std::get_if<model::StribeckFriction>(&friction)) {
-    printer.numbers("stribeck", stribeck->gamma);
+    if (stribeck->curve) {
+      print_fields(printer, *stribeck->curve);
+    } else {
+      printer.numbers("stribeck", stribeck->gamma);
+    }
   } else {
     printer.number("coefficient", std::get<model::ConstantFriction>(friction).coefficient);
   }

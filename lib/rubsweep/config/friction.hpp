@@ -6,7 +6,8 @@
 
 namespace rubsweep::config {
 
-/// `friction` of a stop: {stribeck: [g1, ..., g6]}, {coefficient: mu}, or the word `none`.
+/// `friction` of a stop: {stribeck: [g1, ..., g6]}, {static, kinetic, peak_speed_m_per_s,
+/// settle_speed_m_per_s, viscous_s_per_m}, {coefficient: mu}, or the word `none`.
 model::Friction read_friction(const Value& value);
 void print_friction(Printer& printer, const model::Friction& friction);
 

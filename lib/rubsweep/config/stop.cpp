@@ -6,7 +6,9 @@
 
 #include "rubsweep/config/casing.hpp"
 #include "rubsweep/config/friction.hpp"
+#include "rubsweep/config/hertz.hpp"
 #include "rubsweep/config/section.hpp"
+#include "rubsweep/contact/hertz_line.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -14,6 +16,8 @@ namespace {
 constexpr std::string_view nominal_key = "restitution";
 constexpr std::string_view delivered_key = "restitution_delivered";
 constexpr std::string_view explicit_key = "damping_ns_per_m";
+constexpr std::string_view stiffness_key = "stiffness_n_per_m";
+constexpr std::string_view hertz_key = "hertz";
 
 constexpr std::string_view one_side_kind = "one_side";
 constexpr std::string_view annular_kind = "annular";
@@ -72,6 +76,33 @@ void print_damping(Printer& printer, const model::ContactDamping& damping) {
   }
 }
 
+/// The stiffness is given, or follows from hertz.
+void read_contact(Section& section, model::Stop& stop) {
+  const auto hertz = section.find(hertz_key);
+  if (hertz) {
+    stop.hertz = read_hertz(*hertz);
+    stop.stiffness_n_per_m = stop.hertz ? contact::hertz_stiffness_n_per_m(*stop.hertz) : 1;
+  }
+  model::Stop::visit_fields(stop, [&](std::string_view name, double& field, const model::Range& range) {
+    if (name != stiffness_key || !hertz) {
+      section.field(name, field, range);
+    } else if (section.find(stiffness_key)) {
+      section.refuse_together(hertz_key, {hertz_key, stiffness_key}, "given beside stiffness_n_per_m",
+                              "one of the two");
+    }
+  });
+}
+
+void print_contact(Printer& printer, const model::Stop& stop) {
+  model::Stop::visit_fields(stop, [&](std::string_view name, double field, const model::Range& range) {
+    if (name == stiffness_key && stop.hertz) {
+      print_hertz(printer, *stop.hertz);
+    } else {
+      printer.field(name, field, range);
+    }
+  });
+}
+
 model::Stop read_stop(const Value& value, const std::optional<model::Range>& places) {
   Section section(value);
   model::Stop stop;
@@ -81,7 +112,7 @@ model::Stop read_stop(const Value& value, const std::optional<model::Range>& pla
     section.field("position_m", position_m, *places);
     stop.position_m = position_m;
   }
-  read_fields(section, stop);
+  read_contact(section, stop);
   refuse_offset_beyond_clearance(section, stop);
   stop.damping = read_damping(section);
   section.field("contact_mass_kg", stop.contact_mass_kg, model::positive);
@@ -101,7 +132,7 @@ void print_stop(Printer& printer, const model::Stop& stop) {
     printer.number("angle_deg", std::get<model::OneSideGeometry>(stop.geometry).angle_deg);
   }
   printer.field("position_m", stop.position_m, model::any_finite);
-  print_fields(printer, stop);
+  print_contact(printer, stop);
   print_damping(printer, stop.damping);
   printer.field("contact_mass_kg", stop.contact_mass_kg, model::positive);
   print_friction(printer, stop.friction);

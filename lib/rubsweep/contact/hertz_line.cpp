@@ -49,7 +49,8 @@ double hertz_approach_m(const model::HertzLine& contact, double force_n) {
 double hertz_stiffness_n_per_m(const model::HertzLine& contact) {
   if (contact.length_m < 2 * hertz_half_width_m(contact, contact.design_force_n)) {
     throw ConfigError(
-        "hertz.design_force_n: the contact is wider than long, allowed: a smaller force or a greater length_m");
+        "hertz.design_force_n: the contact is wider than long, allowed: a smaller force or a greater "
+        "length_m");
   }
   return contact.design_force_n / hertz_approach_m(contact, contact.design_force_n);
 }

@@ -46,8 +46,8 @@ model::StribeckFriction stribeck_of(const model::StribeckCurve& curve) {
   double high = curve.static_coefficient;
   while (missing(high) < 0) high *= 2;
   std::uintmax_t iterations = 200;
-  const auto bracket =
-      boost::math::tools::toms748_solve(missing, 0.0, high, boost::math::tools::eps_tolerance<double>(50), iterations);
+  const auto bracket = boost::math::tools::toms748_solve(
+      missing, 0.0, high, boost::math::tools::eps_tolerance<double>(50), iterations);
   friction.gamma[0] = (bracket.first + bracket.second) / 2;
   return friction;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <variant>
 
 #include "rubsweep/model/range.hpp"
@@ -16,10 +17,30 @@ struct ConstantFriction {
   static constexpr Range coefficient_range{.low = 0, .high = 10};
 };
 
+/// What can be measured of a friction curve: the peak, the speeds where it is reached and where the fall from
+/// it has settled, the level there, and how it grows beyond.
+struct StribeckCurve {
+  double static_coefficient = required;
+  double kinetic = required;
+  double peak_speed_m_per_s = required;
+  double settle_speed_m_per_s = required;
+  double viscous_s_per_m = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("static", self.static_coefficient, ConstantFriction::coefficient_range);
+    visit("kinetic", self.kinetic, ConstantFriction::coefficient_range);
+    visit("peak_speed_m_per_s", self.peak_speed_m_per_s, positive);
+    visit("settle_speed_m_per_s", self.settle_speed_m_per_s, positive);
+    visit("viscous_s_per_m", self.viscous_s_per_m, not_negative);
+  }
+};
+
 /// mu(v) = g1 (tanh g2 v - tanh g3 v) + g4 tanh g5 v + g6 v (Ishibashi & Kawai eq. 17; Makkar et al. 2005).
 /// gamma[0..5] = g1 [-], g2 [s/m], g3 [s/m], g4 [-], g5 [s/m], g6 [s/m]; v slip speed in m/s.
 struct StribeckFriction {
   std::array<double, 6> gamma{};
+  std::optional<StribeckCurve> curve =
+      std::nullopt;  ///< where gamma came from (contact::stribeck_of); changes no force
 };
 
 using Friction = std::variant<NoFriction, ConstantFriction, StribeckFriction>;

@@ -6,6 +6,7 @@
 
 #include "rubsweep/model/casing.hpp"
 #include "rubsweep/model/friction.hpp"
+#include "rubsweep/model/hertz.hpp"
 #include "rubsweep/model/range.hpp"
 
 namespace rubsweep::model {
@@ -47,7 +48,9 @@ struct Stop {
                                           ///< first mode at the stop
   double contact_radius_m = required;     ///< R in the slip speed: rotor surface speed is R omega
   Friction friction = NoFriction{};
-  std::optional<Casing> casing;  ///< empty: rigid
+  std::optional<Casing> casing;                   ///< empty: rigid
+  std::optional<HertzLine> hertz = std::nullopt;  ///< where stiffness_n_per_m came from
+                                                  ///< (contact::hertz_stiffness_n_per_m); changes no force
 
   static constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
   /// The clamped law delivers e^{-4/3} = 0.26360 at critical damping and more below it.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "rubsweep/contact/friction_coefficient.hpp"
+#include "rubsweep/contact/hertz_line.hpp"
 #include "rubsweep/contact/restitution.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
@@ -71,6 +72,12 @@ std::string explain_stop(const Plan& plan, const Cell& cell, std::size_t i) {
     text += fmt::format("  at {} m of the shaft; mass behind the contact {:.4g} kg{}\n", *stop.position_m,
                         stop.contact_mass_kg.value_or(mass_kg),
                         stop.contact_mass_kg ? "" : " (modal mass of the first mode there)");
+  }
+  if (stop.hertz) {
+    text += fmt::format(
+        "  stiffness: secant of the Hertz line contact at {} N, half-width {:.4g} m, approach {:.4g} m\n",
+        stop.hertz->design_force_n, contact::hertz_half_width_m(*stop.hertz, stop.hertz->design_force_n),
+        contact::hertz_approach_m(*stop.hertz, stop.hertz->design_force_n));
   }
   return text + explain_damping(stop, contact, mass_kg) + explain_friction(stop, contact) +
          explain_casing(stop, mass_kg);
