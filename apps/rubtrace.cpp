@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "exit_code.hpp"
+#include "experiment.hpp"
 #include "program.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/print_config.hpp"
@@ -122,7 +123,11 @@ int act(int argc, const char* const* argv) {
     fmt::print("{}", rubtrace_help());
     return done;
   }
-  return run(arguments, config::read_run_config(arguments.config, arguments.overrides));
+  config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  if (arguments.free_response || arguments.run_up) {
+    return run_experiment(arguments, config, directory_of(arguments, config));
+  }
+  return run(arguments, std::move(config));
 }
 
 }  // namespace

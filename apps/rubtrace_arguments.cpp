@@ -5,8 +5,10 @@
 #include <boost/program_options.hpp>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include "program.hpp"
+#include "rubsweep/report/experiment.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -24,6 +26,16 @@ po::options_description visible_options() {
       "revolutions to run from the start of the kick, never fewer; default: response.max_revolutions")(
       "last-revolutions", po::value<long>()->value_name("M"),
       "only the last M revolutions go into trajectory.csv; default: all")(
+      "free-response",
+      "instead: response to the kick at standstill without stops, and the frequency and damping fitted to "
+      "it")(
+      "run-up", po::value<std::string>()->value_name("FROM:TO:RATE"),
+      "instead: speed ramp without stops in Hz:Hz:Hz/s with --eccentricity-m; Bode plot and critical speed")(
+      "duration-s", po::value<double>()->value_name("T")->default_value(2), "length of the free response")(
+      "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
+      "sampling time of the sensors in --free-response and --run-up")(
+      "noise-m", po::value<double>()->value_name("S")->default_value(0),
+      "standard deviation of the sensors' noise in --free-response and --run-up")(
       "output", po::value<std::string>()->value_name("DIR"),
       "write there instead of output.directory + _trace")(
       "set", po::value<std::vector<std::string>>()->value_name("KEY.PATH=VALUE")->composing(),
@@ -44,6 +56,70 @@ std::optional<Number> read(const po::variables_map& given, const char* name, con
 
 bool not_negative(double value) { return std::isfinite(value) && value >= 0; }
 bool at_least_one(long value) { return value >= 1; }
+
+double number_in(const std::string& text, const std::string& whole) {
+  std::size_t used = 0;
+  double value = 0;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::logic_error&) {
+    used = 0;
+  }
+  if (used == 0 || used != text.size() || !std::isfinite(value)) {
+    throw UsageError(
+        fmt::format("--run-up: '{}' is not allowed, allowed: FROM:TO:RATE, three numbers", whole));
+  }
+  return value;
+}
+
+SpeedRamp ramp_of(const std::string& text) {
+  const auto first = text.find(':'), last = text.rfind(':');
+  if (first == last)
+    throw UsageError(fmt::format("--run-up: '{}' is not allowed, allowed: FROM:TO:RATE", text));
+  const SpeedRamp ramp{number_in(text.substr(0, first), text),
+                       number_in(text.substr(first + 1, last - first - 1), text),
+                       number_in(text.substr(last + 1), text)};
+  if (ramp.from_hz <= 0 || ramp.to_hz <= 0 || (ramp.to_hz - ramp.from_hz) * ramp.rate_hz_per_s <= 0) {
+    throw UsageError("--run-up: allowed: speeds > 0, and a rate that leads from the first to the second");
+  }
+  return ramp;
+}
+
+bool positive(double value) { return not_negative(value) && value > 0; }
+
+/// The experiments without contact; false when a trace is wanted.
+bool read_experiment(const po::variables_map& given, RubtraceArguments& arguments) {
+  arguments.free_response = given.count("free-response") != 0;
+  if (given.count("run-up") != 0) arguments.run_up = ramp_of(given["run-up"].as<std::string>());
+  arguments.duration_s = read<double>(given, "duration-s", "a number > 0", positive).value();
+  arguments.sample_s = read<double>(given, "sample-s", "a number > 0", positive).value();
+  arguments.noise_m = read<double>(given, "noise-m", "a number >= 0", not_negative).value();
+  if (!arguments.free_response && !arguments.run_up) {
+    for (const char* name : {"duration-s", "sample-s", "noise-m"}) {
+      if (!given[name].defaulted())
+        throw UsageError(fmt::format("--{} belongs to --free-response or --run-up", name));
+    }
+    return false;
+  }
+  if (arguments.free_response && arguments.run_up)
+    throw UsageError("--free-response and --run-up exclude each other");
+  for (const char* name : {"speed-hz", "whirl-ratio", "revolutions", "last-revolutions"}) {
+    if (given.count(name) != 0)
+      throw UsageError(fmt::format("--{} belongs to a trace, not to an experiment", name));
+  }
+  double duration_s = arguments.duration_s;
+  if (const auto& ramp = arguments.run_up) {
+    const auto eccentricity_m = read<double>(given, "eccentricity-m", "a number >= 0", not_negative);
+    if (!eccentricity_m) throw UsageError("the unbalance of the run-up is needed: --eccentricity-m E");
+    arguments.unbalance = scene::Eccentricity{*eccentricity_m};
+    duration_s = (ramp->to_hz - ramp->from_hz) / ramp->rate_hz_per_s;
+  }
+  if (duration_s / arguments.sample_s > report::most_samples) {
+    throw UsageError(
+        fmt::format("--sample-s: allowed: long enough for {} samples or fewer", report::most_samples));
+  }
+  return true;
+}
 
 scene::Unbalance unbalance_of(const po::variables_map& given) {
   const auto ratio = read<double>(given, "whirl-ratio", "a number >= 0", not_negative);
@@ -77,6 +153,13 @@ RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
   if (arguments.help || arguments.version) return arguments;
   if (given.count("config") == 0) throw UsageError("a configuration file is needed: rubtrace CONFIG.yaml");
   arguments.config = given["config"].as<std::string>();
+  if (given.count("output") != 0) {
+    arguments.output = given["output"].as<std::string>();
+    if (arguments.output->empty()) throw UsageError("--output: allowed: the name of a directory");
+  }
+  if (given.count("set") != 0) arguments.overrides = given["set"].as<std::vector<std::string>>();
+  arguments.quiet = given.count("quiet") != 0;
+  if (read_experiment(given, arguments)) return arguments;
   const auto speed_hz = read<double>(given, "speed-hz", "a number > 0",
                                      [](double value) { return not_negative(value) && value > 0; });
   if (!speed_hz) throw UsageError("the shaft speed is needed: --speed-hz S");
@@ -84,12 +167,6 @@ RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
   arguments.unbalance = unbalance_of(given);
   arguments.revolutions = read<long>(given, "revolutions", "a number >= 1", at_least_one);
   arguments.last_revolutions = read<long>(given, "last-revolutions", "a number >= 1", at_least_one);
-  if (given.count("output") != 0) {
-    arguments.output = given["output"].as<std::string>();
-    if (arguments.output->empty()) throw UsageError("--output: allowed: the name of a directory");
-  }
-  if (given.count("set") != 0) arguments.overrides = given["set"].as<std::vector<std::string>>();
-  arguments.quiet = given.count("quiet") != 0;
   return arguments;
 }
 
@@ -104,7 +181,9 @@ std::string rubtrace_help() {
       "  rubtrace configs/figure06_one_side.yaml --speed-hz 75 --whirl-ratio 0.3\n"
       "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
       "/tmp/trace\n"
-      "  scripts/trace.sh /tmp/trace /tmp/picture 'A trace'      (draws it)\n\n"
+      "  scripts/trace.sh /tmp/trace /tmp/picture 'A trace'      (draws it)\n"
+      "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
+      "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5\n\n"
       "Writes into DIR, stops counted from 0, times from the start of the kick:\n"
       "  trajectory.csv  displacement and velocity of the rotor; casing, gap and forces of every stop "
       "(forces on\n"
@@ -115,7 +194,11 @@ std::string rubtrace_help() {
       "smoothed\n"
       "  spectrum.csv    full spectrum of the last whole periods in response.window_revolutions revolutions\n"
       "  motion.csv      the row that a map holds of this cell, with its own number of revolutions\n"
-      "  config.yaml     the complete configuration, its sweep reduced to this cell\n\n"
+      "  config.yaml     the complete configuration, its sweep reduced to this cell\n"
+      "An experiment writes sensors.csv (what the sensors of a rotor kit read; of a Jeffcott rotor x and y), "
+      "bode.csv "
+      "(run-up:\n"
+      "1X amplitude and phase over speed), identification.csv (quantity, sensor, value) and config.yaml.\n\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 the run failed, the files end at "
       "the\n"
       "failure, or there was nothing to run (motion.csv and config.yaml only). An interrupted run writes "

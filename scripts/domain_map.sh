@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # domain_map.sh MAP.csv OUTPUT_BASENAME HEADING: draws any map.csv over speed and whirl ratio as OUTPUT_BASENAME.png
-# and .svg. Takes natural frequency and the parameters under the heading from config.yaml beside the map.
+# and .svg. Takes natural frequency and the parameters under the heading from config.yaml beside the map; a rotor kit has
+# no natural frequency there: give it as NATURAL_FREQUENCY_HZ.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -14,7 +15,7 @@ done
 declare -A config
 while IFS='=' read -r path value; do config[$path]=$value; done < <(awk -f "$here/config_values.awk" "$config_file")
 
-natural_frequency_hz=${config[rotor.natural_frequency_hz]:?not in "$config_file"}
+natural_frequency_hz=${config[rotor.natural_frequency_hz]:-${NATURAL_FREQUENCY_HZ:?rotor.natural_frequency_hz is not in "$config_file"}}
 
 # number PATH [FACTOR]: the value at PATH times FACTOR for people, 2e+06 as 2×10^6 in gnuplot's notation.
 number() {
@@ -25,7 +26,9 @@ number() {
 has() { [[ -n ${config[$1]+set} ]]; }
 
 stop_text() {
-  printf 'clearance %s mm, K = %s N/m' "$(number stops.0.clearance_m 1e3)" "$(number stops.0.stiffness_n_per_m)"
+  printf 'clearance %s mm' "$(number stops.0.clearance_m 1e3)"
+  ! has stops.0.stiffness_n_per_m || printf ', K = %s N/m' "$(number stops.0.stiffness_n_per_m)"
+  ! has stops.0.hertz.design_force_n || printf ', Hertz line contact at %s N' "$(number stops.0.hertz.design_force_n)"
   ! has stops.0.restitution || printf ', nominal e = %s' "$(number stops.0.restitution)"
   ! has stops.0.restitution_delivered || printf ', delivered e = %s' "$(number stops.0.restitution_delivered)"
 }
@@ -42,6 +45,7 @@ kick_text() {
 }
 
 rotor_text() {
+  has rotor.natural_frequency_hz || { printf 'rotor kit, identified %.4g Hz' "$natural_frequency_hz"; return; }
   printf 'rotor %s kg, %s Hz, ζ = %s' "$(number rotor.mass_kg)" "$(number rotor.natural_frequency_hz)" \
     "$(number rotor.damping_ratio)"
 }

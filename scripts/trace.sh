@@ -59,8 +59,12 @@ title() {
   [[ $class != synchronous || $orbit != circle ]] || name+=' circle'
   # Ishibashi & Kawai's name for it.
   [[ -z $comb_spacing ]] || name="oval whirl (“synchronous oval”), lines at 1 ± k $(printf '%.4g' "$comb_spacing")"
-  printf '%s: %.4g Hz = %.3g × natural frequency, whirl ratio %.3g' "$name" "$speed_hz" \
-    "$(calculate "$speed_hz / ${config[rotor.natural_frequency_hz]}")" "$whirl_ratio"
+  # A rotor kit has many natural frequencies, and none in its configuration.
+  local ratio=''
+  if has rotor.natural_frequency_hz; then
+    ratio=$(printf ' = %.3g × natural frequency' "$(calculate "$speed_hz / ${config[rotor.natural_frequency_hz]}")")
+  fi
+  printf '%s: %.4g Hz%s, whirl ratio %.3g' "$name" "$speed_hz" "$ratio" "$whirl_ratio"
 }
 
 # lay_out ROW DIRECTORY: what trace.gp needs of one trace, as files $work/ROW.* and as assignments on stdout.

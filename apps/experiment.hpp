@@ -1,0 +1,13 @@
+#pragma once
+
+#include "rubsweep/config/run_config.hpp"
+#include "rubtrace_arguments.hpp"
+
+namespace rubsweep::apps {
+
+/// Runs the experiment of the arguments, writes its files into `directory` and says what it found. Returns an
+/// exit code.
+int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& config,
+                   const std::filesystem::path& directory);
+
+}  // namespace rubsweep::apps
