@@ -47,6 +47,26 @@ row() {
 
 trace() { "$programs/rubtrace" "$top/configs/$1.yaml" --output "$work/trace" --quiet "${@:2}"; }
 
+# sample COLUMN CONFIG_STEM CONDITION: twelve cells (lines "SPEED_HZ WHIRL_RATIO") evenly spread over the list of all whose
+# COLUMN is not empty and makes the awk CONDITION on `value` true.
+sample() {
+  awk -v columns="$1 speed_hz whirl_ratio" -f "$here/csv_columns.awk" "$(map_of "$2")" |
+    awk "NF == 3 { value = \$1; if ($3) cell[n++] = \$2 \" \" \$3 }
+      END { for (i = 0; i < 12 && i < n; i++) print cell[int((i + 0.5) * n / 12)] }"
+}
+
+# one_sided_cells: sets even (sampled cells of even order between unequal casings) and one_sided (those that touch one
+# stop only in the last 64 revolutions).
+one_sided_cells() {
+  local speed_hz whirl_ratio
+  while read -r speed_hz whirl_ratio; do
+    trace both_sides_unequal --speed-hz "$speed_hz" --whirl-ratio "$whirl_ratio" --last-revolutions 64
+    awk -v columns='gap_0_m gap_1_m' -f "$here/csv_columns.awk" "$work/trace/trajectory.csv" |
+      awk '{ if ($1 < 0) upper = 1; if ($2 < 0) lower = 1 } END { print upper + lower }'
+  done < <(sample order both_sides_unequal 'value > 1 && value % 2 == 0') >"$work/stops_touched"
+  read -r even one_sided < <(awk '$1 == 1 { one++ } END { print NR, one + 0 }' "$work/stops_touched")
+}
+
 # casing_in_gaps: sets gap_cells and, over all times that the rotor comes near the wall in the middle cells of the gaps,
 # approaches, beyond (casing more than a clearance away), away (moving away), farthest (its displacement, clearances).
 casing_in_gaps() {
@@ -72,9 +92,7 @@ oval_shapes() {
   while read -r speed_hz whirl_ratio; do
     trace figure11_annulus --speed-hz "$speed_hz" --whirl-ratio "$whirl_ratio" --last-revolutions 1
     awk -f "$here/oval_shape.awk" "$work/trace/spectrum.csv"
-  done < <(awk -v columns='comb_spacing speed_hz whirl_ratio' -f "$here/csv_columns.awk" "$(map_of figure11_annulus)" |
-    awk 'NF == 3 { cell[n++] = $2 " " $3 } END { for (i = 0; i < 12 && i < n; i++) print cell[int((i + 0.5) * n / 12)] }') \
-    >"$work/ovals"
+  done < <(sample comb_spacing figure11_annulus 1) >"$work/ovals"
   read -r ovals ellipses axes_low axes_high < <(awk '
     $2 < 0.1 && $2 > -0.1 && $1 < 0.9 && $3 > 0.8 {
       ellipses++
@@ -113,6 +131,8 @@ print_table() {
   measure both_sides_unequal
   row '2: both sides: even orders with unequal casings' "${m[even_percent]} % of the subharmonic cells are even" \
     "${m[even_percent]} > 10 && ${m[even_percent]} > 2 * $odd"
+  one_sided_cells
+  row '2: both sides: unequal casings, contact on one side' "$one_sided of $even sampled cells of even order" "$one_sided > 0"
 
   measure figure11_annulus
   local circle=${m[circle_top]} small=${m[small_circle_cells]}

@@ -30,13 +30,28 @@ stop_text() {
   ! has stops.0.stiffness_n_per_m || printf ', K = %s N/m' "$(number stops.0.stiffness_n_per_m)"
   ! has stops.0.hertz.design_force_n || printf ', Hertz line contact at %s N' "$(number stops.0.hertz.design_force_n)"
   ! has stops.0.restitution || printf ', nominal e = %s' "$(number stops.0.restitution)"
+  [[ ${config[stops.0.offset_m]:-[0, 0]} == '[0, 0]' ]] || printf ', offset %s m' "${config[stops.0.offset_m]}"
   ! has stops.0.restitution_delivered || printf ', delivered e = %s' "$(number stops.0.restitution_delivered)"
 }
 
+# one_casing STOP
+one_casing() {
+  has "stops.$1.casing.mass_kg" || { printf 'rigid'; return; }
+  printf '%s kg on %s N/m, ζ = %s' "$(number "stops.$1.casing.mass_kg")" \
+    "$(number "stops.$1.casing.stiffness_n_per_m")" "$(number "stops.$1.casing.damping_ratio")"
+}
+
+# Those of all stops in turn, when they differ.
 casing_text() {
-  has stops.0.casing.mass_kg || { printf 'rigid casing'; return; }
-  printf 'casing %s kg on %s N/m, ζ = %s' "$(number stops.0.casing.mass_kg)" \
-    "$(number stops.0.casing.stiffness_n_per_m)" "$(number stops.0.casing.damping_ratio)"
+  local i differ=
+  for ((i = 1; i < 10; ++i)); do
+    has "stops.$i.kind" || break
+    [[ $(one_casing "$i") == "$(one_casing 0)" ]] || differ=yes
+  done
+  printf 'casing %s' "$(one_casing 0)"
+  [[ -z $differ ]] || for ((i = 1; i < 10; ++i)); do
+    ! has "stops.$i.kind" || printf ', and %s' "$(one_casing "$i")"
+  done
 }
 
 kick_text() {

@@ -58,7 +58,7 @@ title() {
   [[ -z $order || $order == 1 ]] || name+=" 1/$order"
   [[ $class != synchronous || $orbit != circle ]] || name+=' circle'
   # Ishibashi & Kawai's name for it.
-  [[ -z $comb_spacing ]] || name="oval whirl (“synchronous oval”), lines at 1 ± k $(printf '%.4g' "$comb_spacing")"
+  [[ -z $comb_spacing ]] || name="self-excited whirl (“synchronous oval”), lines at 1 ± k $(printf '%.4g' "$comb_spacing")"
   # A rotor kit has many natural frequencies, and none in its configuration.
   local ratio=''
   if has rotor.natural_frequency_hz; then
