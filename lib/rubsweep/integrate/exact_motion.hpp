@@ -52,6 +52,8 @@ class ExactMotion {
   /// Size of every pair or component of the free vibration, that bounds are multiplied by.
   State sizes() const;
   Exit exit(std::size_t e, const State& sizes) const;
+  /// The exit function itself: `curvature` is its second derivative here.
+  Exit exit_here(std::size_t e) const;
   /// The slow part of an exit function with the amplitude of its fast part added: never below the function.
   Exit slow_exit(std::size_t e, const State& sizes) const;
   /// (|d|^2 - C^2) / (2 C) of a ring.
@@ -127,14 +129,28 @@ class ExactMotion {
 template <int N>
 typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
   if (!mode_->paired) return free_.cwiseAbs();
-  State sizes = State::Zero(free_.size());
   const Eigen::Index n = unbalance_.size();
-  for (Eigen::Index j = 0; j < n; ++j) {
-    // max + min / 2 is an upper bound of the length, at most 12 % above it.
-    const double a = std::abs(free_(j)), b = std::abs(free_(n + j));
-    sizes(j) = a > b ? a + b / 2 : b + a / 2;
-  }
+  State sizes = State::Zero(free_.size());
+  const auto a = free_.template head<N>(n).array().abs(), b = free_.template segment<N>(n, n).array().abs();
+  // max + min / 2 is an upper bound of the length, at most 12 % above it.
+  sizes.template head<N>(n) = (a.max(b) + 0.5 * a.min(b)).matrix();
   return sizes;
+}
+
+template <int N>
+typename ExactMotion<N>::Exit ExactMotion<N>::exit_here(std::size_t e) const {
+  const ExitPlan<N>& plan = mode_->exits[e];
+  Exit exit{plan.constant + plan.whole.row.dot(free_.transpose()), plan.whole.rate.dot(free_.transpose()),
+            plan.whole.curvature.dot(free_.transpose())};
+  const auto add = [&](const Drive& drive, Complex phasor) {
+    const Complex z = detail::product(drive.at_exit[e], phasor);
+    exit.value += z.real();
+    exit.rate -= drive.rate * z.imag();
+    exit.curvature -= drive.rate * drive.rate * z.real();
+  };
+  add(cell_->unbalance, phasor_);
+  if (kick_on_) add(cell_->kick, kick_phasor_);
+  return exit;
 }
 
 template <int N>

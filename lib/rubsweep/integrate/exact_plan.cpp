@@ -143,7 +143,11 @@ class ModeBuilder {
     if (form) {
       plan_->basis = form->basis;
       plan_->inverse = form->inverse;
-      plan_->pairs = form->pairs;
+      plan_->pairs.resize(system_.coordinates(), 4);
+      for (Eigen::Index j = 0; j < system_.coordinates(); ++j) {
+        const Pair& g = form->pairs[static_cast<std::size_t>(j)];
+        plan_->pairs.row(j) << g.uu, g.uv, g.vu, g.vv;
+      }
       growth_ = std::exp(std::max(0.0, form->growth) * plan_->longest_step_s);
     } else {
       plan_->basis.setIdentity(plan_->generator.rows(), plan_->generator.rows());
@@ -153,6 +157,10 @@ class ModeBuilder {
     for (int k = 0; k < exact_step_count; ++k) add_step(plan_->longest_step_s * exact_step_size(k));
   }
 
+  Pair pair(Eigen::Index j) const {
+    return {plan_->pairs(j, 0), plan_->pairs(j, 1), plan_->pairs(j, 2), plan_->pairs(j, 3)};
+  }
+
   void add_step(double duration_s) {
     if (!plan_->paired) {
       plan_->steps.push_back(flow(plan_->generator, duration_s));
@@ -160,7 +168,7 @@ class ModeBuilder {
     }
     Eigen::Array<double, N, 4> step(system_.coordinates(), 4);
     for (Eigen::Index j = 0; j < step.rows(); ++j) {
-      const Pair f = pair_flow(plan_->pairs[static_cast<std::size_t>(j)], duration_s);
+      const Pair f = pair_flow(pair(j), duration_s);
       step.row(j) << f.uu, f.uv, f.vu, f.vv;
     }
     plan_->pair_steps.push_back(step);
@@ -181,7 +189,7 @@ class ModeBuilder {
     const Eigen::Index n = row.size() / 2;
     Row result(2 * n);
     for (Eigen::Index j = 0; j < n; ++j) {
-      const Pair& g = plan_->pairs[static_cast<std::size_t>(j)];
+      const Pair g = pair(j);
       result(j) = row(j) * g.uu + row(n + j) * g.vu;
       result(n + j) = row(j) * g.uv + row(n + j) * g.vv;
     }
@@ -190,7 +198,8 @@ class ModeBuilder {
 
   Watched<N> watched(const Row& row) const {
     const Row by_time = rate(row);
-    return {row, by_time, bound(rate(by_time))};
+    const Row curvature = rate(by_time);
+    return {row, by_time, curvature, bound(curvature)};
   }
 
   Row by_u(const Row& row) const { return over_state(row, Row::Zero(row.size())); }
@@ -237,7 +246,7 @@ class ModeBuilder {
     const Row whole = exit.whole.row;
     const auto size = [&](Eigen::Index j) { return std::hypot(whole(j), whole(n + j)); };
     const auto frequency = [&](Eigen::Index j) {
-      const Pair& g = plan_->pairs[static_cast<std::size_t>(j)];
+      const Pair g = pair(j);
       return std::sqrt(std::abs(g.uu * g.vv - g.uv * g.vu));
     };
     double largest = 0, slowest_seen = std::numeric_limits<double>::infinity();

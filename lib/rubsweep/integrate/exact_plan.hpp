@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <vector>
@@ -17,19 +19,28 @@ namespace rubsweep::integrate {
 /// Number of steps in a mode's table: sizes 2^(-k/2) of the longest.
 inline constexpr int exact_step_count = 44;
 
-/// Size of step k in units of the longest.
-inline double exact_step_size(int k) {
-  return k % 2 == 0 ? std::ldexp(1.0, -k / 2) : std::ldexp(std::numbers::sqrt2 / 2, -(k - 1) / 2);
-}
+/// Sizes of the steps in units of the longest.
+inline constexpr auto exact_step_sizes = [] {
+  std::array<double, exact_step_count> sizes{};
+  double size = 1;
+  for (std::size_t k = 0; k < sizes.size(); k += 2, size /= 2) {
+    sizes[k] = size;
+    sizes[k + 1] = size * (std::numbers::sqrt2 / 2);
+  }
+  return sizes;
+}();
+
+inline double exact_step_size(int k) { return exact_step_sizes[static_cast<std::size_t>(k)]; }
 
 /// The largest step of the table that is not longer than `size` (in units of the longest, > 0);
 /// exact_step_count when all are longer.
 inline int exact_step_below(double size) {
   if (size >= 1) return 0;
-  int exponent = 0;
-  const double mantissa = std::frexp(size, &exponent);  // size = mantissa 2^exponent, 1/2 <= mantissa < 1
-  const int k = mantissa >= std::numbers::sqrt2 / 2 ? 1 - 2 * exponent : 2 - 2 * exponent;
-  return k < exact_step_count ? k : exact_step_count;
+  // size = mantissa 2^(exponent - 1023), 1 <= mantissa < 2
+  const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(size) >> 52);
+  const int even = 2 * (1023 - exponent);
+  if (even > exact_step_count) return exact_step_count;
+  return size >= exact_step_size(even - 1) ? even - 1 : even;
 }
 
 /// Sizes of an exact run over N coordinates; its state is (u, u'), 2N numbers, lengths in units of the
@@ -43,11 +54,11 @@ struct ExactTypes {
   using Flow = Eigen::Matrix<double, states, states>;
 };
 
-/// A linear function of the free vibration z: row.z, its rate, and what a unit of each component's size can
-/// do to its second derivative within the mode's longest step.
+/// A linear function of the free vibration z: row.z, its first two rates, and what a unit of each component's
+/// size can do to its second derivative within the mode's longest step.
 template <int N>
 struct Watched {
-  typename ExactTypes<N>::Row row, rate, curvature_bound;
+  typename ExactTypes<N>::Row row, rate, curvature, curvature_bound;
 };
 
 /// One armed exit of a mode, divided by the contact stiffness so that it is a length. Negative inside the
@@ -103,7 +114,7 @@ struct ModePlan {
   bool paired = false;
   bool diagonal_basis = false;
   typename Types::Flow basis, inverse;
-  std::vector<Pair> pairs;
+  Eigen::Array<double, N, 4> pairs;  ///< generators: uu, uv, vu, vv per pair
   double longest_step_s = 0;
   double series_limit_s = 0;  ///< up to here a short series gives the flow to rounding
   std::vector<Eigen::Array<double, N, 4>> pair_steps;  ///< uu, uv, vu, vv per pair; or

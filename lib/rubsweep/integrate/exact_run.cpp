@@ -13,7 +13,7 @@ using contact::Mode;
 
 /// A crossing is taken by Newton when M |g| <= this g'^2: then g is monotone up to the crossing, and the
 /// first estimate is off by at most an eighth.
-constexpr double newton_reach = 0.2;
+constexpr double newton_reach = 0.4;
 constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
 constexpr int longest_standstill = 16;   ///< mode switches without progress before a graze is stepped over
 constexpr double steps_per_turn_when_watched = 64;
@@ -25,6 +25,12 @@ double safe_step(double value, double rate, double curvature) {
   const double root = std::sqrt(rate * rate + 2 * curvature * gap);
   if (rate > 0) return 2 * gap / (rate + root);
   return curvature > 0 ? (root - rate) / curvature : std::numeric_limits<double>::infinity();
+}
+
+/// Root of g + g' t + g'' t^2 / 2 next to zero.
+double next_root(double value, double rate, double curvature) {
+  const double square = rate * rate - 2 * value * curvature;
+  return square > 0 ? -2 * value / (rate + std::copysign(std::sqrt(square), rate)) : -value / rate;
 }
 
 }  // namespace
@@ -182,7 +188,7 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
   ++effort_.steps;
   if (choice.ring) return ExactEnding::beyond;
   if (choice.crossing && standstill_ < longest_standstill) {
-    land(turn, *choice.crossing, choice.step_s);
+    land(turn, *choice.crossing);
     return switch_mode(turn, *choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
   }
   if (turn.peaks) {
@@ -277,17 +283,18 @@ void ExactRun<N>::move(Turn& turn, double duration_s, int table_step) {
   if (turn.peaks) watch_to_here(turn, duration_s);
 }
 
-/// Newton's iteration on the exact flow; ends when a step no longer gets shorter, that is at rounding.
+/// Halley's iteration on the exact flow, third order; ends where the next step would be rounding.
 template <int N>
-void ExactRun<N>::land(Turn& turn, std::size_t e, double estimate_s) {
+void ExactRun<N>::land(Turn& turn, std::size_t e) {
   const double before = time_s_;
-  double step = estimate_s;
+  Exit exit = motion_.exit_here(e);
+  double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < newton_iterations; ++i) {
-    if (step != 0) move(turn, step, -1);
-    const Exit exit = motion_.exit(e, State::Zero(motion_.free().size()));
-    const double next = -exit.value / exit.rate;
-    if (!(std::abs(next) > 1e-17 * period_s_) || !(std::abs(next) < std::abs(step) / 2)) break;
-    step = next;
+    const double step = next_root(exit.value, exit.rate, exit.curvature);
+    if (!(std::abs(step) > 1e-17 * period_s_) || !(std::abs(step) < last / 2)) break;
+    move(turn, step, -1);
+    last = std::abs(step);
+    exit = motion_.exit_here(e);
   }
   standstill_ = time_s_ - before > shortest_step * period_s_ ? 0 : standstill_ + 1;
 }

@@ -51,7 +51,7 @@ class ExactRun {
 
   struct Choice {
     double step_s = 0;
-    std::optional<std::size_t> crossing;  ///< Newton's first estimate of this exit's crossing
+    std::optional<std::size_t> crossing;  ///< this exit is crossed, for certain and first
     bool ring = false;                    ///< a ring is about to be touched
   };
 
@@ -64,7 +64,7 @@ class ExactRun {
   Choice choose(double until_boundary_s) const;
   void add_exit(std::size_t e, const State& sizes, Choice& choice) const;
   void move(Turn& turn, double duration_s, int table_step);
-  void land(Turn& turn, std::size_t exit, double estimate_s);
+  void land(Turn& turn, std::size_t exit);
   bool switch_mode(Turn& turn, std::size_t exit);
   contact::Kinematics kinematics(std::size_t contact, const State& physical, const State& rate) const;
   void sample(Turn& turn);
