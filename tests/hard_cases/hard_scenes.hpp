@@ -189,7 +189,7 @@ inline HardScene speed_at_the_natural_frequency() {
   return by_hand("speed_at_the_natural_frequency", rotor, 4, 4000, 500);
 }
 
-/// Reaches the wall, and reaches it again, while the kick lasts.
+/// Reaches the wall, and leaves it, while a kick of nine tenths of a turn lasts.
 inline HardScene stop_reached_during_the_kick() {
   OneSideRotor rotor;
   rotor.kick_s = 0.012;

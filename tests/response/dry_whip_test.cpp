@@ -86,6 +86,19 @@ TEST(DryWhip, IsABackwardCircleAtItsClosedFormFrequency) {
   EXPECT_NEAR(m.contact.contact_fraction, 1, 1e-12);
 }
 
+TEST(DryWhip, AtAFractionOfTheShaftSpeedItIsSubharmonicAndStillBackward) {
+  const Whip whip;
+  const double hz =
+      whip.frequency(2 * std::numbers::pi * 60, 2 * std::numbers::pi * 200) / (2 * std::numbers::pi);
+  const auto settled = run(whip.machine, hz / 1.5, 0);
+  EXPECT_EQ(std::string(to_string(settled.motion.motion_class)), "subharmonic");
+  EXPECT_EQ(settled.motion.order, 2);
+  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::circle);
+  EXPECT_EQ(settled.motion.measures.whirl, WhirlKind::backward);
+  EXPECT_NEAR(settled.motion.measures.dominant.value().order, -1.5, 1e-12);
+  EXPECT_FALSE(settled.motion.measures.comb_spacing);
+}
+
 TEST(DryWhip, UnbalanceMakesItAnOvalThatTurnsBackwards) {
   const auto settled = run(whip_machine(), 60, 0.5);
   EXPECT_EQ(std::string(to_string(settled.motion.motion_class)), "quasi_periodic");
