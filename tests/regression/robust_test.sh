@@ -8,9 +8,9 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 
 "$rubsweep" "$config" --output . --quiet --set response.robustness=on \
-  --set 'sweep={speed_hz: {values: [66, 69, 111, 141]}, whirl_ratio: {values: [0.17, 0.97]}}'
+  --set 'sweep={speed_hz: {values: [111, 141]}, whirl_ratio: {values: [0.17, 0.97]}}'
 grep -v -e '^#' -e '^speed_hz,' map.csv | awk -F, '{ print $1 "," $2 "," $9 }' | sort >found
-grep -v -e '^#' -e '^speed_hz,' "$sensitive" | awk -F, '$2 == 0.97 { print $1 "," $2 ",no" }' | sort >known
-[[ $(wc -l <known) == 4 ]] || { echo 'other cells are listed: choose neighbours anew'; exit 1; }
+grep -v -e '^#' -e '^speed_hz,' "$sensitive" | awk -F, '$1 > 100 && $2 == 0.97 { print $1 "," $2 ",no" }' | sort >known
+[[ $(wc -l <known) == 2 ]] || { echo 'other cells are listed: choose neighbours anew'; exit 1; }
 diff known <(grep ',no$' found) || { echo 'the cells that are not robust are others'; exit 1; }
-[[ $(grep -c ',yes$' found) == 4 ]] || { echo 'the others are not robust either'; exit 1; }
+[[ $(grep -c ',yes$' found) == 2 ]] || { echo 'the others are not robust either'; exit 1; }

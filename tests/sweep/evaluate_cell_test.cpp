@@ -219,7 +219,7 @@ TEST(EvaluateCell, SubharmonicRowHoldsTheNumbersOfTheMotionByHand) {
 
 TEST(EvaluateCell, StepLimitIsAFailedRowWithoutMeasures) {
   Study study = one_side_study({75}, {0.4});
-  study.solver.max_steps_per_revolution = 20;
+  study.solver.max_steps_per_revolution = 10;
   const Row row = evaluate(study);
   EXPECT_EQ(to_string(row.motion_class), "failed");
   EXPECT_EQ(row.status, "step_limit");
