@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "rubsweep/ring/divergence.hpp"
+
 namespace rubsweep::ring {
 namespace {
 
@@ -167,20 +169,30 @@ class Search {
     const Kind kind = kind_of(form_, low.signature, high.signature);
     if (kind == Kind::composite) return std::nullopt;
     const Function function = smooth_function(kind, place_of(kind, low, high));
-    const double at_low = function(low.speed), at_high = function(high.speed);
+    // An end may lie within the tolerance of the root it belongs to, on the wrong side.
+    const double reach = kind == Kind::axis_crossing ? 1e-6 * form_.reference_rad_per_s : 0;
+    const double first = low.speed - reach, last = high.speed + reach;
+    const double at_low = function(first), at_high = function(last);
     if (!(std::isfinite(at_low) && std::isfinite(at_high)) || at_low * at_high >= 0) return std::nullopt;
     std::uintmax_t steps = 60;
-    const auto [from, to] =
-        boost::math::tools::toms748_solve(function, low.speed, high.speed, at_low, at_high,
-                                          boost::math::tools::eps_tolerance<double>(51), steps);
+    const auto [from, to] = boost::math::tools::toms748_solve(
+        function, first, last, at_low, at_high, boost::math::tools::eps_tolerance<double>(51), steps);
     const double speed = from + 0.5 * (to - from);
     // Another root of the same function may lie in the bracket: the signatures must agree on both sides.
-    // Far enough aside for a slowly moving root to leave the tolerance of zero.
-    const double aside = 1e-6 * form_.reference_rad_per_s;
+    const double aside = distance_to_tell(kind, function, speed);
     const bool before = speed - aside <= low.speed || signature_at(speed - aside) == low.signature;
     const bool after = speed + aside >= high.speed || signature_at(speed + aside) == high.signature;
     if (!before || !after) return std::nullopt;
     return speed;
+  }
+
+  /// How far from a root of the function the signature surely tells that it is passed: a root that crosses
+  /// the axis slowly stays within the tolerance of zero for a while.
+  double distance_to_tell(Kind kind, const Function& function, double speed) {
+    const double least = 1e-6 * form_.reference_rad_per_s;
+    if (kind != Kind::axis_crossing) return least;
+    const double slope = (function(speed + least) - function(speed - least)) / (2 * least);
+    return std::max(least, 4 * zero_tolerance(form_) * size_of(values_at(speed)) / std::abs(slope));
   }
 
   void keep(const End& low, const End& high, double speed) {
@@ -200,6 +212,19 @@ class Search {
   int evaluations_ = 0;
 };
 
+/// Both sides of every speed at which K is singular: there the real roots are that a short divergence would
+/// hide.
+void add_divergence(const NormalForm& form, std::vector<End>& ends) {
+  if (ends.empty()) return;
+  const double aside = 1e-6 * form.reference_rad_per_s, first = ends.front().speed, last = ends.back().speed;
+  for (const double singular : divergence_speeds(form)) {
+    for (const double speed : {singular - aside, singular + aside}) {
+      if (speed > first && speed < last) ends.push_back({speed, signature(form, speed)});
+    }
+  }
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.speed < b.speed; });
+}
+
 /// A grid point that lies on a crossing of zero by a neutral pair has a signature of its own for a moment.
 void drop_moments(std::vector<Change>& changes) {
   for (std::size_t i = 0; i + 1 < changes.size();) {
@@ -218,11 +243,13 @@ void drop_moments(std::vector<Change>& changes) {
 
 std::vector<Change> find_changes(const NormalForm& form, std::span<const double> speeds_rad_per_s,
                                  std::span<const Signature> signatures, const ChangeOptions& options) {
+  std::vector<End> ends;
+  for (std::size_t i = 0; i < speeds_rad_per_s.size(); ++i)
+    ends.push_back({speeds_rad_per_s[i], signatures[i]});
+  add_divergence(form, ends);
   std::vector<Change> changes;
   Search search(form, options, changes);
-  for (std::size_t i = 0; i + 1 < speeds_rad_per_s.size(); ++i) {
-    search.between({speeds_rad_per_s[i], signatures[i]}, {speeds_rad_per_s[i + 1], signatures[i + 1]});
-  }
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) search.between(ends[i], ends[i + 1]);
   drop_moments(changes);
   return changes;
 }

@@ -23,8 +23,9 @@ struct ChangeOptions {
 
 /// Every change between neighbours of `speeds_rad_per_s` (ascending), to rounding: bisection down to one
 /// elementary change, then a root of the function that is smooth there: det K where a root crosses zero, the
-/// real part where a pair crosses the axis, (lambda_1 - lambda_2)^2 where two roots merge. Neighbours with
-/// equal signatures are taken as free of changes.
+/// real part where a pair crosses the axis, (lambda_1 - lambda_2)^2 where two roots merge. The speeds
+/// at which K is singular are sought beside the given ones. Neighbours with equal signatures are taken as
+/// free of changes.
 std::vector<Change> find_changes(const NormalForm& form, std::span<const double> speeds_rad_per_s,
                                  const ChangeOptions& options = {});
 

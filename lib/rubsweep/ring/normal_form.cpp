@@ -17,7 +17,7 @@ NormalForm normal_form(const System& system) {
   const auto scaled = [&](const MatrixXd& matrix) -> MatrixXd {
     return scale.asDiagonal() * matrix * scale.asDiagonal();
   };
-  const Eigen::FullPivLU<MatrixXd> mass(scaled(matrices.mass));
+  const Eigen::PartialPivLU<MatrixXd> mass(scaled(matrices.mass));
   if (!(mass.rcond() > 1e-12)) {
     throw ConfigError("the mass matrix is singular: friction cancels the inertia of a load");
   }

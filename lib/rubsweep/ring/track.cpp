@@ -63,14 +63,13 @@ class Tracker {
     const double size = std::max(size_of(from.spectrum.values), size_of(to.spectrum.values));
     const MatrixXd cost = continuation_costs(from, to, size);
     const auto taken = cheapest_assignment(cost);
-    if (is_doubtful(cost, taken, from, to, size)) {
-      if (halvings < most_halvings && track_.points.size() < most_points_) {
-        const double middle = from.speed_rad_per_s + 0.5 * (speed - from.speed_rad_per_s);
-        advance(middle, false, halvings + 1);
-        advance(speed, asked, halvings + 1);
-        return;
-      }
-      ++track_.unresolved;
+    // At a crossing or a merger the doubt never ends; the cheapest assignment is as good as any there.
+    const bool may_halve = halvings < most_halvings && track_.points.size() < most_points_;
+    if (may_halve && is_doubtful(cost, taken, from, to, size)) {
+      const double middle = from.speed_rad_per_s + 0.5 * (speed - from.speed_rad_per_s);
+      advance(middle, false, halvings + 1);
+      advance(speed, asked, halvings + 1);
+      return;
     }
     to.mode.resize(taken.size());
     for (std::size_t i = 0; i < taken.size(); ++i) to.mode[static_cast<std::size_t>(taken[i])] = from.mode[i];
@@ -108,7 +107,7 @@ void name_ring_modes(Track& track) {
 }  // namespace
 
 Track track_modes(const System& system, const NormalForm& form, std::span<const double> speeds_rad_per_s) {
-  Track track{system.ring.nodal_diameters, mode_names(system), {}, 0};
+  Track track{system.ring.nodal_diameters, mode_names(system), {}};
   if (speeds_rad_per_s.empty()) return track;
   Tracker tracker(form, track, 16 * speeds_rad_per_s.size() + 1000);
   const Spectrum first = spectrum(form, speeds_rad_per_s.front());

@@ -22,7 +22,6 @@ struct Track {
   int nodal_diameters = 2;
   std::vector<std::string> names;  ///< ring forward, ring backward, load j flexural or radial, j from 0
   std::vector<TrackPoint> points;  ///< ascending speed
-  int unresolved = 0;              ///< steps where even the shortest one left a doubt: exceptional points
 };
 
 /// Follows every eigenvalue over `speeds_rad_per_s` (ascending): predicted by its derivative, assigned by
