@@ -17,6 +17,8 @@ using Solver = Eigen::EigenSolver<MatrixXd>;
 /// One solver a thread: it keeps its workspace from one speed to the next.
 const Solver& solve(const MatrixXd& matrix, bool with_vectors) {
   thread_local Solver solver;
+  // Eigen gives up after 40 iterations a row; where several roots merge at once it may need more.
+  solver.setMaxIterations(4000 * matrix.rows());
   solver.compute(matrix, with_vectors);
   if (solver.info() != Eigen::Success) throw SolverError("the eigenvalue iteration did not converge");
   return solver;

@@ -99,8 +99,12 @@ std::vector<Onset> describe_change(const Change& change, const Track& track, boo
   } else if (growing == 0 && pairs == 0 && decaying < 0) {
     add("real_merger", 2, true, "decaying, " + where);
   } else {
-    if (growing > 0) add("divergence_begin", 1, false, growing > 1 ? fmt::format("{} roots", growing) : "");
-    if (growing < 0) add("divergence_end", 1, true, growing < -1 ? fmt::format("{} roots", -growing) : "");
+    // The first growing root begins a divergence, the last one ends it; others only change their number.
+    const std::string roots = fmt::format("growing real roots from {} to {}", change.before.growing_real,
+                                          change.after.growing_real);
+    const bool plain = change.before.growing_real + change.after.growing_real == 1;
+    if (growing > 0) add("divergence_begin", 1, false, plain ? "" : roots);
+    if (growing < 0) add("divergence_end", 1, true, plain ? "" : roots);
     const std::string note = where + (std::abs(pairs) > 1 ? fmt::format(", {} pairs", std::abs(pairs)) : "");
     if (!has_friction) {
       if (pairs > 0) add("coupling_begin", 2, true, note);
