@@ -16,19 +16,20 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 panels=0
 
-# panel TITLE CONFIG_STEM FROM_RPM TO_RPM REAL_LIMIT [--set KEY=VALUE]...: runs the system from FROM_RPM to TO_RPM and
-# lays its curves and onsets out; the real parts are drawn between -REAL_LIMIT and REAL_LIMIT (0: all of them).
+# panel TITLE CONFIG_STEM FROM_RPM TO_RPM REAL_LIMIT [--set KEY=VALUE]...: runs the system up to TO_RPM, so that its modes
+# are named at rest, and lays curves and onsets from FROM_RPM out; the real parts are drawn between -REAL_LIMIT and
+# REAL_LIMIT (0: all of them).
 panel() {
   local title=$1 stem=$2 from=$3 to=$4 limit=$5 directory
   shift 5
   panels=$((panels + 1))
   directory=$work/$panels
   "$program" "$top/configs/$stem.yaml" --output "$directory" --quiet "$@" \
-    --set "speed_rpm={from: $from, to: $to, count: 2001}"
-  awk -F, -v directory="$directory" '/^#/ || /^speed_rpm/ { next } { print $1, $3, $4 > directory "/" $2 ".curve" }' \
+    --set "speed_rpm={from: 0, to: $to, count: $((from > 0 ? 4001 : 2001))}"
+  awk -F, -v directory="$directory" -v from="$from" '/^#/ || /^speed_rpm/ || $1 < from { next } { print $1, $3, $4 > directory "/" $2 ".curve" }' \
     "$directory/eigenvalues.csv"
   # Onsets by kind: what drives it, or couples without friction.
-  awk -F, '/^(divergence|flutter|coupling|real_merger)/ { print $2, $1 }' "$directory/onsets.csv" >"$directory/onsets"
+  awk -F, -v from="$from" '/^(divergence|flutter|coupling|real_merger)/ && $2 >= from { print $2, $1 }' "$directory/onsets.csv" >"$directory/onsets"
   printf 'title[%d] = "%s"\nfrom[%d] = %s\nto[%d] = %s\nlimit[%d] = %s\n' \
     "$panels" "$title" "$panels" "$from" "$panels" "$to" "$panels" "$limit" >>"$work/panels.gp"
 }

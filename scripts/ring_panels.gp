@@ -54,16 +54,17 @@ do for [k = 1:6] {
 entries = words(shown) + 3
 array lines[3] = ["divergence", "flutter", "coupling (µ = 0)"]
 array line_colour[3] = [divergence, flutter, coupling]
-x_of(e) = 0.5 + (e - 1 - 0.5 * entries) * (columns == 1 ? 0.158 : 0.135)
+entry = 0.97 / entries < 0.135 ? 0.97 / entries : 0.135
+x_of(e) = 0.5 + (e - 1 - 0.5 * entries) * entry
 do for [e = 1:words(shown)] {
   k = int(word(shown, e))
   set arrow from screen x_of(e), 1 - 80.0 / height to screen x_of(e) + 0.02, 1 - 80.0 / height nohead linecolor rgb colour[k] linewidth 4
-  set label name[k] at screen x_of(e) + 0.025, 1 - 80.0 / height left font ",15"
+  set label name[k] at screen x_of(e) + 0.025, 1 - 80.0 / height left font columns == 1 ? ",13" : ",15"
 }
 do for [j = 1:3] {
   e = words(shown) + j
   set arrow from screen x_of(e), 1 - 80.0 / height to screen x_of(e) + 0.02, 1 - 80.0 / height nohead dashtype 2 linecolor rgb line_colour[j] linewidth 2
-  set label lines[j] at screen x_of(e) + 0.025, 1 - 80.0 / height left font ",15"
+  set label lines[j] at screen x_of(e) + 0.025, 1 - 80.0 / height left font columns == 1 ? ",13" : ",15"
 }
 plot [0:1] [0:1] NaN notitle
 
