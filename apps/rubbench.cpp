@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "exit_code.hpp"
+#include "program.hpp"
+#include "rubbench_arguments.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/bench/label_agreement.hpp"
+#include "rubsweep/bench/reference.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/report/work_precision_report.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+bench::Place place_at(const sweep::Grid& grid, double speed_hz, double unbalance) {
+  if (grid.measure == sweep::UnbalanceMeasure::whirl_ratio) return {speed_hz, scene::WhirlRatio{unbalance}};
+  return {speed_hz, scene::Eccentricity{unbalance}};
+}
+
+std::vector<bench::Place> places_to_label(const sweep::Grid& grid, const RubbenchArguments& arguments) {
+  std::vector<bench::Place> places;
+  if (arguments.label_speeds == 0) return places;
+  for (const std::size_t u : bench::spread(grid.unbalance.size(), arguments.label_unbalances)) {
+    for (const std::size_t s : bench::spread(grid.speed_hz.size(), arguments.label_speeds))
+      places.push_back(place_at(grid, grid.speed_hz[s], grid.unbalance[u]));
+  }
+  return places;
+}
+
+/// Of the labelled cells that keep rubbing, or of all where none does, the one nearest to the middle.
+bench::Place central_rub(const std::vector<bench::Place>& places,
+                         const std::vector<bench::LabelledCell>& cells, std::size_t columns) {
+  if (cells.empty()) throw ConfigError("no cell of the sweep can be kicked: nothing to measure");
+  const auto distance = [&](const bench::LabelledCell& cell) {
+    const bool rubs = cell.label.motion_class != response::MotionClass::non_contact;
+    const auto off_centre = [](std::size_t i, std::size_t n) {
+      return (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5;
+    };
+    return (rubs ? 0 : 10) + std::hypot(off_centre(cell.place % columns, columns),
+                                        off_centre(cell.place / columns, places.size() / columns));
+  };
+  return places[std::min_element(cells.begin(), cells.end(), [&](const auto& a, const auto& b) {
+                  return distance(a) < distance(b);
+                })->place];
+}
+
+/// The scene of a cell to be timed. Throws ConfigError where it cannot be kicked.
+scene::Scene scene_of(const sweep::Study& study, const bench::Place& place) {
+  scene::Cell cell = scene::build_cell(study.machine, place.speed_hz, place.unbalance);
+  if (cell.start != scene::Start::quiet) {
+    throw ConfigError(fmt::format("the cell {} cannot be timed: {}", report::cell_name(place),
+                                  cell.start == scene::Start::initial_contact
+                                      ? "the quiet motion already touches a wall"
+                                      : "no quiet motion has this unbalance"));
+  }
+  return std::move(cell.scene);
+}
+
+/// Labels of each variant by its name: they belong to the map, not to the timed cell.
+class Labels {
+ public:
+  Labels(const sweep::Study& study, const std::vector<bench::LabelledCell>& cells, double seconds)
+      : study_(study), cells_(cells), seconds_(seconds) {}
+
+  void fill(report::WorkPrecisionLine& line) {
+    const auto& time = line.measurement.microseconds_per_revolution;
+    if (cells_.empty() || !time) return;
+    const bench::Variant& variant = line.measurement.variant;
+    const std::string name = report::variant_name(variant);
+    line.labels_too_slow = *time * study_.response.max_revolutions > 1e6 * seconds_;
+    if (line.labels_too_slow) return;
+    if (!known_.contains(name)) {
+      known_[name] = bench::label_agreement(cells_, bench::options_of(variant, study_.solver),
+                                            study_.response, seconds_);
+    }
+    line.labels = known_[name];
+  }
+
+ private:
+  const sweep::Study& study_;
+  const std::vector<bench::LabelledCell>& cells_;
+  double seconds_;
+  std::map<std::string, bench::LabelAgreement> known_;
+};
+
+fs::path directory_of(const RubbenchArguments& arguments, const config::RunConfig& config) {
+  if (arguments.output) return *arguments.output;
+  const fs::path& map = config.output_directory;
+  fs::path directory = map.has_filename() ? map : map.parent_path();  // results/map/ as results/map
+  return directory += "_bench";
+}
+
+void say(const RubbenchArguments& arguments, const std::string& text) {
+  if (arguments.quiet) return;
+  fmt::print("{}", text);
+  std::fflush(stdout);
+}
+
+int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
+  const sweep::Study& study = config.study;
+  const fs::path directory = directory_of(arguments, config);
+  make_directory(directory);
+  const auto to_label = places_to_label(study.grid, arguments);
+  const auto labelled = bench::reference_labels(study.machine, to_label, study.solver, study.response);
+  std::vector<bench::Place> places;
+  for (const BenchCell& cell : arguments.cells)
+    places.push_back(place_at(study.grid, cell.speed_hz, cell.unbalance));
+  if (places.empty()) {
+    places.push_back(
+        central_rub(to_label, labelled, std::min(arguments.label_speeds, study.grid.speed_hz.size())));
+  }
+  if (!to_label.empty())
+    say(arguments, fmt::format("labels: {} of {} cells can be kicked\n", labelled.size(), to_label.size()));
+
+  std::string comments =
+      report::work_precision_comments(RUBSWEEP_VERSION, config::study_digest(study), arguments.work);
+  std::vector<report::WorkPrecisionLine> lines;
+  for (const bench::Place& place : places) {
+    const std::string name = report::cell_name(place);
+    const scene::Scene scene = scene_of(study, place);
+    const auto reference = bench::reference_section(scene, arguments.work.error_turns, study.solver);
+    const std::string sentence = report::reference_sentence(name, reference);
+    comments += "# " + sentence;
+    say(arguments, sentence);
+    const auto variants = bench::variants_of(scene, study.solver, arguments.work.turns, arguments.steppers,
+                                             arguments.relative_tolerances);
+    for (bench::Measurement& measurement :
+         bench::measure(scene, study.solver, variants, reference.section, arguments.work)) {
+      // Closed forms alone are the reference itself: what they are away from the other routes.
+      if (!measurement.variant.stepper && measurement.state_error)
+        measurement.state_error = bench::uncertainty(reference);
+      lines.push_back({name, std::move(measurement), {}, false});
+    }
+  }
+  Labels labels(study, labelled, arguments.label_seconds);
+  for (report::WorkPrecisionLine& line : lines) labels.fill(line);
+
+  batch::write_whole_file(directory / "config.yaml", config::print_config(config));
+  batch::write_whole_file(directory / "work_precision.csv", comments + report::work_precision_csv(lines));
+  say(arguments, fmt::format("{}\nfiles: {}: config.yaml work_precision.csv\n",
+                             report::work_precision_table(lines, arguments.work.turns), directory.string()));
+  const bool all_ran = std::all_of(lines.begin(), lines.end(), [](const auto& line) {
+    return line.measurement.outcome == integrate::Outcome::ok;
+  });
+  return all_ran ? done : some_cells_failed;
+}
+
+int act(int argc, const char* const* argv) {
+  const RubbenchArguments arguments = parse_rubbench_arguments(argc, argv);
+  if (arguments.version) {
+    fmt::print("rubbench {}\n", RUBSWEEP_VERSION);
+    return done;
+  }
+  if (arguments.help) {
+    fmt::print("{}", rubbench_help());
+    return done;
+  }
+  return run(arguments, config::read_run_config(arguments.config, arguments.overrides));
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  return rubsweep::apps::run_program("rubbench", [&] { return rubsweep::apps::act(argc, argv); });
+}

@@ -1,0 +1,210 @@
+#include "rubbench_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <string_view>
+
+#include "program.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr std::string_view default_tolerances = "1e-4,1e-6,1e-8,1e-10,1e-12";
+
+po::options_description visible_options() {
+  po::options_description options("Options");
+  options.add_options()(
+      "cell", po::value<std::vector<std::string>>()->value_name("SPEED_HZ,UNBALANCE")->composing(),
+      "time this cell, the unbalance as the sweep has it (whirl ratio or eccentricity in "
+      "metres); may be repeated; default: the rub nearest to the middle of the labelled cells")(
+      "steppers", po::value<std::string>()->value_name("NAME,..."), "only these; default: every one")(
+      "tolerances", po::value<std::string>()->value_name("R,..."),
+      fmt::format("relative tolerances; default: {}", default_tolerances).c_str())(
+      "turns", po::value<int>()->value_name("N"), "revolutions of a timed run, from 6 on; default: 30")(
+      "repeats", po::value<int>()->value_name("N"),
+      "timed runs of each variant; fewer where they take more than 2 s; default: 5")(
+      "labels", po::value<std::string>()->value_name("SPEEDSxUNBALANCES"),
+      "cells of the sweep to label, spread evenly; 0x0: none; default: 12x6")(
+      "label-seconds", po::value<double>()->value_name("S"),
+      "time of each variant for its labels; default: 5")("output",
+                                                         po::value<std::string>()->value_name("DIR"),
+                                                         "write there instead of output.directory + _bench")(
+      "set", po::value<std::vector<std::string>>()->value_name("KEY.PATH=VALUE")->composing(),
+      "replace one value of the configuration; lists are indexed by number; may be repeated")(
+      "quiet", "print errors only")("help", "print this and exit")("version", "print the version and exit");
+  return options;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t from = 0;;) {
+    const std::size_t to = text.find(separator, from);
+    parts.push_back(text.substr(from, to - from));
+    if (to == std::string_view::npos) return parts;
+    from = to + 1;
+  }
+}
+
+template <class Number>
+std::optional<Number> number(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+BenchCell read_cell(const std::string& text) {
+  const auto parts = split(text, ',');
+  if (parts.size() == 2) {
+    const auto speed = number<double>(parts[0]), unbalance = number<double>(parts[1]);
+    if (speed && unbalance && std::isfinite(*speed) && *speed > 0 && std::isfinite(*unbalance) &&
+        *unbalance >= 0)
+      return {*speed, *unbalance};
+  }
+  throw UsageError(fmt::format("--cell {}: allowed: SPEED_HZ,UNBALANCE, a number > 0 and one >= 0", text));
+}
+
+std::vector<integrate::Stepper> read_steppers(const std::string& text) {
+  std::vector<integrate::Stepper> steppers;
+  const auto all = bench::all_steppers();
+  for (const std::string_view name : split(text, ',')) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](auto stepper) { return bench::to_string(stepper) == name; });
+    if (found == all.end()) {
+      std::string allowed;
+      for (const auto stepper : all)
+        allowed.append(allowed.empty() ? "" : ", ").append(bench::to_string(stepper));
+      throw UsageError(fmt::format("--steppers: '{}', allowed: {}", name, allowed));
+    }
+    steppers.push_back(*found);
+  }
+  return steppers;
+}
+
+std::vector<double> read_tolerances(std::string_view text) {
+  constexpr auto range = integrate::SolverOptions::relative_tolerance_range;
+  std::vector<double> tolerances;
+  for (const std::string_view part : split(text, ',')) {
+    const auto value = number<double>(part);
+    if (!value || !(*value >= range.low && *value <= range.high)) {
+      throw UsageError(
+          fmt::format("--tolerances: '{}', allowed: numbers from {} to {}", part, range.low, range.high));
+    }
+    tolerances.push_back(*value);
+  }
+  return tolerances;
+}
+
+void read_labels(const std::string& text, RubbenchArguments& arguments) {
+  const auto parts = split(text, 'x');
+  if (parts.size() == 2) {
+    const auto speeds = number<std::size_t>(parts[0]), unbalances = number<std::size_t>(parts[1]);
+    if (speeds && unbalances && (*speeds == 0) == (*unbalances == 0)) {
+      arguments.label_speeds = *speeds;
+      arguments.label_unbalances = *unbalances;
+      return;
+    }
+  }
+  throw UsageError("--labels: allowed: SPEEDSxUNBALANCES, two numbers >= 1, or 0x0");
+}
+
+int read_count(const po::variables_map& given, const char* name, int low, int otherwise) {
+  if (given.count(name) == 0) return otherwise;
+  const int value = given[name].as<int>();
+  if (value < low) throw UsageError(fmt::format("--{}: allowed: a number >= {}", name, low));
+  return value;
+}
+
+}  // namespace
+
+RubbenchArguments parse_rubbench_arguments(int argc, const char* const* argv) {
+  po::options_description all = visible_options();
+  all.add_options()("config", po::value<std::string>());
+  po::positional_options_description positional;
+  positional.add("config", 1);
+  po::variables_map given;
+  try {
+    // No guessing: --turn is an error, not --turns.
+    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+              given);
+  } catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+  RubbenchArguments arguments;
+  arguments.version = given.count("version") != 0;
+  arguments.help = given.count("help") != 0;
+  if (arguments.help || arguments.version) return arguments;
+  if (given.count("config") == 0) throw UsageError("a configuration file is needed: rubbench CONFIG.yaml");
+  arguments.config = given["config"].as<std::string>();
+  if (given.count("cell") != 0) {
+    for (const std::string& text : given["cell"].as<std::vector<std::string>>())
+      arguments.cells.push_back(read_cell(text));
+  }
+  arguments.steppers = {bench::all_steppers().begin(), bench::all_steppers().end()};
+  if (given.count("steppers") != 0) arguments.steppers = read_steppers(given["steppers"].as<std::string>());
+  arguments.relative_tolerances = read_tolerances(
+      given.count("tolerances") != 0 ? given["tolerances"].as<std::string>() : default_tolerances);
+  arguments.work.turns = read_count(given, "turns", arguments.work.error_turns, arguments.work.turns);
+  arguments.work.repeats = read_count(given, "repeats", 1, arguments.work.repeats);
+  if (given.count("labels") != 0) read_labels(given["labels"].as<std::string>(), arguments);
+  if (given.count("label-seconds") != 0) {
+    arguments.label_seconds = given["label-seconds"].as<double>();
+    if (!(arguments.label_seconds > 0)) throw UsageError("--label-seconds: allowed: a number > 0");
+  }
+  if (arguments.label_speeds == 0 && arguments.cells.empty())
+    throw UsageError("without labels no cell can be chosen: --cell SPEED_HZ,UNBALANCE is needed");
+  if (given.count("output") != 0) {
+    arguments.output = given["output"].as<std::string>();
+    if (arguments.output->empty()) throw UsageError("--output: allowed: the name of a directory");
+  }
+  if (given.count("set") != 0) arguments.overrides = given["set"].as<std::vector<std::string>>();
+  arguments.quiet = given.count("quiet") != 0;
+  return arguments;
+}
+
+std::string rubbench_help() {
+  std::ostringstream options;
+  options << visible_options();
+  return fmt::format(
+      "rubbench CONFIG.yaml [options]\n"
+      "Work against precision: the same cell by every method, stepper, contact handling and tolerance.\n\n"
+      "{}\n"
+      "Examples:\n"
+      "  rubbench configs/figure06_one_side.yaml --cell 75,0.4\n"
+      "  rubbench configs/figure11_annulus.yaml --steppers dopri5,rkf78 --tolerances 1e-6,1e-9 --labels 6x3\n"
+      "  rubbench configs/minimal.yaml --cell 90,0.6 --labels 0x0 --turns 6 --repeats 1 --output /tmp/bench\n"
+      "  scripts/work_precision.sh /tmp/bench/work_precision.csv /tmp/bench/picture 'A title'   (draws "
+      "it)\n\n"
+      "Writes into DIR: work_precision.csv and config.yaml.\n"
+      "  microseconds_per_revolution  median of the repeats, variants interleaved; compare within one run "
+      "only\n"
+      "  state_error                  of the section after 6 revolutions, in (clearance, clearance omega), "
+      "from\n"
+      "                               the exact solver; where it has no closed form, rkf78 at 1e-13 inside "
+      "it.\n"
+      "                               The distance to two other routes is printed: errors below it mean "
+      "nothing\n"
+      "  label_agreement              share of labelled cells with the reference's class and order; cells "
+      "that\n"
+      "                               cannot be kicked are left out\n"
+      "  steps, switches, rhs_calls   of one timed run\n"
+      "A variant that one revolution after the other is too slow for a single cell in --label-seconds is "
+      "not\n"
+      "labelled (labels_too_slow); one whose time is up has labelled a spread part of the cells "
+      "(labels_cut).\n"
+      "The stepper auto is not listed: at every step it is one of the others.\n\n"
+      "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 done, but a run failed (its "
+      "status\n"
+      "says why). An interrupted run writes nothing.\n",
+      options.str());
+}
+
+}  // namespace rubsweep::apps

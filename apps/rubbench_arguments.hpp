@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/bench/work_precision.hpp"
+
+namespace rubsweep::apps {
+
+/// A cell by its numbers on the two axes of the sweep.
+struct BenchCell {
+  double speed_hz = 0;
+  double unbalance = 0;
+};
+
+struct RubbenchArguments {
+  bool help = false, version = false;  ///< true: nothing else is filled in
+  std::filesystem::path config;
+  std::vector<BenchCell> cells;  ///< empty: one is chosen
+  std::vector<integrate::Stepper> steppers;
+  std::vector<double> relative_tolerances;
+  bench::WorkPrecisionOptions work;
+  std::size_t label_speeds = 12, label_unbalances = 6;  ///< 0 x 0: no labels
+  double label_seconds = 5;                             ///< for each variant
+  std::optional<std::filesystem::path> output;
+  std::vector<std::string> overrides;  ///< `key.path=value` of every --set
+  bool quiet = false;
+};
+
+/// Throws UsageError (program.hpp).
+RubbenchArguments parse_rubbench_arguments(int argc, const char* const* argv);
+
+/// Text of --help.
+std::string rubbench_help();
+
+}  // namespace rubsweep::apps

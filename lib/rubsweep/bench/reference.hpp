@@ -1,0 +1,39 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "rubsweep/integrate/options.hpp"
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::bench {
+
+/// The section that errors are measured against, and how far two other routes to it are away.
+struct Reference {
+  std::vector<double> section;  ///< scaled, as Turn::section
+  double against_rkf78 = 0;     ///< largest difference of a component from adaptive rkf78
+  double against_dopri5 = 0;    ///< and from adaptive dopri5, in (clearance, clearance omega)
+  bool closed_forms = false;    ///< no turn of the reference was made by a stepper
+};
+
+/// What is known of the error of the reference: the larger of its two distances.
+inline double uncertainty(const Reference& reference) {
+  return std::max(reference.against_rkf78, reference.against_dopri5);
+}
+
+/// Tolerance of every stepper behind a reference.
+inline constexpr double reference_tolerance = 1e-13;
+
+/// `base` as references are computed: the exact solver wherever it applies, its turns without a closed form,
+/// and scenes it does not take at all, by rkf78 at `relative_tolerance`, every contact located.
+integrate::SolverOptions reference_options(integrate::SolverOptions base,
+                                           double relative_tolerance = reference_tolerance);
+
+/// Section of `scene` after `turns` revolutions. Throws SolverError where a solver does not get there.
+Reference reference_section(const scene::Scene& scene, int turns, const integrate::SolverOptions& base);
+
+/// Largest difference of a component; NaN where one is.
+double section_difference(std::span<const double> a, std::span<const double> b);
+
+}  // namespace rubsweep::bench

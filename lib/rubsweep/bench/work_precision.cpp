@@ -1,0 +1,62 @@
+#include "rubsweep/bench/work_precision.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "rubsweep/bench/processor_time.hpp"
+#include "rubsweep/bench/reference.hpp"
+#include "rubsweep/integrate/start.hpp"
+
+namespace rubsweep::bench {
+namespace {
+
+/// One run of one variant; returns its processor time in seconds.
+double run_once(const scene::Scene& scene, const integrate::SolverOptions& solver,
+                std::span<const double> reference, const WorkPrecisionOptions& options,
+                integrate::ExactPlans& plans, Measurement& measurement) {
+  integrate::Turn turn;
+  const double start = processor_time_s();
+  const integrate::Run run = integrate::start(scene, solver, plans);
+  for (int k = 1; k <= options.turns; ++k) {
+    measurement.outcome = run.advance(turn);
+    if (measurement.outcome != integrate::Outcome::ok) break;
+    if (k == options.error_turns) measurement.state_error = section_difference(turn.section, reference);
+  }
+  const double elapsed = processor_time_s() - start;
+  measurement.effort = turn.effort;
+  ++measurement.repeats;
+  return elapsed;
+}
+
+}  // namespace
+
+std::vector<Measurement> measure(const scene::Scene& scene, const integrate::SolverOptions& base,
+                                 std::span<const Variant> variants, std::span<const double> reference,
+                                 const WorkPrecisionOptions& options) {
+  std::vector<Measurement> measurements(variants.size());
+  std::vector<std::vector<double>> seconds(variants.size());
+  integrate::ExactPlans plans;
+  for (int repeat = 0; repeat < options.repeats; ++repeat) {
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+      Measurement& measurement = measurements[i];
+      measurement.variant = variants[i];
+      const double used = std::accumulate(seconds[i].begin(), seconds[i].end(), 0.0);
+      if (used > options.seconds_per_variant || measurement.outcome != integrate::Outcome::ok) continue;
+      seconds[i].push_back(
+          run_once(scene, options_of(variants[i], base), reference, options, plans, measurement));
+    }
+  }
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    if (measurements[i].outcome != integrate::Outcome::ok) continue;
+    measurements[i].microseconds_per_revolution = 1e6 * median(seconds[i]) / options.turns;
+  }
+  return measurements;
+}
+
+double median(std::vector<double> values) {
+  const std::size_t middle = values.size() / 2;
+  std::sort(values.begin(), values.end());
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+}  // namespace rubsweep::bench

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/bench/label_agreement.hpp"
+#include "rubsweep/bench/reference.hpp"
+#include "rubsweep/bench/work_precision.hpp"
+
+namespace rubsweep::report {
+
+/// One line of a work-precision table: one variant on one cell.
+struct WorkPrecisionLine {
+  std::string cell;
+  bench::Measurement measurement;
+  std::optional<bench::LabelAgreement> labels;  ///< over the whole map; empty: not asked or too slow
+  bool labels_too_slow = false;
+};
+
+/// "75 Hz whirl 0.4" or "75 Hz e 3e-05 m".
+std::string cell_name(const bench::Place& place);
+
+/// "adaptive dopri5 located 1e-08", or "exact located" where no stepper is asked.
+std::string variant_name(const bench::Variant& variant);
+
+/// One sentence on the reference of a cell and how far the other routes to it are away.
+std::string reference_sentence(const std::string& cell, const bench::Reference& reference);
+
+/// `#` lines with version, digest and what the columns mean, one per line with its end.
+std::string work_precision_comments(const std::string& version, const std::string& digest,
+                                    const bench::WorkPrecisionOptions& options);
+
+/// Header and rows. steps, switches and rhs_calls are those of one timed run; what does not apply is empty.
+std::string work_precision_csv(const std::vector<WorkPrecisionLine>& lines);
+
+/// The same for a terminal: per revolution, and then every variant whose status is not `ok` by its name.
+std::string work_precision_table(const std::vector<WorkPrecisionLine>& lines, int turns);
+
+/// `ok` or one word per cause joined by ';': the outcome of the run, `labels_cut` (time was up before every
+/// cell was compared), `labels_too_slow` (none was).
+std::string status_of(const WorkPrecisionLine& line);
+
+}  // namespace rubsweep::report

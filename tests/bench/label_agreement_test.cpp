@@ -1,0 +1,52 @@
+#include "rubsweep/bench/label_agreement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::bench {
+namespace {
+
+const std::array<Place, 4> places{Place{75, scene::WhirlRatio{0.4}}, Place{75, scene::WhirlRatio{1.2}},
+                                  Place{90, scene::WhirlRatio{0.6}}, Place{54, scene::WhirlRatio{0.05}}};
+
+TEST(LabelAgreement, CellsThatCannotBeKickedAreLeftOut) {
+  const auto cells = reference_labels(test::machine_of({}), places, {}, {});
+  ASSERT_EQ(cells.size(), 3);
+  EXPECT_EQ(cells[1].place, 2);
+  EXPECT_EQ(cells[1].label.motion_class, response::MotionClass::subharmonic);
+  EXPECT_EQ(cells[1].label.order, 2);
+}
+
+TEST(LabelAgreement, CountsEqualClassAndOrder) {
+  auto cells = reference_labels(test::machine_of({}), places, {}, {});
+  const LabelAgreement all = label_agreement(cells, {}, {}, 100);
+  EXPECT_EQ(all.compared, 3);
+  EXPECT_EQ(all.agreed, 3);
+  EXPECT_FALSE(all.cut);
+  cells[1].label.order = 3;
+  EXPECT_EQ(label_agreement(cells, {}, {}, 100).agreed, 2);
+}
+
+TEST(LabelAgreement, WithoutTimeNothingIsCompared) {
+  const auto cells = reference_labels(test::machine_of({}), places, {}, {});
+  const LabelAgreement none = label_agreement(cells, {}, {}, 0);
+  EXPECT_TRUE(none.cut);
+  EXPECT_LT(none.compared, 3);
+}
+
+TEST(Spread, TakesBothEndsAndEvenSteps) {
+  EXPECT_EQ(spread(66, 4), (std::vector<std::size_t>{0, 22, 43, 65}));
+  EXPECT_EQ(spread(3, 12), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(spread(5, 1), (std::vector<std::size_t>{2}));
+  EXPECT_TRUE(spread(5, 0).empty());
+  const auto twelve = spread(66, 12);
+  EXPECT_EQ(twelve.front(), 0);
+  EXPECT_EQ(twelve.back(), 65);
+  for (std::size_t i = 1; i < twelve.size(); ++i) EXPECT_GE(twelve[i] - twelve[i - 1], 5);
+}
+
+}  // namespace
+}  // namespace rubsweep::bench

@@ -1,0 +1,58 @@
+#include "rubsweep/bench/reference.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/long_double_reference.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::bench {
+namespace {
+
+constexpr int turns = 6;
+
+TEST(Reference, IsTheLongDoubleOneOnSetA) {
+  const test::OneSideRotor rotor;
+  const Reference reference = reference_section(test::cell_of(rotor).scene, turns, {});
+  const auto by_hand = test::long_double_sections(rotor, turns, 1000);
+  EXPECT_LT(test::section_error(reference.section, by_hand[turns], rotor), 1e-11);
+  EXPECT_TRUE(reference.closed_forms);
+  EXPECT_LT(uncertainty(reference), 1e-11);
+  EXPECT_GT(reference.against_rkf78, 0);  // another route, not the same one again
+  EXPECT_GT(reference.against_dopri5, 0);
+}
+
+TEST(Reference, OfARingIsMadeByAStepper) {
+  model::Machine machine = test::machine_of({});
+  machine.stops[0].geometry = model::AnnularGeometry{};
+  const auto cell = scene::build_cell(machine, 75, scene::WhirlRatio{0.5});
+  const Reference reference = reference_section(cell.scene, turns, {});
+  EXPECT_FALSE(reference.closed_forms);
+  EXPECT_LT(uncertainty(reference), 1e-9);
+}
+
+TEST(Reference, TakesAnythingFromTheConfigurationButWhatItStatesItself) {
+  integrate::SolverOptions base;
+  base.contact = integrate::ContactHandling::smoothed;
+  base.method = integrate::Method::adaptive;
+  base.relative_tolerance = 1e-3;
+  base.max_steps_per_revolution = 4711;
+  const auto options = reference_options(base);
+  EXPECT_EQ(options.method, integrate::Method::automatic);
+  EXPECT_EQ(options.stepper, integrate::Stepper::rkf78);
+  EXPECT_EQ(options.contact, integrate::ContactHandling::located);
+  EXPECT_EQ(options.relative_tolerance, reference_tolerance);
+  EXPECT_EQ(options.max_steps_per_revolution, 4711);
+}
+
+TEST(SectionDifference, IsTheLargestAndSeesNotANumber) {
+  const std::vector<double> a{1, -2, 3}, b{1.5, 0, 3};
+  EXPECT_EQ(section_difference(a, b), 2);
+  const std::vector<double> c{1, std::numeric_limits<double>::quiet_NaN(), 30};
+  EXPECT_TRUE(std::isnan(section_difference(a, c)));
+}
+
+}  // namespace
+}  // namespace rubsweep::bench

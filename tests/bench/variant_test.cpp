@@ -1,0 +1,58 @@
+#include "rubsweep/bench/variant.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::bench {
+namespace {
+
+constexpr std::array tolerances{1e-4, 1e-6};
+
+std::ptrdiff_t exact_ones(const std::vector<Variant>& variants) {
+  return std::count_if(variants.begin(), variants.end(),
+                       [](const Variant& v) { return v.method == integrate::Method::exact; });
+}
+
+TEST(Variants, ClosedFormsAreOneLine) {
+  const auto variants = variants_of(test::cell_of({}).scene, {}, 6, all_steppers(), tolerances);
+  EXPECT_EQ(variants.size(), 1 + 5 * 2 * 2);
+  EXPECT_EQ(exact_ones(variants), 1);
+  EXPECT_FALSE(variants.front().stepper);
+  EXPECT_FALSE(variants.front().relative_tolerance);
+}
+
+TEST(Variants, WithAStepperInsideTheExactSolverHasALineForEach) {
+  model::Machine machine = test::machine_of({});
+  machine.stops[0].geometry = model::AnnularGeometry{};
+  const auto cell = scene::build_cell(machine, 75, scene::WhirlRatio{0.5});
+  const auto variants = variants_of(cell.scene, {}, 6, all_steppers(), tolerances);
+  EXPECT_EQ(variants.size(), 5 * 2 * 3);
+  EXPECT_EQ(exact_ones(variants), 5 * 2);
+  for (const Variant& v : variants) {
+    EXPECT_TRUE(v.method == integrate::Method::adaptive || v.contact == integrate::ContactHandling::located);
+  }
+}
+
+TEST(Variants, SayWhatTheyChange) {
+  integrate::SolverOptions base;
+  base.relative_tolerance = 3e-5;
+  base.max_steps_per_revolution = 4711;
+  const auto exact =
+      options_of({integrate::Method::exact, {}, integrate::ContactHandling::located, {}}, base);
+  EXPECT_EQ(exact.method, integrate::Method::exact);
+  EXPECT_EQ(exact.relative_tolerance, 3e-5);
+  const auto other = options_of(
+      {integrate::Method::adaptive, integrate::Stepper::rkf78, integrate::ContactHandling::smoothed, 1e-7},
+      base);
+  EXPECT_EQ(other.stepper, integrate::Stepper::rkf78);
+  EXPECT_EQ(other.contact, integrate::ContactHandling::smoothed);
+  EXPECT_EQ(other.relative_tolerance, 1e-7);
+  EXPECT_EQ(other.max_steps_per_revolution, 4711);
+}
+
+}  // namespace
+}  // namespace rubsweep::bench

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# rubbench: what it writes, what it prints and how it ends.
+source "$(dirname "$0")/support.sh"
+few=(--turns 6 --repeats 1 --steppers dopri5,rkf78 --tolerances 1e-5,1e-8)
+
+# Command line.
+expect_exit 0 --help
+expect_contains stdout 'rubbench CONFIG.yaml'
+for option in cell steppers tolerances turns repeats labels label-seconds output set quiet help version; do
+  expect_matches stdout "^  --$option "
+done
+expect_exit 0 --version
+[[ $(<stdout) == "rubbench $version" ]] || fail "expected: rubbench $version"
+
+# expect_usage_error TEXT ARGUMENT...
+expect_usage_error() {
+  local text=$1
+  shift
+  expect_exit 1 "$@"
+  expect_empty stdout
+  expect_contains stderr "rubbench: $text"
+  expect_missing results
+}
+expect_usage_error 'a configuration file is needed'
+expect_usage_error '--cell 75: allowed: SPEED_HZ,UNBALANCE' "$minimal" --cell 75
+expect_usage_error '--cell 0,0.4: allowed' "$minimal" --cell 0,0.4
+expect_usage_error "--steppers: 'euler', allowed: dopri5, " "$minimal" --steppers dopri5,euler
+expect_usage_error "--tolerances: '1', allowed: numbers from 1e-14" "$minimal" --tolerances 1e-6,1
+expect_usage_error '--turns: allowed: a number >= 6' "$minimal" --turns 5
+expect_usage_error '--repeats: allowed: a number >= 1' "$minimal" --repeats 0
+expect_usage_error '--labels: allowed' "$minimal" --labels 12
+expect_usage_error '--labels: allowed' "$minimal" --labels 0x6
+expect_usage_error 'without labels no cell can be chosen' "$minimal" --labels 0x0
+
+# Configuration and files that cannot be had.
+expect_exit 2 "$minimal" --set rotor.mass_kg=-1
+expect_exit 2 "$minimal" --labels 0x0 --cell 90,1.2
+expect_contains stderr 'the quiet motion already touches a wall'
+expect_exit 3 no_such_file.yaml
+echo precious >file
+expect_exit 3 "$minimal" --output file/below
+rm -rf results
+
+# A table with labels; the cell is chosen: a rub.
+expect_exit 0 "$minimal" "${few[@]}" --labels 3x2 --label-seconds 100
+expect_empty stderr
+mv results/minimal_bench bench
+expect_files bench config.yaml work_precision.csv
+table=bench/work_precision.csv
+[[ $(grep -v '^#' $table | head -n 1) == cell,method,stepper,contact,tolerance,microseconds_per_revolution,state_error\
+,label_agreement,steps,switches,rhs_calls,status ]] || fail "$table has another header"
+[[ $(grep -vc -e '^#' -e '^cell,' $table) == 9 ]] || fail 'not exact and 2 x 2 x 2 adaptive variants'
+expect_matches $table '^# .* Hz whirl .*: reference by closed forms alone'
+expect_matches $table ',exact,,located,,[0-9.e-]+,[0-9.e-]+,1,[0-9]+,[0-9]+,0,ok$'
+for contact in located smoothed; do
+  for stepper in dopri5 rkf78; do
+    for tolerance in 1e-05 1e-08; do expect_matches $table ",adaptive,$stepper,$contact,$tolerance,"; done
+  done
+done
+awk -F, '/^[^#]/ && $1 != "cell" && ($2 == "exact" ? $7 > 1e-11 : $4 == "located" && $7 > 100 * $5) { exit 1 }' $table ||
+  fail 'a located variant is less exact than its tolerance'
+expect_contains stdout 'labels: 6 of 6 cells can be kicked'
+expect_matches stdout '^adaptive rkf78 smoothed 1e-08 '
+
+# A named cell, no labels; a variant that fails is named.
+expect_exit 4 "$minimal" --labels 0x0 --cell 90,0.6 --turns 6 --repeats 1 --tolerances 1e-4,1e-13 --steppers dopri5 \
+  --set solver.max_steps_per_revolution=1000 --output failed
+expect_contains stdout '90 Hz whirl 0.6: adaptive dopri5 located 1e-13: step_limit'
+expect_matches failed/work_precision.csv ',adaptive,dopri5,located,1e-13,,,,[0-9]+,[0-9]+,[0-9]+,step_limit$'
