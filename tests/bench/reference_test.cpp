@@ -38,13 +38,15 @@ TEST(Reference, TakesAnythingFromTheConfigurationButWhatItStatesItself) {
   base.contact = integrate::ContactHandling::smoothed;
   base.method = integrate::Method::adaptive;
   base.relative_tolerance = 1e-3;
-  base.max_steps_per_revolution = 4711;
+  base.max_steps_per_revolution = 2'000'000;
   const auto options = reference_options(base);
   EXPECT_EQ(options.method, integrate::Method::automatic);
   EXPECT_EQ(options.stepper, integrate::Stepper::rkf78);
   EXPECT_EQ(options.contact, integrate::ContactHandling::located);
   EXPECT_EQ(options.relative_tolerance, reference_tolerance);
-  EXPECT_EQ(options.max_steps_per_revolution, 4711);
+  EXPECT_EQ(options.max_steps_per_revolution, 2'000'000);
+  base.max_steps_per_revolution = 4711;
+  EXPECT_EQ(reference_options(base).max_steps_per_revolution, 1'000'000);
 }
 
 TEST(SectionDifference, IsTheLargestAndSeesNotANumber) {

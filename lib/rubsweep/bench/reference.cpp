@@ -17,7 +17,8 @@ integrate::Turn turn_after(const scene::Scene& scene, int turns, const integrate
   for (int k = 0; k < turns; ++k) {
     const integrate::Outcome outcome = run.advance(turn);
     if (outcome != integrate::Outcome::ok) {
-      throw SolverError("the reference of the state error: " + std::string(integrate::to_string(outcome)));
+      throw ConfigError("this cell has no reference for the state error, choose another: " +
+                        std::string(integrate::to_string(outcome)));
     }
   }
   return turn;
@@ -36,6 +37,9 @@ integrate::SolverOptions reference_options(integrate::SolverOptions base, double
   base.stepper = integrate::Stepper::rkf78;
   base.contact = integrate::ContactHandling::located;
   base.relative_tolerance = relative_tolerance;
+  // A limit that is there to stop the variants is none for what they are measured against.
+  base.max_steps_per_revolution =
+      std::max(base.max_steps_per_revolution, integrate::SolverOptions{}.max_steps_per_revolution);
   return base;
 }
 

@@ -30,7 +30,7 @@ inline constexpr double reference_tolerance = 1e-13;
 integrate::SolverOptions reference_options(integrate::SolverOptions base,
                                            double relative_tolerance = reference_tolerance);
 
-/// Section of `scene` after `turns` revolutions. Throws SolverError where a solver does not get there.
+/// Section of `scene` after `turns` revolutions. Throws ConfigError where a solver does not get there.
 Reference reference_section(const scene::Scene& scene, int turns, const integrate::SolverOptions& base);
 
 /// Largest difference of a component; NaN where one is.
