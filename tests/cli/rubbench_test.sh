@@ -62,6 +62,15 @@ awk -F, '/^[^#]/ && $1 != "cell" && ($2 == "exact" ? $7 > 1e-11 : $4 == "located
 expect_contains stdout 'labels: 6 of 6 cells can be kicked'
 expect_matches stdout '^adaptive rkf78 smoothed 1e-08 '
 
+# Its picture, where there is gnuplot.
+if command -v gnuplot >/dev/null; then
+  "$top/scripts/work_precision.sh" $table out/picture Heading >stdout 2>stderr || fail 'work_precision.sh failed'
+  expect_empty stdout
+  expect_empty stderr
+  [[ $(od -An -tu1 -j16 -N8 out/picture.png | awk '{ print $3 * 256 + $4, $7 * 256 + $8 }') == '1800 880' ]] ||
+    fail 'the picture has another size'
+fi
+
 # A named cell, no labels; a variant that fails is named.
 expect_exit 4 "$minimal" --labels 0x0 --cell 90,0.6 --turns 6 --repeats 1 --tolerances 1e-4,1e-13 --steppers dopri5 \
   --set solver.max_steps_per_revolution=1000 --output failed
