@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "rubsweep/integrate/exact_plan.hpp"
+#include "rubsweep/integrate/pair_flow.hpp"
+#include "rubsweep/integrate/step_table.hpp"
 
 namespace rubsweep::integrate {
 namespace detail {
@@ -60,7 +62,7 @@ class ExactMotion {
   Exit ring(std::size_t r, const State& sizes) const;
 
   void step_by_table(int k);
-  /// Any duration up to the mode's longest step, of either sign.
+  /// Any duration up to the mode's longest step; back in time, for corrections, up to its series' limit.
   void step_by(double duration_s);
 
   /// Bound on |d slip / dt| / length scale of a touching contact, within the longest step.

@@ -3,35 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "rubsweep/integrate/certified_step.hpp"
 #include "rubsweep/integrate/step_observer.hpp"
+#include "rubsweep/integrate/step_table.hpp"
 
 namespace rubsweep::integrate {
 namespace {
 
 using contact::Mode;
 
-/// A crossing is taken by Newton when M |g| <= this g'^2: then g is monotone up to the crossing, and the
-/// first estimate is off by at most an eighth.
-constexpr double newton_reach = 0.4;
 constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
 constexpr int longest_standstill = 16;   ///< mode switches without progress before a graze is stepped over
 constexpr double steps_per_turn_when_watched = 64;
-constexpr int newton_iterations = 12;
-
-/// First root of g + g' t + M t^2 / 2 for g <= 0: as long as that nothing can happen.
-double safe_step(double value, double rate, double curvature) {
-  const double gap = std::max(0.0, -value);
-  const double root = std::sqrt(rate * rate + 2 * curvature * gap);
-  if (rate > 0) return 2 * gap / (rate + root);
-  return curvature > 0 ? (root - rate) / curvature : std::numeric_limits<double>::infinity();
-}
-
-/// Root of g + g' t + g'' t^2 / 2 next to zero.
-double next_root(double value, double rate, double curvature) {
-  const double square = rate * rate - 2 * value * curvature;
-  return square > 0 ? -2 * value / (rate + std::copysign(std::sqrt(square), rate)) : -value / rate;
-}
+constexpr int halley_iterations = 12;
 
 }  // namespace
 
@@ -41,23 +27,13 @@ ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<ExactPlan<N>> p
       speed_(scene.speed_rad_per_s),
       period_s_(2 * std::numbers::pi / scene.speed_rad_per_s),
       length_m_(scene.length_scale_m),
-      observed_(plan->system().observed),
+      slip_(scene, plan->friction()),
+      peaks_(*plan, scene.length_scale_m),
       max_steps_(max_steps) {
   if (scene.pulse && scene.pulse->force_n != 0) {
     kick_s_ = scene.pulse->duration_s;
     kick_elapsed_s_ = scene.pulse->elapsed_s;
   }
-  for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
-    const bool saturates = contact::saturated_friction(scene.contacts[i].friction).has_value();
-    slip_above_m_per_s_.push_back(saturates ? plan->friction()[i].above_m_per_s
-                                            : std::numeric_limits<double>::infinity());
-    surface_speed_m_per_s_.push_back(scene.contacts[i].surface_speed_m_per_s);
-  }
-  slip_start_.resize(scene.contacts.size());
-  slip_rate_bound_.resize(scene.contacts.size());
-  slip_friction_rate_.resize(scene.contacts.size());
-  force_n_.resize(scene.contacts.size());
-  force_rate_n_.resize(scene.contacts.size());
   const Eigen::Index n = scene.structure.coordinates();
   turn_start_.resize(2 * n);
   turn_start_ << scene.displacement_m / length_m_, scene.velocity_m_per_s / length_m_;
@@ -108,17 +84,19 @@ bool ExactRun<N>::begin_turn(Turn& turn) {
   next_sample_ = 0;
   standstill_ = 0;
   motion_.follow_transition(false);
-  if (goes_on_) {
-    // The state stands; only the phase starts again from exactly zero.
-    set_phases();
-  } else if (set_phases(); !enter_by_state(turn_start_)) {
-    return false;
-  }
-  goes_on_ = false;
-  if (!begin_stretch(turn_start_)) return false;
+  if (!start_motion() || !slip_.begin(motion_, turn_start_)) return false;
   motion_.follow_transition(turn.transition_wanted);
-  if (turn.peaks) watch_from_here();
+  if (turn.peaks) peaks_.begin(motion_);
   return true;
+}
+
+/// Where the motion stands at the end of the last turn only its phase starts again, from exactly zero.
+template <int N>
+bool ExactRun<N>::start_motion() {
+  const bool stands = std::exchange(goes_on_, false), was_kicked = kicked_;
+  set_phases();
+  if (!stands) return enter_by_state(turn_start_);
+  return kicked_ == was_kicked || motion_.enter(motion_.joint(), turn_start_);
 }
 
 template <int N>
@@ -158,7 +136,7 @@ contact::Kinematics ExactRun<N>::kinematics(std::size_t i, const State& physical
 template <int N>
 ExactEnding ExactRun<N>::end_turn(Turn& turn) {
   const State end = motion_.physical();
-  if (!slip_stays_saturated(turn, end)) return ExactEnding::beyond;
+  if (!slip_held(turn, end)) return ExactEnding::beyond;
   if (!end.allFinite()) return ExactEnding::non_finite;
   turn_start_ = end;
   ++revolution_;
@@ -186,7 +164,7 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
   const double until = boundary - time_s_;
   Choice choice = choose(until);
   ++effort_.steps;
-  if (choice.ring) return ExactEnding::beyond;
+  if (choice.ring || !renew_slip_watch(turn, choice.step_s)) return ExactEnding::beyond;
   if (choice.crossing && standstill_ < longest_standstill) {
     land(turn, *choice.crossing);
     return switch_mode(turn, *choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
@@ -210,11 +188,6 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
     move(turn, k < exact_step_count ? motion_.mode().longest_step_s * exact_step_size(k) : step, k);
     standstill_ = 0;
   }
-  if (motion_.joint() != 0 && stretch_s_ > motion_.mode().longest_step_s / 2) {
-    const State here = motion_.physical();
-    if (!slip_stays_saturated(turn, here)) return ExactEnding::beyond;
-    begin_stretch(here);
-  }
   return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
 }
 
@@ -236,7 +209,7 @@ typename ExactRun<N>::Choice ExactRun<N>::choose(double until_boundary_s) const 
   for (std::size_t r = 0; r < mode.rings.size(); ++r) {
     const Exit ring = motion_.ring(r, sizes);
     const double step = safe_step(ring.value, ring.rate, ring.curvature);
-    const bool near = ring.rate > 0 && ring.curvature * -ring.value <= newton_reach * ring.rate * ring.rate;
+    const bool near = crosses(ring.value, ring.rate, ring.curvature);
     if (ring.value >= 0 || (near && step < choice.step_s) || step < 1e-7 * period_s_) choice.ring = true;
     choice.step_s = std::min(choice.step_s, step);
   }
@@ -248,12 +221,10 @@ void ExactRun<N>::add_exit(std::size_t e, const State& sizes, Choice& choice) co
   const Exit exit = motion_.exit(e, sizes);
   double step = safe_step(exit.value, exit.rate, exit.curvature);
   if (step >= choice.step_s) return;
-  const double gap = std::max(0.0, -exit.value);
-  if (exit.rate > 0 && exit.curvature * gap <= newton_reach * exit.rate * exit.rate) {
-    // g + g' t - M t^2 / 2 is past zero here: the crossing is at most this far.
-    const double latest = 2 * gap / (exit.rate + std::sqrt(exit.rate * exit.rate - 2 * exit.curvature * gap));
+  if (crosses(exit.value, exit.rate, exit.curvature)) {
+    const double latest = latest_crossing(exit.value, exit.rate, exit.curvature);
     if (latest < choice.step_s) {
-      choice.step_s = gap / exit.rate;
+      choice.step_s = latest;
       choice.crossing = e;
       return;
     }
@@ -277,10 +248,10 @@ void ExactRun<N>::move(Turn& turn, double duration_s, int table_step) {
   }
   time_s_ += duration_s;
   if (motion_.joint() != 0) {
-    stretch_s_ += duration_s;
+    slip_.advance(duration_s);
     turn.contact_fraction += duration_s / period_s_;
   }
-  if (turn.peaks) watch_to_here(turn, duration_s);
+  if (turn.peaks) peaks_.step(motion_, duration_s, turn);
 }
 
 /// Halley's iteration on the exact flow, third order; ends where the next step would be rounding.
@@ -289,7 +260,7 @@ void ExactRun<N>::land(Turn& turn, std::size_t e) {
   const double before = time_s_;
   Exit exit = motion_.exit_here(e);
   double last = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < newton_iterations; ++i) {
+  for (int i = 0; i < halley_iterations; ++i) {
     const double step = next_root(exit.value, exit.rate, exit.curvature);
     if (!(std::abs(step) > 1e-17 * period_s_) || !(std::abs(step) < last / 2)) break;
     move(turn, step, -1);
@@ -304,7 +275,7 @@ bool ExactRun<N>::switch_mode(Turn& turn, std::size_t e) {
   const auto& plan = motion_.mode();
   const auto& contacts = motion_.plan().system().contacts;
   const State here = motion_.physical();
-  if (!slip_stays_saturated(turn, here)) return false;
+  if (!slip_held(turn, here)) return false;
   const State rate = motion_.rate_of(here);
   std::size_t joint = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -317,8 +288,8 @@ bool ExactRun<N>::switch_mode(Turn& turn, std::size_t e) {
     ++effort_.switches;
     StepObserver::count(turn, {speed_ * time_s_, static_cast<int>(i), from, to});
   }
-  if (!motion_.enter(joint, here) || !begin_stretch(here)) return false;
-  if (turn.peaks) watch_from_here();
+  if (!motion_.enter(joint, here) || !slip_.begin(motion_, here)) return false;
+  if (turn.peaks) peaks_.begin(motion_);
   return true;
 }
 
@@ -332,72 +303,19 @@ void ExactRun<N>::sample(Turn& turn) {
   ++next_sample_;
 }
 
-/// Slip at the start of a stretch of contact; false when friction is not saturated here.
 template <int N>
-bool ExactRun<N>::begin_stretch(const State& here) {
-  stretch_s_ = 0;
-  for (const TouchPlan<N>& touch : motion_.mode().touches) {
-    const std::size_t i = touch.contact;
-    slip_start_[i] = surface_speed_m_per_s_[i] + length_m_ * touch.sliding.dot(here.transpose());
-    slip_rate_bound_[i] = length_m_ * motion_.sliding_rate_bound(touch);
-    slip_friction_rate_[i] = 0;
-    for (std::size_t k = 0; k < touch.friction_rate.size(); ++k) {
-      const auto& c = motion_.plan().system().contacts[k];
-      const double penetration = c.first_row.dot(here.head(c.first_row.size()).transpose()) - c.clearance;
-      slip_friction_rate_[i] += length_m_ * touch.friction_rate[k] * std::max(0.0, penetration);
-    }
-    if (!(slip_start_[i] > slip_above_m_per_s_[i])) return false;
-  }
-  return true;
-}
-
-/// Between two instants a function stays above their mean less half of what its rate allows.
-template <int N>
-bool ExactRun<N>::slip_stays_saturated(Turn& turn, const State& here) {
+bool ExactRun<N>::slip_held(Turn& turn, const State& here) {
   if (motion_.joint() == 0) return true;
   turn.touched = true;
-  for (const TouchPlan<N>& touch : motion_.mode().touches) {
-    const std::size_t i = touch.contact;
-    const double slip = surface_speed_m_per_s_[i] + length_m_ * touch.sliding.dot(here.transpose());
-    if (slip <= 0) turn.slip_reversed = true;
-    // What friction has moved by the end swings back with the structure's own frequencies.
-    const double friction = slip_friction_rate_[i] * (1 + stretch_s_ / motion_.mode().series_limit_s);
-    const double least = (slip + slip_start_[i] - (slip_rate_bound_[i] + friction) * stretch_s_) / 2;
-    if (!(least > slip_above_m_per_s_[i])) return false;
-  }
-  return true;
+  return slip_.held(motion_, here, turn.slip_reversed);
 }
 
+/// The bounds of the watch hold over one longest step.
 template <int N>
-void ExactRun<N>::watch_from_here() {
+bool ExactRun<N>::renew_slip_watch(Turn& turn, double step_s) {
+  if (motion_.joint() == 0 || slip_.duration_s() + step_s <= motion_.mode().longest_step_s) return true;
   const State here = motion_.physical();
-  const Eigen::Index n = here.size() / 2;
-  const Eigen::Vector2d z = observed_ * here.head(n), v = observed_ * here.tail(n);
-  square_ = z.squaredNorm();
-  square_rate_ = 2 * z.dot(v);
-  const State offset =
-      here - (State(here.size()) << motion_.mode().rest, Eigen::VectorXd::Zero(n)).finished();
-  const State rate = motion_.rate_of(here);
-  for (const TouchPlan<N>& touch : motion_.mode().touches) {
-    force_n_[touch.contact] = touch.force.dot(offset.transpose()) + touch.force_constant;
-    force_rate_n_[touch.contact] = touch.force.dot(rate.transpose());
-  }
-}
-
-template <int N>
-void ExactRun<N>::watch_to_here(Turn& turn, double duration_s) {
-  const double square = square_, square_rate = square_rate_;
-  const std::vector<double> force = force_n_, force_rate = force_rate_n_;
-  watch_from_here();
-  const double largest = cubic_maximum(square, duration_s * square_rate, square_, duration_s * square_rate_);
-  turn.peak_displacement_m =
-      std::max(turn.peak_displacement_m, length_m_ * std::sqrt(std::max(0.0, largest)));
-  for (const TouchPlan<N>& touch : motion_.mode().touches) {
-    const std::size_t i = touch.contact;
-    turn.peak_contact_force_n = std::max(
-        turn.peak_contact_force_n,
-        cubic_maximum(force[i], duration_s * force_rate[i], force_n_[i], duration_s * force_rate_n_[i]));
-  }
+  return slip_held(turn, here) && slip_.begin(motion_, here);
 }
 
 template class ExactRun<2>;

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "rubsweep/integrate/exact_motion.hpp"
+#include "rubsweep/integrate/peak_watch.hpp"
+#include "rubsweep/integrate/slip_watch.hpp"
 #include "rubsweep/integrate/turn.hpp"
 
 namespace rubsweep::integrate {
@@ -50,12 +52,13 @@ class ExactRun {
   using Exit = typename Motion::Exit;
 
   struct Choice {
-    double step_s = 0;
+    double step_s = 0;                    ///< safe, or the latest instant of the crossing
     std::optional<std::size_t> crossing;  ///< this exit is crossed, for certain and first
     bool ring = false;                    ///< a ring is about to be touched
   };
 
   bool begin_turn(Turn& turn);
+  bool start_motion();
   ExactEnding end_turn(Turn& turn);
   void set_phases();
   bool enter_by_state(const State& physical);
@@ -69,29 +72,22 @@ class ExactRun {
   contact::Kinematics kinematics(std::size_t contact, const State& physical, const State& rate) const;
   void sample(Turn& turn);
 
-  bool begin_stretch(const State& here);
-  bool slip_stays_saturated(Turn& turn, const State& here);
-  void watch_from_here();
-  void watch_to_here(Turn& turn, double duration_s);
+  bool slip_held(Turn& turn, const State& here);
+  bool renew_slip_watch(Turn& turn, double step_s);
 
   Motion motion_;
   double speed_ = 0, period_s_ = 0, length_m_ = 0;
   double kick_s_ = 0, kick_elapsed_s_ = 0;  ///< duration (0: none), and how much of it was over at the start
-  std::vector<double> slip_above_m_per_s_, surface_speed_m_per_s_;
-  Eigen::Matrix<double, 2, N> observed_;
+  SlipWatch<N> slip_;
+  PeakWatch<N> peaks_;
   long max_steps_ = 0;
 
   State turn_start_;  ///< physical
-  std::vector<double> scaled_start_;
   long revolution_ = 0;
   bool goes_on_ = false;  ///< the motion stands where the last turn ended
   double time_s_ = 0;     ///< into the revolution
   bool kicked_ = false;
   int next_sample_ = 0, standstill_ = 0;
-  double stretch_s_ = 0;  ///< since slip was last checked
-  std::vector<double> slip_start_, slip_rate_bound_, slip_friction_rate_;
-  double square_ = 0, square_rate_ = 0;
-  std::vector<double> force_n_, force_rate_n_;
   Effort effort_;
 };
 

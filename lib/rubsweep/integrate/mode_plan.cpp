@@ -1,0 +1,311 @@
+#include "rubsweep/integrate/mode_plan.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rubsweep/integrate/matrix_flow.hpp"
+#include "rubsweep/integrate/modal_form.hpp"
+#include "rubsweep/integrate/step_table.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+using contact::Mode;
+using Matrix = Eigen::MatrixXd;
+using Row = Eigen::RowVectorXd;
+using System = ScaledSystem<Eigen::Dynamic>;
+using Frictions = std::vector<contact::SaturatedFriction>;
+
+constexpr double fast_over_slow = 3;  ///< frequency ratio from which a pair counts as fast
+
+double fastest(const Matrix& generator) { return generator.eigenvalues().cwiseAbs().maxCoeff(); }
+
+/// The slowest oscillator's natural frequency, as if undamped.
+double slowest(const Matrix& stiffness) { return std::sqrt(stiffness.eigenvalues().cwiseAbs().minCoeff()); }
+
+Row over_state(const Row& by_u, const Row& by_v) {
+  Row row(by_u.size() + by_v.size());
+  row << by_u, by_v;
+  return row;
+}
+
+/// Builds one joint mode of a plan.
+template <int N>
+class ModeBuilder {
+ public:
+  ModeBuilder(const System& system, const Frictions& friction, std::vector<Mode> modes)
+      : system_(system), friction_(friction), plan_(std::make_unique<ModePlan<N>>()) {
+    plan_->modes = std::move(modes);
+  }
+
+  std::unique_ptr<ModePlan<N>> build() {
+    assemble();
+    if (!find_rest()) return nullptr;
+    set_steps();
+    for (std::size_t i = 0; i < plan_->modes.size(); ++i) {
+      if (system_.contacts[i].ring) {
+        add_ring(i);
+      } else {
+        add_exits(i);
+        if (plan_->modes[i] != Mode::open) add_touch(i);
+      }
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  bool open() const {
+    for (const Mode mode : plan_->modes) {
+      if (mode != Mode::open) return false;
+    }
+    return true;
+  }
+
+  /// Normal force = stiffness * spring_factor * p + damping * damper_factor * v.
+  static double spring_factor(Mode mode) { return mode == Mode::clamped ? 2 : mode == Mode::sprung ? 1 : 0; }
+  static double damper_factor(Mode mode) { return mode == Mode::sprung ? 1 : 0; }
+
+  void assemble() {
+    plan_->stiffness = system_.stiffness;
+    plan_->damping = system_.damping;
+    constant_ = system_.constant;
+    for (std::size_t i = 0; i < plan_->modes.size(); ++i) {
+      const auto& c = system_.contacts[i];
+      const Mode mode = plan_->modes[i];
+      if (mode == Mode::open) continue;
+      const Eigen::VectorXd push =
+          c.stiffness * (spring_factor(mode) * c.first_push + friction_[i].coefficient * c.second_push);
+      plan_->stiffness -= push * c.first_row;
+      plan_->damping -= damper_factor(mode) * c.damping * c.first_push * c.first_row;
+      constant_ -= push * c.clearance;
+    }
+    plan_->generator = generator_of(plan_->stiffness, plan_->damping);
+  }
+
+  bool find_rest() {
+    const Eigen::FullPivLU<Matrix> lu(plan_->stiffness);
+    if (!lu.isInvertible() || lu.rcond() < 1e-14) return false;
+    plan_->rest = lu.solve(constant_);
+    return true;
+  }
+
+  void set_steps() {
+    fastest_ = fastest(plan_->generator);
+    plan_->longest_step_s = 1 / slowest(plan_->stiffness);
+    if (!open()) plan_->longest_step_s = std::min(plan_->longest_step_s, 16 / fastest_);
+    plan_->series_limit_s = 0.25 / fastest_;
+    const auto form = modal_form(plan_->stiffness, plan_->damping);
+    plan_->paired = form.has_value();
+    if (form) {
+      plan_->basis = form->basis;
+      plan_->inverse = form->inverse;
+      plan_->pairs.resize(system_.coordinates(), 4);
+      for (Eigen::Index j = 0; j < system_.coordinates(); ++j) {
+        const Pair& g = form->pairs[static_cast<std::size_t>(j)];
+        plan_->pairs.row(j) << g.uu, g.uv, g.vu, g.vv;
+      }
+      growth_ = std::exp(std::max(0.0, form->growth) * plan_->longest_step_s);
+    } else {
+      plan_->basis.setIdentity(plan_->generator.rows(), plan_->generator.rows());
+      plan_->inverse = plan_->basis;
+    }
+    plan_->diagonal_basis = plan_->basis.isDiagonal(0) && plan_->inverse.isDiagonal(0);
+    for (int k = 0; k < exact_step_count; ++k) add_step(plan_->longest_step_s * exact_step_size(k));
+  }
+
+  Pair pair(Eigen::Index j) const {
+    return {plan_->pairs(j, 0), plan_->pairs(j, 1), plan_->pairs(j, 2), plan_->pairs(j, 3)};
+  }
+
+  void add_step(double duration_s) {
+    if (!plan_->paired) {
+      plan_->steps.push_back(matrix_flow(plan_->generator, duration_s));
+      return;
+    }
+    Eigen::Array<double, N, 4> step(system_.coordinates(), 4);
+    for (Eigen::Index j = 0; j < step.rows(); ++j) {
+      const Pair f = pair_flow(pair(j), duration_s);
+      step.row(j) << f.uu, f.uv, f.vu, f.vv;
+    }
+    plan_->pair_steps.push_back(step);
+  }
+
+  /// Bound of |row . z(t)| over the longest step per size of z, for a row on z.
+  Row bound(const Row& row) const {
+    if (!plan_->paired) return bound_of_flow(plan_->generator, row, plan_->longest_step_s, fastest_);
+    const Eigen::Index n = row.size() / 2;
+    Row by_pair = Row::Zero(2 * n);
+    for (Eigen::Index j = 0; j < n; ++j) by_pair(j) = growth_ * std::hypot(row(j), row(n + j));
+    return by_pair;
+  }
+
+  /// Rate of a row on z, again as a row on z.
+  Row rate(const Row& row) const {
+    if (!plan_->paired) return row * plan_->generator;
+    const Eigen::Index n = row.size() / 2;
+    Row result(2 * n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Pair g = pair(j);
+      result(j) = row(j) * g.uu + row(n + j) * g.vu;
+      result(n + j) = row(j) * g.uv + row(n + j) * g.vv;
+    }
+    return result;
+  }
+
+  Watched<N> watched(const Row& row) const {
+    const Row by_time = rate(row);
+    const Row curvature = rate(by_time);
+    return {row, by_time, curvature, bound(curvature)};
+  }
+
+  Row by_u(const Row& row) const { return over_state(row, Row::Zero(row.size())); }
+  Row by_v(const Row& row) const { return over_state(Row::Zero(row.size()), row); }
+
+  void add_exits(std::size_t i) {
+    const auto& c = system_.contacts[i];
+    const Row p = by_u(c.first_row), v = by_v(c.first_row) * (c.damping / c.stiffness);
+    switch (plan_->modes[i]) {
+      case Mode::open:
+        add_exit(i, c.damping > 0 ? Mode::clamped : Mode::sprung, p, -c.clearance);
+        break;
+      case Mode::clamped:
+        add_exit(i, Mode::sprung, p - v, -c.clearance);
+        break;
+      case Mode::sprung:
+        if (c.damping == 0) {
+          add_exit(i, Mode::open, -p, c.clearance);
+        } else {
+          add_exit(i, Mode::clamped, v - p, c.clearance);
+          add_exit(i, Mode::released, -p - v, c.clearance);
+        }
+        break;
+      case Mode::released:
+        add_exit(i, Mode::open, -p, c.clearance);
+        add_exit(i, Mode::sprung, p + v, -c.clearance);
+        break;
+    }
+  }
+
+  void add_exit(std::size_t i, Mode next, const Row& row, double constant) {
+    ExitPlan<N> exit;
+    exit.contact = i;
+    exit.next = next;
+    exit.physical = row;
+    exit.whole = watched(row * plan_->basis);
+    exit.constant = constant + row.head(plan_->rest.size()) * plan_->rest;
+    if (plan_->paired) split_off_fast(exit);
+    plan_->exits.push_back(exit);
+  }
+
+  void split_off_fast(ExitPlan<N>& exit) const {
+    const Eigen::Index n = plan_->rest.size();
+    const Row whole = exit.whole.row;
+    const auto size = [&](Eigen::Index j) { return std::hypot(whole(j), whole(n + j)); };
+    const auto frequency = [&](Eigen::Index j) {
+      const Pair g = pair(j);
+      return std::sqrt(std::abs(g.uu * g.vv - g.uv * g.vu));
+    };
+    double largest = 0, slowest_seen = std::numeric_limits<double>::infinity();
+    for (Eigen::Index j = 0; j < n; ++j) largest = std::max(largest, size(j));
+    for (Eigen::Index j = 0; j < n; ++j) {
+      if (size(j) > 1e-6 * largest) slowest_seen = std::min(slowest_seen, frequency(j));
+    }
+    Row slow = whole, fast = Row::Zero(2 * n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      if (frequency(j) < fast_over_slow * slowest_seen) continue;
+      for (const Eigen::Index k : {j, n + j}) std::swap(slow(k), fast(k));
+      exit.split = exit.split || size(j) > 0;
+    }
+    if (!exit.split) return;
+    exit.slow = watched(slow);
+    exit.envelope = bound(fast);
+  }
+
+  void add_ring(std::size_t i) {
+    const auto& c = system_.contacts[i];
+    RingPlan<N> ring;
+    ring.contact = i;
+    ring.speed_bound = ring.curvature_bound = Row::Zero(2 * plan_->rest.size());
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Row& on_u = k == 0 ? c.first_row : c.second_row;
+      ring.physical[k] = by_u(on_u);
+      ring.row[k] = ring.physical[k] * plan_->basis;
+      ring.rate[k] = rate(ring.row[k]);
+      ring.centre[k] = c.offset[k] + on_u * plan_->rest;
+      ring.speed_bound += bound(ring.rate[k]).cwiseAbs2();
+      ring.curvature_bound += bound(rate(ring.rate[k])).cwiseAbs2();
+    }
+    ring.speed_bound = ring.speed_bound.cwiseSqrt().eval();
+    ring.curvature_bound = ring.curvature_bound.cwiseSqrt().eval();
+    plan_->rings.push_back(ring);
+  }
+
+  void add_touch(std::size_t i) {
+    const auto& c = system_.contacts[i];
+    const Mode mode = plan_->modes[i];
+    TouchPlan<N> touch;
+    touch.contact = i;
+    const Row force = spring_factor(mode) * c.stiffness * by_u(c.first_row) +
+                      damper_factor(mode) * c.damping * by_v(c.first_row);
+    touch.force = force;
+    touch.force_constant =
+        force.head(plan_->rest.size()) * plan_->rest - spring_factor(mode) * c.stiffness * c.clearance;
+    const Row sliding = by_v(c.second_row);
+    touch.sliding = sliding;
+    touch.sliding_rate_bound = bound(rate(sliding * plan_->basis));
+    if (!plan_->paired && system_.diagonal && only_released()) bound_friction_apart(i, touch);
+    plan_->touches.push_back(touch);
+  }
+
+  bool only_released() const {
+    return std::all_of(plan_->modes.begin(), plan_->modes.end(),
+                       [](Mode mode) { return mode == Mode::open || mode == Mode::released; });
+  }
+
+  /// In full matrices the penetration is a small difference of large components, which a bound by components
+  /// cannot see. Between released contacts the structure is free but for friction: its own part is bounded by
+  /// the energy of every oscillator, |k u + c v| <= (k + c sqrt k) (|u| + |v| / sqrt k).
+  void bound_friction_apart(std::size_t i, TouchPlan<N>& touch) const {
+    const Eigen::Index n = plan_->rest.size();
+    const auto& c = system_.contacts[i];
+    touch.sliding_rate_bound = Row::Zero(2 * n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const double k = system_.stiffness_diagonal(j), root = std::sqrt(std::max(0.0, k));
+      const double weight = std::abs(c.second_row(j));
+      touch.sliding_rate_bound(j) = weight * (k + system_.damping_diagonal(j) * root);
+      touch.sliding_rate_bound(n + j) = weight * (root + system_.damping_diagonal(j));
+    }
+    for (std::size_t k = 0; k < plan_->modes.size(); ++k) {
+      const auto& other = system_.contacts[k];
+      const double push = std::abs(c.second_row * other.second_push);
+      touch.friction_rate.push_back(
+          plan_->modes[k] == Mode::open ? 0 : push * std::abs(friction_[k].coefficient) * other.stiffness);
+    }
+  }
+
+  const System& system_;
+  const Frictions& friction_;
+  std::unique_ptr<ModePlan<N>> plan_;
+  Eigen::VectorXd constant_;
+  double fastest_ = 0, growth_ = 1;
+};
+
+}  // namespace
+
+template <int N>
+std::unique_ptr<ModePlan<N>> make_mode_plan(const System& system, const Frictions& friction,
+                                            std::vector<Mode> modes) {
+  return ModeBuilder<N>(system, friction, std::move(modes)).build();
+}
+
+template std::unique_ptr<ModePlan<2>> make_mode_plan<2>(const System&, const Frictions&, std::vector<Mode>);
+template std::unique_ptr<ModePlan<4>> make_mode_plan<4>(const System&, const Frictions&, std::vector<Mode>);
+template std::unique_ptr<ModePlan<6>> make_mode_plan<6>(const System&, const Frictions&, std::vector<Mode>);
+template std::unique_ptr<ModePlan<Eigen::Dynamic>> make_mode_plan<Eigen::Dynamic>(const System&,
+                                                                                  const Frictions&,
+                                                                                  std::vector<Mode>);
+
+}  // namespace rubsweep::integrate

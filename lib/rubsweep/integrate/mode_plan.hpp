@@ -1,0 +1,126 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "rubsweep/contact/contact_mode.hpp"
+#include "rubsweep/contact/saturation.hpp"
+#include "rubsweep/integrate/scaled_system.hpp"
+
+namespace rubsweep::integrate {
+
+/// Sizes of an exact run over N coordinates; its state is (u, u'), 2N numbers, lengths in units of the
+/// scene's length scale, time in seconds.
+template <int N>
+struct ExactTypes {
+  static constexpr int states = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N;
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using State = Eigen::Matrix<double, states, 1>;
+  using Row = Eigen::Matrix<double, 1, states>;
+  using Flow = Eigen::Matrix<double, states, states>;
+};
+
+/// A linear function of the free vibration z: row.z, its first two rates, and what a unit of each component's
+/// size can do to its second derivative within the mode's longest step.
+template <int N>
+struct Watched {
+  typename ExactTypes<N>::Row row, rate, curvature, curvature_bound;
+};
+
+/// One armed exit of a mode, divided by the contact stiffness so that it is a length. Negative inside the
+/// mode.
+template <int N>
+struct ExitPlan {
+  std::size_t contact = 0;
+  contact::Mode next = contact::Mode::open;
+  typename ExactTypes<N>::Row physical;  ///< value = physical . (u, u') - clearance's part
+  Watched<N> whole;
+  double constant = 0;  ///< value = row . z + constant + forced part
+  /// Fast pairs (a ringing casing) may instead be bounded by their amplitude, which lets the step go by the
+  /// slow ones: value <= slow.row . z + envelope . sizes + constant + forced part.
+  bool split = false;
+  Watched<N> slow;
+  typename ExactTypes<N>::Row envelope;
+};
+
+/// A ring seen from inside: d = rows . z + centre + forced part stays shorter than the clearance. Bounds as
+/// above, for the lengths of d' and d''.
+template <int N>
+struct RingPlan {
+  std::size_t contact = 0;
+  std::array<typename ExactTypes<N>::Row, 2> physical, row, rate;
+  std::array<double, 2> centre{};
+  typename ExactTypes<N>::Row speed_bound, curvature_bound;
+};
+
+/// What a touching contact is watched for.
+template <int N>
+struct TouchPlan {
+  std::size_t contact = 0;
+  typename ExactTypes<N>::Row force;  ///< normal force = force . (state - rest) + constant, newtons
+  double force_constant = 0;
+  typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
+  typename ExactTypes<N>::Row sliding_rate_bound;  ///< as above
+  /// Where nonempty, `sliding_rate_bound` leaves friction out, and friction adds at most this times each
+  /// contact's penetration at the start: all contacts are released, so that penetrations only fall.
+  std::vector<double> friction_rate;
+};
+
+/// Exact flow of one joint contact mode, (u, u') = particular solution + basis z. With a modal form z is made
+/// of pairs (z_j, z_{n+j}) and the size of a pair is its length; else basis = 1, z moves by full matrices and
+/// every component has its own size.
+template <int N>
+struct ModePlan {
+  using Types = ExactTypes<N>;
+  std::size_t index = 0;                           ///< plans of one ExactPlan are numbered as they are made
+  std::vector<contact::Mode> modes;                ///< per contact
+  Eigen::Matrix<double, N, N> stiffness, damping;  ///< contacts included
+  typename Types::Flow generator;                  ///< of (u, u')
+  typename Types::Vector rest;                     ///< u of the constant particular solution
+  bool paired = false;
+  bool diagonal_basis = false;
+  typename Types::Flow basis, inverse;
+  Eigen::Array<double, N, 4> pairs;  ///< generators: uu, uv, vu, vv per pair
+  double longest_step_s = 0;
+  double series_limit_s = 0;  ///< up to here a short series gives the flow to rounding
+  std::vector<Eigen::Array<double, N, 4>> pair_steps;  ///< uu, uv, vu, vv per pair; or
+  std::vector<typename Types::Flow> steps;             ///< e^{A h}
+  std::vector<ExitPlan<N>> exits;
+  std::vector<RingPlan<N>> rings;
+  std::vector<TouchPlan<N>> touches;
+
+  typename Types::State from_free(const typename Types::State& z) const { return change(basis, z); }
+  typename Types::State to_free(const typename Types::State& vibration) const {
+    return change(inverse, vibration);
+  }
+
+ private:
+  typename Types::State change(const typename Types::Flow& matrix, const typename Types::State& state) const {
+    if (diagonal_basis) return matrix.diagonal().cwiseProduct(state);
+    return matrix.lazyProduct(state);
+  }
+};
+
+/// Plan of one joint mode of a system scaled with time in seconds: `friction` and `modes` per contact. Null
+/// where the mode has no equilibrium, as in a structure without springs.
+template <int N>
+std::unique_ptr<ModePlan<N>> make_mode_plan(const ScaledSystem<Eigen::Dynamic>& system,
+                                            const std::vector<contact::SaturatedFriction>& friction,
+                                            std::vector<contact::Mode> modes);
+
+extern template std::unique_ptr<ModePlan<2>> make_mode_plan<2>(const ScaledSystem<Eigen::Dynamic>&,
+                                                               const std::vector<contact::SaturatedFriction>&,
+                                                               std::vector<contact::Mode>);
+extern template std::unique_ptr<ModePlan<4>> make_mode_plan<4>(const ScaledSystem<Eigen::Dynamic>&,
+                                                               const std::vector<contact::SaturatedFriction>&,
+                                                               std::vector<contact::Mode>);
+extern template std::unique_ptr<ModePlan<6>> make_mode_plan<6>(const ScaledSystem<Eigen::Dynamic>&,
+                                                               const std::vector<contact::SaturatedFriction>&,
+                                                               std::vector<contact::Mode>);
+extern template std::unique_ptr<ModePlan<Eigen::Dynamic>> make_mode_plan<Eigen::Dynamic>(
+    const ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
+    std::vector<contact::Mode>);
+
+}  // namespace rubsweep::integrate
