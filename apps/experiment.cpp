@@ -4,19 +4,21 @@
 
 #include <array>
 #include <filesystem>
-#include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "exit_code.hpp"
 #include "program.hpp"
-#include "rubsweep/batch/whole_file.hpp"
+#include "result_files.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/report/experiment.hpp"
 
 namespace rubsweep::apps {
 namespace {
+
+/// Every file that an experiment may leave.
+constexpr std::array<std::string_view, 4> file_names{"config.yaml", "sensors.csv", "bode.csv",
+                                                     "identification.csv"};
 
 report::Experiment perform(const RubtraceArguments& arguments, const scene::Plan& plan) {
   const report::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
@@ -35,21 +37,13 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
   const scene::Plan plan = scene::make_plan(config.study.machine);
   const report::Experiment experiment = perform(arguments, plan);
   make_directory(directory);
-  batch::write_whole_file(directory / "config.yaml", config::print_config(config));
-  std::string names = " config.yaml";
-  const std::array<std::pair<std::string_view, const std::string*>, 3> files{
-      {{"sensors.csv", &experiment.sensors_csv},
-       {"bode.csv", &experiment.bode_csv},
-       {"identification.csv", &experiment.identification_csv}}};
-  for (const auto& [name, text] : files) {
-    if (text->empty()) {
-      std::filesystem::remove(directory / name);
-      continue;
-    }
-    batch::write_whole_file(directory / name, *text);
-    names.append(" ").append(name);
-  }
-  if (!arguments.quiet) fmt::print("{}files     {}:{}\n", experiment.summary, directory.string(), names);
+  ResultFiles files{{"config.yaml", config::print_config(config)},
+                    {"sensors.csv", experiment.sensors_csv},
+                    {"bode.csv", experiment.bode_csv},
+                    {"identification.csv", experiment.identification_csv}};
+  std::erase_if(files, [](const auto& file) { return file.second.empty(); });
+  write_result_files(files, file_names, directory);
+  if (!arguments.quiet) fmt::print("{}{}", experiment.summary, files_line(files, directory));
   return done;
 }
 

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 
 #include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "program.hpp"
+#include "result_files.hpp"
 #include "ringstab_arguments.hpp"
 #include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/progress.hpp"
-#include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/print_ring_config.hpp"
 #include "rubsweep/config/read_ring_config.hpp"
 #include "rubsweep/report/ring_chart_csv.hpp"
@@ -27,27 +26,14 @@ namespace fs = std::filesystem;
 
 using Lines = std::vector<std::optional<ring::ChartLine>>;
 
-/// Texts by file name.
-using Files = std::map<std::string_view, std::string>;
-
-/// A directory never mixes two runs: what this one has no text for goes.
-void write(const Files& files, const fs::path& directory) {
-  constexpr std::array<std::string_view, 7> names{"config.yaml",         "eigenvalues.csv", "onsets.csv",
-                                                  "critical_speeds.csv", "static_load.csv", "chart.csv",
-                                                  "chart_onsets.csv"};
-  for (const std::string_view name : names) {
-    const auto file = files.find(name);
-    if (file == files.end()) {
-      fs::remove(directory / name);
-    } else {
-      batch::write_whole_file(directory / name, file->second);
-    }
-  }
-}
+/// Every file that a run may leave.
+constexpr std::array<std::string_view, 7> file_names{"config.yaml",         "eigenvalues.csv", "onsets.csv",
+                                                     "critical_speeds.csv", "static_load.csv", "chart.csv",
+                                                     "chart_onsets.csv"};
 
 /// Computes the chart and adds its files; false when a signal came first.
 bool chart(const RingstabArguments& arguments, const ring::Study& study, const std::string& comments,
-           const fs::path& directory, Files& files, Lines& lines) {
+           const fs::path& directory, ResultFiles& files, Lines& lines) {
   const fs::path partial = directory / "chart.partial.csv";
   fs::remove(partial);
   batch::LineLog finished(partial);
@@ -78,10 +64,11 @@ int run(const RingstabArguments& arguments, const config::RingConfig& config) {
   make_directory(directory);
   const std::string comments = report::ring_comments(RUBSWEEP_VERSION, config::ring_study_digest(study));
   const ring::Analysis analysis = ring::analyse(study.system, ring::speeds_rad_per_s(study));
-  Files files{{"config.yaml", config::print_ring_config(config)},
-              {"eigenvalues.csv", comments + report::eigenvalues_csv(analysis.track)},
-              {"onsets.csv", comments + report::onsets_csv(analysis.onsets)},
-              {"critical_speeds.csv", comments + report::critical_speeds_csv(analysis.critical_speeds)}};
+  ResultFiles files{
+      {"config.yaml", config::print_ring_config(config)},
+      {"eigenvalues.csv", comments + report::eigenvalues_csv(analysis.track)},
+      {"onsets.csv", comments + report::onsets_csv(analysis.onsets)},
+      {"critical_speeds.csv", comments + report::critical_speeds_csv(analysis.critical_speeds)}};
   std::string summary = report::ring_summary(study, analysis);
   if (study.system.ring.radius_m) {
     const auto loads = report::static_loads(study);
@@ -91,51 +78,35 @@ int run(const RingstabArguments& arguments, const config::RingConfig& config) {
   Lines lines;
   if (study.chart && !chart(arguments, study, comments, directory, files, lines))
     return 128 + caught_signal();
-  write(files, directory);
+  write_result_files(files, file_names, directory);
   fs::remove(directory / "chart.partial.csv");
   if (!arguments.quiet) {
-    std::string names;
-    for (const auto& [name, text] : files) names.append(" ").append(name);
-    fmt::print("{}{}files     {}:{}\n", summary, report::chart_summary(lines), directory.string(), names);
+    fmt::print("{}{}{}", summary, report::chart_summary(lines), files_line(files, directory));
   }
   const bool all_ok =
       std::all_of(lines.begin(), lines.end(), [](const auto& line) { return line->status == "ok"; });
   return all_ok ? done : some_cells_failed;
 }
 
-int act(int argc, const char* const* argv) {
-  const RingstabArguments arguments = parse_ringstab_arguments(argc, argv);
-  if (arguments.action == RingstabAction::help) {
-    fmt::print("{}", ringstab_help());
-    return done;
-  }
-  if (arguments.action == RingstabAction::version) {
-    fmt::print("ringstab {}\n", RUBSWEEP_VERSION);
-    return done;
-  }
+std::string size_of(const ring::Study& study) {
+  const std::size_t lines = study.chart ? study.chart->values.size() : 0;
+  return fmt::format("{} speeds{}", study.speeds_rpm.size(),
+                     lines > 0 ? fmt::format(", chart of {} lines", lines) : "");
+}
+
+int perform(const RingstabArguments& arguments) {
+  if (answered("ringstab", arguments.action, ringstab_help)) return done;
   const config::RingConfig config = config::read_ring_config(arguments.config, arguments.overrides);
-  switch (arguments.action) {
-    case RingstabAction::check:
-      if (!arguments.quiet) {
-        const std::size_t lines = config.study.chart ? config.study.chart->values.size() : 0;
-        fmt::print("{}: ok, {} speeds{}\n", arguments.config.string(), config.study.speeds_rpm.size(),
-                   lines > 0 ? fmt::format(", chart of {} lines", lines) : "");
-      }
-      return done;
-    case RingstabAction::explain:
-      fmt::print("{}", report::explain_ring(config.study));
-      return done;
-    case RingstabAction::print_config:
-      fmt::print("{}", config::print_ring_config(config));
-      return done;
-    default:
-      return run(arguments, config);
-  }
+  return act(arguments, {.size = [&] { return size_of(config.study); },
+                         .explanation = [&] { return report::explain_ring(config.study); },
+                         .configuration = [&] { return config::print_ring_config(config); },
+                         .run = [&] { return run(arguments, config); }});
 }
 
 }  // namespace
 }  // namespace rubsweep::apps
 
 int main(int argc, char** argv) {
-  return rubsweep::apps::run_program("ringstab", [&] { return rubsweep::apps::act(argc, argv); });
+  using namespace rubsweep::apps;
+  return run_program("ringstab", [&] { return perform(parse_ringstab_arguments(argc, argv)); });
 }

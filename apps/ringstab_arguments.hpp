@@ -1,24 +1,15 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
-#include <vector>
 
+#include "action.hpp"
 #include "rubsweep/batch/progress.hpp"
 
 namespace rubsweep::apps {
 
-enum class RingstabAction { run, check, explain, print_config, help, version };
-
-struct RingstabArguments {
-  RingstabAction action = RingstabAction::run;
-  std::filesystem::path config;
-  std::optional<std::filesystem::path> output;
+struct RingstabArguments : StudyArguments {
   int threads = 0;
-  std::vector<std::string> overrides;  ///< `key.path=value` of every --set
   batch::ProgressMode progress = batch::ProgressMode::automatic;
-  bool quiet = false;
 };
 
 /// Throws UsageError (program.hpp).

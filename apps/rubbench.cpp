@@ -10,6 +10,7 @@
 
 #include "exit_code.hpp"
 #include "program.hpp"
+#include "result_files.hpp"
 #include "rubbench_arguments.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/bench/label_agreement.hpp"
@@ -115,13 +116,6 @@ class Labels {
   std::map<std::string, bench::LabelAgreement> known_;
 };
 
-fs::path directory_of(const RubbenchArguments& arguments, const config::RunConfig& config) {
-  if (arguments.output) return *arguments.output;
-  const fs::path& map = config.output_directory;
-  fs::path directory = map.has_filename() ? map : map.parent_path();  // results/map/ as results/map
-  return directory += "_bench";
-}
-
 void say(const RubbenchArguments& arguments, const std::string& text) {
   if (arguments.quiet) return;
   fmt::print("{}", text);
@@ -130,7 +124,7 @@ void say(const RubbenchArguments& arguments, const std::string& text) {
 
 int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
-  const fs::path directory = directory_of(arguments, config);
+  const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_bench"));
   make_directory(directory);
   const auto to_label = places_to_label(study.grid, arguments);
   const auto labelled = bench::reference_labels(study.machine, to_label, study.solver, study.response);
@@ -177,16 +171,8 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   return all_ran ? done : some_cells_failed;
 }
 
-int act(int argc, const char* const* argv) {
-  const RubbenchArguments arguments = parse_rubbench_arguments(argc, argv);
-  if (arguments.version) {
-    fmt::print("rubbench {}\n", RUBSWEEP_VERSION);
-    return done;
-  }
-  if (arguments.help) {
-    fmt::print("{}", rubbench_help());
-    return done;
-  }
+int perform(const RubbenchArguments& arguments) {
+  if (answered("rubbench", arguments.action, rubbench_help)) return done;
   return run(arguments, config::read_run_config(arguments.config, arguments.overrides));
 }
 
@@ -194,5 +180,6 @@ int act(int argc, const char* const* argv) {
 }  // namespace rubsweep::apps
 
 int main(int argc, char** argv) {
-  return rubsweep::apps::run_program("rubbench", [&] { return rubsweep::apps::act(argc, argv); });
+  using namespace rubsweep::apps;
+  return run_program("rubbench", [&] { return perform(parse_rubbench_arguments(argc, argv)); });
 }

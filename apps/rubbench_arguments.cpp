@@ -3,18 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/program_options.hpp>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 #include <string_view>
 
+#include "command_line.hpp"
 #include "program.hpp"
 
 namespace rubsweep::apps {
 namespace {
-
-namespace po = boost::program_options;
 
 constexpr std::string_view default_tolerances = "1e-4,1e-6,1e-8,1e-10,1e-12";
 
@@ -33,12 +30,10 @@ po::options_description visible_options() {
       "labels", po::value<std::string>()->value_name("SPEEDSxUNBALANCES"),
       "cells of the sweep to label, spread evenly; 0x0: none; default: 12x6")(
       "label-seconds", po::value<double>()->value_name("S"),
-      "time of each variant for its labels; default: 5")("output",
-                                                         po::value<std::string>()->value_name("DIR"),
-                                                         "write there instead of output.directory + _bench")(
-      "set", po::value<std::vector<std::string>>()->value_name("KEY.PATH=VALUE")->composing(),
-      "replace one value of the configuration; lists are indexed by number; may be repeated")(
-      "quiet", "print errors only")("help", "print this and exit")("version", "print the version and exit");
+      "time of each variant for its labels; default: 5");
+  add_output(options, "write there instead of output.directory + _bench");
+  add_set(options);
+  add_last(options);
   return options;
 }
 
@@ -125,25 +120,9 @@ int read_count(const po::variables_map& given, const char* name, int low, int ot
 }  // namespace
 
 RubbenchArguments parse_rubbench_arguments(int argc, const char* const* argv) {
-  po::options_description all = visible_options();
-  all.add_options()("config", po::value<std::string>());
-  po::positional_options_description positional;
-  positional.add("config", 1);
-  po::variables_map given;
-  try {
-    // No guessing: --turn is an error, not --turns.
-    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-              given);
-  } catch (const po::error& error) {
-    throw UsageError(error.what());
-  }
-  RubbenchArguments arguments;
-  arguments.version = given.count("version") != 0;
-  arguments.help = given.count("help") != 0;
-  if (arguments.help || arguments.version) return arguments;
-  if (given.count("config") == 0) throw UsageError("a configuration file is needed: rubbench CONFIG.yaml");
-  arguments.config = given["config"].as<std::string>();
+  const po::variables_map given = read_study_command_line(argc, argv, visible_options());
+  RubbenchArguments arguments{study_arguments(given, "rubbench")};
+  if (arguments.action != Action::run) return arguments;
   if (given.count("cell") != 0) {
     for (const std::string& text : given["cell"].as<std::vector<std::string>>())
       arguments.cells.push_back(read_cell(text));
@@ -161,18 +140,10 @@ RubbenchArguments parse_rubbench_arguments(int argc, const char* const* argv) {
   }
   if (arguments.label_speeds == 0 && arguments.cells.empty())
     throw UsageError("without labels no cell can be chosen: --cell SPEED_HZ,UNBALANCE is needed");
-  if (given.count("output") != 0) {
-    arguments.output = given["output"].as<std::string>();
-    if (arguments.output->empty()) throw UsageError("--output: allowed: the name of a directory");
-  }
-  if (given.count("set") != 0) arguments.overrides = given["set"].as<std::vector<std::string>>();
-  arguments.quiet = given.count("quiet") != 0;
   return arguments;
 }
 
 std::string rubbench_help() {
-  std::ostringstream options;
-  options << visible_options();
   return fmt::format(
       "rubbench CONFIG.yaml [options]\n"
       "Work against precision: the same cell by every method, stepper, contact handling and tolerance.\n\n"
@@ -204,7 +175,7 @@ std::string rubbench_help() {
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 done, but a run failed (its "
       "status\n"
       "says why). An interrupted run writes nothing.\n",
-      options.str());
+      text_of(visible_options()));
 }
 
 }  // namespace rubsweep::apps

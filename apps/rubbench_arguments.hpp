@@ -1,10 +1,9 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "action.hpp"
 #include "rubsweep/bench/work_precision.hpp"
 
 namespace rubsweep::apps {
@@ -15,18 +14,13 @@ struct BenchCell {
   double unbalance = 0;
 };
 
-struct RubbenchArguments {
-  bool help = false, version = false;  ///< true: nothing else is filled in
-  std::filesystem::path config;
-  std::vector<BenchCell> cells;  ///< empty: one is chosen
-  std::vector<integrate::Stepper> steppers;
-  std::vector<double> relative_tolerances;
-  bench::WorkPrecisionOptions work;
+struct RubbenchArguments : StudyArguments {
+  std::vector<BenchCell> cells = {};  ///< empty: one is chosen
+  std::vector<integrate::Stepper> steppers = {};
+  std::vector<double> relative_tolerances = {};
+  bench::WorkPrecisionOptions work = {};
   std::size_t label_speeds = 12, label_unbalances = 6;  ///< 0 x 0: no labels
   double label_seconds = 5;                             ///< for each variant
-  std::optional<std::filesystem::path> output;
-  std::vector<std::string> overrides;  ///< `key.path=value` of every --set
-  bool quiet = false;
 };
 
 /// Throws UsageError (program.hpp).

@@ -111,32 +111,16 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   return summary.has_failed_cells() ? some_cells_failed : done;
 }
 
-int act(const RubsweepArguments& arguments) {
-  if (arguments.action == Action::help) {
-    fmt::print("{}", rubsweep_help());
-    return done;
-  }
-  if (arguments.action == Action::version) {
-    fmt::print("rubsweep {}\n", RUBSWEEP_VERSION);
-    return done;
-  }
+int perform(const RubsweepArguments& arguments) {
+  if (answered("rubsweep", arguments.action, rubsweep_help)) return done;
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
-  switch (arguments.action) {
-    case Action::check:
-      if (!arguments.quiet) {
-        fmt::print("{}: ok, {} cells\n", arguments.config.string(), sweep::cell_count(config.study.grid));
-      }
-      return done;
-    case Action::explain:
-      fmt::print("{}{}\n", sweep::explain(config.study),
-                 sweep::describe(config.study, batch::thread_count(arguments.threads)));
-      return done;
-    case Action::print_config:
-      fmt::print("{}", config::print_config(config));
-      return done;
-    default:
-      return run(arguments, config);
-  }
+  const sweep::Study& study = config.study;
+  const int threads = batch::thread_count(arguments.threads);
+  return act(arguments,
+             {.size = [&] { return fmt::format("{} cells", sweep::cell_count(study.grid)); },
+              .explanation = [&] { return sweep::explain(study) + sweep::describe(study, threads) + "\n"; },
+              .configuration = [&] { return config::print_config(config); },
+              .run = [&] { return run(arguments, config); }});
 }
 
 }  // namespace
@@ -144,5 +128,5 @@ int act(const RubsweepArguments& arguments) {
 
 int main(int argc, char** argv) {
   using namespace rubsweep::apps;
-  return run_program("rubsweep", [&] { return act(parse_rubsweep_arguments(argc, argv)); });
+  return run_program("rubsweep", [&] { return perform(parse_rubsweep_arguments(argc, argv)); });
 }

@@ -1,28 +1,20 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "action.hpp"
 #include "map_directory.hpp"
 #include "rubsweep/batch/progress.hpp"
 
 namespace rubsweep::apps {
 
-enum class Action { run, check, explain, print_config, help, version };
-
-struct RubsweepArguments {
-  Action action = Action::run;
-  std::filesystem::path config;
-  std::optional<std::filesystem::path> output;
+struct RubsweepArguments : StudyArguments {
   int threads = 0;
-  std::vector<std::string> overrides;  ///< `key.path=value` of every --set
   batch::ProgressMode progress = batch::ProgressMode::automatic;
-  bool quiet = false;
-  bool fresh = false;          ///< forget what an interrupted run finished
-  bool merge = false;          ///< only put together what shards finished
-  std::optional<Share> shard;  ///< compute this part alone
+  bool fresh = false;               ///< forget what an interrupted run finished
+  bool merge = false;               ///< only put together what shards finished
+  std::optional<Share> shard = {};  ///< compute this part alone
 };
 
 /// Throws UsageError (program.hpp).

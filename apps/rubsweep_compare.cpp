@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
-#include <boost/program_options.hpp>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 #include <string>
 
+#include "action.hpp"
+#include "command_line.hpp"
 #include "exit_code.hpp"
 #include "program.hpp"
 #include "rubsweep/batch/csv_table.hpp"
@@ -20,7 +20,6 @@ namespace rubsweep::apps {
 namespace {
 
 namespace fs = std::filesystem;
-namespace po = boost::program_options;
 
 constexpr double default_tolerance = 1e-4;
 
@@ -33,14 +32,12 @@ po::options_description visible_options() {
       "cells to leave out besides those whose robust column says no: columns speed_hz and whirl_ratio or "
       "eccentricity_m")(
       "figure", po::value<std::string>()->value_name("FILE"),
-      "draw where the maps differ: FILE.png, FILE.svg, or FILE.gp for the gnuplot script alone")(
-      "quiet", "print errors only")("help", "print this and exit")("version", "print the version and exit");
+      "draw where the maps differ: FILE.png, FILE.svg, or FILE.gp for the gnuplot script alone");
+  add_last(options);
   return options;
 }
 
 std::string help() {
-  std::ostringstream options;
-  options << visible_options();
   return fmt::format(
       "rubsweep-compare A.csv B.csv [options]\n"
       "Compares two maps cell by cell: class and order exactly, numbers of motions that repeat to a "
@@ -51,7 +48,7 @@ std::string help() {
       "/tmp/new/difference.png\n"
       "  rubsweep-compare gcc/map.csv clang/map.csv --tolerance 1e-9\n\n"
       "Exit codes: 0 the maps are equal on robust cells; 1 usage; 3 input/output; 5 they differ.\n",
-      options.str());
+      text_of(visible_options()));
 }
 
 po::variables_map parse(int argc, char** argv) {
@@ -59,15 +56,7 @@ po::variables_map parse(int argc, char** argv) {
   all.add_options()("map", po::value<std::vector<std::string>>());
   po::positional_options_description positional;
   positional.add("map", -1);
-  po::variables_map given;
-  try {
-    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-              given);
-  } catch (const po::error& error) {
-    throw UsageError(error.what());
-  }
-  return given;
+  return read_command_line(argc, argv, all, positional);
 }
 
 /// Gnuplot reads the script from a pipe and leaves the picture where it says.
@@ -113,15 +102,9 @@ int compare(const po::variables_map& given) {
   return comparison.equal() ? done : maps_differ;
 }
 
-int act(const po::variables_map& given) {
-  if (given.count("help")) {
-    fmt::print("{}", help());
-  } else if (given.count("version")) {
-    fmt::print("rubsweep-compare {}\n", RUBSWEEP_VERSION);
-  } else {
-    return compare(given);
-  }
-  return done;
+int perform(const po::variables_map& given) {
+  if (answered("rubsweep-compare", action_of(given), help)) return done;
+  return compare(given);
 }
 
 }  // namespace
@@ -129,5 +112,5 @@ int act(const po::variables_map& given) {
 
 int main(int argc, char** argv) {
   using namespace rubsweep::apps;
-  return run_program("rubsweep-compare", [&] { return act(parse(argc, argv)); });
+  return run_program("rubsweep-compare", [&] { return perform(parse(argc, argv)); });
 }

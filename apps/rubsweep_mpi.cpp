@@ -55,14 +55,7 @@ struct Job {
 /// Returns an exit code; there is a job when it is `done` and the map is not only asked about.
 ExitCode prepare(int argc, char** argv, std::optional<Job>& job) {
   RubsweepArguments arguments = parse_rubsweep_arguments(argc, argv);
-  if (arguments.action == Action::help) {
-    fmt::print("{}", help());
-    return done;
-  }
-  if (arguments.action == Action::version) {
-    fmt::print("{} {}\n", program_name, RUBSWEEP_VERSION);
-    return done;
-  }
+  if (answered(program_name, arguments.action, help)) return done;
   if (arguments.action != Action::run || arguments.shard || arguments.merge) {
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }

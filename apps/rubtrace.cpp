@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -11,7 +10,7 @@
 #include "exit_code.hpp"
 #include "experiment.hpp"
 #include "program.hpp"
-#include "rubsweep/batch/whole_file.hpp"
+#include "result_files.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
@@ -28,9 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Texts by file name.
-using Files = std::map<std::string_view, std::string>;
-
 sweep::Grid one_cell(const RubtraceArguments& arguments) {
   if (const auto* ratio = std::get_if<scene::WhirlRatio>(&arguments.unbalance)) {
     return {{arguments.speed_hz}, sweep::UnbalanceMeasure::whirl_ratio, {ratio->value}};
@@ -39,25 +35,12 @@ sweep::Grid one_cell(const RubtraceArguments& arguments) {
   return {{arguments.speed_hz}, sweep::UnbalanceMeasure::eccentricity_m, {eccentricity.value_m}};
 }
 
-fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {
-  if (arguments.output) return *arguments.output;
-  const fs::path& map = config.output_directory;
-  fs::path trace = map.has_filename() ? map : map.parent_path();  // results/map/ as results/map
-  return trace += "_trace";
-}
+/// Every file that a trace may leave.
+constexpr std::array<std::string_view, 6> file_names{"config.yaml", "motion.csv", "trajectory.csv",
+                                                     "section.csv", "events.csv", "spectrum.csv"};
 
-/// A directory never mixes two traces: what this one has no text for goes.
-void write(const Files& files, const fs::path& directory) {
-  constexpr std::array<std::string_view, 6> names{"config.yaml", "motion.csv", "trajectory.csv",
-                                                  "section.csv", "events.csv", "spectrum.csv"};
-  for (const std::string_view name : names) {
-    const auto file = files.find(name);
-    if (file == files.end()) {
-      fs::remove(directory / name);
-    } else {
-      batch::write_whole_file(directory / name, file->second);
-    }
-  }
+fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {
+  return arguments.output.value_or(directory_beside(config.output_directory, "_trace"));
 }
 
 int cannot_start(scene::Start start) {
@@ -77,9 +60,9 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   response::Workspace workspace;
   const scene::Plan plan = scene::make_plan(study.machine);
   const sweep::Row row = sweep::evaluate_cell(study, plan, 0, workspace);
-  Files files{{"config.yaml", config::print_config(config)},
-              {"motion.csv", report::map_comments(RUBSWEEP_VERSION, config::study_digest(study)) +
-                                 report::map_header() + "\n" + report::map_line(row) + "\n"}};
+  ResultFiles files{{"config.yaml", config::print_config(config)},
+                    {"motion.csv", report::map_comments(RUBSWEEP_VERSION, config::study_digest(study)) +
+                                       report::map_header() + "\n" + report::map_line(row) + "\n"}};
   std::string summary = report::motion_summary(row);
 
   const scene::Cell cell = scene::build_cell(plan, arguments.speed_hz, arguments.unbalance);
@@ -100,12 +83,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
     files["spectrum.csv"] = report::spectrum_csv(window.spectrum, arguments.speed_hz);
     summary += report::trace_summary(trace, window, cell.scene.length_scale_m);
   }
-  write(files, directory);
-  if (!arguments.quiet) {
-    std::string names;
-    for (const auto& [name, text] : files) names.append(" ").append(name);
-    fmt::print("{}files     {}:{}\n", summary, directory.string(), names);
-  }
+  write_result_files(files, file_names, directory);
+  if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
   if (cell.start != scene::Start::quiet) return cannot_start(cell.start);
   if (trace.outcome == integrate::Outcome::ok) return done;
   fmt::print(stderr, "rubtrace: the run failed in revolution {}: {}; the files end there\n",
@@ -113,16 +92,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   return some_cells_failed;
 }
 
-int act(int argc, const char* const* argv) {
-  const RubtraceArguments arguments = parse_rubtrace_arguments(argc, argv);
-  if (arguments.version) {
-    fmt::print("rubtrace {}\n", RUBSWEEP_VERSION);
-    return done;
-  }
-  if (arguments.help) {
-    fmt::print("{}", rubtrace_help());
-    return done;
-  }
+int perform(const RubtraceArguments& arguments) {
+  if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
   if (arguments.free_response || arguments.run_up) {
     return run_experiment(arguments, config, directory_of(arguments, config));
@@ -134,5 +105,6 @@ int act(int argc, const char* const* argv) {
 }  // namespace rubsweep::apps
 
 int main(int argc, char** argv) {
-  return rubsweep::apps::run_program("rubtrace", [&] { return rubsweep::apps::act(argc, argv); });
+  using namespace rubsweep::apps;
+  return run_program("rubtrace", [&] { return perform(parse_rubtrace_arguments(argc, argv)); });
 }

@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <boost/program_options.hpp>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
+#include "command_line.hpp"
 #include "program.hpp"
 #include "rubsweep/report/experiment.hpp"
 
 namespace rubsweep::apps {
 namespace {
-
-namespace po = boost::program_options;
 
 po::options_description visible_options() {
   po::options_description options("Options");
@@ -35,12 +32,10 @@ po::options_description visible_options() {
       "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
       "sampling time of the sensors in --free-response and --run-up")(
       "noise-m", po::value<double>()->value_name("S")->default_value(0),
-      "standard deviation of the sensors' noise in --free-response and --run-up")(
-      "output", po::value<std::string>()->value_name("DIR"),
-      "write there instead of output.directory + _trace")(
-      "set", po::value<std::vector<std::string>>()->value_name("KEY.PATH=VALUE")->composing(),
-      "replace one value of the configuration; lists are indexed by number; may be repeated")(
-      "quiet", "print errors only")("help", "print this and exit")("version", "print the version and exit");
+      "standard deviation of the sensors' noise in --free-response and --run-up");
+  add_output(options, "write there instead of output.directory + _trace");
+  add_set(options);
+  add_last(options);
   return options;
 }
 
@@ -134,34 +129,11 @@ scene::Unbalance unbalance_of(const po::variables_map& given) {
 }  // namespace
 
 RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
-  po::options_description all = visible_options();
-  all.add_options()("config", po::value<std::string>());
-  po::positional_options_description positional;
-  positional.add("config", 1);
-  po::variables_map given;
-  try {
-    // No guessing: --revolution is an error, not --revolutions.
-    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-              given);
-  } catch (const po::error& error) {
-    throw UsageError(error.what());
-  }
-  RubtraceArguments arguments;
-  arguments.version = given.count("version") != 0;
-  arguments.help = given.count("help") != 0;
-  if (arguments.help || arguments.version) return arguments;
-  if (given.count("config") == 0) throw UsageError("a configuration file is needed: rubtrace CONFIG.yaml");
-  arguments.config = given["config"].as<std::string>();
-  if (given.count("output") != 0) {
-    arguments.output = given["output"].as<std::string>();
-    if (arguments.output->empty()) throw UsageError("--output: allowed: the name of a directory");
-  }
-  if (given.count("set") != 0) arguments.overrides = given["set"].as<std::vector<std::string>>();
-  arguments.quiet = given.count("quiet") != 0;
+  const po::variables_map given = read_study_command_line(argc, argv, visible_options());
+  RubtraceArguments arguments{study_arguments(given, "rubtrace")};
+  if (arguments.action != Action::run) return arguments;
   if (read_experiment(given, arguments)) return arguments;
-  const auto speed_hz = read<double>(given, "speed-hz", "a number > 0",
-                                     [](double value) { return not_negative(value) && value > 0; });
+  const auto speed_hz = read<double>(given, "speed-hz", "a number > 0", positive);
   if (!speed_hz) throw UsageError("the shaft speed is needed: --speed-hz S");
   arguments.speed_hz = *speed_hz;
   arguments.unbalance = unbalance_of(given);
@@ -171,8 +143,6 @@ RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
 }
 
 std::string rubtrace_help() {
-  std::ostringstream options;
-  options << visible_options();
   return fmt::format(
       "rubtrace CONFIG.yaml --speed-hz S (--whirl-ratio U | --eccentricity-m E) [options]\n"
       "One cell of a map under the lens: the motion from the start of the kick, all its revolutions.\n\n"
@@ -203,7 +173,7 @@ std::string rubtrace_help() {
       "the\n"
       "failure, or there was nothing to run (motion.csv and config.yaml only). An interrupted run writes "
       "nothing.\n",
-      options.str());
+      text_of(visible_options()));
 }
 
 }  // namespace rubsweep::apps

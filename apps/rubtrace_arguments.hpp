@@ -1,10 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "action.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::apps {
@@ -14,21 +13,16 @@ struct SpeedRamp {
   double from_hz = 0, to_hz = 0, rate_hz_per_s = 0;
 };
 
-struct RubtraceArguments {
-  bool help = false, version = false;  ///< true: nothing else is filled in
-  std::filesystem::path config;
-  double speed_hz = 0;              ///< of a trace
-  scene::Unbalance unbalance;       ///< of a trace or a run-up; of a run-up always an eccentricity
-  bool free_response = false;       ///< an experiment without contact instead of a trace
-  std::optional<SpeedRamp> run_up;  ///< another one
-  double duration_s = 2;            ///< of the free response
-  double sample_s = 1e-3;           ///< of the sensors in an experiment
+struct RubtraceArguments : StudyArguments {
+  double speed_hz = 0;                   ///< of a trace
+  scene::Unbalance unbalance = {};       ///< of a trace or a run-up; of a run-up always an eccentricity
+  bool free_response = false;            ///< an experiment without contact instead of a trace
+  std::optional<SpeedRamp> run_up = {};  ///< another one
+  double duration_s = 2;                 ///< of the free response
+  double sample_s = 1e-3;                ///< of the sensors in an experiment
   double noise_m = 0;
-  std::optional<long> revolutions;
-  std::optional<long> last_revolutions;
-  std::optional<std::filesystem::path> output;
-  std::vector<std::string> overrides;  ///< `key.path=value` of every --set
-  bool quiet = false;
+  std::optional<long> revolutions = {};
+  std::optional<long> last_revolutions = {};
 };
 
 /// Throws UsageError (program.hpp).

@@ -1,0 +1,36 @@
+#include "action.hpp"
+
+#include <fmt/format.h>
+
+#include "exit_code.hpp"
+
+namespace rubsweep::apps {
+
+bool answered(std::string_view program, Action action, const std::function<std::string()>& help) {
+  if (action == Action::help) {
+    fmt::print("{}", help());
+  } else if (action == Action::version) {
+    fmt::print("{} {}\n", program, RUBSWEEP_VERSION);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+int act(const StudyArguments& arguments, const StudyActions& actions) {
+  switch (arguments.action) {
+    case Action::check:
+      if (!arguments.quiet) fmt::print("{}: ok, {}\n", arguments.config.string(), actions.size());
+      return done;
+    case Action::explain:
+      fmt::print("{}", actions.explanation());
+      return done;
+    case Action::print_config:
+      fmt::print("{}", actions.configuration());
+      return done;
+    default:
+      return actions.run();
+  }
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/positional_options.hpp>
+#include <boost/program_options/variables_map.hpp>
+#include <string>
+#include <string_view>
+
+#include "action.hpp"
+#include "rubsweep/batch/progress.hpp"
+
+/// What the command lines of several programs have in common. An option is added where --help shows it.
+namespace rubsweep::apps {
+
+namespace po = boost::program_options;
+
+void add_output(po::options_description& options, const char* meaning);
+void add_threads(po::options_description& options, const char* meaning);
+void add_set(po::options_description& options);
+void add_actions(po::options_description& options, const char* meaning_of_explain);
+void add_progress(po::options_description& options);
+/// --quiet, --help and --version, of every program.
+void add_last(po::options_description& options);
+
+/// The options as --help shows them.
+std::string text_of(const po::options_description& options);
+
+/// Options must be spelt in full. Throws UsageError, as do all that follow.
+po::variables_map read_command_line(int argc, const char* const* argv, const po::options_description& options,
+                                    const po::positional_options_description& positional);
+
+/// The same for a program that takes one configuration file.
+po::variables_map read_study_command_line(int argc, const char* const* argv, po::options_description options);
+
+/// Of --version and --help the first that is given, else the one of --check, --explain and --print-config
+/// that is.
+Action action_of(const po::variables_map& given);
+
+/// What `read_study_command_line` read; `program` is who asks for the configuration file.
+StudyArguments study_arguments(const po::variables_map& given, std::string_view program);
+
+int threads_of(const po::variables_map& given);
+batch::ProgressMode progress_of(const po::variables_map& given);
+
+}  // namespace rubsweep::apps
