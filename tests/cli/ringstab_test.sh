@@ -5,17 +5,11 @@ source "$(dirname "$0")/support.sh"
 config=$top/configs/ring_figure10.yaml
 small=(--set 'speed_rpm={from: 0, to: 1500, count: 151}')
 
-expect_exit 0 --help
-expect_contains stdout 'ringstab CONFIG.yaml'
-for option in output threads set check explain print-config progress quiet help version; do
-  expect_matches stdout "^  --$option "
-done
-expect_exit 0 --version
-expect_contains stdout "ringstab $version"
-expect_exit 1
-expect_exit 1 "$config" --no-such-option
-expect_exit 1 "$config" --check --explain
-expect_exit 1 "$config" --threads -1
+expect_help threads check explain print-config progress
+expect_usage_error 'a configuration file is needed'
+expect_usage_error "unrecognised option '--no-such-option'" "$config" --no-such-option
+expect_usage_error '--check, --explain and --print-config exclude each other' "$config" --check --explain
+expect_usage_error '--threads: allowed: a number from 0 to 1024' "$config" --threads -1
 expect_exit 3 nowhere.yaml
 
 # Every shipped configuration is accepted, and so is what --print-config makes of it.

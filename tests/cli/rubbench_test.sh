@@ -4,23 +4,7 @@ source "$(dirname "$0")/support.sh"
 few=(--turns 6 --repeats 1 --steppers dopri5,rkf78 --tolerances 1e-5,1e-8)
 
 # Command line.
-expect_exit 0 --help
-expect_contains stdout 'rubbench CONFIG.yaml'
-for option in cell steppers tolerances turns repeats labels label-seconds output set quiet help version; do
-  expect_matches stdout "^  --$option "
-done
-expect_exit 0 --version
-[[ $(<stdout) == "rubbench $version" ]] || fail "expected: rubbench $version"
-
-# expect_usage_error TEXT ARGUMENT...
-expect_usage_error() {
-  local text=$1
-  shift
-  expect_exit 1 "$@"
-  expect_empty stdout
-  expect_contains stderr "rubbench: $text"
-  expect_missing results
-}
+expect_help cell steppers tolerances turns repeats labels label-seconds
 expect_usage_error 'a configuration file is needed'
 expect_usage_error '--cell 75: allowed: SPEED_HZ,UNBALANCE' "$minimal" --cell 75
 expect_usage_error '--cell 0,0.4: allowed' "$minimal" --cell 0,0.4

@@ -12,24 +12,7 @@ expect_header() {
 }
 
 # Command line.
-expect_exit 0 --help
-expect_contains stdout 'rubtrace CONFIG.yaml --speed-hz S'
-for option in speed-hz whirl-ratio eccentricity-m revolutions last-revolutions output set quiet help version; do
-  expect_matches stdout "^  --$option "
-done
-expect_exit 0 --version
-[[ $(<stdout) == "rubtrace $version" ]] || fail "expected: rubtrace $version"
-
-# expect_usage_error TEXT ARGUMENT...
-expect_usage_error() {
-  local text=$1
-  shift
-  expect_exit 1 "$@"
-  expect_empty stdout
-  expect_contains stderr "rubtrace: $text"
-  expect_contains stderr 'Try: rubtrace --help'
-  expect_missing results
-}
+expect_help speed-hz whirl-ratio eccentricity-m revolutions last-revolutions free-response run-up duration-s sample-s noise-m
 expect_usage_error 'a configuration file is needed' "${rub[@]}"
 expect_usage_error 'the shaft speed is needed' "$minimal" --whirl-ratio 0.6
 expect_usage_error 'the unbalance is needed, one way' "$minimal" --speed-hz 90

@@ -33,6 +33,29 @@ expect_exit() {
   [[ $code == "$expected" ]] || fail "rubsweep $*: exit code $code, expected $expected"
 }
 
+# expect_usage_error TEXT [ARGUMENT]...: the program says TEXT and where to read on, and writes nothing.
+expect_usage_error() {
+  local text=$1 program=${rubsweep##*/}
+  shift
+  expect_exit 1 "$@"
+  expect_empty stdout
+  expect_contains stderr "$program: $text"
+  expect_contains stderr "Try: $program --help"
+  expect_missing results
+}
+
+# expect_help OPTION...: --help names the program and these options, --version the version.
+expect_help() {
+  local program=${rubsweep##*/} option
+  expect_exit 0 --help
+  expect_empty stderr
+  expect_contains stdout "$program CONFIG.yaml"
+  for option in "$@" set output quiet help version; do expect_matches stdout "^  --$option "; done
+  expect_exit 0 --version
+  expect_empty stderr
+  [[ $(<stdout) == "$program $version" ]] || fail "expected: $program $version"
+}
+
 # expect_contains FILE TEXT
 expect_contains() { grep -qF -e "$2" "$1" || fail "$1 does not contain: $2"; }
 

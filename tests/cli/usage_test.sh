@@ -2,13 +2,9 @@
 # The command line: help, version, and what ends with 1 before any file is read.
 source "$(dirname "$0")/support.sh"
 
+expect_help threads fresh shard merge check explain print-config progress
 expect_exit 0 --help
-expect_empty stderr
-expect_contains stdout 'rubsweep CONFIG.yaml'
 expect_matches stdout '^Examples:$'
-for option in output threads set fresh shard merge check explain print-config progress quiet help version; do
-  expect_matches stdout "^  --$option "
-done
 
 # Every example is accepted.
 mapfile -t examples < <(sed -n 's,^  rubsweep configs/,,p' stdout)
@@ -18,20 +14,6 @@ for example in "${examples[@]}"; do
   expect_exit 0 "$top"/configs/${example% --explain} --check
 done
 
-expect_exit 0 --version
-expect_empty stderr
-[[ $(<stdout) == "rubsweep $version" ]] || fail "expected: rubsweep $version"
-
-# expect_usage_error TEXT [ARGUMENT]...: says TEXT and where to read on.
-expect_usage_error() {
-  local text=$1
-  shift
-  expect_exit 1 "$@"
-  expect_empty stdout
-  expect_contains stderr "rubsweep: $text"
-  expect_contains stderr 'Try: rubsweep --help'
-  expect_missing results
-}
 expect_usage_error 'a configuration file is needed'
 expect_usage_error 'a configuration file is needed' --quiet
 expect_usage_error "unrecognised option '--nope'" "$minimal" --nope

@@ -178,52 +178,37 @@ inline HardScene backward_rolling() {
 
 /// A shaft without unbalance, kicked.
 inline HardScene without_unbalance() {
-  OneSideRotor rotor;
-  rotor.whirl_ratio = 0;
-  return by_hand("without_unbalance", rotor, 4, 2000, 100);
+  return by_hand("without_unbalance", {.whirl_ratio = 0}, 4, 2000, 100);
 }
 
 inline HardScene speed_at_the_natural_frequency() {
-  OneSideRotor rotor;
-  rotor.speed_hz = rotor.natural_frequency_hz;
-  return by_hand("speed_at_the_natural_frequency", rotor, 4, 4000, 500);
+  return by_hand("speed_at_the_natural_frequency", {.speed_hz = OneSideRotor().natural_frequency_hz}, 4, 4000,
+                 500);
 }
 
 /// Reaches the wall, and leaves it, while a kick of nine tenths of a turn lasts.
 inline HardScene stop_reached_during_the_kick() {
-  OneSideRotor rotor;
-  rotor.kick_s = 0.012;
-  return by_hand("stop_reached_during_the_kick", rotor, 4, 2000, 100);
+  return by_hand("stop_reached_during_the_kick", {.kick_s = 0.012}, 4, 2000, 100);
 }
 
 inline HardScene kick_longer_than_a_turn() {
-  OneSideRotor rotor;
-  rotor.kick_s = 0.03;
-  return by_hand("kick_longer_than_a_turn", rotor, 5, 2000, 500);
+  return by_hand("kick_longer_than_a_turn", {.kick_s = 0.03}, 5, 2000, 500);
 }
 
 inline HardScene clearance_of_a_micrometre() {
-  OneSideRotor rotor;
-  rotor.clearance_m = 1e-6;
-  return by_hand("clearance_of_a_micrometre", rotor, 2, 3000, 3e3);
+  return by_hand("clearance_of_a_micrometre", {.clearance_m = 1e-6}, 2, 3000, 3e3);
 }
 
 inline HardScene stiffness_of_1e10() {
-  OneSideRotor rotor;
-  rotor.stiffness_n_per_m = 1e10;
-  return by_hand("stiffness_of_1e10", rotor, 2, 20000, 100);
+  return by_hand("stiffness_of_1e10", {.stiffness_n_per_m = 1e10}, 2, 20000, 100);
 }
 
 inline HardScene restitution_of_a_twentieth() {
-  OneSideRotor rotor;
-  rotor.restitution = 0.05;
-  return by_hand("restitution_of_a_twentieth", rotor, 4, 2000, 100);
+  return by_hand("restitution_of_a_twentieth", {.restitution = 0.05}, 4, 2000, 100);
 }
 
 inline HardScene casing_of_a_gram() {
-  OneSideRotor rotor;
-  rotor.casing_mass_kg = 1e-3;
-  return by_hand("casing_of_a_gram", rotor, 4, 4000, 100);
+  return by_hand("casing_of_a_gram", {.casing_mass_kg = 1e-3}, 4, 4000, 100);
 }
 
 /// Every hard scene by a function that makes it, so that one test makes one of them.

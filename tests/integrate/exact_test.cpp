@@ -37,18 +37,6 @@ double difference(const Turn& a, const Turn& b) {
   return largest;
 }
 
-test::OneSideRotor set_b() {
-  test::OneSideRotor rotor;
-  rotor.damping_ratio = 0.03;
-  rotor.stiffness_n_per_m = 1e8;
-  rotor.casing_mass_kg = 0.03;
-  rotor.casing_stiffness_n_per_m = 1.18e6;
-  rotor.casing_damping_ratio = 0.05;
-  rotor.contact_radius_m = 5e-3;
-  rotor.kick_n = 120;
-  return rotor;
-}
-
 void expect_reference(const test::OneSideRotor& rotor, int turns, int steps, double bound) {
   const auto reference = test::long_double_sections(rotor, turns, steps);
   ExactPlans plans;
@@ -64,7 +52,7 @@ void expect_reference(const test::OneSideRotor& rotor, int turns, int steps, dou
 
 TEST(Exact, SetAToRounding) { expect_reference({}, 20, 1000, 1e-12); }
 
-TEST(Exact, SetBToRounding) { expect_reference(set_b(), 6, 6000, 5e-12); }
+TEST(Exact, SetBToRounding) { expect_reference(test::set_b_rotor(), 6, 6000, 5e-12); }
 
 TEST(Exact, AnUndampedStopAndAnUndampedRotor) {
   test::OneSideRotor rotor;

@@ -143,18 +143,24 @@ Equations from_energies(const Machine& m, double speed, Coordinate coordinate) {
   return e;
 }
 
-/// Appendix A as printed, with the errata: M13, M23, K13, K23, K33.
-Equations appendix_a(const System& system, double speed) {
-  const auto count = static_cast<Eigen::Index>(system.loads.size());
-  Equations e = zero(2 + count);
-  const double n = system.ring.nodal_diameters, big = system.ring.modal_mass_kg * (n * n + 1),
-               mu = system.friction_coefficient;
-  const double eta = 1 + system.ring.thickness_ratio / 2 * (n * n - 1), w2 = speed * speed;
+/// What both appendices print of the ring itself, with room for the loads.
+Equations ring_alone(const System& system, double speed) {
+  Equations e = zero(2 + static_cast<Eigen::Index>(system.loads.size()));
+  const double n = system.ring.nodal_diameters, big = system.ring.modal_mass_kg * (n * n + 1);
   e.mass.topLeftCorner<2, 2>().diagonal().setConstant(big);
   e.damping(0, 1) = -2 * big * n * speed;
   e.damping(1, 0) = 2 * big * n * speed;
   e.stiffness.topLeftCorner<2, 2>().diagonal().setConstant(
-      system.ring.modal_stiffness_n_per_m * n * n * (n * n - 1) * (n * n - 1) - big * n * n * w2);
+      system.ring.modal_stiffness_n_per_m * n * n * (n * n - 1) * (n * n - 1) - big * n * n * speed * speed);
+  return e;
+}
+
+/// Appendix A as printed, with the errata: M13, M23, K13, K23, K33.
+Equations appendix_a(const System& system, double speed) {
+  const auto count = static_cast<Eigen::Index>(system.loads.size());
+  Equations e = ring_alone(system, speed);
+  const double n = system.ring.nodal_diameters, mu = system.friction_coefficient;
+  const double eta = 1 + system.ring.thickness_ratio / 2 * (n * n - 1), w2 = speed * speed;
   for (Eigen::Index j = 0; j < count; ++j) {
     const Load& load = system.loads[static_cast<std::size_t>(j)];
     const double a = load.inclination_deg * deg, ca = std::cos(a), sa = std::sin(a), ta = std::tan(a);
@@ -201,15 +207,9 @@ Equations appendix_a(const System& system, double speed) {
 /// Appendix B as printed.
 Equations appendix_b(const System& system, double speed) {
   const auto count = static_cast<Eigen::Index>(system.loads.size());
-  Equations e = zero(2 + count);
-  const double n = system.ring.nodal_diameters, big = system.ring.modal_mass_kg * (n * n + 1),
-               mu = system.friction_coefficient;
+  Equations e = ring_alone(system, speed);
+  const double n = system.ring.nodal_diameters, mu = system.friction_coefficient;
   const double eta = 1 + system.ring.thickness_ratio / 2 * (n * n - 1), w2 = speed * speed;
-  e.mass.topLeftCorner<2, 2>().diagonal().setConstant(big);
-  e.damping(0, 1) = -2 * big * n * speed;
-  e.damping(1, 0) = 2 * big * n * speed;
-  e.stiffness.topLeftCorner<2, 2>().diagonal().setConstant(
-      system.ring.modal_stiffness_n_per_m * n * n * (n * n - 1) * (n * n - 1) - big * n * n * w2);
   for (Eigen::Index j = 0; j < count; ++j) {
     const Load& load = system.loads[static_cast<std::size_t>(j)];
     const double s = std::sin(n * load.angle_deg * deg), c = std::cos(n * load.angle_deg * deg),

@@ -19,6 +19,17 @@ struct OneSideRotor {
   double speed_hz = 75, whirl_ratio = 0.4;
 };
 
+/// Set B: contact fifty times as stiff, on a lighter and stiffer casing.
+inline OneSideRotor set_b_rotor() {
+  return {.damping_ratio = 0.03,
+          .stiffness_n_per_m = 1e8,
+          .casing_mass_kg = 0.03,
+          .casing_stiffness_n_per_m = 1.18e6,
+          .casing_damping_ratio = 0.05,
+          .contact_radius_m = 5e-3,
+          .kick_n = 120};
+}
+
 /// State: x, y, casing x, casing y, and their rates, in m and m/s.
 template <class Real>
 using OneSideState = std::array<Real, 8>;

@@ -201,18 +201,6 @@ void annulus(const char* name, double speed_hz, double whirl_ratio) {
       settled.proof ? std::string(response::to_string(*settled.proof)).c_str() : "none", settled.revolutions);
 }
 
-test::OneSideRotor set_b() {
-  test::OneSideRotor rotor;
-  rotor.damping_ratio = 0.03;
-  rotor.stiffness_n_per_m = 1e8;
-  rotor.casing_mass_kg = 0.03;
-  rotor.casing_stiffness_n_per_m = 1.18e6;
-  rotor.casing_damping_ratio = 0.05;
-  rotor.contact_radius_m = 5e-3;
-  rotor.kick_n = 120;
-  return rotor;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -221,7 +209,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   per_revolution("set A", {}, 2000);
-  per_revolution("set B", set_b(), 6000);
+  per_revolution("set B", test::set_b_rotor(), 6000);
   annulus("circle", 80, 0.6);
   annulus("oval", 120, 0.6);
   whole_map(std::filesystem::path(argv[1]) / "figure06_one_side.yaml");
