@@ -4,6 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
+
+#include "rubsweep/integrate/certified_step.hpp"
+#include "rubsweep/integrate/exponential_series.hpp"
 
 namespace rubsweep::integrate {
 namespace {
@@ -15,15 +20,6 @@ constexpr double largest_amplitude = 1e4;
 using detail::product;
 using detail::real_product;
 using Complex = std::complex<double>;
-
-/// Terms after which the series of e^{A t} is exact to rounding, |A t| = `size` <= 1/4.
-int series_terms(double size) {
-  if (size > 0.1) return 12;
-  if (size > 0.02) return 10;
-  if (size > 1e-3) return 7;
-  if (size > 1e-4) return 4;
-  return size > 1e-6 ? 3 : 2;
-}
 
 /// Length of (Re(a e^{it}), Re(b e^{it})) at its largest.
 double longest(const Complex& a, const Complex& b) {
@@ -176,24 +172,13 @@ typename ExactMotion<N>::Exit ExactMotion<N>::ring(std::size_t r, const State& s
 }
 
 template <int N>
-template <class Columns>
-void ExactMotion<N>::apply(const Pair& flow, Eigen::Index j, Columns& columns) {
-  const Eigen::Index n = columns.rows() / 2;
-  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
-    const double u = columns(j, i), v = columns(n + j, i);
-    columns(j, i) = flow.uu * u + flow.uv * v;
-    columns(n + j, i) = flow.vu * u + flow.vv * v;
-  }
-}
-
-template <int N>
 void ExactMotion<N>::step_transition_by_table(std::size_t index) {
   if (!mode_->paired) {
-    transition_ = (mode_->steps[index] * transition_).eval();
+    transition_ = mode_->steps[index].lazyProduct(transition_).eval();
     return;
   }
-  const auto& f = mode_->pair_steps[index];
-  for (Eigen::Index j = 0; j < f.rows(); ++j) apply({f(j, 0), f(j, 1), f(j, 2), f(j, 3)}, j, transition_);
+  for (Eigen::Index i = 0; i < transition_.cols(); ++i)
+    apply_pairs(mode_->pair_steps[index], transition_.col(i));
 }
 
 template <int N>
@@ -204,72 +189,132 @@ void ExactMotion<N>::turn_phasors(double duration_s) {
 
 template <int N>
 void ExactMotion<N>::step_by(double duration_s) {
-  // From about seven terms on the closed form costs less than the series.
-  if (mode_->paired && std::abs(duration_s) > 0.08 * mode_->series_limit_s) {
-    step_by_pairs(duration_s);
-    return;
-  }
-  while (duration_s > mode_->series_limit_s) {
-    const int k = exact_step_below(duration_s / mode_->longest_step_s);
-    step_by_table(k);
-    duration_s -= mode_->longest_step_s * exact_step_size(k);
-  }
+  duration_s -= step_close_to(duration_s);
   step_by_series(duration_s);
 }
 
+/// Steps of the table as far as they fit, until the rest is short. Returns how far.
 template <int N>
-void ExactMotion<N>::step_by_pairs(double duration_s) {
-  const auto& pairs = mode_->pairs;
-  Pair flow;
-  for (Eigen::Index j = 0; j < pairs.rows(); ++j) {
-    // The two directions of an isotropic body share one flow.
-    if (j == 0 || (pairs.row(j) != pairs.row(j - 1)).any())
-      flow = pair_flow({pairs(j, 0), pairs(j, 1), pairs(j, 2), pairs(j, 3)}, duration_s);
-    apply(flow, j, free_);
-    if (transition_wanted_) apply(flow, j, transition_);
+double ExactMotion<N>::step_close_to(double duration_s) {
+  double rest = duration_s;
+  while (rest > short_series / mode_->fastest_rad_per_s) {
+    const int k = exact_step_below(rest / mode_->longest_step_s);
+    if (k == exact_step_count) break;
+    step_by_table(k);
+    rest -= mode_->longest_step_s * exact_step_size(k);
   }
-  turn_phasors(duration_s);
-}
-
-template <int N>
-template <class Columns>
-Columns ExactMotion<N>::rate_of_free(const Columns& columns) const {
-  Columns rate(columns.rows(), columns.cols());
-  const Eigen::Index n = unbalance_.size();
-  if (!mode_->paired) {
-    rate.topRows(n) = columns.bottomRows(n);
-    rate.bottomRows(n) =
-        mode_->generator.template block<N, ExactTypes<N>::states>(n, 0, n, 2 * n).lazyProduct(columns);
-    return rate;
-  }
-  const auto& g = mode_->pairs;
-  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
-    const Eigen::Array<double, N, 1> u = columns.col(i).template head<N>(n).array();
-    const Eigen::Array<double, N, 1> v = columns.col(i).template segment<N>(n, n).array();
-    rate.col(i).template head<N>(n) = (g.col(0) * u + g.col(1) * v).matrix();
-    rate.col(i).template segment<N>(n, n) = (g.col(2) * u + g.col(3) * v).matrix();
-  }
-  return rate;
-}
-
-template <int N>
-template <class Columns>
-void ExactMotion<N>::apply_series(double duration_s, int terms, Columns& columns) const {
-  Columns term = columns;
-  for (int j = 1; j <= terms; ++j) {
-    term = rate_of_free(term);
-    term *= duration_s / j;
-    columns += term;
-  }
+  return duration_s - rest;
 }
 
 template <int N>
 void ExactMotion<N>::step_by_series(double duration_s) {
   if (duration_s == 0) return;
-  const int terms = series_terms(0.25 * std::abs(duration_s) / mode_->series_limit_s);
+  const int terms = series_terms(std::abs(duration_s) * mode_->fastest_rad_per_s);
   apply_series(duration_s, terms, free_);
-  if (transition_wanted_) apply_series(duration_s, terms, transition_);
+  if (transition_wanted_) {
+    State column;
+    for (Eigen::Index i = 0; i < transition_.cols(); ++i) {
+      column = transition_.col(i);
+      apply_series(duration_s, terms, column);
+      transition_.col(i) = column;
+    }
+  }
   turn_phasors(duration_s);
+}
+
+template <int N>
+void ExactMotion<N>::apply_series(double duration_s, int terms, State& z) const {
+  const Eigen::Index n = mode_->rest.size();
+  Part u = z.template head<N>(n).array(), v = z.template segment<N>(n, n).array(), sum_u = u, sum_v = v;
+  const auto& pairs = mode_->pairs;
+  for (int k = 1; k <= terms; ++k) {
+    const double factor = duration_s * reciprocals[static_cast<std::size_t>(k)];
+    const Part last = u;
+    if (mode_->paired) {
+      u = (factor * pairs.col(0)) * last + (factor * pairs.col(1)) * v;
+      v = (factor * pairs.col(2)) * last + (factor * pairs.col(3)) * v;
+    } else {
+      const typename ExactTypes<N>::Vector push =
+          mode_->stiffness.lazyProduct(last.matrix()) + mode_->damping.lazyProduct(v.matrix());
+      u = factor * v;
+      v = -factor * push.array();
+    }
+    sum_u += u;
+    sum_v += v;
+  }
+  z.template head<N>(n) = sum_u.matrix();
+  z.template segment<N>(n, n) = sum_v.matrix();
+}
+
+template <int N>
+double ExactMotion<N>::land(std::size_t e, double within_s) {
+  std::array<double, most_series_terms> storage;
+  const auto expand = [&](double duration_s, int highest) {
+    const auto terms = std::span(storage).first(static_cast<std::size_t>(highest) + 1);
+    expand_free(mode_->exits[e], duration_s, terms);
+    expand_drive(cell_->unbalance, e, phasor_, duration_s, terms);
+    if (kick_on_) expand_drive(cell_->kick, e, kick_phasor_, duration_s, terms);
+    return terms;
+  };
+  const auto start = expand(1, 2);
+  const double guess_s = std::clamp(next_root(start[0], start[1], 2 * start[2]), 0.0, within_s);
+  const double stepped_s = step_close_to(guess_s);
+  double size = mode_->fastest_rad_per_s * (1.25 * (guess_s - stepped_s) + 0.05 * guess_s) + 1e-4, root_s = 0;
+  do {
+    const double duration_s = size / mode_->fastest_rad_per_s;
+    root_s = duration_s * root_of_series(expand(duration_s, series_terms(size)));
+    size *= 4;
+  } while (std::abs(root_s) * mode_->fastest_rad_per_s > size / 4 && size <= longest_series);
+  step_by_series(root_s);
+  return stepped_s + root_s;
+}
+
+/// Taylor coefficients of the exit but for its forced part, time in units of `within_s`. A pair's part obeys
+/// y'' = trace y' - determinant y.
+template <int N>
+void ExactMotion<N>::expand_free(const ExitPlan<N>& exit, double within_s, std::span<double> terms) const {
+  const auto& both = exit.whole.row_and_rate;
+  if (!mode_->paired) {
+    State term = free_, next(free_.size());
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      terms[k] = both.row(0).lazyProduct(term).value();
+      mode_->rate(term, within_s * reciprocals[k + 1], next);
+      term.swap(next);
+    }
+  } else {
+    const Eigen::Index n = mode_->rest.size();
+    const auto parts = [&](Eigen::Index row) -> Part {
+      return both.row(row).template head<N>(n).transpose().array() * free_.template head<N>(n).array() +
+             both.row(row).template segment<N>(n, n).transpose().array() *
+                 free_.template segment<N>(n, n).array();
+    };
+    const Part trace = within_s * mode_->trace, determinant = within_s * within_s * mode_->determinant;
+    Part last = parts(0), now = within_s * parts(1);
+    terms[0] = last.sum();
+    terms[1] = now.sum();
+    for (std::size_t k = 1; k + 1 < terms.size(); ++k) {
+      const Part next =
+          (reciprocals[k + 1] * trace) * now - (reciprocals[k] * reciprocals[k + 1] * determinant) * last;
+      terms[k + 1] = next.sum();
+      last = now;
+      now = next;
+    }
+  }
+  terms[0] += exit.constant;
+}
+
+template <int N>
+void ExactMotion<N>::expand_drive(const Drive& drive, std::size_t e, Complex phasor, double within_s,
+                                  std::span<double> terms) {
+  const Complex start = product(drive.at_exit[e], phasor);
+  const double angle = drive.rate * within_s, minus_square = -angle * angle;
+  double last = start.real(), now = -angle * start.imag();
+  terms[0] += last;
+  terms[1] += now;
+  for (std::size_t k = 1; k + 1 < terms.size(); ++k) {
+    last = std::exchange(now, minus_square * (reciprocals[k] * reciprocals[k + 1]) * last);
+    terms[k + 1] += now;
+  }
 }
 
 template <int N>

@@ -3,9 +3,11 @@
 #include <array>
 #include <complex>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "rubsweep/integrate/exact_plan.hpp"
+#include "rubsweep/integrate/exponential_series.hpp"
 #include "rubsweep/integrate/pair_flow.hpp"
 #include "rubsweep/integrate/step_table.hpp"
 
@@ -54,16 +56,20 @@ class ExactMotion {
   /// Size of every pair or component of the free vibration, that bounds are multiplied by.
   State sizes() const;
   Exit exit(std::size_t e, const State& sizes) const;
-  /// The exit function itself: `curvature` is its second derivative here.
-  Exit exit_here(std::size_t e) const;
   /// The slow part of an exit function with the amplitude of its fast part added: never below the function.
   Exit slow_exit(std::size_t e, const State& sizes) const;
   /// (|d|^2 - C^2) / (2 C) of a ring.
   Exit ring(std::size_t r, const State& sizes) const;
 
   void step_by_table(int k);
-  /// Any duration up to the mode's longest step; back in time, for corrections, up to its series' limit.
+  /// Any duration up to the mode's longest step.
   void step_by(double duration_s);
+
+  /// Longest duration that `land` reaches over.
+  double reach_s() const { return longest_series / mode_->fastest_rad_per_s; }
+  /// Moves to where exit `e`, monotone up to there, rises through zero, at most `within_s` <= reach_s()
+  /// ahead. Returns the duration.
+  double land(std::size_t e, double within_s);
 
   /// Bound on |d slip / dt| / length scale of a touching contact, within the longest step.
   double sliding_rate_bound(const TouchPlan<N>& touch) const;
@@ -79,6 +85,7 @@ class ExactMotion {
 
  private:
   using Complex = std::complex<double>;
+  using Part = Eigen::Array<double, N, 1>;  ///< half a state
   using ComplexVector = Eigen::Matrix<Complex, N, 1>;
 
   /// What one harmonic force does in one mode: u = Re(amplitude e^{i rate t}).
@@ -103,16 +110,21 @@ class ExactMotion {
   State forced() const;
   void add_forced(const Drive& drive, Complex phasor, State& state) const;
   void turn_phasors(double duration_s);
-  template <class Columns>
-  static void apply(const Pair& flow, Eigen::Index j, Columns& columns);
+  template <class Column>
+  static void apply_pairs(const Eigen::Array<double, N, 4>& flow, Column&& z) {
+    const Eigen::Index n = flow.rows();
+    const Part u = z.template head<N>(n).array(), v = z.template segment<N>(n, n).array();
+    z.template head<N>(n) = (flow.col(0) * u + flow.col(1) * v).matrix();
+    z.template segment<N>(n, n) = (flow.col(2) * u + flow.col(3) * v).matrix();
+  }
   void step_transition_by_table(std::size_t index);
   void add_drives(std::size_t e, Exit& exit) const;
-  void step_by_pairs(double duration_s);
+  double step_close_to(double duration_s);
   void step_by_series(double duration_s);
-  template <class Columns>
-  void apply_series(double duration_s, int terms, Columns& columns) const;
-  template <class Columns>
-  Columns rate_of_free(const Columns& columns) const;
+  void apply_series(double duration_s, int terms, State& z) const;
+  void expand_free(const ExitPlan<N>& exit, double within_s, std::span<double> terms) const;
+  static void expand_drive(const Drive& drive, std::size_t e, Complex phasor, double within_s,
+                           std::span<double> terms);
 
   std::shared_ptr<ExactPlan<N>> plan_;
   Eigen::VectorXcd unbalance_, kick_;  ///< acceleration per s^2 is Re(. e^{i rate t})
@@ -129,7 +141,7 @@ class ExactMotion {
 };
 
 template <int N>
-typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
+inline typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
   if (!mode_->paired) return free_.cwiseAbs();
   const Eigen::Index n = unbalance_.size();
   State sizes = State::Zero(free_.size());
@@ -140,23 +152,7 @@ typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
 }
 
 template <int N>
-typename ExactMotion<N>::Exit ExactMotion<N>::exit_here(std::size_t e) const {
-  const ExitPlan<N>& plan = mode_->exits[e];
-  Exit exit{plan.constant + plan.whole.row.dot(free_.transpose()), plan.whole.rate.dot(free_.transpose()),
-            plan.whole.curvature.dot(free_.transpose())};
-  const auto add = [&](const Drive& drive, Complex phasor) {
-    const Complex z = detail::product(drive.at_exit[e], phasor);
-    exit.value += z.real();
-    exit.rate -= drive.rate * z.imag();
-    exit.curvature -= drive.rate * drive.rate * z.real();
-  };
-  add(cell_->unbalance, phasor_);
-  if (kick_on_) add(cell_->kick, kick_phasor_);
-  return exit;
-}
-
-template <int N>
-void ExactMotion<N>::add_drives(std::size_t e, Exit& exit) const {
+inline void ExactMotion<N>::add_drives(std::size_t e, Exit& exit) const {
   const auto add = [&](const Drive& drive, Complex phasor) {
     const Complex z = detail::product(drive.at_exit[e], phasor);
     exit.value += z.real();
@@ -168,33 +164,29 @@ void ExactMotion<N>::add_drives(std::size_t e, Exit& exit) const {
 }
 
 template <int N>
-typename ExactMotion<N>::Exit ExactMotion<N>::exit(std::size_t e, const State& sizes) const {
+inline typename ExactMotion<N>::Exit ExactMotion<N>::exit(std::size_t e, const State& sizes) const {
   const ExitPlan<N>& plan = mode_->exits[e];
-  Exit exit{plan.constant + plan.whole.row.dot(free_.transpose()), plan.whole.rate.dot(free_.transpose()),
-            plan.whole.curvature_bound.dot(sizes.transpose())};
+  const auto now = plan.whole.at(free_);
+  Exit exit{plan.constant + now(0), now(1), plan.whole.curvature_bound.dot(sizes.transpose())};
   add_drives(e, exit);
   return exit;
 }
 
 template <int N>
-typename ExactMotion<N>::Exit ExactMotion<N>::slow_exit(std::size_t e, const State& sizes) const {
+inline typename ExactMotion<N>::Exit ExactMotion<N>::slow_exit(std::size_t e, const State& sizes) const {
   const ExitPlan<N>& plan = mode_->exits[e];
-  Exit exit{plan.constant + plan.slow.row.dot(free_.transpose()) + plan.envelope.dot(sizes.transpose()),
-            plan.slow.rate.dot(free_.transpose()), plan.slow.curvature_bound.dot(sizes.transpose())};
+  const auto now = plan.slow.at(free_);
+  Exit exit{plan.constant + now(0) + plan.envelope.dot(sizes.transpose()), now(1),
+            plan.slow.curvature_bound.dot(sizes.transpose())};
   add_drives(e, exit);
   return exit;
 }
 
 template <int N>
-void ExactMotion<N>::step_by_table(int k) {
+inline void ExactMotion<N>::step_by_table(int k) {
   const auto index = static_cast<std::size_t>(k);
   if (mode_->paired) {
-    const auto& f = mode_->pair_steps[index];
-    const Eigen::Index n = f.rows();
-    const Eigen::Array<double, N, 1> u = free_.template head<N>(n).array(),
-                                     v = free_.template segment<N>(n, n).array();
-    free_.template head<N>(n) = (f.col(0) * u + f.col(1) * v).matrix();
-    free_.template segment<N>(n, n) = (f.col(2) * u + f.col(3) * v).matrix();
+    apply_pairs(mode_->pair_steps[index], free_);
   } else {
     free_ = mode_->steps[index].lazyProduct(free_).eval();
   }

@@ -17,7 +17,6 @@ using contact::Mode;
 constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
 constexpr int longest_standstill = 16;   ///< mode switches without progress before a graze is stepped over
 constexpr double steps_per_turn_when_watched = 64;
-constexpr int halley_iterations = 12;
 
 }  // namespace
 
@@ -166,12 +165,12 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
   ++effort_.steps;
   if (choice.ring || !renew_slip_watch(turn, choice.step_s)) return ExactEnding::beyond;
   if (choice.crossing && standstill_ < longest_standstill) {
-    land(turn, *choice.crossing);
+    land(turn, *choice.crossing, choice.step_s);
     return switch_mode(turn, *choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
   }
   if (turn.peaks) {
     choice.step_s = std::min(choice.step_s, period_s_ / steps_per_turn_when_watched);
-    if (motion_.joint() != 0) choice.step_s = std::min(choice.step_s, motion_.mode().series_limit_s);
+    if (motion_.joint() != 0) choice.step_s = std::min(choice.step_s, 0.25 * motion_.reach_s());
   }
   const double step = std::max(choice.step_s, shortest_step * period_s_);
   if (!(step < until)) {
@@ -219,18 +218,19 @@ typename ExactRun<N>::Choice ExactRun<N>::choose(double until_boundary_s) const 
 template <int N>
 void ExactRun<N>::add_exit(std::size_t e, const State& sizes, Choice& choice) const {
   const Exit exit = motion_.exit(e, sizes);
-  double step = safe_step(exit.value, exit.rate, exit.curvature);
-  if (step >= choice.step_s) return;
+  if (stays_below(exit.value, exit.rate, exit.curvature, choice.step_s)) return;
   if (crosses(exit.value, exit.rate, exit.curvature)) {
     const double latest = latest_crossing(exit.value, exit.rate, exit.curvature);
-    if (latest < choice.step_s) {
+    if (latest < choice.step_s && latest <= motion_.reach_s()) {
       choice.step_s = latest;
       choice.crossing = e;
       return;
     }
   }
+  double step = safe_step(exit.value, exit.rate, exit.curvature);
   if (motion_.mode().exits[e].split) {
     const Exit slow = motion_.slow_exit(e, sizes);
+    if (stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
     if (slow.value < 0) step = std::max(step, safe_step(slow.value, slow.rate, slow.curvature));
   }
   if (step >= choice.step_s) return;
@@ -246,6 +246,11 @@ void ExactRun<N>::move(Turn& turn, double duration_s, int table_step) {
   } else {
     motion_.step_by(duration_s);
   }
+  passed(turn, duration_s);
+}
+
+template <int N>
+void ExactRun<N>::passed(Turn& turn, double duration_s) {
   time_s_ += duration_s;
   if (motion_.joint() != 0) {
     slip_.advance(duration_s);
@@ -254,20 +259,11 @@ void ExactRun<N>::move(Turn& turn, double duration_s, int table_step) {
   if (turn.peaks) peaks_.step(motion_, duration_s, turn);
 }
 
-/// Halley's iteration on the exact flow, third order; ends where the next step would be rounding.
 template <int N>
-void ExactRun<N>::land(Turn& turn, std::size_t e) {
-  const double before = time_s_;
-  Exit exit = motion_.exit_here(e);
-  double last = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < halley_iterations; ++i) {
-    const double step = next_root(exit.value, exit.rate, exit.curvature);
-    if (!(std::abs(step) > 1e-17 * period_s_) || !(std::abs(step) < last / 2)) break;
-    move(turn, step, -1);
-    last = std::abs(step);
-    exit = motion_.exit_here(e);
-  }
-  standstill_ = time_s_ - before > shortest_step * period_s_ ? 0 : standstill_ + 1;
+void ExactRun<N>::land(Turn& turn, std::size_t e, double latest_s) {
+  const double duration_s = motion_.land(e, latest_s);
+  passed(turn, duration_s);
+  standstill_ = duration_s > shortest_step * period_s_ ? 0 : standstill_ + 1;
 }
 
 template <int N>

@@ -67,7 +67,8 @@ class ExactRun {
   Choice choose(double until_boundary_s) const;
   void add_exit(std::size_t e, const State& sizes, Choice& choice) const;
   void move(Turn& turn, double duration_s, int table_step);
-  void land(Turn& turn, std::size_t exit);
+  void passed(Turn& turn, double duration_s);
+  void land(Turn& turn, std::size_t exit, double latest_s);
   bool switch_mode(Turn& turn, std::size_t exit);
   contact::Kinematics kinematics(std::size_t contact, const State& physical, const State& rate) const;
   void sample(Turn& turn);

@@ -96,7 +96,7 @@ class ModeBuilder {
     fastest_ = fastest(plan_->generator);
     plan_->longest_step_s = 1 / slowest(plan_->stiffness);
     if (!open()) plan_->longest_step_s = std::min(plan_->longest_step_s, 16 / fastest_);
-    plan_->series_limit_s = 0.25 / fastest_;
+    plan_->fastest_rad_per_s = fastest_;
     const auto form = modal_form(plan_->stiffness, plan_->damping);
     plan_->paired = form.has_value();
     if (form) {
@@ -107,6 +107,9 @@ class ModeBuilder {
         const Pair& g = form->pairs[static_cast<std::size_t>(j)];
         plan_->pairs.row(j) << g.uu, g.uv, g.vu, g.vv;
       }
+      plan_->trace = plan_->pairs.col(0) + plan_->pairs.col(3);
+      plan_->determinant =
+          plan_->pairs.col(0) * plan_->pairs.col(3) - plan_->pairs.col(1) * plan_->pairs.col(2);
       growth_ = std::exp(std::max(0.0, form->growth) * plan_->longest_step_s);
     } else {
       plan_->basis.setIdentity(plan_->generator.rows(), plan_->generator.rows());
@@ -157,8 +160,9 @@ class ModeBuilder {
 
   Watched<N> watched(const Row& row) const {
     const Row by_time = rate(row);
-    const Row curvature = rate(by_time);
-    return {row, by_time, curvature, bound(curvature)};
+    Eigen::Matrix<double, 2, Eigen::Dynamic> both(2, row.size());
+    both << row, by_time;
+    return {both, bound(rate(by_time))};
   }
 
   Row by_u(const Row& row) const { return over_state(row, Row::Zero(row.size())); }
@@ -202,7 +206,7 @@ class ModeBuilder {
 
   void split_off_fast(ExitPlan<N>& exit) const {
     const Eigen::Index n = plan_->rest.size();
-    const Row whole = exit.whole.row;
+    const Row whole = exit.whole.row_and_rate.row(0);
     const auto size = [&](Eigen::Index j) { return std::hypot(whole(j), whole(n + j)); };
     const auto frequency = [&](Eigen::Index j) {
       const Pair g = pair(j);

@@ -22,11 +22,15 @@ struct ExactTypes {
   using Flow = Eigen::Matrix<double, states, states>;
 };
 
-/// A linear function of the free vibration z: row.z, its first two rates, and what a unit of each component's
+/// A linear function of the free vibration z, row.z, and its rate, and what a unit of each component's
 /// size can do to its second derivative within the mode's longest step.
 template <int N>
 struct Watched {
-  typename ExactTypes<N>::Row row, rate, curvature, curvature_bound;
+  Eigen::Matrix<double, 2, ExactTypes<N>::states> row_and_rate;
+  typename ExactTypes<N>::Row curvature_bound;
+
+  /// Value and rate.
+  Eigen::Vector2d at(const typename ExactTypes<N>::State& z) const { return row_and_rate.lazyProduct(z); }
 };
 
 /// One armed exit of a mode, divided by the contact stiffness so that it is a length. Negative inside the
@@ -82,14 +86,31 @@ struct ModePlan {
   bool paired = false;
   bool diagonal_basis = false;
   typename Types::Flow basis, inverse;
-  Eigen::Array<double, N, 4> pairs;  ///< generators: uu, uv, vu, vv per pair
+  Eigen::Array<double, N, 4> pairs;               ///< generators: uu, uv, vu, vv per pair
+  Eigen::Array<double, N, 1> trace, determinant;  ///< of the generators
   double longest_step_s = 0;
-  double series_limit_s = 0;  ///< up to here a short series gives the flow to rounding
+  double fastest_rad_per_s = 0;                        ///< largest |eigenvalue|
   std::vector<Eigen::Array<double, N, 4>> pair_steps;  ///< uu, uv, vu, vv per pair; or
   std::vector<typename Types::Flow> steps;             ///< e^{A h}
   std::vector<ExitPlan<N>> exits;
   std::vector<RingPlan<N>> rings;
   std::vector<TouchPlan<N>> touches;
+
+  /// next = factor * dz/dt.
+  void rate(const typename Types::State& z, double factor, typename Types::State& next) const {
+    const Eigen::Index n = rest.size();
+    if (paired) {
+      const Eigen::Array<double, N, 1> u = factor * z.template head<N>(n).array(),
+                                       v = factor * z.template segment<N>(n, n).array();
+      next.template head<N>(n) = (pairs.col(0) * u + pairs.col(1) * v).matrix();
+      next.template segment<N>(n, n) = (pairs.col(2) * u + pairs.col(3) * v).matrix();
+    } else {
+      next.template head<N>(n) = factor * z.template segment<N>(n, n);
+      next.template segment<N>(n, n) =
+          generator.template block<N, Types::states>(n, 0, n, 2 * n).lazyProduct(z);
+      next.template segment<N>(n, n) *= factor;
+    }
+  }
 
   typename Types::State from_free(const typename Types::State& z) const { return change(basis, z); }
   typename Types::State to_free(const typename Types::State& vibration) const {

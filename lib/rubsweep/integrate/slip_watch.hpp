@@ -55,7 +55,7 @@ class SlipWatch {
       const double end = slip(touch, physical);
       if (end <= 0) reversed = true;
       // What friction has moved by the end swings back with the structure's own frequencies.
-      const double friction = c.friction_rate * (1 + duration_s_ / motion.mode().series_limit_s);
+      const double friction = c.friction_rate * (1 + 4 * duration_s_ * motion.mode().fastest_rad_per_s);
       const double least = (end + c.start_m_per_s - (c.rate_bound + friction) * duration_s_) / 2;
       if (!(least > c.above_m_per_s)) return false;
     }
