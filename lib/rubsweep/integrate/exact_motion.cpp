@@ -56,8 +56,9 @@ template <int N>
 bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   const ModePlan<N>* next = plan_->mode(joint);
   if (next == nullptr) return false;
+  step_transition();
   if (transition_wanted_ && mode_ != nullptr)
-    transition_ = next->inverse * (mode_->basis * transition_).eval();
+    transition_ = next->inverse.lazyProduct(mode_->basis.lazyProduct(transition_).eval()).eval();
   mode_ = next;
   if (cells_.size() <= mode_->index) cells_.resize(mode_->index + 1);
   ModeCell& cell = cells_[mode_->index];
@@ -98,9 +99,6 @@ bool ExactMotion<N>::make(Drive& drive, const Eigen::VectorXcd& force, double ra
   }
   for (const auto& touch : mode_->touches)
     drive.sliding.push_back(std::abs(row_on(touch.sliding, drive.amplitude, rate)) * rate);
-  for (int k = 0; k < exact_step_count; ++k)
-    drive.steps[static_cast<std::size_t>(k)] =
-        std::polar(1.0, rate * mode_->longest_step_s * exact_step_size(k));
   return true;
 }
 
@@ -171,14 +169,50 @@ typename ExactMotion<N>::Exit ExactMotion<N>::ring(std::size_t r, const State& s
           (d[0] * v[0] + d[1] * v[1]) / c.clearance, speed * speed / c.clearance + curvature};
 }
 
+/// Takes the transition to where the state is: once per visit to a mode, not once per step.
 template <int N>
-void ExactMotion<N>::step_transition_by_table(std::size_t index) {
-  if (!mode_->paired) {
-    transition_ = mode_->steps[index].lazyProduct(transition_).eval();
-    return;
+void ExactMotion<N>::step_transition() {
+  const double duration_s = std::exchange(transition_lag_s_, 0);
+  if (!transition_wanted_ || duration_s == 0) return;
+  if (mode_->paired) {
+    step_transition_by_pairs(duration_s);
+  } else {
+    step_transition_by_matrices(duration_s);
   }
-  for (Eigen::Index i = 0; i < transition_.cols(); ++i)
-    apply_pairs(mode_->pair_steps[index], transition_.col(i));
+}
+
+template <int N>
+void ExactMotion<N>::step_transition_by_pairs(double duration_s) {
+  Eigen::Array<double, N, 4> flow(mode_->pairs.rows(), 4);
+  for (Eigen::Index j = 0; j < flow.rows(); ++j) {
+    const auto g = mode_->pairs.row(j);
+    // The two directions of an isotropic body share one flow.
+    if (j > 0 && (g == mode_->pairs.row(j - 1)).all()) {
+      flow.row(j) = flow.row(j - 1);
+    } else {
+      const Pair f = pair_flow({g(0), g(1), g(2), g(3)}, duration_s);
+      flow.row(j) << f.uu, f.uv, f.vu, f.vv;
+    }
+  }
+  for (Eigen::Index i = 0; i < transition_.cols(); ++i) apply_pairs(flow, transition_.col(i));
+}
+
+template <int N>
+void ExactMotion<N>::step_transition_by_matrices(double duration_s) {
+  double rest = duration_s;
+  while (rest > short_series / mode_->fastest_rad_per_s) {
+    const int k = exact_step_below(rest / mode_->longest_step_s);
+    if (k == exact_step_count) break;
+    transition_ = mode_->steps[static_cast<std::size_t>(k)].lazyProduct(transition_).eval();
+    rest -= mode_->longest_step_s * exact_step_size(k);
+  }
+  const int terms = series_terms(std::abs(rest) * mode_->fastest_rad_per_s);
+  State column;
+  for (Eigen::Index i = 0; i < transition_.cols(); ++i) {
+    column = transition_.col(i);
+    apply_series(rest, terms, column);
+    transition_.col(i) = column;
+  }
 }
 
 template <int N>
@@ -211,14 +245,7 @@ void ExactMotion<N>::step_by_series(double duration_s) {
   if (duration_s == 0) return;
   const int terms = series_terms(std::abs(duration_s) * mode_->fastest_rad_per_s);
   apply_series(duration_s, terms, free_);
-  if (transition_wanted_) {
-    State column;
-    for (Eigen::Index i = 0; i < transition_.cols(); ++i) {
-      column = transition_.col(i);
-      apply_series(duration_s, terms, column);
-      transition_.col(i) = column;
-    }
-  }
+  transition_lag_s_ += duration_s;
   turn_phasors(duration_s);
 }
 
@@ -329,6 +356,7 @@ double ExactMotion<N>::sliding_rate_bound(const TouchPlan<N>& touch) const {
 template <int N>
 void ExactMotion<N>::follow_transition(bool wanted) {
   transition_wanted_ = wanted;
+  transition_lag_s_ = 0;
   if (wanted && mode_ != nullptr) transition_ = mode_->inverse;
 }
 

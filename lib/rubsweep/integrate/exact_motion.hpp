@@ -76,7 +76,10 @@ class ExactMotion {
 
   /// d(state) / d(state when this was called); only followed when wanted.
   void follow_transition(bool wanted);
-  Flow transition() const { return mode_->basis * transition_; }
+  Flow transition() {
+    step_transition();
+    return mode_->basis.lazyProduct(transition_);
+  }
 
   const ModePlan<N>& mode() const { return *mode_; }
   std::size_t joint() const { return joint_; }
@@ -95,9 +98,9 @@ class ExactMotion {
     std::vector<Complex> at_exit;
     std::vector<double> curvature;  ///< per exit: |at_exit| rate^2
     std::vector<std::array<Complex, 2>> at_ring;
-    std::vector<double> ring_length;              ///< per ring: bound on |at_ring e^{i rate t}|
-    std::vector<double> sliding;                  ///< per touch: |sliding amplitude| rate
-    std::array<Complex, exact_step_count> steps;  ///< e^{i rate h} of the table's steps
+    std::vector<double> ring_length;                ///< per ring: bound on |at_ring e^{i rate t}|
+    std::vector<double> sliding;                    ///< per touch: |sliding amplitude| rate
+    std::array<Complex, exact_step_count> steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked
   };
 
   struct ModeCell {
@@ -110,6 +113,12 @@ class ExactMotion {
   State forced() const;
   void add_forced(const Drive& drive, Complex phasor, State& state) const;
   void turn_phasors(double duration_s);
+  Complex turned_by(Drive& drive, std::size_t table_step) const {
+    Complex& turn = drive.steps[table_step];
+    if (turn == Complex{})
+      turn = std::polar(1.0, drive.rate * mode_->longest_step_s * exact_step_sizes[table_step]);
+    return turn;
+  }
   template <class Column>
   static void apply_pairs(const Eigen::Array<double, N, 4>& flow, Column&& z) {
     const Eigen::Index n = flow.rows();
@@ -117,7 +126,9 @@ class ExactMotion {
     z.template head<N>(n) = (flow.col(0) * u + flow.col(1) * v).matrix();
     z.template segment<N>(n, n) = (flow.col(2) * u + flow.col(3) * v).matrix();
   }
-  void step_transition_by_table(std::size_t index);
+  void step_transition();
+  void step_transition_by_pairs(double duration_s);
+  void step_transition_by_matrices(double duration_s);
   void add_drives(std::size_t e, Exit& exit) const;
   double step_close_to(double duration_s);
   void step_by_series(double duration_s);
@@ -131,13 +142,14 @@ class ExactMotion {
   double speed_ = 0, kick_rate_ = 0;
   std::vector<ModeCell> cells_;
   const ModePlan<N>* mode_ = nullptr;
-  const ModeCell* cell_ = nullptr;
+  ModeCell* cell_ = nullptr;
   std::size_t joint_ = 0;
   State free_;
   Complex phasor_{1}, kick_phasor_{1};
   bool kick_on_ = false;
-  Flow transition_;
-  bool transition_wanted_ = false;  ///< transition_ in the mode's coordinates
+  Flow transition_;  ///< in the mode's coordinates
+  bool transition_wanted_ = false;
+  double transition_lag_s_ = 0;  ///< behind the state
 };
 
 template <int N>
@@ -190,9 +202,9 @@ inline void ExactMotion<N>::step_by_table(int k) {
   } else {
     free_ = mode_->steps[index].lazyProduct(free_).eval();
   }
-  if (transition_wanted_) step_transition_by_table(index);
-  phasor_ = detail::product(phasor_, cell_->unbalance.steps[index]);
-  if (kick_on_) kick_phasor_ = detail::product(kick_phasor_, cell_->kick.steps[index]);
+  transition_lag_s_ += mode_->longest_step_s * exact_step_sizes[index];
+  phasor_ = detail::product(phasor_, turned_by(cell_->unbalance, index));
+  if (kick_on_) kick_phasor_ = detail::product(kick_phasor_, turned_by(cell_->kick, index));
 }
 
 extern template class ExactMotion<2>;

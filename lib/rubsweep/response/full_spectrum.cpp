@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <new>
@@ -64,12 +65,9 @@ void SpectrumWorkspace::reserve(std::size_t length) {
   capacity_ = length;
 }
 
-double FullSpectrum::amplitude(int k) const {
-  if (k < first_line() || k > last_line()) {
-    throw SolverError(
-        fmt::format("spectrum has lines {} to {}, line {} was asked for", first_line(), last_line(), k));
-  }
-  return amplitude_m[static_cast<std::size_t>(k - first_line())];
+void FullSpectrum::refuse(int k) const {
+  throw SolverError(
+      fmt::format("spectrum has lines {} to {}, line {} was asked for", first_line(), last_line(), k));
 }
 
 double FullSpectrum::energy_without_mean() const {
@@ -114,7 +112,7 @@ FullSpectrum full_spectrum(std::span<const std::complex<double>> displacement_m,
   const std::size_t negative = count / 2;
   for (std::size_t j = 0; j < count; ++j) {
     spectrum.amplitude_m[(j + negative) % count] =
-        std::abs(workspace.lines_[j]) / static_cast<double>(length);
+        std::sqrt(std::norm(workspace.lines_[j])) / static_cast<double>(length);
   }
   return spectrum;
 }

@@ -25,13 +25,19 @@ struct FullSpectrum {
 
   /// Amplitude of line k in metres; the line stands at order k / turns. SolverError when there is no such
   /// line.
-  double amplitude(int k) const;
+  double amplitude(int k) const {
+    if (k < first_line() || k > last_line()) refuse(k);
+    return amplitude_m[static_cast<std::size_t>(k - first_line())];
+  }
 
   /// Order of line k in multiples of the shaft speed, negative for backward whirl.
   double order(int k) const { return static_cast<double>(k) / turns; }
 
   /// Sum of the squared amplitudes of all lines but 0X, in m^2: the mean of |z - mean z|^2 (Parseval).
   double energy_without_mean() const;
+
+ private:
+  [[noreturn]] void refuse(int k) const;
 };
 
 /// k of the largest line, 0X excluded; 0 when there is no other line. Of a pair +-k that is equal to 1e-9 (a

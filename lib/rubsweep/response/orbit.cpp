@@ -17,11 +17,11 @@ bool is_circle(std::span<const std::complex<double>> displacement_m) {
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = 0;
   for (const auto& z : displacement_m) {
-    const double distance = std::abs(z - mean);
-    nearest = std::min(nearest, distance);
-    farthest = std::max(farthest, distance);
+    const double square = std::norm(z - mean);
+    nearest = std::min(nearest, square);
+    farthest = std::max(farthest, square);
   }
-  return farthest < circle_ratio * nearest;
+  return farthest < circle_ratio * circle_ratio * nearest;
 }
 
 bool is_oval(const FullSpectrum& spectrum) {

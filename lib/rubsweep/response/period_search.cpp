@@ -32,10 +32,12 @@ void PeriodSearch::add(std::span<const double> section, bool touched) {
   ++turns_;
 }
 
-double PeriodSearch::return_error(int order) const {
+/// Errors above `worst` are not told apart.
+double PeriodSearch::return_error(int order, double worst) const {
   const auto now = row(turns_ - 1), then = row(turns_ - 1 - order);
   double largest = 0;
-  for (std::size_t i = 0; i < states_; ++i) largest = std::max(largest, std::abs(now[i] - then[i]));
+  for (std::size_t i = 0; i < states_ && largest <= worst; ++i)
+    largest = std::max(largest, std::abs(now[i] - then[i]));
   return largest;
 }
 
@@ -43,7 +45,7 @@ std::optional<int> PeriodSearch::candidate() const {
   double least = std::numeric_limits<double>::infinity();
   const long known = std::min<long>(largest_, turns_ - 1);
   for (int n = 1; n <= known; ++n) {
-    const double error = return_error(n);
+    const double error = return_error(n, close_enough / much_closer);
     const Tried& tried = tried_[static_cast<std::size_t>(n)];
     const bool touched = last_touch_ >= turns_ - n;
     const bool due =
@@ -56,7 +58,7 @@ std::optional<int> PeriodSearch::candidate() const {
 
 void PeriodSearch::refuse(int order) {
   Tried& tried = tried_[static_cast<std::size_t>(order)];
-  tried.below = much_closer * return_error(order);
+  tried.below = much_closer * return_error(order, std::numeric_limits<double>::infinity());
   tried.again = turns_ + std::max(8L, static_cast<long>((much_later - 1) * static_cast<double>(turns_)));
 }
 

@@ -23,7 +23,7 @@ class PeriodSearch {
   void refuse(int order);
 
  private:
-  double return_error(int order) const;
+  double return_error(int order, double worst) const;
   std::span<const double> row(long turn) const;
 
   struct Tried {
