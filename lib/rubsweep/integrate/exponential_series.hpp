@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace rubsweep::integrate {
+
+/// Size |A| t of a step up to which the series of e^{A t} is used.
+inline constexpr double longest_series = 1;
+
+/// Below it the series costs no more than two steps of a table.
+inline constexpr double short_series = 0.14;
+
+/// Highest term of the series of e^x, |x| = `size` <= longest_series, that double rounding does not hide:
+/// size^(n + 1) / (n + 1)! < 2e-17.
+inline int series_terms(double size) {
+  if (size > 0.74) return 18;
+  if (size > 0.49) return 16;
+  if (size > 0.29) return 14;
+  if (size > 0.14) return 12;
+  if (size > 0.057) return 10;
+  if (size > 0.013) return 8;
+  if (size > 1.2e-3) return 6;
+  return size > 1.5e-4 ? 4 : 3;
+}
+
+inline constexpr std::size_t most_series_terms = 19;  ///< the one of order zero counted
+
+/// 1 / k.
+inline constexpr auto reciprocals = [] {
+  std::array<double, most_series_terms + 1> values{};
+  for (std::size_t k = 1; k < values.size(); ++k) values[k] = 1.0 / static_cast<double>(k);
+  return values;
+}();
+
+}  // namespace rubsweep::integrate
