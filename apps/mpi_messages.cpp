@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <thread>
+#include <vector>
 
 namespace rubsweep::apps::mpi {
 namespace {
@@ -52,6 +53,21 @@ int ranks() {
   return value;
 }
 
+int ranks_on_this_machine() {
+  MPI_Comm machine{};
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  int value = 0;
+  MPI_Comm_size(machine, &value);
+  MPI_Comm_free(&machine);
+  return value;
+}
+
+std::size_t smallest(std::size_t value) {
+  std::uint64_t result = value;
+  MPI_Allreduce(MPI_IN_PLACE, &result, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
+  return result;
+}
+
 int broadcast_number(int number) {
   MPI_Bcast(&number, 1, MPI_INT, 0, MPI_COMM_WORLD);
   return number;
@@ -64,8 +80,7 @@ std::string broadcast_text(std::string text) {
 }
 
 void send_report(const Report& report) {
-  std::string text(report.stopped ? "stopped\n" : "next\n");
-  for (const std::string& line : report.lines) text.append(line).append("\n");
+  const std::string text = (report.stopped ? "stopped\n" : "next\n") + report.lines;
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, report_tag, MPI_COMM_WORLD);
 }
 
@@ -77,21 +92,15 @@ std::optional<Report> receive_report(std::chrono::milliseconds patience) {
     if (!status) return std::nullopt;
   }
   const auto text = receive<std::string>(*status, MPI_CHAR);
-  Report report{status->MPI_SOURCE, text.starts_with("stopped"), {}};
-  for (std::size_t begin = text.find('\n') + 1; begin < text.size();) {
-    const std::size_t end = text.find('\n', begin);
-    report.lines.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return report;
+  return Report{status->MPI_SOURCE, text.starts_with("stopped"), text.substr(text.find('\n') + 1)};
 }
 
-void send_chunk(int rank, const Chunk& chunk) {
+void send_chunk(int rank, const batch::Chunk& chunk) {
   const std::vector<std::uint64_t> cells(chunk.begin(), chunk.end());
   MPI_Send(cells.data(), static_cast<int>(cells.size()), MPI_UINT64_T, rank, chunk_tag, MPI_COMM_WORLD);
 }
 
-Chunk receive_chunk() {
+batch::Chunk receive_chunk() {
   auto status = waiting_message(0, chunk_tag);
   for (; !status; status = waiting_message(0, chunk_tag)) std::this_thread::sleep_for(nap);
   const auto cells = receive<std::vector<std::uint64_t>>(*status, MPI_UINT64_T);

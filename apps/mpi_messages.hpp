@@ -1,11 +1,11 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "chunk_queue.hpp"
+#include "rubsweep/batch/chunk_queue.hpp"
 
 /// What the ranks of rubsweep-mpi say to each other; the only place that knows MPI. Only the thread that made
 /// the Session may call. Whoever waits sleeps in between, where MPI itself would keep a processor busy.
@@ -23,6 +23,12 @@ class Session {
 int rank();
 int ranks();
 
+/// How many ranks run on the same machine as this one. All ranks must call it, as all that follow here.
+int ranks_on_this_machine();
+
+/// The smallest value of any rank, to all.
+std::size_t smallest(std::size_t value);
+
 /// The first rank's value, to all.
 int broadcast_number(int number);
 std::string broadcast_text(std::string text);
@@ -32,7 +38,7 @@ std::string broadcast_text(std::string text);
 struct Report {
   int rank = 0;
   bool stopped = false;
-  std::vector<std::string> lines;  ///< without line ends
+  std::string lines;  ///< each with its end
 };
 
 void send_report(const Report& report);
@@ -41,8 +47,8 @@ void send_report(const Report& report);
 std::optional<Report> receive_report(std::chrono::milliseconds patience);
 
 /// The answer to a request; empty: nothing is left.
-void send_chunk(int rank, const Chunk& chunk);
-Chunk receive_chunk();
+void send_chunk(int rank, const batch::Chunk& chunk);
+batch::Chunk receive_chunk();
 
 /// Returns when every rank has called it.
 void wait_for_all();

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "exit_code.hpp"
+#include "forecast.hpp"
 #include "interrupt.hpp"
 #include "map_directory.hpp"
 #include "program.hpp"
@@ -57,15 +57,12 @@ bool run_missing_cells(const RubsweepArguments& arguments, const config::RunConf
   std::vector<std::size_t> cells = directory.missing();
   std::size_t finished = 0;
   // A few cells from all over the map tell how long it will take, where somebody is there to read it.
-  if (progress.say(sweep::describe(config.study, threads)) && cells.size() >= 1000) {
-    const auto pilots = sweep::take_pilot_cells(cells, 16 * static_cast<std::size_t>(threads));
+  if (progress.say(sweep::describe(config.study, {threads})) && cells.size() >= least_cells_to_forecast) {
+    const auto pilots = sweep::take_pilot_cells(cells, pilots_per_thread * static_cast<std::size_t>(threads));
     const auto start = std::chrono::steady_clock::now();
     finished = run_cells(pilots);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    const double cell_s = elapsed.count() / static_cast<double>(pilots.size());
-    progress.say(fmt::format("about {} by {} cells spread over the map",
-                             batch::hours_minutes_seconds(cell_s * static_cast<double>(cells.size())),
-                             pilots.size()));
+    progress.say(forecast(pilots.size(), elapsed.count(), cells.size()));
   }
   finished += run_cells(cells);
   if (finished == directory.missing().size()) return true;
@@ -76,19 +73,9 @@ bool run_missing_cells(const RubsweepArguments& arguments, const config::RunConf
   return false;
 }
 
-/// What does not fit into the machine is refused before it begins, not killed in the middle.
-void refuse_more_than_there_is(const sweep::Study& study, int threads) {
-  const auto there =
-      static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  if (sweep::footprint(study, threads).memory_bytes <= there) return;
-  throw ConfigError(
-      fmt::format("{}, this machine has {} MB, allowed: fewer --threads, response.window_revolutions or "
-                  "response.samples_per_revolution",
-                  sweep::describe(study, threads), there / 1'000'000));
-}
-
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
-  refuse_more_than_there_is(config.study, batch::thread_count(arguments.threads));
+  sweep::refuse_more_memory_than(machine_memory_bytes(), config.study,
+                                 {batch::thread_count(arguments.threads)});
   const MapDirectory directory(arguments.output.value_or(config.output_directory), config, arguments.shard,
                                arguments.fresh, own_name(arguments));
   if (arguments.merge && !directory.missing().empty()) {
@@ -118,7 +105,7 @@ int perform(const RubsweepArguments& arguments) {
   const int threads = batch::thread_count(arguments.threads);
   return act(arguments,
              {.size = [&] { return fmt::format("{} cells", sweep::cell_count(study.grid)); },
-              .explanation = [&] { return sweep::explain(study) + sweep::describe(study, threads) + "\n"; },
+              .explanation = [&] { return sweep::explain(study) + sweep::describe(study, {threads}) + "\n"; },
               .configuration = [&] { return config::print_config(config); },
               .run = [&] { return run(arguments, config); }});
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -8,21 +9,25 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
-#include "chunk_queue.hpp"
 #include "exit_code.hpp"
+#include "forecast.hpp"
 #include "interrupt.hpp"
 #include "map_directory.hpp"
 #include "mpi_messages.hpp"
 #include "program.hpp"
+#include "rubsweep/batch/chunk_queue.hpp"
 #include "rubsweep/batch/line_log.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
 #include "rubsweep_arguments.hpp"
 
@@ -52,14 +57,16 @@ struct Job {
   std::optional<MapDirectory> directory;
 };
 
-/// Returns an exit code; there is a job when it is `done` and the map is not only asked about.
-ExitCode prepare(int argc, char** argv, std::optional<Job>& job) {
+/// Returns an exit code; there is a job when it is `done` and the map is not only asked about. Each rank may
+/// take `memory_bytes`.
+ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::optional<Job>& job) {
   RubsweepArguments arguments = parse_rubsweep_arguments(argc, argv);
   if (answered(program_name, arguments.action, help)) return done;
   if (arguments.action != Action::run || arguments.shard || arguments.merge) {
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  sweep::refuse_more_memory_than(memory_bytes, config.study, {batch::thread_count(arguments.threads), ranks});
   config.output_directory = fs::absolute(arguments.output.value_or(config.output_directory));
   job.emplace();
   job->arguments = std::move(arguments);
@@ -74,11 +81,11 @@ class Leader {
  public:
   Leader(const Job& job, int ranks)
       : job_(job),
-        chunks_(job.directory->missing(), static_cast<std::size_t>(ranks)),
         partial_(job.directory->partial()),
         progress_(job.directory->cells(),
                   job.arguments.quiet ? batch::ProgressMode::never : job.arguments.progress, stderr,
-                  job.directory->finished()) {}
+                  job.directory->finished()),
+        chunks_(cells_in_order(ranks), static_cast<std::size_t>(ranks)) {}
 
   /// Returns how many cells were finished.
   std::size_t run(int workers, const std::atomic<bool>& stop) {
@@ -108,62 +115,86 @@ class Leader {
   }
 
  private:
+  /// Cells from all over the map first, which tell how long it will take, where somebody is there to read it.
+  std::vector<std::size_t> cells_in_order(int ranks) {
+    std::vector<std::size_t> cells = job_.directory->missing();
+    const int threads = batch::thread_count(job_.arguments.threads);
+    if (!progress_.say(sweep::describe(job_.config.study, {threads, ranks})) ||
+        cells.size() < least_cells_to_forecast) {
+      return cells;
+    }
+    const std::size_t wanted = pilots_per_thread * static_cast<std::size_t>(threads * ranks);
+    auto first = sweep::take_pilot_cells(cells, std::min(wanted, cells.size() / 4));
+    pilots_ = first.size();
+    first.insert(first.end(), cells.begin(), cells.end());
+    return first;
+  }
+
   /// Answers one report, if there is one; true when that worker is done.
   bool serve(const std::atomic<bool>& stop) {
     const auto report = mpi::receive_report(std::chrono::milliseconds(1));
     if (!report) return false;
     keep(report->lines);
     if (report->stopped) return true;
-    const Chunk chunk = stop ? Chunk{} : chunks_.next();
+    const batch::Chunk chunk = stop ? batch::Chunk{} : chunks_.next(static_cast<std::size_t>(report->rank));
     mpi::send_chunk(report->rank, chunk);
     return chunk.empty();
   }
 
   void compute(const std::atomic<bool>& stop) {
     batch::Journal journal = job_.directory->journal();
-    for (Chunk chunk = chunks_.next(); !chunk.empty() && !stop; chunk = chunks_.next()) {
+    for (batch::Chunk chunk = chunks_.next(0); !chunk.empty() && !stop; chunk = chunks_.next(0)) {
       sweep::run_cells(
           job_.config.study, chunk, job_.arguments.threads,
           [&](std::size_t cell, const sweep::Row& row) {
             const std::string line = report::map_line(row);
             journal.append(cell, line);
-            keep({line});
+            keep(line + '\n');
           },
           stop);
     }
   }
 
-  void keep(const std::vector<std::string>& lines) {
+  void keep(std::string_view lines) {
+    if (lines.empty()) return;
+    const auto count = static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
     const std::lock_guard lock(mutex_);
-    for (const std::string& line : lines) partial_.append(line);
-    finished_ += lines.size();
-    progress_.advance(lines.size());
+    partial_.append(lines.substr(0, lines.size() - 1));
+    finished_ += count;
+    progress_.advance(count);
+    if (pilots_ == 0 || finished_ < pilots_) return;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    progress_.say(forecast(finished_, elapsed.count(), job_.directory->missing().size() - finished_));
+    pilots_ = 0;
   }
 
   const Job& job_;
-  ChunkQueue chunks_;
-  std::mutex mutex_;  ///< guards what follows
+  std::mutex mutex_;  ///< guards what follows, but for the chunks
   batch::LineLog partial_;
   batch::Progress progress_;
   std::size_t finished_ = 0;
+  std::size_t pilots_ = 0;  ///< 0: no forecast, or no longer
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  batch::ChunkQueue chunks_;
 };
 
 ExitCode work(const config::RunConfig& config, int rank, int threads) {
   const std::atomic<bool>& stop = catch_interrupts();
   std::optional<batch::Journal> journal;
-  std::vector<std::string> lines;
+  std::string lines;
   while (true) {
     mpi::send_report({rank, stop, std::move(lines)});
     lines.clear();
     if (stop) break;
-    const Chunk chunk = mpi::receive_chunk();
+    const batch::Chunk chunk = mpi::receive_chunk();
     if (chunk.empty()) break;
     if (!journal) journal.emplace(rank_journal(config, rank));
     sweep::run_cells(
         config.study, chunk, threads,
         [&](std::size_t cell, const sweep::Row& row) {
-          lines.push_back(report::map_line(row));
-          journal->append(cell, lines.back());
+          const std::string line = report::map_line(row);
+          journal->append(cell, line);
+          lines.append(line).append("\n");
         },
         stop);
   }
@@ -194,8 +225,13 @@ int lead(const Job& job, int ranks) {
 
 int run(int argc, char** argv) {
   const int rank = mpi::rank(), ranks = mpi::ranks();
+  const std::size_t memory_bytes =
+      mpi::smallest(machine_memory_bytes() / static_cast<std::size_t>(mpi::ranks_on_this_machine()));
   std::optional<Job> job;
-  int code = rank == 0 ? run_program(program_name, [&] { return prepare(argc, argv, job); }) : 0;
+  int code = 0;
+  if (rank == 0) {
+    code = run_program(program_name, [&] { return prepare(argc, argv, ranks, memory_bytes, job); });
+  }
   code = mpi::broadcast_number(code);
   const int threads = mpi::broadcast_number(job ? job->arguments.threads : 0);
   const std::string text = mpi::broadcast_text(job ? config::print_config(job->config) : "");

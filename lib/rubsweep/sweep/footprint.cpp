@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "rubsweep/error.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::sweep {
 namespace {
 
-constexpr std::size_t program_bytes = 12'000'000, thread_bytes = 1'000'000, sample_bytes = 192,
-                      cell_bytes = 24, row_bytes = 3 * 340;
+constexpr std::size_t program_bytes = 12'000'000, mpi_bytes = 30'000'000, thread_bytes = 1'000'000,
+                      sample_bytes = 192, cell_bytes = 24, row_bytes = 3 * 340;
 
 std::string shown(std::size_t bytes) {
   const double value = static_cast<double>(bytes);
@@ -21,19 +22,31 @@ std::string shown(std::size_t bytes) {
 
 }  // namespace
 
-Footprint footprint(const Study& study, int threads) {
+Footprint footprint(const Study& study, const Workers& workers) {
   const std::size_t cells = cell_count(study.grid);
   const std::size_t samples = static_cast<std::size_t>(study.response.window_revolutions) *
                               static_cast<std::size_t>(study.response.samples_per_revolution);
-  return {program_bytes + static_cast<std::size_t>(threads) * (thread_bytes + sample_bytes * samples) +
+  return {program_bytes + (workers.ranks > 0 ? mpi_bytes : 0) +
+              static_cast<std::size_t>(workers.threads) * (thread_bytes + sample_bytes * samples) +
               cell_bytes * cells,
           row_bytes * cells};
 }
 
-std::string describe(const Study& study, int threads) {
-  const Footprint needed = footprint(study, threads);
-  return fmt::format("{} cells on {} threads: up to {} of memory, {} of disk", cell_count(study.grid),
-                     threads, shown(needed.memory_bytes), shown(needed.disk_bytes));
+std::string describe(const Study& study, const Workers& workers) {
+  const Footprint needed = footprint(study, workers);
+  const bool mpi = workers.ranks > 0;
+  return fmt::format("{} cells on {}{} threads: up to {} of memory{}, {} of disk", cell_count(study.grid),
+                     mpi ? fmt::format("{} ranks of ", workers.ranks) : "", workers.threads,
+                     shown(needed.memory_bytes), mpi ? " each" : "", shown(needed.disk_bytes));
+}
+
+void refuse_more_memory_than(std::size_t bytes, const Study& study, const Workers& workers) {
+  if (footprint(study, workers).memory_bytes <= bytes) return;
+  const bool mpi = workers.ranks > 0;
+  throw ConfigError(
+      fmt::format("{}, this machine has {} MB{}, allowed: fewer {}--threads, response.window_revolutions or "
+                  "response.samples_per_revolution",
+                  describe(study, workers), bytes / 1'000'000, mpi ? " for each" : "", mpi ? "ranks, " : ""));
 }
 
 std::vector<std::size_t> take_pilot_cells(std::vector<std::size_t>& cells, std::size_t count) {

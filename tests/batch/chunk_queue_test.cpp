@@ -1,0 +1,79 @@
+#include "rubsweep/batch/chunk_queue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace rubsweep::batch {
+namespace {
+
+using namespace std::chrono_literals;
+
+Chunk cells_from(std::size_t first, std::size_t count) {
+  Chunk cells(count);
+  std::iota(cells.begin(), cells.end(), first);
+  return cells;
+}
+
+const ChunkQueue::Clock::time_point start{};
+
+TEST(ChunkQueue, DealsOutEveryCellOnceInItsOrder) {
+  const Chunk cells{7, 3, 5, 1, 9, 8, 2};
+  ChunkQueue queue(cells, 3);
+  Chunk dealt;
+  for (std::size_t turn = 0;; ++turn) {
+    const Chunk chunk = queue.next(turn % 3, start);
+    if (chunk.empty()) break;
+    dealt.insert(dealt.end(), chunk.begin(), chunk.end());
+  }
+  EXPECT_EQ(dealt, cells);
+  EXPECT_TRUE(queue.next(0, start).empty());
+}
+
+/// Sizes of `count` chunks of one worker whose cells take `cell_time` each.
+std::vector<std::size_t> sizes(ChunkQueue& queue, std::size_t worker, ChunkQueue::Clock::duration cell_time,
+                               int count) {
+  std::vector<std::size_t> result;
+  auto now = start;
+  for (int i = 0; i < count; ++i) {
+    result.push_back(queue.next(worker, now).size());
+    now += static_cast<int>(result.back()) * cell_time;
+  }
+  return result;
+}
+
+TEST(ChunkQueue, AChunkTakesAQuarterOfASecondForEachWorker) {
+  ChunkQueue queue(cells_from(0, 10'000'000), 2);
+  EXPECT_EQ(sizes(queue, 0, 250us, 6), (std::vector<std::size_t>{16, 64, 256, 1000, 1000, 1000}));
+  EXPECT_EQ(sizes(queue, 1, 50ms, 4), (std::vector<std::size_t>{16, 5, 5, 5}));
+}
+
+TEST(ChunkQueue, CellsThatTakeNoTimeMakeNoEndlessChunk) {
+  ChunkQueue queue(cells_from(0, 10'000'000), 1);
+  EXPECT_EQ(sizes(queue, 0, 0us, 7), (std::vector<std::size_t>{16, 64, 256, 1024, 4096, 16384, 16384}));
+}
+
+TEST(ChunkQueue, CellsThatTakeLongComeOneByOne) {
+  ChunkQueue queue(cells_from(0, 1000), 1);
+  EXPECT_EQ(sizes(queue, 0, 1h, 4), (std::vector<std::size_t>{16, 1, 1, 1}));
+}
+
+TEST(ChunkQueue, ChunksShrinkTowardsTheEnd) {
+  ChunkQueue queue(cells_from(0, 100), 2);
+  // An eighth of what is left.
+  EXPECT_EQ(sizes(queue, 0, 1us, 4), (std::vector<std::size_t>{12, 11, 9, 8}));
+  while (!queue.next(1, start).empty()) {
+  }
+  ChunkQueue few(cells_from(0, 3), 4);
+  EXPECT_EQ(sizes(few, 0, 1us, 4), (std::vector<std::size_t>{1, 1, 1, 0}));
+}
+
+TEST(ChunkQueue, ClosedItDealsOutNothingMore) {
+  ChunkQueue queue(cells_from(0, 100), 1);
+  EXPECT_FALSE(queue.next(0, start).empty());
+  queue.close();
+  EXPECT_TRUE(queue.next(0, start).empty());
+}
+
+}  // namespace
+}  // namespace rubsweep::batch
