@@ -1,6 +1,7 @@
 #include "map_directory.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -66,6 +67,15 @@ batch::JournalHeader header_of(const config::RunConfig& config) {
           config::print_study(config.study)};
 }
 
+/// Putting a map together opens the journal of every part, of which there may be more than the files that a
+/// process is allowed unless it asks for more.
+void allow_as_many_files_as_there_may_be() {
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
+  files.rlim_cur = files.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &files);
+}
+
 }  // namespace
 
 batch::Journal rank_journal(const config::RunConfig& config, int rank) {
@@ -75,6 +85,7 @@ batch::Journal rank_journal(const config::RunConfig& config, int rank) {
 MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, std::optional<Share> part,
                            bool fresh, const std::string& program)
     : directory_(std::move(directory)), name_(name_of(part)), part_(part), header_(header_of(config)) {
+  allow_as_many_files_as_there_may_be();
   make_directory(directory_);
   lock(program);
   remove_leftovers();

@@ -81,11 +81,18 @@ class Leader {
  public:
   Leader(const Job& job, int ranks)
       : job_(job),
+        chunks_(job.directory->missing(), static_cast<std::size_t>(ranks)),
         partial_(job.directory->partial()),
         progress_(job.directory->cells(),
                   job.arguments.quiet ? batch::ProgressMode::never : job.arguments.progress, stderr,
-                  job.directory->finished()),
-        chunks_(cells_in_order(ranks), static_cast<std::size_t>(ranks)) {}
+                  job.directory->finished()) {
+    const int threads = batch::thread_count(job.arguments.threads);
+    const std::size_t cells = job.directory->missing().size();
+    // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
+    if (progress_.say(sweep::describe(job.config.study, {threads, ranks})) &&
+        cells >= least_cells_to_forecast)
+      pilots_ = std::min(pilots_per_thread * static_cast<std::size_t>(threads * ranks), cells / 4);
+  }
 
   /// Returns how many cells were finished.
   std::size_t run(int workers, const std::atomic<bool>& stop) {
@@ -115,21 +122,6 @@ class Leader {
   }
 
  private:
-  /// Cells from all over the map first, which tell how long it will take, where somebody is there to read it.
-  std::vector<std::size_t> cells_in_order(int ranks) {
-    std::vector<std::size_t> cells = job_.directory->missing();
-    const int threads = batch::thread_count(job_.arguments.threads);
-    if (!progress_.say(sweep::describe(job_.config.study, {threads, ranks})) ||
-        cells.size() < least_cells_to_forecast) {
-      return cells;
-    }
-    const std::size_t wanted = pilots_per_thread * static_cast<std::size_t>(threads * ranks);
-    auto first = sweep::take_pilot_cells(cells, std::min(wanted, cells.size() / 4));
-    pilots_ = first.size();
-    first.insert(first.end(), cells.begin(), cells.end());
-    return first;
-  }
-
   /// Answers one report, if there is one; true when that worker is done.
   bool serve(const std::atomic<bool>& stop) {
     const auto report = mpi::receive_report(std::chrono::milliseconds(1));
@@ -169,13 +161,13 @@ class Leader {
   }
 
   const Job& job_;
-  std::mutex mutex_;  ///< guards what follows, but for the chunks
+  batch::ChunkQueue chunks_;
+  std::mutex mutex_;  ///< guards what follows
   batch::LineLog partial_;
   batch::Progress progress_;
   std::size_t finished_ = 0;
-  std::size_t pilots_ = 0;  ///< 0: no forecast, or no longer
+  std::size_t pilots_ = 0;  ///< finished cells that a forecast wants; 0: none, or no longer
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  batch::ChunkQueue chunks_;
 };
 
 ExitCode work(const config::RunConfig& config, int rank, int threads) {

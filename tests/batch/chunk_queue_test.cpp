@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace rubsweep::batch {
@@ -17,17 +18,32 @@ Chunk cells_from(std::size_t first, std::size_t count) {
 
 const ChunkQueue::Clock::time_point start{};
 
-TEST(ChunkQueue, DealsOutEveryCellOnceInItsOrder) {
-  const Chunk cells{7, 3, 5, 1, 9, 8, 2};
-  ChunkQueue queue(cells, 3);
-  Chunk dealt;
-  for (std::size_t turn = 0;; ++turn) {
-    const Chunk chunk = queue.next(turn % 3, start);
-    if (chunk.empty()) break;
-    dealt.insert(dealt.end(), chunk.begin(), chunk.end());
+TEST(ChunkQueue, DealsOutEveryCellOnce) {
+  for (const std::size_t count : {0u, 1u, 2u, 3u, 10u, 34u, 1000u, 1024u, 1320u}) {
+    const Chunk cells = cells_from(100, count);
+    ChunkQueue queue(cells, 3);
+    Chunk dealt;
+    for (std::size_t turn = 0;; ++turn) {
+      const Chunk chunk = queue.next(turn % 3, start);
+      if (chunk.empty()) break;
+      dealt.insert(dealt.end(), chunk.begin(), chunk.end());
+    }
+    std::sort(dealt.begin(), dealt.end());
+    EXPECT_EQ(dealt, cells) << count;
+    EXPECT_TRUE(queue.next(0, start).empty());
   }
-  EXPECT_EQ(dealt, cells);
-  EXPECT_TRUE(queue.next(0, start).empty());
+}
+
+TEST(ChunkQueue, AChunkIsSpreadOverAllCells) {
+  for (const std::size_t count : {1000u, 1024u, 1320u, 65536u}) {
+    ChunkQueue queue(cells_from(0, count), 1);
+    Chunk chunk = queue.next(0, start);
+    chunk.push_back(0);
+    chunk.push_back(count);
+    std::sort(chunk.begin(), chunk.end());
+    // Sixteen points at multiples of the golden section leave no gap above two and a half sixteenths.
+    for (std::size_t i = 1; i < chunk.size(); ++i) EXPECT_LE(16 * (chunk[i] - chunk[i - 1]), 5 * count / 2);
+  }
 }
 
 /// Sizes of `count` chunks of one worker whose cells take `cell_time` each.

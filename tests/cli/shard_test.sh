@@ -15,6 +15,15 @@ for shards in 1 2 5 100; do
   expect_files "of_$shards" config.yaml map.csv
 done
 
+# More parts than files that a process may open unless it asks for more.
+expect_exit 0 "${quick[@]}" --output many --shard 1/2
+for ((i = 2; i <= 80; i += 2)); do expect_exit 0 "${quick[@]}" --output many --shard "$i/80"; done
+(
+  ulimit -Sn 32
+  expect_exit 0 "${quick[@]}" --output many --merge
+)
+expect_same many/map.csv whole/map.csv
+
 # At the same time.
 for i in 1 2 3; do "$rubsweep" "${quick[@]}" --output together --shard $i/3 --threads 1 --quiet & done
 wait

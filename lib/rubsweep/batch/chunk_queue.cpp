@@ -1,6 +1,8 @@
 #include "rubsweep/batch/chunk_queue.hpp"
 
 #include <algorithm>
+#include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace rubsweep::batch {
@@ -9,10 +11,21 @@ namespace {
 /// A few easy cells say little about the next ones.
 constexpr double fastest_growth = 4;
 
+/// Of chunk_time: asking for less would cost more than an uneven end.
+constexpr std::size_t least_share = 16;
+
+/// About the golden section of `count`, whose multiples are spread as evenly as can be however many there
+/// are, and without a common divisor with it.
+std::size_t spreading_stride(std::size_t count) {
+  auto stride = static_cast<std::size_t>(static_cast<double>(count) / std::numbers::phi);
+  while (std::gcd(stride, count) > 1) ++stride;
+  return std::max<std::size_t>(stride, 1);
+}
+
 }  // namespace
 
 ChunkQueue::ChunkQueue(std::vector<std::size_t> cells, std::size_t workers)
-    : cells_(std::move(cells)), last_(workers) {}
+    : cells_(std::move(cells)), stride_(spreading_stride(cells_.size())), last_(workers) {}
 
 Chunk ChunkQueue::next(std::size_t worker, Clock::time_point now) {
   const std::lock_guard lock(mutex_);
@@ -25,11 +38,12 @@ Chunk ChunkQueue::next(std::size_t worker, Clock::time_point now) {
                                    largest_chunk);
   }
   const std::size_t left = cells_.size() - dealt_;
-  size = std::min({size, std::max<std::size_t>(left / (4 * last_.size()), 1), left});
-  const auto begin = cells_.begin() + static_cast<std::ptrdiff_t>(dealt_);
-  dealt_ += size;
+  size = std::min({size, std::max<std::size_t>({left / (4 * last_.size()), size / least_share, 1}), left});
+  Chunk chunk;
+  chunk.reserve(size);
+  for (; chunk.size() < size; ++dealt_) chunk.push_back(cells_[dealt_ * stride_ % cells_.size()]);
   last = {size, now};
-  return {begin, begin + static_cast<std::ptrdiff_t>(size)};
+  return chunk;
 }
 
 void ChunkQueue::close() {
