@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <queue>
@@ -23,6 +22,7 @@
 #include "rubsweep/batch/journal.hpp"
 #include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/bench/processor_time.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/map_summary.hpp"
@@ -34,7 +34,10 @@ namespace fs = std::filesystem;
 using namespace rubsweep;
 using Clock = batch::ChunkQueue::Clock;
 
-double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
 
 /// Seconds, measured.
 struct Costs {
@@ -52,9 +55,9 @@ std::string measure_cells(const sweep::Study& study, std::size_t count, Costs& c
   const std::size_t cells = sweep::cell_count(study.grid), step = std::max<std::size_t>(cells / count, 1);
   std::string line;
   for (std::size_t cell = step / 2; cell < cells; cell += step) {
-    const double begin = processor_s();
+    const double begin = bench::processor_time_s();
     const std::string row = report::map_line(sweep::evaluate_cell(study, plan, cell, workspace));
-    costs.cells.push_back(processor_s() - begin);
+    costs.cells.push_back(bench::processor_time_s() - begin);
     if (row.size() > line.size()) line = row;
   }
   return line;
@@ -70,13 +73,13 @@ void measure_lines(const std::string& line, const fs::path& directory, Costs& co
   const std::size_t cells = reports * lines_in_report;
   {
     batch::LineLog partial(directory / "map.partial.csv");
-    const double begin = processor_s();
+    const double begin = bench::processor_time_s();
     for (int i = 0; i < reports; ++i) partial.append(std::string_view(report).substr(0, report.size() - 1));
-    costs.line = (processor_s() - begin) / static_cast<double>(cells);
+    costs.line = (bench::processor_time_s() - begin) / static_cast<double>(cells);
   }
   batch::Journal journal(directory / "map.journal", {"study", "program", cells, "text\n"});
   for (std::size_t cell = 0; cell < cells; ++cell) journal.append(cell, line);
-  const double begin = processor_s();
+  const double begin = bench::processor_time_s();
   batch::FinishedCells finished(cells);
   finished.add(directory / "map.journal");
   report::MapSummary summary;
@@ -87,7 +90,7 @@ void measure_lines(const std::string& line, const fs::path& directory, Costs& co
     file.write(text + '\n');
   }
   file.commit();
-  costs.row = (processor_s() - begin) / static_cast<double>(cells);
+  costs.row = (bench::processor_time_s() - begin) / static_cast<double>(cells);
 }
 
 /// Both ranks: reports of one line and their answers.
@@ -102,9 +105,13 @@ void measure_messages(const std::string& line, Costs& costs) {
   if (apps::mpi::rank() == 0) {
     // All at once, so that nobody sleeps.
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    const double begin = processor_s();
-    for (int i = 0; i < reports; ++i) answer();
-    costs.message = (processor_s() - begin) / reports;
+    std::vector<double> each;
+    for (int i = 0; i < reports; ++i) {
+      const double begin = bench::processor_time_s();
+      answer();
+      each.push_back(bench::processor_time_s() - begin);
+    }
+    costs.message = median(each);
     for (int i = 0; i < reports; ++i) answer();
     costs.wait = std::stod(answer().lines);
     return;
@@ -119,8 +126,7 @@ void measure_messages(const std::string& line, Costs& costs) {
     apps::mpi::receive_chunk();
     waits.push_back(std::chrono::duration<double>(Clock::now() - sent).count());
   }
-  std::sort(waits.begin(), waits.end());
-  apps::mpi::send_report({1, true, fmt::format("{}\n", waits[waits.size() / 2])});
+  apps::mpi::send_report({1, true, fmt::format("{}\n", median(waits))});
 }
 
 struct Outcome {
