@@ -253,24 +253,34 @@ template <int N>
 void ExactMotion<N>::apply_series(double duration_s, int terms, State& z) const {
   const Eigen::Index n = mode_->rest.size();
   Part u = z.template head<N>(n).array(), v = z.template segment<N>(n, n).array(), sum_u = u, sum_v = v;
-  const auto& pairs = mode_->pairs;
-  for (int k = 1; k <= terms; ++k) {
-    const double factor = duration_s * reciprocals[static_cast<std::size_t>(k)];
-    const Part last = u;
-    if (mode_->paired) {
-      u = (factor * pairs.col(0)) * last + (factor * pairs.col(1)) * v;
-      v = (factor * pairs.col(2)) * last + (factor * pairs.col(3)) * v;
-    } else {
-      const typename ExactTypes<N>::Vector push =
-          mode_->stiffness.lazyProduct(last.matrix()) + mode_->damping.lazyProduct(v.matrix());
-      u = factor * v;
-      v = -factor * push.array();
+  if (mode_->paired) {
+    const Eigen::Array<double, N, 4> step = duration_s * mode_->pairs;
+    for (int k = 1; k <= terms; ++k) {
+      const double factor = reciprocals[static_cast<std::size_t>(k)];
+      const Part next = factor * (step.col(0) * u + step.col(1) * v);
+      v = factor * (step.col(2) * u + step.col(3) * v);
+      u = next;
+      sum_u += u;
+      sum_v += v;
     }
-    sum_u += u;
-    sum_v += v;
+  } else {
+    for (int k = 1; k <= terms; ++k) {
+      differentiate(duration_s * reciprocals[static_cast<std::size_t>(k)], u, v);
+      sum_u += u;
+      sum_v += v;
+    }
   }
   z.template head<N>(n) = sum_u.matrix();
   z.template segment<N>(n, n) = sum_v.matrix();
+}
+
+/// (u, v) becomes factor * its rate, by full matrices.
+template <int N>
+inline void ExactMotion<N>::differentiate(double factor, Part& u, Part& v) const {
+  typename ExactTypes<N>::Vector push = mode_->stiffness.lazyProduct(u.matrix());
+  push += mode_->damping.lazyProduct(v.matrix());
+  u = factor * v;
+  v = -factor * push.array();
 }
 
 template <int N>
@@ -283,15 +293,20 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
     if (kick_on_) expand_drive(cell_->kick, e, kick_phasor_, duration_s, terms);
     return terms;
   };
-  const auto start = expand(1, 2);
-  const double guess_s = std::clamp(next_root(start[0], start[1], 2 * start[2]), 0.0, within_s);
-  const double stepped_s = step_close_to(guess_s);
-  double size = mode_->fastest_rad_per_s * (1.25 * (guess_s - stepped_s) + 0.05 * guess_s) + 1e-4, root_s = 0;
+  const double fastest = mode_->fastest_rad_per_s;
+  double stepped_s = 0, size = within_s * fastest, root_s = 0;
+  if (size > short_series) {
+    const auto start = expand(1, 2);
+    const double guess_s = std::clamp(next_root(start[0], start[1], 2 * start[2]), 0.0, within_s);
+    stepped_s = step_close_to(guess_s);
+    size = fastest * (1.25 * (guess_s - stepped_s) + 0.05 * guess_s);
+  }
+  size += 1e-4;
   do {
-    const double duration_s = size / mode_->fastest_rad_per_s;
+    const double duration_s = size / fastest;
     root_s = duration_s * root_of_series(expand(duration_s, series_terms(size)));
     size *= 4;
-  } while (std::abs(root_s) * mode_->fastest_rad_per_s > size / 4 && size <= longest_series);
+  } while (std::abs(root_s) * fastest > size / 4 && size <= longest_series);
   step_by_series(root_s);
   return stepped_s + root_s;
 }
@@ -302,11 +317,14 @@ template <int N>
 void ExactMotion<N>::expand_free(const ExitPlan<N>& exit, double within_s, std::span<double> terms) const {
   const auto& both = exit.whole.row_and_rate;
   if (!mode_->paired) {
-    State term = free_, next(free_.size());
+    const Eigen::Index n = mode_->rest.size();
+    const typename ExactTypes<N>::Row row = both.row(0);
+    Part u = free_.template head<N>(n).array(), v = free_.template segment<N>(n, n).array();
     for (std::size_t k = 0; k < terms.size(); ++k) {
-      terms[k] = both.row(0).lazyProduct(term).value();
-      mode_->rate(term, within_s * reciprocals[k + 1], next);
-      term.swap(next);
+      terms[k] = (row.template head<N>(n).transpose().array() * u +
+                  row.template segment<N>(n, n).transpose().array() * v)
+                     .sum();
+      differentiate(within_s * reciprocals[k + 1], u, v);
     }
   } else {
     const Eigen::Index n = mode_->rest.size();

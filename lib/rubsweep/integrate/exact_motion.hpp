@@ -132,6 +132,7 @@ class ExactMotion {
   void add_drives(std::size_t e, Exit& exit) const;
   double step_close_to(double duration_s);
   void step_by_series(double duration_s);
+  void differentiate(double factor, Part& u, Part& v) const;
   void apply_series(double duration_s, int terms, State& z) const;
   void expand_free(const ExitPlan<N>& exit, double within_s, std::span<double> terms) const;
   static void expand_drive(const Drive& drive, std::size_t e, Complex phasor, double within_s,
@@ -179,7 +180,7 @@ template <int N>
 inline typename ExactMotion<N>::Exit ExactMotion<N>::exit(std::size_t e, const State& sizes) const {
   const ExitPlan<N>& plan = mode_->exits[e];
   const auto now = plan.whole.at(free_);
-  Exit exit{plan.constant + now(0), now(1), plan.whole.curvature_bound.dot(sizes.transpose())};
+  Exit exit{plan.constant + now(0), now(1), mode_->weigh(plan.whole.curvature_bound, sizes)};
   add_drives(e, exit);
   return exit;
 }
@@ -188,8 +189,8 @@ template <int N>
 inline typename ExactMotion<N>::Exit ExactMotion<N>::slow_exit(std::size_t e, const State& sizes) const {
   const ExitPlan<N>& plan = mode_->exits[e];
   const auto now = plan.slow.at(free_);
-  Exit exit{plan.constant + now(0) + plan.envelope.dot(sizes.transpose()), now(1),
-            plan.slow.curvature_bound.dot(sizes.transpose())};
+  Exit exit{plan.constant + now(0) + mode_->weigh(plan.envelope, sizes), now(1),
+            mode_->weigh(plan.slow.curvature_bound, sizes)};
   add_drives(e, exit);
   return exit;
 }

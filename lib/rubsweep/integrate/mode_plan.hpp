@@ -96,20 +96,11 @@ struct ModePlan {
   std::vector<RingPlan<N>> rings;
   std::vector<TouchPlan<N>> touches;
 
-  /// next = factor * dz/dt.
-  void rate(const typename Types::State& z, double factor, typename Types::State& next) const {
+  /// bound . sizes. A pair has one size, kept in the first half.
+  double weigh(const typename Types::Row& bound, const typename Types::State& sizes) const {
+    if (!paired) return bound.dot(sizes.transpose());
     const Eigen::Index n = rest.size();
-    if (paired) {
-      const Eigen::Array<double, N, 1> u = factor * z.template head<N>(n).array(),
-                                       v = factor * z.template segment<N>(n, n).array();
-      next.template head<N>(n) = (pairs.col(0) * u + pairs.col(1) * v).matrix();
-      next.template segment<N>(n, n) = (pairs.col(2) * u + pairs.col(3) * v).matrix();
-    } else {
-      next.template head<N>(n) = factor * z.template segment<N>(n, n);
-      next.template segment<N>(n, n) =
-          generator.template block<N, Types::states>(n, 0, n, 2 * n).lazyProduct(z);
-      next.template segment<N>(n, n) *= factor;
-    }
+    return bound.template head<N>(n).dot(sizes.template head<N>(n).transpose());
   }
 
   typename Types::State from_free(const typename Types::State& z) const { return change(basis, z); }
