@@ -23,7 +23,8 @@ Aperiodic follow(const SectionMap& map, const std::vector<double>& state, int co
   int turns = 0;
   SpectrumWorkspace workspace;
   return classify_aperiodic(
-      map, [&] { return ++turns <= contact_ends; }, state, observed, window, workspace);
+      companion_growth(map, state), [&] { return ++turns <= contact_ends; }, state, observed, window,
+      workspace);
 }
 
 std::string name(const Aperiodic& found) { return std::string(to_string(found.motion_class)); }
@@ -134,7 +135,8 @@ TEST(ClassifyAperiodic, AShorterPauseIsContact) {
   observed << 1, 0;
   SpectrumWorkspace workspace;
   const auto now_and_then = [&turns] { return ++turns % window == 0; };
-  EXPECT_EQ(name(classify_aperiodic(henon, now_and_then, {0.1, 0.2}, observed, window, workspace)),
+  EXPECT_EQ(name(classify_aperiodic(companion_growth(henon, std::vector{0.1, 0.2}), now_and_then, {0.1, 0.2},
+                                    observed, window, workspace)),
             "chaotic");
 }
 

@@ -20,7 +20,7 @@ using Complex = std::complex<double>;
 constexpr std::size_t looks[] = {640, 1280, 2560};
 constexpr std::size_t shortest_chaos = 1280;
 
-/// The base motion, turn by turn, and what its companion says.
+/// The base motion, turn by turn, and how a disturbance of it grows.
 struct Followed {
   std::size_t states = 0;
   std::vector<double> rows;           ///< sections after turns 1, 2, ...
@@ -83,20 +83,20 @@ bool decide(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynami
 
 }  // namespace
 
-Aperiodic classify_aperiodic(const SectionMap& map, const std::function<bool()>& touched,
+Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
                              std::vector<double> section,
                              const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
                              SpectrumWorkspace& workspace) {
   Followed motion{.states = section.size(), .rows = {}, .contributions = {}};
-  Companion companion(section);
   Aperiodic result;
   for (const std::size_t look : looks) {
     while (motion.turns() < look) {
-      if (!map(companion.state()) || !map(section)) return {};
+      const auto growth = turn(section);
+      if (!growth) return {};
       motion.turns_without_contact = touched() ? 0 : motion.turns_without_contact + 1;
       if (motion.turns_without_contact >= window) return {};
       motion.rows.insert(motion.rows.end(), section.begin(), section.end());
-      motion.contributions.push_back(companion.pull_back(section));
+      motion.contributions.push_back(*growth);
     }
     if (decide(motion, observed, window, workspace, result)) return result;
   }

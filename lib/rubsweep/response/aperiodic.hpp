@@ -7,8 +7,8 @@
 
 #include "rubsweep/response/exponent.hpp"
 #include "rubsweep/response/full_spectrum.hpp"
+#include "rubsweep/response/growth.hpp"
 #include "rubsweep/response/motion.hpp"
-#include "rubsweep/response/section_map.hpp"
 
 namespace rubsweep::response {
 
@@ -27,14 +27,14 @@ inline constexpr double zero_rate = 2e-5;
 /// What a motion without a period turned out to be.
 struct Aperiodic {
   MotionClass motion_class = MotionClass::unsettled;  ///< quasi_periodic, chaotic or unsettled
-  std::optional<Exponent> exponent;                   ///< empty when the map failed or contact ended
+  std::optional<Exponent> exponent;                   ///< empty when a turn failed or contact ended
   std::optional<int> returns_after;  ///< turns after which the section returns; the class is then unsettled
 };
 
 /// Follows a motion that showed no period for 640 more turns; where they do not decide for 1280, then for
-/// 2560. A turn is one call of `map`, `touched` says whether it saw contact, `observed` (2 x states / 2) maps
-/// displacements to (x, y).
-/// - Unsettled at once when the map fails, or when `window` turns pass without contact.
+/// 2560. A turn is one call of `turn`, `touched` says whether it saw contact, `observed` (2 x states / 2)
+/// maps displacements to (x, y).
+/// - Unsettled at once when a turn fails, or when `window` turns pass without contact.
 /// - Unsettled when the section returns, after any number of turns that fits twice into the last two fifths
 ///   (`returns_after`), or when the exponent is below -chaos_floor beyond its bar: still settling.
 /// - Chaotic when the exponent is positive beyond its bar and above chaos_floor, and 1280 turns have not
@@ -44,7 +44,7 @@ struct Aperiodic {
 ///   window / 2 turns is significant and neither grows nor shrinks; and both halves of the last four fifths
 ///   of the turns hold the same discrete lines.
 /// - Else unsettled.
-Aperiodic classify_aperiodic(const SectionMap& map, const std::function<bool()>& touched,
+Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
                              std::vector<double> section,
                              const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
                              SpectrumWorkspace& workspace);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/response/growth.hpp"
 
 namespace rubsweep::response {
 namespace {
@@ -80,11 +81,12 @@ Exponent exponent_of(std::span<const double> contributions) {
 }
 
 std::optional<Exponent> largest_exponent(const SectionMap& map, std::vector<double> state, int iterations) {
-  Companion companion(state);
+  const Growth turn = companion_growth(map, state);
   std::vector<double> contributions;
   for (int k = 0; k < iterations; ++k) {
-    if (!map(companion.state()) || !map(state)) return std::nullopt;
-    contributions.push_back(companion.pull_back(state));
+    const auto growth = turn(state);
+    if (!growth) return std::nullopt;
+    contributions.push_back(*growth);
   }
   return exponent_of(contributions);
 }

@@ -42,14 +42,21 @@ bool SceneMap::operator()(std::span<double> section) {
   return advance(section);
 }
 
+bool SceneMap::differentiate_exactly(std::span<double> section, Eigen::MatrixXd& transition, bool& exact) {
+  const long adaptive_turns = turn_.effort.adaptive_turns;
+  turn_.transition_wanted = exact_;
+  if (!advance(section)) return false;
+  exact = exact_ && turn_.effort.adaptive_turns == adaptive_turns;
+  if (exact) transition = turn_.transition;
+  return true;
+}
+
 bool SceneMap::differentiate(std::span<double> section, Eigen::MatrixXd& transition) {
   if (exact_) {
     std::vector<double> next(section.begin(), section.end());
-    const long adaptive_turns = turn_.effort.adaptive_turns;
-    turn_.transition_wanted = true;
-    if (!advance(next)) return false;
-    if (turn_.effort.adaptive_turns == adaptive_turns) {
-      transition = turn_.transition;
+    bool exact = false;
+    if (!differentiate_exactly(next, transition, exact)) return false;
+    if (exact) {
       std::ranges::copy(next, section.begin());
       return true;
     }

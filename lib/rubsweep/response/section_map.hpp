@@ -26,6 +26,9 @@ class SceneMap {
   /// has closed forms, else by central differences.
   bool differentiate(std::span<double> section, Eigen::MatrixXd& transition);
 
+  /// One turn, with its derivative only where the turn has closed forms: `exact` says so.
+  bool differentiate_exactly(std::span<double> section, Eigen::MatrixXd& transition, bool& exact);
+
   /// Some contact was touching at some time in the revolution made last.
   bool touched() const { return turn_.touched; }
 

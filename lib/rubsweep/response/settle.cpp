@@ -52,8 +52,8 @@ void follow_on(const scene::Scene& scene, integrate::SolverOptions solver, const
   solver.relative_tolerance = std::min(solver.relative_tolerance, largest_tolerance_of_an_exponent);
   SceneMap map(scene, solver, workspace.plans);
   const Aperiodic found = classify_aperiodic(
-      std::ref(map), [&map] { return map.touched(); }, {section.begin(), section.end()}, observed(scene),
-      options.window_revolutions, workspace.spectrum);
+      tangent_growth(map), [&map] { return map.touched(); }, {section.begin(), section.end()},
+      observed(scene), options.window_revolutions, workspace.spectrum);
   motion.motion_class = found.motion_class;
   motion.exponent = found.exponent;
   if (found.returns_after.value_or(0) > options.max_order) motion.status = MotionStatus::order_above_max;

@@ -1,0 +1,80 @@
+#include "rubsweep/response/growth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "rubsweep/response/exponent.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+std::vector<double> contributions(const Growth& turn, std::vector<double>& section, int turns) {
+  std::vector<double> all;
+  for (int k = 0; k < turns; ++k) all.push_back(turn(section).value());
+  return all;
+}
+
+/// Section after so many turns, kick left out.
+std::vector<double> late_section(SceneMap& map, int turns) {
+  std::vector<double> section{0.5, -0.2, 0, 0, 0.1, -1.2, 0, 0};
+  for (int k = 0; k < turns; ++k) EXPECT_TRUE(map(section));
+  return section;
+}
+
+TEST(Growth, TangentOfAStableOrbitDecaysByItsMultiplier) {
+  // The tangential motion under a wall at 90 degrees decays by zeta omega0 T per turn.
+  const test::OneSideRotor rotor;
+  integrate::ExactPlans plans;
+  SceneMap map(test::cell_of(rotor).scene, {}, plans);
+  auto section = late_section(map, 500);
+  const auto exponent = exponent_of(contributions(tangent_growth(map), section, 400));
+  EXPECT_NEAR(exponent.per_revolution,
+              -2 * std::numbers::pi * rotor.damping_ratio * rotor.natural_frequency_hz / rotor.speed_hz,
+              1e-6);
+}
+
+TEST(Growth, TangentAndCompanionTellTheSameExponent) {
+  test::OneSideRotor rotor;  // an irregular cell at the rim of a tongue
+  rotor.speed_hz = 69;
+  rotor.whirl_ratio = 0.97;
+  integrate::ExactPlans plans;
+  SceneMap map(test::cell_of(rotor).scene, {}, plans);
+  const auto start = late_section(map, 100);
+  auto a = start, b = start;
+  const auto tangent = exponent_of(contributions(tangent_growth(map), a, 600));
+  const auto companion = exponent_of(contributions(companion_growth(std::ref(map), b), b, 600));
+  EXPECT_EQ(a, b);
+  EXPECT_NEAR(tangent.per_revolution, companion.per_revolution, 1e-3 + 0.2 * tangent.error_bar);
+}
+
+/// Where the turns have no closed form the tangent takes differences.
+TEST(Growth, OfTurnsByTheAdaptiveSolver) {
+  integrate::SolverOptions adaptive;
+  adaptive.method = integrate::Method::adaptive;
+  adaptive.relative_tolerance = 1e-10;
+  integrate::ExactPlans plans;
+  const auto scene = test::cell_of({}).scene;
+  SceneMap exact(scene, {}, plans), by_steps(scene, adaptive, plans);
+  const auto start = late_section(exact, 20);
+  auto a = start, b = start;
+  const auto from_exact = contributions(tangent_growth(exact), a, 10);
+  const auto from_steps = contributions(tangent_growth(by_steps), b, 10);
+  for (std::size_t k = 0; k < from_exact.size(); ++k) EXPECT_NEAR(from_exact[k], from_steps[k], 2e-3) << k;
+}
+
+TEST(Growth, EndsWhereTheTurnFails) {
+  integrate::SolverOptions solver;
+  solver.max_steps_per_revolution = 1;
+  integrate::ExactPlans plans;
+  SceneMap map(test::cell_of({}).scene, solver, plans);
+  std::vector<double> section(8);
+  EXPECT_FALSE(tangent_growth(map)(section));
+  EXPECT_FALSE(companion_growth(std::ref(map), section)(section));
+}
+
+}  // namespace
+}  // namespace rubsweep::response
