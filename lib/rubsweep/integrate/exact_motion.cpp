@@ -65,7 +65,7 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   if (!cell.made) make(cell);
   cell_ = &cell;
   joint_ = joint;
-  free_ = mode_->to_free(physical - forced());
+  free_ = mode_->to_free(physical - forced(here()));
   return cell.usable;
 }
 
@@ -120,12 +120,52 @@ void ExactMotion<N>::add_forced(const Drive& drive, Complex phasor, State& state
 }
 
 template <int N>
-typename ExactMotion<N>::State ExactMotion<N>::forced() const {
-  State state = State::Zero(free_.size());
+typename ExactMotion<N>::State ExactMotion<N>::forced(const Instant& instant) const {
+  State state = State::Zero(instant.free.size());
   state.template head<N>(mode_->rest.size()) = mode_->rest;
-  add_forced(cell_->unbalance, phasor_, state);
-  if (kick_on_) add_forced(cell_->kick, kick_phasor_, state);
+  add_forced(cell_->unbalance, instant.phasor, state);
+  if (kick_on_) add_forced(cell_->kick, instant.kick_phasor, state);
   return state;
+}
+
+template <int N>
+Eigen::Array<double, N, 4> ExactMotion<N>::flow_of_pairs(double duration_s) const {
+  Eigen::Array<double, N, 4> flow(mode_->pairs.rows(), 4);
+  for (Eigen::Index j = 0; j < flow.rows(); ++j) {
+    const auto g = mode_->pairs.row(j);
+    // The two directions of an isotropic body share one flow.
+    if (j > 0 && (g == mode_->pairs.row(j - 1)).all()) {
+      flow.row(j) = flow.row(j - 1);
+    } else {
+      const Pair f = pair_flow({g(0), g(1), g(2), g(3)}, duration_s);
+      flow.row(j) << f.uu, f.uv, f.vu, f.vv;
+    }
+  }
+  return flow;
+}
+
+template <int N>
+typename ExactMotion<N>::Stretch ExactMotion<N>::stretch(double duration_s) const {
+  return {duration_s, flow_of_pairs(duration_s), std::polar(1.0, speed_ * duration_s),
+          std::polar(1.0, kick_rate_ * duration_s)};
+}
+
+template <int N>
+void ExactMotion<N>::move(Instant& instant, const Stretch& stretch) {
+  apply_pairs(stretch.pairs, instant.free);
+  instant.phasor = product(instant.phasor, stretch.turn);
+  instant.kick_phasor = product(instant.kick_phasor, stretch.kick_turn);
+}
+
+template <int N>
+void ExactMotion<N>::ahead(Instant& instant, double duration_s) const {
+  if (duration_s > 0) move(instant, stretch(duration_s));
+}
+
+template <int N>
+void ExactMotion<N>::ahead_by_interval(Instant& instant, double interval_s) {
+  if (cell_->interval.duration_s != interval_s) cell_->interval = stretch(interval_s);
+  move(instant, cell_->interval);
 }
 
 template <int N>
@@ -175,26 +215,11 @@ void ExactMotion<N>::step_transition() {
   const double duration_s = std::exchange(transition_lag_s_, 0);
   if (!transition_wanted_ || duration_s == 0) return;
   if (mode_->paired) {
-    step_transition_by_pairs(duration_s);
+    const auto flow = flow_of_pairs(duration_s);
+    for (Eigen::Index i = 0; i < transition_.cols(); ++i) apply_pairs(flow, transition_.col(i));
   } else {
     step_transition_by_matrices(duration_s);
   }
-}
-
-template <int N>
-void ExactMotion<N>::step_transition_by_pairs(double duration_s) {
-  Eigen::Array<double, N, 4> flow(mode_->pairs.rows(), 4);
-  for (Eigen::Index j = 0; j < flow.rows(); ++j) {
-    const auto g = mode_->pairs.row(j);
-    // The two directions of an isotropic body share one flow.
-    if (j > 0 && (g == mode_->pairs.row(j - 1)).all()) {
-      flow.row(j) = flow.row(j - 1);
-    } else {
-      const Pair f = pair_flow({g(0), g(1), g(2), g(3)}, duration_s);
-      flow.row(j) << f.uu, f.uv, f.vu, f.vv;
-    }
-  }
-  for (Eigen::Index i = 0; i < transition_.cols(); ++i) apply_pairs(flow, transition_.col(i));
 }
 
 template <int N>

@@ -50,7 +50,19 @@ class ExactMotion {
   /// none.
   void set_phases(double phase_rad, double kick_rad);
 
-  State physical() const { return forced() + mode_->from_free(free_); }
+  /// What changes along a mode.
+  struct Instant {
+    State free;
+    std::complex<double> phasor, kick_phasor;
+  };
+  Instant here() const { return {free_, phasor_, kick_phasor_}; }
+  /// Moves an instant of the present mode, which must be made of pairs, leaving the motion where it is.
+  void ahead(Instant& instant, double duration_s) const;
+  /// The same over one interval, whose flow is kept.
+  void ahead_by_interval(Instant& instant, double interval_s);
+
+  State physical() const { return physical(here()); }
+  State physical(const Instant& instant) const { return forced(instant) + mode_->from_free(instant.free); }
   State rate_of(const State& physical) const;
 
   /// Size of every pair or component of the free vibration, that bounds are multiplied by.
@@ -103,14 +115,25 @@ class ExactMotion {
     std::array<Complex, exact_step_count> steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked
   };
 
+  /// Flow of a mode of pairs over some duration.
+  struct Stretch {
+    double duration_s = -1;
+    Eigen::Array<double, N, 4> pairs;
+    Complex turn, kick_turn;
+  };
+
   struct ModeCell {
     bool made = false, usable = false;
     Drive unbalance, kick;
+    Stretch interval;
   };
 
   void make(ModeCell& cell) const;
   bool make(Drive& drive, const Eigen::VectorXcd& force, double rate) const;
-  State forced() const;
+  State forced(const Instant& instant) const;
+  Stretch stretch(double duration_s) const;
+  static void move(Instant& instant, const Stretch& stretch);
+  Eigen::Array<double, N, 4> flow_of_pairs(double duration_s) const;
   void add_forced(const Drive& drive, Complex phasor, State& state) const;
   void turn_phasors(double duration_s);
   Complex turned_by(Drive& drive, std::size_t table_step) const {
@@ -127,7 +150,6 @@ class ExactMotion {
     z.template segment<N>(n, n) = (flow.col(2) * u + flow.col(3) * v).matrix();
   }
   void step_transition();
-  void step_transition_by_pairs(double duration_s);
   void step_transition_by_matrices(double duration_s);
   void add_drives(std::size_t e, Exit& exit) const;
   double step_close_to(double duration_s);

@@ -75,12 +75,8 @@ ExactEnding ExactRun<N>::advance(Turn& turn) {
 template <int N>
 bool ExactRun<N>::begin_turn(Turn& turn) {
   StepObserver{turn};
-  if (turn.samples_per_revolution > 0) {
-    turn.samples.resize(static_cast<std::size_t>(turn.samples_per_revolution) *
-                        static_cast<std::size_t>(turn_start_.size()));
-  }
+  samples_.begin(turn, period_s_, turn_start_.size());
   time_s_ = 0;
-  next_sample_ = 0;
   standstill_ = 0;
   motion_.follow_transition(false);
   if (!start_motion() || !slip_.begin(motion_, turn_start_)) return false;
@@ -155,11 +151,8 @@ ExactEnding ExactRun<N>::end_turn(Turn& turn) {
 
 template <int N>
 ExactEnding ExactRun<N>::advance_once(Turn& turn) {
-  if (next_sample_ < turn.samples_per_revolution) sample(turn);
-  const double boundary =
-      std::min(next_boundary(), next_sample_ < turn.samples_per_revolution
-                                    ? period_s_ * next_sample_ / turn.samples_per_revolution
-                                    : period_s_);
+  samples_.start(motion_, time_s_, turn, speed_);
+  const double boundary = std::min(next_boundary(), samples_.boundary_s(motion_));
   const double until = boundary - time_s_;
   Choice choice = choose(until);
   ++effort_.steps;
@@ -169,7 +162,8 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
     return switch_mode(turn, *choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
   }
   if (turn.peaks) {
-    choice.step_s = std::min(choice.step_s, period_s_ / steps_per_turn_when_watched);
+    if (!samples_.ahead(motion_))
+      choice.step_s = std::min(choice.step_s, period_s_ / steps_per_turn_when_watched);
     if (motion_.joint() != 0) choice.step_s = std::min(choice.step_s, 0.25 * motion_.reach_s());
   }
   const double step = std::max(choice.step_s, shortest_step * period_s_);
@@ -256,7 +250,10 @@ void ExactRun<N>::passed(Turn& turn, double duration_s) {
     slip_.advance(duration_s);
     turn.contact_fraction += duration_s / period_s_;
   }
-  if (turn.peaks) peaks_.step(motion_, duration_s, turn);
+  const double rest_s = samples_.end(motion_, time_s_, turn, speed_, [&](const State& here, double passed_s) {
+    if (turn.peaks) peaks_.pass(here, passed_s, turn);
+  });
+  if (turn.peaks) peaks_.step(motion_, rest_s, turn);
 }
 
 template <int N>
@@ -287,16 +284,6 @@ bool ExactRun<N>::switch_mode(Turn& turn, std::size_t e) {
   if (!motion_.enter(joint, here) || !slip_.begin(motion_, here)) return false;
   if (turn.peaks) peaks_.begin(motion_);
   return true;
-}
-
-template <int N>
-void ExactRun<N>::sample(Turn& turn) {
-  const double due = period_s_ * next_sample_ / turn.samples_per_revolution;
-  if (time_s_ < due) return;
-  State here = motion_.physical();
-  here.tail(here.size() / 2) /= speed_;
-  std::copy(here.data(), here.data() + here.size(), turn.samples.begin() + next_sample_ * here.size());
-  ++next_sample_;
 }
 
 template <int N>

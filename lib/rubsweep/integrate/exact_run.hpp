@@ -7,6 +7,7 @@
 
 #include "rubsweep/integrate/exact_motion.hpp"
 #include "rubsweep/integrate/peak_watch.hpp"
+#include "rubsweep/integrate/sample_watch.hpp"
 #include "rubsweep/integrate/slip_watch.hpp"
 #include "rubsweep/integrate/turn.hpp"
 
@@ -71,7 +72,6 @@ class ExactRun {
   void land(Turn& turn, std::size_t exit, double latest_s);
   bool switch_mode(Turn& turn, std::size_t exit);
   contact::Kinematics kinematics(std::size_t contact, const State& physical, const State& rate) const;
-  void sample(Turn& turn);
 
   bool slip_held(Turn& turn, const State& here);
   bool renew_slip_watch(Turn& turn, double step_s);
@@ -81,6 +81,7 @@ class ExactRun {
   double kick_s_ = 0, kick_elapsed_s_ = 0;  ///< duration (0: none), and how much of it was over at the start
   SlipWatch<N> slip_;
   PeakWatch<N> peaks_;
+  SampleWatch<N> samples_;
   long max_steps_ = 0;
 
   State turn_start_;  ///< physical
@@ -88,7 +89,7 @@ class ExactRun {
   bool goes_on_ = false;  ///< the motion stands where the last turn ended
   double time_s_ = 0;     ///< into the revolution
   bool kicked_ = false;
-  int next_sample_ = 0, standstill_ = 0;
+  int standstill_ = 0;
   Effort effort_;
 };
 

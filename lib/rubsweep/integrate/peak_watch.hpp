@@ -26,17 +26,23 @@ class PeakWatch {
   /// From here on, in the motion's present mode.
   void begin(const ExactMotion<N>& motion) { look(motion, now_); }
 
-  /// A step of `duration_s` in one mode ends here.
+  /// A stretch of `duration_s` in one mode ends here.
   void step(const ExactMotion<N>& motion, double duration_s, Turn& turn) {
     std::swap(now_, last_);
     look(motion, now_);
-    const double square = std::max(0.0, largest(last_.square, now_.square, duration_s));
-    turn.peak_displacement_m = std::max(turn.peak_displacement_m, length_m_ * std::sqrt(square));
+    raise_displacement(duration_s, turn);
     for (const TouchPlan<N>& touch : motion.mode().touches) {
       const std::size_t i = touch.contact;
       turn.peak_contact_force_n =
           std::max(turn.peak_contact_force_n, largest(last_.force_n[i], now_.force_n[i], duration_s));
     }
+  }
+
+  /// The same at a state between the ends of steps, for the displacement alone.
+  void pass(const State& here, double duration_s, Turn& turn) {
+    last_.square = now_.square;
+    now_.square = square_of_displacement(here);
+    raise_displacement(duration_s, turn);
   }
 
  private:
@@ -52,14 +58,24 @@ class PeakWatch {
     return cubic_maximum(a.value, duration_s * a.rate, b.value, duration_s * b.rate);
   }
 
-  void look(const ExactMotion<N>& motion, Look& look) const {
-    const State here = motion.physical();
+  void raise_displacement(double duration_s, Turn& turn) const {
+    const double square = std::max(0.0, largest(last_.square, now_.square, duration_s));
+    turn.peak_displacement_m = std::max(turn.peak_displacement_m, length_m_ * std::sqrt(square));
+  }
+
+  ValueAndRate square_of_displacement(const State& here) const {
     const Eigen::Index n = here.size() / 2;
     const Eigen::Vector2d z = observed_ * here.template head<N>(n),
                           v = observed_ * here.template segment<N>(n, n);
-    look.square = {z.squaredNorm(), 2 * z.dot(v)};
+    return {z.squaredNorm(), 2 * z.dot(v)};
+  }
+
+  void look(const ExactMotion<N>& motion, Look& look) const {
+    const State here = motion.physical();
+    look.square = square_of_displacement(here);
+    if (motion.mode().touches.empty()) return;
     State offset = here;
-    offset.template head<N>(n) -= motion.mode().rest;
+    offset.template head<N>(here.size() / 2) -= motion.mode().rest;
     const State rate = motion.rate_of(here);
     for (const TouchPlan<N>& touch : motion.mode().touches) {
       look.force_n[touch.contact] = {touch.force.dot(offset.transpose()) + touch.force_constant,

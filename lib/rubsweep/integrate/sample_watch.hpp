@@ -1,0 +1,78 @@
+#pragma once
+
+#include <algorithm>
+
+#include "rubsweep/integrate/exact_motion.hpp"
+#include "rubsweep/integrate/turn.hpp"
+
+namespace rubsweep::integrate {
+
+/// Takes the samples of an exact run. In modes made of pairs they do not cut the run's steps: the flow over
+/// one interval between samples goes from one to the next. Other modes end their steps at every sample.
+template <int N>
+class SampleWatch {
+ public:
+  using State = typename ExactTypes<N>::State;
+
+  void begin(Turn& turn, double period_s, Eigen::Index states) {
+    next_ = 0;
+    count_ = turn.samples_per_revolution;
+    period_s_ = period_s;
+    if (count_ > 0) turn.samples.resize(static_cast<std::size_t>(count_ * states));
+  }
+
+  /// Whether samples are wanted between the ends of steps in the motion's mode.
+  bool ahead(const ExactMotion<N>& motion) const { return next_ < count_ && motion.mode().paired; }
+
+  /// Where the next step must end at the latest.
+  double boundary_s(const ExactMotion<N>& motion) const {
+    return next_ < count_ && !motion.mode().paired ? due_s() : period_s_;
+  }
+
+  /// A step starts here, `time_s` into the turn.
+  void start(const ExactMotion<N>& motion, double time_s, Turn& turn, double speed_rad_per_s) {
+    if (next_ >= count_) return;
+    start_s_ = time_s;
+    if (motion.mode().paired) {
+      start_ = motion.here();
+    } else if (time_s >= due_s()) {
+      put(motion.physical(), turn, speed_rad_per_s);
+    }
+  }
+
+  /// The step that started last ends at `time_s`, still in its mode. `look(state, seconds)` sees every sample
+  /// inside and the time since the one before, or since the step's start; returns the time left over.
+  template <class Look>
+  double end(ExactMotion<N>& motion, double time_s, Turn& turn, double speed_rad_per_s, const Look& look) {
+    double last_s = start_s_;
+    if (!ahead(motion)) return time_s - last_s;
+    for (bool first = true; next_ < count_ && due_s() < time_s; first = false) {
+      const double due = due_s();
+      if (first) {
+        motion.ahead(start_, due - start_s_);
+      } else {
+        motion.ahead_by_interval(start_, period_s_ / count_);
+      }
+      const State state = motion.physical(start_);
+      look(state, due - last_s);
+      last_s = due;
+      put(state, turn, speed_rad_per_s);
+    }
+    return time_s - last_s;
+  }
+
+ private:
+  double due_s() const { return period_s_ * next_ / count_; }
+
+  void put(State state, Turn& turn, double speed_rad_per_s) {
+    state.tail(state.size() / 2) /= speed_rad_per_s;
+    std::copy(state.data(), state.data() + state.size(), turn.samples.begin() + next_ * state.size());
+    ++next_;
+  }
+
+  typename ExactMotion<N>::Instant start_;
+  double start_s_ = 0, period_s_ = 0;
+  int next_ = 0, count_ = 0;
+};
+
+}  // namespace rubsweep::integrate
