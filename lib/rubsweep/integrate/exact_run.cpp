@@ -211,6 +211,19 @@ typename ExactRun<N>::Choice ExactRun<N>::choose(double until_boundary_s) const 
 
 template <int N>
 void ExactRun<N>::add_exit(std::size_t e, const State& sizes, Choice& choice) const {
+  const auto keep_below = [&choice](double step) {
+    if (step >= choice.step_s) return;
+    choice.step_s = step;
+    choice.crossing.reset();
+  };
+  double slow_step = 0;
+  if (motion_.mode().exits[e].split) {
+    const Exit slow = motion_.slow_exit(e, sizes);
+    if (stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
+    if (slow.value < 0) slow_step = safe_step(slow.value, slow.rate, slow.curvature);
+    // No crossing within reach.
+    if (slow_step > motion_.reach_s()) return keep_below(slow_step);
+  }
   const Exit exit = motion_.exit(e, sizes);
   if (stays_below(exit.value, exit.rate, exit.curvature, choice.step_s)) return;
   if (crosses(exit.value, exit.rate, exit.curvature)) {
@@ -221,15 +234,7 @@ void ExactRun<N>::add_exit(std::size_t e, const State& sizes, Choice& choice) co
       return;
     }
   }
-  double step = safe_step(exit.value, exit.rate, exit.curvature);
-  if (motion_.mode().exits[e].split) {
-    const Exit slow = motion_.slow_exit(e, sizes);
-    if (stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
-    if (slow.value < 0) step = std::max(step, safe_step(slow.value, slow.rate, slow.curvature));
-  }
-  if (step >= choice.step_s) return;
-  choice.step_s = step;
-  choice.crossing.reset();
+  keep_below(std::max(slow_step, safe_step(exit.value, exit.rate, exit.curvature)));
 }
 
 /// `table_step` < 0 or beyond the table: by `duration_s` as it is.
