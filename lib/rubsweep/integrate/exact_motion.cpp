@@ -1,6 +1,5 @@
 #include "rubsweep/integrate/exact_motion.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,27 +12,7 @@
 namespace rubsweep::integrate {
 namespace {
 
-/// A forced amplitude beyond this many clearances comes from a resonance that nothing damps: the cancellation
-/// against the free part would cost digits.
-constexpr double largest_amplitude = 1e4;
-
-using detail::product;
-using detail::real_product;
 using Complex = std::complex<double>;
-
-/// Length of (Re(a e^{it}), Re(b e^{it})) at its largest.
-double longest(const Complex& a, const Complex& b) {
-  const Complex i(0, 1);
-  return (std::abs(a + i * b) + std::abs(a - i * b)) / 2;
-}
-
-template <class Row>
-Complex row_on(const Row& row, const Eigen::VectorXcd& amplitude, double rate) {
-  const Eigen::Index n = amplitude.size();
-  Complex sum = 0;
-  for (Eigen::Index j = 0; j < n; ++j) sum += (row(j) + Complex(0, rate) * row(n + j)) * amplitude(j);
-  return sum;
-}
 
 }  // namespace
 
@@ -72,34 +51,8 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
 template <int N>
 void ExactMotion<N>::make(ModeCell& cell) const {
   cell.made = true;
-  cell.usable = make(cell.unbalance, unbalance_, speed_) && make(cell.kick, kick_, kick_rate_);
-}
-
-template <int N>
-bool ExactMotion<N>::make(Drive& drive, const Eigen::VectorXcd& force, double rate) const {
-  const Eigen::Index n = force.size();
-  drive.rate = rate;
-  drive.amplitude = ComplexVector::Zero(n);
-  if (!force.isZero(0)) {
-    Eigen::Matrix<Complex, N, N> dynamic = mode_->stiffness.template cast<Complex>();
-    dynamic.diagonal().array() -= rate * rate;
-    dynamic += Complex(0, rate) * mode_->damping.template cast<Complex>();
-    drive.amplitude = dynamic.partialPivLu().solve(ComplexVector(force));
-    if (!drive.amplitude.allFinite() || drive.amplitude.cwiseAbs().maxCoeff() > largest_amplitude)
-      return false;
-  }
-  for (const auto& exit : mode_->exits) {
-    drive.at_exit.push_back(row_on(exit.physical, drive.amplitude, rate));
-    drive.curvature.push_back(std::abs(drive.at_exit.back()) * rate * rate);
-  }
-  for (const auto& ring : mode_->rings) {
-    drive.at_ring.push_back(
-        {row_on(ring.physical[0], drive.amplitude, rate), row_on(ring.physical[1], drive.amplitude, rate)});
-    drive.ring_length.push_back(longest(drive.at_ring.back()[0], drive.at_ring.back()[1]));
-  }
-  for (const auto& touch : mode_->touches)
-    drive.sliding.push_back(std::abs(row_on(touch.sliding, drive.amplitude, rate)) * rate);
-  return true;
+  cell.usable = make_drive(*mode_, unbalance_, speed_, cell.unbalance) &&
+                make_drive(*mode_, kick_, kick_rate_, cell.kick);
 }
 
 template <int N>
@@ -110,49 +63,23 @@ void ExactMotion<N>::set_phases(double phase_rad, double kick_rad) {
 }
 
 template <int N>
-void ExactMotion<N>::add_forced(const Drive& drive, Complex phasor, State& state) const {
-  const Eigen::Index n = drive.amplitude.size();
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const Complex z = product(drive.amplitude(j), phasor);
-    state(j) += z.real();
-    state(n + j) -= drive.rate * z.imag();
-  }
-}
-
-template <int N>
 typename ExactMotion<N>::State ExactMotion<N>::forced(const Instant& instant) const {
   State state = State::Zero(instant.free.size());
   state.template head<N>(mode_->rest.size()) = mode_->rest;
-  add_forced(cell_->unbalance, instant.phasor, state);
-  if (kick_on_) add_forced(cell_->kick, instant.kick_phasor, state);
+  cell_->unbalance.add_to(state, instant.phasor);
+  if (kick_on_) cell_->kick.add_to(state, instant.kick_phasor);
   return state;
 }
 
 template <int N>
-Eigen::Array<double, N, 4> ExactMotion<N>::flow_of_pairs(double duration_s) const {
-  Eigen::Array<double, N, 4> flow(mode_->pairs.rows(), 4);
-  for (Eigen::Index j = 0; j < flow.rows(); ++j) {
-    const auto g = mode_->pairs.row(j);
-    // The two directions of an isotropic body share one flow.
-    if (j > 0 && (g == mode_->pairs.row(j - 1)).all()) {
-      flow.row(j) = flow.row(j - 1);
-    } else {
-      const Pair f = pair_flow({g(0), g(1), g(2), g(3)}, duration_s);
-      flow.row(j) << f.uu, f.uv, f.vu, f.vv;
-    }
-  }
-  return flow;
-}
-
-template <int N>
 typename ExactMotion<N>::Stretch ExactMotion<N>::stretch(double duration_s) const {
-  return {duration_s, flow_of_pairs(duration_s), std::polar(1.0, speed_ * duration_s),
+  return {duration_s, flow_of_pairs(*mode_, duration_s), std::polar(1.0, speed_ * duration_s),
           std::polar(1.0, kick_rate_ * duration_s)};
 }
 
 template <int N>
 void ExactMotion<N>::move(Instant& instant, const Stretch& stretch) {
-  apply_pairs(stretch.pairs, instant.free);
+  move_pairs(stretch.pairs, instant.free);
   instant.phasor = product(instant.phasor, stretch.turn);
   instant.kick_phasor = product(instant.kick_phasor, stretch.kick_turn);
 }
@@ -193,7 +120,7 @@ typename ExactMotion<N>::Exit ExactMotion<N>::ring(std::size_t r, const State& s
   }
   double speed = plan.speed_bound.dot(sizes.transpose());
   double curvature = plan.curvature_bound.dot(sizes.transpose());
-  const auto add = [&](const Drive& drive, Complex phasor) {
+  const auto add = [&](const Drive<N>& drive, Complex phasor) {
     for (std::size_t i = 0; i < 2; ++i) {
       const Complex z = product(drive.at_ring[r][i], phasor);
       d[i] += z.real();
@@ -215,8 +142,8 @@ void ExactMotion<N>::step_transition() {
   const double duration_s = std::exchange(transition_lag_s_, 0);
   if (!transition_wanted_ || duration_s == 0) return;
   if (mode_->paired) {
-    const auto flow = flow_of_pairs(duration_s);
-    for (Eigen::Index i = 0; i < transition_.cols(); ++i) apply_pairs(flow, transition_.col(i));
+    const auto flow = flow_of_pairs(*mode_, duration_s);
+    for (Eigen::Index i = 0; i < transition_.cols(); ++i) move_pairs(flow, transition_.col(i));
   } else {
     step_transition_by_matrices(duration_s);
   }
@@ -231,11 +158,10 @@ void ExactMotion<N>::step_transition_by_matrices(double duration_s) {
     transition_ = mode_->steps[static_cast<std::size_t>(k)].lazyProduct(transition_).eval();
     rest -= mode_->longest_step_s * exact_step_size(k);
   }
-  const int terms = series_terms(std::abs(rest) * mode_->fastest_rad_per_s);
   State column;
   for (Eigen::Index i = 0; i < transition_.cols(); ++i) {
     column = transition_.col(i);
-    apply_series(rest, terms, column);
+    move_by_series(*mode_, rest, column);
     transition_.col(i) = column;
   }
 }
@@ -268,44 +194,9 @@ double ExactMotion<N>::step_close_to(double duration_s) {
 template <int N>
 void ExactMotion<N>::step_by_series(double duration_s) {
   if (duration_s == 0) return;
-  const int terms = series_terms(std::abs(duration_s) * mode_->fastest_rad_per_s);
-  apply_series(duration_s, terms, free_);
+  move_by_series(*mode_, duration_s, free_);
   transition_lag_s_ += duration_s;
   turn_phasors(duration_s);
-}
-
-template <int N>
-void ExactMotion<N>::apply_series(double duration_s, int terms, State& z) const {
-  const Eigen::Index n = mode_->rest.size();
-  Part u = z.template head<N>(n).array(), v = z.template segment<N>(n, n).array(), sum_u = u, sum_v = v;
-  if (mode_->paired) {
-    const Eigen::Array<double, N, 4> step = duration_s * mode_->pairs;
-    for (int k = 1; k <= terms; ++k) {
-      const double factor = reciprocals[static_cast<std::size_t>(k)];
-      const Part next = factor * (step.col(0) * u + step.col(1) * v);
-      v = factor * (step.col(2) * u + step.col(3) * v);
-      u = next;
-      sum_u += u;
-      sum_v += v;
-    }
-  } else {
-    for (int k = 1; k <= terms; ++k) {
-      differentiate(duration_s * reciprocals[static_cast<std::size_t>(k)], u, v);
-      sum_u += u;
-      sum_v += v;
-    }
-  }
-  z.template head<N>(n) = sum_u.matrix();
-  z.template segment<N>(n, n) = sum_v.matrix();
-}
-
-/// (u, v) becomes factor * its rate, by full matrices.
-template <int N>
-inline void ExactMotion<N>::differentiate(double factor, Part& u, Part& v) const {
-  typename ExactTypes<N>::Vector push = mode_->stiffness.lazyProduct(u.matrix());
-  push += mode_->damping.lazyProduct(v.matrix());
-  u = factor * v;
-  v = -factor * push.array();
 }
 
 template <int N>
@@ -313,9 +204,9 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   std::array<double, most_series_terms> storage;
   const auto expand = [&](double duration_s, int highest) {
     const auto terms = std::span(storage).first(static_cast<std::size_t>(highest) + 1);
-    expand_free(mode_->exits[e], duration_s, terms);
-    expand_drive(cell_->unbalance, e, phasor_, duration_s, terms);
-    if (kick_on_) expand_drive(cell_->kick, e, kick_phasor_, duration_s, terms);
+    expand_exit(*mode_, mode_->exits[e], free_, duration_s, terms);
+    cell_->unbalance.expand(e, phasor_, duration_s, terms);
+    if (kick_on_) cell_->kick.expand(e, kick_phasor_, duration_s, terms);
     return terms;
   };
   const double fastest = mode_->fastest_rad_per_s;
@@ -334,57 +225,6 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   } while (std::abs(root_s) * fastest > size / 4 && size <= longest_series);
   step_by_series(root_s);
   return stepped_s + root_s;
-}
-
-/// Taylor coefficients of the exit but for its forced part, time in units of `within_s`. A pair's part obeys
-/// y'' = trace y' - determinant y.
-template <int N>
-void ExactMotion<N>::expand_free(const ExitPlan<N>& exit, double within_s, std::span<double> terms) const {
-  const auto& both = exit.whole.row_and_rate;
-  if (!mode_->paired) {
-    const Eigen::Index n = mode_->rest.size();
-    const typename ExactTypes<N>::Row row = both.row(0);
-    Part u = free_.template head<N>(n).array(), v = free_.template segment<N>(n, n).array();
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-      terms[k] = (row.template head<N>(n).transpose().array() * u +
-                  row.template segment<N>(n, n).transpose().array() * v)
-                     .sum();
-      differentiate(within_s * reciprocals[k + 1], u, v);
-    }
-  } else {
-    const Eigen::Index n = mode_->rest.size();
-    const auto parts = [&](Eigen::Index row) -> Part {
-      return both.row(row).template head<N>(n).transpose().array() * free_.template head<N>(n).array() +
-             both.row(row).template segment<N>(n, n).transpose().array() *
-                 free_.template segment<N>(n, n).array();
-    };
-    const Part trace = within_s * mode_->trace, determinant = within_s * within_s * mode_->determinant;
-    Part last = parts(0), now = within_s * parts(1);
-    terms[0] = last.sum();
-    terms[1] = now.sum();
-    for (std::size_t k = 1; k + 1 < terms.size(); ++k) {
-      const Part next =
-          (reciprocals[k + 1] * trace) * now - (reciprocals[k] * reciprocals[k + 1] * determinant) * last;
-      terms[k + 1] = next.sum();
-      last = now;
-      now = next;
-    }
-  }
-  terms[0] += exit.constant;
-}
-
-template <int N>
-void ExactMotion<N>::expand_drive(const Drive& drive, std::size_t e, Complex phasor, double within_s,
-                                  std::span<double> terms) {
-  const Complex start = product(drive.at_exit[e], phasor);
-  const double angle = drive.rate * within_s, minus_square = -angle * angle;
-  double last = start.real(), now = -angle * start.imag();
-  terms[0] += last;
-  terms[1] += now;
-  for (std::size_t k = 1; k + 1 < terms.size(); ++k) {
-    last = std::exchange(now, minus_square * (reciprocals[k] * reciprocals[k + 1]) * last);
-    terms[k + 1] += now;
-  }
 }
 
 template <int N>

@@ -6,24 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "rubsweep/integrate/drive.hpp"
 #include "rubsweep/integrate/exact_plan.hpp"
 #include "rubsweep/integrate/exponential_series.hpp"
-#include "rubsweep/integrate/pair_flow.hpp"
+#include "rubsweep/integrate/mode_flow.hpp"
 #include "rubsweep/integrate/step_table.hpp"
 
 namespace rubsweep::integrate {
-namespace detail {
-
-inline double real_product(const std::complex<double>& a, const std::complex<double>& b) {
-  return a.real() * b.real() - a.imag() * b.imag();
-}
-
-/// std::complex's own operator looks for infinities.
-inline std::complex<double> product(const std::complex<double>& a, const std::complex<double>& b) {
-  return {real_product(a, b), a.real() * b.imag() + a.imag() * b.real()};
-}
-
-}  // namespace detail
 
 /// State of an exact run: the free vibration in the present contact mode and the phases of what drives it.
 /// Propagation has no truncation error; it knows nothing of when a mode ends. Time in seconds, lengths
@@ -100,20 +89,6 @@ class ExactMotion {
 
  private:
   using Complex = std::complex<double>;
-  using Part = Eigen::Array<double, N, 1>;  ///< half a state
-  using ComplexVector = Eigen::Matrix<Complex, N, 1>;
-
-  /// What one harmonic force does in one mode: u = Re(amplitude e^{i rate t}).
-  struct Drive {
-    double rate = 0;
-    ComplexVector amplitude;
-    std::vector<Complex> at_exit;
-    std::vector<double> curvature;  ///< per exit: |at_exit| rate^2
-    std::vector<std::array<Complex, 2>> at_ring;
-    std::vector<double> ring_length;                ///< per ring: bound on |at_ring e^{i rate t}|
-    std::vector<double> sliding;                    ///< per touch: |sliding amplitude| rate
-    std::array<Complex, exact_step_count> steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked
-  };
 
   /// Flow of a mode of pairs over some duration.
   struct Stretch {
@@ -124,41 +99,20 @@ class ExactMotion {
 
   struct ModeCell {
     bool made = false, usable = false;
-    Drive unbalance, kick;
+    Drive<N> unbalance, kick;
     Stretch interval;
   };
 
   void make(ModeCell& cell) const;
-  bool make(Drive& drive, const Eigen::VectorXcd& force, double rate) const;
   State forced(const Instant& instant) const;
   Stretch stretch(double duration_s) const;
   static void move(Instant& instant, const Stretch& stretch);
-  Eigen::Array<double, N, 4> flow_of_pairs(double duration_s) const;
-  void add_forced(const Drive& drive, Complex phasor, State& state) const;
   void turn_phasors(double duration_s);
-  Complex turned_by(Drive& drive, std::size_t table_step) const {
-    Complex& turn = drive.steps[table_step];
-    if (turn == Complex{})
-      turn = std::polar(1.0, drive.rate * mode_->longest_step_s * exact_step_sizes[table_step]);
-    return turn;
-  }
-  template <class Column>
-  static void apply_pairs(const Eigen::Array<double, N, 4>& flow, Column&& z) {
-    const Eigen::Index n = flow.rows();
-    const Part u = z.template head<N>(n).array(), v = z.template segment<N>(n, n).array();
-    z.template head<N>(n) = (flow.col(0) * u + flow.col(1) * v).matrix();
-    z.template segment<N>(n, n) = (flow.col(2) * u + flow.col(3) * v).matrix();
-  }
+  void add_drives(std::size_t e, Exit& exit) const;
   void step_transition();
   void step_transition_by_matrices(double duration_s);
-  void add_drives(std::size_t e, Exit& exit) const;
   double step_close_to(double duration_s);
   void step_by_series(double duration_s);
-  void differentiate(double factor, Part& u, Part& v) const;
-  void apply_series(double duration_s, int terms, State& z) const;
-  void expand_free(const ExitPlan<N>& exit, double within_s, std::span<double> terms) const;
-  static void expand_drive(const Drive& drive, std::size_t e, Complex phasor, double within_s,
-                           std::span<double> terms);
 
   std::shared_ptr<ExactPlan<N>> plan_;
   Eigen::VectorXcd unbalance_, kick_;  ///< acceleration per s^2 is Re(. e^{i rate t})
@@ -188,8 +142,8 @@ inline typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
 
 template <int N>
 inline void ExactMotion<N>::add_drives(std::size_t e, Exit& exit) const {
-  const auto add = [&](const Drive& drive, Complex phasor) {
-    const Complex z = detail::product(drive.at_exit[e], phasor);
+  const auto add = [&](const Drive<N>& drive, Complex phasor) {
+    const Complex z = product(drive.at_exit[e], phasor);
     exit.value += z.real();
     exit.rate -= drive.rate * z.imag();
     exit.curvature += drive.curvature[e];
@@ -221,13 +175,13 @@ template <int N>
 inline void ExactMotion<N>::step_by_table(int k) {
   const auto index = static_cast<std::size_t>(k);
   if (mode_->paired) {
-    apply_pairs(mode_->pair_steps[index], free_);
+    move_pairs(mode_->pair_steps[index], free_);
   } else {
     free_ = mode_->steps[index].lazyProduct(free_).eval();
   }
   transition_lag_s_ += mode_->longest_step_s * exact_step_sizes[index];
-  phasor_ = detail::product(phasor_, turned_by(cell_->unbalance, index));
-  if (kick_on_) kick_phasor_ = detail::product(kick_phasor_, turned_by(cell_->kick, index));
+  phasor_ = product(phasor_, cell_->unbalance.turned_by(index, mode_->longest_step_s));
+  if (kick_on_) kick_phasor_ = product(kick_phasor_, cell_->kick.turned_by(index, mode_->longest_step_s));
 }
 
 extern template class ExactMotion<2>;

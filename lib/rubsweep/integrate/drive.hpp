@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "rubsweep/integrate/mode_plan.hpp"
+#include "rubsweep/integrate/step_table.hpp"
+
+namespace rubsweep::integrate {
+
+inline double real_product(const std::complex<double>& a, const std::complex<double>& b) {
+  return a.real() * b.real() - a.imag() * b.imag();
+}
+
+/// std::complex's own operator looks for infinities.
+inline std::complex<double> product(const std::complex<double>& a, const std::complex<double>& b) {
+  return {real_product(a, b), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+/// What one harmonic force does in one mode: u = Re(amplitude e^{i rate t}), its phasor e^{i rate t} kept
+/// by whoever follows the motion.
+template <int N>
+struct Drive {
+  using Complex = std::complex<double>;
+  using State = typename ExactTypes<N>::State;
+
+  double rate = 0;  ///< rad/s
+  Eigen::Matrix<Complex, N, 1> amplitude;
+  std::vector<Complex> at_exit;
+  std::vector<double> curvature;  ///< per exit: |at_exit| rate^2
+  std::vector<std::array<Complex, 2>> at_ring;
+  std::vector<double> ring_length;                ///< per ring: bound on |at_ring e^{i rate t}|
+  std::vector<double> sliding;                    ///< per touch: |sliding amplitude| rate
+  std::array<Complex, exact_step_count> steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked
+
+  /// Adds the forced (u, u').
+  void add_to(State& state, const Complex& phasor) const {
+    const Eigen::Index n = amplitude.size();
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Complex z = product(amplitude(j), phasor);
+      state(j) += z.real();
+      state(n + j) -= rate * z.imag();
+    }
+  }
+
+  /// e^{i rate h} of a step of the mode's table.
+  Complex turned_by(std::size_t table_step, double longest_step_s) {
+    Complex& turn = steps[table_step];
+    if (turn == Complex{}) turn = std::polar(1.0, rate * longest_step_s * exact_step_sizes[table_step]);
+    return turn;
+  }
+
+  /// Adds the Taylor coefficients of its part of exit `e`, two or more, time in units of `within_s`.
+  void expand(std::size_t e, const Complex& phasor, double within_s, std::span<double> terms) const;
+};
+
+/// Drive of u'' = -K u - C u' + Re(force e^{i rate t}) in the mode. False at a resonance that nothing damps.
+template <int N>
+bool make_drive(const ModePlan<N>& mode, const Eigen::VectorXcd& force, double rate_rad_per_s,
+                Drive<N>& drive);
+
+extern template struct Drive<2>;
+extern template bool make_drive<2>(const ModePlan<2>&, const Eigen::VectorXcd&, double, Drive<2>&);
+extern template struct Drive<4>;
+extern template bool make_drive<4>(const ModePlan<4>&, const Eigen::VectorXcd&, double, Drive<4>&);
+extern template struct Drive<6>;
+extern template bool make_drive<6>(const ModePlan<6>&, const Eigen::VectorXcd&, double, Drive<6>&);
+extern template struct Drive<Eigen::Dynamic>;
+extern template bool make_drive<Eigen::Dynamic>(const ModePlan<Eigen::Dynamic>&, const Eigen::VectorXcd&,
+                                                double, Drive<Eigen::Dynamic>&);
+
+}  // namespace rubsweep::integrate
