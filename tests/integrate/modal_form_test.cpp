@@ -4,20 +4,13 @@
 
 #include <cmath>
 
+#include "rubsweep/integrate/matrix_flow.hpp"
+
 namespace rubsweep::integrate {
 namespace {
 
 using Eigen::Matrix2d;
 using Eigen::MatrixXd;
-
-MatrixXd generator(const MatrixXd& stiffness, const MatrixXd& damping) {
-  const Eigen::Index n = stiffness.rows();
-  MatrixXd a = MatrixXd::Zero(2 * n, 2 * n);
-  a.topRightCorner(n, n).setIdentity();
-  a.bottomLeftCorner(n, n) = -stiffness;
-  a.bottomRightCorner(n, n) = -damping;
-  return a;
-}
 
 /// basis * pairs * inverse must be the generator again.
 void expect_similar(const MatrixXd& stiffness, const MatrixXd& damping) {
@@ -32,7 +25,7 @@ void expect_similar(const MatrixXd& stiffness, const MatrixXd& damping) {
     pairs(n + j, j) = p.vu;
     pairs(n + j, n + j) = p.vv;
   }
-  const MatrixXd a = generator(stiffness, damping);
+  const MatrixXd a = generator_of(stiffness, damping);
   const MatrixXd defect = form->basis * pairs * form->inverse - a;
   EXPECT_LT(defect.cwiseAbs().maxCoeff(), 1e-10 * a.cwiseAbs().maxCoeff());
   EXPECT_LT((form->basis * form->inverse - MatrixXd::Identity(2 * n, 2 * n)).cwiseAbs().maxCoeff(), 1e-9);

@@ -64,18 +64,21 @@ TEST(ProveOrbit, AMultiplierOnTheUnitCircleIsNoProof) {
   EXPECT_FALSE(prove_orbit(rotation, section, 1));
 }
 
-/// Two stable points with a jump between them: Newton from one side may land on the other's, which the
-/// transient does not approach.
+/// To the left of zero the map leads away from its fixed point 0.1, which lies on the right and is stable
+/// there. Newton from the left lands on it at once; the transient does not approach it by the slope it has.
 TEST(ProveOrbit, DoesNotHopToAnotherOrbit) {
-  const TurnMap two_sides = [](std::span<double> s, Eigen::MatrixXd* transition) {
-    const double slope = s[0] < 0 ? 0.9 : 0.2, centre = s[0] < 0 ? 0.05 : 0.1;
+  const TurnMap bent = [](std::span<double> s, Eigen::MatrixXd* transition) {
+    const double slope = s[0] < 0 ? 1.5 : 0.2;
     if (transition) transition->setConstant(1, 1, slope);
-    s[0] = s[0] < 0 ? centre - 0.2 + slope * (s[0] - centre) : centre + slope * (s[0] - centre);
+    s[0] = 0.1 + slope * (s[0] - 0.1);
     return true;
   };
-  double section = -0.01;
-  const auto orbit = prove_orbit(two_sides, {&section, 1}, 1);
-  EXPECT_FALSE(orbit && orbit->section[0] > 0);
+  const double left = -0.01, right = 0.03;
+  EXPECT_FALSE(prove_orbit(bent, {&left, 1}, 1));
+  const auto orbit = prove_orbit(bent, {&right, 1}, 1);
+  ASSERT_TRUE(orbit);
+  EXPECT_NEAR(orbit->section[0], 0.1, 1e-11);
+  EXPECT_NEAR(orbit->floquet_modulus, 0.2, 1e-12);
 }
 
 TEST(ProveOrbit, AMapThatFailsIsNoProof) {

@@ -20,8 +20,8 @@ inline int series_terms(double size) {
   if (size > 0.14) return 12;
   if (size > 0.057) return 10;
   if (size > 0.013) return 8;
-  if (size > 1.2e-3) return 6;
-  return size > 1.5e-4 ? 4 : 3;
+  if (size > 1.1e-3) return 6;
+  return size > 1.4e-4 ? 4 : 3;
 }
 
 inline constexpr std::size_t most_series_terms = 19;  ///< the one of order zero counted
