@@ -161,7 +161,7 @@ TEST(Exact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
     ASSERT_EQ(a.samples.size(), b.samples.size());
     for (std::size_t i = 0; i < a.samples.size(); ++i) EXPECT_NEAR(a.samples[i], b.samples[i], 1e-9);
     EXPECT_NEAR(a.peak_displacement_m, b.peak_displacement_m, 1e-5 * b.peak_displacement_m);
-    EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-3 * b.peak_contact_force_n);
+    EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-5 * b.peak_contact_force_n);
     EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 1e-9);
     EXPECT_EQ(a.hits, b.hits);
     EXPECT_EQ(a.touching_at_end, b.touching_at_end);

@@ -81,8 +81,15 @@ bool ExactRun<N>::begin_turn(Turn& turn) {
   motion_.follow_transition(false);
   if (!start_motion() || !slip_.begin(motion_, turn_start_)) return false;
   motion_.follow_transition(turn.transition_wanted);
+  peaks_wanted_ = turn.peaks;
   if (turn.peaks) peaks_.begin(motion_);
   return true;
+}
+
+/// Longest landing. Peaks of a contact force are looked for between the ends of short steps.
+template <int N>
+double ExactRun<N>::reach_s() const {
+  return peaks_wanted_ && motion_.joint() != 0 ? 0.25 * motion_.reach_s() : motion_.reach_s();
 }
 
 /// Where the motion stands at the end of the last turn only its phase starts again, from exactly zero.
@@ -164,7 +171,7 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
   if (turn.peaks) {
     if (!samples_.ahead(motion_))
       choice.step_s = std::min(choice.step_s, period_s_ / steps_per_turn_when_watched);
-    if (motion_.joint() != 0) choice.step_s = std::min(choice.step_s, 0.25 * motion_.reach_s());
+    if (motion_.joint() != 0) choice.step_s = std::min(choice.step_s, reach_s());
   }
   const double step = std::max(choice.step_s, shortest_step * period_s_);
   if (!(step < until)) {
@@ -222,13 +229,13 @@ void ExactRun<N>::add_exit(std::size_t e, const State& sizes, Choice& choice) co
     if (stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
     if (slow.value < 0) slow_step = safe_step(slow.value, slow.rate, slow.curvature);
     // No crossing within reach.
-    if (slow_step > motion_.reach_s()) return keep_below(slow_step);
+    if (slow_step > reach_s()) return keep_below(slow_step);
   }
   const Exit exit = motion_.exit(e, sizes);
   if (stays_below(exit.value, exit.rate, exit.curvature, choice.step_s)) return;
   if (crosses(exit.value, exit.rate, exit.curvature)) {
     const double latest = latest_crossing(exit.value, exit.rate, exit.curvature);
-    if (latest < choice.step_s && latest <= motion_.reach_s()) {
+    if (latest < choice.step_s && latest <= reach_s()) {
       choice.step_s = latest;
       choice.crossing = e;
       return;
@@ -258,7 +265,7 @@ void ExactRun<N>::passed(Turn& turn, double duration_s) {
   const double rest_s = samples_.end(motion_, time_s_, turn, speed_, [&](const State& here, double passed_s) {
     if (turn.peaks) peaks_.pass(here, passed_s, turn);
   });
-  if (turn.peaks) peaks_.step(motion_, rest_s, turn);
+  if (turn.peaks) peaks_.step(motion_, duration_s, rest_s, turn);
 }
 
 template <int N>

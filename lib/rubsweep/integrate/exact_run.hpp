@@ -65,6 +65,7 @@ class ExactRun {
   bool enter_by_state(const State& physical);
   ExactEnding advance_once(Turn& turn);
   double next_boundary() const;
+  double reach_s() const;
   Choice choose(double until_boundary_s) const;
   void add_exit(std::size_t e, const State& sizes, Choice& choice) const;
   void move(Turn& turn, double duration_s, int table_step);
@@ -88,7 +89,7 @@ class ExactRun {
   long revolution_ = 0;
   bool goes_on_ = false;  ///< the motion stands where the last turn ended
   double time_s_ = 0;     ///< into the revolution
-  bool kicked_ = false;
+  bool kicked_ = false, peaks_wanted_ = false;
   int standstill_ = 0;
   Effort effort_;
 };

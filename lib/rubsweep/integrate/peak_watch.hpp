@@ -26,11 +26,12 @@ class PeakWatch {
   /// From here on, in the motion's present mode.
   void begin(const ExactMotion<N>& motion) { look(motion, now_); }
 
-  /// A stretch of `duration_s` in one mode ends here.
-  void step(const ExactMotion<N>& motion, double duration_s, Turn& turn) {
+  /// A step of `duration_s` in one mode ends here, `since_look_s` after the last state that was passed or the
+  /// step's start.
+  void step(const ExactMotion<N>& motion, double duration_s, double since_look_s, Turn& turn) {
     std::swap(now_, last_);
     look(motion, now_);
-    raise_displacement(duration_s, turn);
+    raise_displacement(since_look_s, turn);
     for (const TouchPlan<N>& touch : motion.mode().touches) {
       const std::size_t i = touch.contact;
       turn.peak_contact_force_n =
