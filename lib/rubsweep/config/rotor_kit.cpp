@@ -42,12 +42,18 @@ void read_hole(Section& section, const model::ShaftSegment& segment) {
                           "a number below outer_diameter_m");
 }
 
-void read_pedestal(Section& section, model::Support& support) {
-  const auto value = section.find("pedestal");
+template <class Part>
+void read_inner(Section& section, std::string_view name, std::optional<Part>& part) {
+  const auto value = section.find(name);
   if (!value) return;
-  Section pedestal(*value);
-  read_fields(pedestal, support.pedestal.emplace());
-  pedestal.refuse_unknown_keys();
+  Section inner(*value);
+  read_fields(inner, part.emplace());
+  inner.refuse_unknown_keys();
+}
+
+void read_inner_parts(Section& section, model::Support& support) {
+  read_inner(section, "pedestal", support.pedestal);
+  read_inner(section, "fault", support.fault);
 }
 
 std::vector<double> read_number_list(const Value& value, const model::Range& range) {
@@ -112,6 +118,14 @@ void refuse_loose_shaft(const Value& supports, const model::RotorKit& kit) {
   }
 }
 
+template <class Part>
+void print_inner(Printer& printer, std::string_view name, const std::optional<Part>& part) {
+  if (!part) return;
+  printer.open(name);
+  print_fields(printer, *part);
+  printer.close();
+}
+
 template <class Part, class More>
 void print_parts(Printer& printer, std::string_view name, const std::vector<Part>& parts, More more) {
   if (parts.empty()) return;
@@ -157,15 +171,11 @@ model::RotorKit read_rotor_kit(Section& section) {
   list("shaft", kit.shaft, read_hole);
   list("discs", kit.discs, nothing_more);
   const auto supports = section.require("supports", "a list of maps");
-  list("supports", kit.supports, read_pedestal);
+  list("supports", kit.supports, read_inner_parts);
   list("couplings", kit.couplings, nothing_more);
   list("sensors", kit.sensors, nothing_more);
   if (const auto value = section.find("bow")) kit.bow = read_bow(*value, places(kit));
-  if (const auto value = section.find("torsion")) {
-    Section torsion(*value);
-    read_fields(torsion, kit.torsion.emplace());
-    torsion.refuse_unknown_keys();
-  }
+  read_inner(section, "torsion", kit.torsion);
   if (const auto value = section.find("damping_ratio")) read_damping_ratio(*value, kit);
   if (const auto value = section.find("modes")) read_modes(*value, kit);
   section.field("modes_up_to_hz", kit.modes_up_to_hz, model::positive);
@@ -179,19 +189,13 @@ void print_rotor_kit(Printer& printer, const model::RotorKit& kit) {
   print_parts(printer, "shaft", kit.shaft, nothing);
   print_parts(printer, "discs", kit.discs, nothing);
   print_parts(printer, "supports", kit.supports, [&](const model::Support& support) {
-    if (!support.pedestal) return;
-    printer.open("pedestal");
-    print_fields(printer, *support.pedestal);
-    printer.close();
+    print_inner(printer, "pedestal", support.pedestal);
+    print_inner(printer, "fault", support.fault);
   });
   print_parts(printer, "couplings", kit.couplings, nothing);
   print_parts(printer, "sensors", kit.sensors, nothing);
   if (kit.bow) print_bow(printer, *kit.bow);
-  if (kit.torsion) {
-    printer.open("torsion");
-    print_fields(printer, *kit.torsion);
-    printer.close();
-  }
+  print_inner(printer, "torsion", kit.torsion);
   printer.numbers("damping_ratio", kit.damping_ratio);
   if (kit.modes) {
     printer.integer("modes", *kit.modes);

@@ -9,6 +9,7 @@
 
 #include "rubsweep/integrate/dynamics.hpp"
 #include "rubsweep/integrate/first_rise.hpp"
+#include "rubsweep/integrate/impulses.hpp"
 #include "rubsweep/integrate/options.hpp"
 #include "rubsweep/integrate/step_observer.hpp"
 #include "rubsweep/integrate/steppers.hpp"
@@ -28,6 +29,7 @@ class AdaptiveRun {
       : system_(scale<N>(scene)),
         dynamics_(system_, options.smoothing_m / scene.length_scale_m),
         method_(options),
+        impulses_(scene),
         max_steps_(options.max_steps_per_revolution),
         start_kinematics_(system_.contacts.size()),
         end_kinematics_(system_.contacts.size()) {
@@ -49,9 +51,11 @@ class AdaptiveRun {
     StepObserver observer(turn);
     const long limit = steps_ + refused_ + max_steps_;
     step_.start_phase = 0;
+    if (!impulses_.none()) impulses_.begin_turn(revolution_);
     dynamics_(step_.start, step_.start_rate, 0.0);
     while (step_.start_phase < full_turn) {
       if (steps_ + refused_ >= limit) return finish(turn, Outcome::step_limit);
+      if (step_.start_phase >= impulses_.next_phase_rad()) strike(observer);
       const Outcome outcome = advance_one_step(observer);
       if (outcome != Outcome::ok) return finish(turn, outcome);
     }
@@ -77,14 +81,16 @@ class AdaptiveRun {
   void begin() {
     set_pulse(0);
     dynamics_(step_.start, step_.start_rate, 0.0);
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-      const auto& c = system_.contacts[i];
-      start_kinematics_[i] = dynamics_.kinematics(i, step_.start, step_.start_rate);
-      const contact::Kinematics& k = start_kinematics_[i];
-      const contact::Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
-      // A start exactly at the wall and moving into it is in contact from the first instant.
-      dynamics_.modes()[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
-    }
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) enter_by_state(i);
+  }
+
+  void enter_by_state(std::size_t i) {
+    const auto& c = system_.contacts[i];
+    start_kinematics_[i] = dynamics_.kinematics(i, step_.start, step_.start_rate);
+    const contact::Kinematics& k = start_kinematics_[i];
+    const contact::Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
+    // A start exactly at the wall and moving into it is in contact from the first instant.
+    dynamics_.modes()[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
   }
 
   /// Switches the pulse for the stretch that starts at `phase`; returns where that stretch ends.
@@ -96,8 +102,29 @@ class AdaptiveRun {
     return on ? std::min(pulse_end, full_turn) : full_turn;
   }
 
+  /// All impulses of this instant.
+  void strike(StepObserver& observer) {
+    const Eigen::Index n = system_.coordinates();
+    while (step_.start_phase >= impulses_.next_phase_rad()) {
+      const Eigen::VectorXd& jump_m_per_s = impulses_.take();
+      for (Eigen::Index j = 0; j < n; ++j)
+        step_.start[static_cast<std::size_t>(n + j)] +=
+            jump_m_per_s(j) / (system_.length_m * system_.speed_rad_per_s);
+    }
+    dynamics_(step_.start, step_.start_rate, step_.start_phase);
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+      const contact::Mode from = dynamics_.modes()[i];
+      enter_by_state(i);
+      if (Smoothed || dynamics_.modes()[i] == from) continue;
+      ++switches_;
+      observer.mode_switch({step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i]});
+    }
+    dynamics_(step_.start, step_.start_rate, step_.start_phase);
+    method_.restart();
+  }
+
   Outcome advance_one_step(StepObserver& observer) {
-    const double boundary = set_pulse(step_.start_phase);
+    const double boundary = std::min(set_pulse(step_.start_phase), impulses_.next_phase_rad());
     const double wanted = size_;
     // A remainder too small to step over is taken along.
     const bool limited = step_.start_phase + 1.000001 * wanted >= boundary;
@@ -262,6 +289,7 @@ class AdaptiveRun {
   ScaledSystem<N> system_;
   Dynamics<N, Smoothed> dynamics_;
   Method method_;
+  Impulses impulses_;
   long max_steps_;
   Step<State> step_;
   State probe_;

@@ -17,6 +17,7 @@ scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long 
   const Eigen::Map<const Eigen::VectorXd> state(section.data(), 2 * n);
   scene.displacement_m = scene.length_scale_m * state.head(n);
   scene.velocity_m_per_s = scene.length_scale_m * scene.speed_rad_per_s * state.tail(n);
+  scene.elapsed_revolutions += revolution;
   if (scene.pulse) scene.pulse->elapsed_s += static_cast<double>(revolution) * scene.period_s();
   return scene;
 }

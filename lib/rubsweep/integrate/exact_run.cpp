@@ -26,6 +26,7 @@ ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<ExactPlan<N>> p
       speed_(scene.speed_rad_per_s),
       period_s_(2 * std::numbers::pi / scene.speed_rad_per_s),
       length_m_(scene.length_scale_m),
+      impulses_(scene),
       slip_(scene, plan->friction()),
       peaks_(*plan, scene.length_scale_m),
       max_steps_(max_steps) {
@@ -79,11 +80,12 @@ bool ExactRun<N>::begin_turn(Turn& turn) {
   time_s_ = 0;
   standstill_ = 0;
   motion_.follow_transition(false);
+  if (!impulses_.none()) impulses_.begin_turn(revolution_);
   if (!start_motion() || !slip_.begin(motion_, turn_start_)) return false;
   motion_.follow_transition(turn.transition_wanted);
   peaks_wanted_ = turn.peaks;
   if (turn.peaks) peaks_.begin(motion_);
-  return true;
+  return impulses_.next_phase_rad() > 0 || strike(turn);
 }
 
 /// Longest landing. Peaks of a contact force are looked for between the ends of short steps.
@@ -177,12 +179,7 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
   if (!(step < until)) {
     move(turn, until, -1);
     time_s_ = boundary;
-    if (kicked_ && boundary < period_s_ && boundary == next_boundary()) {
-      const State here = motion_.physical();
-      kicked_ = false;
-      motion_.set_phases(speed_ * time_s_, -1);
-      if (!motion_.enter(motion_.joint(), here)) return ExactEnding::beyond;
-    }
+    if (boundary < period_s_ && !pass_boundary(turn)) return ExactEnding::beyond;
   } else {
     const int k = exact_step_below(step / motion_.mode().longest_step_s);
     move(turn, k < exact_step_count ? motion_.mode().longest_step_s * exact_step_size(k) : step, k);
@@ -191,12 +188,47 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
   return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
 }
 
-/// End of the turn, or of the kick where that is sooner.
+template <int N>
+double ExactRun<N>::kick_end_s() const {
+  return kick_s_ - kick_elapsed_s_ - static_cast<double>(revolution_) * period_s_;
+}
+
+/// End of the turn or of the kick, or the next impulse, whichever is soonest.
 template <int N>
 double ExactRun<N>::next_boundary() const {
-  if (!kicked_) return period_s_;
-  const double end = kick_s_ - kick_elapsed_s_ - static_cast<double>(revolution_) * period_s_;
-  return std::min(period_s_, end);
+  const double end = std::min(period_s_, next_impulse_s());
+  return kicked_ ? std::min(end, kick_end_s()) : end;
+}
+
+/// What happens inside a turn at an instant that was steered for: the kick ends, impulses strike.
+template <int N>
+bool ExactRun<N>::pass_boundary(Turn& turn) {
+  if (kicked_ && time_s_ >= kick_end_s()) {
+    const State here = motion_.physical();
+    kicked_ = false;
+    motion_.set_phases(speed_ * time_s_, -1);
+    if (!motion_.enter(motion_.joint(), here)) return false;
+  }
+  return time_s_ < next_impulse_s() || strike(turn);
+}
+
+/// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
+template <int N>
+bool ExactRun<N>::strike(Turn& turn) {
+  State here = motion_.physical();
+  if (!slip_held(turn, here)) return false;
+  const std::vector<Mode>& from = motion_.mode().modes;
+  while (time_s_ >= next_impulse_s()) here.tail(here.size() / 2) += impulses_.take() / length_m_;
+  if (!enter_by_state(here)) return false;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Mode to = motion_.mode().modes[i];
+    if (to == from[i]) continue;
+    ++effort_.switches;
+    StepObserver::count(turn, {speed_ * time_s_, static_cast<int>(i), from[i], to});
+  }
+  if (!slip_.begin(motion_, here)) return false;
+  if (turn.peaks) peaks_.begin(motion_);
+  return true;
 }
 
 template <int N>

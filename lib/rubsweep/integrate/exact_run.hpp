@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/integrate/exact_motion.hpp"
+#include "rubsweep/integrate/impulses.hpp"
 #include "rubsweep/integrate/peak_watch.hpp"
 #include "rubsweep/integrate/sample_watch.hpp"
 #include "rubsweep/integrate/slip_watch.hpp"
@@ -64,8 +65,12 @@ class ExactRun {
   void set_phases();
   bool enter_by_state(const State& physical);
   ExactEnding advance_once(Turn& turn);
+  double kick_end_s() const;
+  double next_impulse_s() const { return impulses_.next_phase_rad() / speed_; }
   double next_boundary() const;
   double reach_s() const;
+  bool pass_boundary(Turn& turn);
+  bool strike(Turn& turn);
   Choice choose(double until_boundary_s) const;
   void add_exit(std::size_t e, const State& sizes, Choice& choice) const;
   void move(Turn& turn, double duration_s, int table_step);
@@ -80,6 +85,7 @@ class ExactRun {
   Motion motion_;
   double speed_ = 0, period_s_ = 0, length_m_ = 0;
   double kick_s_ = 0, kick_elapsed_s_ = 0;  ///< duration (0: none), and how much of it was over at the start
+  Impulses impulses_;
   SlipWatch<N> slip_;
   PeakWatch<N> peaks_;
   SampleWatch<N> samples_;

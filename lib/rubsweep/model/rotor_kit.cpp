@@ -101,8 +101,9 @@ void validate(const RotorKit& kit, const std::string& path) {
             Range{.low = 0, .high = length, .low_open = true, .high_open = true});
   }
   for (std::size_t i = 0; i < kit.supports.size(); ++i) {
-    if (!kit.supports[i].pedestal) continue;
-    require_fields(*kit.supports[i].pedestal, fmt::format("{}supports.{}.pedestal.", path, i));
+    const std::string name = fmt::format("{}supports.{}.", path, i);
+    if (kit.supports[i].pedestal) require_fields(*kit.supports[i].pedestal, name + "pedestal.");
+    if (kit.supports[i].fault) require_fields(*kit.supports[i].fault, name + "fault.");
   }
   for (const int plane : {0, 1}) {
     if (supports_hold(kit, plane)) continue;

@@ -71,6 +71,25 @@ struct Pedestal {
   }
 };
 
+/// Defect of a bearing that strikes the shaft (and its pedestal, the other way) once every time it is rolled
+/// over: impulses `multiple` times per revolution, the first one phase_deg / 360 of the time between two
+/// after the start of the run.
+struct BearingFault {
+  double impulse_ns = required;
+  double multiple = required;
+  double angle_deg = 0;  ///< direction of the impulse on the shaft, from +x towards +y; does not turn
+  double phase_deg = 0;
+
+  static constexpr double most_per_revolution = 1000;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("impulse_ns", self.impulse_ns, not_negative);
+    visit("multiple", self.multiple, Range{.low = 0, .high = most_per_revolution, .low_open = true});
+    visit("angle_deg", self.angle_deg, any_finite);
+    visit("phase_deg", self.phase_deg, Range{.low = 0, .high = 360, .high_open = true});
+  }
+};
+
 /// Bearing between the shaft and the ground, or a pedestal. Force on the shaft:
 /// f_x = -(stiffness_x x + stiffness_xy y) - the same with damping; f_y with yx and y.
 struct Support {
@@ -85,6 +104,7 @@ struct Support {
   double damping_yx_ns_per_m = 0;
   double angular_stiffness_nm_per_rad = 0;  ///< against tilting of the shaft, always to the ground
   std::optional<Pedestal> pedestal;
+  std::optional<BearingFault> fault;
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, not_negative);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "rubsweep/integrate/impulses.hpp"
 #include "rubsweep/integrate/scaled_system.hpp"
 #include "rubsweep/response/aperiodic.hpp"
 #include "rubsweep/response/comb.hpp"
@@ -73,7 +74,7 @@ Motion verdict(const scene::Scene& scene, const integrate::SolverOptions& solver
   Motion motion = settle_verdict(previous, last);
   if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return motion;
   if (rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
-  if (motion.motion_class == MotionClass::unsettled)
+  if (motion.motion_class == MotionClass::unsettled && integrate::same_every_turn(scene.impulses))
     follow_on(scene, solver, options, section, workspace, motion);
   return motion;
 }
@@ -157,6 +158,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solve
   SettledRun run;
   const integrate::Run motion = integrate::start(cell.scene, solver, workspace.plans);
   const RestProof rest(cell);
+  const bool orbits_repeat = options.floquet_proof && integrate::same_every_turn(cell.scene.impulses);
   OrbitProof orbits(cell, solver, options, workspace);
   Record record(cell.scene, options);
   const long first_recorded = options.max_revolutions - 2L * options.window_revolutions;
@@ -179,7 +181,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solve
     run.slip_reversed = run.slip_reversed || turn.slip_reversed;
     if (run.revolutions > first_recorded) record.add(turn);
     if (static_cast<double>(run.revolutions) < kick_turns) continue;
-    if (options.floquet_proof && prove(orbits, turn, run)) return run;
+    if (orbits_repeat && prove(orbits, turn, run)) return run;
     if (!turn.touching_at_end && rest.proves(turn.section)) {
       run.motion.motion_class = MotionClass::non_contact;
       run.motion.measures = quiet_measures(cell, options, workspace);

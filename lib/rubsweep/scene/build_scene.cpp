@@ -135,6 +135,7 @@ Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
   scene.observed_point = assembly.observed_point;
   scene.length_scale_m = first.clearance_m;
   scene.structure = assembly.system;
+  scene.impulses = assembly.impulses;
   const double w = scene.speed_rad_per_s;
   if (assembly.gyroscopic.size() > 0) scene.structure.damping += w * assembly.gyroscopic;
 

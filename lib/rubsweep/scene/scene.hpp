@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/model/friction.hpp"
+#include "rubsweep/structure/impulse_train.hpp"
 #include "rubsweep/structure/linear_system.hpp"
 
 namespace rubsweep::scene {
@@ -45,6 +46,8 @@ struct Scene {
   Eigen::VectorXcd harmonic_n;  ///< n: force Re(harmonic_n e^{i speed t})
   Eigen::VectorXd constant_n;   ///< n: force that does not change
   std::optional<Pulse> pulse;
+  std::vector<structure::ImpulseTrain> impulses;
+  long elapsed_revolutions = 0;    ///< of the impulse trains at t = 0
   Eigen::VectorXd displacement_m;  ///< n: q(0)
   Eigen::VectorXd velocity_m_per_s;
   int observed_point = 0;     ///< whose motion is sampled and classified: the rotor

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/structure/impulse_train.hpp"
 #include "rubsweep/structure/linear_system.hpp"
 
 namespace rubsweep::structure {
@@ -12,6 +13,7 @@ struct Assembly {
   LinearSystem system;         ///< without the part of the damping that grows with the speed
   Eigen::MatrixXd gyroscopic;  ///< n x n or empty: at a speed w the damping is system.damping + w gyroscopic
   Eigen::VectorXcd bow_n;      ///< n or empty: a residual bow forces Re(bow_n e^{i w t}) at any speed w
+  std::vector<ImpulseTrain> impulses;             ///< of faulty bearings
   std::vector<int> rotor_points;                  ///< one per stop
   std::vector<std::optional<int>> casing_points;  ///< one per stop; empty: rigid casing, no state
   std::vector<int> sensor_points;                 ///< one per sensor

@@ -172,7 +172,7 @@ BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<doub
   Eigen::Index pedestal = on_shaft;
   for (const auto& support : kit.supports) {
     add_support(support, pedestal, shaft);
-    if (support.pedestal) ++pedestal;
+    shaft.pedestals.push_back(support.pedestal ? std::optional(pedestal++) : std::nullopt);
   }
   // A translation as a whole: deflections 1, angles 0. Consistent, so that static sag is exact at the nodes.
   Eigen::VectorXd translation = Eigen::VectorXd::Ones(n);

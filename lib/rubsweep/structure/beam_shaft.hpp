@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "rubsweep/model/rotor_kit.hpp"
@@ -24,7 +25,8 @@ struct BeamShaft {
                                   ///< e^{iwt}); y lags by a quarter turn
   Eigen::VectorXd weight_kg;      ///< share of the mass that gravity pulls along each coordinate of one plane
   double polar_inertia_kg_m2 = 0;
-  std::vector<double> node_position_m;  ///< ascending; twice the same at a coupling
+  std::vector<double> node_position_m;                 ///< ascending; twice the same at a coupling
+  std::vector<std::optional<Eigen::Index>> pedestals;  ///< per support: coordinate of its pedestal
 
   Eigen::Index coordinates() const { return mass.rows(); }
 

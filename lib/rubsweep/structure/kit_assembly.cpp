@@ -30,6 +30,7 @@ class KitBuilder {
     add_lateral();
     if (kit_.torsion) add_torsion();
     if (kit_.bow) add_bow();
+    add_faults();
     add_points();
     add_casings();
     return std::move(result_);
@@ -99,6 +100,23 @@ class KitBuilder {
                                   std::polar(1.0, kit_.bow->phase_deg * std::numbers::pi / 180);
     result_.assembly.bow_n = Eigen::VectorXcd::Zero(system().coordinates());
     result_.assembly.bow_n.head(lateral()) = turning(load);
+  }
+
+  /// An impulse on the shaft, and the other way on the pedestal, if there is one.
+  void add_faults() {
+    for (std::size_t i = 0; i < kit_.supports.size(); ++i) {
+      if (!kit_.supports[i].fault) continue;
+      const model::BearingFault& fault = *kit_.supports[i].fault;
+      Eigen::VectorXd gap = Eigen::VectorXd::Zero(shaft_.coordinates());
+      gap(shaft_.deflection(kit_.supports[i].position_m)) = 1;
+      if (shaft_.pedestals[i]) gap(*shaft_.pedestals[i]) = -1;
+      const double angle = fault.angle_deg * std::numbers::pi / 180;
+      Eigen::VectorXd impulse_ns = Eigen::VectorXd::Zero(system().coordinates());
+      impulse_ns.head(lateral()) =
+          fault.impulse_ns * (std::cos(angle) * lateral_.scatter(0, basis(0).transpose() * gap) +
+                              std::sin(angle) * lateral_.scatter(1, basis(1).transpose() * gap));
+      result_.assembly.impulses.push_back({impulse_ns, fault.multiple, fault.phase_deg / 360});
+    }
   }
 
   int add_point(double position_m) {

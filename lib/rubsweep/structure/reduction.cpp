@@ -101,7 +101,10 @@ class Reducer {
  public:
   Reducer(const BeamShaft& shaft, const model::RotorKit& kit, const std::vector<double>& stops_m,
           const std::vector<double>& sensors_m)
-      : shaft_(shaft), kit_(kit), stops_(stops_m), places_(stops_m) {
+      : shaft_(shaft), kit_(kit), stops_(stops_m), places_(stops_m), forces_(stops_m) {
+    for (const auto& support : kit.supports) {
+      if (support.fault) forces_.push_back(support.position_m);
+    }
     places_.insert(places_.end(), sensors_m.begin(), sensors_m.end());
     for (std::size_t index = 0; index < 2; ++index) planes_[index] = study_plane(shaft, index, places_);
     same_planes_ = planes_[0].stiffness == planes_[1].stiffness;
@@ -142,7 +145,7 @@ class Reducer {
     for (const double turning : {0.0, 1.0}) {
       for (int k = 0; k < grid_points; ++k) {
         const double w = grid(k, 2 * std::numbers::pi * kit_.modes_up_to_hz);
-        values.push_back(receptance(shaft_, reduction.bases, system, w, turning * w, places_, stops_));
+        values.push_back(receptance(shaft_, reduction.bases, system, w, turning * w, places_, forces_));
       }
     }
     return values;
@@ -169,7 +172,7 @@ class Reducer {
 
   const BeamShaft& shaft_;
   const model::RotorKit& kit_;
-  std::vector<double> stops_, places_;
+  std::vector<double> stops_, places_, forces_;
   std::array<Plane, 2> planes_;
   bool same_planes_ = false;
 };

@@ -25,7 +25,8 @@ struct Reduction {
 inline constexpr double receptance_tolerance = 0.01;
 
 /// Reduces to kit.modes modes in each plane, or to the smallest number whose receptance error at the stops
-/// and sensors is within the tolerance (at most RotorKit::most_modes). Stations must be nodes; at least one
+/// and sensors, under forces at the stops and faulty bearings, is within the tolerance (at most
+/// RotorKit::most_modes). Stations must be nodes; at least one
 /// stop.
 Reduction reduce(const BeamShaft& shaft, const model::RotorKit& kit, const std::vector<double>& stops_m,
                  const std::vector<double>& sensors_m);
