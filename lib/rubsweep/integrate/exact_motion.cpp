@@ -44,7 +44,7 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   if (!cell.made) make(cell);
   cell_ = &cell;
   joint_ = joint;
-  free_ = mode_->to_free(physical - forced(here()));
+  free_ = mode_->to_free(physical - forced(*mode_, cell, here()));
   return cell.usable;
 }
 
@@ -63,11 +63,12 @@ void ExactMotion<N>::set_phases(double phase_rad, double kick_rad) {
 }
 
 template <int N>
-typename ExactMotion<N>::State ExactMotion<N>::forced(const Instant& instant) const {
+typename ExactMotion<N>::State ExactMotion<N>::forced(const ModePlan<N>& mode, const ModeCell& cell,
+                                                      const Instant& instant) const {
   State state = State::Zero(instant.free.size());
-  state.template head<N>(mode_->rest.size()) = mode_->rest;
-  cell_->unbalance.add_to(state, instant.phasor);
-  if (kick_on_) cell_->kick.add_to(state, instant.kick_phasor);
+  state.template head<N>(mode.rest.size()) = mode.rest;
+  cell.unbalance.add_to(state, instant.phasor);
+  if (kick_on_) cell.kick.add_to(state, instant.kick_phasor);
   return state;
 }
 
@@ -228,11 +229,33 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
 }
 
 template <int N>
-double ExactMotion<N>::sliding_rate_bound(const TouchPlan<N>& touch) const {
+double ExactMotion<N>::sliding_rate_bound(const TouchPlan<N>& touch, const State& physical) const {
+  if (!touch.friction_rate.empty()) return sliding_rate_bound_without_contact(touch, physical);
   const auto t = static_cast<std::size_t>(&touch - mode_->touches.data());
   double bound = touch.sliding_rate_bound.dot(sizes().transpose());
   bound += cell_->unbalance.sliding[t];
   if (kick_on_) bound += cell_->kick.sliding[t];
+  return bound;
+}
+
+/// Every run has entered the open mode first, so that its plan and drives are there.
+template <int N>
+double ExactMotion<N>::sliding_rate_bound_without_contact(const TouchPlan<N>& touch,
+                                                          const State& physical) const {
+  const ModePlan<N>& open = *plan_->mode(0);
+  const ModeCell& cell = cells_[open.index];
+  const State free = open.to_free(physical - forced(open, cell, here()));
+  const Eigen::Index n = unbalance_.size();
+  double bound = 0;
+  for (Eigen::Index j = 0; j < n; ++j)
+    bound += touch.sliding_rate_bound(j) * std::hypot(free(j), free(n + j));
+  const auto add = [&](const Drive<N>& drive) {
+    Complex sliding = 0;
+    for (Eigen::Index j = 0; j < n; ++j) sliding += touch.sliding(n + j) * drive.amplitude(j);
+    bound += std::abs(sliding) * drive.rate * drive.rate;
+  };
+  add(cell.unbalance);
+  if (kick_on_) add(cell.kick);
   return bound;
 }
 

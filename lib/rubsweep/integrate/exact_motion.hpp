@@ -51,7 +51,9 @@ class ExactMotion {
   void ahead_by_interval(Instant& instant, double interval_s);
 
   State physical() const { return physical(here()); }
-  State physical(const Instant& instant) const { return forced(instant) + mode_->from_free(instant.free); }
+  State physical(const Instant& instant) const {
+    return forced(*mode_, *cell_, instant) + mode_->from_free(instant.free);
+  }
   State rate_of(const State& physical) const;
 
   /// Size of every pair or component of the free vibration, that bounds are multiplied by.
@@ -72,8 +74,9 @@ class ExactMotion {
   /// ahead. Returns the duration.
   double land(std::size_t e, double within_s);
 
-  /// Bound on |d slip / dt| / length scale of a touching contact, within the longest step.
-  double sliding_rate_bound(const TouchPlan<N>& touch) const;
+  /// Bound on |d slip / dt| / length scale of a touching contact, within the longest step from `physical`,
+  /// the present state; without friction's part where the touch says so.
+  double sliding_rate_bound(const TouchPlan<N>& touch, const State& physical) const;
 
   /// d(state) / d(state when this was called); only followed when wanted.
   void follow_transition(bool wanted);
@@ -104,7 +107,8 @@ class ExactMotion {
   };
 
   void make(ModeCell& cell) const;
-  State forced(const Instant& instant) const;
+  State forced(const ModePlan<N>& mode, const ModeCell& cell, const Instant& instant) const;
+  double sliding_rate_bound_without_contact(const TouchPlan<N>& touch, const State& physical) const;
   Stretch stretch(double duration_s) const;
   static void move(Instant& instant, const Stretch& stretch);
   void turn_phasors(double duration_s);

@@ -32,6 +32,19 @@ Row over_state(const Row& by_u, const Row& by_v) {
   return row;
 }
 
+/// Rate of row . z where pair(j) moves (z_j, z_{n+j}), again as a row on z.
+template <class PairOf>
+Row rate_by_pairs(const Row& row, const PairOf& pair) {
+  const Eigen::Index n = row.size() / 2;
+  Row result(2 * n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Pair g = pair(j);
+    result(j) = row(j) * g.uu + row(n + j) * g.vu;
+    result(n + j) = row(j) * g.uv + row(n + j) * g.vv;
+  }
+  return result;
+}
+
 /// Builds one joint mode of a plan.
 template <int N>
 class ModeBuilder {
@@ -147,15 +160,8 @@ class ModeBuilder {
 
   /// Rate of a row on z, again as a row on z.
   Row rate(const Row& row) const {
-    if (!plan_->paired) return row * plan_->generator;
-    const Eigen::Index n = row.size() / 2;
-    Row result(2 * n);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const Pair g = pair(j);
-      result(j) = row(j) * g.uu + row(n + j) * g.vu;
-      result(n + j) = row(j) * g.uv + row(n + j) * g.vv;
-    }
-    return result;
+    return plan_->paired ? rate_by_pairs(row, [this](Eigen::Index j) { return pair(j); })
+                         : Row(row * plan_->generator);
   }
 
   Watched<N> watched(const Row& row) const {
@@ -260,7 +266,7 @@ class ModeBuilder {
     const Row sliding = by_v(c.second_row);
     touch.sliding = sliding;
     touch.sliding_rate_bound = bound(rate(sliding * plan_->basis));
-    if (!plan_->paired && system_.diagonal && only_released()) bound_friction_apart(i, touch);
+    if (!plan_->paired && only_released()) bound_friction_apart(i, touch);
     plan_->touches.push_back(touch);
   }
 
@@ -270,23 +276,31 @@ class ModeBuilder {
   }
 
   /// In full matrices the penetration is a small difference of large components, which a bound by components
-  /// cannot see. Between released contacts the structure is free but for friction: its own part is bounded by
-  /// the energy of every oscillator, |k u + c v| <= (k + c sqrt k) (|u| + |v| / sqrt k).
+  /// cannot see. Between released contacts the structure is free but for friction f, which its modal form
+  /// without contacts can bound: row . x' = row A x + row B f with
+  /// x(t) = e^{A t} x(0) + int e^{A (t - s)} B f(s) ds.
   void bound_friction_apart(std::size_t i, TouchPlan<N>& touch) const {
+    const auto form = modal_form(system_.stiffness, system_.damping);
+    if (!form) return;
     const Eigen::Index n = plan_->rest.size();
     const auto& c = system_.contacts[i];
+    const double growth = std::exp(std::max(0.0, form->growth) * plan_->longest_step_s);
+    const Row by_time = rate_by_pairs(by_v(c.second_row) * form->basis, [&form](Eigen::Index j) {
+      return form->pairs[static_cast<std::size_t>(j)];
+    });
     touch.sliding_rate_bound = Row::Zero(2 * n);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const double k = system_.stiffness_diagonal(j), root = std::sqrt(std::max(0.0, k));
-      const double weight = std::abs(c.second_row(j));
-      touch.sliding_rate_bound(j) = weight * (k + system_.damping_diagonal(j) * root);
-      touch.sliding_rate_bound(n + j) = weight * (root + system_.damping_diagonal(j));
-    }
+    for (Eigen::Index j = 0; j < n; ++j)
+      touch.sliding_rate_bound(j) = growth * std::hypot(by_time(j), by_time(n + j));
     for (std::size_t k = 0; k < plan_->modes.size(); ++k) {
       const auto& other = system_.contacts[k];
-      const double push = std::abs(c.second_row * other.second_push);
-      touch.friction_rate.push_back(
-          plan_->modes[k] == Mode::open ? 0 : push * std::abs(friction_[k].coefficient) * other.stiffness);
+      const bool open = plan_->modes[k] == Mode::open;
+      const double force = open ? 0 : std::abs(friction_[k].coefficient) * other.stiffness;
+      const Eigen::VectorXd moved = form->inverse.rightCols(n) * other.second_push;
+      double swing = 0;
+      for (Eigen::Index j = 0; j < n; ++j)
+        swing += touch.sliding_rate_bound(j) * std::hypot(moved(j), moved(n + j));
+      touch.friction_rate.push_back(force * std::abs(c.second_row * other.second_push));
+      touch.friction_swing.push_back(force * swing);
     }
   }
 

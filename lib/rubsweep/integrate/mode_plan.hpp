@@ -67,9 +67,11 @@ struct TouchPlan {
   double force_constant = 0;
   typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
   typename ExactTypes<N>::Row sliding_rate_bound;  ///< as above
-  /// Where nonempty, `sliding_rate_bound` leaves friction out, and friction adds at most this times each
-  /// contact's penetration at the start: all contacts are released, so that penetrations only fall.
-  std::vector<double> friction_rate;
+  /// Friction taken apart from the structure, per contact: what it may add to the sliding rate per
+  /// penetration at the start, at once and by what it has moved after a second. Where nonempty, all contacts
+  /// are released, so that penetrations only fall, and `sliding_rate_bound` is on the free vibration of the
+  /// mode without any contact.
+  std::vector<double> friction_rate, friction_swing;
 };
 
 /// Exact flow of one joint contact mode, (u, u') = particular solution + basis z. With a modal form z is made

@@ -31,13 +31,14 @@ class SlipWatch {
     for (const TouchPlan<N>& touch : motion.mode().touches) {
       Contact& c = contacts_[touch.contact];
       c.start_m_per_s = slip(touch, physical);
-      c.rate_bound = length_m_ * motion.sliding_rate_bound(touch);
-      c.friction_rate = 0;
+      c.rate_bound = length_m_ * motion.sliding_rate_bound(touch, physical);
+      c.friction_rate = c.friction_swing = 0;
       for (std::size_t k = 0; k < touch.friction_rate.size(); ++k) {
         const auto& other = motion.plan().system().contacts[k];
         const double penetration =
             other.first_row.dot(physical.head(other.first_row.size()).transpose()) - other.clearance;
         c.friction_rate += length_m_ * touch.friction_rate[k] * std::max(0.0, penetration);
+        c.friction_swing += length_m_ * touch.friction_swing[k] * std::max(0.0, penetration);
       }
       if (!(c.start_m_per_s > c.above_m_per_s)) return false;
     }
@@ -54,8 +55,7 @@ class SlipWatch {
       const Contact& c = contacts_[touch.contact];
       const double end = slip(touch, physical);
       if (end <= 0) reversed = true;
-      // What friction has moved by the end swings back with the structure's own frequencies.
-      const double friction = c.friction_rate * (1 + 4 * duration_s_ * motion.mode().fastest_rad_per_s);
+      const double friction = c.friction_rate + c.friction_swing * duration_s_;
       const double least = (end + c.start_m_per_s - (c.rate_bound + friction) * duration_s_) / 2;
       if (!(least > c.above_m_per_s)) return false;
     }
@@ -68,6 +68,7 @@ class SlipWatch {
     double surface_speed_m_per_s = 0;
     double start_m_per_s = 0;
     double rate_bound = 0, friction_rate = 0;  ///< m/s^2
+    double friction_swing = 0;                 ///< m/s^3
   };
 
   double slip(const TouchPlan<N>& touch, const State& physical) const {
