@@ -26,6 +26,12 @@ TEST(RotorKit, reads_every_key) {
   EXPECT_EQ(kit.supports[0].damping_yx_ns_per_m, 0.2);
   EXPECT_EQ(kit.supports[0].angular_stiffness_nm_per_rad, 7);
   EXPECT_FALSE(kit.supports[0].pedestal);
+  ASSERT_TRUE(kit.supports[0].fault);
+  EXPECT_EQ(kit.supports[0].fault->impulse_ns, 0.01);
+  EXPECT_EQ(kit.supports[0].fault->multiple, 3.57);
+  EXPECT_EQ(kit.supports[0].fault->angle_deg, 90);
+  EXPECT_EQ(kit.supports[0].fault->phase_deg, 30);
+  EXPECT_FALSE(kit.supports[1].fault);
   ASSERT_TRUE(kit.supports[1].pedestal);
   EXPECT_EQ(kit.supports[1].pedestal->stiffness_y_n_per_m, 1.1e5);
   EXPECT_EQ(kit.couplings.at(0).angular_stiffness_nm_per_rad, 1e3);
@@ -59,8 +65,9 @@ TEST(RotorKit, what_is_printed_reads_back_the_same) {
     const RunConfig config = read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml", overrides);
     const std::string printed = print_config(config);
     EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
-    for (const std::string key : {"skew_rad_per_m: 2", "damping_yx_ns_per_m: 0.2", "pedestal:",
-                                  "position_m: 0.25", "drive_damping_nms_per_rad: 0.1", "elements: 30"}) {
+    for (const std::string key :
+         {"skew_rad_per_m: 2", "damping_yx_ns_per_m: 0.2", "pedestal:", "fault:", "multiple: 3.57",
+          "position_m: 0.25", "drive_damping_nms_per_rad: 0.1", "elements: 30"}) {
       EXPECT_NE(printed.find(key), std::string::npos) << key;
     }
   }
@@ -82,6 +89,14 @@ TEST(RotorKit, problems_have_their_places) {
   EXPECT_NE(message("rotor.bow={mode: 1}").find("rotor.bow.amplitude_m: missing"), std::string::npos);
   EXPECT_NE(message("rotor.bow={phase_deg: 1}")
                 .find("rotor.bow: one key is missing, allowed: exactly one of mode, position_m"),
+            std::string::npos);
+  EXPECT_NE(message("rotor.supports.0.fault={impulse_ns: 1}")
+                .find("rotor.supports.0.fault.multiple: missing, allowed: a number > 0 and <= 1000"),
+            std::string::npos);
+  EXPECT_NE(message("rotor.supports.0.fault.phase_deg=360")
+                .find("rotor.supports.0.fault.phase_deg: 360 is out of range"),
+            std::string::npos);
+  EXPECT_NE(message("rotor.supports.0.fault.impuls_ns=1").find("unknown key (did you mean 'impulse_ns'?)"),
             std::string::npos);
   EXPECT_NE(message("rotor.modes=all").find("rotor.modes: 'all' is not an integer"), std::string::npos);
   EXPECT_NE(message("rotor.discs.0.mas_kg=1").find("unknown key (did you mean 'mass_kg'?)"),

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <numbers>
+
 #include "rubsweep/integrate/adaptive.hpp"
 #include "rubsweep/integrate/exact.hpp"
 #include "rubsweep/scene/build_scene.hpp"
@@ -23,10 +27,9 @@ scene::Scene kit_scene(double speed_hz, double whirl_ratio) {
   return scene::build_cell(machine, speed_hz, scene::WhirlRatio{whirl_ratio}).scene;
 }
 
-double largest_difference(const Turn& a, const Turn& b) {
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0;
-  for (std::size_t i = 0; i < a.section.size(); ++i)
-    largest = std::max(largest, std::abs(a.section[i] - b.section[i]));
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
 }
 
@@ -43,12 +46,57 @@ TEST(ExactKit, TurnsInContactHaveClosedFormsAndAgreeWithTheAdaptiveSolver) {
       ASSERT_EQ(adaptive(b), Outcome::ok);
       hits += a.hits;
       EXPECT_EQ(a.hits, b.hits);
-      EXPECT_LT(largest_difference(a, b), 1e-7) << speed_hz << ' ' << k;
+      EXPECT_LT(largest_difference(a.section, b.section), 1e-7) << speed_hz << ' ' << k;
     }
     EXPECT_GE(hits, 3);
     EXPECT_EQ(a.effort.adaptive_turns, 0);
     EXPECT_EQ(a.effort.rhs_calls, 0);
   }
+}
+
+/// Section after one turn from the quiet motion, no kick but what `change` adds.
+std::vector<double> section_with(const std::function<void(model::Machine&)>& change) {
+  model::Machine machine = scene::light_shaft_machine();
+  machine.kit->shaft[0].density_kg_per_m3 = 7850;
+  machine.kit->modes = 3;
+  machine.stops[0].position_m = 0.29;
+  machine.kick.reset();
+  change(machine);
+  ExactPlans plans;
+  const auto run = start_exact(scene::build_cell(machine, 70, scene::WhirlRatio{0.1}).scene, {}, plans);
+  Turn turn;
+  EXPECT_EQ(run.advance(turn), Outcome::ok);
+  EXPECT_FALSE(turn.touched);
+  return turn.section;
+}
+
+constexpr model::BearingFault one_impulse{.impulse_ns = 0.02, .multiple = 1, .angle_deg = 50};
+
+TEST(ExactKit, AFaultOfABearingIsAShortKickThere) {
+  constexpr double duration_s = 1e-8;
+  const auto struck =
+      section_with([](model::Machine& machine) { machine.kit->supports[1].fault = one_impulse; });
+  const auto kicked = section_with([&](model::Machine& machine) {
+    const double force_n = one_impulse.impulse_ns * std::numbers::pi / (2 * duration_s);
+    machine.kick = {.force_n = force_n, .duration_s = duration_s, .angle_deg = 50, .position_m = 0.4};
+  });
+  EXPECT_GT(largest_difference(struck, section_with([](model::Machine&) {})), 0.01);
+  EXPECT_LT(largest_difference(struck, kicked), 1e-5);
+}
+
+/// Between a shaft and a pedestal that a stiff bearing holds together, the impulse and its reaction cancel.
+TEST(ExactKit, AFaultStrikesThePedestalTheOtherWay) {
+  const auto held = [](double bearing_n_per_m, bool faulty) {
+    return section_with([=](model::Machine& machine) {
+      for (model::Support& support : machine.kit->supports) {
+        support.stiffness_x_n_per_m = support.stiffness_y_n_per_m = bearing_n_per_m;
+        support.pedestal = {.mass_kg = 0.1, .stiffness_x_n_per_m = 3e4, .stiffness_y_n_per_m = 3e4};
+      }
+      if (faulty) machine.kit->supports[1].fault = one_impulse;
+    });
+  };
+  EXPECT_LT(largest_difference(held(3e10, true), held(3e10, false)), 1e-5);
+  EXPECT_GT(largest_difference(held(3e4, true), held(3e4, false)), 1e-3);
 }
 
 }  // namespace

@@ -95,5 +95,36 @@ TEST(LinearRun, AtConstantSpeedAKitStaysOnItsQuietMotion) {
             std::cos(pi / 20) * (whole.maxCoeff() - whole.minCoeff()) - 1e-9);
 }
 
+/// Each impulse J = 0.02 N s at 0.4 rad to x starts a free oscillation, z(t) = J / (m wd) e^{-zeta w0 t} sin
+/// wd t.
+TEST(LinearRun, AFaultyBearingStrikesByTheShaftsAngle) {
+  scene::Plan plan = scene::make_plan(scene::one_side_machine());
+  constexpr double angle = 0.4, multiple = 2.7, phase_periods = 0.3;
+  plan.assembly.impulses.push_back({0.02 * (plan.assembly.system.points[0].map.transpose() *
+                                            Eigen::Vector2d(std::cos(angle), std::sin(angle))),
+                                    multiple, phase_periods});
+  for (const double rate_hz_per_s : {40.0, -30.0, 0.0}) {
+    const LinearRun run{.from_hz = 20, .rate_hz_per_s = rate_hz_per_s, .samples = 300};
+    const double wd = w0 * std::sqrt(1 - zeta * zeta);
+    std::vector<Complex> expected(300);
+    for (int k = 0; k < 300; ++k) {
+      const double t = k * run.sample_s;
+      for (int i = 0;; ++i) {
+        // The instant by bisection on the angle.
+        double low = 0, high = t;
+        const double due = 2 * pi * (i + phase_periods) / multiple;
+        if (shaft_angle_rad(run, t) < due) break;
+        for (int j = 0; j < 60; ++j) {
+          const double middle = (low + high) / 2;
+          (shaft_angle_rad(run, middle) < due ? low : high) = middle;
+        }
+        expected[static_cast<std::size_t>(k)] += 0.02 / (0.8 * wd) * std::exp(-zeta * w0 * (t - high)) *
+                                                 std::sin(wd * (t - high)) * std::polar(1.0, angle);
+      }
+    }
+    expect_same(run_linear(plan, run, sensor_rows(plan).rows), expected, 2e-9);
+  }
+}
+
 }  // namespace
 }  // namespace rubsweep::integrate

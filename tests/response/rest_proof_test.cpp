@@ -51,6 +51,12 @@ TEST(RestProof, NeverProvesAFlightThatTouchesLater) {
   EXPECT_LT(refused_but_quiet, proven / 2);
 }
 
+TEST(RestProof, GivesUpWhereImpulsesGoOn) {
+  auto cell = test::cell_of({});
+  cell.scene.impulses.push_back({Eigen::Vector4d(1, 0, 0, 0), 3.5, 0});
+  EXPECT_FALSE(RestProof(cell).proves(integrate::scaled_initial_state(cell.scene)));
+}
+
 TEST(RestProof, GivesUpWhereAModeGrows) {
   auto cell = test::cell_of({});
   cell.scene.structure.damping(0, 0) = -1;

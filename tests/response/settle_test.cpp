@@ -51,6 +51,41 @@ TEST(Settle, BothSolversProveTheSameOrbit) {
   EXPECT_NEAR(a.motion.measures.amplitude_1x_forward_m, b.motion.measures.amplitude_1x_forward_m, 1e-12);
 }
 
+SettledRun run_struck(double multiple, const ResponseOptions& options) {
+  auto cell = test::cell_of({});
+  cell.scene.impulses.push_back({0.005 * Eigen::Vector4d(1, 1, 0, 0), multiple, 0.2});
+  Workspace workspace;
+  return settle(cell, {}, options, workspace);
+}
+
+TEST(Settle, ImpulsesThatRepeatEveryTurnLeaveTheProof) {
+  const auto proven = run_struck(2, {}), observed = run_struck(2, without_floquet_proof());
+  EXPECT_EQ(proven.proof, Proof::floquet);
+  EXPECT_EQ(observed.proof, Proof::observed);
+  EXPECT_EQ(proven.motion.order, 2);
+  EXPECT_EQ(observed.motion.order, 2);
+  EXPECT_NEAR(proven.motion.measures.amplitude_1x_forward_m, observed.motion.measures.amplitude_1x_forward_m,
+              1e-12);
+  EXPECT_GT(std::abs(proven.motion.measures.amplitude_1x_forward_m -
+                     run({}, {}).motion.measures.amplitude_1x_forward_m),
+            1e-9);
+}
+
+/// 2.5 impulses a turn repeat after two turns and 1 / 3 of one after three: one turn says nothing of the
+/// next.
+TEST(Settle, OtherImpulsesOnlyLetTheMotionBeObserved) {
+  for (const auto& [multiple, order] : {std::pair{2.5, 2}, std::pair{1.0 / 3, 6}}) {
+    const auto settled = run_struck(multiple, {});
+    EXPECT_EQ(settled.proof, Proof::observed);
+    EXPECT_EQ(settled.revolutions, 600);
+    EXPECT_EQ(settled.motion.motion_class, MotionClass::subharmonic);
+    EXPECT_EQ(settled.motion.order, order);
+  }
+  const auto never = run_struck(std::numbers::phi, {});
+  EXPECT_EQ(never.motion.motion_class, MotionClass::unsettled);
+  EXPECT_FALSE(never.motion.exponent);
+}
+
 TEST(Settle, TheHalfSubharmonicOfSetA) {
   const auto settled = run({}, without_floquet_proof());
   EXPECT_EQ(settled.motion.motion_class, MotionClass::subharmonic);

@@ -48,6 +48,18 @@ TEST(Explain, RotorKitSaysWhatItWasReducedTo) {
   EXPECT_TRUE(says(explain(machine, 45), "number of modes: auto, the smallest within 0.01\n"));
 }
 
+TEST(Explain, FaultyBearingsSayWhatCannotBeProven) {
+  model::Machine machine = light_shaft_machine();
+  EXPECT_FALSE(says(explain(machine, 45), "impulses"));
+  machine.kit->supports[1].fault = {.impulse_ns = 0.02, .multiple = 2, .angle_deg = 90};
+  const std::string text = explain(machine, 45);
+  EXPECT_TRUE(says(text, "faulty bearing at 0.4 m: 2 impulses of 0.02 N s per revolution at 90 degrees"));
+  EXPECT_TRUE(says(text, "nothing is ever proven to rest"));
+  EXPECT_FALSE(says(text, "no proof of a period"));
+  machine.kit->supports[1].fault->multiple = 2.5;
+  EXPECT_TRUE(says(explain(machine, 45), "no proof of a period"));
+}
+
 TEST(Explain, RigidCasingHasNoState) {
   model::Machine machine = one_side_machine();
   machine.stops[0].casing.reset();

@@ -27,7 +27,6 @@ Impulses::Impulses(const scene::Scene& scene) : elapsed_revolutions_(scene.elaps
   const Eigen::LDLT<Eigen::MatrixXd> mass(scene.structure.mass);
   std::size_t most = 0;
   for (const auto& train : scene.impulses) {
-    if (train.impulse_ns.isZero(0)) continue;
     trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});
     most += static_cast<std::size_t>(std::ceil(train.multiple)) + 1;
   }

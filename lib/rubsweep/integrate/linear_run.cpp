@@ -1,10 +1,12 @@
 #include "rubsweep/integrate/linear_run.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 
 #include "rubsweep/error.hpp"
@@ -89,6 +91,50 @@ State initial_state(const scene::Plan& plan, const LinearRun& run, const Eigen::
   return state;
 }
 
+/// Impulses by the shaft's angle.
+class Strikes {
+ public:
+  Strikes(const scene::Plan& plan, const LinearRun& run) : run_(run) {
+    const Eigen::LDLT<Eigen::MatrixXd> mass(plan.assembly.system.mass);
+    for (const auto& train : plan.assembly.impulses)
+      trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});
+  }
+
+  double next_s() const {
+    double next = std::numeric_limits<double>::infinity();
+    for (const Train& train : trains_) next = std::min(next, instant_s(train));
+    return next;
+  }
+
+  /// Adds to the velocities what strikes up to `t_s`.
+  void strike(double t_s, State& state) {
+    for (Train& train : trains_) {
+      for (; instant_s(train) <= t_s; ++train.count) {
+        const Eigen::Index n = train.jump_m_per_s.size();
+        Eigen::Map<Eigen::VectorXd>(state.data() + n, n) += train.jump_m_per_s;
+      }
+    }
+  }
+
+ private:
+  struct Train {
+    Eigen::VectorXd jump_m_per_s;
+    double multiple = 0, phase_periods = 0, count = 0;
+  };
+
+  /// When from t + rate t^2 / 2 reaches the turns at which the train's next impulse is due; never on a ramp
+  /// that stops before.
+  double instant_s(const Train& train) const {
+    const double turns = (train.count + train.phase_periods) / train.multiple;
+    const double square = run_.from_hz * run_.from_hz + 2 * run_.rate_hz_per_s * turns;
+    const double sum = square < 0 ? 0 : run_.from_hz + std::sqrt(square);
+    return sum > 0 ? 2 * turns / sum : std::numeric_limits<double>::infinity();
+  }
+
+  LinearRun run_;
+  std::vector<Train> trains_;
+};
+
 }  // namespace
 
 double shaft_angle_rad(const LinearRun& run, double t_s) {
@@ -131,10 +177,13 @@ Eigen::MatrixXd run_linear(const scene::Plan& plan, const LinearRun& run,
   auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<State>>(relative_tolerance * length,
                                                                             relative_tolerance);
   Eigen::MatrixXd signal(run.samples, sensor_rows.rows());
+  Strikes strikes(plan, run);
   double t = 0, step = run.sample_s / 100;
   for (int k = 0; k < run.samples; ++k) {
-    const double target = k * run.sample_s;
-    while (t < target) {
+    const double sample_at = k * run.sample_s;
+    for (double target = 0; t < sample_at;) {
+      strikes.strike(t, state);
+      target = std::min(sample_at, strikes.next_s());
       const double rest = target - t;
       double trial = std::min(step, rest);
       const bool whole = trial == rest;

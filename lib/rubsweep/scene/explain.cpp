@@ -106,6 +106,26 @@ std::string explain_plane(const structure::Reduction& reduction, std::size_t pla
                      attachments.empty() ? "none" : attachments);
 }
 
+std::string explain_faults(const model::RotorKit& kit) {
+  std::string text;
+  bool turns_differ = false;
+  for (const model::Support& support : kit.supports) {
+    if (!support.fault || support.fault->impulse_ns == 0) continue;
+    const model::BearingFault& fault = *support.fault;
+    text += fmt::format(
+        "  faulty bearing at {} m: {} impulses of {} N s per revolution at {} degrees, from the kick on\n",
+        support.position_m, fault.multiple, fault.impulse_ns, fault.angle_deg);
+    turns_differ = turns_differ || fault.multiple != std::floor(fault.multiple);
+  }
+  if (text.empty()) return text;
+  text +=
+      "    with impulses nothing is ever proven to rest, and the whirl ratio is that of the motion without "
+      "them\n";
+  if (turns_differ)
+    text += "    revolutions get different impulses: no proof of a period, no exponent, two windows decide\n";
+  return text;
+}
+
 std::string explain_kit(const Plan& plan) {
   const model::RotorKit& kit = *plan.machine.kit;
   const structure::Reduction& reduction = *plan.reduction;
@@ -114,14 +134,16 @@ std::string explain_kit(const Plan& plan) {
       "couplings{}{}\n",
       model::shaft_length_m(kit), kit.elements, kit.discs.size(), kit.supports.size(), kit.couplings.size(),
       kit.bow ? ", residual bow" : "", kit.torsion ? ", torsion against the drive (1 coordinate)" : "");
+  const std::string faults = explain_faults(kit);
+  text += faults;
   text += "  reduced in x to " + explain_plane(reduction, 0);
   text += "  reduced in y to " + explain_plane(reduction, 1);
   text += "  the attachment modes make the static compliance between the stops exact\n";
   text += fmt::format(
-      "  receptance from the stops to stops and sensors, at rest and turning with the force: within {:.2g} "
+      "  receptance from the stops{} to stops and sensors, at rest and turning with the force: within {:.2g} "
       "of that of all "
       "modes up to {} Hz\n",
-      reduction.receptance_error, kit.modes_up_to_hz);
+      faults.empty() ? "" : " and faulty bearings", reduction.receptance_error, kit.modes_up_to_hz);
   text += reduction.automatic ? fmt::format("  number of modes: auto, the smallest within {}\n",
                                             structure::receptance_tolerance)
                               : std::string("  number of modes: as configured\n");

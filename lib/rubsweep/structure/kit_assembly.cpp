@@ -107,6 +107,7 @@ class KitBuilder {
     for (std::size_t i = 0; i < kit_.supports.size(); ++i) {
       if (!kit_.supports[i].fault) continue;
       const model::BearingFault& fault = *kit_.supports[i].fault;
+      if (fault.impulse_ns == 0) continue;
       Eigen::VectorXd gap = Eigen::VectorXd::Zero(shaft_.coordinates());
       gap(shaft_.deflection(kit_.supports[i].position_m)) = 1;
       if (shaft_.pedestals[i]) gap(*shaft_.pedestals[i]) = -1;
