@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # rotor_kit.sh [DIR]: the experiment on a rotor kit, as Ishibashi & Kawai describe it in section 6, by simulation:
 # impulse and run-up identify the rotor (1 ms samples with noise), then it rubs at 70 rev/s after a kick. Draws
-# results/figures/rotor_kit_{identification,rub,map}.png and .svg from what is in DIR (default results/rotor_kit);
-# computes what is not there.
+# results/figures/rotor_kit_{identification,rub,map}.png and .svg and writes the reports reduction.txt and
+# identification.txt into DIR (default results/rotor_kit). A map that is there is not computed again.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -16,12 +16,15 @@ for program in rubsweep rubtrace; do
 done
 rubsweep=$top/build/release/apps/rubsweep rubtrace=$top/build/release/apps/rubtrace
 
-"$rubsweep" "$config" --explain
+mkdir -p "$directory"
+"$rubsweep" "$config" --explain | tee "$directory/reduction.txt"
 noise_m=2e-6
-echo '-- impulse at standstill, stops left out'
-"$rubtrace" "$config" --free-response --duration-s 1 --noise-m "$noise_m" --output "$directory/free_response"
-echo '-- run-up, stops left out'
-"$rubtrace" "$config" --run-up 10:60:1 --eccentricity-m 2e-5 --noise-m "$noise_m" --output "$directory/run_up"
+{
+  echo '-- impulse at standstill, stops left out; 1 ms samples, noise of 2 um'
+  "$rubtrace" "$config" --free-response --duration-s 1 --noise-m "$noise_m" --output "$directory/free_response"
+  echo '-- run-up, 1 Hz/s, stops left out'
+  "$rubtrace" "$config" --run-up 10:60:1 --eccentricity-m 2e-5 --noise-m "$noise_m" --output "$directory/run_up"
+} | grep -v '^files ' | tee "$directory/identification.txt"
 echo '-- rub at 70 rev/s'
 "$rubtrace" "$config" --speed-hz 70 --whirl-ratio 0.6 --last-revolutions 128 --output "$directory/rub"
 
