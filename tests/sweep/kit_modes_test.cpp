@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/start.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "scene/kit_machine.hpp"
 
@@ -33,30 +36,55 @@ int modes_of(const Study& study) {
   return static_cast<int>(scene::make_plan(study.machine).reduction->mode_number[0].size());
 }
 
-/// Observed displacement after `turns` revolutions.
-Eigen::Vector2d section_after(const Study& study, int turns) {
+/// Observed displacement once the motion has settled, by its 1/2 motion's section.
+Eigen::Vector2d settled_section(const Study& study) {
   const scene::Cell cell =
       scene::build_cell(study.machine, study.grid.speed_hz[0], scene::WhirlRatio{study.grid.unbalance[0]});
-  const integrate::Cursor cursor = integrate::start_adaptive(cell.scene, study.solver);
+  integrate::ExactPlans plans;
+  const integrate::Run run = integrate::start(cell.scene, study.solver, plans);
   integrate::Turn turn;
-  for (int i = 0; i < turns; ++i) EXPECT_EQ(cursor(turn), integrate::Outcome::ok);
+  for (int i = 0; i < 80; ++i) EXPECT_EQ(run.advance(turn), integrate::Outcome::ok);
   const auto& map = cell.scene.structure.points[static_cast<std::size_t>(cell.scene.observed_point)].map;
   return map * Eigen::Map<const Eigen::VectorXd>(turn.section.data(), cell.scene.structure.coordinates());
 }
 
-TEST(KitModes, MoreModesChangeNeitherLabelNorSection) {
+TEST(KitModes, SectionsConvergeWithTheNumberOfModes) {
   Study study = kit_study(70, 0.7);
+  const int automatic = modes_of(study);
+  const auto section = [&](int modes) {
+    study.machine.kit->modes = modes;
+    return settled_section(study);
+  };
+  const Eigen::Vector2d reference = section(automatic + 5);
+  std::vector<double> errors;
+  for (const int modes : {1, automatic, automatic + 2})
+    errors.push_back((section(modes) - reference).norm() / reference.norm());
+  EXPECT_GT(errors[0], 0.1);
+  EXPECT_LT(errors[1], 1e-4);
+  EXPECT_LT(errors[2], errors[1] / 2);
+}
+
+/// Two tongues and what is below their tips.
+TEST(KitModes, MoreModesChangeNoLabelOfAMap) {
+  Study study = kit_study(70, 0.7);
+  study.grid.speed_hz = {66, 100};
+  study.grid.unbalance = {0.5, 0.8};
+  Study more = study;
+  more.machine.kit->modes = modes_of(study) + 3;
+  const scene::Plan plan = scene::make_plan(study.machine), finer = scene::make_plan(more.machine);
   response::Workspace workspace;
-  const Row automatic = evaluate_cell(study, 0, workspace);
-  EXPECT_EQ(automatic.motion_class, response::MotionClass::subharmonic);
-  EXPECT_EQ(automatic.order, 2);
-  const Eigen::Vector2d section = section_after(study, 80);
-  study.machine.kit->modes = modes_of(study) + 2;
-  const Row more = evaluate_cell(study, 0, workspace);
-  EXPECT_EQ(more.motion_class, automatic.motion_class);
-  EXPECT_EQ(more.order, automatic.order);
-  EXPECT_NEAR(more.measures->contact.peak_displacement_m, automatic.measures->contact.peak_displacement_m, 0.01 * automatic.measures->contact.peak_displacement_m);
-  EXPECT_LT((section_after(study, 80) - section).norm(), 0.02 * section.norm());
+  std::set<std::pair<response::MotionClass, int>> labels;
+  for (std::size_t i = 0; i < cell_count(study.grid); ++i) {
+    const Row a = evaluate_cell(study, plan, i, workspace), b = evaluate_cell(more, finer, i, workspace);
+    EXPECT_EQ(a.motion_class, b.motion_class) << a.speed_hz;
+    EXPECT_EQ(a.order, b.order) << a.speed_hz;
+    EXPECT_NEAR(
+        a.measures.value().contact.peak_displacement_m / b.measures.value().contact.peak_displacement_m, 1,
+        1e-4);
+    labels.emplace(a.motion_class, a.order.value_or(0));
+  }
+  using enum response::MotionClass;
+  EXPECT_EQ(labels, (decltype(labels){{non_contact, 0}, {subharmonic, 2}, {subharmonic, 3}}));
 }
 
 TEST(KitModes, ProvenRestIsRest) {
