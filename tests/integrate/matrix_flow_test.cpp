@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "rubsweep/integrate/pair_flow.hpp"
+#include "rubsweep/integrate/step_table.hpp"
 
 namespace rubsweep::integrate {
 namespace {
@@ -41,6 +42,22 @@ TEST(MatrixFlow, OfTwoStretchesIsTheirProduct) {
   const MatrixXd a = generator_of(k, c);
   const MatrixXd apart = matrix_flow(a, 0.02) * matrix_flow(a, 0.03) - matrix_flow(a, 0.05);
   EXPECT_LT(apart.cwiseAbs().maxCoeff(), 1e-12);
+}
+
+/// Slow and fast, and friction-like one-way coupling: u2 is driven by u1.
+TEST(MatrixFlow, TheTableHoldsTheFlowOfEveryStep) {
+  Matrix2d k, c;
+  k << 4e8, 0, 3e7, 900;
+  c << 50, 0, 0, 2;
+  const MatrixXd generator = generator_of(k, c);
+  const double longest_s = 16 / 2e4;
+  const auto flows = matrix_flows(generator, longest_s);
+  ASSERT_EQ(flows.size(), static_cast<std::size_t>(exact_step_count));
+  for (int i = 0; i < exact_step_count; ++i) {
+    const MatrixXd flow = matrix_flow(generator, longest_s * exact_step_size(i));
+    const MatrixXd& found = flows[static_cast<std::size_t>(i)];
+    EXPECT_LT(((found - flow).array() / (flow.array().abs() + 1e-9)).abs().maxCoeff(), 1e-13) << i;
+  }
 }
 
 /// Against a grid a hundred times finer than the one the bound is made from.

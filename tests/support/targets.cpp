@@ -201,6 +201,35 @@ void annulus(const char* name, double speed_hz, double whirl_ratio) {
       settled.proof ? std::string(response::to_string(*settled.proof)).c_str() : "none", settled.revolutions);
 }
 
+/// Processor time per cell of the same coarse grid for several machines, cell by cell in turn.
+void cost_per_cell(const std::filesystem::path& configs, const std::vector<std::string>& names) {
+  std::vector<sweep::Study> studies;
+  std::vector<scene::Plan> plans;
+  for (const auto& name : names) {
+    studies.push_back(config::read_run_config(configs / (name + ".yaml"), {}).study);
+    studies.back().grid.speed_hz = {50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160};
+    studies.back().grid.unbalance = {0.1, 0.3, 0.5, 0.7, 0.9};
+    plans.push_back(scene::make_plan(studies.back().machine));
+  }
+  response::Workspace workspace;
+  std::vector<std::vector<double>> resting(names.size()), rubbing(names.size());
+  for (std::size_t cell = 0; cell < sweep::cell_count(studies[0].grid); ++cell) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const double start = bench::processor_time_s();
+      const sweep::Row row = sweep::evaluate_cell(studies[i], plans[i], cell, workspace);
+      const bool rests = row.motion_class == response::MotionClass::non_contact;
+      (rests ? resting : rubbing)[i].push_back(bench::processor_time_s() - start);
+    }
+  }
+  std::printf("cost per cell, medians over the cells of a 12 x 5 grid, against %s\n", names[0].c_str());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::printf("  %-20s %zu resting, %.3f ms, ratio %.1f; %zu rubbing, %.3f ms, ratio %.1f\n",
+                names[i].c_str(), resting[i].size(), 1e3 * bench::median(resting[i]),
+                bench::median(resting[i]) / bench::median(resting[0]), rubbing[i].size(),
+                1e3 * bench::median(rubbing[i]), bench::median(rubbing[i]) / bench::median(rubbing[0]));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -213,5 +242,6 @@ int main(int argc, char** argv) {
   annulus("circle", 80, 0.6);
   annulus("oval", 120, 0.6);
   whole_map(std::filesystem::path(argv[1]) / "figure06_one_side.yaml");
+  cost_per_cell(argv[1], {"figure06_one_side", "figure06_set_b", "rotor_kit"});
   return 0;
 }

@@ -129,7 +129,12 @@ class ModeBuilder {
       plan_->inverse = plan_->basis;
     }
     plan_->diagonal_basis = plan_->basis.isDiagonal(0) && plan_->inverse.isDiagonal(0);
-    for (int k = 0; k < exact_step_count; ++k) add_step(plan_->longest_step_s * exact_step_size(k));
+    if (plan_->paired) {
+      for (int k = 0; k < exact_step_count; ++k) add_step(plan_->longest_step_s * exact_step_size(k));
+    } else {
+      for (const Matrix& flow : matrix_flows(plan_->generator, plan_->longest_step_s))
+        plan_->steps.emplace_back(flow);
+    }
   }
 
   Pair pair(Eigen::Index j) const {
@@ -137,10 +142,6 @@ class ModeBuilder {
   }
 
   void add_step(double duration_s) {
-    if (!plan_->paired) {
-      plan_->steps.push_back(matrix_flow(plan_->generator, duration_s));
-      return;
-    }
     Eigen::Array<double, N, 4> step(system_.coordinates(), 4);
     for (Eigen::Index j = 0; j < step.rows(); ++j) {
       const Pair f = pair_flow(pair(j), duration_s);
