@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace rubsweep::response {
 namespace {
@@ -79,6 +80,26 @@ TEST(ProveOrbit, DoesNotHopToAnotherOrbit) {
   ASSERT_TRUE(orbit);
   EXPECT_NEAR(orbit->section[0], 0.1, 1e-11);
   EXPECT_NEAR(orbit->floquet_modulus, 0.2, 1e-12);
+}
+
+/// A spiral into the origin with an edge in its way, which a transient meets three turns later only.
+TEST(ProveOrbit, FollowsTheTransientUntilItsDistanceHasHalved) {
+  const TurnMap edged = [](std::span<double> s, Eigen::MatrixXd* transition) {
+    constexpr double angle = std::numbers::pi / 3, shrinks = 0.9;
+    Eigen::Matrix2d spiral;
+    spiral << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    spiral *= shrinks;
+    if (transition) *transition = spiral;
+    const Eigen::Vector2d next = spiral * Eigen::Vector2d(s[0], s[1]);
+    s[0] = next.x() < -0.03 ? 5 : next.x();
+    s[1] = next.y();
+    return true;
+  };
+  const double near[] = {0.02, 0}, far[] = {0.05, 0};
+  const auto orbit = prove_orbit(edged, near, 1);
+  ASSERT_TRUE(orbit);
+  EXPECT_NEAR(orbit->floquet_modulus, 0.9, 1e-12);
+  EXPECT_FALSE(prove_orbit(edged, far, 1));
 }
 
 TEST(ProveOrbit, AMapThatFailsIsNoProof) {

@@ -31,6 +31,11 @@ TEST(PeriodSearch, NamesThePeriodOfADecayingTransient) {
   }
 }
 
+TEST(PeriodSearch, AMotionThatLeavesAPeriodicOneIsNoCandidate) {
+  const auto leaving = [](int t) { return 0.3 * (t % 2) + 1e-6 * std::pow(1.05, t); };
+  EXPECT_EQ(first_candidate(leaving).second, 0);
+}
+
 TEST(PeriodSearch, WithoutContactThereIsNothingToProve) {
   EXPECT_EQ(first_candidate([](int t) { return decaying(t, 2); }, false).second, 0);
 }

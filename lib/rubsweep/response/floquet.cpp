@@ -14,6 +14,7 @@ constexpr double closed = 1e-11;        ///< return error of an orbit found, in 
 constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
 constexpr double farthest = 0.2;        ///< of the orbit from the transient
 constexpr double linear_to = 0.1;  ///< share of its distance that the transient may miss the linear map by
+constexpr int most_periods_followed = 64;
 
 /// `order` turns from x; the product of their derivatives.
 std::optional<VectorXd> after(const TurnMap& turn, VectorXd x, int order, MatrixXd* monodromy) {
@@ -45,7 +46,7 @@ std::optional<Closed> close(const TurnMap& turn, const VectorXd& start, int orde
     const VectorXd defect = *image - x;
     const double error = largest(defect);
     if (error < closed) return Closed{x, monodromy};
-    if (i > 2 && error > last / 2) return std::nullopt;
+    if (i > 0 && error > last / 2) return std::nullopt;
     last = error;
     const MatrixXd slope = MatrixXd::Identity(x.size(), x.size()) - monodromy;
     x += slope.partialPivLu().solve(defect);
@@ -54,11 +55,19 @@ std::optional<Closed> close(const TurnMap& turn, const VectorXd& start, int orde
   return std::nullopt;
 }
 
+/// The transient follows the map linearised about the orbit until its distance has halved.
 bool approaches(const TurnMap& turn, const VectorXd& start, const Closed& orbit, int order) {
-  const VectorXd from = start - orbit.x;
-  if (largest(from) < 1e3 * closed) return true;
-  const auto image = after(turn, start, order, nullptr);
-  return image && largest(*image - orbit.x - orbit.monodromy * from) <= linear_to * largest(from);
+  VectorXd predicted = start - orbit.x, now = start;
+  const double from = largest(predicted);
+  if (from < 1e3 * closed) return true;
+  for (int k = 0; k < most_periods_followed && largest(predicted) > from / 2; ++k) {
+    const auto image = after(turn, now, order, nullptr);
+    if (!image) return false;
+    now = *image;
+    predicted = orbit.monodromy * predicted;
+    if (largest(now - orbit.x - predicted) > linear_to * from) return false;
+  }
+  return true;
 }
 
 /// Fewest turns, dividing `order`, after which the orbit returns.

@@ -24,9 +24,9 @@ inline constexpr double largest_floquet_modulus = 1 - 1e-6;
 
 /// Proves that a transient now at `section` settles on an orbit of `order` turns: Newton's iteration on the
 /// section finds the orbit to rounding, the monodromy matrix has all its multipliers inside, and the
-/// transient is already where the map about the orbit is linear (one period takes it where the monodromy
-/// says, to a tenth of its distance), so that it is this orbit that it approaches. Empty when any of this
-/// fails. An orbit that returns after fewer turns is reported with those.
+/// transient is already where the map about the orbit is linear (until its distance has halved, every period
+/// takes it where the monodromy says, to a tenth of that distance), so that it is this orbit that it
+/// approaches. Empty when any of this fails. An orbit that returns after fewer turns is reported with those.
 std::optional<StableOrbit> prove_orbit(const TurnMap& turn, std::span<const double> section, int order);
 
 /// Derivative of `turn` at `section` by central differences of `step`, where the solver offers none.

@@ -17,24 +17,25 @@ constexpr double much_later = 1.3;   ///< turns, in proportion
 PeriodSearch::PeriodSearch(std::size_t states, int largest_order)
     : states_(states),
       largest_(largest_order),
-      rows_(states * (static_cast<std::size_t>(largest_order) + 1)),
+      kept_(2 * largest_order + 1),
+      rows_(states * static_cast<std::size_t>(kept_)),
       tried_(static_cast<std::size_t>(largest_order) + 1, Tried{close_enough, 0}) {}
 
 std::span<const double> PeriodSearch::row(long turn) const {
-  const auto slot = static_cast<std::size_t>(turn % (largest_ + 1));
+  const auto slot = static_cast<std::size_t>(turn % kept_);
   return std::span(rows_).subspan(slot * states_, states_);
 }
 
 void PeriodSearch::add(std::span<const double> section, bool touched) {
-  const auto slot = static_cast<std::size_t>(turns_ % (largest_ + 1));
+  const auto slot = static_cast<std::size_t>(turns_ % kept_);
   std::copy(section.begin(), section.end(), rows_.begin() + static_cast<std::ptrdiff_t>(slot * states_));
   if (touched) last_touch_ = turns_;
   ++turns_;
 }
 
-/// Errors above `worst` are not told apart.
-double PeriodSearch::return_error(int order, double worst) const {
-  const auto now = row(turns_ - 1), then = row(turns_ - 1 - order);
+/// Return error after `order` turns that end `ago` turns ago. Errors above `worst` are not told apart.
+double PeriodSearch::return_error(int order, double worst, int ago) const {
+  const auto now = row(turns_ - 1 - ago), then = row(turns_ - 1 - ago - order);
   double largest = 0;
   for (std::size_t i = 0; i < states_ && largest <= worst; ++i)
     largest = std::max(largest, std::abs(now[i] - then[i]));
@@ -50,10 +51,16 @@ std::optional<int> PeriodSearch::candidate() const {
     const bool touched = last_touch_ >= turns_ - n;
     const bool due =
         error < tried.below || (tried.again > 0 && turns_ >= tried.again && error < close_enough);
-    if (touched && due && error < much_closer * least) return n;
+    if (touched && due && error < much_closer * least && contracts(n, error)) return n;
     least = std::min(least, error);
   }
   return std::nullopt;
+}
+
+/// The return before this one was farther: a transient that passes an unstable orbit comes back less and less
+/// close.
+bool PeriodSearch::contracts(int order, double error) const {
+  return turns_ > 2 * order && return_error(order, error, order) > error;
 }
 
 void PeriodSearch::refuse(int order) {

@@ -15,15 +15,16 @@ class PeriodSearch {
   /// Section after one more turn; `touched`: there was contact in it.
   void add(std::span<const double> section, bool touched);
 
-  /// A number of turns after which the section lately came back closer than after any fewer, with contact in
-  /// between; empty most of the time.
+  /// A number of turns after which the section lately came back closer than after any fewer and than the last
+  /// time, with contact in between; empty most of the time.
   std::optional<int> candidate() const;
 
   /// `order` could not be proven: asks again when the return is much closer, or much later.
   void refuse(int order);
 
  private:
-  double return_error(int order, double worst) const;
+  double return_error(int order, double worst, int ago = 0) const;
+  bool contracts(int order, double error) const;
   std::span<const double> row(long turn) const;
 
   struct Tried {
@@ -32,9 +33,9 @@ class PeriodSearch {
   };
 
   std::size_t states_;
-  int largest_;
+  int largest_, kept_;
   long turns_ = 0, last_touch_ = -1;
-  std::vector<double> rows_;  ///< ring of the last largest_ + 1 sections
+  std::vector<double> rows_;  ///< ring of the last kept_ sections
   std::vector<Tried> tried_;  ///< by order
 };
 
