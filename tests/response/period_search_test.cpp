@@ -32,7 +32,7 @@ TEST(PeriodSearch, NamesThePeriodOfADecayingTransient) {
 }
 
 TEST(PeriodSearch, AMotionThatLeavesAPeriodicOneIsNoCandidate) {
-  const auto leaving = [](int t) { return 0.3 * (t % 2) + 1e-6 * std::pow(1.05, t); };
+  const auto leaving = [](int t) { return 0.3 * (t % 2) + 1e-9 * std::pow(1.05, t); };
   EXPECT_EQ(first_candidate(leaving).second, 0);
 }
 
