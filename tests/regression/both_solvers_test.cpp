@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/sweep/evaluate_cell.hpp"
+
+namespace rubsweep {
+namespace {
+
+/// Every map of the repository by the exact and by the adaptive solver: two solvers that share nothing but
+/// the scene must agree on it.
+class BothSolvers : public testing::TestWithParam<std::string> {
+ protected:
+  sweep::Study study_ =
+      config::read_run_config(std::filesystem::path(RUBSWEEP_CONFIGS) / (GetParam() + ".yaml"), {}).study;
+
+  /// A cell of the map by its place in the grid, from 0 to 1.
+  std::size_t cell(double along_speed, double along_unbalance) const {
+    const auto index = [](std::size_t count, double place) {
+      return static_cast<std::size_t>(std::lround(place * static_cast<double>(count - 1)));
+    };
+    const std::size_t speeds = study_.grid.speed_hz.size();
+    return index(study_.grid.unbalance.size(), along_unbalance) * speeds + index(speeds, along_speed);
+  }
+
+  std::vector<double> section(std::size_t cell, const integrate::SolverOptions& solver, int turns) const {
+    const std::size_t speeds = study_.grid.speed_hz.size();
+    const double unbalance = study_.grid.unbalance[cell / speeds];
+    const auto start = scene::build_cell(study_.machine, study_.grid.speed_hz[cell % speeds],
+                                         study_.grid.measure == sweep::UnbalanceMeasure::whirl_ratio
+                                             ? scene::Unbalance(scene::WhirlRatio{unbalance})
+                                             : scene::Unbalance(scene::Eccentricity{unbalance}));
+    EXPECT_EQ(start.start, scene::Start::quiet);
+    integrate::ExactPlans plans;
+    const integrate::Run run = integrate::start(start.scene, solver, plans);
+    integrate::Turn turn;
+    bool touched = false;
+    for (int k = 0; k < turns; ++k) {
+      EXPECT_EQ(run.advance(turn), integrate::Outcome::ok);
+      touched = touched || turn.touched;
+    }
+    EXPECT_TRUE(touched);
+    return turn.section;
+  }
+};
+
+TEST_P(BothSolvers, GiveTheSameSection) {
+  integrate::SolverOptions exact = study_.solver, adaptive = study_.solver;
+  exact.method = integrate::Method::exact;
+  adaptive.method = integrate::Method::adaptive;
+  exact.relative_tolerance = adaptive.relative_tolerance = 1e-12;
+  for (const double place : {0.15, 0.4, 0.7}) {
+    constexpr int turns = 6;
+    const auto a = section(cell(place, 0.5), exact, turns), b = section(cell(place, 0.5), adaptive, turns);
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-8) << place << ' ' << i;
+  }
+}
+
+TEST_P(BothSolvers, GiveTheSameClass) {
+  sweep::Study adaptive = study_;
+  study_.solver.method = integrate::Method::exact;
+  adaptive.solver.method = integrate::Method::adaptive;
+  adaptive.solver.relative_tolerance = 1e-10;
+  adaptive.response.max_revolutions = study_.response.max_revolutions = 400;
+  for (const double place : {0.1, 0.35, 0.6}) {
+    response::Workspace workspace;
+    const sweep::Row a = evaluate_cell(study_, cell(place, 0.45), workspace),
+                     b = evaluate_cell(adaptive, cell(place, 0.45), workspace);
+    EXPECT_EQ(a.motion_class, b.motion_class) << place;
+    EXPECT_EQ(a.order, b.order) << place;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OnEveryMap, BothSolvers,
+                         testing::Values("minimal", "figure06_one_side", "figure06_set_b",
+                                         "figure09_both_sides", "both_sides_unequal", "figure11_annulus",
+                                         "figure12_annulus_offset", "rotor_kit"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace rubsweep
