@@ -37,7 +37,8 @@ expect_matches killed/map.journal ' rubsweep journal 1$'
 kill_after killed 30 KILL --threads 1
 kill_after killed 60 TERM --threads 2
 kill_after killed 100 INT --threads 2
-finished=$(rows killed/map.partial.csv | wc -l)
+# The journal counts: map.partial.csv is behind it by what a kill came between, until the next run writes it anew.
+finished=$(grep -c ',ok$' killed/map.journal)
 ((finished >= 100)) || fail 'finished cells were lost'
 resumed killed --threads 1
 expect_contains stderr "rubsweep: $finished of $cells cells were finished before"
