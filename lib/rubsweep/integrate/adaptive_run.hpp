@@ -19,8 +19,8 @@ namespace rubsweep::integrate {
 
 /// A run by one of Odeint's steppers. Located (Smoothed = false): a step that crosses a mode's exit is cut
 /// there and the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper
-/// keeps its order.
-template <class Method, int N, bool Smoothed>
+/// keeps its order. `Law` is the right-hand side: Dynamics, or what adds further numbers behind its state.
+template <class Method, int N, bool Smoothed, class Law = Dynamics<N, Smoothed>>
 class AdaptiveRun {
  public:
   using State = typename Method::State;
@@ -33,7 +33,7 @@ class AdaptiveRun {
         max_steps_(options.max_steps_per_revolution),
         start_kinematics_(system_.contacts.size()),
         end_kinematics_(system_.contacts.size()) {
-    const std::vector<double> initial = scaled_initial_state(scene);
+    const std::vector<double> initial = dynamics_.whole_state(scaled_initial_state(scene));
     for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_})
       resize(*state, initial.size());
     std::copy(initial.begin(), initial.end(), step_.start.begin());
@@ -46,14 +46,15 @@ class AdaptiveRun {
   AdaptiveRun(const AdaptiveRun&) = delete;
   AdaptiveRun& operator=(const AdaptiveRun&) = delete;
 
-  /// Integrates phases 0 to 2 pi of the next revolution.
-  Outcome advance(Turn& turn) {
+  /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
+  Outcome advance(Turn& turn, double end_phase = full_turn) {
+    end_phase_ = end_phase;
     StepObserver observer(turn);
     const long limit = steps_ + refused_ + max_steps_;
     step_.start_phase = 0;
     if (!impulses_.none()) impulses_.begin_turn(revolution_);
     dynamics_(step_.start, step_.start_rate, 0.0);
-    while (step_.start_phase < full_turn) {
+    while (step_.start_phase < end_phase_) {
       if (steps_ + refused_ >= limit) return finish(turn, Outcome::step_limit);
       if (step_.start_phase >= impulses_.next_phase_rad()) strike(observer);
       const Outcome outcome = advance_one_step(observer);
@@ -82,15 +83,27 @@ class AdaptiveRun {
     set_pulse(0);
     dynamics_(step_.start, step_.start_rate, 0.0);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) enter_by_state(i);
+    look_again(0);
   }
 
   void enter_by_state(std::size_t i) {
     const auto& c = system_.contacts[i];
-    start_kinematics_[i] = dynamics_.kinematics(i, step_.start, step_.start_rate);
-    const contact::Kinematics& k = start_kinematics_[i];
+    contact::Kinematics k = dynamics_.kinematics(i, step_.start, step_.start_rate);
+    if (k.penetration > 0) {
+      // An open ring measures by squares; what tells the modes apart is the penetration itself.
+      dynamics_.modes()[i] = contact::Mode::sprung;
+      k = dynamics_.kinematics(i, step_.start, step_.start_rate);
+    }
     const contact::Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
     // A start exactly at the wall and moving into it is in contact from the first instant.
     dynamics_.modes()[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
+  }
+
+  /// Rate and kinematics at the start of a step, by the law now in force.
+  void look_again(double phase) {
+    dynamics_(step_.start, step_.start_rate, phase);
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+      start_kinematics_[i] = dynamics_.kinematics(i, step_.start, step_.start_rate);
   }
 
   /// Switches the pulse for the stretch that starts at `phase`; returns where that stretch ends.
@@ -99,7 +112,7 @@ class AdaptiveRun {
     const double pulse_end = system_.pulse_end_rad - elapsed;
     const bool on = pulse_end > phase;
     dynamics_.set_pulse(on, elapsed);
-    return on ? std::min(pulse_end, full_turn) : full_turn;
+    return on ? std::min(pulse_end, end_phase_) : end_phase_;
   }
 
   /// All impulses of this instant.
@@ -119,7 +132,7 @@ class AdaptiveRun {
       ++switches_;
       observer.mode_switch({step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i]});
     }
-    dynamics_(step_.start, step_.start_rate, step_.start_phase);
+    look_again(step_.start_phase);
     method_.restart();
   }
 
@@ -287,7 +300,7 @@ class AdaptiveRun {
   }
 
   ScaledSystem<N> system_;
-  Dynamics<N, Smoothed> dynamics_;
+  Law dynamics_;
   Method method_;
   Impulses impulses_;
   long max_steps_;
@@ -296,6 +309,7 @@ class AdaptiveRun {
   double size_ = 0;                       ///< next step to try, in radians of rotation
   std::vector<double> remembered_sizes_;  ///< per joint mode of the first four contacts; 0: none yet
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
+  double end_phase_ = full_turn;
   long revolution_ = 0;
   long steps_ = 0, refused_ = 0, switches_ = 0;
 };

@@ -21,6 +21,7 @@ class Dynamics {
  public:
   static constexpr bool smoothed = Smoothed;
   using Vector = Eigen::Matrix<double, N, 1>;
+  using Matrix = Eigen::Matrix<double, N, N>;
   using ConstMap = Eigen::Map<const Vector>;
   using Map = Eigen::Map<Vector>;
 
@@ -110,14 +111,23 @@ class Dynamics {
     return largest;
   }
 
+  /// Derivatives of the acceleration by u and by u', n x n, by the law in force.
+  template <class State>
+  void slopes(const State& state, Matrix& by_u, Matrix& by_v) const {
+    const Eigen::Index n = system_.coordinates();
+    const ConstMap u(&state[0], n), v(&state[0] + n, n);
+    by_u = -system_.stiffness;
+    by_v = -system_.damping;
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact_slopes(i, u, v, by_u, by_v);
+  }
+
   /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to
   /// one entry.
   template <class State, class Jacobian>
   void jacobian(const State& state, Jacobian&& j, double phase, State& phase_rate) const {
     const Eigen::Index n = system_.coordinates();
-    const ConstMap u(&state[0], n), v(&state[0] + n, n);
-    Eigen::MatrixXd by_u = -system_.stiffness, by_v = -system_.damping;
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact_jacobian(i, u, v, by_u, by_v);
+    Matrix by_u, by_v;
+    slopes(state, by_u, by_v);
     for (Eigen::Index r = 0; r < n; ++r) {
       for (Eigen::Index c = 0; c < n; ++c) {
         const auto row = static_cast<std::size_t>(r), column = static_cast<std::size_t>(c);
@@ -136,6 +146,9 @@ class Dynamics {
       force_rate += system_.pulse * (system_.pulse_rate * std::cos(angle));
     }
   }
+
+  /// State that a run starts with at `section`.
+  std::vector<double> whole_state(std::vector<double> section) const { return section; }
 
   const ScaledSystem<N>& system() const { return system_; }
   std::vector<contact::Mode>& modes() { return modes_; }
@@ -215,8 +228,8 @@ class Dynamics {
   }
 
   /// f = F(p, v) n + mu(s) S(p) t with n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
-  void add_contact_jacobian(std::size_t i, const ConstMap& u, const ConstMap& v, Eigen::MatrixXd& by_u,
-                            Eigen::MatrixXd& by_v) const {
+  void add_contact_slopes(std::size_t i, const ConstMap& u, const ConstMap& v, Matrix& by_u,
+                          Matrix& by_v) const {
     const Contact& c = system_.contacts[i];
     const ContactFrame f = frame(c, u, v);
     const ForceSlopes slopes = force_slopes(i, f.penetration, f.closing_speed);
@@ -233,7 +246,8 @@ class Dynamics {
             t.transpose();
     const Eigen::Matrix2d by_rate =
         slopes.total_by_v * n * n.transpose() + mu_by_v * force.spring_n * t * t.transpose();
-    Eigen::MatrixXd push(by_u.rows(), 2), rows(2, by_u.cols());
+    Eigen::Matrix<double, N, 2> push(by_u.rows(), 2);
+    Eigen::Matrix<double, 2, N> rows(2, by_u.cols());
     push << c.first_push, c.second_push;
     rows << c.first_row, c.second_row;
     by_u += push * by_d * rows;

@@ -12,8 +12,6 @@ using Eigen::VectorXd;
 constexpr int newton_iterations = 8;
 constexpr double closed = 1e-11;        ///< return error of an orbit found, in (clearance, clearance omega)
 constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
-constexpr double farthest = 0.2;        ///< of the orbit from the transient
-constexpr double linear_to = 0.1;  ///< share of its distance that the transient may miss the linear map by
 constexpr int most_periods_followed = 64;
 
 /// `order` turns from x; the product of their derivatives.
@@ -50,7 +48,7 @@ std::optional<Closed> close(const TurnMap& turn, const VectorXd& start, int orde
     last = error;
     const MatrixXd slope = MatrixXd::Identity(x.size(), x.size()) - monodromy;
     x += slope.partialPivLu().solve(defect);
-    if (!x.allFinite() || largest(x - start) > farthest) return std::nullopt;
+    if (!x.allFinite() || largest(x - start) > farthest_orbit) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -65,7 +63,7 @@ bool approaches(const TurnMap& turn, const VectorXd& start, const Closed& orbit,
     if (!image) return false;
     now = *image;
     predicted = orbit.monodromy * predicted;
-    if (largest(now - orbit.x - predicted) > linear_to * from) return false;
+    if (largest(now - orbit.x - predicted) > linear_share * from) return false;
   }
   return true;
 }

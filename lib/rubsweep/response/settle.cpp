@@ -12,12 +12,12 @@
 #include "rubsweep/response/aperiodic.hpp"
 #include "rubsweep/response/comb.hpp"
 #include "rubsweep/response/comb_line.hpp"
-#include "rubsweep/response/floquet.hpp"
-#include "rubsweep/response/period_search.hpp"
+#include "rubsweep/response/orbit_proof.hpp"
 #include "rubsweep/response/record.hpp"
 #include "rubsweep/response/rest_proof.hpp"
 #include "rubsweep/response/section_map.hpp"
 #include "rubsweep/response/symmetry.hpp"
+#include "rubsweep/response/turning_proof.hpp"
 
 namespace rubsweep::response {
 namespace {
@@ -79,76 +79,38 @@ Motion verdict(const scene::Scene& scene, const integrate::SolverOptions& solver
   return motion;
 }
 
-/// Tight enough for derivatives by differences.
-constexpr double tolerance_of_a_proof = 1e-11;
-
-/// Looks for a stable orbit that the transient is on its way to.
-class OrbitProof {
+/// What a transient of a scene may be proven to settle on: a rotationally symmetric one is looked at in the
+/// frame that turns with the shaft.
+class MotionProof {
  public:
-  OrbitProof(const scene::Cell& cell, const integrate::SolverOptions& solver, const ResponseOptions& options,
-             Workspace& workspace)
-      : scene_(after_the_kick(cell.scene)),
-        solver_(solver),
-        options_(options),
-        workspace_(workspace),
-        search_(2 * static_cast<std::size_t>(cell.scene.structure.coordinates()), 2 * options.max_order) {
-    solver_.relative_tolerance = std::min(solver.relative_tolerance, tolerance_of_a_proof);
-  }
-
-  std::optional<StableOrbit> look(const integrate::Turn& turn) {
-    search_.add(turn.section, turn.touched);
-    const auto order = search_.candidate();
-    if (!order) return std::nullopt;
-    if (!map_) map_.emplace(scene_, solver_, workspace_.plans);
-    const TurnMap map = [this](std::span<double> section, Eigen::MatrixXd* transition) {
-      return transition ? map_->differentiate(section, *transition) : (*map_)(section);
-    };
-    auto orbit = prove_orbit(map, turn.section, *order);
-    if (!orbit) search_.refuse(*order);
-    return orbit;
-  }
-
-  /// Measures over exactly one period; empty when the orbit touches nothing.
-  std::optional<Measures> measure(const StableOrbit& orbit) {
-    ResponseOptions window = options_;
-    window.window_revolutions = orbit.order;
-    Record record(scene_, window);
-    record.begin(orbit.section);
-    const integrate::Run run = integrate::start(scene_, solver_, workspace_.plans);
-    run.restart(orbit.section);
-    integrate::Turn turn;
-    turn.samples_per_revolution = options_.samples_per_revolution;
-    turn.peaks = true;
-    bool touched = false;
-    for (int k = 0; k < orbit.order; ++k) {
-      if (run.advance(turn) != integrate::Outcome::ok) return std::nullopt;
-      record.add(turn);
-      touched = touched || turn.touched;
+  MotionProof(const scene::Scene& scene, const integrate::SolverOptions& solver,
+              const ResponseOptions& options, Workspace& workspace) {
+    if (!options.floquet_proof || !integrate::same_every_turn(scene.impulses)) return;
+    if (rotationally_symmetric(scene)) {
+      turning_.emplace(scene, solver, options, workspace);
+    } else {
+      section_.emplace(scene, solver, options, workspace);
     }
-    if (!touched) return std::nullopt;
-    return measure_window(record.window(0), workspace_.spectrum);
+  }
+
+  int samples_wanted() const { return turning_ ? turning_->samples_wanted() : 0; }
+
+  std::optional<ProvenMotion> look(const integrate::Turn& turn) {
+    if (turning_) return turning_->look(turn);
+    return section_ ? section_->look(turn) : std::nullopt;
   }
 
  private:
-  scene::Scene scene_;
-  integrate::SolverOptions solver_;
-  const ResponseOptions& options_;
-  Workspace& workspace_;
-  PeriodSearch search_;
-  std::optional<SceneMap> map_;
+  std::optional<OrbitProof> section_;
+  std::optional<TurningProof> turning_;
 };
 
-bool prove(OrbitProof& proof, const integrate::Turn& turn, SettledRun& run) {
-  const auto orbit = proof.look(turn);
-  if (!orbit) return false;
-  const auto measures = proof.measure(*orbit);
-  if (!measures) return false;
-  run.motion.motion_class = orbit->order == 1 ? MotionClass::synchronous : MotionClass::subharmonic;
-  run.motion.order = orbit->order;
-  run.motion.measures = *measures;
+void conclude(const ProvenMotion& proven, SettledRun& run) {
+  run.motion.motion_class = proven.motion_class;
+  run.motion.order = proven.order;
+  run.motion.measures = proven.measures;
   run.proof = Proof::floquet;
-  run.floquet_modulus = orbit->floquet_modulus;
-  return true;
+  run.floquet_modulus = proven.floquet_modulus;
 }
 
 }  // namespace
@@ -158,15 +120,15 @@ SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solve
   SettledRun run;
   const integrate::Run motion = integrate::start(cell.scene, solver, workspace.plans);
   const RestProof rest(cell);
-  const bool orbits_repeat = options.floquet_proof && integrate::same_every_turn(cell.scene.impulses);
-  OrbitProof orbits(cell, solver, options, workspace);
+  MotionProof proof(cell.scene, solver, options, workspace);
   Record record(cell.scene, options);
   const long first_recorded = options.max_revolutions - 2L * options.window_revolutions;
   const double kick_turns = pulse_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
   integrate::Turn turn;
   while (run.revolutions < options.max_revolutions) {
+    turn.samples_per_revolution = proof.samples_wanted();
+    if (run.revolutions >= first_recorded) turn.samples_per_revolution = options.samples_per_revolution;
     if (run.revolutions == first_recorded) {
-      turn.samples_per_revolution = options.samples_per_revolution;
       turn.peaks = true;
       record.begin(first_recorded == 0 ? integrate::scaled_initial_state(cell.scene) : turn.section);
     }
@@ -181,7 +143,10 @@ SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solve
     run.slip_reversed = run.slip_reversed || turn.slip_reversed;
     if (run.revolutions > first_recorded) record.add(turn);
     if (static_cast<double>(run.revolutions) < kick_turns) continue;
-    if (orbits_repeat && prove(orbits, turn, run)) return run;
+    if (const auto proven = proof.look(turn)) {
+      conclude(*proven, run);
+      return run;
+    }
     if (!turn.touching_at_end && rest.proves(turn.section)) {
       run.motion.motion_class = MotionClass::non_contact;
       run.motion.measures = quiet_measures(cell, options, workspace);

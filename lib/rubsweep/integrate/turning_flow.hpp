@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/integrate/options.hpp"
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::integrate {
+
+/// A stretch of a motion of a rotationally symmetric scene.
+struct TurningArc {
+  Eigen::VectorXd end;         ///< state at its end, seen in the frame that turns with the shaft, 2n
+  Eigen::MatrixXd transition;  ///< 2n x 2n: d(end) / d(start)
+  double angle_rad = 0;        ///< its length, in rotation of the shaft
+  int hits = 0;
+  double contact_fraction = 0;
+  double peak_displacement_m = 0;  ///< this and what follows only where samples are asked for
+  double peak_contact_force_n = 0;
+  Eigen::MatrixXd samples;  ///< 2n x count: states in the fixed frame at phases 2 pi k / N before the end
+};
+
+/// Follows a rotationally symmetric scene, its pulse left out, and the derivative of the motion by its start,
+/// from any state over any angle, with located (or smoothed) contacts, by dopri5. In the frame that turns
+/// with the shaft such a scene does not depend on time, so that every start is one at phase 0, where the two
+/// frames coincide.
+class TurningFlow {
+ public:
+  /// `samples_per_revolution`: N of TurningArc::samples; 0: none.
+  TurningFlow(const scene::Scene& scene, const SolverOptions& options, int samples_per_revolution);
+
+  /// Empty when the solver fails. `state`: 2n scaled numbers; `angle_rad` > 0.
+  std::optional<TurningArc> from(const Eigen::VectorXd& state, double angle_rad) const;
+
+ private:
+  scene::Scene scene_;
+  SolverOptions options_;
+  int samples_per_revolution_;
+};
+
+}  // namespace rubsweep::integrate

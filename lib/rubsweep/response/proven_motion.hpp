@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "rubsweep/response/motion.hpp"
+
+namespace rubsweep::response {
+
+/// A motion that a transient is proven to settle on.
+struct ProvenMotion {
+  MotionClass motion_class = MotionClass::synchronous;  ///< synchronous, subharmonic or quasi_periodic
+  std::optional<int> order;                             ///< in turns; empty when quasi-periodic
+  Measures measures;                                    ///< of the orbit itself
+  double floquet_modulus = 0;                           ///< largest multiplier over its period, < 1
+};
+
+}  // namespace rubsweep::response

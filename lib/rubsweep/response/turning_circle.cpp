@@ -1,0 +1,49 @@
+#include "rubsweep/response/turning_circle.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+#include "rubsweep/integrate/matrix_flow.hpp"
+#include "rubsweep/response/floquet.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int newton_iterations = 12;
+constexpr double closed = 1e-13;  ///< Newton step, in (clearance, clearance omega)
+constexpr double full_turn = 2 * std::numbers::pi;
+
+double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
+
+std::optional<VectorXd> fixed_point(const TurningEquations& equations, const VectorXd& start) {
+  VectorXd x = start;
+  for (int i = 0; i < newton_iterations; ++i) {
+    const VectorXd step = equations.jacobian(x).partialPivLu().solve(equations.rate(x));
+    x -= step;
+    if (!x.allFinite() || largest(x - start) > farthest_orbit) return std::nullopt;
+    if (largest(step) < closed) return x;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<TurningCircle> prove_circle(const TurningEquations& equations, const VectorXd& before,
+                                          const VectorXd& now) {
+  const auto point = fixed_point(equations, now);
+  if (!point) return std::nullopt;
+  const MatrixXd jacobian = equations.jacobian(*point);
+  const double modulus = std::exp(full_turn * jacobian.eigenvalues().real().maxCoeff());
+  if (!(modulus < largest_floquet_modulus)) return std::nullopt;
+  const VectorXd from = before - *point;
+  const VectorXd missed = now - *point - integrate::matrix_flow(jacobian, full_turn) * from;
+  if (largest(from) > on_the_orbit && largest(missed) > linear_share * largest(from)) return std::nullopt;
+  return TurningCircle{*point, modulus};
+}
+
+}  // namespace rubsweep::response

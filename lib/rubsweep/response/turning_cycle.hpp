@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/integrate/turning_flow.hpp"
+
+namespace rubsweep::response {
+
+/// An autonomous system: its rate, and what it does in `angle_rad` from `state`: quickly, to about 1e-6, for
+/// Newton's first steps, and to the accuracy that the cycle is wanted with.
+struct TurningMotion {
+  using Flow =
+      std::function<std::optional<integrate::TurningArc>(const Eigen::VectorXd& state, double angle_rad)>;
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& state)> rate;
+  Flow roughly, exactly;
+};
+
+/// A stable closed orbit in the frame that turns with the shaft.
+struct TurningCycle {
+  Eigen::VectorXd state;       ///< a point of it
+  integrate::TurningArc once;  ///< from there, exactly one period
+  double floquet_modulus = 0;  ///< largest multiplier over one period but the trivial one, < 1
+};
+
+/// Proves that a transient now at `start` settles on a closed orbit of about one of `periods_rad` (ascending:
+/// where the transient alternates about an orbit, its double returns sooner): Newton's iteration on state and
+/// period, the state staying on the plane through `start` across the motion there, closes the orbit; one
+/// multiplier of its monodromy matrix is 1, as every shift along the orbit makes it, to how well it is known,
+/// and all others lie inside `largest_floquet_modulus`; and the transient's next period, or the time of the
+/// last of `periods_rad`, ends where the monodromy matrix says, to a tenth of its distance from the orbit.
+/// Empty when none closes and is stable, or when the first that is fails the last test.
+std::optional<TurningCycle> prove_cycle(const TurningMotion& motion, const Eigen::VectorXd& start,
+                                        const std::vector<double>& periods_rad);
+
+}  // namespace rubsweep::response

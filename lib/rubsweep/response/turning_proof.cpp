@@ -1,0 +1,140 @@
+#include "rubsweep/response/turning_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "rubsweep/response/classify.hpp"
+#include "rubsweep/response/cycle_measures.hpp"
+#include "rubsweep/response/section.hpp"
+#include "rubsweep/response/section_map.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double rough_tolerance = 1e-6;
+constexpr double tolerance_of_a_cycle = 1e-8;
+constexpr int free_for_long = 16;  ///< turns
+
+/// Turns that Newton's iteration may follow while it proves nothing: each takes about twice the time of one
+/// of the transient.
+constexpr double turns_for_cycles = 32, share_for_cycles = 0.15;
+
+integrate::SolverOptions with_tolerance(integrate::SolverOptions solver, double tolerance) {
+  solver.relative_tolerance = tolerance;
+  return solver;
+}
+
+}  // namespace
+
+TurningProof::TurningProof(const scene::Scene& scene, const integrate::SolverOptions& solver,
+                           const ResponseOptions& options, Workspace& workspace)
+    : scene_(after_the_kick(scene)),
+      options_(options),
+      workspace_(workspace),
+      field_(scene_, solver),
+      rough_flow_(scene_, with_tolerance(solver, rough_tolerance), 0),
+      flow_(scene_, with_tolerance(solver, std::min(solver.relative_tolerance, tolerance_of_a_cycle)),
+            options.samples_per_revolution),
+      turns_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 1) {}
+
+int TurningProof::samples_wanted() const {
+  return free_turns_ < free_for_long ? options_.samples_per_revolution : 0;
+}
+
+std::optional<ProvenMotion> TurningProof::look(const integrate::Turn& turn) {
+  ++looked_at_;
+  free_turns_ = turn.touched ? 0 : free_turns_ + 1;
+  const VectorXd section =
+      Eigen::Map<const VectorXd>(turn.section.data(), static_cast<Eigen::Index>(turn.section.size()));
+  auto found = look_for_circle(section, turn);
+  if (!found) found = look_for_cycle(section, turn);
+  last_section_ = section;
+  return found;
+}
+
+std::optional<ProvenMotion> TurningProof::look_for_circle(const VectorXd& section,
+                                                          const integrate::Turn& turn) {
+  turns_.add(turn.section, turn.touched);
+  const auto candidate = turns_.candidate();
+  if (!candidate) return std::nullopt;
+  const auto circle = prove_circle({[this](const VectorXd& state) { return field_.rate(state); },
+                                    [this](const VectorXd& state) { return field_.jacobian(state); }},
+                                   last_section_, section);
+  if (circle && field_.touches(circle->state)) return measured(*circle);
+  turns_.refuse(*candidate);
+  return std::nullopt;
+}
+
+ProvenMotion TurningProof::measured(const TurningCircle& circle) {
+  const VectorXd& state = circle.state;
+  const auto& map = scene_.structure.points[static_cast<std::size_t>(scene_.observed_point)].map;
+  const Eigen::Vector2d z = scene_.length_scale_m * (map * state.head(map.cols()));
+  std::vector<std::complex<double>> displacement_m;
+  for (int k = 0; k < options_.samples_per_revolution; ++k) {
+    displacement_m.push_back(std::complex(z.x(), z.y()) *
+                             std::polar(1.0, full_turn * k / options_.samples_per_revolution));
+  }
+  std::vector<double> section(state.data(), state.data() + state.size());
+  section.insert(section.end(), state.data(), state.data() + state.size());
+  Window window;
+  window.turns = 1;
+  window.samples_per_revolution = options_.samples_per_revolution;
+  window.clearance_m = scene_.length_scale_m;
+  window.displacement_m = displacement_m;
+  window.states = static_cast<int>(state.size());
+  window.section = section;
+  window.contact = {.hits = 0,
+                    .contact_fraction = 1,
+                    .peak_displacement_m = z.norm(),
+                    .peak_contact_force_n = field_.contact_force_n(state)};
+  return {MotionClass::synchronous, 1, measure_window(window, workspace_.spectrum), circle.floquet_modulus};
+}
+
+std::optional<ProvenMotion> TurningProof::look_for_cycle(const VectorXd& section,
+                                                         const integrate::Turn& turn) {
+  if (turn.samples_per_revolution == 0) {
+    maxima_.reset();
+    return std::nullopt;
+  }
+  if (!maxima_) maxima_.emplace(scene_);
+  maxima_->add(turn);
+  const double allowed = turns_for_cycles + share_for_cycles * static_cast<double>(looked_at_);
+  if (spent_on_cycles_rad_ > full_turn * allowed) return std::nullopt;
+  const auto candidate = maxima_->candidate();
+  if (!candidate) return std::nullopt;
+  const auto follow = [this](const integrate::TurningFlow& flow) {
+    return [this, &flow](const VectorXd& state, double angle_rad) {
+      spent_on_cycles_rad_ += angle_rad;
+      return flow.from(state, angle_rad);
+    };
+  };
+  const auto cycle = prove_cycle(
+      {[this](const VectorXd& state) { return field_.rate(state); }, follow(rough_flow_), follow(flow_)},
+      section, candidate->periods_rad);
+  if (cycle && cycle->once.contact_fraction > 0 && !returns_with_the_shaft(*cycle)) {
+    return ProvenMotion{MotionClass::quasi_periodic,
+                        {},
+                        measure_cycle(scene_, cycle->once, options_, workspace_),
+                        cycle->floquet_modulus};
+  }
+  maxima_->refuse(*candidate);
+  return std::nullopt;
+}
+
+/// A period that fits a whole number of times into a few turns, to what a section can tell, makes a motion
+/// subharmonic (or synchronous) by name, which a record of it has to show.
+bool TurningProof::returns_with_the_shaft(const TurningCycle& cycle) const {
+  const double fastest = field_.rate(cycle.state).cwiseAbs().maxCoeff();
+  for (int n = 1; n <= options_.max_order; ++n) {
+    const double off_rad = std::abs(std::remainder(full_turn * n, cycle.once.angle_rad));
+    if (off_rad * fastest < section_tolerance) return true;
+  }
+  return false;
+}
+
+}  // namespace rubsweep::response

@@ -1,0 +1,92 @@
+#include "rubsweep/response/turning_circle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+#include "rubsweep/integrate/matrix_flow.hpp"
+#include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/integrate/turning_frame.hpp"
+#include "rubsweep/response/section_map.hpp"
+#include "support/ring_scene.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+TEST(ProveCircle, FullAnnularRubAndTheMultiplierOfItsSection) {
+  const test::FullRub rub;
+  const auto scene = rub.scene();
+  const integrate::TurningField field(scene, {});
+  integrate::SolverOptions solver;
+  solver.relative_tolerance = 1e-11;
+  integrate::ExactPlans plans;
+  SceneMap map(scene, solver, plans);
+  const auto on_circle = integrate::scaled_initial_state(scene);
+  const VectorXd exact = Eigen::Map<const VectorXd>(on_circle.data(), 4);
+  VectorXd before = exact;
+  before(0) += 0.01;
+  VectorXd now = before;
+  ASSERT_TRUE(map({now.data(), 4}));
+  const auto circle = prove_circle({[&](const VectorXd& y) { return field.rate(y); },
+                                    [&](const VectorXd& y) { return field.jacobian(y); }},
+                                   before, now);
+  ASSERT_TRUE(circle);
+  EXPECT_LT((circle->state - exact).cwiseAbs().maxCoeff(), 1e-12);
+  auto section = on_circle;
+  MatrixXd monodromy;
+  ASSERT_TRUE(map.differentiate(section, monodromy));
+  EXPECT_NEAR(circle->floquet_modulus, monodromy.eigenvalues().cwiseAbs().maxCoeff(), 1e-6);
+}
+
+/// y' = A (y - 1) + quadratic: a focus that the sign of `damping` makes stable.
+TurningEquations focus(double damping) {
+  const MatrixXd a{{-damping, 1}, {-1, -damping}};
+  return {[a](const VectorXd& y) -> VectorXd {
+            const VectorXd d = y - VectorXd::Ones(2);
+            return a * d + d.squaredNorm() * VectorXd::Unit(2, 0);
+          },
+          [a](const VectorXd& y) -> MatrixXd {
+            const VectorXd d = y - VectorXd::Ones(2);
+            return a + 2 * VectorXd::Unit(2, 0) * d.transpose();
+          }};
+}
+
+VectorXd after_a_turn(double damping, const VectorXd& before) {
+  const MatrixXd a{{-damping, 1}, {-1, -damping}};
+  return VectorXd::Ones(2) + integrate::matrix_flow(a, 2 * std::numbers::pi) * (before - VectorXd::Ones(2));
+}
+
+TEST(ProveCircle, FindsAStablePointWithItsModulus) {
+  const VectorXd before{{1.02, 0.99}};
+  const auto circle = prove_circle(focus(0.1), before, after_a_turn(0.1, before));
+  ASSERT_TRUE(circle);
+  EXPECT_LT((circle->state - VectorXd::Ones(2)).norm(), 1e-12);
+  EXPECT_NEAR(circle->floquet_modulus, std::exp(-0.2 * std::numbers::pi), 1e-12);
+}
+
+TEST(ProveCircle, RefusesAnUnstablePoint) {
+  const VectorXd before{{1.002, 0.999}};
+  EXPECT_FALSE(prove_circle(focus(-0.1), before, after_a_turn(-0.1, before)));
+  EXPECT_FALSE(prove_circle(focus(1e-9), before, after_a_turn(1e-9, before)));
+}
+
+TEST(ProveCircle, RefusesATransientThatGoesElsewhere) {
+  const VectorXd before{{1.02, 0.99}};
+  VectorXd now = after_a_turn(0.1, before);
+  now(0) -= 0.005;
+  EXPECT_FALSE(prove_circle(focus(0.1), before, now));
+  EXPECT_FALSE(prove_circle(focus(0.1), before, before));
+}
+
+TEST(ProveCircle, RefusesAPointFarAway) {
+  const VectorXd before{{1.3, 1}};
+  EXPECT_FALSE(prove_circle(focus(0.1), before, before));
+}
+
+}  // namespace
+}  // namespace rubsweep::response
