@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -42,7 +43,8 @@ std::optional<TurningCircle> prove_circle(const TurningEquations& equations, con
   if (!(modulus < largest_floquet_modulus)) return std::nullopt;
   const VectorXd from = before - *point;
   const VectorXd missed = now - *point - integrate::matrix_flow(jacobian, full_turn) * from;
-  if (largest(from) > on_the_orbit && largest(missed) > linear_share * largest(from)) return std::nullopt;
+  const double share = std::min(linear_share, 1 - modulus);
+  if (largest(from) > on_the_orbit && largest(missed) > share * largest(from)) return std::nullopt;
   return TurningCircle{*point, modulus};
 }
 

@@ -21,7 +21,7 @@ struct TurningCircle {
 /// Proves that a transient that was at `before` one turn ago and is at `now` (both in the turning frame)
 /// settles on a fixed point: Newton's iteration finds it, its multipliers over one turn lie inside
 /// `largest_floquet_modulus`, and the last turn took the transient where the linear system about it says, to
-/// a tenth of its distance. Empty when any of this fails.
+/// a tenth of its distance and to less than the multipliers shorten that. Empty when any of this fails.
 std::optional<TurningCircle> prove_circle(const TurningEquations& equations, const Eigen::VectorXd& before,
                                           const Eigen::VectorXd& now);
 

@@ -16,6 +16,8 @@ using integrate::TurningArc;
 
 constexpr int newton_iterations = 8;
 constexpr double period_changes = 0.2;  ///< share of its first guess by which the period may change
+constexpr int most_periods = 8;         ///< looked for in a cycle that closes
+constexpr double returns_early = 1e-4;  ///< return error that makes a fraction the period
 constexpr double stands_still = 1e-5;   ///< rate below which a cycle is no cycle but a point
 
 /// In (clearance, clearance omega).
@@ -88,20 +90,40 @@ std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_w
 
 /// Whether the transient ends where the linear map about the cycle says, after one period or after so many as
 /// it takes to come back: what alternates about an orbit bends from its linear map in one period and back in
-/// the next. Being early or late is no distance: only what lies across the orbit counts.
-bool approaches(const TurningMotion& motion, const VectorXd& start, const Closed& cycle, int periods) {
+/// the next. What it misses must be less than what the cycle draws it in by, or a weak cycle may not hold it.
+/// Being early or late is no distance: only what lies across the orbit counts.
+bool approaches(const TurningMotion& motion, const VectorXd& start, const Closed& cycle, double modulus,
+                int periods) {
   const VectorXd from = start - cycle.x, along = motion.rate(cycle.x).normalized();
   if (largest(from) < on_the_orbit) return true;
   VectorXd expected = from, image = cycle.first.end;
   for (int k = 1;; ++k) {
     expected = cycle.once.transition * expected;
     const VectorXd missed = image - cycle.x - expected;
-    if (largest(missed - along * along.dot(missed)) <= linear_share * largest(from)) return true;
+    const double share = std::min(linear_share, 1 - std::pow(modulus, k));
+    if (largest(missed - along * along.dot(missed)) <= share * largest(from)) return true;
     if (k >= periods) return false;
     const auto arc = motion.roughly(image, cycle.once.angle_rad);
     if (!arc) return false;
     image = arc->end;
   }
+}
+
+/// Whole periods in the cycle: Newton's iteration may have closed several at once.
+int periods_in(const TurningMotion& motion, const Closed& cycle) {
+  for (int k = most_periods; k > 1; --k) {
+    const auto arc = motion.roughly(cycle.x, cycle.once.angle_rad / k);
+    if (arc && largest(arc->end - cycle.x) < returns_early) return k;
+  }
+  return 1;
+}
+
+std::optional<TurningCycle> exact_cycle(const TurningMotion& motion, const VectorXd& x, double period_rad) {
+  auto cycle = close(motion, motion.exactly, x, period_rad, exact.closed);
+  if (!cycle) return std::nullopt;
+  const auto modulus = stable_modulus(cycle->once.transition, exact.trivial);
+  if (!modulus) return std::nullopt;
+  return TurningCycle{cycle->x, std::move(cycle->once), *modulus};
 }
 
 }  // namespace
@@ -111,13 +133,11 @@ std::optional<TurningCycle> prove_cycle(const TurningMotion& motion, const Vecto
   for (const double period : periods_rad) {
     const auto nearly = close(motion, motion.roughly, start, period, rough.closed);
     if (!nearly || largest(motion.rate(nearly->x)) < stands_still) continue;
-    if (!stable_modulus(nearly->once.transition, rough.trivial)) continue;
+    const auto modulus = stable_modulus(nearly->once.transition, rough.trivial);
+    if (!modulus) continue;
     const auto periods = static_cast<int>(std::lround(periods_rad.back() / period));
-    if (!approaches(motion, start, *nearly, periods)) return std::nullopt;
-    auto cycle = close(motion, motion.exactly, nearly->x, nearly->once.angle_rad, exact.closed);
-    if (!cycle) continue;
-    if (const auto modulus = stable_modulus(cycle->once.transition, exact.trivial))
-      return TurningCycle{cycle->x, std::move(cycle->once), *modulus};
+    if (!approaches(motion, start, *nearly, *modulus, periods)) return std::nullopt;
+    return exact_cycle(motion, nearly->x, nearly->once.angle_rad / periods_in(motion, *nearly));
   }
   return std::nullopt;
 }

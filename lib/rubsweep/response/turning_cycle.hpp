@@ -30,7 +30,8 @@ struct TurningCycle {
 /// period, the state staying on the plane through `start` across the motion there, closes the orbit; one
 /// multiplier of its monodromy matrix is 1, as every shift along the orbit makes it, to how well it is known,
 /// and all others lie inside `largest_floquet_modulus`; and the transient's next period, or the time of the
-/// last of `periods_rad`, ends where the monodromy matrix says, to a tenth of its distance from the orbit.
+/// last of `periods_rad`, ends where the monodromy matrix says, to a tenth of its distance from the orbit
+/// and to less than the multipliers shorten that.
 /// Empty when none closes and is stable, or when the first that is fails the last test.
 std::optional<TurningCycle> prove_cycle(const TurningMotion& motion, const Eigen::VectorXd& start,
                                         const std::vector<double>& periods_rad);
