@@ -37,10 +37,11 @@ std::optional<MaximaSearch::Return> search_for(const std::function<Complex(doubl
   return search.candidate();
 }
 
-/// 1 + 0.2 cos at `spacing` lines a turn, alternating by `alternation`.
+/// Settles on 1 + 0.2 cos at `spacing` lines a turn, alternating by `alternation`.
 std::function<Complex(double)> oval(double spacing, double alternation = 0) {
   return [=](double phase) {
-    return Complex(1 + 0.2 * std::cos(spacing * phase) + alternation * std::cos(spacing * phase / 2),
+    return Complex(1 + (0.2 + 0.02 * std::exp(-0.02 * phase)) * std::cos(spacing * phase) +
+                       alternation * std::cos(spacing * phase / 2),
                    0.1 * std::sin(spacing * phase));
   };
 }
@@ -50,7 +51,7 @@ TEST(MaximaSearch, NamesTheTimeBetweenMaximaThatReturn) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->maxima, 1);
   ASSERT_EQ(found->periods_rad.size(), 1u);
-  EXPECT_NEAR(found->periods_rad[0], full_turn / 0.61, 1e-3);
+  EXPECT_NEAR(found->periods_rad[0], full_turn / 0.61, 5e-3);
 }
 
 TEST(MaximaSearch, OffersTheHalfOfAReturnThatIsNearToo) {
@@ -58,8 +59,8 @@ TEST(MaximaSearch, OffersTheHalfOfAReturnThatIsNearToo) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->maxima, 2);
   ASSERT_EQ(found->periods_rad.size(), 2u);
-  EXPECT_NEAR(found->periods_rad[0], full_turn / 0.61, 1e-3);
-  EXPECT_NEAR(found->periods_rad[1], 2 * full_turn / 0.61, 1e-3);
+  EXPECT_NEAR(found->periods_rad[0], full_turn / 0.61, 5e-3);
+  EXPECT_NEAR(found->periods_rad[1], 2 * full_turn / 0.61, 5e-3);
 }
 
 TEST(MaximaSearch, FindsNothingWithoutAMaximumInTheLastTurnOrWithoutContact) {
