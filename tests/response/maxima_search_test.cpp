@@ -64,8 +64,8 @@ TEST(MaximaSearch, OffersTheHalfOfAReturnThatIsNearToo) {
 }
 
 TEST(MaximaSearch, FindsNothingWithoutAMaximumInTheLastTurnOrWithoutContact) {
-  EXPECT_FALSE(search_for(oval(0.1), 25));  // maxima every 10 turns, the last one in turn 20
-  EXPECT_TRUE(search_for(oval(0.1), 21));
+  EXPECT_FALSE(search_for(oval(0.1), 35));  // maxima every 10 turns, the last one in turn 30
+  EXPECT_TRUE(search_for(oval(0.1), 31));
   EXPECT_FALSE(search_for(oval(0.61), 10, false));
 }
 
