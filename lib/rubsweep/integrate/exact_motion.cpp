@@ -154,7 +154,7 @@ template <int N>
 void ExactMotion<N>::step_transition_by_matrices(double duration_s) {
   double rest = duration_s;
   while (rest > short_series / mode_->fastest_rad_per_s) {
-    const int k = exact_step_below(rest / mode_->longest_step_s);
+    const int k = exact_step_below(rest * mode_->longest_steps_per_s);
     if (k == exact_step_count) break;
     transition_ = mode_->steps[static_cast<std::size_t>(k)].lazyProduct(transition_).eval();
     rest -= mode_->longest_step_s * exact_step_size(k);
@@ -184,7 +184,7 @@ template <int N>
 double ExactMotion<N>::step_close_to(double duration_s) {
   double rest = duration_s;
   while (rest > short_series / mode_->fastest_rad_per_s) {
-    const int k = exact_step_below(rest / mode_->longest_step_s);
+    const int k = exact_step_below(rest * mode_->longest_steps_per_s);
     if (k == exact_step_count) break;
     step_by_table(k);
     rest -= mode_->longest_step_s * exact_step_size(k);

@@ -25,6 +25,7 @@ ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<ExactPlan<N>> p
     : motion_(scene, plan),
       speed_(scene.speed_rad_per_s),
       period_s_(2 * std::numbers::pi / scene.speed_rad_per_s),
+      turns_per_s_(1 / period_s_),
       length_m_(scene.length_scale_m),
       impulses_(scene),
       slip_(scene, plan->friction()),
@@ -181,7 +182,7 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
     time_s_ = boundary;
     if (boundary < period_s_ && !pass_boundary(turn)) return ExactEnding::beyond;
   } else {
-    const int k = exact_step_below(step / motion_.mode().longest_step_s);
+    const int k = exact_step_below(step * motion_.mode().longest_steps_per_s);
     move(turn, k < exact_step_count ? motion_.mode().longest_step_s * exact_step_size(k) : step, k);
     standstill_ = 0;
   }
@@ -292,7 +293,7 @@ void ExactRun<N>::passed(Turn& turn, double duration_s) {
   time_s_ += duration_s;
   if (motion_.joint() != 0) {
     slip_.advance(duration_s);
-    turn.contact_fraction += duration_s / period_s_;
+    turn.contact_fraction += duration_s * turns_per_s_;
   }
   const double rest_s = samples_.end(motion_, time_s_, turn, speed_, [&](const State& here, double passed_s) {
     if (turn.peaks) peaks_.pass(here, passed_s, turn);

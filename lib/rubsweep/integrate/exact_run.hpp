@@ -83,7 +83,7 @@ class ExactRun {
   bool renew_slip_watch(Turn& turn, double step_s);
 
   Motion motion_;
-  double speed_ = 0, period_s_ = 0, length_m_ = 0;
+  double speed_ = 0, period_s_ = 0, turns_per_s_ = 0, length_m_ = 0;
   double kick_s_ = 0, kick_elapsed_s_ = 0;  ///< duration (0: none), and how much of it was over at the start
   Impulses impulses_;
   SlipWatch<N> slip_;

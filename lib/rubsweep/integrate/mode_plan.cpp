@@ -109,6 +109,7 @@ class ModeBuilder {
     fastest_ = fastest(plan_->generator);
     plan_->longest_step_s = 1 / slowest(plan_->stiffness);
     if (!open()) plan_->longest_step_s = std::min(plan_->longest_step_s, 16 / fastest_);
+    plan_->longest_steps_per_s = 1 / plan_->longest_step_s;
     plan_->fastest_rad_per_s = fastest_;
     const auto form = modal_form(plan_->stiffness, plan_->damping);
     plan_->paired = form.has_value();
