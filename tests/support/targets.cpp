@@ -240,7 +240,8 @@ int main(int argc, char** argv) {
   per_revolution("set A", {}, 2000);
   per_revolution("set B", test::set_b_rotor(), 6000);
   annulus("circle", 80, 0.6);
-  annulus("oval", 120, 0.6);
+  annulus("oval", 165, 0.6);
+  annulus("oval that attracts weakly", 120, 0.6);
   whole_map(std::filesystem::path(argv[1]) / "figure06_one_side.yaml");
   cost_per_cell(argv[1], {"figure06_one_side", "figure06_set_b", "rotor_kit"});
   return 0;
