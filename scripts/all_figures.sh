@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # all_figures.sh: every map and every behaviour panel, as results/figures/*.png and .svg. Computes the maps that
-# results/ does not hold: about eight minutes on two cores for all of them, then one.
+# results/ does not hold: about three minutes on two cores for all of them, then one.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
