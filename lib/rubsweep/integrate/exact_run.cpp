@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rubsweep/integrate/certified_step.hpp"
+#include "rubsweep/integrate/joint_mode.hpp"
 #include "rubsweep/integrate/step_observer.hpp"
 #include "rubsweep/integrate/step_table.hpp"
 
@@ -111,31 +112,12 @@ void ExactRun<N>::set_phases() {
   motion_.set_phases(0, kicked_ ? std::numbers::pi * kick_time / kick_s_ : -1);
 }
 
-/// Modes by the state alone, with the rates of the open law: a start exactly at the wall and moving into it
-/// is in contact from the first instant.
 template <int N>
 bool ExactRun<N>::enter_by_state(const State& physical) {
   if (!motion_.enter(0, physical)) return false;
-  const State rate = motion_.rate_of(physical);
-  const auto& contacts = motion_.plan().system().contacts;
-  std::size_t joint = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const auto& c = contacts[i];
-    if (c.ring) continue;
-    const contact::Kinematics k = kinematics(i, physical, rate);
-    const Mode mode = contact::mode_after(
-        contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed), c.stiffness, c.damping, k);
-    joint += static_cast<std::size_t>(mode) << (2 * i);
-  }
+  const std::size_t joint =
+      joint_mode_of(motion_.plan().system().contacts, physical, motion_.rate_of(physical));
   return joint == 0 || motion_.enter(joint, physical);
-}
-
-template <int N>
-contact::Kinematics ExactRun<N>::kinematics(std::size_t i, const State& physical, const State& rate) const {
-  const auto& c = motion_.plan().system().contacts[i];
-  const Eigen::Index n = c.first_row.size();
-  return {c.first_row.dot(physical.head(n).transpose()) - c.clearance,
-          c.first_row.dot(physical.tail(n).transpose()), c.first_row.dot(rate.tail(n).transpose())};
 }
 
 template <int N>
@@ -320,8 +302,8 @@ bool ExactRun<N>::switch_mode(Turn& turn, std::size_t e) {
     const auto& c = contacts[i];
     const Mode from = plan.modes[i];
     Mode to = plan.exits[e].contact == i ? plan.exits[e].next : from;
-    if (!c.ring) to = contact::mode_after(to, c.stiffness, c.damping, kinematics(i, here, rate));
-    joint += static_cast<std::size_t>(to) << (2 * i);
+    if (!c.ring) to = contact::mode_after(to, c.stiffness, c.damping, kinematics_of(c, here, rate));
+    joint += in_joint_mode(to, i);
     if (to == from) continue;
     ++effort_.switches;
     StepObserver::count(turn, {speed_ * time_s_, static_cast<int>(i), from, to});

@@ -77,7 +77,6 @@ class ExactRun {
   void passed(Turn& turn, double duration_s);
   void land(Turn& turn, std::size_t exit, double latest_s);
   bool switch_mode(Turn& turn, std::size_t exit);
-  contact::Kinematics kinematics(std::size_t contact, const State& physical, const State& rate) const;
 
   bool slip_held(Turn& turn, const State& here);
   bool renew_slip_watch(Turn& turn, double step_s);
