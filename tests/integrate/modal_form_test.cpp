@@ -64,5 +64,32 @@ TEST(ModalForm, KnowsGrowth) {
   EXPECT_GT(modal_form(follower, Matrix2d::Zero())->growth, 0.1);
 }
 
+/// Against the generator itself, and against the flow sampled.
+TEST(ModalForm, RatesAndBoundsOfRows) {
+  Matrix2d k, c;
+  k << 5e4, -4e4, -6e5, 7e5;
+  c << 10, -3, -60, 80;
+  const auto form = modal_form(k, c);
+  ASSERT_TRUE(form);
+  const MatrixXd a = generator_of(k, c);
+  Eigen::RowVectorXd physical(4);
+  physical << 1, -0.5, 0.01, 0.02;
+  const Eigen::RowVectorXd row = physical * form->basis;
+  const Eigen::RowVectorXd rate = physical * a * form->basis;
+  EXPECT_LT((rate_of_row(*form, row) - rate).cwiseAbs().maxCoeff(), 1e-9 * rate.cwiseAbs().maxCoeff());
+
+  constexpr double horizon = 0.02;
+  const Eigen::RowVectorXd bound = bound_of_row(*form, row, horizon);
+  const Eigen::Vector4d z(0.3, -0.2, 0.1, 0.4);
+  const double limit = bound(0) * std::hypot(z(0), z(2)) + bound(1) * std::hypot(z(1), z(3));
+  double largest = 0;
+  for (int i = 0; i <= 2000; ++i) {
+    const Eigen::VectorXd moved = matrix_flow(a, horizon * i / 2000) * (form->basis * z);
+    largest = std::max(largest, std::abs(physical.dot(moved.transpose())));
+  }
+  EXPECT_LE(largest, limit * (1 + 1e-12));
+  EXPECT_GT(largest, 0.3 * limit);
+}
+
 }  // namespace
 }  // namespace rubsweep::integrate

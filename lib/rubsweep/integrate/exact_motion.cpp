@@ -152,13 +152,9 @@ void ExactMotion<N>::step_transition() {
 
 template <int N>
 void ExactMotion<N>::step_transition_by_matrices(double duration_s) {
-  double rest = duration_s;
-  while (rest > short_series / mode_->fastest_rad_per_s) {
-    const int k = exact_step_below(rest * mode_->longest_steps_per_s);
-    if (k == exact_step_count) break;
+  const double rest = table_steps(duration_s, [this](int k) {
     transition_ = mode_->steps[static_cast<std::size_t>(k)].lazyProduct(transition_).eval();
-    rest -= mode_->longest_step_s * exact_step_size(k);
-  }
+  });
   State column;
   for (Eigen::Index i = 0; i < transition_.cols(); ++i) {
     column = transition_.col(i);
@@ -175,21 +171,7 @@ void ExactMotion<N>::turn_phasors(double duration_s) {
 
 template <int N>
 void ExactMotion<N>::step_by(double duration_s) {
-  duration_s -= step_close_to(duration_s);
-  step_by_series(duration_s);
-}
-
-/// Steps of the table as far as they fit, until the rest is short. Returns how far.
-template <int N>
-double ExactMotion<N>::step_close_to(double duration_s) {
-  double rest = duration_s;
-  while (rest > short_series / mode_->fastest_rad_per_s) {
-    const int k = exact_step_below(rest * mode_->longest_steps_per_s);
-    if (k == exact_step_count) break;
-    step_by_table(k);
-    rest -= mode_->longest_step_s * exact_step_size(k);
-  }
-  return duration_s - rest;
+  step_by_series(table_steps(duration_s, [this](int k) { step_by_table(k); }));
 }
 
 template <int N>
@@ -215,15 +197,15 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   if (size > short_series) {
     const auto start = expand(1, 2);
     const double guess_s = std::clamp(next_root(start[0], start[1], 2 * start[2]), 0.0, within_s);
-    stepped_s = step_close_to(guess_s);
+    stepped_s = guess_s - table_steps(guess_s, [this](int k) { step_by_table(k); });
     size = fastest * (1.25 * (guess_s - stepped_s) + 0.05 * guess_s);
   }
   size += 1e-4;
-  do {
+  for (;; size = std::min(4 * size, longest_series)) {
     const double duration_s = size / fastest;
     root_s = duration_s * root_of_series(expand(duration_s, series_terms(size)));
-    size *= 4;
-  } while (std::abs(root_s) * fastest > size / 4 && size <= longest_series);
+    if (std::abs(root_s) * fastest <= size || size >= longest_series) break;
+  }
   step_by_series(root_s);
   return stepped_s + root_s;
 }

@@ -115,7 +115,17 @@ class ExactMotion {
   void add_drives(std::size_t e, Exit& exit) const;
   void step_transition();
   void step_transition_by_matrices(double duration_s);
-  double step_close_to(double duration_s);
+  /// Calls `step` for steps of the table as far as they fit, until the rest is short; returns the rest.
+  template <class Step>
+  double table_steps(double duration_s, const Step& step) const {
+    while (duration_s > short_series / mode_->fastest_rad_per_s) {
+      const int k = exact_step_below(duration_s * mode_->longest_steps_per_s);
+      if (k == exact_step_count) break;
+      step(k);
+      duration_s -= mode_->longest_step_s * exact_step_size(k);
+    }
+    return duration_s;
+  }
   void step_by_series(double duration_s);
 
   std::shared_ptr<ExactPlan<N>> plan_;

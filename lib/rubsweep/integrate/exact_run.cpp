@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <utility>
 
-#include "rubsweep/integrate/certified_step.hpp"
 #include "rubsweep/integrate/joint_mode.hpp"
+#include "rubsweep/integrate/step_choice.hpp"
 #include "rubsweep/integrate/step_observer.hpp"
 #include "rubsweep/integrate/step_table.hpp"
 
@@ -15,8 +15,9 @@ namespace {
 
 using contact::Mode;
 
-constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
-constexpr int longest_standstill = 16;   ///< mode switches without progress before a graze is stepped over
+constexpr double shortest_step = 1e-13;    ///< of a turn: what a graze is stepped over with
+constexpr int longest_standstill = 16;     ///< mode switches without progress before a graze is stepped over
+constexpr double shortest_to_ring = 1e-7;  ///< of a turn: steps towards a ring before it counts as touched
 constexpr double steps_per_turn_when_watched = 64;
 
 }  // namespace
@@ -43,9 +44,15 @@ ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<ExactPlan<N>> p
 
 template <int N>
 std::vector<double> ExactRun<N>::section() const {
-  std::vector<double> section(turn_start_.data(), turn_start_.data() + turn_start_.size());
-  for (std::size_t i = section.size() / 2; i < section.size(); ++i) section[i] /= speed_;
+  std::vector<double> section;
+  put_section(section);
   return section;
+}
+
+template <int N>
+void ExactRun<N>::put_section(std::vector<double>& section) const {
+  section.assign(turn_start_.data(), turn_start_.data() + turn_start_.size());
+  for (std::size_t i = section.size() / 2; i < section.size(); ++i) section[i] /= speed_;
 }
 
 template <int N>
@@ -128,9 +135,7 @@ ExactEnding ExactRun<N>::end_turn(Turn& turn) {
   turn_start_ = end;
   ++revolution_;
   goes_on_ = true;
-  turn.section.resize(static_cast<std::size_t>(end.size()));
-  for (Eigen::Index j = 0; j < end.size(); ++j)
-    turn.section[static_cast<std::size_t>(j)] = j < end.size() / 2 ? end(j) : end(j) / speed_;
+  put_section(turn.section);
   turn.touching_at_end = motion_.joint() != 0;
   if (turn.transition_wanted) {
     const Eigen::Index n = end.size() / 2;
@@ -146,7 +151,7 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
   samples_.start(motion_, time_s_, turn, speed_);
   const double boundary = std::min(next_boundary(), samples_.boundary_s(motion_));
   const double until = boundary - time_s_;
-  Choice choice = choose(until);
+  StepChoice choice = choose_step(motion_, until, reach_s(), shortest_to_ring * period_s_);
   ++effort_.steps;
   if (choice.ring || !renew_slip_watch(turn, choice.step_s)) return ExactEnding::beyond;
   if (choice.crossing && standstill_ < longest_standstill) {
@@ -212,51 +217,6 @@ bool ExactRun<N>::strike(Turn& turn) {
   if (!slip_.begin(motion_, here)) return false;
   if (turn.peaks) peaks_.begin(motion_);
   return true;
-}
-
-template <int N>
-typename ExactRun<N>::Choice ExactRun<N>::choose(double until_boundary_s) const {
-  const ModePlan<N>& mode = motion_.mode();
-  Choice choice;
-  choice.step_s = std::min(mode.longest_step_s, until_boundary_s);
-  const State sizes = motion_.sizes();
-  for (std::size_t e = 0; e < mode.exits.size(); ++e) add_exit(e, sizes, choice);
-  for (std::size_t r = 0; r < mode.rings.size(); ++r) {
-    const Exit ring = motion_.ring(r, sizes);
-    const double step = safe_step(ring.value, ring.rate, ring.curvature);
-    const bool near = crosses(ring.value, ring.rate, ring.curvature);
-    if (ring.value >= 0 || (near && step < choice.step_s) || step < 1e-7 * period_s_) choice.ring = true;
-    choice.step_s = std::min(choice.step_s, step);
-  }
-  return choice;
-}
-
-template <int N>
-void ExactRun<N>::add_exit(std::size_t e, const State& sizes, Choice& choice) const {
-  const auto keep_below = [&choice](double step) {
-    if (step >= choice.step_s) return;
-    choice.step_s = step;
-    choice.crossing.reset();
-  };
-  double slow_step = 0;
-  if (motion_.mode().exits[e].split) {
-    const Exit slow = motion_.slow_exit(e, sizes);
-    if (stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
-    if (slow.value < 0) slow_step = safe_step(slow.value, slow.rate, slow.curvature);
-    // No crossing within reach.
-    if (slow_step > reach_s()) return keep_below(slow_step);
-  }
-  const Exit exit = motion_.exit(e, sizes);
-  if (stays_below(exit.value, exit.rate, exit.curvature, choice.step_s)) return;
-  if (crosses(exit.value, exit.rate, exit.curvature)) {
-    const double latest = latest_crossing(exit.value, exit.rate, exit.curvature);
-    if (latest < choice.step_s && latest <= reach_s()) {
-      choice.step_s = latest;
-      choice.crossing = e;
-      return;
-    }
-  }
-  keep_below(std::max(slow_step, safe_step(exit.value, exit.rate, exit.curvature)));
 }
 
 /// `table_step` < 0 or beyond the table: by `duration_s` as it is.

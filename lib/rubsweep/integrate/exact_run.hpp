@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,17 +50,11 @@ class ExactRun {
  private:
   using Motion = ExactMotion<N>;
   using State = typename Motion::State;
-  using Exit = typename Motion::Exit;
-
-  struct Choice {
-    double step_s = 0;                    ///< safe, or the latest instant of the crossing
-    std::optional<std::size_t> crossing;  ///< this exit is crossed, for certain and first
-    bool ring = false;                    ///< a ring is about to be touched
-  };
 
   bool begin_turn(Turn& turn);
   bool start_motion();
   ExactEnding end_turn(Turn& turn);
+  void put_section(std::vector<double>& section) const;
   void set_phases();
   bool enter_by_state(const State& physical);
   ExactEnding advance_once(Turn& turn);
@@ -71,8 +64,6 @@ class ExactRun {
   double reach_s() const;
   bool pass_boundary(Turn& turn);
   bool strike(Turn& turn);
-  Choice choose(double until_boundary_s) const;
-  void add_exit(std::size_t e, const State& sizes, Choice& choice) const;
   void move(Turn& turn, double duration_s, int table_step);
   void passed(Turn& turn, double duration_s);
   void land(Turn& turn, std::size_t exit, double latest_s);

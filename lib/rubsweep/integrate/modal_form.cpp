@@ -82,4 +82,23 @@ std::optional<ModalForm> modal_form(const Eigen::MatrixXd& stiffness, const Eige
   return form;
 }
 
+Eigen::RowVectorXd rate_of_row(const ModalForm& form, const Eigen::RowVectorXd& row) {
+  const Eigen::Index n = row.size() / 2;
+  Eigen::RowVectorXd rate(2 * n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Pair& g = form.pairs[static_cast<std::size_t>(j)];
+    rate(j) = row(j) * g.uu + row(n + j) * g.vu;
+    rate(n + j) = row(j) * g.uv + row(n + j) * g.vv;
+  }
+  return rate;
+}
+
+Eigen::RowVectorXd bound_of_row(const ModalForm& form, const Eigen::RowVectorXd& row, double horizon_s) {
+  const Eigen::Index n = row.size() / 2;
+  const double growth = std::exp(std::max(0.0, form.growth) * horizon_s);
+  Eigen::RowVectorXd bound = Eigen::RowVectorXd::Zero(2 * n);
+  for (Eigen::Index j = 0; j < n; ++j) bound(j) = growth * std::hypot(row(j), row(n + j));
+  return bound;
+}
+
 }  // namespace rubsweep::integrate

@@ -24,4 +24,11 @@ struct ModalForm {
 /// cost digits.
 std::optional<ModalForm> modal_form(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping);
 
+/// Rate of row . z, again as a row on z.
+Eigen::RowVectorXd rate_of_row(const ModalForm& form, const Eigen::RowVectorXd& row);
+
+/// Bound of |row . z(t)| over 0 <= t <= `horizon_s` per size (length) of each pair, in the first half of 2n
+/// numbers; the second half is zero.
+Eigen::RowVectorXd bound_of_row(const ModalForm& form, const Eigen::RowVectorXd& row, double horizon_s);
+
 }  // namespace rubsweep::integrate

@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "rubsweep/integrate/matrix_flow.hpp"
 #include "rubsweep/integrate/modal_form.hpp"
+#include "rubsweep/integrate/mode_flow.hpp"
+#include "rubsweep/integrate/released_slip.hpp"
 #include "rubsweep/integrate/step_table.hpp"
 
 namespace rubsweep::integrate {
@@ -30,19 +34,6 @@ Row over_state(const Row& by_u, const Row& by_v) {
   Row row(by_u.size() + by_v.size());
   row << by_u, by_v;
   return row;
-}
-
-/// Rate of row . z where pair(j) moves (z_j, z_{n+j}), again as a row on z.
-template <class PairOf>
-Row rate_by_pairs(const Row& row, const PairOf& pair) {
-  const Eigen::Index n = row.size() / 2;
-  Row result(2 * n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const Pair g = pair(j);
-    result(j) = row(j) * g.uu + row(n + j) * g.vu;
-    result(n + j) = row(j) * g.uv + row(n + j) * g.vv;
-  }
-  return result;
 }
 
 /// Builds one joint mode of a plan.
@@ -106,65 +97,46 @@ class ModeBuilder {
   }
 
   void set_steps() {
-    fastest_ = fastest(plan_->generator);
+    plan_->fastest_rad_per_s = fastest(plan_->generator);
     plan_->longest_step_s = 1 / slowest(plan_->stiffness);
-    if (!open()) plan_->longest_step_s = std::min(plan_->longest_step_s, 16 / fastest_);
+    if (!open()) plan_->longest_step_s = std::min(plan_->longest_step_s, 16 / plan_->fastest_rad_per_s);
     plan_->longest_steps_per_s = 1 / plan_->longest_step_s;
-    plan_->fastest_rad_per_s = fastest_;
-    const auto form = modal_form(plan_->stiffness, plan_->damping);
-    plan_->paired = form.has_value();
-    if (form) {
-      plan_->basis = form->basis;
-      plan_->inverse = form->inverse;
-      plan_->pairs.resize(system_.coordinates(), 4);
-      for (Eigen::Index j = 0; j < system_.coordinates(); ++j) {
-        const Pair& g = form->pairs[static_cast<std::size_t>(j)];
-        plan_->pairs.row(j) << g.uu, g.uv, g.vu, g.vv;
-      }
-      plan_->trace = plan_->pairs.col(0) + plan_->pairs.col(3);
-      plan_->determinant =
-          plan_->pairs.col(0) * plan_->pairs.col(3) - plan_->pairs.col(1) * plan_->pairs.col(2);
-      growth_ = std::exp(std::max(0.0, form->growth) * plan_->longest_step_s);
+    form_ = modal_form(plan_->stiffness, plan_->damping);
+    plan_->paired = form_.has_value();
+    if (plan_->paired) {
+      set_pairs();
     } else {
       plan_->basis.setIdentity(plan_->generator.rows(), plan_->generator.rows());
       plan_->inverse = plan_->basis;
-    }
-    plan_->diagonal_basis = plan_->basis.isDiagonal(0) && plan_->inverse.isDiagonal(0);
-    if (plan_->paired) {
-      for (int k = 0; k < exact_step_count; ++k) add_step(plan_->longest_step_s * exact_step_size(k));
-    } else {
       for (const Matrix& flow : matrix_flows(plan_->generator, plan_->longest_step_s))
         plan_->steps.emplace_back(flow);
     }
+    plan_->diagonal_basis = plan_->basis.isDiagonal(0) && plan_->inverse.isDiagonal(0);
   }
 
-  Pair pair(Eigen::Index j) const {
-    return {plan_->pairs(j, 0), plan_->pairs(j, 1), plan_->pairs(j, 2), plan_->pairs(j, 3)};
-  }
-
-  void add_step(double duration_s) {
-    Eigen::Array<double, N, 4> step(system_.coordinates(), 4);
-    for (Eigen::Index j = 0; j < step.rows(); ++j) {
-      const Pair f = pair_flow(pair(j), duration_s);
-      step.row(j) << f.uu, f.uv, f.vu, f.vv;
+  void set_pairs() {
+    plan_->basis = form_->basis;
+    plan_->inverse = form_->inverse;
+    plan_->pairs.resize(system_.coordinates(), 4);
+    for (Eigen::Index j = 0; j < system_.coordinates(); ++j) {
+      const Pair& g = form_->pairs[static_cast<std::size_t>(j)];
+      plan_->pairs.row(j) << g.uu, g.uv, g.vu, g.vv;
     }
-    plan_->pair_steps.push_back(step);
+    plan_->trace = plan_->pairs.col(0) + plan_->pairs.col(3);
+    plan_->determinant =
+        plan_->pairs.col(0) * plan_->pairs.col(3) - plan_->pairs.col(1) * plan_->pairs.col(2);
+    for (int k = 0; k < exact_step_count; ++k)
+      plan_->pair_steps.push_back(flow_of_pairs(*plan_, plan_->longest_step_s * exact_step_size(k)));
   }
 
   /// Bound of |row . z(t)| over the longest step per size of z, for a row on z.
   Row bound(const Row& row) const {
-    if (!plan_->paired) return bound_of_flow(plan_->generator, row, plan_->longest_step_s, fastest_);
-    const Eigen::Index n = row.size() / 2;
-    Row by_pair = Row::Zero(2 * n);
-    for (Eigen::Index j = 0; j < n; ++j) by_pair(j) = growth_ * std::hypot(row(j), row(n + j));
-    return by_pair;
+    return form_ ? bound_of_row(*form_, row, plan_->longest_step_s)
+                 : bound_of_flow(plan_->generator, row, plan_->longest_step_s, plan_->fastest_rad_per_s);
   }
 
   /// Rate of a row on z, again as a row on z.
-  Row rate(const Row& row) const {
-    return plan_->paired ? rate_by_pairs(row, [this](Eigen::Index j) { return pair(j); })
-                         : Row(row * plan_->generator);
-  }
+  Row rate(const Row& row) const { return form_ ? rate_of_row(*form_, row) : Row(row * plan_->generator); }
 
   Watched<N> watched(const Row& row) const {
     const Row by_time = rate(row);
@@ -216,10 +188,7 @@ class ModeBuilder {
     const Eigen::Index n = plan_->rest.size();
     const Row whole = exit.whole.row_and_rate.row(0);
     const auto size = [&](Eigen::Index j) { return std::hypot(whole(j), whole(n + j)); };
-    const auto frequency = [&](Eigen::Index j) {
-      const Pair g = pair(j);
-      return std::sqrt(std::abs(g.uu * g.vv - g.uv * g.vu));
-    };
+    const auto frequency = [&](Eigen::Index j) { return std::sqrt(std::abs(plan_->determinant(j))); };
     double largest = 0, slowest_seen = std::numeric_limits<double>::infinity();
     for (Eigen::Index j = 0; j < n; ++j) largest = std::max(largest, size(j));
     for (Eigen::Index j = 0; j < n; ++j) {
@@ -268,7 +237,13 @@ class ModeBuilder {
     const Row sliding = by_v(c.second_row);
     touch.sliding = sliding;
     touch.sliding_rate_bound = bound(rate(sliding * plan_->basis));
-    if (!plan_->paired && only_released()) bound_friction_apart(i, touch);
+    if (!plan_->paired && only_released()) {
+      if (auto slip = released_slip(system_, friction_, plan_->modes, i, plan_->longest_step_s)) {
+        touch.sliding_rate_bound = slip->sliding_rate_bound;
+        touch.friction_rate = std::move(slip->friction_rate);
+        touch.friction_swing = std::move(slip->friction_swing);
+      }
+    }
     plan_->touches.push_back(touch);
   }
 
@@ -277,40 +252,11 @@ class ModeBuilder {
                        [](Mode mode) { return mode == Mode::open || mode == Mode::released; });
   }
 
-  /// In full matrices the penetration is a small difference of large components, which a bound by components
-  /// cannot see. Between released contacts the structure is free but for friction f, which its modal form
-  /// without contacts can bound: row . x' = row A x + row B f with
-  /// x(t) = e^{A t} x(0) + int e^{A (t - s)} B f(s) ds.
-  void bound_friction_apart(std::size_t i, TouchPlan<N>& touch) const {
-    const auto form = modal_form(system_.stiffness, system_.damping);
-    if (!form) return;
-    const Eigen::Index n = plan_->rest.size();
-    const auto& c = system_.contacts[i];
-    const double growth = std::exp(std::max(0.0, form->growth) * plan_->longest_step_s);
-    const Row by_time = rate_by_pairs(by_v(c.second_row) * form->basis, [&form](Eigen::Index j) {
-      return form->pairs[static_cast<std::size_t>(j)];
-    });
-    touch.sliding_rate_bound = Row::Zero(2 * n);
-    for (Eigen::Index j = 0; j < n; ++j)
-      touch.sliding_rate_bound(j) = growth * std::hypot(by_time(j), by_time(n + j));
-    for (std::size_t k = 0; k < plan_->modes.size(); ++k) {
-      const auto& other = system_.contacts[k];
-      const bool open = plan_->modes[k] == Mode::open;
-      const double force = open ? 0 : std::abs(friction_[k].coefficient) * other.stiffness;
-      const Eigen::VectorXd moved = form->inverse.rightCols(n) * other.second_push;
-      double swing = 0;
-      for (Eigen::Index j = 0; j < n; ++j)
-        swing += touch.sliding_rate_bound(j) * std::hypot(moved(j), moved(n + j));
-      touch.friction_rate.push_back(force * std::abs(c.second_row * other.second_push));
-      touch.friction_swing.push_back(force * swing);
-    }
-  }
-
   const System& system_;
   const Frictions& friction_;
   std::unique_ptr<ModePlan<N>> plan_;
   Eigen::VectorXd constant_;
-  double fastest_ = 0, growth_ = 1;
+  std::optional<ModalForm> form_;
 };
 
 }  // namespace

@@ -91,7 +91,7 @@ struct ModePlan {
   Eigen::Array<double, N, 4> pairs;               ///< generators: uu, uv, vu, vv per pair
   Eigen::Array<double, N, 1> trace, determinant;  ///< of the generators
   double longest_step_s = 0;
-  double longest_steps_per_s = 0;  ///< 1 / longest_step_s
+  double longest_steps_per_s = 0;                      ///< 1 / longest_step_s
   double fastest_rad_per_s = 0;                        ///< largest |eigenvalue|
   std::vector<Eigen::Array<double, N, 4>> pair_steps;  ///< uu, uv, vu, vv per pair; or
   std::vector<typename Types::Flow> steps;             ///< e^{A h}

@@ -1,0 +1,70 @@
+#include "rubsweep/integrate/step_choice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+using Motion = ExactMotion<4>;
+
+/// Free of contact, `gap` clearances before the wall and closing.
+struct Approach {
+  scene::Scene scene;
+  std::shared_ptr<ExactPlan<4>> plan;
+  Motion motion;
+
+  static scene::Scene unkicked() {
+    auto scene = test::cell_of({}).scene;
+    scene.pulse.reset();
+    return scene;
+  }
+
+  explicit Approach(double gap, double speed_per_s)
+      : scene(unkicked()), plan(std::make_shared<ExactPlan<4>>(scene)), motion(scene, plan) {
+    Motion::State start = Motion::State::Zero();
+    start(1) = 1 - gap;
+    start(5) = speed_per_s;
+    motion.set_phases(0, -1);
+    motion.enter(0, start);
+  }
+};
+
+TEST(ChooseStep, FarFromTheWallItIsSafeAllAlong) {
+  for (const double gap : {0.9, 0.4, 0.1}) {
+    const Approach start(gap, 100);
+    const StepChoice choice = choose_step(start.motion, 1.0, start.motion.reach_s(), 0);
+    ASSERT_GT(choice.step_s, 0);
+    ASSERT_LE(choice.step_s, start.motion.mode().longest_step_s);
+    if (choice.crossing) continue;
+    for (int i = 1; i <= 100; ++i) {
+      Approach moved(gap, 100);
+      moved.motion.step_by(choice.step_s * i / 100);
+      EXPECT_LT(moved.motion.exit(0, moved.motion.sizes()).value, 1e-12) << gap << ' ' << i;
+    }
+  }
+}
+
+TEST(ChooseStep, CloseToTheWallItNamesTheCrossingAndWhenAtTheLatest) {
+  Approach near(1e-4, 300);
+  const StepChoice choice = choose_step(near.motion, 1.0, near.motion.reach_s(), 0);
+  ASSERT_TRUE(choice.crossing);
+  const double duration_s = near.motion.land(*choice.crossing, choice.step_s);
+  EXPECT_LE(duration_s, choice.step_s);
+  EXPECT_NEAR(near.motion.exit(0, near.motion.sizes()).value, 0, 1e-15);
+  EXPECT_GT(near.motion.exit(0, near.motion.sizes()).rate, 0);
+}
+
+TEST(ChooseStep, NoLandingBeyondReachAndNothingBeyondTheBoundary) {
+  const Approach near(1e-4, 300);
+  EXPECT_FALSE(choose_step(near.motion, 1.0, 1e-9, 0).crossing);
+  const StepChoice cut = choose_step(near.motion, 1e-8, near.motion.reach_s(), 0);
+  EXPECT_EQ(cut.step_s, 1e-8);
+  EXPECT_FALSE(cut.crossing);
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate
