@@ -120,11 +120,11 @@ TEST(Exact, TransitionIsTheDerivativeOfTheSection) {
   scene.pulse.reset();
   const auto undriven = start_exact(scene, {}, plans);
   undriven.restart(start);
-  turn.transition_wanted = true;
+  turn.disturbances.setIdentity(8, 8);
   ASSERT_EQ(undriven.advance(turn), Outcome::ok);
   ASSERT_GT(turn.hits, 0);
-  const Eigen::MatrixXd transition = turn.transition;
-  turn.transition_wanted = false;
+  const Eigen::MatrixXd transition = turn.disturbances;
+  turn.disturbances.resize(0, 0);
   constexpr double h = 1e-6;
   for (std::size_t j = 0; j < start.size(); ++j) {
     std::vector<double> shifted = start;
@@ -186,6 +186,24 @@ TEST(Exact, WatchingDoesNotMoveTheRotor) {
     watched.advance(b);
   }
   EXPECT_LT(difference(a, b), 1e-12);
+}
+
+TEST(Exact, PeaksDoNotDependOnSamples) {
+  const auto scene = test::cell_of({}).scene;
+  ExactPlans plans;
+  const auto bare = start_exact(scene, {}, plans), sampled = start_exact(scene, {}, plans);
+  Turn a, b;
+  a.peaks = b.peaks = true;
+  b.samples_per_revolution = 256;
+  int touched = 0;
+  for (int k = 0; k < 20; ++k) {
+    bare.advance(a);
+    sampled.advance(b);
+    touched += a.touched;
+    EXPECT_NEAR(a.peak_displacement_m, b.peak_displacement_m, 1e-5 * b.peak_displacement_m) << k;
+    EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-6 * b.peak_contact_force_n) << k;
+  }
+  EXPECT_GT(touched, 5);
 }
 
 TEST(Exact, FrictionThatIsNotSaturatedGoesToTheAdaptiveSolverAndBack) {

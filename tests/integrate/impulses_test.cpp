@@ -203,11 +203,11 @@ TEST(Impulses, TransitionIsTheDerivativeOfTheSection) {
     run.advance(turn);
     return turn.section;
   };
-  turn.transition_wanted = true;
+  turn.disturbances.setIdentity(8, 8);
   section_after(start, 0, 0);
   ASSERT_GT(turn.hits, 0);
-  const Eigen::MatrixXd transition = turn.transition;
-  turn.transition_wanted = false;
+  const Eigen::MatrixXd transition = turn.disturbances;
+  turn.disturbances.resize(0, 0);
   constexpr double h = 1e-6;
   for (std::size_t j = 0; j < start.size(); ++j) {
     const auto above = section_after(start, j, h), below = section_after(start, j, -h);

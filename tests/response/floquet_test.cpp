@@ -10,8 +10,8 @@ namespace {
 
 /// The logistic map: orbits and multipliers in closed form.
 TurnMap logistic(double r) {
-  return [r](std::span<double> s, Eigen::MatrixXd* transition) {
-    if (transition) transition->setConstant(1, 1, r * (1 - 2 * s[0]));
+  return [r](std::span<double> s, Eigen::MatrixXd* disturbances) {
+    if (disturbances) *disturbances *= r * (1 - 2 * s[0]);
     s[0] = r * s[0] * (1 - s[0]);
     return true;
   };
@@ -52,10 +52,10 @@ TEST(ProveOrbit, AnUnstableOrbitIsNoProof) {
 }
 
 TEST(ProveOrbit, AMultiplierOnTheUnitCircleIsNoProof) {
-  const TurnMap rotation = [](std::span<double> s, Eigen::MatrixXd* transition) {
+  const TurnMap rotation = [](std::span<double> s, Eigen::MatrixXd* disturbances) {
     Eigen::Matrix2d turn;
     turn << std::cos(1), -std::sin(1), std::sin(1), std::cos(1);
-    if (transition) *transition = turn;
+    if (disturbances) *disturbances = turn * *disturbances;
     const Eigen::Vector2d x = turn * Eigen::Vector2d(s[0], s[1]);
     s[0] = x[0];
     s[1] = x[1];
@@ -68,9 +68,9 @@ TEST(ProveOrbit, AMultiplierOnTheUnitCircleIsNoProof) {
 /// To the left of zero the map leads away from its fixed point 0.1, which lies on the right and is stable
 /// there. Newton from the left lands on it at once; the transient does not approach it by the slope it has.
 TEST(ProveOrbit, DoesNotHopToAnotherOrbit) {
-  const TurnMap bent = [](std::span<double> s, Eigen::MatrixXd* transition) {
+  const TurnMap bent = [](std::span<double> s, Eigen::MatrixXd* disturbances) {
     const double slope = s[0] < 0 ? 1.5 : 0.2;
-    if (transition) transition->setConstant(1, 1, slope);
+    if (disturbances) *disturbances *= slope;
     s[0] = 0.1 + slope * (s[0] - 0.1);
     return true;
   };
@@ -84,12 +84,12 @@ TEST(ProveOrbit, DoesNotHopToAnotherOrbit) {
 
 /// A spiral into the origin with an edge in its way, which a transient meets three turns later only.
 TEST(ProveOrbit, FollowsTheTransientUntilItsDistanceHasHalved) {
-  const TurnMap edged = [](std::span<double> s, Eigen::MatrixXd* transition) {
+  const TurnMap edged = [](std::span<double> s, Eigen::MatrixXd* disturbances) {
     constexpr double angle = std::numbers::pi / 3, shrinks = 0.9;
     Eigen::Matrix2d spiral;
     spiral << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
     spiral *= shrinks;
-    if (transition) *transition = spiral;
+    if (disturbances) *disturbances = spiral * *disturbances;
     const Eigen::Vector2d next = spiral * Eigen::Vector2d(s[0], s[1]);
     s[0] = next.x() < -0.03 ? 5 : next.x();
     s[1] = next.y();

@@ -154,7 +154,7 @@ TEST(Settle, ProvenRestIsWhatALongRunShows) {
 
 TEST(Settle, FailuresNameTheirOutcome) {
   integrate::SolverOptions solver;
-  solver.max_steps_per_revolution = 30;
+  solver.max_steps_per_revolution = 10;
   const auto settled = run({}, {}, solver);
   EXPECT_EQ(settled.motion.motion_class, MotionClass::failed);
   EXPECT_EQ(settled.outcome, integrate::Outcome::step_limit);

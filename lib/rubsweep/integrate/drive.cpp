@@ -67,8 +67,11 @@ bool make_drive(const ModePlan<N>& mode, const Eigen::VectorXcd& force, double r
         {row_on(ring.physical[0], drive.amplitude, rate), row_on(ring.physical[1], drive.amplitude, rate)});
     drive.ring_length.push_back(longest(drive.at_ring.back()[0], drive.at_ring.back()[1]));
   }
-  for (const auto& touch : mode.touches)
+  for (const auto& touch : mode.touches) {
+    drive.at_force.push_back(row_on(touch.force, drive.amplitude, rate));
+    drive.force_curvature.push_back(std::abs(drive.at_force.back()) * rate * rate);
     drive.sliding.push_back(std::abs(row_on(touch.sliding, drive.amplitude, rate)) * rate);
+  }
   return true;
 }
 

@@ -32,6 +32,8 @@ struct Drive {
   std::vector<double> curvature;  ///< per exit: |at_exit| rate^2
   std::vector<std::array<Complex, 2>> at_ring;
   std::vector<double> ring_length;                ///< per ring: bound on |at_ring e^{i rate t}|
+  std::vector<Complex> at_force;                  ///< per touch
+  std::vector<double> force_curvature;            ///< per touch: |at_force| rate^2
   std::vector<double> sliding;                    ///< per touch: |sliding amplitude| rate
   std::array<Complex, exact_step_count> steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked
 

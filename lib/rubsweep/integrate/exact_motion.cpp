@@ -28,22 +28,23 @@ ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<ExactPlan
         Complex(0, -scene.pulse->force_n) * (inverse_mass * scene.pulse->direction.template cast<Complex>());
   }
   free_.resize(2 * unbalance_.size());
-  transition_.resize(free_.size(), free_.size());
+  carried_.resize(free_.size(), 0);
 }
 
 template <int N>
 bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   const ModePlan<N>* next = plan_->mode(joint);
   if (next == nullptr) return false;
-  step_transition();
-  if (transition_wanted_ && mode_ != nullptr)
-    transition_ = next->inverse.lazyProduct(mode_->basis.lazyProduct(transition_).eval()).eval();
+  catch_up();
+  for (Eigen::Index i = 0; i < carried_.cols(); ++i)
+    carried_.col(i) = next->to_free(mode_->from_free(carried_.col(i)));
   mode_ = next;
   if (cells_.size() <= mode_->index) cells_.resize(mode_->index + 1);
   ModeCell& cell = cells_[mode_->index];
   if (!cell.made) make(cell);
   cell_ = &cell;
   joint_ = joint;
+  ++visits_;
   free_ = mode_->to_free(physical - forced(*mode_, cell, here()));
   return cell.usable;
 }
@@ -88,6 +89,32 @@ void ExactMotion<N>::move(Instant& instant, const Stretch& stretch) {
 template <int N>
 void ExactMotion<N>::ahead(Instant& instant, double duration_s) const {
   if (duration_s > 0) move(instant, stretch(duration_s));
+}
+
+template <int N>
+void ExactMotion<N>::ahead_by_table(Instant& instant, int k) const {
+  const auto index = static_cast<std::size_t>(k);
+  move_pairs(mode_->pair_steps[index], instant.free);
+  instant.phasor = product(instant.phasor, cell_->unbalance.turned_by(index, mode_->longest_step_s));
+  if (kick_on_)
+    instant.kick_phasor = product(instant.kick_phasor, cell_->kick.turned_by(index, mode_->longest_step_s));
+}
+
+template <int N>
+typename ExactMotion<N>::Exit ExactMotion<N>::force(std::size_t t, const Instant& instant) const {
+  const TouchPlan<N>& touch = mode_->touches[t];
+  const auto free = touch.force_of_free.at(instant.free);
+  Exit force{touch.force_constant + free(0), free(1),
+             mode_->weigh(touch.force_of_free.curvature_bound, sizes(instant.free))};
+  const auto add = [&](const Drive<N>& drive, Complex phasor) {
+    const Complex z = product(drive.at_force[t], phasor);
+    force.value += z.real();
+    force.rate -= drive.rate * z.imag();
+    force.curvature += drive.force_curvature[t];
+  };
+  add(cell_->unbalance, instant.phasor);
+  if (kick_on_) add(cell_->kick, instant.kick_phasor);
+  return force;
 }
 
 template <int N>
@@ -137,29 +164,29 @@ typename ExactMotion<N>::Exit ExactMotion<N>::ring(std::size_t r, const State& s
           (d[0] * v[0] + d[1] * v[1]) / c.clearance, speed * speed / c.clearance + curvature};
 }
 
-/// Takes the transition to where the state is: once per visit to a mode, not once per step.
+/// Takes the disturbances to where the state is: once per visit to a mode, not once per step.
 template <int N>
-void ExactMotion<N>::step_transition() {
-  const double duration_s = std::exchange(transition_lag_s_, 0);
-  if (!transition_wanted_ || duration_s == 0) return;
+void ExactMotion<N>::catch_up() {
+  const double duration_s = std::exchange(lag_s_, 0);
+  if (carried_.cols() == 0 || duration_s == 0) return;
   if (mode_->paired) {
     const auto flow = flow_of_pairs(*mode_, duration_s);
-    for (Eigen::Index i = 0; i < transition_.cols(); ++i) move_pairs(flow, transition_.col(i));
+    for (Eigen::Index i = 0; i < carried_.cols(); ++i) move_pairs(flow, carried_.col(i));
   } else {
-    step_transition_by_matrices(duration_s);
+    catch_up_by_matrices(duration_s);
   }
 }
 
 template <int N>
-void ExactMotion<N>::step_transition_by_matrices(double duration_s) {
+void ExactMotion<N>::catch_up_by_matrices(double duration_s) {
   const double rest = table_steps(duration_s, [this](int k) {
-    transition_ = mode_->steps[static_cast<std::size_t>(k)].lazyProduct(transition_).eval();
+    carried_ = mode_->steps[static_cast<std::size_t>(k)].lazyProduct(carried_).eval();
   });
   State column;
-  for (Eigen::Index i = 0; i < transition_.cols(); ++i) {
-    column = transition_.col(i);
+  for (Eigen::Index i = 0; i < carried_.cols(); ++i) {
+    column = carried_.col(i);
     move_by_series(*mode_, rest, column);
-    transition_.col(i) = column;
+    carried_.col(i) = column;
   }
 }
 
@@ -178,7 +205,7 @@ template <int N>
 void ExactMotion<N>::step_by_series(double duration_s) {
   if (duration_s == 0) return;
   move_by_series(*mode_, duration_s, free_);
-  transition_lag_s_ += duration_s;
+  lag_s_ += duration_s;
   turn_phasors(duration_s);
 }
 
@@ -242,10 +269,18 @@ double ExactMotion<N>::sliding_rate_bound_without_contact(const TouchPlan<N>& to
 }
 
 template <int N>
-void ExactMotion<N>::follow_transition(bool wanted) {
-  transition_wanted_ = wanted;
-  transition_lag_s_ = 0;
-  if (wanted && mode_ != nullptr) transition_ = mode_->inverse;
+void ExactMotion<N>::carry(const Disturbances& physical) {
+  lag_s_ = 0;
+  carried_.resize(Eigen::NoChange, physical.cols());
+  for (Eigen::Index i = 0; i < physical.cols(); ++i) carried_.col(i) = mode_->to_free(physical.col(i));
+}
+
+template <int N>
+typename ExactMotion<N>::Disturbances ExactMotion<N>::carried() {
+  catch_up();
+  Disturbances physical(carried_.rows(), carried_.cols());
+  for (Eigen::Index i = 0; i < carried_.cols(); ++i) physical.col(i) = mode_->from_free(carried_.col(i));
+  return physical;
 }
 
 template class ExactMotion<2>;

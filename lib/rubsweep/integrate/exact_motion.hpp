@@ -34,6 +34,8 @@ class ExactMotion {
   /// Puts a state (u, u') into a joint mode. False where the mode has no closed form here: no equilibrium, or
   /// a drive at an undamped resonance.
   bool enter(std::size_t joint, const State& physical);
+  /// Times that a mode was entered.
+  long visits() const { return visits_; }
 
   /// Sets the phases: `phase_rad` of the shaft, `kick_rad` of the kick's half-sine, negative when there is
   /// none.
@@ -47,6 +49,8 @@ class ExactMotion {
   Instant here() const { return {free_, phasor_, kick_phasor_}; }
   /// Moves an instant of the present mode, which must be made of pairs, leaving the motion where it is.
   void ahead(Instant& instant, double duration_s) const;
+  /// The same by a step of the mode's table.
+  void ahead_by_table(Instant& instant, int k) const;
   /// The same over one interval, whose flow is kept.
   void ahead_by_interval(Instant& instant, double interval_s);
 
@@ -57,12 +61,16 @@ class ExactMotion {
   State rate_of(const State& physical) const;
 
   /// Size of every pair or component of the free vibration, that bounds are multiplied by.
-  State sizes() const;
+  State sizes() const { return sizes(free_); }
+  State sizes(const State& free) const;
   Exit exit(std::size_t e, const State& sizes) const;
   /// The slow part of an exit function with the amplitude of its fast part added: never below the function.
   Exit slow_exit(std::size_t e, const State& sizes) const;
   /// (|d|^2 - C^2) / (2 C) of a ring.
   Exit ring(std::size_t r, const State& sizes) const;
+
+  /// Normal force of touch `t` at an instant of the present mode, newtons.
+  Exit force(std::size_t t, const Instant& instant) const;
 
   void step_by_table(int k);
   /// Any duration up to the mode's longest step.
@@ -78,12 +86,14 @@ class ExactMotion {
   /// the present state; without friction's part where the touch says so.
   double sliding_rate_bound(const TouchPlan<N>& touch, const State& physical) const;
 
-  /// d(state) / d(state when this was called); only followed when wanted.
-  void follow_transition(bool wanted);
-  Flow transition() {
-    step_transition();
-    return mode_->basis.lazyProduct(transition_);
-  }
+  /// Small disturbances of (u, u'), one per column; none: nothing to carry.
+  using Disturbances = Eigen::Matrix<double, ExactTypes<N>::states, Eigen::Dynamic, Eigen::ColMajor,
+                                     ExactTypes<N>::states, ExactTypes<N>::states>;
+  void carry_nothing() { carried_.resize(Eigen::NoChange, 0); }
+  /// Carries these along from here on.
+  void carry(const Disturbances& physical);
+  /// Where they are by now.
+  Disturbances carried();
 
   const ModePlan<N>& mode() const { return *mode_; }
   std::size_t joint() const { return joint_; }
@@ -113,8 +123,8 @@ class ExactMotion {
   static void move(Instant& instant, const Stretch& stretch);
   void turn_phasors(double duration_s);
   void add_drives(std::size_t e, Exit& exit) const;
-  void step_transition();
-  void step_transition_by_matrices(double duration_s);
+  void catch_up();
+  void catch_up_by_matrices(double duration_s);
   /// Calls `step` for steps of the table as far as they fit, until the rest is short; returns the rest.
   template <class Step>
   double table_steps(double duration_s, const Step& step) const {
@@ -135,20 +145,20 @@ class ExactMotion {
   const ModePlan<N>* mode_ = nullptr;
   ModeCell* cell_ = nullptr;
   std::size_t joint_ = 0;
+  long visits_ = 0;
   State free_;
   Complex phasor_{1}, kick_phasor_{1};
   bool kick_on_ = false;
-  Flow transition_;  ///< in the mode's coordinates
-  bool transition_wanted_ = false;
-  double transition_lag_s_ = 0;  ///< behind the state
+  Disturbances carried_;  ///< in the mode's coordinates
+  double lag_s_ = 0;      ///< of `carried_` behind the state
 };
 
 template <int N>
-inline typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
-  if (!mode_->paired) return free_.cwiseAbs();
+inline typename ExactMotion<N>::State ExactMotion<N>::sizes(const State& free) const {
+  if (!mode_->paired) return free.cwiseAbs();
   const Eigen::Index n = unbalance_.size();
-  State sizes = State::Zero(free_.size());
-  const auto a = free_.template head<N>(n).array().abs(), b = free_.template segment<N>(n, n).array().abs();
+  State sizes = State::Zero(free.size());
+  const auto a = free.template head<N>(n).array().abs(), b = free.template segment<N>(n, n).array().abs();
   // max + min / 2 is an upper bound of the length, at most 12 % above it.
   sizes.template head<N>(n) = (a.max(b) + 0.5 * a.min(b)).matrix();
   return sizes;
@@ -193,7 +203,7 @@ inline void ExactMotion<N>::step_by_table(int k) {
   } else {
     free_ = mode_->steps[index].lazyProduct(free_).eval();
   }
-  transition_lag_s_ += mode_->longest_step_s * exact_step_sizes[index];
+  lag_s_ += mode_->longest_step_s * exact_step_sizes[index];
   phasor_ = product(phasor_, cell_->unbalance.turned_by(index, mode_->longest_step_s));
   if (kick_on_) kick_phasor_ = product(kick_phasor_, cell_->kick.turned_by(index, mode_->longest_step_s));
 }

@@ -88,19 +88,32 @@ bool ExactRun<N>::begin_turn(Turn& turn) {
   samples_.begin(turn, period_s_, turn_start_.size());
   time_s_ = 0;
   standstill_ = 0;
-  motion_.follow_transition(false);
+  motion_.carry_nothing();
   if (!impulses_.none()) impulses_.begin_turn(revolution_);
   if (!start_motion() || !slip_.begin(motion_, turn_start_)) return false;
-  motion_.follow_transition(turn.transition_wanted);
+  if (turn.disturbances.cols() > 0) carry(turn);
   peaks_wanted_ = turn.peaks;
   if (turn.peaks) peaks_.begin(motion_);
   return impulses_.next_phase_rad() > 0 || strike(turn);
 }
 
-/// Longest landing. Peaks of a contact force are looked for between the ends of short steps.
+template <int N>
+void ExactRun<N>::carry(const Turn& turn) {
+  typename Motion::Disturbances physical = turn.disturbances;
+  physical.bottomRows(physical.rows() / 2) *= speed_;
+  motion_.carry(physical);
+}
+
+/// Longest landing.
 template <int N>
 double ExactRun<N>::reach_s() const {
-  return peaks_wanted_ && motion_.joint() != 0 ? 0.25 * motion_.reach_s() : motion_.reach_s();
+  return force_by_steps() ? peak_reach_s(motion_) : motion_.reach_s();
+}
+
+/// Peaks of a contact force are to be looked for between the ends of short steps.
+template <int N>
+bool ExactRun<N>::force_by_steps() const {
+  return peaks_wanted_ && motion_.mode().pushes && !motion_.mode().paired;
 }
 
 /// Where the motion stands at the end of the last turn only its phase starts again, from exactly zero.
@@ -137,11 +150,9 @@ ExactEnding ExactRun<N>::end_turn(Turn& turn) {
   goes_on_ = true;
   put_section(turn.section);
   turn.touching_at_end = motion_.joint() != 0;
-  if (turn.transition_wanted) {
-    const Eigen::Index n = end.size() / 2;
-    turn.transition = motion_.transition();
-    turn.transition.topRightCorner(n, n) *= speed_;
-    turn.transition.bottomLeftCorner(n, n) /= speed_;
+  if (turn.disturbances.cols() > 0) {
+    turn.disturbances = motion_.carried();
+    turn.disturbances.bottomRows(end.size() / 2) /= speed_;
   }
   return ExactEnding::ok;
 }
@@ -161,7 +172,7 @@ ExactEnding ExactRun<N>::advance_once(Turn& turn) {
   if (turn.peaks) {
     if (!samples_.ahead(motion_))
       choice.step_s = std::min(choice.step_s, period_s_ / steps_per_turn_when_watched);
-    if (motion_.joint() != 0) choice.step_s = std::min(choice.step_s, reach_s());
+    if (force_by_steps()) choice.step_s = std::min(choice.step_s, reach_s());
   }
   const double step = std::max(choice.step_s, shortest_step * period_s_);
   if (!(step < until)) {
@@ -196,6 +207,7 @@ bool ExactRun<N>::pass_boundary(Turn& turn) {
     kicked_ = false;
     motion_.set_phases(speed_ * time_s_, -1);
     if (!motion_.enter(motion_.joint(), here)) return false;
+    if (turn.peaks) peaks_.begin(motion_);
   }
   return time_s_ < next_impulse_s() || strike(turn);
 }

@@ -54,6 +54,7 @@ class ExactRun {
   bool begin_turn(Turn& turn);
   bool start_motion();
   ExactEnding end_turn(Turn& turn);
+  void carry(const Turn& turn);
   void put_section(std::vector<double>& section) const;
   void set_phases();
   bool enter_by_state(const State& physical);
@@ -62,6 +63,7 @@ class ExactRun {
   double next_impulse_s() const { return impulses_.next_phase_rad() / speed_; }
   double next_boundary() const;
   double reach_s() const;
+  bool force_by_steps() const;
   bool pass_boundary(Turn& turn);
   bool strike(Turn& turn);
   void move(Turn& turn, double duration_s, int table_step);

@@ -65,6 +65,8 @@ struct TouchPlan {
   std::size_t contact = 0;
   typename ExactTypes<N>::Row force;  ///< normal force = force . (state - rest) + constant, newtons
   double force_constant = 0;
+  Watched<N> force_of_free;  ///< the free vibration's part of it
+  bool pushes = false;       ///< the normal force is not zero all along
   typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
   typename ExactTypes<N>::Row sliding_rate_bound;  ///< as above
   /// Friction taken apart from the structure, per contact: what it may add to the sliding rate per
@@ -98,6 +100,7 @@ struct ModePlan {
   std::vector<ExitPlan<N>> exits;
   std::vector<RingPlan<N>> rings;
   std::vector<TouchPlan<N>> touches;
+  bool pushes = false;  ///< one of them does
 
   /// bound . sizes. A pair has one size, kept in the first half.
   double weigh(const typename Types::Row& bound, const typename Types::State& sizes) const {

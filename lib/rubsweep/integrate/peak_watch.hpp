@@ -3,65 +3,71 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
+#include "rubsweep/integrate/certified_step.hpp"
 #include "rubsweep/integrate/exact_motion.hpp"
 #include "rubsweep/integrate/step_observer.hpp"
+#include "rubsweep/integrate/step_table.hpp"
 #include "rubsweep/integrate/turn.hpp"
 
 namespace rubsweep::integrate {
 
-/// Largest displacement and contact force of an exact run, from values and rates at the ends of its steps.
+/// Between states this far apart a cubic through values and rates has the maximum of a contact force.
+template <int N>
+double peak_reach_s(const ExactMotion<N>& motion) {
+  return 0.25 / motion.mode().fastest_rad_per_s;
+}
+
+/// Largest displacement and contact force of an exact run: of the displacement from values and rates at the
+/// ends of its steps, of a force by certified steps towards the instants where it may exceed what is known.
 template <int N>
 class PeakWatch {
  public:
   using State = typename ExactTypes<N>::State;
 
   explicit PeakWatch(const ExactPlan<N>& plan, double length_m)
-      : observed_(plan.system().observed),
-        length_m_(length_m),
-        now_{{}, std::vector<ValueAndRate>(plan.system().contacts.size())},
-        last_(now_) {}
+      : observed_(plan.system().observed), length_m_(length_m) {}
 
   /// From here on, in the motion's present mode.
-  void begin(const ExactMotion<N>& motion) { look(motion, now_); }
+  void begin(const ExactMotion<N>& motion) {
+    now_ = square_of_displacement(motion.physical());
+    start_ = motion.here();
+  }
 
   /// A step of `duration_s` in one mode ends here, `since_look_s` after the last state that was passed or the
   /// step's start.
   void step(const ExactMotion<N>& motion, double duration_s, double since_look_s, Turn& turn) {
-    std::swap(now_, last_);
-    look(motion, now_);
-    raise_displacement(since_look_s, turn);
-    for (const TouchPlan<N>& touch : motion.mode().touches) {
-      const std::size_t i = touch.contact;
-      turn.peak_contact_force_n =
-          std::max(turn.peak_contact_force_n, largest(last_.force_n[i], now_.force_n[i], duration_s));
+    pass(motion.physical(), since_look_s, turn);
+    const auto here = motion.here();
+    for (std::size_t t = 0; t < motion.mode().touches.size(); ++t) {
+      if (motion.mode().touches[t].pushes) raise_force(motion, t, here, duration_s, turn.peak_contact_force_n);
     }
+    start_ = here;
   }
 
   /// The same at a state between the ends of steps, for the displacement alone.
   void pass(const State& here, double duration_s, Turn& turn) {
-    last_.square = now_.square;
-    now_.square = square_of_displacement(here);
-    raise_displacement(duration_s, turn);
+    const ValueAndRate last = std::exchange(now_, square_of_displacement(here));
+    const double known = turn.peak_displacement_m / length_m_;
+    if (ceiling(last, now_, duration_s) <= known * known) return;
+    const double square = std::max(0.0, largest(last, now_, duration_s));
+    turn.peak_displacement_m = std::max(turn.peak_displacement_m, length_m_ * std::sqrt(square));
   }
 
  private:
+  using Instant = typename ExactMotion<N>::Instant;
   struct ValueAndRate {
     double value = 0, rate = 0;
   };
-  struct Look {
-    ValueAndRate square;  ///< of the observed displacement
-    std::vector<ValueAndRate> force_n;
-  };
 
-  static double largest(const ValueAndRate& a, const ValueAndRate& b, double duration_s) {
+  template <class Value>
+  static double largest(const Value& a, const Value& b, double duration_s) {
     return cubic_maximum(a.value, duration_s * a.rate, b.value, duration_s * b.rate);
   }
 
-  void raise_displacement(double duration_s, Turn& turn) const {
-    const double square = std::max(0.0, largest(last_.square, now_.square, duration_s));
-    turn.peak_displacement_m = std::max(turn.peak_displacement_m, length_m_ * std::sqrt(square));
+  /// No cubic through values and rates of both ends rises higher: the largest weight of a rate is 4 / 27.
+  static double ceiling(const ValueAndRate& a, const ValueAndRate& b, double duration_s) {
+    return std::max(a.value, b.value) + 0.1482 * duration_s * (std::abs(a.rate) + std::abs(b.rate));
   }
 
   ValueAndRate square_of_displacement(const State& here) const {
@@ -71,22 +77,34 @@ class PeakWatch {
     return {z.squaredNorm(), 2 * z.dot(v)};
   }
 
-  void look(const ExactMotion<N>& motion, Look& look) const {
-    const State here = motion.physical();
-    look.square = square_of_displacement(here);
-    if (motion.mode().touches.empty()) return;
-    State offset = here;
-    offset.template head<N>(here.size() / 2) -= motion.mode().rest;
-    const State rate = motion.rate_of(here);
-    for (const TouchPlan<N>& touch : motion.mode().touches) {
-      look.force_n[touch.contact] = {touch.force.dot(offset.transpose()) + touch.force_constant,
-                                     touch.force.dot(rate.transpose())};
+  /// From the step's start to its end `here`. Where the force may exceed what is known the steps are so short
+  /// that a cubic through values and rates of both ends has its maximum; in a mode without pairs the run's
+  /// own steps are.
+  void raise_force(const ExactMotion<N>& motion, std::size_t t, const Instant& here, double left_s,
+                   double& known_n) const {
+    const double reach_s = peak_reach_s(motion);
+    Instant at = start_;
+    auto from = motion.force(t, at);
+    while (motion.mode().paired) {
+      const double safe_s = safe_step(from.value - known_n, from.rate, from.curvature);
+      const double step_s = std::max(safe_s, reach_s);
+      if (step_s >= left_s) break;
+      const int k = exact_step_below(step_s * motion.mode().longest_steps_per_s);
+      const double size_s = motion.mode().longest_step_s * exact_step_size(k);
+      motion.ahead_by_table(at, k);
+      const auto to = motion.force(t, at);
+      known_n = std::max(known_n, size_s > reach_s ? to.value : largest(from, to, size_s));
+      left_s -= size_s;
+      from = to;
     }
+    const auto end = motion.force(t, here);
+    known_n = std::max(known_n, left_s > 1.001 * reach_s ? end.value : largest(from, end, left_s));
   }
 
   Eigen::Matrix<double, 2, N> observed_;
   double length_m_;
-  Look now_, last_;
+  ValueAndRate now_;  ///< square of the observed displacement
+  Instant start_;     ///< of the step
 };
 
 }  // namespace rubsweep::integrate

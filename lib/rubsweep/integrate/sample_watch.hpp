@@ -16,6 +16,7 @@ class SampleWatch {
 
   void begin(Turn& turn, double period_s, Eigen::Index states) {
     next_ = 0;
+    visit_ = -1;
     count_ = turn.samples_per_revolution;
     period_s_ = period_s;
     if (count_ > 0) turn.samples.resize(static_cast<std::size_t>(count_ * states));
@@ -31,10 +32,10 @@ class SampleWatch {
 
   /// A step starts here, `time_s` into the turn.
   void start(const ExactMotion<N>& motion, double time_s, Turn& turn, double speed_rad_per_s) {
+    step_s_ = time_s;
     if (next_ >= count_) return;
-    start_s_ = time_s;
     if (motion.mode().paired) {
-      start_ = motion.here();
+      if (visit_ != motion.visits()) stand(motion, time_s);
     } else if (time_s >= due_s()) {
       put(motion.physical(), turn, speed_rad_per_s);
     }
@@ -44,16 +45,17 @@ class SampleWatch {
   /// inside and the time since the one before, or since the step's start; returns the time left over.
   template <class Look>
   double end(ExactMotion<N>& motion, double time_s, Turn& turn, double speed_rad_per_s, const Look& look) {
-    double last_s = start_s_;
+    double last_s = step_s_;
     if (!ahead(motion)) return time_s - last_s;
-    for (bool first = true; next_ < count_ && due_s() < time_s; first = false) {
+    while (next_ < count_ && due_s() < time_s) {
       const double due = due_s();
-      if (first) {
-        motion.ahead(start_, due - start_s_);
+      if (at_sample_) {
+        motion.ahead_by_interval(instant_, period_s_ / count_);
       } else {
-        motion.ahead_by_interval(start_, period_s_ / count_);
+        motion.ahead(instant_, due - instant_s_);
+        at_sample_ = true;
       }
-      const State state = motion.physical(start_);
+      const State state = motion.physical(instant_);
       look(state, due - last_s);
       last_s = due;
       put(state, turn, speed_rad_per_s);
@@ -70,8 +72,18 @@ class SampleWatch {
     ++next_;
   }
 
-  typename ExactMotion<N>::Instant start_;
-  double start_s_ = 0, period_s_ = 0;
+  /// At the start of a visit to a mode.
+  void stand(const ExactMotion<N>& motion, double time_s) {
+    visit_ = motion.visits();
+    instant_ = motion.here();
+    instant_s_ = time_s;
+    at_sample_ = false;
+  }
+
+  typename ExactMotion<N>::Instant instant_;  ///< where the visit began, then at the last sample
+  double instant_s_ = 0, step_s_ = 0, period_s_ = 0;
+  long visit_ = -1;
+  bool at_sample_ = false;
   int next_ = 0, count_ = 0;
 };
 

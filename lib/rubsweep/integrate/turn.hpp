@@ -36,12 +36,14 @@ struct Turn {
   int samples_per_revolution = 0;  ///< asked: states at phases 2 pi k / N, k = 0..N-1; 0: none
   bool peaks = false;              ///< asked: fill the peak_ numbers
   bool switches_wanted = false;    ///< asked: fill `switches`
-  bool transition_wanted = false;  ///< asked: fill `transition`; exact solver only
 
   std::vector<double> section;  ///< scaled state at the end of the turn, 2n
   std::vector<double> samples;  ///< samples_per_revolution x 2n, row by row
   std::vector<ModeSwitch> switches;
-  Eigen::MatrixXd transition;   ///< 2n x 2n: d(section at the end) / d(section at the start)
+  /// Asked, and answered in place: 2n x m (m <= 2n; 0: none) small disturbances of the section at the start,
+  /// which the turn takes to its end by d(section at the end) / d(section at the start). By the exact solver
+  /// only: any other turn leaves them as they are.
+  Eigen::MatrixXd disturbances;
   int hits = 0;                 ///< open -> touching, all contacts together
   double contact_fraction = 0;  ///< share of the turn with at least one contact touching
   double peak_displacement_m = 0;

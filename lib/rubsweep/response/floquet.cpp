@@ -13,23 +13,35 @@ constexpr int newton_iterations = 8;
 constexpr double closed = 1e-11;        ///< return error of an orbit found, in (clearance, clearance omega)
 constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
 constexpr int most_periods_followed = 64;
-
-/// `order` turns from x; the product of their derivatives.
-std::optional<VectorXd> after(const TurnMap& turn, VectorXd x, int order, MatrixXd* monodromy) {
-  MatrixXd one;
-  if (monodromy) monodromy->setIdentity(x.size(), x.size());
-  for (int k = 0; k < order; ++k) {
-    if (!turn({x.data(), static_cast<std::size_t>(x.size())}, monodromy ? &one : nullptr))
-      return std::nullopt;
-    if (monodromy) *monodromy = (one * *monodromy).eval();
-  }
-  if (!x.allFinite()) return std::nullopt;
-  return x;
-}
+/// No orbit that was proven had a larger multiplier where the transient stood; a refused one is tried again.
+constexpr double hopeless_from_afar = 1.2;
 
 double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 
+bool advance(const TurnMap& turn, VectorXd& x, MatrixXd* disturbances) {
+  return turn({x.data(), static_cast<std::size_t>(x.size())}, disturbances) && x.allFinite();
+}
+
+struct Return {
+  int order = 0;
+  VectorXd defect;  ///< what the section misses itself by after so many turns
+  MatrixXd monodromy;
+};
+
+/// The return after `order` turns from x, or after fewer that divide them when it is as good as there.
+std::optional<Return> return_of(const TurnMap& turn, const VectorXd& x, int order) {
+  VectorXd now = x;
+  MatrixXd monodromy = MatrixXd::Identity(x.size(), x.size());
+  for (int k = 1; k <= order; ++k) {
+    if (!advance(turn, now, &monodromy)) return std::nullopt;
+    if (k == order || (order % k == 0 && largest(now - x) < returns_early))
+      return Return{k, now - x, monodromy};
+  }
+  return std::nullopt;
+}
+
 struct Closed {
+  int order = 0;
   VectorXd x;
   MatrixXd monodromy;
 };
@@ -38,46 +50,34 @@ std::optional<Closed> close(const TurnMap& turn, const VectorXd& start, int orde
   VectorXd x = start;
   double last = 0;
   for (int i = 0; i < newton_iterations; ++i) {
-    MatrixXd monodromy;
-    const auto image = after(turn, x, order, &monodromy);
-    if (!image) return std::nullopt;
-    const VectorXd defect = *image - x;
-    const double error = largest(defect);
-    if (error < closed) return Closed{x, monodromy};
+    const auto back = return_of(turn, x, order);
+    if (!back) return std::nullopt;
+    const double error = largest(back->defect);
+    if (error < closed) return Closed{back->order, x, back->monodromy};
     if (i > 0 && error > last / 2) return std::nullopt;
+    if (back->monodromy.eigenvalues().cwiseAbs().maxCoeff() > (i == 0 ? hopeless_from_afar : 1))
+      return std::nullopt;
     last = error;
-    const MatrixXd slope = MatrixXd::Identity(x.size(), x.size()) - monodromy;
-    x += slope.partialPivLu().solve(defect);
+    const MatrixXd slope = MatrixXd::Identity(x.size(), x.size()) - back->monodromy;
+    x += slope.partialPivLu().solve(back->defect);
     if (!x.allFinite() || largest(x - start) > farthest_orbit) return std::nullopt;
   }
   return std::nullopt;
 }
 
 /// The transient follows the map linearised about the orbit until its distance has halved.
-bool approaches(const TurnMap& turn, const VectorXd& start, const Closed& orbit, int order) {
+bool approaches(const TurnMap& turn, const VectorXd& start, const Closed& orbit) {
   VectorXd predicted = start - orbit.x, now = start;
   const double from = largest(predicted);
   if (from < 1e3 * closed) return true;
   for (int k = 0; k < most_periods_followed && largest(predicted) > from / 2; ++k) {
-    const auto image = after(turn, now, order, nullptr);
-    if (!image) return false;
-    now = *image;
+    for (int i = 0; i < orbit.order; ++i) {
+      if (!advance(turn, now, nullptr)) return false;
+    }
     predicted = orbit.monodromy * predicted;
     if (largest(now - orbit.x - predicted) > linear_share * from) return false;
   }
   return true;
-}
-
-/// Fewest turns, dividing `order`, after which the orbit returns.
-int smallest_order(const TurnMap& turn, const VectorXd& x, int order) {
-  VectorXd now = x;
-  for (int n = 1; n < order; ++n) {
-    const auto next = after(turn, now, 1, nullptr);
-    if (!next) return order;
-    now = *next;
-    if (order % n == 0 && largest(now - x) < returns_early) return n;
-  }
-  return order;
 }
 
 }  // namespace
@@ -88,11 +88,8 @@ std::optional<StableOrbit> prove_orbit(const TurnMap& turn, std::span<const doub
   const auto orbit = close(turn, start, order);
   if (!orbit) return std::nullopt;
   const double modulus = orbit->monodromy.eigenvalues().cwiseAbs().maxCoeff();
-  if (!(modulus < largest_floquet_modulus)) return std::nullopt;
-  if (!approaches(turn, start, *orbit, order)) return std::nullopt;
-  if (const int fewer = smallest_order(turn, orbit->x, order); fewer < order)
-    return prove_orbit(turn, section, fewer);
-  return StableOrbit{order, {orbit->x.data(), orbit->x.data() + orbit->x.size()}, modulus};
+  if (!(modulus < largest_floquet_modulus) || !approaches(turn, start, *orbit)) return std::nullopt;
+  return StableOrbit{orbit->order, {orbit->x.data(), orbit->x.data() + orbit->x.size()}, modulus};
 }
 
 bool differentiate(const std::function<bool(std::span<double>)>& turn, std::span<double> section, double step,

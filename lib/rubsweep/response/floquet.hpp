@@ -8,9 +8,10 @@
 
 namespace rubsweep::response {
 
-/// One revolution: replaces a scaled section by the next; fills the 2n x 2n derivative of one by the other
-/// where asked for (not null). False when the turn cannot be made.
-using TurnMap = std::function<bool(std::span<double> section, Eigen::MatrixXd* transition)>;
+/// One revolution: replaces a scaled section by the next and, where given (not null), every column of
+/// `disturbances` by what the derivative of one section by the other makes of it. False when the turn cannot
+/// be made.
+using TurnMap = std::function<bool(std::span<double> section, Eigen::MatrixXd* disturbances)>;
 
 /// A motion that repeats after `order` turns, with every disturbance dying out.
 struct StableOrbit {

@@ -15,19 +15,15 @@ constexpr double lost = 1e-10;
 
 struct Tangent {
   SceneMap& map;
-  Eigen::VectorXd direction{};
-  Eigen::MatrixXd transition{};
+  Eigen::MatrixXd direction{};  ///< one column
+  std::vector<double> before{};
 
   std::optional<double> operator()(std::span<double> section) {
     if (direction.size() == 0) start(section.size());
-    const std::vector<double> before(section.begin(), section.end());
+    before.assign(section.begin(), section.end());
     bool exact = false;
-    if (!map.differentiate_exactly(section, transition, exact)) return std::nullopt;
-    if (exact) {
-      direction = transition * direction;
-    } else if (!by_companion(before, section)) {
-      return std::nullopt;
-    }
+    if (!map.carry_exactly(section, direction, exact)) return std::nullopt;
+    if (!exact && !by_companion(before, section)) return std::nullopt;
     const double factor = direction.norm();
     if (!(factor > lost)) {
       start(section.size());
@@ -37,12 +33,12 @@ struct Tangent {
     return std::log(factor);
   }
 
-  bool by_companion(std::vector<double> section, std::span<const double> after) {
+  bool by_companion(std::span<double> section, std::span<const double> after) {
     for (std::size_t i = 0; i < section.size(); ++i)
-      section[i] += Companion::separation * direction(static_cast<Eigen::Index>(i));
+      section[i] += Companion::separation * direction(static_cast<Eigen::Index>(i), 0);
     if (!map(section)) return false;
     for (std::size_t i = 0; i < section.size(); ++i)
-      direction(static_cast<Eigen::Index>(i)) = (section[i] - after[i]) / Companion::separation;
+      direction(static_cast<Eigen::Index>(i), 0) = (section[i] - after[i]) / Companion::separation;
     return true;
   }
 

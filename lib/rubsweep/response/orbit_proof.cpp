@@ -37,8 +37,8 @@ std::optional<StableOrbit> OrbitProof::find(const integrate::Turn& turn) {
   const auto order = search_.candidate();
   if (!order) return std::nullopt;
   if (!map_) map_.emplace(scene_, solver_, workspace_.plans);
-  const TurnMap map = [this](std::span<double> section, Eigen::MatrixXd* transition) {
-    return transition ? map_->differentiate(section, *transition) : (*map_)(section);
+  const TurnMap map = [this](std::span<double> section, Eigen::MatrixXd* disturbances) {
+    return disturbances ? map_->carry(section, *disturbances) : (*map_)(section);
   };
   auto orbit = prove_orbit(map, turn.section, *order);
   if (!orbit) search_.refuse(*order);

@@ -12,6 +12,17 @@ constexpr double close_enough =
 constexpr double much_closer = 0.1;  ///< than after any fewer turns, and than when last refused
 constexpr double much_later = 1.3;   ///< turns, in proportion
 
+/// Largest difference of `count` numbers, or the first above `worst`.
+double largest_difference(const double* a, const double* b, std::size_t count, double worst) {
+  double largest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double difference = std::abs(a[i] - b[i]);
+    if (difference > worst) return difference;
+    largest = difference > largest ? difference : largest;
+  }
+  return largest;
+}
+
 }  // namespace
 
 PeriodSearch::PeriodSearch(std::size_t states, int largest_order)
@@ -21,25 +32,23 @@ PeriodSearch::PeriodSearch(std::size_t states, int largest_order)
       rows_(states * static_cast<std::size_t>(kept_)),
       tried_(static_cast<std::size_t>(largest_order) + 1, Tried{close_enough, 0}) {}
 
-std::span<const double> PeriodSearch::row(long turn) const {
-  const auto slot = static_cast<std::size_t>(turn % kept_);
-  return std::span(rows_).subspan(slot * states_, states_);
+/// Section `ago` < kept_ turns before the last.
+const double* PeriodSearch::row(int ago) const {
+  const int slot = newest_ >= ago ? newest_ - ago : newest_ - ago + kept_;
+  return rows_.data() + static_cast<std::size_t>(slot) * states_;
 }
 
 void PeriodSearch::add(std::span<const double> section, bool touched) {
-  const auto slot = static_cast<std::size_t>(turns_ % kept_);
-  std::copy(section.begin(), section.end(), rows_.begin() + static_cast<std::ptrdiff_t>(slot * states_));
+  if (++newest_ == kept_) newest_ = 0;
+  std::copy(section.begin(), section.end(),
+            rows_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(newest_) * states_));
   if (touched) last_touch_ = turns_;
   ++turns_;
 }
 
 /// Return error after `order` turns that end `ago` turns ago. Errors above `worst` are not told apart.
 double PeriodSearch::return_error(int order, double worst, int ago) const {
-  const auto now = row(turns_ - 1 - ago), then = row(turns_ - 1 - ago - order);
-  double largest = 0;
-  for (std::size_t i = 0; i < states_ && largest <= worst; ++i)
-    largest = std::max(largest, std::abs(now[i] - then[i]));
-  return largest;
+  return largest_difference(row(ago), row(ago + order), states_, worst);
 }
 
 std::optional<int> PeriodSearch::candidate() const {
@@ -47,14 +56,18 @@ std::optional<int> PeriodSearch::candidate() const {
   const long known = std::min<long>(largest_, turns_ - 1);
   for (int n = 1; n <= known; ++n) {
     const double error = return_error(n, close_enough / much_closer);
-    const Tried& tried = tried_[static_cast<std::size_t>(n)];
-    const bool touched = last_touch_ >= turns_ - n;
-    const bool due =
-        error < tried.below || (tried.again > 0 && turns_ >= tried.again && error < close_enough);
-    if (touched && due && error < much_closer * least && contracts(n, error)) return n;
+    if (error < close_enough && error < much_closer * least && is_due(n, error) && contracts(n, error))
+      return n;
     least = std::min(least, error);
   }
   return std::nullopt;
+}
+
+/// With contact on the way, and closer than ever tried or not tried for long.
+bool PeriodSearch::is_due(int order, double error) const {
+  const Tried& tried = tried_[static_cast<std::size_t>(order)];
+  return last_touch_ >= turns_ - order &&
+         (error < tried.below || (tried.again > 0 && turns_ >= tried.again));
 }
 
 /// The return before this one was farther: a transient that passes an unstable orbit comes back less and less

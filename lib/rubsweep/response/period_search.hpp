@@ -24,8 +24,9 @@ class PeriodSearch {
 
  private:
   double return_error(int order, double worst, int ago = 0) const;
+  bool is_due(int order, double error) const;
   bool contracts(int order, double error) const;
-  std::span<const double> row(long turn) const;
+  const double* row(int ago) const;
 
   struct Tried {
     double below = 0;
@@ -34,6 +35,7 @@ class PeriodSearch {
 
   std::size_t states_;
   int largest_, kept_;
+  int newest_ = -1;  ///< slot of the last section
   long turns_ = 0, last_touch_ = -1;
   std::vector<double> rows_;  ///< ring of the last kept_ sections
   std::vector<Tried> tried_;  ///< by order

@@ -19,10 +19,14 @@ void Record::begin(std::span<const double> section) {
 }
 
 void Record::add(const integrate::Turn& turn) {
-  for (int k = 0; k < turn.samples_per_revolution; ++k) {
-    const Eigen::Map<const Eigen::VectorXd> q(turn.samples.data() + static_cast<std::size_t>(k) * states_,
-                                              map_.cols());
-    displacement_m_.emplace_back(map_.row(0).dot(q), map_.row(1).dot(q));
+  const double* q = turn.samples.data();
+  for (int k = 0; k < turn.samples_per_revolution; ++k, q += states_) {
+    double x = 0, y = 0;
+    for (Eigen::Index j = 0; j < map_.cols(); ++j) {
+      x += map_(0, j) * q[j];
+      y += map_(1, j) * q[j];
+    }
+    displacement_m_.emplace_back(x, y);
   }
   section_.insert(section_.end(), turn.section.begin(), turn.section.end());
   ContactFacts& facts = facts_[turns_ < options_.window_revolutions ? 0 : 1];

@@ -34,14 +34,15 @@ RestProof::RestProof(const scene::Cell& cell) {
   }
 }
 
-bool RestProof::proves(std::span<const double> section) const {
+bool RestProof::proves(std::span<const double> section) {
   if (!usable_) return false;
-  const Eigen::Map<const Eigen::VectorXd> state(section.data(), static_cast<Eigen::Index>(section.size()));
-  const Eigen::VectorXd z = to_modes_ * (state - quiet_);
-  const Eigen::Index n = z.size() / 2;
-  const Eigen::VectorXd lengths = (z.head(n).cwiseAbs2() + z.tail(n).cwiseAbs2()).cwiseSqrt();
+  vibration_ =
+      Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size())) - quiet_;
+  modes_.noalias() = to_modes_ * vibration_;
+  const Eigen::Index n = modes_.size() / 2;
+  lengths_ = (modes_.head(n).cwiseAbs2() + modes_.tail(n).cwiseAbs2()).cwiseSqrt();
   return std::all_of(bounds_.begin(), bounds_.end(), [&](const Bound& bound) {
-    return bound.quiet_penetration + bound.pair_weight.dot(lengths) < 0;
+    return bound.quiet_penetration + bound.pair_weight.dot(lengths_) < 0;
   });
 }
 

@@ -22,7 +22,7 @@ class RestProof {
 
   /// `section`: scaled state at the start of a revolution with every contact open and the kick over, as
   /// Turn::section.
-  bool proves(std::span<const double> section) const;
+  bool proves(std::span<const double> section);
 
  private:
   struct Bound {
@@ -34,6 +34,7 @@ class RestProof {
   Eigen::MatrixXd to_modes_;
   Eigen::VectorXd quiet_;  ///< scaled state of the quiet motion at phase 0
   std::vector<Bound> bounds_;
+  Eigen::VectorXd vibration_, modes_, lengths_;  ///< of the section looked at last
 };
 
 }  // namespace rubsweep::response

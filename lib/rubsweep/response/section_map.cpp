@@ -38,31 +38,34 @@ bool SceneMap::advance(std::span<double> section) {
 }
 
 bool SceneMap::operator()(std::span<double> section) {
-  turn_.transition_wanted = false;
+  turn_.disturbances.resize(0, 0);
   return advance(section);
 }
 
-bool SceneMap::differentiate_exactly(std::span<double> section, Eigen::MatrixXd& transition, bool& exact) {
+bool SceneMap::carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& exact) {
   const long adaptive_turns = turn_.effort.adaptive_turns;
-  turn_.transition_wanted = exact_;
-  if (!advance(section)) return false;
+  turn_.disturbances.swap(disturbances);
+  const bool made = advance(section);
+  turn_.disturbances.swap(disturbances);
   exact = exact_ && turn_.effort.adaptive_turns == adaptive_turns;
-  if (exact) transition = turn_.transition;
-  return true;
+  return made;
 }
 
-bool SceneMap::differentiate(std::span<double> section, Eigen::MatrixXd& transition) {
+bool SceneMap::carry(std::span<double> section, Eigen::MatrixXd& disturbances) {
   if (exact_) {
-    std::vector<double> next(section.begin(), section.end());
+    before_.assign(section.begin(), section.end());
     bool exact = false;
-    if (!differentiate_exactly(next, transition, exact)) return false;
-    if (exact) {
-      std::ranges::copy(next, section.begin());
-      return true;
-    }
+    if (!carry_exactly(section, disturbances, exact)) return false;
+    if (exact) return true;
+    std::ranges::copy(before_, section.begin());
   }
-  return response::differentiate([this](std::span<double> s) { return (*this)(s); }, section, difference_step,
-                                 transition);
+  Eigen::MatrixXd transition;
+  if (!differentiate([this](std::span<double> s) { return (*this)(s); }, section, difference_step,
+                     transition)) {
+    return false;
+  }
+  disturbances = transition * disturbances;
+  return true;
 }
 
 }  // namespace rubsweep::response

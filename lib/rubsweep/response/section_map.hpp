@@ -22,12 +22,13 @@ class SceneMap {
   /// `section`: 2n numbers. False when the solver fails.
   bool operator()(std::span<double> section);
 
-  /// The same with the 2n x 2n derivative of the new section by the old: from the exact solver where the turn
-  /// has closed forms, else by central differences.
-  bool differentiate(std::span<double> section, Eigen::MatrixXd& transition);
+  /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes what the turn makes
+  /// of it, by the derivative of the new section by the old: from the exact solver where the turn has closed
+  /// forms, else by central differences.
+  bool carry(std::span<double> section, Eigen::MatrixXd& disturbances);
 
-  /// One turn, with its derivative only where the turn has closed forms: `exact` says so.
-  bool differentiate_exactly(std::span<double> section, Eigen::MatrixXd& transition, bool& exact);
+  /// The same only where the turn has closed forms: `exact` says so, else `disturbances` stays.
+  bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& exact);
 
   /// Some contact was touching at some time in the revolution made last.
   bool touched() const { return turn_.touched; }
@@ -39,6 +40,7 @@ class SceneMap {
   bool exact_;
   integrate::Run run_;
   integrate::Turn turn_;
+  std::vector<double> before_;
 };
 
 /// The scene without its pulse.

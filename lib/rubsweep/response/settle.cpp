@@ -119,7 +119,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solve
                   const ResponseOptions& options, Workspace& workspace) {
   SettledRun run;
   const integrate::Run motion = integrate::start(cell.scene, solver, workspace.plans);
-  const RestProof rest(cell);
+  RestProof rest(cell);
   MotionProof proof(cell.scene, solver, options, workspace);
   Record record(cell.scene, options);
   const long first_recorded = options.max_revolutions - 2L * options.window_revolutions;
