@@ -45,8 +45,9 @@ TEST(Drive, TermsSumToItsPartOfTheExit) {
   Drive<4> drive;
   ASSERT_TRUE(make_drive(open.mode, open.force, open.rate, drive));
   const double duration_s = 1e-3, start_s = 0.002;
-  std::array<double, 16> terms{};
-  drive.expand(0, std::polar(1.0, drive.rate * start_s), duration_s, terms);
+  std::array<double, most_series_terms> terms{};
+  drive.expand(0, std::polar(1.0, drive.rate * start_s), terms);
+  scale_terms(duration_s * open.mode.fastest_rad_per_s, terms);
   for (const double fraction : {0.0, 0.5, 1.0}) {
     double sum = 0;
     for (std::size_t k = terms.size(); k-- > 0;) sum = sum * fraction + terms[k];

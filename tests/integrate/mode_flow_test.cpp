@@ -57,7 +57,8 @@ TEST_P(EveryMode, TermsOfAnExitSumToItsValueAhead) {
   const double duration_s = 0.4 / mode_.fastest_rad_per_s;
   std::array<double, 17> terms{};
   for (const auto& exit : mode_.exits) {
-    expand_exit(mode_, exit, some_vibration(), duration_s, terms);
+    expand_exit(exit, some_vibration(), terms);
+    scale_terms(duration_s * mode_.fastest_rad_per_s, terms);
     for (const double fraction : {0.0, 0.3, 1.0}) {
       double sum = 0;
       for (std::size_t k = terms.size(); k-- > 0;) sum = sum * fraction + terms[k];

@@ -29,20 +29,17 @@ Complex row_on(const Row& row, const Eigen::VectorXcd& amplitude, double rate) {
   return sum;
 }
 
-}  // namespace
-
-template <int N>
-void Drive<N>::expand(std::size_t e, const Complex& phasor, double within_s, std::span<double> terms) const {
-  const Complex start = product(at_exit[e], phasor);
-  const double angle = rate * within_s, minus_square = -angle * angle;
-  double last = start.real(), now = -angle * start.imag();
-  terms[0] += last;
-  terms[1] += now;
-  for (std::size_t k = 1; k + 1 < terms.size(); ++k) {
-    last = std::exchange(now, minus_square * (reciprocals[k] * reciprocals[k + 1]) * last);
-    terms[k + 1] += now;
+/// Re(amplitude e^{i rate t} phasor) by the parts of the phasor.
+Eigen::Matrix<double, most_series_terms, 2> taylor_of(Complex amplitude, double rate) {
+  Eigen::Matrix<double, most_series_terms, 2> terms;
+  for (std::size_t k = 0; k < most_series_terms; ++k) {
+    terms.row(static_cast<Eigen::Index>(k)) << amplitude.real(), -amplitude.imag();
+    amplitude *= Complex(0, rate * reciprocals[k + 1]);
   }
+  return terms;
 }
+
+}  // namespace
 
 template <int N>
 bool make_drive(const ModePlan<N>& mode, const Eigen::VectorXcd& force, double rate, Drive<N>& drive) {
@@ -61,6 +58,7 @@ bool make_drive(const ModePlan<N>& mode, const Eigen::VectorXcd& force, double r
   for (const auto& exit : mode.exits) {
     drive.at_exit.push_back(row_on(exit.physical, drive.amplitude, rate));
     drive.curvature.push_back(std::abs(drive.at_exit.back()) * rate * rate);
+    drive.taylor.push_back(taylor_of(drive.at_exit.back(), rate / mode.fastest_rad_per_s));
   }
   for (const auto& ring : mode.rings) {
     drive.at_ring.push_back(
@@ -75,13 +73,9 @@ bool make_drive(const ModePlan<N>& mode, const Eigen::VectorXcd& force, double r
   return true;
 }
 
-template struct Drive<2>;
 template bool make_drive<2>(const ModePlan<2>&, const Eigen::VectorXcd&, double, Drive<2>&);
-template struct Drive<4>;
 template bool make_drive<4>(const ModePlan<4>&, const Eigen::VectorXcd&, double, Drive<4>&);
-template struct Drive<6>;
 template bool make_drive<6>(const ModePlan<6>&, const Eigen::VectorXcd&, double, Drive<6>&);
-template struct Drive<Eigen::Dynamic>;
 template bool make_drive<Eigen::Dynamic>(const ModePlan<Eigen::Dynamic>&, const Eigen::VectorXcd&, double,
                                          Drive<Eigen::Dynamic>&);
 

@@ -30,6 +30,8 @@ struct Drive {
   Eigen::Matrix<Complex, N, 1> amplitude;
   std::vector<Complex> at_exit;
   std::vector<double> curvature;  ///< per exit: |at_exit| rate^2
+  /// Per exit: Taylor coefficients as of ExitPlan, of the real and of the imaginary part of the phasor.
+  std::vector<Eigen::Matrix<double, most_series_terms, 2>> taylor;
   std::vector<std::array<Complex, 2>> at_ring;
   std::vector<double> ring_length;                ///< per ring: bound on |at_ring e^{i rate t}|
   std::vector<Complex> at_force;                  ///< per touch
@@ -54,8 +56,11 @@ struct Drive {
     return turn;
   }
 
-  /// Adds the Taylor coefficients of its part of exit `e`, two or more, time in units of `within_s`.
-  void expand(std::size_t e, const Complex& phasor, double within_s, std::span<double> terms) const;
+  /// Adds the Taylor coefficients of its part of exit `e`, time in units of 1 / fastest_rad_per_s of the mode.
+  void expand(std::size_t e, const Complex& phasor, std::span<double> terms) const {
+    add_terms(taylor[e].col(0).data(), phasor.real(), terms);
+    add_terms(taylor[e].col(1).data(), phasor.imag(), terms);
+  }
 };
 
 /// Drive of u'' = -K u - C u' + Re(force e^{i rate t}) in the mode. False at a resonance that nothing damps.
@@ -63,13 +68,9 @@ template <int N>
 bool make_drive(const ModePlan<N>& mode, const Eigen::VectorXcd& force, double rate_rad_per_s,
                 Drive<N>& drive);
 
-extern template struct Drive<2>;
 extern template bool make_drive<2>(const ModePlan<2>&, const Eigen::VectorXcd&, double, Drive<2>&);
-extern template struct Drive<4>;
 extern template bool make_drive<4>(const ModePlan<4>&, const Eigen::VectorXcd&, double, Drive<4>&);
-extern template struct Drive<6>;
 extern template bool make_drive<6>(const ModePlan<6>&, const Eigen::VectorXcd&, double, Drive<6>&);
-extern template struct Drive<Eigen::Dynamic>;
 extern template bool make_drive<Eigen::Dynamic>(const ModePlan<Eigen::Dynamic>&, const Eigen::VectorXcd&,
                                                 double, Drive<Eigen::Dynamic>&);
 

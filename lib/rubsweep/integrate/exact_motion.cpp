@@ -27,6 +27,10 @@ ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<ExactPlan
     kick_ =
         Complex(0, -scene.pulse->force_n) * (inverse_mass * scene.pulse->direction.template cast<Complex>());
   }
+  for (const auto& contact : plan_->system().contacts) {
+    unbalance_closing_.push_back(contact.first_row.template cast<Complex>() * unbalance_);
+    kick_closing_.push_back(contact.first_row.template cast<Complex>() * kick_);
+  }
   free_.resize(2 * unbalance_.size());
   carried_.resize(free_.size(), 0);
 }
@@ -54,6 +58,7 @@ void ExactMotion<N>::make(ModeCell& cell) const {
   cell.made = true;
   cell.usable = make_drive(*mode_, unbalance_, speed_, cell.unbalance) &&
                 make_drive(*mode_, kick_, kick_rate_, cell.kick);
+  cell.fastest_rad_per_s = std::max({mode_->fastest_rad_per_s, speed_, kick_rate_});
 }
 
 template <int N>
@@ -138,6 +143,16 @@ typename ExactMotion<N>::State ExactMotion<N>::rate_of(const State& physical) co
 }
 
 template <int N>
+double ExactMotion<N>::closing_acceleration(std::size_t i, const State& physical) const {
+  const Eigen::Index n = unbalance_.size();
+  const typename ExactTypes<N>::Row& row = mode_->closing[i];
+  double acceleration = row.dot(physical.transpose()) - row.template head<N>(n).dot(mode_->rest.transpose());
+  acceleration += real_product(unbalance_closing_[i], phasor_);
+  if (kick_on_) acceleration += real_product(kick_closing_[i], kick_phasor_);
+  return acceleration;
+}
+
+template <int N>
 typename ExactMotion<N>::Exit ExactMotion<N>::ring(std::size_t r, const State& sizes) const {
   const RingPlan<N>& plan = mode_->rings[r];
   const auto& c = plan_->system().contacts[plan.contact];
@@ -214,12 +229,13 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   std::array<double, most_series_terms> storage;
   const auto expand = [&](double duration_s, int highest) {
     const auto terms = std::span(storage).first(static_cast<std::size_t>(highest) + 1);
-    expand_exit(*mode_, mode_->exits[e], free_, duration_s, terms);
-    cell_->unbalance.expand(e, phasor_, duration_s, terms);
-    if (kick_on_) cell_->kick.expand(e, kick_phasor_, duration_s, terms);
+    expand_exit(mode_->exits[e], free_, terms);
+    cell_->unbalance.expand(e, phasor_, terms);
+    if (kick_on_) cell_->kick.expand(e, kick_phasor_, terms);
+    scale_terms(duration_s * mode_->fastest_rad_per_s, terms);
     return terms;
   };
-  const double fastest = mode_->fastest_rad_per_s;
+  const double fastest = cell_->fastest_rad_per_s;
   double stepped_s = 0, size = within_s * fastest, root_s = 0;
   if (size > short_series) {
     const auto start = expand(1, 2);

@@ -59,6 +59,8 @@ class ExactMotion {
     return forced(*mode_, *cell_, instant) + mode_->from_free(instant.free);
   }
   State rate_of(const State& physical) const;
+  /// p'' of flat contact `i`, by the law of the present mode.
+  double closing_acceleration(std::size_t i, const State& physical) const;
 
   /// Size of every pair or component of the free vibration, that bounds are multiplied by.
   State sizes() const { return sizes(free_); }
@@ -77,7 +79,7 @@ class ExactMotion {
   void step_by(double duration_s);
 
   /// Longest duration that `land` reaches over.
-  double reach_s() const { return longest_series / mode_->fastest_rad_per_s; }
+  double reach_s() const { return longest_series / cell_->fastest_rad_per_s; }
   /// Moves to where exit `e`, monotone up to there, rises through zero, at most `within_s` <= reach_s()
   /// ahead. Returns the duration.
   double land(std::size_t e, double within_s);
@@ -113,6 +115,7 @@ class ExactMotion {
   struct ModeCell {
     bool made = false, usable = false;
     Drive<N> unbalance, kick;
+    double fastest_rad_per_s = 0;  ///< of the mode and of what drives it
     Stretch interval;
   };
 
@@ -140,6 +143,7 @@ class ExactMotion {
 
   std::shared_ptr<ExactPlan<N>> plan_;
   Eigen::VectorXcd unbalance_, kick_;  ///< acceleration per s^2 is Re(. e^{i rate t})
+  std::vector<Complex> unbalance_closing_, kick_closing_;  ///< the same along each contact's normal
   double speed_ = 0, kick_rate_ = 0;
   std::vector<ModeCell> cells_;
   const ModePlan<N>* mode_ = nullptr;

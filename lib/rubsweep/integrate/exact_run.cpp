@@ -268,13 +268,14 @@ bool ExactRun<N>::switch_mode(Turn& turn, std::size_t e) {
   const auto& contacts = motion_.plan().system().contacts;
   const State here = motion_.physical();
   if (!slip_held(turn, here)) return false;
-  const State rate = motion_.rate_of(here);
   std::size_t joint = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& c = contacts[i];
     const Mode from = plan.modes[i];
     Mode to = plan.exits[e].contact == i ? plan.exits[e].next : from;
-    if (!c.ring) to = contact::mode_after(to, c.stiffness, c.damping, kinematics_of(c, here, rate));
+    if (!c.ring)
+      to = contact::mode_after(to, c.stiffness, c.damping,
+                               kinematics_of(c, here, motion_.closing_acceleration(i, here)));
     joint += in_joint_mode(to, i);
     if (to == from) continue;
     ++effort_.switches;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace rubsweep::integrate {
 
@@ -32,5 +33,19 @@ inline constexpr auto reciprocals = [] {
   for (std::size_t k = 1; k < values.size(); ++k) values[k] = 1.0 / static_cast<double>(k);
   return values;
 }();
+
+/// terms[k] += factor column[k]
+inline void add_terms(const double* column, double factor, std::span<double> terms) {
+  for (std::size_t k = 0; k < terms.size(); ++k) terms[k] += factor * column[k];
+}
+
+/// terms[k] *= size^k
+inline void scale_terms(double size, std::span<double> terms) {
+  double power = 1;
+  for (double& term : terms) {
+    term *= power;
+    power *= size;
+  }
+}
 
 }  // namespace rubsweep::integrate

@@ -13,13 +13,13 @@ constexpr std::size_t in_joint_mode(contact::Mode mode, std::size_t i) {
   return static_cast<std::size_t>(mode) << (2 * i);
 }
 
-/// Kinematics of a flat scaled contact at (u, u') with the rate (u', u'').
+/// Kinematics of a flat scaled contact at (u, u').
 template <class Contact, class State>
-contact::Kinematics kinematics_of(const Contact& contact, const State& physical, const State& rate) {
+contact::Kinematics kinematics_of(const Contact& contact, const State& physical,
+                                  double closing_acceleration) {
   const Eigen::Index n = contact.first_row.size();
   return {contact.first_row.dot(physical.head(n).transpose()) - contact.clearance,
-          contact.first_row.dot(physical.tail(n).transpose()),
-          contact.first_row.dot(rate.tail(n).transpose())};
+          contact.first_row.dot(physical.tail(n).transpose()), closing_acceleration};
 }
 
 /// Joint mode by the state alone, rings open, with `rate` by the open law: a start exactly at a wall and
@@ -30,7 +30,8 @@ std::size_t joint_mode_of(const std::vector<Contact>& contacts, const State& phy
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& c = contacts[i];
     if (c.ring) continue;
-    const contact::Kinematics k = kinematics_of(c, physical, rate);
+    const contact::Kinematics k =
+        kinematics_of(c, physical, c.first_row.dot(rate.tail(c.first_row.size()).transpose()));
     const contact::Mode now = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
     joint += in_joint_mode(contact::mode_after(now, c.stiffness, c.damping, k), i);
   }

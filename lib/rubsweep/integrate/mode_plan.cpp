@@ -50,6 +50,7 @@ class ModeBuilder {
     if (!find_rest()) return nullptr;
     set_steps();
     for (std::size_t i = 0; i < plan_->modes.size(); ++i) {
+      plan_->closing.push_back(by_v(system_.contacts[i].first_row) * plan_->generator);
       if (system_.contacts[i].ring) {
         add_ring(i);
       } else {
@@ -122,11 +123,27 @@ class ModeBuilder {
       const Pair& g = form_->pairs[static_cast<std::size_t>(j)];
       plan_->pairs.row(j) << g.uu, g.uv, g.vu, g.vv;
     }
-    plan_->trace = plan_->pairs.col(0) + plan_->pairs.col(3);
-    plan_->determinant =
-        plan_->pairs.col(0) * plan_->pairs.col(3) - plan_->pairs.col(1) * plan_->pairs.col(2);
+    const Eigen::ArrayXd trace = plan_->pairs.col(0) + plan_->pairs.col(3);
+    determinant_ = plan_->pairs.col(0) * plan_->pairs.col(3) - plan_->pairs.col(1) * plan_->pairs.col(2);
+    set_flow_terms(trace / plan_->fastest_rad_per_s, determinant_ / std::pow(plan_->fastest_rad_per_s, 2));
     for (int k = 0; k < exact_step_count; ++k)
       plan_->pair_steps.push_back(flow_of_pairs(*plan_, plan_->longest_step_s * exact_step_size(k)));
+  }
+
+  /// By Cayley and Hamilton: G^2 = trace G - determinant.
+  void set_flow_terms(const Eigen::ArrayXd& trace, const Eigen::ArrayXd& determinant) {
+    const Eigen::Index terms = most_series_terms;
+    plan_->unit_terms.setZero(trace.size(), terms);
+    plan_->generator_terms.setZero(trace.size(), terms);
+    plan_->unit_terms.col(0) = 1;
+    plan_->generator_terms.col(1) = 1;
+    for (Eigen::Index k = 2; k < terms; ++k) {
+      const double factor = reciprocals[static_cast<std::size_t>(k)];
+      const Eigen::ArrayXd last = plan_->generator_terms.col(k - 1);
+      plan_->generator_terms.col(k) = factor * (plan_->unit_terms.col(k - 1) + trace * last);
+      plan_->unit_terms.col(k) = -factor * determinant * last;
+    }
+    plan_->generator_terms /= plan_->fastest_rad_per_s;
   }
 
   /// Bound of |row . z(t)| over the longest step per size of z, for a row on z.
@@ -181,14 +198,26 @@ class ModeBuilder {
     exit.whole = watched(row * plan_->basis);
     exit.constant = constant + row.head(plan_->rest.size()) * plan_->rest;
     if (plan_->paired) split_off_fast(exit);
+    set_taylor(exit, row * plan_->basis);
     plan_->exits.push_back(exit);
+  }
+
+  void set_taylor(ExitPlan<N>& exit, Row row) const {
+    exit.taylor.resize(Eigen::NoChange, row.size());
+    for (std::size_t k = 0; k < most_series_terms; ++k) {
+      exit.taylor.row(static_cast<Eigen::Index>(k)) = row;
+      row = rate(row) * (reciprocals[k + 1] / plan_->fastest_rad_per_s);
+    }
+    for (Eigen::Index j = 0; j < row.size(); ++j) {
+      if (!exit.taylor.col(j).isZero(0)) exit.seen.push_back(j);
+    }
   }
 
   void split_off_fast(ExitPlan<N>& exit) const {
     const Eigen::Index n = plan_->rest.size();
     const Row whole = exit.whole.row_and_rate.row(0);
     const auto size = [&](Eigen::Index j) { return std::hypot(whole(j), whole(n + j)); };
-    const auto frequency = [&](Eigen::Index j) { return std::sqrt(std::abs(plan_->determinant(j))); };
+    const auto frequency = [&](Eigen::Index j) { return std::sqrt(std::abs(determinant_(j))); };
     double largest = 0, slowest_seen = std::numeric_limits<double>::infinity();
     for (Eigen::Index j = 0; j < n; ++j) largest = std::max(largest, size(j));
     for (Eigen::Index j = 0; j < n; ++j) {
@@ -260,6 +289,7 @@ class ModeBuilder {
   std::unique_ptr<ModePlan<N>> plan_;
   Eigen::VectorXd constant_;
   std::optional<ModalForm> form_;
+  Eigen::ArrayXd determinant_;  ///< of the pairs
 };
 
 }  // namespace

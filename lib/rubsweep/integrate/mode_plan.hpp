@@ -7,6 +7,7 @@
 
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/saturation.hpp"
+#include "rubsweep/integrate/exponential_series.hpp"
 #include "rubsweep/integrate/scaled_system.hpp"
 
 namespace rubsweep::integrate {
@@ -30,7 +31,14 @@ struct Watched {
   typename ExactTypes<N>::Row curvature_bound;
 
   /// Value and rate.
-  Eigen::Vector2d at(const typename ExactTypes<N>::State& z) const { return row_and_rate.lazyProduct(z); }
+  Eigen::Vector2d at(const typename ExactTypes<N>::State& z) const {
+    // Two short sums instead of a long one: the time loop waits for them.
+    const Eigen::Index n = z.size() / 2;
+    const Eigen::Vector2d u = row_and_rate.template leftCols<N>(n).lazyProduct(z.template head<N>(n)),
+                          v = row_and_rate.template middleCols<N>(n, n).lazyProduct(
+                              z.template segment<N>(n, n));
+    return u + v;
+  }
 };
 
 /// One armed exit of a mode, divided by the contact stiffness so that it is a length. Negative inside the
@@ -47,6 +55,10 @@ struct ExitPlan {
   bool split = false;
   Watched<N> slow;
   typename ExactTypes<N>::Row envelope;
+  /// Taylor coefficients of row . z, time in units of 1 / fastest_rad_per_s of the mode: column j is what a
+  /// unit of z_j adds to them.
+  Eigen::Matrix<double, most_series_terms, ExactTypes<N>::states> taylor;
+  std::vector<Eigen::Index> seen;  ///< its columns that are not zero
 };
 
 /// A ring seen from inside: d = rows . z + centre + forced part stays shorter than the clearance. Bounds as
@@ -91,9 +103,12 @@ struct ModePlan {
   bool diagonal_basis = false;
   typename Types::Flow basis, inverse;
   Eigen::Array<double, N, 4> pairs;               ///< generators: uu, uv, vu, vv per pair
-  Eigen::Array<double, N, 1> trace, determinant;  ///< of the generators
+  /// Taylor coefficients of the flow of pair j with generator G, x = fastest_rad_per_s t:
+  /// e^{G t} = sum_k x^k (unit_terms(j, k) 1 + generator_terms(j, k) G).
+  Eigen::Array<double, N, most_series_terms> unit_terms, generator_terms;
   double longest_step_s = 0;
   double longest_steps_per_s = 0;                      ///< 1 / longest_step_s
+  std::vector<typename Types::Row> closing;            ///< per flat contact: its p'' of a unit of (u, u') - rest
   double fastest_rad_per_s = 0;                        ///< largest |eigenvalue|
   std::vector<Eigen::Array<double, N, 4>> pair_steps;  ///< uu, uv, vu, vv per pair; or
   std::vector<typename Types::Flow> steps;             ///< e^{A h}
