@@ -56,7 +56,8 @@ struct Drive {
     return turn;
   }
 
-  /// Adds the Taylor coefficients of its part of exit `e`, time in units of 1 / fastest_rad_per_s of the mode.
+  /// Adds the Taylor coefficients of its part of exit `e`, time in units of 1 / fastest_rad_per_s of the
+  /// mode.
   void expand(std::size_t e, const Complex& phasor, std::span<double> terms) const {
     add_terms(taylor[e].col(0).data(), phasor.real(), terms);
     add_terms(taylor[e].col(1).data(), phasor.imag(), terms);

@@ -121,6 +121,9 @@ Run start_exact(const scene::Scene& scene, const SolverOptions& options, ExactPl
   }
 }
 
-bool exact_applies(const scene::Scene& scene) { return scene.contacts.size() <= most_exact_contacts; }
+bool exact_applies(const scene::Scene& scene) {
+  return scene.contacts.size() <= most_exact_contacts &&
+         scene.structure.coordinates() <= most_exact_coordinates;
+}
 
 }  // namespace rubsweep::integrate

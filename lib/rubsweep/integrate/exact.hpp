@@ -33,7 +33,8 @@ class ExactPlans {
 /// closed forms as soon as the rotor has been free for a turn, or after a while.
 Run start_exact(const scene::Scene& scene, const SolverOptions& options, ExactPlans& plans);
 
-/// Whether some turn of the scene may have a closed form: not more stops than a plan can number.
+/// Whether some turn of the scene may have a closed form: not more stops than a plan can number, nor more
+/// coordinates than it holds (a kit of 40 modes and six casings of its own).
 bool exact_applies(const scene::Scene& scene);
 
 }  // namespace rubsweep::integrate

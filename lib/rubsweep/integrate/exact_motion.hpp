@@ -108,7 +108,7 @@ class ExactMotion {
   /// Flow of a mode of pairs over some duration.
   struct Stretch {
     double duration_s = -1;
-    Eigen::Array<double, N, 4> pairs;
+    typename ExactTypes<N>::Pairs pairs;
     Complex turn, kick_turn;
   };
 
@@ -142,7 +142,7 @@ class ExactMotion {
   void step_by_series(double duration_s);
 
   std::shared_ptr<ExactPlan<N>> plan_;
-  Eigen::VectorXcd unbalance_, kick_;  ///< acceleration per s^2 is Re(. e^{i rate t})
+  Eigen::VectorXcd unbalance_, kick_;                      ///< acceleration per s^2 is Re(. e^{i rate t})
   std::vector<Complex> unbalance_closing_, kick_closing_;  ///< the same along each contact's normal
   double speed_ = 0, kick_rate_ = 0;
   std::vector<ModeCell> cells_;
@@ -205,7 +205,8 @@ inline void ExactMotion<N>::step_by_table(int k) {
   if (mode_->paired) {
     move_pairs(mode_->pair_steps[index], free_);
   } else {
-    free_ = mode_->steps[index].lazyProduct(free_).eval();
+    const State next = mode_->steps[index].lazyProduct(free_);
+    free_ = next;
   }
   lag_s_ += mode_->longest_step_s * exact_step_sizes[index];
   phasor_ = product(phasor_, cell_->unbalance.turned_by(index, mode_->longest_step_s));

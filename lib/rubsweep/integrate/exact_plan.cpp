@@ -38,6 +38,7 @@ ExactPlan<N>::ExactPlan(const scene::Scene& scene)
     : scene_(in_seconds(scene)), system_(scale<Eigen::Dynamic>(scene_)) {
   const Eigen::Index n = system_.coordinates();
   if (N != Eigen::Dynamic && n != N) throw SolverError("ExactPlan: wrong coordinate count");
+  if (n > most_exact_coordinates) throw SolverError("ExactPlan: too many coordinates");
   if (scene.contacts.size() > most_exact_contacts) throw SolverError("ExactPlan: too many contacts");
   inverse_mass_ = scene.structure.mass.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
   for (const scene::Contact& c : scene.contacts) {

@@ -10,8 +10,8 @@ namespace {
 
 /// (u, v) becomes factor * its rate, by full matrices.
 template <int N>
-void differentiate(const ModePlan<N>& mode, double factor, Eigen::Array<double, N, 1>& u,
-                   Eigen::Array<double, N, 1>& v) {
+void differentiate(const ModePlan<N>& mode, double factor, typename ExactTypes<N>::Part& u,
+                   typename ExactTypes<N>::Part& v) {
   typename ExactTypes<N>::Vector push = mode.stiffness.lazyProduct(u.matrix());
   push += mode.damping.lazyProduct(v.matrix());
   u = factor * v;
@@ -21,8 +21,8 @@ void differentiate(const ModePlan<N>& mode, double factor, Eigen::Array<double, 
 }  // namespace
 
 template <int N>
-Eigen::Array<double, N, 4> flow_of_pairs(const ModePlan<N>& mode, double duration_s) {
-  Eigen::Array<double, N, 4> flow(mode.pairs.rows(), 4);
+typename ExactTypes<N>::Pairs flow_of_pairs(const ModePlan<N>& mode, double duration_s) {
+  typename ExactTypes<N>::Pairs flow(mode.pairs.rows(), 4);
   for (Eigen::Index j = 0; j < flow.rows(); ++j) {
     const auto g = mode.pairs.row(j);
     // The two directions of an isotropic body share one flow.
@@ -38,7 +38,7 @@ Eigen::Array<double, N, 4> flow_of_pairs(const ModePlan<N>& mode, double duratio
 
 template <int N>
 void move_by_series(const ModePlan<N>& mode, double duration_s, typename ExactTypes<N>::State& z) {
-  using Part = Eigen::Array<double, N, 1>;
+  using Part = typename ExactTypes<N>::Part;
   const int terms = series_terms(std::abs(duration_s) * mode.fastest_rad_per_s);
   const Eigen::Index n = mode.rest.size();
   Part u = z.template head<N>(n).array(), v = z.template segment<N>(n, n).array();
@@ -65,14 +65,14 @@ void move_by_series(const ModePlan<N>& mode, double duration_s, typename ExactTy
   }
 }
 
-template Eigen::Array<double, 2, 4> flow_of_pairs<2>(const ModePlan<2>&, double);
+template ExactTypes<2>::Pairs flow_of_pairs<2>(const ModePlan<2>&, double);
 template void move_by_series<2>(const ModePlan<2>&, double, ExactTypes<2>::State&);
-template Eigen::Array<double, 4, 4> flow_of_pairs<4>(const ModePlan<4>&, double);
+template ExactTypes<4>::Pairs flow_of_pairs<4>(const ModePlan<4>&, double);
 template void move_by_series<4>(const ModePlan<4>&, double, ExactTypes<4>::State&);
-template Eigen::Array<double, 6, 4> flow_of_pairs<6>(const ModePlan<6>&, double);
+template ExactTypes<6>::Pairs flow_of_pairs<6>(const ModePlan<6>&, double);
 template void move_by_series<6>(const ModePlan<6>&, double, ExactTypes<6>::State&);
-template Eigen::Array<double, Eigen::Dynamic, 4> flow_of_pairs<Eigen::Dynamic>(
-    const ModePlan<Eigen::Dynamic>&, double);
+template ExactTypes<Eigen::Dynamic>::Pairs flow_of_pairs<Eigen::Dynamic>(const ModePlan<Eigen::Dynamic>&,
+                                                                         double);
 template void move_by_series<Eigen::Dynamic>(const ModePlan<Eigen::Dynamic>&, double,
                                              ExactTypes<Eigen::Dynamic>::State&);
 

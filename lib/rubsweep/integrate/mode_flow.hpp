@@ -9,17 +9,19 @@
 namespace rubsweep::integrate {
 
 /// Moves every pair of z, a state or a column of a transition, by its flow (uu, uv, vu, vv per pair).
-template <int N, class Column>
-void move_pairs(const Eigen::Array<double, N, 4>& flow, Column&& z) {
+template <class Pairs, class Column>
+void move_pairs(const Pairs& flow, Column&& z) {
+  constexpr int N = Pairs::RowsAtCompileTime;
   const Eigen::Index n = flow.rows();
-  const Eigen::Array<double, N, 1> u = z.template head<N>(n).array(), v = z.template segment<N>(n, n).array();
+  const typename ExactTypes<N>::Part u = z.template head<N>(n).array(),
+                                     v = z.template segment<N>(n, n).array();
   z.template head<N>(n) = (flow.col(0) * u + flow.col(1) * v).matrix();
   z.template segment<N>(n, n) = (flow.col(2) * u + flow.col(3) * v).matrix();
 }
 
 /// Flow of a mode of pairs over any duration, in closed form.
 template <int N>
-Eigen::Array<double, N, 4> flow_of_pairs(const ModePlan<N>& mode, double duration_s);
+typename ExactTypes<N>::Pairs flow_of_pairs(const ModePlan<N>& mode, double duration_s);
 
 /// Moves the free vibration by the series of its flow, |duration| up to longest_series over the mode's
 /// fastest rate.
@@ -34,13 +36,13 @@ void expand_exit(const ExitPlan<N>& exit, const typename ExactTypes<N>::State& z
   for (const Eigen::Index j : exit.seen) add_terms(exit.taylor.col(j).data(), z(j), terms);
 }
 
-extern template Eigen::Array<double, 2, 4> flow_of_pairs<2>(const ModePlan<2>&, double);
+extern template ExactTypes<2>::Pairs flow_of_pairs<2>(const ModePlan<2>&, double);
 extern template void move_by_series<2>(const ModePlan<2>&, double, ExactTypes<2>::State&);
-extern template Eigen::Array<double, 4, 4> flow_of_pairs<4>(const ModePlan<4>&, double);
+extern template ExactTypes<4>::Pairs flow_of_pairs<4>(const ModePlan<4>&, double);
 extern template void move_by_series<4>(const ModePlan<4>&, double, ExactTypes<4>::State&);
-extern template Eigen::Array<double, 6, 4> flow_of_pairs<6>(const ModePlan<6>&, double);
+extern template ExactTypes<6>::Pairs flow_of_pairs<6>(const ModePlan<6>&, double);
 extern template void move_by_series<6>(const ModePlan<6>&, double, ExactTypes<6>::State&);
-extern template Eigen::Array<double, Eigen::Dynamic, 4> flow_of_pairs<Eigen::Dynamic>(
+extern template ExactTypes<Eigen::Dynamic>::Pairs flow_of_pairs<Eigen::Dynamic>(
     const ModePlan<Eigen::Dynamic>&, double);
 extern template void move_by_series<Eigen::Dynamic>(const ModePlan<Eigen::Dynamic>&, double,
                                                     ExactTypes<Eigen::Dynamic>::State&);

@@ -12,14 +12,21 @@
 
 namespace rubsweep::integrate {
 
+/// Coordinates of the largest scene that an exact run takes.
+inline constexpr int most_exact_coordinates = 52;
+
 /// Sizes of an exact run over N coordinates; its state is (u, u'), 2N numbers, lengths in units of the
-/// scene's length scale, time in seconds.
+/// scene's length scale, time in seconds. Where N is known only at run time it is bounded: what the time loop
+/// makes on its way needs no allocation.
 template <int N>
 struct ExactTypes {
   static constexpr int states = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N;
-  using Vector = Eigen::Matrix<double, N, 1>;
-  using State = Eigen::Matrix<double, states, 1>;
-  using Row = Eigen::Matrix<double, 1, states>;
+  static constexpr int most = N == Eigen::Dynamic ? most_exact_coordinates : N;
+  using Vector = Eigen::Matrix<double, N, 1, Eigen::ColMajor, most, 1>;
+  using Part = Eigen::Array<double, N, 1, Eigen::ColMajor, most, 1>;   ///< one number per pair
+  using Pairs = Eigen::Array<double, N, 4, Eigen::ColMajor, most, 4>;  ///< uu, uv, vu, vv per pair
+  using State = Eigen::Matrix<double, states, 1, Eigen::ColMajor, 2 * most, 1>;
+  using Row = Eigen::Matrix<double, 1, states, Eigen::RowMajor, 1, 2 * most>;
   using Flow = Eigen::Matrix<double, states, states>;
 };
 
@@ -77,8 +84,8 @@ struct TouchPlan {
   std::size_t contact = 0;
   typename ExactTypes<N>::Row force;  ///< normal force = force . (state - rest) + constant, newtons
   double force_constant = 0;
-  Watched<N> force_of_free;  ///< the free vibration's part of it
-  bool pushes = false;       ///< the normal force is not zero all along
+  Watched<N> force_of_free;                        ///< the free vibration's part of it
+  bool pushes = false;                             ///< the normal force is not zero all along
   typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
   typename ExactTypes<N>::Row sliding_rate_bound;  ///< as above
   /// Friction taken apart from the structure, per contact: what it may add to the sliding rate per
@@ -102,16 +109,16 @@ struct ModePlan {
   bool paired = false;
   bool diagonal_basis = false;
   typename Types::Flow basis, inverse;
-  Eigen::Array<double, N, 4> pairs;               ///< generators: uu, uv, vu, vv per pair
+  typename Types::Pairs pairs;  ///< generators
   /// Taylor coefficients of the flow of pair j with generator G, x = fastest_rad_per_s t:
   /// e^{G t} = sum_k x^k (unit_terms(j, k) 1 + generator_terms(j, k) G).
   Eigen::Array<double, N, most_series_terms> unit_terms, generator_terms;
   double longest_step_s = 0;
-  double longest_steps_per_s = 0;                      ///< 1 / longest_step_s
-  std::vector<typename Types::Row> closing;            ///< per flat contact: its p'' of a unit of (u, u') - rest
-  double fastest_rad_per_s = 0;                        ///< largest |eigenvalue|
-  std::vector<Eigen::Array<double, N, 4>> pair_steps;  ///< uu, uv, vu, vv per pair; or
-  std::vector<typename Types::Flow> steps;             ///< e^{A h}
+  double longest_steps_per_s = 0;                 ///< 1 / longest_step_s
+  std::vector<typename Types::Row> closing;       ///< per flat contact: its p'' of a unit of (u, u') - rest
+  double fastest_rad_per_s = 0;                   ///< largest |eigenvalue|
+  std::vector<typename Types::Pairs> pair_steps;  ///< e^{A h}, of pairs or
+  std::vector<typename Types::Flow> steps;        ///< as a whole
   std::vector<ExitPlan<N>> exits;
   std::vector<RingPlan<N>> rings;
   std::vector<TouchPlan<N>> touches;

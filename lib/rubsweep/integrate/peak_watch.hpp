@@ -40,7 +40,8 @@ class PeakWatch {
     pass(motion.physical(), since_look_s, turn);
     const auto here = motion.here();
     for (std::size_t t = 0; t < motion.mode().touches.size(); ++t) {
-      if (motion.mode().touches[t].pushes) raise_force(motion, t, here, duration_s, turn.peak_contact_force_n);
+      if (motion.mode().touches[t].pushes)
+        raise_force(motion, t, here, duration_s, turn.peak_contact_force_n);
     }
     start_ = here;
   }

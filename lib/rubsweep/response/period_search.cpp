@@ -66,8 +66,7 @@ std::optional<int> PeriodSearch::candidate() const {
 /// With contact on the way, and closer than ever tried or not tried for long.
 bool PeriodSearch::is_due(int order, double error) const {
   const Tried& tried = tried_[static_cast<std::size_t>(order)];
-  return last_touch_ >= turns_ - order &&
-         (error < tried.below || (tried.again > 0 && turns_ >= tried.again));
+  return last_touch_ >= turns_ - order && (error < tried.below || (tried.again > 0 && turns_ >= tried.again));
 }
 
 /// The return before this one was farther: a transient that passes an unstable orbit comes back less and less

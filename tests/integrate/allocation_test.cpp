@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+
+#include "integrate/rubbing_kit.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "support/set_a_cell.hpp"
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define RUBSWEEP_FOREIGN_MALLOC
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define RUBSWEEP_FOREIGN_MALLOC
+#endif
+
+#if defined(__GLIBC__) && !defined(RUBSWEEP_FOREIGN_MALLOC)
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+extern "C" void* __libc_malloc(std::size_t size);
+
+/// Eigen asks malloc, not operator new.
+extern "C" void* malloc(std::size_t size) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  return __libc_malloc(size);
+}
+
+namespace rubsweep::integrate {
+namespace {
+
+/// By turns of a run that has made its plans and its room before.
+long allocations_of(const scene::Scene& scene, const SolverOptions& options) {
+  ExactPlans plans;
+  const Run run = start(scene, options, plans);
+  Turn turn;
+  const auto advance = [&](int turns) {
+    int hits = 0;
+    for (int k = 0; k < turns; ++k) {
+      EXPECT_EQ(run.advance(turn), Outcome::ok);
+      hits += turn.hits;
+    }
+    return hits;
+  };
+  advance(30);
+  const long before = allocations;
+  EXPECT_GT(advance(30), 2);
+  return allocations - before;
+}
+
+TEST(Allocation, CountsWhatIsAllocated) {
+  const long before = allocations;
+  Eigen::VectorXd room(100);
+  room.setZero();
+  EXPECT_EQ(room.sum(), 0);
+  EXPECT_EQ(allocations - before, 1);
+}
+
+TEST(Allocation, NoneInTheTimeLoopOfTheExactSolver) {
+  EXPECT_EQ(allocations_of(test::cell_of({}).scene, {}), 0);
+  EXPECT_EQ(allocations_of(kit_scene(70, 0.7), {}), 0);
+}
+
+TEST(Allocation, NoneInTheTimeLoopOfDopri5) {
+  SolverOptions dopri5;
+  dopri5.method = Method::adaptive;
+  dopri5.stepper = Stepper::dopri5;
+  EXPECT_EQ(allocations_of(test::cell_of({}).scene, dopri5), 0);
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate
+
+#endif
