@@ -51,6 +51,23 @@ TEST(ProveOrbit, AnUnstableOrbitIsNoProof) {
   EXPECT_FALSE(prove_orbit(logistic(3.3), {&section, 1}, 1));
 }
 
+/// One look from afar, where the slope is clear enough, instead of an iteration down to rounding.
+TEST(ProveOrbit, GivesUpWhereTheTransientStandsOnASteepSlope) {
+  int derivatives = 0;
+  const auto counted = [&](double r) {
+    return TurnMap([&derivatives, map = logistic(r)](std::span<double> s, Eigen::MatrixXd* disturbances) {
+      derivatives += disturbances != nullptr;
+      return map(s, disturbances);
+    });
+  };
+  const double steep = 1 - 1 / 3.3 + 1e-3, gentle = 1 - 1 / 3.05 + 1e-3;
+  EXPECT_FALSE(prove_orbit(counted(3.3), {&steep, 1}, 1));
+  EXPECT_EQ(derivatives, 1);
+  derivatives = 0;
+  EXPECT_FALSE(prove_orbit(counted(3.05), {&gentle, 1}, 1));
+  EXPECT_EQ(derivatives, 2);
+}
+
 TEST(ProveOrbit, AMultiplierOnTheUnitCircleIsNoProof) {
   const TurnMap rotation = [](std::span<double> s, Eigen::MatrixXd* disturbances) {
     Eigen::Matrix2d turn;

@@ -263,8 +263,8 @@ class ModeBuilder {
     touch.force = force;
     touch.force_constant =
         force.head(plan_->rest.size()) * plan_->rest - spring_factor(mode) * c.stiffness * c.clearance;
-    touch.force_of_free = watched(force * plan_->basis);
     touch.pushes = !force.isZero(0);
+    if (touch.pushes) touch.force_of_free = watched(force * plan_->basis);
     plan_->pushes = plan_->pushes || touch.pushes;
     const Row sliding = by_v(c.second_row);
     touch.sliding = sliding;
