@@ -62,19 +62,25 @@ TEST_P(BothSolvers, GiveTheSameSection) {
   }
 }
 
+/// But for a cell that a change of the kick by a millionth sends elsewhere: one of three at most.
 TEST_P(BothSolvers, GiveTheSameClass) {
   sweep::Study adaptive = study_;
   study_.solver.method = integrate::Method::exact;
   adaptive.solver.method = integrate::Method::adaptive;
   adaptive.solver.relative_tolerance = 1e-10;
   adaptive.response.max_revolutions = study_.response.max_revolutions = 400;
+  int different = 0;
   for (const double place : {0.1, 0.35, 0.6}) {
     response::Workspace workspace;
     const sweep::Row a = evaluate_cell(study_, cell(place, 0.45), workspace),
                      b = evaluate_cell(adaptive, cell(place, 0.45), workspace);
-    EXPECT_EQ(a.motion_class, b.motion_class) << place;
-    EXPECT_EQ(a.order, b.order) << place;
+    if (a.motion_class == b.motion_class && a.order == b.order) continue;
+    ++different;
+    sweep::Study kicked = study_;
+    kicked.robustness = sweep::Robustness::on;
+    EXPECT_EQ(evaluate_cell(kicked, cell(place, 0.45), workspace).robust, false) << place;
   }
+  EXPECT_LE(different, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(OnEveryMap, BothSolvers,
