@@ -131,7 +131,7 @@ class ExactMotion {
   /// Calls `step` for steps of the table as far as they fit, until the rest is short; returns the rest.
   template <class Step>
   double table_steps(double duration_s, const Step& step) const {
-    while (duration_s > short_series / mode_->fastest_rad_per_s) {
+    while (duration_s > short_series / cell_->fastest_rad_per_s) {
       const int k = exact_step_below(duration_s * mode_->longest_steps_per_s);
       if (k == exact_step_count) break;
       step(k);

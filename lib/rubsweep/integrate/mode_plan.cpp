@@ -11,6 +11,7 @@
 #include "rubsweep/integrate/matrix_flow.hpp"
 #include "rubsweep/integrate/modal_form.hpp"
 #include "rubsweep/integrate/mode_flow.hpp"
+#include "rubsweep/integrate/pair_series.hpp"
 #include "rubsweep/integrate/released_slip.hpp"
 #include "rubsweep/integrate/step_table.hpp"
 
@@ -123,27 +124,12 @@ class ModeBuilder {
       const Pair& g = form_->pairs[static_cast<std::size_t>(j)];
       plan_->pairs.row(j) << g.uu, g.uv, g.vu, g.vv;
     }
-    const Eigen::ArrayXd trace = plan_->pairs.col(0) + plan_->pairs.col(3);
+    const PairSeries series = pair_series(form_->pairs, plan_->fastest_rad_per_s);
+    plan_->unit_terms = series.unit;
+    plan_->generator_terms = series.generator;
     determinant_ = plan_->pairs.col(0) * plan_->pairs.col(3) - plan_->pairs.col(1) * plan_->pairs.col(2);
-    set_flow_terms(trace / plan_->fastest_rad_per_s, determinant_ / std::pow(plan_->fastest_rad_per_s, 2));
     for (int k = 0; k < exact_step_count; ++k)
       plan_->pair_steps.push_back(flow_of_pairs(*plan_, plan_->longest_step_s * exact_step_size(k)));
-  }
-
-  /// By Cayley and Hamilton: G^2 = trace G - determinant.
-  void set_flow_terms(const Eigen::ArrayXd& trace, const Eigen::ArrayXd& determinant) {
-    const Eigen::Index terms = most_series_terms;
-    plan_->unit_terms.setZero(trace.size(), terms);
-    plan_->generator_terms.setZero(trace.size(), terms);
-    plan_->unit_terms.col(0) = 1;
-    plan_->generator_terms.col(1) = 1;
-    for (Eigen::Index k = 2; k < terms; ++k) {
-      const double factor = reciprocals[static_cast<std::size_t>(k)];
-      const Eigen::ArrayXd last = plan_->generator_terms.col(k - 1);
-      plan_->generator_terms.col(k) = factor * (plan_->unit_terms.col(k - 1) + trace * last);
-      plan_->unit_terms.col(k) = -factor * determinant * last;
-    }
-    plan_->generator_terms /= plan_->fastest_rad_per_s;
   }
 
   /// Bound of |row . z(t)| over the longest step per size of z, for a row on z.

@@ -110,8 +110,7 @@ struct ModePlan {
   bool diagonal_basis = false;
   typename Types::Flow basis, inverse;
   typename Types::Pairs pairs;  ///< generators
-  /// Taylor coefficients of the flow of pair j with generator G, x = fastest_rad_per_s t:
-  /// e^{G t} = sum_k x^k (unit_terms(j, k) 1 + generator_terms(j, k) G).
+  /// As of PairSeries.
   Eigen::Array<double, N, most_series_terms> unit_terms, generator_terms;
   double longest_step_s = 0;
   double longest_steps_per_s = 0;                 ///< 1 / longest_step_s

@@ -15,7 +15,7 @@ namespace rubsweep::integrate {
 /// Between states this far apart a cubic through values and rates has the maximum of a contact force.
 template <int N>
 double peak_reach_s(const ExactMotion<N>& motion) {
-  return 0.25 / motion.mode().fastest_rad_per_s;
+  return 0.25 * motion.reach_s();
 }
 
 /// Largest displacement and contact force of an exact run: of the displacement from values and rates at the
