@@ -28,8 +28,11 @@ ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<ExactPlan
         Complex(0, -scene.pulse->force_n) * (inverse_mass * scene.pulse->direction.template cast<Complex>());
   }
   for (const auto& contact : plan_->system().contacts) {
-    unbalance_closing_.push_back(contact.first_row.template cast<Complex>() * unbalance_);
-    kick_closing_.push_back(contact.first_row.template cast<Complex>() * kick_);
+    const auto along = [&](const Eigen::VectorXcd& force) {
+      return Complex(contact.first_row.dot(force.real()), contact.first_row.dot(force.imag()));
+    };
+    unbalance_closing_.push_back(along(unbalance_));
+    kick_closing_.push_back(along(kick_));
   }
   free_.resize(2 * unbalance_.size());
   carried_.resize(free_.size(), 0);
