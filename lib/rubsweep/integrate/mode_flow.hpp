@@ -8,7 +8,7 @@
 
 namespace rubsweep::integrate {
 
-/// Moves every pair of z, a state or a column of a transition, by its flow (uu, uv, vu, vv per pair).
+/// Moves every pair of z, a state or a disturbance of one, by its flow.
 template <class Pairs, class Column>
 void move_pairs(const Pairs& flow, Column&& z) {
   constexpr int N = Pairs::RowsAtCompileTime;
