@@ -28,7 +28,7 @@ set ylabel "error after 6 revolutions (clearance)"
 set xrange [low_time:high_time]
 set yrange [low_error:high_error]
 set grid xtics ytics linecolor rgb "#DDDDDD"
-set key outside below center horizontal maxcols 3
+set key outside below center horizontal maxcols 3 height 1 font ",16"
 name(cell, c, s, method) = sprintf("%d_%s_%s_%s", cell, contact[c], stepper[s], method)
 label(s, method) = s == 1 ? "exact, closed forms alone" : \
   method eq "exact" ? "exact in flight, " . stepper[s] : stepper[s]
