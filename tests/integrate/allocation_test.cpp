@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <atomic>
 #include <cstddef>
 
@@ -33,11 +34,15 @@ extern "C" void* malloc(std::size_t size) {
 namespace rubsweep::integrate {
 namespace {
 
-/// By turns of a run that has made its plans and its room before.
+/// By turns, watched in every way, of a run that has made its plans and its room before.
 long allocations_of(const scene::Scene& scene, const SolverOptions& options) {
   ExactPlans plans;
   const Run run = start(scene, options, plans);
   Turn turn;
+  turn.peaks = true;
+  turn.samples_per_revolution = 32;
+  const Eigen::Index states = 2 * scene.structure.coordinates();
+  turn.disturbances.setIdentity(states, states);
   const auto advance = [&](int turns) {
     int hits = 0;
     for (int k = 0; k < turns; ++k) {
@@ -49,6 +54,7 @@ long allocations_of(const scene::Scene& scene, const SolverOptions& options) {
   advance(30);
   const long before = allocations;
   EXPECT_GT(advance(30), 2);
+  EXPECT_EQ(turn.effort.adaptive_turns, 0);
   return allocations - before;
 }
 

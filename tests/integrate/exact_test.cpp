@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/start.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
 #include "support/simple_scenes.hpp"
@@ -186,6 +187,33 @@ TEST(Exact, WatchingDoesNotMoveTheRotor) {
     watched.advance(b);
   }
   EXPECT_LT(difference(a, b), 1e-12);
+}
+
+/// The force may be falling from the first instant on, and largest there.
+TEST(Exact, PeakForceOfATurnThatStartsInContact) {
+  const auto scene = [] {
+    auto without_kick = test::cell_of({}).scene;
+    without_kick.pulse.reset();
+    return without_kick;
+  }();
+  ExactPlans plans;
+  SolverOptions options;
+  options.relative_tolerance = 1e-12;
+  const auto exact = start_exact(scene, options, plans);
+  options.method = Method::adaptive;
+  const auto adaptive = start(scene, options, plans);
+  Turn a, b;
+  a.peaks = b.peaks = true;
+  for (const double closing_speed : {-0.4, -0.1, -0.01, 0.0, 0.1}) {
+    const std::vector<double> section{0, 1.02, 0, 0, 0, closing_speed, 0, 0};
+    exact.restart(section);
+    adaptive.restart(section);
+    ASSERT_EQ(exact.advance(a), Outcome::ok);
+    ASSERT_EQ(adaptive.advance(b), Outcome::ok);
+    EXPECT_GT(b.peak_contact_force_n, 1) << closing_speed;
+    EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-4 * b.peak_contact_force_n)
+        << closing_speed;
+  }
 }
 
 TEST(Exact, PeaksDoNotDependOnSamples) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rubsweep/model/rotor_kit.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::integrate {
@@ -16,6 +17,16 @@ TEST(Start, AutoIsExactButForASmoothedLaw) {
   options.contact = ContactHandling::located;
   options.method = Method::adaptive;
   EXPECT_EQ(solver_of(scene, options), Solver::adaptive);
+}
+
+TEST(Start, TheExactSolverTakesTheLargestKit) {
+  auto scene = test::cell_of({}).scene;
+  const Eigen::Index largest = 2 * model::RotorKit::most_modes + 4 * most_exact_contacts + 1;
+  scene.structure.mass.setIdentity(largest, largest);
+  ASSERT_EQ(scene.structure.coordinates(), largest);
+  EXPECT_TRUE(exact_applies(scene));
+  scene.structure.mass.setIdentity(largest + 1, largest + 1);
+  EXPECT_FALSE(exact_applies(scene));
 }
 
 TEST(Start, ARestartedRunHasNoMemory) {

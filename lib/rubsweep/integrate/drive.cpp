@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <utility>
 
 #include "rubsweep/integrate/exponential_series.hpp"
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "rubsweep/integrate/exponential_series.hpp"
 #include "rubsweep/integrate/mode_plan.hpp"
 #include "rubsweep/integrate/step_table.hpp"
 

@@ -34,7 +34,7 @@ class ExactPlans {
 Run start_exact(const scene::Scene& scene, const SolverOptions& options, ExactPlans& plans);
 
 /// Whether some turn of the scene may have a closed form: not more stops than a plan can number, nor more
-/// coordinates than it holds (a kit of 40 modes and six casings of its own).
+/// coordinates than it holds (all that a configuration can ask for).
 bool exact_applies(const scene::Scene& scene);
 
 }  // namespace rubsweep::integrate

@@ -35,7 +35,6 @@ ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<ExactPlan
     kick_closing_.push_back(along(kick_));
   }
   free_.resize(2 * unbalance_.size());
-  carried_.resize(free_.size(), 0);
 }
 
 template <int N>
@@ -43,8 +42,7 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   const ModePlan<N>* next = plan_->mode(joint);
   if (next == nullptr) return false;
   catch_up();
-  for (Eigen::Index i = 0; i < carried_.cols(); ++i)
-    carried_.col(i) = next->to_free(mode_->from_free(carried_.col(i)));
+  for (std::size_t i = 0; i < carried_count_; ++i) carried_[i] = next->to_free(mode_->from_free(carried_[i]));
   mode_ = next;
   if (cells_.size() <= mode_->index) cells_.resize(mode_->index + 1);
   ModeCell& cell = cells_[mode_->index];
@@ -61,7 +59,7 @@ void ExactMotion<N>::make(ModeCell& cell) const {
   cell.made = true;
   cell.usable = make_drive(*mode_, unbalance_, speed_, cell.unbalance) &&
                 make_drive(*mode_, kick_, kick_rate_, cell.kick);
-  cell.fastest_rad_per_s = std::max({mode_->fastest_rad_per_s, speed_, kick_rate_});
+  cell.fastest_rad_per_s = std::max(mode_->fastest_rad_per_s, speed_);
 }
 
 template <int N>
@@ -186,10 +184,10 @@ typename ExactMotion<N>::Exit ExactMotion<N>::ring(std::size_t r, const State& s
 template <int N>
 void ExactMotion<N>::catch_up() {
   const double duration_s = std::exchange(lag_s_, 0);
-  if (carried_.cols() == 0 || duration_s == 0) return;
+  if (carried_count_ == 0 || duration_s == 0) return;
   if (mode_->paired) {
     const auto flow = flow_of_pairs(*mode_, duration_s);
-    for (Eigen::Index i = 0; i < carried_.cols(); ++i) move_pairs(flow, carried_.col(i));
+    for (std::size_t i = 0; i < carried_count_; ++i) move_pairs(flow, carried_[i]);
   } else {
     catch_up_by_matrices(duration_s);
   }
@@ -198,14 +196,12 @@ void ExactMotion<N>::catch_up() {
 template <int N>
 void ExactMotion<N>::catch_up_by_matrices(double duration_s) {
   const double rest = table_steps(duration_s, [this](int k) {
-    carried_ = mode_->steps[static_cast<std::size_t>(k)].lazyProduct(carried_).eval();
+    for (std::size_t i = 0; i < carried_count_; ++i) {
+      const State next = mode_->steps[static_cast<std::size_t>(k)].lazyProduct(carried_[i]);
+      carried_[i] = next;
+    }
   });
-  State column;
-  for (Eigen::Index i = 0; i < carried_.cols(); ++i) {
-    column = carried_.col(i);
-    move_by_series(*mode_, rest, column);
-    carried_.col(i) = column;
-  }
+  for (std::size_t i = 0; i < carried_count_; ++i) move_by_series(*mode_, rest, carried_[i]);
 }
 
 template <int N>
@@ -238,7 +234,7 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
     scale_terms(duration_s * mode_->fastest_rad_per_s, terms);
     return terms;
   };
-  const double fastest = cell_->fastest_rad_per_s;
+  const double fastest = fastest_rad_per_s();
   double stepped_s = 0, size = within_s * fastest, root_s = 0;
   if (size > short_series) {
     const auto start = expand(1, 2);
@@ -288,18 +284,27 @@ double ExactMotion<N>::sliding_rate_bound_without_contact(const TouchPlan<N>& to
 }
 
 template <int N>
-void ExactMotion<N>::carry(const Disturbances& physical) {
+void ExactMotion<N>::carry(const Eigen::MatrixXd& disturbances) {
   lag_s_ = 0;
-  carried_.resize(Eigen::NoChange, physical.cols());
-  for (Eigen::Index i = 0; i < physical.cols(); ++i) carried_.col(i) = mode_->to_free(physical.col(i));
+  carried_count_ = static_cast<std::size_t>(disturbances.cols());
+  if (carried_.size() < carried_count_) carried_.resize(carried_count_);
+  const Eigen::Index n = unbalance_.size();
+  for (std::size_t i = 0; i < carried_count_; ++i) {
+    State physical = disturbances.col(static_cast<Eigen::Index>(i));
+    physical.tail(n) *= speed_;
+    carried_[i] = mode_->to_free(physical);
+  }
 }
 
 template <int N>
-typename ExactMotion<N>::Disturbances ExactMotion<N>::carried() {
+void ExactMotion<N>::put_carried(Eigen::MatrixXd& disturbances) {
   catch_up();
-  Disturbances physical(carried_.rows(), carried_.cols());
-  for (Eigen::Index i = 0; i < carried_.cols(); ++i) physical.col(i) = mode_->from_free(carried_.col(i));
-  return physical;
+  const Eigen::Index n = unbalance_.size();
+  for (std::size_t i = 0; i < carried_count_; ++i) {
+    State physical = mode_->from_free(carried_[i]);
+    physical.tail(n) /= speed_;
+    disturbances.col(static_cast<Eigen::Index>(i)) = physical;
+  }
 }
 
 template class ExactMotion<2>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <memory>
@@ -21,7 +22,6 @@ template <int N>
 class ExactMotion {
  public:
   using State = typename ExactTypes<N>::State;
-  using Flow = typename ExactTypes<N>::Flow;
 
   /// An exit function (or what stands for it), its rate, and a bound on its second derivative within the
   /// mode's longest step.
@@ -71,7 +71,7 @@ class ExactMotion {
   /// (|d|^2 - C^2) / (2 C) of a ring.
   Exit ring(std::size_t r, const State& sizes) const;
 
-  /// Normal force of touch `t` at an instant of the present mode, newtons.
+  /// Normal force of touch `t`, which must push, at an instant of the present mode, newtons.
   Exit force(std::size_t t, const Instant& instant) const;
 
   void step_by_table(int k);
@@ -79,7 +79,7 @@ class ExactMotion {
   void step_by(double duration_s);
 
   /// Longest duration that `land` reaches over.
-  double reach_s() const { return longest_series / cell_->fastest_rad_per_s; }
+  double reach_s() const { return longest_series / fastest_rad_per_s(); }
   /// Moves to where exit `e`, monotone up to there, rises through zero, at most `within_s` <= reach_s()
   /// ahead. Returns the duration.
   double land(std::size_t e, double within_s);
@@ -88,14 +88,11 @@ class ExactMotion {
   /// the present state; without friction's part where the touch says so.
   double sliding_rate_bound(const TouchPlan<N>& touch, const State& physical) const;
 
-  /// Small disturbances of (u, u'), one per column; none: nothing to carry.
-  using Disturbances = Eigen::Matrix<double, ExactTypes<N>::states, Eigen::Dynamic, Eigen::ColMajor,
-                                     ExactTypes<N>::states, ExactTypes<N>::states>;
-  void carry_nothing() { carried_.resize(Eigen::NoChange, 0); }
-  /// Carries these along from here on.
-  void carry(const Disturbances& physical);
-  /// Where they are by now.
-  Disturbances carried();
+  void carry_nothing() { carried_count_ = 0; }
+  /// Carries small disturbances of the state along from here on: as Turn::disturbances, one per column.
+  void carry(const Eigen::MatrixXd& disturbances);
+  /// Replaces them by where they are now.
+  void put_carried(Eigen::MatrixXd& disturbances);
 
   const ModePlan<N>& mode() const { return *mode_; }
   std::size_t joint() const { return joint_; }
@@ -115,10 +112,14 @@ class ExactMotion {
   struct ModeCell {
     bool made = false, usable = false;
     Drive<N> unbalance, kick;
-    double fastest_rad_per_s = 0;  ///< of the mode and of what drives it
+    double fastest_rad_per_s = 0;  ///< of the mode and the shaft
     Stretch interval;
   };
 
+  /// Of what vibrates and what drives it now.
+  double fastest_rad_per_s() const {
+    return kick_on_ ? std::max(cell_->fastest_rad_per_s, kick_rate_) : cell_->fastest_rad_per_s;
+  }
   void make(ModeCell& cell) const;
   State forced(const ModePlan<N>& mode, const ModeCell& cell, const Instant& instant) const;
   double sliding_rate_bound_without_contact(const TouchPlan<N>& touch, const State& physical) const;
@@ -131,7 +132,7 @@ class ExactMotion {
   /// Calls `step` for steps of the table as far as they fit, until the rest is short; returns the rest.
   template <class Step>
   double table_steps(double duration_s, const Step& step) const {
-    while (duration_s > short_series / cell_->fastest_rad_per_s) {
+    while (duration_s > short_series / fastest_rad_per_s()) {
       const int k = exact_step_below(duration_s * mode_->longest_steps_per_s);
       if (k == exact_step_count) break;
       step(k);
@@ -153,8 +154,9 @@ class ExactMotion {
   State free_;
   Complex phasor_{1}, kick_phasor_{1};
   bool kick_on_ = false;
-  Disturbances carried_;  ///< in the mode's coordinates
-  double lag_s_ = 0;      ///< of `carried_` behind the state
+  std::vector<State> carried_;     ///< disturbances in the mode's coordinates
+  std::size_t carried_count_ = 0;  ///< the first ones are in use
+  double lag_s_ = 0;               ///< of the disturbances behind the state
 };
 
 template <int N>

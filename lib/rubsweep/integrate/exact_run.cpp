@@ -91,17 +91,10 @@ bool ExactRun<N>::begin_turn(Turn& turn) {
   motion_.carry_nothing();
   if (!impulses_.none()) impulses_.begin_turn(revolution_);
   if (!start_motion() || !slip_.begin(motion_, turn_start_)) return false;
-  if (turn.disturbances.cols() > 0) carry(turn);
+  motion_.carry(turn.disturbances);
   peaks_wanted_ = turn.peaks;
   if (turn.peaks) peaks_.begin(motion_);
   return impulses_.next_phase_rad() > 0 || strike(turn);
-}
-
-template <int N>
-void ExactRun<N>::carry(const Turn& turn) {
-  typename Motion::Disturbances physical = turn.disturbances;
-  physical.bottomRows(physical.rows() / 2) *= speed_;
-  motion_.carry(physical);
 }
 
 /// Longest landing.
@@ -150,10 +143,7 @@ ExactEnding ExactRun<N>::end_turn(Turn& turn) {
   goes_on_ = true;
   put_section(turn.section);
   turn.touching_at_end = motion_.joint() != 0;
-  if (turn.disturbances.cols() > 0) {
-    turn.disturbances = motion_.carried();
-    turn.disturbances.bottomRows(end.size() / 2) /= speed_;
-  }
+  motion_.put_carried(turn.disturbances);
   return ExactEnding::ok;
 }
 

@@ -54,7 +54,6 @@ class ExactRun {
   bool begin_turn(Turn& turn);
   bool start_motion();
   ExactEnding end_turn(Turn& turn);
-  void carry(const Turn& turn);
   void put_section(std::vector<double>& section) const;
   void set_phases();
   bool enter_by_state(const State& physical);

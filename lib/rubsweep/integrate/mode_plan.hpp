@@ -12,8 +12,9 @@
 
 namespace rubsweep::integrate {
 
-/// Coordinates of the largest scene that an exact run takes.
-inline constexpr int most_exact_coordinates = 52;
+/// Coordinates of the largest scene that an exact run takes: a kit of 40 modes in each plane and one of
+/// torsion, with six stops that have an attachment mode in each plane and a casing each.
+inline constexpr int most_exact_coordinates = 2 * (40 + 6) + 1 + 2 * 6;
 
 /// Sizes of an exact run over N coordinates; its state is (u, u'), 2N numbers, lengths in units of the
 /// scene's length scale, time in seconds. Where N is known only at run time it is bounded: what the time loop
@@ -114,7 +115,7 @@ struct ModePlan {
   Eigen::Array<double, N, most_series_terms> unit_terms, generator_terms;
   double longest_step_s = 0;
   double longest_steps_per_s = 0;                 ///< 1 / longest_step_s
-  std::vector<typename Types::Row> closing;       ///< per flat contact: its p'' of a unit of (u, u') - rest
+  std::vector<typename Types::Row> closing;       ///< per contact, for flat ones: p'' of (u, u') - rest
   double fastest_rad_per_s = 0;                   ///< largest |eigenvalue|
   std::vector<typename Types::Pairs> pair_steps;  ///< e^{A h}, of pairs or
   std::vector<typename Types::Flow> steps;        ///< as a whole

@@ -86,11 +86,12 @@ class PeakWatch {
     const double reach_s = peak_reach_s(motion);
     Instant at = start_;
     auto from = motion.force(t, at);
-    while (motion.mode().paired) {
+    known_n = std::max(known_n, from.value);
+    while (motion.mode().paired && left_s > reach_s) {
       const double safe_s = safe_step(from.value - known_n, from.rate, from.curvature);
-      const double step_s = std::max(safe_s, reach_s);
-      if (step_s >= left_s) break;
-      const int k = exact_step_below(step_s * motion.mode().longest_steps_per_s);
+      if (safe_s >= left_s) return;
+      const int k = exact_step_below(std::max(safe_s, reach_s) * motion.mode().longest_steps_per_s);
+      if (k == exact_step_count) break;
       const double size_s = motion.mode().longest_step_s * exact_step_size(k);
       motion.ahead_by_table(at, k);
       const auto to = motion.force(t, at);
@@ -98,8 +99,7 @@ class PeakWatch {
       left_s -= size_s;
       from = to;
     }
-    const auto end = motion.force(t, here);
-    known_n = std::max(known_n, left_s > 1.001 * reach_s ? end.value : largest(from, end, left_s));
+    known_n = std::max(known_n, largest(from, motion.force(t, here), left_s));
   }
 
   Eigen::Matrix<double, 2, N> observed_;

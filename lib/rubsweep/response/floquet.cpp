@@ -13,7 +13,8 @@ constexpr int newton_iterations = 8;
 constexpr double closed = 1e-11;        ///< return error of an orbit found, in (clearance, clearance omega)
 constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
 constexpr int most_periods_followed = 64;
-/// No orbit that was proven had a larger multiplier where the transient stood; a refused one is tried again.
+/// No orbit that was proven had a larger multiplier where the transient stood, nor one above 1 where Newton's
+/// iteration went from there; a refused one is tried again.
 constexpr double hopeless_from_afar = 1.2;
 
 double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }

@@ -36,7 +36,9 @@ inline constexpr double on_the_orbit = 1e-6;
 /// section finds the orbit to rounding, the monodromy matrix has all its multipliers inside, and the
 /// transient is already where the map about the orbit is linear (until its distance has halved, every period
 /// takes it where the monodromy says, to a tenth of that distance), so that it is this orbit that it
-/// approaches. Empty when any of this fails. An orbit that returns after fewer turns is reported with those.
+/// approaches. Empty when any of this fails, and at once where the monodromy at the transient (above 1.2) or
+/// at an iterate (above 1) has a multiplier that no stable orbit is expected near. An orbit that returns
+/// after fewer turns is reported with those.
 std::optional<StableOrbit> prove_orbit(const TurnMap& turn, std::span<const double> section, int order);
 
 /// Derivative of `turn` at `section` by central differences of `step`, where the solver offers none.

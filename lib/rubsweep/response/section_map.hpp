@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/scene/scene.hpp"
