@@ -20,13 +20,21 @@ SettledRun run(const scene::Cell& cell, bool proof, int max_revolutions = 600) {
 
 std::string name(const SettledRun& settled) { return std::string(to_string(settled.motion.motion_class)); }
 
+/// Proven within so many turns to be what a run of `observed_turns` without any proof shows.
+struct ProvenAndObserved {
+  SettledRun proven, observed;
+
+  ProvenAndObserved(const scene::Cell& cell, const char* motion_class, int within_turns, int observed_turns)
+      : proven(run(cell, true)), observed(run(cell, false, observed_turns)) {
+    EXPECT_EQ(proven.proof, Proof::floquet);
+    EXPECT_LT(proven.revolutions, within_turns);
+    EXPECT_EQ(name(proven), motion_class);
+    EXPECT_EQ(name(observed), motion_class);
+  }
+};
+
 TEST(TurningProof, TheCircleIsWhatALongRunShows) {
-  const auto cell = annular_cell(80, 0.6);
-  const auto proven = run(cell, true), observed = run(cell, false, 200);
-  EXPECT_EQ(proven.proof, Proof::floquet);
-  EXPECT_LT(proven.revolutions, 20);
-  EXPECT_EQ(name(proven), "synchronous");
-  EXPECT_EQ(name(observed), "synchronous");
+  const auto [proven, observed] = ProvenAndObserved(annular_cell(80, 0.6), "synchronous", 20, 200);
   EXPECT_EQ(proven.motion.order, 1);
   const Measures &a = proven.motion.measures, &b = observed.motion.measures;
   EXPECT_EQ(a.orbit, OrbitKind::circle);
@@ -40,12 +48,7 @@ TEST(TurningProof, TheCircleIsWhatALongRunShows) {
 }
 
 TEST(TurningProof, TheOvalIsWhatALongRunShows) {
-  const auto cell = annular_cell(165, 0.6);
-  const auto proven = run(cell, true), observed = run(cell, false, 400);
-  EXPECT_EQ(proven.proof, Proof::floquet);
-  EXPECT_LT(proven.revolutions, 40);
-  EXPECT_EQ(name(proven), "quasi_periodic");
-  EXPECT_EQ(name(observed), "quasi_periodic");
+  const auto [proven, observed] = ProvenAndObserved(annular_cell(165, 0.6), "quasi_periodic", 40, 400);
   const Measures &a = proven.motion.measures, &b = observed.motion.measures;
   EXPECT_NEAR(a.comb_spacing.value(), b.comb_spacing.value(), 1e-8);
   EXPECT_EQ(a.orbit, b.orbit);

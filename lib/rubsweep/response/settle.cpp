@@ -5,6 +5,7 @@
 #include <complex>
 #include <functional>
 #include <numbers>
+#include <variant>
 #include <vector>
 
 #include "rubsweep/integrate/impulses.hpp"
@@ -87,22 +88,25 @@ class MotionProof {
               const ResponseOptions& options, Workspace& workspace) {
     if (!options.floquet_proof || !integrate::same_every_turn(scene.impulses)) return;
     if (rotationally_symmetric(scene)) {
-      turning_.emplace(scene, solver, options, workspace);
+      proof_.emplace<TurningProof>(scene, solver, options, workspace);
     } else {
-      section_.emplace(scene, solver, options, workspace);
+      proof_.emplace<OrbitProof>(scene, solver, options, workspace);
     }
   }
 
-  int samples_wanted() const { return turning_ ? turning_->samples_wanted() : 0; }
+  int samples_wanted() const {
+    const auto* turning = std::get_if<TurningProof>(&proof_);
+    return turning ? turning->samples_wanted() : 0;
+  }
 
   std::optional<ProvenMotion> look(const integrate::Turn& turn) {
-    if (turning_) return turning_->look(turn);
-    return section_ ? section_->look(turn) : std::nullopt;
+    if (auto* turning = std::get_if<TurningProof>(&proof_)) return turning->look(turn);
+    if (auto* section = std::get_if<OrbitProof>(&proof_)) return section->look(turn);
+    return std::nullopt;
   }
 
  private:
-  std::optional<OrbitProof> section_;
-  std::optional<TurningProof> turning_;
+  std::variant<std::monostate, OrbitProof, TurningProof> proof_;
 };
 
 void conclude(const ProvenMotion& proven, SettledRun& run) {
