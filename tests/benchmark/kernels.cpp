@@ -53,7 +53,7 @@ void certified_step(benchmark::State& state) {
     if (!motion.enter(0, physical)) state.SkipWithError("no closed form");
     for (int i = 0; i < steps; ++i) {
       const auto sizes = motion.sizes();
-      benchmark::DoNotOptimize(motion.exit(0, sizes));
+      benchmark::DoNotOptimize(motion.exit(0));
       motion.step_by_table(8);
     }
   }

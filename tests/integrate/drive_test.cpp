@@ -45,7 +45,7 @@ TEST(Drive, TermsSumToItsPartOfTheExit) {
   Drive<4> drive;
   ASSERT_TRUE(make_drive(open.mode, open.force, open.rate, drive));
   const double duration_s = 1e-3, start_s = 0.002;
-  std::array<double, most_series_terms> terms{};
+  std::array<double, series_rows> terms{};
   drive.expand(0, std::polar(1.0, drive.rate * start_s), terms);
   scale_terms(duration_s * open.mode.fastest_rad_per_s, terms);
   for (const double fraction : {0.0, 0.5, 1.0}) {

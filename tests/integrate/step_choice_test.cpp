@@ -39,11 +39,11 @@ TEST(ChooseStep, FarFromTheWallItIsSafeAllAlong) {
     const StepChoice choice = choose_step(start.motion, 1.0, start.motion.reach_s(), 0);
     ASSERT_GT(choice.step_s, 0);
     ASSERT_LE(choice.step_s, start.motion.mode().longest_step_s);
-    if (choice.crossing) continue;
+    if (choice.crossing != StepChoice::none) continue;
     for (int i = 1; i <= 100; ++i) {
       Approach moved(gap, 100);
       moved.motion.step_by(choice.step_s * i / 100);
-      EXPECT_LT(moved.motion.exit(0, moved.motion.sizes()).value, 1e-12) << gap << ' ' << i;
+      EXPECT_LT(moved.motion.exit(0).value, 1e-12) << gap << ' ' << i;
     }
   }
 }
@@ -51,19 +51,19 @@ TEST(ChooseStep, FarFromTheWallItIsSafeAllAlong) {
 TEST(ChooseStep, CloseToTheWallItNamesTheCrossingAndWhenAtTheLatest) {
   Approach near(1e-4, 300);
   const StepChoice choice = choose_step(near.motion, 1.0, near.motion.reach_s(), 0);
-  ASSERT_TRUE(choice.crossing);
-  const double duration_s = near.motion.land(*choice.crossing, choice.step_s);
+  ASSERT_NE(choice.crossing, StepChoice::none);
+  const double duration_s = near.motion.land(choice.crossing, choice.step_s);
   EXPECT_LE(duration_s, choice.step_s);
-  EXPECT_NEAR(near.motion.exit(0, near.motion.sizes()).value, 0, 1e-15);
-  EXPECT_GT(near.motion.exit(0, near.motion.sizes()).rate, 0);
+  EXPECT_NEAR(near.motion.exit(0).value, 0, 1e-15);
+  EXPECT_GT(near.motion.exit(0).rate, 0);
 }
 
 TEST(ChooseStep, NoLandingBeyondReachAndNothingBeyondTheBoundary) {
   const Approach near(1e-4, 300);
-  EXPECT_FALSE(choose_step(near.motion, 1.0, 1e-9, 0).crossing);
+  EXPECT_EQ(choose_step(near.motion, 1.0, 1e-9, 0).crossing, StepChoice::none);
   const StepChoice cut = choose_step(near.motion, 1e-8, near.motion.reach_s(), 0);
   EXPECT_EQ(cut.step_s, 1e-8);
-  EXPECT_FALSE(cut.crossing);
+  EXPECT_EQ(cut.crossing, StepChoice::none);
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ Complex row_on(const Row& row, const Eigen::VectorXcd& amplitude, double rate) {
 }
 
 /// Re(amplitude e^{i rate t} phasor) by the parts of the phasor.
-Eigen::Matrix<double, most_series_terms, 2> taylor_of(Complex amplitude, double rate) {
-  Eigen::Matrix<double, most_series_terms, 2> terms;
+SeriesTable<2> taylor_of(Complex amplitude, double rate) {
+  SeriesTable<2> terms = SeriesTable<2>::Zero();
   for (std::size_t k = 0; k < most_series_terms; ++k) {
     terms.row(static_cast<Eigen::Index>(k)) << amplitude.real(), -amplitude.imag();
     amplitude *= Complex(0, rate * reciprocals[k + 1]);

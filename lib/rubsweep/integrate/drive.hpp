@@ -32,7 +32,7 @@ struct Drive {
   std::vector<Complex> at_exit;
   std::vector<double> curvature;  ///< per exit: |at_exit| rate^2
   /// Per exit: Taylor coefficients as of ExitPlan, of the real and of the imaginary part of the phasor.
-  std::vector<Eigen::Matrix<double, most_series_terms, 2>> taylor;
+  std::vector<SeriesTable<2>> taylor;
   std::vector<std::array<Complex, 2>> at_ring;
   std::vector<double> ring_length;                ///< per ring: bound on |at_ring e^{i rate t}|
   std::vector<Complex> at_force;                  ///< per touch
@@ -57,11 +57,11 @@ struct Drive {
     return turn;
   }
 
-  /// Adds the Taylor coefficients of its part of exit `e`, time in units of 1 / fastest_rad_per_s of the
-  /// mode.
+  /// Adds an even number of Taylor coefficients of its part of exit `e`, time in units of
+  /// 1 / fastest_rad_per_s of the mode.
   void expand(std::size_t e, const Complex& phasor, std::span<double> terms) const {
-    add_terms(taylor[e].col(0).data(), phasor.real(), terms);
-    add_terms(taylor[e].col(1).data(), phasor.imag(), terms);
+    add_terms(terms, SeriesColumn{taylor[e].col(0).data(), phasor.real()},
+              SeriesColumn{taylor[e].col(1).data(), phasor.imag()});
   }
 };
 

@@ -225,12 +225,13 @@ void ExactMotion<N>::step_by_series(double duration_s) {
 
 template <int N>
 double ExactMotion<N>::land(std::size_t e, double within_s) {
-  std::array<double, most_series_terms> storage;
+  std::array<double, series_rows> storage;
   const auto expand = [&](double duration_s, int highest) {
-    const auto terms = std::span(storage).first(static_cast<std::size_t>(highest) + 1);
-    expand_exit(mode_->exits[e], free_, terms);
-    cell_->unbalance.expand(e, phasor_, terms);
-    if (kick_on_) cell_->kick.expand(e, kick_phasor_, terms);
+    const auto count = static_cast<std::size_t>(highest) + 1;
+    const auto even = std::span(storage).first(count + count % 2), terms = even.first(count);
+    expand_exit(mode_->exits[e], free_, even);
+    cell_->unbalance.expand(e, phasor_, even);
+    if (kick_on_) cell_->kick.expand(e, kick_phasor_, even);
     scale_terms(duration_s * mode_->fastest_rad_per_s, terms);
     return terms;
   };

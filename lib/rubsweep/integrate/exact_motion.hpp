@@ -65,9 +65,35 @@ class ExactMotion {
   /// Size of every pair or component of the free vibration, that bounds are multiplied by.
   State sizes() const { return sizes(free_); }
   State sizes(const State& free) const;
-  Exit exit(std::size_t e, const State& sizes) const;
-  /// The slow part of an exit function with the amplitude of its fast part added: never below the function.
-  Exit slow_exit(std::size_t e, const State& sizes) const;
+  Exit exit(std::size_t e) const {
+    const ExitPlan<N>& plan = mode_->exits[e];
+    const Forced forced = forced_exit(e);
+    if (plan.seen.slow == 0) return whole_exit(plan, forced);
+    return whole_exit(plan, slow_pairs(plan), forced);
+  }
+
+  // The same in parts, for whoever can do with less:
+  struct Forced {
+    Exit shaft;
+    double kick_value = 0, kick_rate = 0;
+
+    void add_to(Exit& exit) const {
+      exit.value += shaft.value;
+      exit.rate += shaft.rate;
+      exit.curvature += shaft.curvature;
+      exit.value += kick_value;
+      exit.rate += kick_rate;
+    }
+  };
+  Forced forced_exit(std::size_t e) const;
+  /// What an exit sees of slow pairs, which it has.
+  SeenSum slow_pairs(const ExitPlan<N>& plan) const;
+  /// That with the envelope of fast pairs instead of their own values: never below the exit function.
+  Exit slow_exit(const ExitPlan<N>& plan, const SeenSum& slow, const Forced& forced) const;
+  Exit whole_exit(const ExitPlan<N>& plan, SeenSum slow, const Forced& forced) const;
+  /// Where there are none.
+  Exit whole_exit(const ExitPlan<N>& plan, const Forced& forced) const;
+
   /// (|d|^2 - C^2) / (2 C) of a ring.
   Exit ring(std::size_t r, const State& sizes) const;
 
@@ -126,7 +152,6 @@ class ExactMotion {
   Stretch stretch(double duration_s) const;
   static void move(Instant& instant, const Stretch& stretch);
   void turn_phasors(double duration_s);
-  void add_drives(std::size_t e, Exit& exit) const;
   void catch_up();
   void catch_up_by_matrices(double duration_s);
   /// Calls `step` for steps of the table as far as they fit, until the rest is short; returns the rest.
@@ -164,40 +189,62 @@ inline typename ExactMotion<N>::State ExactMotion<N>::sizes(const State& free) c
   if (!mode_->paired) return free.cwiseAbs();
   const Eigen::Index n = unbalance_.size();
   State sizes = State::Zero(free.size());
-  const auto a = free.template head<N>(n).array().abs(), b = free.template segment<N>(n, n).array().abs();
-  // max + min / 2 is an upper bound of the length, at most 12 % above it.
-  sizes.template head<N>(n) = (a.max(b) + 0.5 * a.min(b)).matrix();
+  for (Eigen::Index j = 0; j < n; ++j) sizes(j) = pair_size(free(j), free(n + j));
   return sizes;
 }
 
 template <int N>
-inline void ExactMotion<N>::add_drives(std::size_t e, Exit& exit) const {
-  const auto add = [&](const Drive<N>& drive, Complex phasor) {
-    const Complex z = product(drive.at_exit[e], phasor);
-    exit.value += z.real();
-    exit.rate -= drive.rate * z.imag();
-    exit.curvature += drive.curvature[e];
-  };
-  add(cell_->unbalance, phasor_);
-  if (kick_on_) add(cell_->kick, kick_phasor_);
+inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_exit(std::size_t e) const {
+  const Drive<N>& shaft = cell_->unbalance;
+  const Complex z = product(shaft.at_exit[e], phasor_);
+  Forced forced{.shaft = {z.real(), -shaft.rate * z.imag(), shaft.curvature[e]}};
+  if (kick_on_) {
+    const Drive<N>& kick = cell_->kick;
+    const Complex k = product(kick.at_exit[e], kick_phasor_);
+    forced.shaft.curvature += kick.curvature[e];
+    forced.kick_value = k.real();
+    forced.kick_rate = -kick.rate * k.imag();
+  }
+  return forced;
 }
 
 template <int N>
-inline typename ExactMotion<N>::Exit ExactMotion<N>::exit(std::size_t e, const State& sizes) const {
-  const ExitPlan<N>& plan = mode_->exits[e];
-  const auto now = plan.whole.at(free_);
-  Exit exit{plan.constant + now(0), now(1), mode_->weigh(plan.whole.curvature_bound, sizes)};
-  add_drives(e, exit);
+inline SeenSum ExactMotion<N>::slow_pairs(const ExitPlan<N>& plan) const {
+  const SeenPair* pair = plan.seen.list.data();
+  SeenSum sum(*pair, free_.data(), true);
+  for (const SeenPair* const end = pair + plan.seen.slow; ++pair != end;)
+    sum += SeenSum(*pair, free_.data(), true);
+  return sum;
+}
+
+template <int N>
+inline typename ExactMotion<N>::Exit ExactMotion<N>::slow_exit(const ExitPlan<N>& plan, const SeenSum& slow,
+                                                               const Forced& forced) const {
+  double value = plan.constant + slow.value();
+  for (const SeenPair& pair : plan.seen.fast())
+    value += pair.envelope * pair_size(free_(pair.u), free_(pair.v));
+  Exit exit{value, slow.rate(), slow.curvature()};
+  forced.add_to(exit);
   return exit;
 }
 
 template <int N>
-inline typename ExactMotion<N>::Exit ExactMotion<N>::slow_exit(std::size_t e, const State& sizes) const {
-  const ExitPlan<N>& plan = mode_->exits[e];
-  const auto now = plan.slow.at(free_);
-  Exit exit{plan.constant + now(0) + mode_->weigh(plan.envelope, sizes), now(1),
-            mode_->weigh(plan.slow.curvature_bound, sizes)};
-  add_drives(e, exit);
+inline typename ExactMotion<N>::Exit ExactMotion<N>::whole_exit(const ExitPlan<N>& plan, SeenSum sum,
+                                                                const Forced& forced) const {
+  for (const SeenPair& pair : plan.seen.fast()) sum += SeenSum(pair, free_.data(), true);
+  Exit exit{plan.constant + sum.value(), sum.rate(), sum.curvature()};
+  forced.add_to(exit);
+  return exit;
+}
+
+template <int N>
+inline typename ExactMotion<N>::Exit ExactMotion<N>::whole_exit(const ExitPlan<N>& plan,
+                                                                const Forced& forced) const {
+  const std::span pairs = plan.seen.fast();
+  SeenSum sum(pairs.front(), free_.data(), mode_->paired);
+  for (const SeenPair& pair : pairs.subspan(1)) sum += SeenSum(pair, free_.data(), mode_->paired);
+  Exit exit{plan.constant + sum.value(), sum.rate(), sum.curvature()};
+  forced.add_to(exit);
   return exit;
 }
 

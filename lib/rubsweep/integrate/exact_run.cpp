@@ -72,10 +72,10 @@ void ExactRun<N>::restart(std::span<const double> section) {
 template <int N>
 ExactEnding ExactRun<N>::advance(Turn& turn) {
   if (!begin_turn(turn)) return ExactEnding::beyond;
-  const long limit = effort_.steps + max_steps_;
+  step_limit_ = effort_.steps + max_steps_;
   ExactEnding ending = ExactEnding::ok;
   while (ending == ExactEnding::ok && time_s_ < period_s_) {
-    ending = effort_.steps < limit ? advance_once(turn) : ExactEnding::step_limit;
+    ending = effort_.steps < step_limit_ ? go_on(turn) : ExactEnding::step_limit;
   }
   if (ending == ExactEnding::ok) ending = end_turn(turn);
   turn.effort = effort_;
@@ -147,33 +147,51 @@ ExactEnding ExactRun<N>::end_turn(Turn& turn) {
   return ExactEnding::ok;
 }
 
+/// As many steps of the table as follow each other, and what ends them.
 template <int N>
-ExactEnding ExactRun<N>::advance_once(Turn& turn) {
+ExactEnding ExactRun<N>::go_on(Turn& turn) {
   samples_.start(motion_, time_s_, turn, speed_);
-  const double boundary = std::min(next_boundary(), samples_.boundary_s(motion_));
-  const double until = boundary - time_s_;
-  StepChoice choice = choose_step(motion_, until, reach_s(), shortest_to_ring * period_s_);
-  ++effort_.steps;
-  if (choice.ring || !renew_slip_watch(turn, choice.step_s)) return ExactEnding::beyond;
-  if (choice.crossing && standstill_ < longest_standstill) {
-    land(turn, *choice.crossing, choice.step_s);
-    return switch_mode(turn, *choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
-  }
-  if (turn.peaks) {
-    if (!samples_.ahead(motion_))
-      choice.step_s = std::min(choice.step_s, period_s_ / steps_per_turn_when_watched);
-    if (force_by_steps()) choice.step_s = std::min(choice.step_s, reach_s());
-  }
-  const double step = std::max(choice.step_s, shortest_step * period_s_);
-  if (!(step < until)) {
-    move(turn, until, -1);
-    time_s_ = boundary;
-    if (boundary < period_s_ && !pass_boundary(turn)) return ExactEnding::beyond;
-  } else {
+  const bool watched = turn.peaks || samples_.wanted();
+  const double boundary = std::min(next_boundary(), samples_.boundary_s(motion_)), reach = reach_s();
+  for (;;) {
+    const double until = boundary - time_s_;
+    StepChoice choice = choose_step(motion_, until, reach, shortest_to_ring * period_s_);
+    ++effort_.steps;
+    if (choice.ring || !renew_slip_watch(turn, choice.step_s)) return ExactEnding::beyond;
+    if (choice.crossing != StepChoice::none && standstill_ < longest_standstill) {
+      land(turn, choice.crossing, choice.step_s);
+      return switch_mode(turn, choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
+    }
+    if (turn.peaks) choice.step_s = shorten_for_peaks(choice.step_s);
+    const double step = std::max(choice.step_s, shortest_step * period_s_);
+    if (!(step < until)) return reach_boundary(turn, boundary);
     const int k = exact_step_below(step * motion_.mode().longest_steps_per_s);
-    move(turn, k < exact_step_count ? motion_.mode().longest_step_s * exact_step_size(k) : step, k);
+    if (k < exact_step_count) {
+      motion_.step_by_table(k);
+      passed(turn, motion_.mode().longest_step_s * exact_step_size(k));
+    } else {
+      motion_.step_by(step);
+      passed(turn, step);
+    }
     standstill_ = 0;
+    if (!std::isfinite(motion_.free()(0))) return ExactEnding::non_finite;
+    if (watched || effort_.steps >= step_limit_) return ExactEnding::ok;
   }
+}
+
+template <int N>
+double ExactRun<N>::shorten_for_peaks(double step_s) const {
+  if (!samples_.ahead(motion_)) step_s = std::min(step_s, period_s_ / steps_per_turn_when_watched);
+  return force_by_steps() ? std::min(step_s, reach_s()) : step_s;
+}
+
+template <int N>
+ExactEnding ExactRun<N>::reach_boundary(Turn& turn, double boundary_s) {
+  const double until = boundary_s - time_s_;
+  motion_.step_by(until);
+  passed(turn, until);
+  time_s_ = boundary_s;
+  if (boundary_s < period_s_ && !pass_boundary(turn)) return ExactEnding::beyond;
   return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
 }
 
@@ -221,17 +239,6 @@ bool ExactRun<N>::strike(Turn& turn) {
   return true;
 }
 
-/// `table_step` < 0 or beyond the table: by `duration_s` as it is.
-template <int N>
-void ExactRun<N>::move(Turn& turn, double duration_s, int table_step) {
-  if (table_step >= 0 && table_step < exact_step_count) {
-    motion_.step_by_table(table_step);
-  } else {
-    motion_.step_by(duration_s);
-  }
-  passed(turn, duration_s);
-}
-
 template <int N>
 void ExactRun<N>::passed(Turn& turn, double duration_s) {
   time_s_ += duration_s;
@@ -239,6 +246,11 @@ void ExactRun<N>::passed(Turn& turn, double duration_s) {
     slip_.advance(duration_s);
     turn.contact_fraction += duration_s * turns_per_s_;
   }
+  if (turn.peaks || samples_.wanted()) watch(turn, duration_s);
+}
+
+template <int N>
+void ExactRun<N>::watch(Turn& turn, double duration_s) {
   const double rest_s = samples_.end(motion_, time_s_, turn, speed_, [&](const State& here, double passed_s) {
     if (turn.peaks) peaks_.pass(here, passed_s, turn);
   });

@@ -57,7 +57,9 @@ class ExactRun {
   void put_section(std::vector<double>& section) const;
   void set_phases();
   bool enter_by_state(const State& physical);
-  ExactEnding advance_once(Turn& turn);
+  ExactEnding go_on(Turn& turn);
+  double shorten_for_peaks(double step_s) const;
+  ExactEnding reach_boundary(Turn& turn, double boundary_s);
   double kick_end_s() const;
   double next_impulse_s() const { return impulses_.next_phase_rad() / speed_; }
   double next_boundary() const;
@@ -65,8 +67,8 @@ class ExactRun {
   bool force_by_steps() const;
   bool pass_boundary(Turn& turn);
   bool strike(Turn& turn);
-  void move(Turn& turn, double duration_s, int table_step);
   void passed(Turn& turn, double duration_s);
+  void watch(Turn& turn, double duration_s);
   void land(Turn& turn, std::size_t exit, double latest_s);
   bool switch_mode(Turn& turn, std::size_t exit);
 
@@ -80,7 +82,7 @@ class ExactRun {
   SlipWatch<N> slip_;
   PeakWatch<N> peaks_;
   SampleWatch<N> samples_;
-  long max_steps_ = 0;
+  long max_steps_ = 0, step_limit_ = 0;
 
   State turn_start_;  ///< physical
   long revolution_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -27,6 +28,11 @@ inline int series_terms(double size) {
 
 inline constexpr std::size_t most_series_terms = 19;  ///< the one of order zero counted
 
+/// Rows of a column of Taylor coefficients: two are taken at a time, zeros after the last.
+inline constexpr std::size_t series_rows = 20;
+template <int columns>
+using SeriesTable = Eigen::Matrix<double, static_cast<int>(series_rows), columns>;
+
 /// 1 / k.
 inline constexpr auto reciprocals = [] {
   std::array<double, most_series_terms + 1> values{};
@@ -34,9 +40,21 @@ inline constexpr auto reciprocals = [] {
   return values;
 }();
 
-/// terms[k] += factor column[k]
-inline void add_terms(const double* column, double factor, std::span<double> terms) {
-  for (std::size_t k = 0; k < terms.size(); ++k) terms[k] += factor * column[k];
+/// A column of a SeriesTable, to be multiplied by a factor.
+struct SeriesColumn {
+  const double* terms;
+  double factor;
+};
+
+/// terms[k] += factor column[k], one column after the other, for an even number of terms.
+template <class... Column>
+inline void add_terms(std::span<double> terms, const Column&... columns) {
+  using Two = Eigen::Array2d;
+  for (std::size_t k = 0; k < terms.size(); k += 2) {
+    Two sum = Eigen::Map<const Two>(terms.data() + k);
+    ((sum += columns.factor * Eigen::Map<const Two>(columns.terms + k)), ...);
+    Eigen::Map<Two>(terms.data() + k) = sum;
+  }
 }
 
 /// terms[k] *= size^k

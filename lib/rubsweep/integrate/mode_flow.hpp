@@ -28,12 +28,20 @@ typename ExactTypes<N>::Pairs flow_of_pairs(const ModePlan<N>& mode, double dura
 template <int N>
 void move_by_series(const ModePlan<N>& mode, double duration_s, typename ExactTypes<N>::State& z);
 
-/// Taylor coefficients of an exit but for its forced part, time in units of 1 / fastest_rad_per_s.
+/// An even number of Taylor coefficients of an exit but for its forced part, time in units of
+/// 1 / fastest_rad_per_s.
 template <int N>
 void expand_exit(const ExitPlan<N>& exit, const typename ExactTypes<N>::State& z, std::span<double> terms) {
   std::fill(terms.begin(), terms.end(), 0.0);
   terms[0] = exit.constant;
-  for (const Eigen::Index j : exit.seen) add_terms(exit.taylor.col(j).data(), z(j), terms);
+  const auto column = [&](std::size_t i) {
+    const Eigen::Index j = exit.columns[i];
+    return SeriesColumn{exit.taylor.col(j).data(), z(j)};
+  };
+  std::size_t i = 0;
+  for (; i + 4 <= exit.columns.size(); i += 4)
+    add_terms(terms, column(i), column(i + 1), column(i + 2), column(i + 3));
+  for (; i < exit.columns.size(); ++i) add_terms(terms, column(i));
 }
 
 extern template ExactTypes<2>::Pairs flow_of_pairs<2>(const ModePlan<2>&, double);

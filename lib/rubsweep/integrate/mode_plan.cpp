@@ -181,43 +181,45 @@ class ModeBuilder {
     exit.contact = i;
     exit.next = next;
     exit.physical = row;
-    exit.whole = watched(row * plan_->basis);
+    const Row on_free = row * plan_->basis, by_time = rate(on_free);
+    Eigen::Matrix<double, 4, Eigen::Dynamic> rows(4, row.size());
+    rows << on_free, by_time, bound(rate(by_time)), bound(on_free);
+    exit.seen = seen_pairs(rows, fast_pairs(on_free));
     exit.constant = constant + row.head(plan_->rest.size()) * plan_->rest;
-    if (plan_->paired) split_off_fast(exit);
-    set_taylor(exit, row * plan_->basis);
+    set_taylor(exit, on_free);
     plan_->exits.push_back(exit);
   }
 
   void set_taylor(ExitPlan<N>& exit, Row row) const {
-    exit.taylor.resize(Eigen::NoChange, row.size());
+    exit.taylor.setZero(series_rows, row.size());
     for (std::size_t k = 0; k < most_series_terms; ++k) {
       exit.taylor.row(static_cast<Eigen::Index>(k)) = row;
       row = rate(row) * (reciprocals[k + 1] / plan_->fastest_rad_per_s);
     }
     for (Eigen::Index j = 0; j < row.size(); ++j) {
-      if (!exit.taylor.col(j).isZero(0)) exit.seen.push_back(j);
+      if (!exit.taylor.col(j).isZero(0)) exit.columns.push_back(j);
     }
   }
 
-  void split_off_fast(ExitPlan<N>& exit) const {
+  /// Pairs much faster than the slowest that the row sees; all, unless it sees some that are.
+  std::vector<bool> fast_pairs(const Row& row) const {
     const Eigen::Index n = plan_->rest.size();
-    const Row whole = exit.whole.row_and_rate.row(0);
-    const auto size = [&](Eigen::Index j) { return std::hypot(whole(j), whole(n + j)); };
+    const std::vector<bool> all(static_cast<std::size_t>(n), true);
+    if (!plan_->paired) return all;
+    const auto size = [&](Eigen::Index j) { return std::hypot(row(j), row(n + j)); };
     const auto frequency = [&](Eigen::Index j) { return std::sqrt(std::abs(determinant_(j))); };
     double largest = 0, slowest_seen = std::numeric_limits<double>::infinity();
     for (Eigen::Index j = 0; j < n; ++j) largest = std::max(largest, size(j));
     for (Eigen::Index j = 0; j < n; ++j) {
       if (size(j) > 1e-6 * largest) slowest_seen = std::min(slowest_seen, frequency(j));
     }
-    Row slow = whole, fast = Row::Zero(2 * n);
+    std::vector<bool> fast;
+    bool split = false;
     for (Eigen::Index j = 0; j < n; ++j) {
-      if (frequency(j) < fast_over_slow * slowest_seen) continue;
-      for (const Eigen::Index k : {j, n + j}) std::swap(slow(k), fast(k));
-      exit.split = exit.split || size(j) > 0;
+      fast.push_back(frequency(j) >= fast_over_slow * slowest_seen);
+      split = split || (fast.back() && size(j) > 0);
     }
-    if (!exit.split) return;
-    exit.slow = watched(slow);
-    exit.envelope = bound(fast);
+    return split ? fast : all;
   }
 
   void add_ring(std::size_t i) {

@@ -9,6 +9,7 @@
 #include "rubsweep/contact/saturation.hpp"
 #include "rubsweep/integrate/exponential_series.hpp"
 #include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/integrate/seen_pairs.hpp"
 
 namespace rubsweep::integrate {
 
@@ -56,17 +57,14 @@ struct ExitPlan {
   std::size_t contact = 0;
   contact::Mode next = contact::Mode::open;
   typename ExactTypes<N>::Row physical;  ///< value = physical . (u, u') - clearance's part
-  Watched<N> whole;
-  double constant = 0;  ///< value = row . z + constant + forced part
-  /// Fast pairs (a ringing casing) may instead be bounded by their amplitude, which lets the step go by the
-  /// slow ones: value <= slow.row . z + envelope . sizes + constant + forced part.
-  bool split = false;
-  Watched<N> slow;
-  typename ExactTypes<N>::Row envelope;
-  /// Taylor coefficients of row . z, time in units of 1 / fastest_rad_per_s of the mode: column j is what a
+  /// Fast pairs (a ringing casing) may be bounded by their envelope, which lets the step go by the slow ones.
+  /// Where none is split off, all count as fast.
+  SeenPairs seen;
+  double constant = 0;  ///< value = what it sees of z + constant + forced part
+  /// Taylor coefficients of what it sees of z, time in units of 1 / fastest_rad_per_s of the mode: column j is what a
   /// unit of z_j adds to them.
-  Eigen::Matrix<double, most_series_terms, ExactTypes<N>::states> taylor;
-  std::vector<Eigen::Index> seen;  ///< its columns that are not zero
+  SeriesTable<ExactTypes<N>::states> taylor;
+  std::vector<Eigen::Index> columns;  ///< those that are not zero
 };
 
 /// A ring seen from inside: d = rows . z + centre + forced part stays shorter than the clearance. Bounds as

@@ -22,18 +22,20 @@ class SampleWatch {
     if (count_ > 0) turn.samples.resize(static_cast<std::size_t>(count_ * states));
   }
 
+  bool wanted() const { return next_ < count_; }
+
   /// Whether samples are wanted between the ends of steps in the motion's mode.
-  bool ahead(const ExactMotion<N>& motion) const { return next_ < count_ && motion.mode().paired; }
+  bool ahead(const ExactMotion<N>& motion) const { return wanted() && motion.mode().paired; }
 
   /// Where the next step must end at the latest.
   double boundary_s(const ExactMotion<N>& motion) const {
-    return next_ < count_ && !motion.mode().paired ? due_s() : period_s_;
+    return wanted() && !motion.mode().paired ? due_s() : period_s_;
   }
 
   /// A step starts here, `time_s` into the turn.
   void start(const ExactMotion<N>& motion, double time_s, Turn& turn, double speed_rad_per_s) {
     step_s_ = time_s;
-    if (next_ >= count_) return;
+    if (!wanted()) return;
     if (motion.mode().paired) {
       if (visit_ != motion.visits()) stand(motion, time_s);
     } else if (time_s >= due_s()) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 
 #include "rubsweep/integrate/certified_step.hpp"
 #include "rubsweep/integrate/exact_motion.hpp"
@@ -10,40 +9,44 @@ namespace rubsweep::integrate {
 
 /// What an exact run may do next: a step that no exit is crossed in, or a landing on the first one crossed.
 struct StepChoice {
-  double step_s = 0;                    ///< safe, or the latest instant of the crossing
-  std::optional<std::size_t> crossing;  ///< this exit is crossed, for certain and first
-  bool ring = false;                    ///< a ring is about to be touched
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  double step_s = 0;            ///< safe, or the latest instant of the crossing
+  std::size_t crossing = none;  ///< this exit is crossed, for certain and first
+  bool ring = false;            ///< a ring is about to be touched
 
   void keep_below(double other_step_s) {
     if (other_step_s >= step_s) return;
     step_s = other_step_s;
-    crossing.reset();
+    crossing = none;
   }
 };
 
-/// Narrows the choice by exit `e`; `sizes` as of the motion, `reach_s` the longest landing.
+/// Narrows the choice by exit `e`, whose plan is given; `reach_s` is the longest landing.
 template <int N>
-void heed_exit(const ExactMotion<N>& motion, std::size_t e, const typename ExactMotion<N>::State& sizes,
-               double reach_s, StepChoice& choice) {
-  double slow_step = 0;
-  if (motion.mode().exits[e].split) {
-    const auto slow = motion.slow_exit(e, sizes);
-    if (stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
-    if (slow.value < 0) slow_step = safe_step(slow.value, slow.rate, slow.curvature);
-    // No crossing within reach.
-    if (slow_step > reach_s) return choice.keep_below(slow_step);
-  }
-  const auto exit = motion.exit(e, sizes);
-  if (stays_below(exit.value, exit.rate, exit.curvature, choice.step_s)) return;
-  if (crosses(exit.value, exit.rate, exit.curvature)) {
-    const double latest = latest_crossing(exit.value, exit.rate, exit.curvature);
-    if (latest < choice.step_s && latest <= reach_s) {
-      choice.step_s = latest;
-      choice.crossing = e;
-      return;
+void heed_exit(const ExactMotion<N>& motion, const ExitPlan<N>& plan, std::size_t e, double reach_s,
+               StepChoice& choice) {
+  const auto heed = [&](const typename ExactMotion<N>::Exit& exit, double slow_step) {
+    if (stays_below(exit.value, exit.rate, exit.curvature, choice.step_s)) return;
+    if (crosses(exit.value, exit.rate, exit.curvature)) {
+      const double latest = latest_crossing(exit.value, exit.rate, exit.curvature);
+      if (latest < choice.step_s && latest <= reach_s) {
+        choice.step_s = latest;
+        choice.crossing = e;
+        return;
+      }
     }
-  }
-  choice.keep_below(std::max(slow_step, safe_step(exit.value, exit.rate, exit.curvature)));
+    choice.keep_below(std::max(slow_step, safe_step(exit.value, exit.rate, exit.curvature)));
+  };
+  const auto forced = motion.forced_exit(e);
+  if (plan.seen.slow == 0) return heed(motion.whole_exit(plan, forced), 0);
+  const SeenSum seen = motion.slow_pairs(plan);
+  const auto slow = motion.slow_exit(plan, seen, forced);
+  if (stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
+  const double slow_step = slow.value < 0 ? safe_step(slow.value, slow.rate, slow.curvature) : 0;
+  // No crossing within reach.
+  if (slow_step > reach_s) return choice.keep_below(slow_step);
+  heed(motion.whole_exit(plan, seen, forced), slow_step);
 }
 
 /// Narrows the choice by ring `r`: steps shorter than `shortest_s` count as touching it.
@@ -62,9 +65,11 @@ template <int N>
 StepChoice choose_step(const ExactMotion<N>& motion, double until_s, double reach_s,
                        double shortest_to_ring_s) {
   const ModePlan<N>& mode = motion.mode();
-  StepChoice choice{.step_s = std::min(mode.longest_step_s, until_s), .crossing = {}};
+  StepChoice choice{.step_s = std::min(mode.longest_step_s, until_s)};
+  std::size_t e = 0;
+  for (const ExitPlan<N>& plan : mode.exits) heed_exit(motion, plan, e++, reach_s, choice);
+  if (mode.rings.empty()) return choice;
   const auto sizes = motion.sizes();
-  for (std::size_t e = 0; e < mode.exits.size(); ++e) heed_exit(motion, e, sizes, reach_s, choice);
   for (std::size_t r = 0; r < mode.rings.size(); ++r) heed_ring(motion, r, sizes, shortest_to_ring_s, choice);
   return choice;
 }
