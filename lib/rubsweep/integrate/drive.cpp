@@ -24,7 +24,7 @@ template <class Row>
 Complex row_on(const Row& row, const Eigen::VectorXcd& amplitude, double rate) {
   const Eigen::Index n = amplitude.size();
   Complex sum = 0;
-  for (Eigen::Index j = 0; j < n; ++j) sum += (row(j) + Complex(0, rate) * row(n + j)) * amplitude(j);
+  for (Eigen::Index j = 0; j < n; ++j) sum += product({row(j), rate * row(n + j)}, amplitude(j));
   return sum;
 }
 
@@ -33,7 +33,8 @@ SeriesTable<2> taylor_of(Complex amplitude, double rate) {
   SeriesTable<2> terms = SeriesTable<2>::Zero();
   for (std::size_t k = 0; k < most_series_terms; ++k) {
     terms.row(static_cast<Eigen::Index>(k)) << amplitude.real(), -amplitude.imag();
-    amplitude *= Complex(0, rate * reciprocals[k + 1]);
+    const double by_i = rate * reciprocals[k + 1];
+    amplitude = {-by_i * amplitude.imag(), by_i * amplitude.real()};
   }
   return terms;
 }

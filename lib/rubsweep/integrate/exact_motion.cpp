@@ -46,20 +46,25 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   mode_ = next;
   if (cells_.size() <= mode_->index) cells_.resize(mode_->index + 1);
   ModeCell& cell = cells_[mode_->index];
-  if (!cell.made) make(cell);
+  const bool usable = prepare(cell);
   cell_ = &cell;
   joint_ = joint;
   ++visits_;
   free_ = mode_->to_free(physical - forced(*mode_, cell, here()));
-  return cell.usable;
+  return usable;
 }
 
 template <int N>
-void ExactMotion<N>::make(ModeCell& cell) const {
-  cell.made = true;
-  cell.usable = make_drive(*mode_, unbalance_, speed_, cell.unbalance) &&
-                make_drive(*mode_, kick_, kick_rate_, cell.kick);
+bool ExactMotion<N>::prepare(ModeCell& cell) const {
   cell.fastest_rad_per_s = std::max(mode_->fastest_rad_per_s, speed_);
+  return prepare(cell.shaft, unbalance_, speed_) && (!kick_on_ || prepare(cell.pulse, kick_, kick_rate_));
+}
+
+template <int N>
+bool ExactMotion<N>::prepare(ModeDrive& drive, const Eigen::VectorXcd& force, double rate_rad_per_s) const {
+  if (!drive.made) drive.usable = make_drive(*mode_, force, rate_rad_per_s, drive.drive);
+  drive.made = true;
+  return drive.usable;
 }
 
 template <int N>
@@ -74,8 +79,8 @@ typename ExactMotion<N>::State ExactMotion<N>::forced(const ModePlan<N>& mode, c
                                                       const Instant& instant) const {
   State state = State::Zero(instant.free.size());
   state.template head<N>(mode.rest.size()) = mode.rest;
-  cell.unbalance.add_to(state, instant.phasor);
-  if (kick_on_) cell.kick.add_to(state, instant.kick_phasor);
+  cell.shaft.drive.add_to(state, instant.phasor);
+  if (kick_on_) cell.pulse.drive.add_to(state, instant.kick_phasor);
   return state;
 }
 
@@ -101,9 +106,9 @@ template <int N>
 void ExactMotion<N>::ahead_by_table(Instant& instant, int k) const {
   const auto index = static_cast<std::size_t>(k);
   move_pairs(mode_->pair_steps[index], instant.free);
-  instant.phasor = product(instant.phasor, cell_->unbalance.turned_by(index, mode_->longest_step_s));
+  instant.phasor = product(instant.phasor, cell_->shaft.drive.turned_by(index, mode_->longest_step_s));
   if (kick_on_)
-    instant.kick_phasor = product(instant.kick_phasor, cell_->kick.turned_by(index, mode_->longest_step_s));
+    instant.kick_phasor = product(instant.kick_phasor, cell_->pulse.drive.turned_by(index, mode_->longest_step_s));
 }
 
 template <int N>
@@ -118,8 +123,8 @@ typename ExactMotion<N>::Exit ExactMotion<N>::force(std::size_t t, const Instant
     force.rate -= drive.rate * z.imag();
     force.curvature += drive.force_curvature[t];
   };
-  add(cell_->unbalance, instant.phasor);
-  if (kick_on_) add(cell_->kick, instant.kick_phasor);
+  add(cell_->shaft.drive, instant.phasor);
+  if (kick_on_) add(cell_->pulse.drive, instant.kick_phasor);
   return force;
 }
 
@@ -173,8 +178,8 @@ typename ExactMotion<N>::Exit ExactMotion<N>::ring(std::size_t r, const State& s
     speed += drive.ring_length[r] * drive.rate;
     curvature += drive.ring_length[r] * drive.rate * drive.rate;
   };
-  add(cell_->unbalance, phasor_);
-  if (kick_on_) add(cell_->kick, kick_phasor_);
+  add(cell_->shaft.drive, phasor_);
+  if (kick_on_) add(cell_->pulse.drive, kick_phasor_);
   // (|d|^2)'' = 2 |d'|^2 + 2 d.d'' with |d| <= C until the first touch.
   return {(d[0] * d[0] + d[1] * d[1] - c.clearance * c.clearance) / (2 * c.clearance),
           (d[0] * v[0] + d[1] * v[1]) / c.clearance, speed * speed / c.clearance + curvature};
@@ -230,8 +235,8 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
     const auto count = static_cast<std::size_t>(highest) + 1;
     const auto even = std::span(storage).first(count + count % 2), terms = even.first(count);
     expand_exit(mode_->exits[e], free_, even);
-    cell_->unbalance.expand(e, phasor_, even);
-    if (kick_on_) cell_->kick.expand(e, kick_phasor_, even);
+    cell_->shaft.drive.expand(e, phasor_, even);
+    if (kick_on_) cell_->pulse.drive.expand(e, kick_phasor_, even);
     scale_terms(duration_s * mode_->fastest_rad_per_s, terms);
     return terms;
   };
@@ -258,8 +263,8 @@ double ExactMotion<N>::sliding_rate_bound(const TouchPlan<N>& touch, const State
   if (!touch.friction_rate.empty()) return sliding_rate_bound_without_contact(touch, physical);
   const auto t = static_cast<std::size_t>(&touch - mode_->touches.data());
   double bound = touch.sliding_rate_bound.dot(sizes().transpose());
-  bound += cell_->unbalance.sliding[t];
-  if (kick_on_) bound += cell_->kick.sliding[t];
+  bound += cell_->shaft.drive.sliding[t];
+  if (kick_on_) bound += cell_->pulse.drive.sliding[t];
   return bound;
 }
 
@@ -279,8 +284,8 @@ double ExactMotion<N>::sliding_rate_bound_without_contact(const TouchPlan<N>& to
     for (Eigen::Index j = 0; j < n; ++j) sliding += touch.sliding(n + j) * drive.amplitude(j);
     bound += std::abs(sliding) * drive.rate * drive.rate;
   };
-  add(cell.unbalance);
-  if (kick_on_) add(cell.kick);
+  add(cell.shaft.drive);
+  if (kick_on_) add(cell.pulse.drive);
   return bound;
 }
 

@@ -135,9 +135,14 @@ class ExactMotion {
     Complex turn, kick_turn;
   };
 
-  struct ModeCell {
+  struct ModeDrive {
     bool made = false, usable = false;
-    Drive<N> unbalance, kick;
+    Drive<N> drive;
+  };
+
+  struct ModeCell {
+    ModeDrive shaft;
+    ModeDrive pulse;  ///< made where a kick meets the mode
     double fastest_rad_per_s = 0;  ///< of the mode and the shaft
     Stretch interval;
   };
@@ -146,7 +151,8 @@ class ExactMotion {
   double fastest_rad_per_s() const {
     return kick_on_ ? std::max(cell_->fastest_rad_per_s, kick_rate_) : cell_->fastest_rad_per_s;
   }
-  void make(ModeCell& cell) const;
+  bool prepare(ModeCell& cell) const;
+  bool prepare(ModeDrive& drive, const Eigen::VectorXcd& force, double rate_rad_per_s) const;
   State forced(const ModePlan<N>& mode, const ModeCell& cell, const Instant& instant) const;
   double sliding_rate_bound_without_contact(const TouchPlan<N>& touch, const State& physical) const;
   Stretch stretch(double duration_s) const;
@@ -195,11 +201,11 @@ inline typename ExactMotion<N>::State ExactMotion<N>::sizes(const State& free) c
 
 template <int N>
 inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_exit(std::size_t e) const {
-  const Drive<N>& shaft = cell_->unbalance;
+  const Drive<N>& shaft = cell_->shaft.drive;
   const Complex z = product(shaft.at_exit[e], phasor_);
   Forced forced{.shaft = {z.real(), -shaft.rate * z.imag(), shaft.curvature[e]}};
   if (kick_on_) {
-    const Drive<N>& kick = cell_->kick;
+    const Drive<N>& kick = cell_->pulse.drive;
     const Complex k = product(kick.at_exit[e], kick_phasor_);
     forced.shaft.curvature += kick.curvature[e];
     forced.kick_value = k.real();
@@ -258,8 +264,8 @@ inline void ExactMotion<N>::step_by_table(int k) {
     free_ = next;
   }
   lag_s_ += mode_->longest_step_s * exact_step_sizes[index];
-  phasor_ = product(phasor_, cell_->unbalance.turned_by(index, mode_->longest_step_s));
-  if (kick_on_) kick_phasor_ = product(kick_phasor_, cell_->kick.turned_by(index, mode_->longest_step_s));
+  phasor_ = product(phasor_, cell_->shaft.drive.turned_by(index, mode_->longest_step_s));
+  if (kick_on_) kick_phasor_ = product(kick_phasor_, cell_->pulse.drive.turned_by(index, mode_->longest_step_s));
 }
 
 extern template class ExactMotion<2>;

@@ -54,6 +54,7 @@ double PeriodSearch::return_error(int order, double worst, int ago) const {
 std::optional<int> PeriodSearch::candidate() const {
   double least = std::numeric_limits<double>::infinity();
   const long known = std::min<long>(largest_, turns_ - 1);
+  if (last_touch_ < turns_ - known) return std::nullopt;  // no order is due
   for (int n = 1; n <= known; ++n) {
     const double error = return_error(n, close_enough / much_closer);
     if (error < close_enough && error < much_closer * least && is_due(n, error) && contracts(n, error))
