@@ -52,16 +52,25 @@ double PeriodSearch::return_error(int order, double worst, int ago) const {
 }
 
 std::optional<int> PeriodSearch::candidate() const {
-  double least = std::numeric_limits<double>::infinity();
-  const long known = std::min<long>(largest_, turns_ - 1);
+  const int known = static_cast<int>(std::min<long>(largest_, turns_ - 1));
   if (last_touch_ < turns_ - known) return std::nullopt;  // no order is due
+  const double* const last = row(0);
+  const double* then = last;
   for (int n = 1; n <= known; ++n) {
-    const double error = return_error(n, close_enough / much_closer);
-    if (error < close_enough && error < much_closer * least && is_due(n, error) && contracts(n, error))
-      return n;
-    least = std::min(least, error);
+    then = (then == rows_.data() ? rows_.data() + rows_.size() : then) - states_;  // row(n)
+    // Most orders are refused by one number.
+    const double error = largest_difference(last, then, states_, close_enough);
+    if (error < close_enough && is_due(n, error) && closest(n, error) && contracts(n, error)) return n;
   }
   return std::nullopt;
+}
+
+/// Much closer than after any fewer turns.
+bool PeriodSearch::closest(int order, double error) const {
+  for (int n = 1; n < order; ++n) {
+    if (!(error < much_closer * return_error(n, error / much_closer))) return false;
+  }
+  return true;
 }
 
 /// With contact on the way, and closer than ever tried or not tried for long.

@@ -25,6 +25,7 @@ class PeriodSearch {
  private:
   double return_error(int order, double worst, int ago = 0) const;
   bool is_due(int order, double error) const;
+  bool closest(int order, double error) const;
   bool contracts(int order, double error) const;
   const double* row(int ago) const;
 
