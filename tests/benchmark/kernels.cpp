@@ -52,7 +52,6 @@ void certified_step(benchmark::State& state) {
   for (auto _ : state) {
     if (!motion.enter(0, physical)) state.SkipWithError("no closed form");
     for (int i = 0; i < steps; ++i) {
-      const auto sizes = motion.sizes();
       benchmark::DoNotOptimize(motion.exit(0));
       motion.step_by_table(8);
     }

@@ -41,8 +41,7 @@ template <int N>
 bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   const ModePlan<N>* next = plan_->mode(joint);
   if (next == nullptr) return false;
-  catch_up();
-  for (std::size_t i = 0; i < carried_count_; ++i) carried_[i] = next->to_free(mode_->from_free(carried_[i]));
+  if (mode_ != nullptr) carried_.change(*mode_, *next);
   mode_ = next;
   if (cells_.size() <= mode_->index) cells_.resize(mode_->index + 1);
   ModeCell& cell = cells_[mode_->index];
@@ -185,30 +184,6 @@ typename ExactMotion<N>::Exit ExactMotion<N>::ring(std::size_t r, const State& s
           (d[0] * v[0] + d[1] * v[1]) / c.clearance, speed * speed / c.clearance + curvature};
 }
 
-/// Takes the disturbances to where the state is: once per visit to a mode, not once per step.
-template <int N>
-void ExactMotion<N>::catch_up() {
-  const double duration_s = std::exchange(lag_s_, 0);
-  if (carried_count_ == 0 || duration_s == 0) return;
-  if (mode_->paired) {
-    const auto flow = flow_of_pairs(*mode_, duration_s);
-    for (std::size_t i = 0; i < carried_count_; ++i) move_pairs(flow, carried_[i]);
-  } else {
-    catch_up_by_matrices(duration_s);
-  }
-}
-
-template <int N>
-void ExactMotion<N>::catch_up_by_matrices(double duration_s) {
-  const double rest = table_steps(duration_s, [this](int k) {
-    for (std::size_t i = 0; i < carried_count_; ++i) {
-      const State next = mode_->steps[static_cast<std::size_t>(k)].lazyProduct(carried_[i]);
-      carried_[i] = next;
-    }
-  });
-  for (std::size_t i = 0; i < carried_count_; ++i) move_by_series(*mode_, rest, carried_[i]);
-}
-
 template <int N>
 void ExactMotion<N>::turn_phasors(double duration_s) {
   phasor_ = product(phasor_, std::polar(1.0, speed_ * duration_s));
@@ -217,14 +192,15 @@ void ExactMotion<N>::turn_phasors(double duration_s) {
 
 template <int N>
 void ExactMotion<N>::step_by(double duration_s) {
-  step_by_series(table_steps(duration_s, [this](int k) { step_by_table(k); }));
+  step_by_series(
+      table_steps(*mode_, fastest_rad_per_s(), duration_s, [this](int k) { step_by_table(k); }));
 }
 
 template <int N>
 void ExactMotion<N>::step_by_series(double duration_s) {
   if (duration_s == 0) return;
   move_by_series(*mode_, duration_s, free_);
-  lag_s_ += duration_s;
+  carried_.pass(duration_s);
   turn_phasors(duration_s);
 }
 
@@ -245,7 +221,7 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   if (size > short_series) {
     const auto start = expand(1, 2);
     const double guess_s = std::clamp(next_root(start[0], start[1], 2 * start[2]), 0.0, within_s);
-    stepped_s = guess_s - table_steps(guess_s, [this](int k) { step_by_table(k); });
+    stepped_s = guess_s - table_steps(*mode_, fastest, guess_s, [this](int k) { step_by_table(k); });
     size = fastest * (1.25 * (guess_s - stepped_s) + 0.05 * guess_s);
   }
   size += 1e-4;
@@ -287,30 +263,6 @@ double ExactMotion<N>::sliding_rate_bound_without_contact(const TouchPlan<N>& to
   add(cell.shaft.drive);
   if (kick_on_) add(cell.pulse.drive);
   return bound;
-}
-
-template <int N>
-void ExactMotion<N>::carry(const Eigen::MatrixXd& disturbances) {
-  lag_s_ = 0;
-  carried_count_ = static_cast<std::size_t>(disturbances.cols());
-  if (carried_.size() < carried_count_) carried_.resize(carried_count_);
-  const Eigen::Index n = unbalance_.size();
-  for (std::size_t i = 0; i < carried_count_; ++i) {
-    State physical = disturbances.col(static_cast<Eigen::Index>(i));
-    physical.tail(n) *= speed_;
-    carried_[i] = mode_->to_free(physical);
-  }
-}
-
-template <int N>
-void ExactMotion<N>::put_carried(Eigen::MatrixXd& disturbances) {
-  catch_up();
-  const Eigen::Index n = unbalance_.size();
-  for (std::size_t i = 0; i < carried_count_; ++i) {
-    State physical = mode_->from_free(carried_[i]);
-    physical.tail(n) /= speed_;
-    disturbances.col(static_cast<Eigen::Index>(i)) = physical;
-  }
 }
 
 template class ExactMotion<2>;

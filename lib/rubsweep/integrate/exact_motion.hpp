@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "rubsweep/integrate/carried_disturbances.hpp"
 #include "rubsweep/integrate/drive.hpp"
 #include "rubsweep/integrate/exact_plan.hpp"
 #include "rubsweep/integrate/exponential_series.hpp"
@@ -114,11 +115,11 @@ class ExactMotion {
   /// the present state; without friction's part where the touch says so.
   double sliding_rate_bound(const TouchPlan<N>& touch, const State& physical) const;
 
-  void carry_nothing() { carried_count_ = 0; }
-  /// Carries small disturbances of the state along from here on: as Turn::disturbances, one per column.
-  void carry(const Eigen::MatrixXd& disturbances);
+  void carry_nothing() { carried_.carry_nothing(); }
+  /// Carries small disturbances of the state along from here on.
+  void carry(const Eigen::MatrixXd& disturbances) { carried_.begin(*mode_, speed_, disturbances); }
   /// Replaces them by where they are now.
-  void put_carried(Eigen::MatrixXd& disturbances);
+  void put_carried(Eigen::MatrixXd& disturbances) { carried_.put(*mode_, speed_, disturbances); }
 
   const ModePlan<N>& mode() const { return *mode_; }
   std::size_t joint() const { return joint_; }
@@ -158,19 +159,6 @@ class ExactMotion {
   Stretch stretch(double duration_s) const;
   static void move(Instant& instant, const Stretch& stretch);
   void turn_phasors(double duration_s);
-  void catch_up();
-  void catch_up_by_matrices(double duration_s);
-  /// Calls `step` for steps of the table as far as they fit, until the rest is short; returns the rest.
-  template <class Step>
-  double table_steps(double duration_s, const Step& step) const {
-    while (duration_s > short_series / fastest_rad_per_s()) {
-      const int k = exact_step_below(duration_s * mode_->longest_steps_per_s);
-      if (k == exact_step_count) break;
-      step(k);
-      duration_s -= mode_->longest_step_s * exact_step_size(k);
-    }
-    return duration_s;
-  }
   void step_by_series(double duration_s);
 
   std::shared_ptr<ExactPlan<N>> plan_;
@@ -185,9 +173,7 @@ class ExactMotion {
   State free_;
   Complex phasor_{1}, kick_phasor_{1};
   bool kick_on_ = false;
-  std::vector<State> carried_;     ///< disturbances in the mode's coordinates
-  std::size_t carried_count_ = 0;  ///< the first ones are in use
-  double lag_s_ = 0;               ///< of the disturbances behind the state
+  CarriedDisturbances<N> carried_;
 };
 
 template <int N>
@@ -263,7 +249,7 @@ inline void ExactMotion<N>::step_by_table(int k) {
     const State next = mode_->steps[index].lazyProduct(free_);
     free_ = next;
   }
-  lag_s_ += mode_->longest_step_s * exact_step_sizes[index];
+  carried_.pass(mode_->longest_step_s * exact_step_sizes[index]);
   phasor_ = product(phasor_, cell_->shaft.drive.turned_by(index, mode_->longest_step_s));
   if (kick_on_) kick_phasor_ = product(kick_phasor_, cell_->pulse.drive.turned_by(index, mode_->longest_step_s));
 }

@@ -5,6 +5,7 @@
 
 #include "rubsweep/integrate/exponential_series.hpp"
 #include "rubsweep/integrate/mode_plan.hpp"
+#include "rubsweep/integrate/step_table.hpp"
 
 namespace rubsweep::integrate {
 
@@ -27,6 +28,19 @@ typename ExactTypes<N>::Pairs flow_of_pairs(const ModePlan<N>& mode, double dura
 /// fastest rate.
 template <int N>
 void move_by_series(const ModePlan<N>& mode, double duration_s, typename ExactTypes<N>::State& z);
+
+/// Calls `step(k)` for steps of the mode's table as far as they fit into `duration_s` and pay: until the rest
+/// is short for whatever goes at `fastest_rad_per_s`. Returns the rest.
+template <int N, class Step>
+double table_steps(const ModePlan<N>& mode, double fastest_rad_per_s, double duration_s, const Step& step) {
+  while (duration_s > short_series / fastest_rad_per_s) {
+    const int k = exact_step_below(duration_s * mode.longest_steps_per_s);
+    if (k == exact_step_count) break;
+    step(k);
+    duration_s -= mode.longest_step_s * exact_step_size(k);
+  }
+  return duration_s;
+}
 
 /// An even number of Taylor coefficients of an exit but for its forced part, time in units of
 /// 1 / fastest_rad_per_s.

@@ -1,0 +1,62 @@
+#include "rubsweep/integrate/carried_disturbances.hpp"
+
+#include <utility>
+
+#include "rubsweep/integrate/mode_flow.hpp"
+
+namespace rubsweep::integrate {
+
+template <int N>
+void CarriedDisturbances<N>::begin(const ModePlan<N>& mode, double speed_rad_per_s,
+                                   const Eigen::MatrixXd& disturbances) {
+  lag_s_ = 0;
+  count_ = static_cast<std::size_t>(disturbances.cols());
+  if (list_.size() < count_) list_.resize(count_);
+  for (std::size_t i = 0; i < count_; ++i) {
+    State physical = disturbances.col(static_cast<Eigen::Index>(i));
+    physical.tail(physical.size() / 2) *= speed_rad_per_s;
+    list_[i] = mode.to_free(physical);
+  }
+}
+
+template <int N>
+void CarriedDisturbances<N>::change(const ModePlan<N>& from, const ModePlan<N>& to) {
+  catch_up(from);
+  for (std::size_t i = 0; i < count_; ++i) list_[i] = to.to_free(from.from_free(list_[i]));
+}
+
+template <int N>
+void CarriedDisturbances<N>::put(const ModePlan<N>& mode, double speed_rad_per_s,
+                                 Eigen::MatrixXd& disturbances) {
+  catch_up(mode);
+  for (std::size_t i = 0; i < count_; ++i) {
+    State physical = mode.from_free(list_[i]);
+    physical.tail(physical.size() / 2) /= speed_rad_per_s;
+    disturbances.col(static_cast<Eigen::Index>(i)) = physical;
+  }
+}
+
+template <int N>
+void CarriedDisturbances<N>::catch_up(const ModePlan<N>& mode) {
+  const double duration_s = std::exchange(lag_s_, 0);
+  if (count_ == 0 || duration_s == 0) return;
+  if (mode.paired) {
+    const auto flow = flow_of_pairs(mode, duration_s);
+    for (std::size_t i = 0; i < count_; ++i) move_pairs(flow, list_[i]);
+    return;
+  }
+  const double rest_s = table_steps(mode, mode.fastest_rad_per_s, duration_s, [&](int k) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const State next = mode.steps[static_cast<std::size_t>(k)].lazyProduct(list_[i]);
+      list_[i] = next;
+    }
+  });
+  for (std::size_t i = 0; i < count_; ++i) move_by_series(mode, rest_s, list_[i]);
+}
+
+template class CarriedDisturbances<2>;
+template class CarriedDisturbances<4>;
+template class CarriedDisturbances<6>;
+template class CarriedDisturbances<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate

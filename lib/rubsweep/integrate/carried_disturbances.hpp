@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "rubsweep/integrate/mode_plan.hpp"
+
+namespace rubsweep::integrate {
+
+/// Small disturbances of an exact run's state, which follow its contact modes: by the flow of a mode once per
+/// visit to it, not once per step.
+template <int N>
+class CarriedDisturbances {
+ public:
+  void carry_nothing() { count_ = 0; }
+  /// One per column, as Turn::disturbances, in `mode` from here on.
+  void begin(const ModePlan<N>& mode, double speed_rad_per_s, const Eigen::MatrixXd& disturbances);
+  /// The run has gone on in its mode.
+  void pass(double duration_s) { lag_s_ += duration_s; }
+  /// The run leaves mode `from` for `to`: at an exit its state, and so its disturbances, go on without a jump.
+  void change(const ModePlan<N>& from, const ModePlan<N>& to);
+  /// Where they are now, column by column.
+  void put(const ModePlan<N>& mode, double speed_rad_per_s, Eigen::MatrixXd& disturbances);
+
+ private:
+  using State = typename ExactTypes<N>::State;
+
+  void catch_up(const ModePlan<N>& mode);
+
+  std::vector<State> list_;  ///< in the mode's coordinates
+  std::size_t count_ = 0;    ///< the first ones are in use
+  double lag_s_ = 0;         ///< behind the state
+};
+
+extern template class CarriedDisturbances<2>;
+extern template class CarriedDisturbances<4>;
+extern template class CarriedDisturbances<6>;
+extern template class CarriedDisturbances<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate

@@ -1,0 +1,55 @@
+#include "rubsweep/integrate/carried_disturbances.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rubsweep/integrate/exact_plan.hpp"
+#include "rubsweep/integrate/matrix_flow.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+constexpr double speed_rad_per_s = 470;
+
+/// Sections are scaled by the speed.
+Eigen::MatrixXd as_sections(const Eigen::MatrixXd& flow) {
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(8);
+  scale.tail(4).setConstant(speed_rad_per_s);
+  return scale.cwiseInverse().asDiagonal() * flow * scale.asDiagonal();
+}
+
+/// A flight, then two modes of contact, one of which has no modal form: the product of three exponentials.
+TEST(CarriedDisturbances, FollowEveryModeByItsFlow) {
+  ExactPlan<4> plan(test::cell_of({}).scene);
+  CarriedDisturbances<4> carried;
+  Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 8);
+  carried.begin(*plan.mode(0), speed_rad_per_s, disturbances);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Identity(8, 8);
+  std::size_t last = 0;
+  for (const auto& [joint, duration_s] : {std::pair{0u, 0.011}, {2u, 0.0004}, {3u, 0.0017}}) {
+    const ModePlan<4>& mode = *plan.mode(joint);
+    if (joint != last) carried.change(*plan.mode(last), mode);
+    last = joint;
+    carried.pass(0.25 * duration_s);
+    carried.pass(0.75 * duration_s);
+    expected = matrix_flow(mode.generator, duration_s) * expected;
+  }
+  ASSERT_FALSE(plan.mode(3)->paired);
+  carried.put(*plan.mode(3), speed_rad_per_s, disturbances);
+  const Eigen::MatrixXd wanted = as_sections(expected);
+  EXPECT_LT((disturbances - wanted).cwiseAbs().maxCoeff(), 1e-12 * wanted.cwiseAbs().maxCoeff());
+}
+
+TEST(CarriedDisturbances, NoneAreCarriedWhereNoneAreAskedFor) {
+  ExactPlan<4> plan(test::cell_of({}).scene);
+  CarriedDisturbances<4> carried;
+  Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 2);
+  carried.begin(*plan.mode(0), speed_rad_per_s, disturbances);
+  carried.carry_nothing();
+  carried.pass(0.01);
+  carried.put(*plan.mode(0), speed_rad_per_s, disturbances);
+  EXPECT_EQ(disturbances, Eigen::MatrixXd(Eigen::MatrixXd::Identity(8, 2)));
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate

@@ -1,0 +1,118 @@
+#include "rubsweep/integrate/seen_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rubsweep/integrate/exact_motion.hpp"
+#include "rubsweep/integrate/matrix_flow.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+TEST(PairSize, BoundsTheLengthByAtMostAnEighthMore) {
+  for (double angle = 0; angle < 6.3; angle += 0.01) {
+    const double size = pair_size(3 * std::cos(angle), 3 * std::sin(angle));
+    EXPECT_GE(size, 3 * (1 - 1e-15)) << angle;
+    EXPECT_LE(size, 3 * 1.125) << angle;
+  }
+}
+
+TEST(SeenPairs, SlowOnesFirstAndNoneThatIsNotSeen) {
+  Eigen::Matrix<double, 4, Eigen::Dynamic> rows = Eigen::MatrixXd::Zero(4, 8);
+  rows.col(0) << 1, 2, 3, 4;
+  rows.col(7) << 5, 6, 7, 8;  // the rate of the fourth pair
+  rows.col(2) << 9, 10, 11, 12;
+  const SeenPairs seen = seen_pairs(rows, {true, false, false, true});
+  ASSERT_EQ(seen.list.size(), 3u);
+  EXPECT_EQ(seen.slow, 1u);
+  EXPECT_EQ(seen.list[0].u, 2);
+  EXPECT_EQ(seen.list[1].u, 0);
+  EXPECT_EQ(seen.list[2].u, 3);
+  EXPECT_EQ(seen.list[2].v, 7);
+  EXPECT_EQ(seen.list[2].value_v, 5);
+  EXPECT_EQ(seen.list[2].rate_v, 6);
+  EXPECT_EQ(seen.list[2].bound_v, 7);
+  EXPECT_EQ(seen.list[0].envelope, 12);
+  EXPECT_EQ(seen.fast().size(), 2u);
+}
+
+using State = ExactTypes<4>::State;
+
+/// All four modes of one stop.
+class EveryModeSeen : public testing::TestWithParam<std::size_t> {
+ protected:
+  ExactPlan<4> plan_{test::cell_of({}).scene};
+  const ModePlan<4>& mode_ = *plan_.mode(GetParam());
+
+  State some_vibration() const {
+    State z;
+    z << 0.3, -0.2, 0.01, 0.04, -0.5, 0.1, 0.02, -0.03;
+    return z;
+  }
+
+  State moved(double duration_s) const {
+    return mode_.inverse * (matrix_flow(mode_.generator, duration_s) * (mode_.basis * some_vibration()));
+  }
+
+  SeenSum sum(std::span<const SeenPair> pairs, const State& z) const {
+    SeenSum sum(pairs.front(), z.data(), mode_.paired);
+    for (const SeenPair& pair : pairs.subspan(1)) sum += SeenSum(pair, z.data(), mode_.paired);
+    return sum;
+  }
+};
+
+TEST_P(EveryModeSeen, SumsToTheWholeRow) {
+  for (const auto& exit : mode_.exits) {
+    const Eigen::RowVectorXd row = exit.physical * mode_.basis;
+    const Eigen::RowVectorXd by_time = exit.physical * mode_.generator * mode_.basis;
+    const SeenSum seen = sum(exit.seen.list, some_vibration());
+    EXPECT_NEAR(seen.value(), row * some_vibration(), 1e-14);
+    EXPECT_NEAR(seen.rate(), by_time * some_vibration(), 1e-12 * by_time.cwiseAbs().sum());
+  }
+}
+
+TEST_P(EveryModeSeen, BoundsHoldOverTheLongestStep) {
+  for (const auto& exit : mode_.exits) {
+    const SeenSum start = sum(exit.seen.list, some_vibration());
+    double envelope = 0;
+    for (const SeenPair& pair : exit.seen.fast())
+      envelope += pair.envelope * pair_size(some_vibration()(pair.u), some_vibration()(pair.v));
+    const Eigen::RowVectorXd twice = exit.physical * mode_.generator * mode_.generator * mode_.basis;
+    for (int i = 0; i <= 200; ++i) {
+      const State later = moved(mode_.longest_step_s * i / 200);
+      EXPECT_LE(std::abs(twice * later), start.curvature()) << i;
+      if (mode_.paired) {
+        EXPECT_LE(std::abs(sum(exit.seen.fast(), later).value()), envelope * (1 + 1e-12)) << i;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OneStop, EveryModeSeen, testing::Range<std::size_t>(0, 4));
+
+/// A flight with its casing ringing: what stands for an exit is never below it.
+TEST(SlowExit, IsNeverBelowTheWhole) {
+  auto scene = test::cell_of({}).scene;
+  scene.pulse.reset();
+  ExactMotion<4> motion(scene, std::make_shared<ExactPlan<4>>(scene));
+  State start = State::Zero();
+  start(3) = 0.4;
+  start(5) = 100;
+  motion.set_phases(0, -1);
+  ASSERT_TRUE(motion.enter(0, start));
+  const ExitPlan<4>& plan = motion.mode().exits.front();
+  ASSERT_EQ(plan.seen.slow, 1u);
+  for (int i = 0; i < 100; ++i) {
+    const auto forced = motion.forced_exit(0);
+    const auto slow = motion.slow_exit(plan, motion.slow_pairs(plan), forced);
+    const auto whole = motion.whole_exit(plan, motion.slow_pairs(plan), forced);
+    EXPECT_GE(slow.value, whole.value) << i;
+    EXPECT_EQ(whole.value, motion.exit(0).value) << i;
+    motion.step_by_table(10);
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate
