@@ -18,7 +18,8 @@ class CarriedDisturbances {
   void begin(const ModePlan<N>& mode, double speed_rad_per_s, const Eigen::MatrixXd& disturbances);
   /// The run has gone on in its mode.
   void pass(double duration_s) { lag_s_ += duration_s; }
-  /// The run leaves mode `from` for `to`: at an exit its state, and so its disturbances, go on without a jump.
+  /// The run leaves mode `from` for `to`: at an exit its state, and so its disturbances, go on without a
+  /// jump.
   void change(const ModePlan<N>& from, const ModePlan<N>& to);
   /// Where they are now, column by column.
   void put(const ModePlan<N>& mode, double speed_rad_per_s, Eigen::MatrixXd& disturbances);

@@ -107,7 +107,8 @@ void ExactMotion<N>::ahead_by_table(Instant& instant, int k) const {
   move_pairs(mode_->pair_steps[index], instant.free);
   instant.phasor = product(instant.phasor, cell_->shaft.drive.turned_by(index, mode_->longest_step_s));
   if (kick_on_)
-    instant.kick_phasor = product(instant.kick_phasor, cell_->pulse.drive.turned_by(index, mode_->longest_step_s));
+    instant.kick_phasor =
+        product(instant.kick_phasor, cell_->pulse.drive.turned_by(index, mode_->longest_step_s));
 }
 
 template <int N>
@@ -192,8 +193,7 @@ void ExactMotion<N>::turn_phasors(double duration_s) {
 
 template <int N>
 void ExactMotion<N>::step_by(double duration_s) {
-  step_by_series(
-      table_steps(*mode_, fastest_rad_per_s(), duration_s, [this](int k) { step_by_table(k); }));
+  step_by_series(table_steps(*mode_, fastest_rad_per_s(), duration_s, [this](int k) { step_by_table(k); }));
 }
 
 template <int N>

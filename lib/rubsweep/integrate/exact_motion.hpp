@@ -143,7 +143,7 @@ class ExactMotion {
 
   struct ModeCell {
     ModeDrive shaft;
-    ModeDrive pulse;  ///< made where a kick meets the mode
+    ModeDrive pulse;               ///< made where a kick meets the mode
     double fastest_rad_per_s = 0;  ///< of the mode and the shaft
     Stretch interval;
   };
@@ -251,7 +251,8 @@ inline void ExactMotion<N>::step_by_table(int k) {
   }
   carried_.pass(mode_->longest_step_s * exact_step_sizes[index]);
   phasor_ = product(phasor_, cell_->shaft.drive.turned_by(index, mode_->longest_step_s));
-  if (kick_on_) kick_phasor_ = product(kick_phasor_, cell_->pulse.drive.turned_by(index, mode_->longest_step_s));
+  if (kick_on_)
+    kick_phasor_ = product(kick_phasor_, cell_->pulse.drive.turned_by(index, mode_->longest_step_s));
 }
 
 extern template class ExactMotion<2>;

@@ -61,8 +61,8 @@ struct ExitPlan {
   /// Where none is split off, all count as fast.
   SeenPairs seen;
   double constant = 0;  ///< value = what it sees of z + constant + forced part
-  /// Taylor coefficients of what it sees of z, time in units of 1 / fastest_rad_per_s of the mode: column j is what a
-  /// unit of z_j adds to them.
+  /// Taylor coefficients of what it sees of z, time in units of 1 / fastest_rad_per_s of the mode: column j
+  /// is what a unit of z_j adds to them.
   SeriesTable<ExactTypes<N>::states> taylor;
   std::vector<Eigen::Index> columns;  ///< those that are not zero
 };

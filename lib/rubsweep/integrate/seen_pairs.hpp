@@ -32,7 +32,9 @@ struct SeenPairs {
   std::vector<SeenPair> list;
   std::size_t slow = 0;  ///< how many are slow
 
-  std::span<const SeenPair> fast() const { return {list.begin() + static_cast<std::ptrdiff_t>(slow), list.end()}; }
+  std::span<const SeenPair> fast() const {
+    return {list.begin() + static_cast<std::ptrdiff_t>(slow), list.end()};
+  }
 };
 
 /// Value, rate and bound on the second derivative of such a function, pair by pair.
