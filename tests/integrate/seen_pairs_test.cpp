@@ -38,6 +38,16 @@ TEST(SeenPairs, SlowOnesFirstAndNoneThatIsNotSeen) {
   EXPECT_EQ(seen.fast().size(), 2u);
 }
 
+TEST(SeenPairs, WhereNothingIsSeenOnePairAddsNothing) {
+  const SeenPairs seen = seen_pairs(Eigen::MatrixXd::Zero(4, 8), {true, true, true, true});
+  ASSERT_EQ(seen.fast().size(), 1u);
+  const Eigen::VectorXd z = Eigen::VectorXd::Ones(8);
+  const SeenSum sum(seen.fast().front(), z.data(), true);
+  EXPECT_EQ(sum.value(), 0);
+  EXPECT_EQ(sum.rate(), 0);
+  EXPECT_EQ(sum.curvature(), 0);
+}
+
 using State = ExactTypes<4>::State;
 
 /// All four modes of one stop.

@@ -22,6 +22,7 @@ SeenPairs seen_pairs(const Eigen::Matrix<double, 4, Eigen::Dynamic>& rows, const
       if (!wanted) ++seen.slow;
     }
   }
+  if (seen.list.empty()) seen.list.push_back({.u = 0, .v = n});
   return seen;
 }
 

@@ -27,7 +27,7 @@ struct SeenPair {
   double envelope = 0;  ///< what a unit of the pair's size can do to the function at any time
 };
 
-/// A linear function of z by the pairs that it does see, slow ones first.
+/// A linear function of z by the pairs that it does see, slow ones first; there is always one.
 struct SeenPairs {
   std::vector<SeenPair> list;
   std::size_t slow = 0;  ///< how many are slow
