@@ -317,6 +317,26 @@ TEST(Exact, TooFewStepsAreSaid) {
   ExactPlans plans;
   Turn turn;
   EXPECT_EQ(start_exact(test::cell_of({}).scene, options, plans).advance(turn), Outcome::step_limit);
+  EXPECT_EQ(turn.effort.steps, 3);
+}
+
+/// A kick as long as half a free oscillation that nothing damps has no closed form; the turns after it have.
+TEST(Exact, AKickAtAResonanceHasNoClosedFormWhileItLasts) {
+  const auto scene =
+      test::cell_of({.damping_ratio = 0, .kick_n = 20, .kick_s = 1 / 60.0, .speed_hz = 75}).scene;
+  SolverOptions options;
+  options.relative_tolerance = 1e-12;
+  ExactPlans plans;
+  const integrate::Run exact = start_exact(scene, options, plans);
+  const Cursor adaptive = start_adaptive(scene, options);
+  Turn turn, expected;
+  for (int k = 0; k < 6; ++k) {
+    ASSERT_EQ(exact.advance(turn), Outcome::ok);
+    ASSERT_EQ(adaptive(expected), Outcome::ok);
+    for (std::size_t i = 0; i < turn.section.size(); ++i)
+      EXPECT_NEAR(turn.section[i], expected.section[i], 1e-8) << k << ' ' << i;
+  }
+  EXPECT_EQ(turn.effort.adaptive_turns, 2);
 }
 
 }  // namespace

@@ -36,6 +36,17 @@ TEST(PeriodSearch, AMotionThatLeavesAPeriodicOneIsNoCandidate) {
   EXPECT_EQ(first_candidate(leaving).second, 0);
 }
 
+TEST(PeriodSearch, ContactOncePerPeriodIsEnough) {
+  const auto always = first_candidate([](int t) { return decaying(t, 3); });
+  PeriodSearch search(1, 12);
+  for (int turn = 0; turn <= always.first; ++turn) {
+    const double section = decaying(turn, 3);
+    search.add({&section, 1}, turn % 3 == (always.first + 1) % 3);
+    const auto order = search.candidate();
+    EXPECT_EQ(order.value_or(0), turn == always.first ? 3 : 0) << turn;
+  }
+}
+
 TEST(PeriodSearch, WithoutContactThereIsNothingToProve) {
   EXPECT_EQ(first_candidate([](int t) { return decaying(t, 2); }, false).second, 0);
 }

@@ -73,26 +73,31 @@ class ExactMotion {
     return whole_exit(plan, slow_pairs(plan), forced);
   }
 
-  // The same in parts, for whoever can do with less:
+  // The same in parts, for whoever can do with less.
+
+  /// What unbalance and kick add to an exit.
   struct Forced {
-    Exit shaft;
-    double kick_value = 0, kick_rate = 0;
+    Exit shaft, kick;
+    bool kicked = false;
 
     void add_to(Exit& exit) const {
-      exit.value += shaft.value;
-      exit.rate += shaft.rate;
-      exit.curvature += shaft.curvature;
-      exit.value += kick_value;
-      exit.rate += kick_rate;
+      add(shaft, exit);
+      if (kicked) add(kick, exit);
+    }
+
+    static void add(const Exit& part, Exit& exit) {
+      exit.value += part.value;
+      exit.rate += part.rate;
+      exit.curvature += part.curvature;
     }
   };
   Forced forced_exit(std::size_t e) const;
-  /// What an exit sees of slow pairs, which it has.
+  /// What an exit sees of slow pairs; requires plan.seen.slow > 0, and so a modal form.
   SeenSum slow_pairs(const ExitPlan<N>& plan) const;
   /// That with the envelope of fast pairs instead of their own values: never below the exit function.
   Exit slow_exit(const ExitPlan<N>& plan, const SeenSum& slow, const Forced& forced) const;
   Exit whole_exit(const ExitPlan<N>& plan, SeenSum slow, const Forced& forced) const;
-  /// Where there are none.
+  /// Requires plan.seen.slow == 0.
   Exit whole_exit(const ExitPlan<N>& plan, const Forced& forced) const;
 
   /// (|d|^2 - C^2) / (2 C) of a ring.
@@ -187,16 +192,12 @@ inline typename ExactMotion<N>::State ExactMotion<N>::sizes(const State& free) c
 
 template <int N>
 inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_exit(std::size_t e) const {
-  const Drive<N>& shaft = cell_->shaft.drive;
-  const Complex z = product(shaft.at_exit[e], phasor_);
-  Forced forced{.shaft = {z.real(), -shaft.rate * z.imag(), shaft.curvature[e]}};
-  if (kick_on_) {
-    const Drive<N>& kick = cell_->pulse.drive;
-    const Complex k = product(kick.at_exit[e], kick_phasor_);
-    forced.shaft.curvature += kick.curvature[e];
-    forced.kick_value = k.real();
-    forced.kick_rate = -kick.rate * k.imag();
-  }
+  const auto of = [e](const Drive<N>& drive, Complex phasor) -> Exit {
+    const Complex z = product(drive.at_exit[e], phasor);
+    return {z.real(), -drive.rate * z.imag(), drive.curvature[e]};
+  };
+  Forced forced{.shaft = of(cell_->shaft.drive, phasor_), .kick = {}, .kicked = kick_on_};
+  if (kick_on_) forced.kick = of(cell_->pulse.drive, kick_phasor_);
   return forced;
 }
 

@@ -147,7 +147,7 @@ ExactEnding ExactRun<N>::end_turn(Turn& turn) {
   return ExactEnding::ok;
 }
 
-/// As many steps of the table as follow each other, and what ends them.
+/// Steps as they follow each other, only one where something is watched, and what ends them.
 template <int N>
 ExactEnding ExactRun<N>::go_on(Turn& turn) {
   samples_.start(motion_, time_s_, turn, speed_);
@@ -175,7 +175,7 @@ ExactEnding ExactRun<N>::go_on(Turn& turn) {
     }
     standstill_ = 0;
     if (!std::isfinite(motion_.free()(0))) return ExactEnding::non_finite;
-    if (watched || effort_.steps >= step_limit_) return ExactEnding::ok;
+    if (watched || effort_.steps >= step_limit_ || !(time_s_ < boundary)) return ExactEnding::ok;
   }
 }
 

@@ -82,7 +82,8 @@ class ExactRun {
   SlipWatch<N> slip_;
   PeakWatch<N> peaks_;
   SampleWatch<N> samples_;
-  long max_steps_ = 0, step_limit_ = 0;
+  long max_steps_ = 0;   ///< of a turn
+  long step_limit_ = 0;  ///< of effort_.steps in this turn
 
   State turn_start_;  ///< physical
   long revolution_ = 0;

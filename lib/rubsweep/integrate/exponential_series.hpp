@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <span>
 
@@ -50,6 +51,7 @@ struct SeriesColumn {
 template <class... Column>
 inline void add_terms(std::span<double> terms, const Column&... columns) {
   using Two = Eigen::Array2d;
+  assert(terms.size() % 2 == 0);
   for (std::size_t k = 0; k < terms.size(); k += 2) {
     Two sum = Eigen::Map<const Two>(terms.data() + k);
     ((sum += columns.factor * Eigen::Map<const Two>(columns.terms + k)), ...);

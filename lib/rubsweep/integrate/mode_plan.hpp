@@ -41,7 +41,6 @@ struct Watched {
 
   /// Value and rate.
   Eigen::Vector2d at(const typename ExactTypes<N>::State& z) const {
-    // Two short sums instead of a long one: the time loop waits for them.
     const Eigen::Index n = z.size() / 2;
     const Eigen::Vector2d u = row_and_rate.template leftCols<N>(n).lazyProduct(z.template head<N>(n)),
                           v = row_and_rate.template middleCols<N>(n, n).lazyProduct(

@@ -32,7 +32,7 @@ class SampleWatch {
     return wanted() && !motion.mode().paired ? due_s() : period_s_;
   }
 
-  /// A step starts here, `time_s` into the turn.
+  /// A step starts here, `time_s` into the turn; where nothing is wanted, the first of several.
   void start(const ExactMotion<N>& motion, double time_s, Turn& turn, double speed_rad_per_s) {
     step_s_ = time_s;
     if (!wanted()) return;

@@ -24,10 +24,11 @@ struct SeenPair {
   /// What a unit of size can do to the second derivative within the mode's longest step: of the pair, in
   /// `bound_u` alone, or of each component.
   double bound_u = 0, bound_v = 0;
-  double envelope = 0;  ///< what a unit of the pair's size can do to the function at any time
+  double envelope = 0;  ///< the same for the function itself
 };
 
-/// A linear function of z by the pairs that it does see, slow ones first; there is always one.
+/// A linear function of z by the pairs that it does see, slow ones first; where it sees
+/// none, by one that adds nothing.
 struct SeenPairs {
   std::vector<SeenPair> list;
   std::size_t slow = 0;  ///< how many are slow

@@ -14,9 +14,9 @@ namespace rubsweep::response {
 
 /// What the class of a motion rests on.
 enum class Proof {
-  rest,      ///< a bound on the free vibration: no contact can ever come again
-  floquet,   ///< the section, or the motion in the turning frame, returns to rounding, and every multiplier of
-             ///< the orbit (there but the trivial one) lies inside the unit circle
+  rest,     ///< a bound on the free vibration: no contact can ever come again
+  floquet,  ///< the section, or the motion in the turning frame, returns to rounding, and every multiplier of
+            ///< the orbit (there but the trivial one) lies inside the unit circle
   observed,  ///< what the end of the run shows: windows that agree, a comb that closes, an exponent
 };
 
@@ -38,10 +38,10 @@ struct SettledRun {
 };
 
 /// Runs `cell` turn by turn until its motion is known: at once when rest or a stable orbit (of up to twice
-/// max_order turns; in a rotationally symmetric scene a circle or an oval) is proven, else after `max_revolutions`, whose last two windows decide. When both windows
-/// find neither a period nor rest, a rotationally symmetric scene is searched for a comb, and what is left
-/// undecided is followed further by `classify_aperiodic`, at the run's tolerance or 1e-7, whichever is
-/// tighter.
+/// max_order turns; in a rotationally symmetric scene a circle or an oval) is proven, else after
+/// `max_revolutions`, whose last two windows decide. When both windows find neither a period nor rest, a
+/// rotationally symmetric scene is searched for a comb, and what is left undecided is followed further by
+/// `classify_aperiodic`, at the run's tolerance or 1e-7, whichever is tighter.
 SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solver,
                   const ResponseOptions& options, Workspace& workspace);
 
