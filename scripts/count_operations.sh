@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # count_operations.sh: instructions, multiplications, additions, divisions and square roots in one turn of the exact
-# solver (set A, 75 Hz, whirl ratio 0.4), by valgrind's callgrind: what 3000 turns take more than 1000. Packed
-# instructions count twice; those of libm count as instructions only. Needs valgrind, binutils and the release build.
+# solver (set A, 75 Hz, whirl ratio 0.4), and which part of it takes the instructions, by valgrind's callgrind: what 3000
+# turns take more than 1000. Packed instructions count twice; those of libm count as instructions only. Needs valgrind,
+# binutils and the release build.
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=$top/build/release/tests/support/exact_turns
@@ -35,3 +36,16 @@ awk '
     printf "per turn: %.0f instructions, %.0f multiplications, %.0f additions, %.0f divisions, %.0f square roots\n",
            total, multiplications, additions, divisions, roots
   }' "$work/instructions" "$work/1000" "$work/3000"
+
+for turns in 1000 3000; do
+  callgrind_annotate --inclusive=yes --threshold=100 "$work/$turns" 2>/dev/null >"$work/functions_$turns"
+done
+awk '
+  { gsub(",", "", $1); sign = FILENAME ~ /1000$/ ? -1 : 1 }
+  /ExactRun<4>::go_on\(/ { inside += sign * $1 }
+  /ExactMotion<4>::land\(/ { landings += sign * $1 }
+  /ExactRun<4>::switch_mode\(/ { switches += sign * $1 }
+  END {
+    printf "of the instructions: %.0f in steps, %.0f in landings, %.0f in switches\n",
+           (inside - landings - switches) / 2000, landings / 2000, switches / 2000
+  }' "$work/functions_1000" "$work/functions_3000"

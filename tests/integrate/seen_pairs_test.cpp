@@ -26,7 +26,7 @@ TEST(SeenPairs, SlowOnesFirstAndNoneThatIsNotSeen) {
   rows.col(2) << 9, 10, 11, 12;
   const SeenPairs seen = seen_pairs(rows, {true, false, false, true});
   ASSERT_EQ(seen.list.size(), 3u);
-  EXPECT_EQ(seen.slow, 1u);
+  EXPECT_EQ(seen.slow().size(), 1u);
   EXPECT_EQ(seen.list[0].u, 2);
   EXPECT_EQ(seen.list[1].u, 0);
   EXPECT_EQ(seen.list[2].u, 3);
@@ -67,9 +67,7 @@ class EveryModeSeen : public testing::TestWithParam<std::size_t> {
   }
 
   SeenSum sum(std::span<const SeenPair> pairs, const State& z) const {
-    SeenSum sum(pairs.front(), z.data(), mode_.paired);
-    for (const SeenPair& pair : pairs.subspan(1)) sum += SeenSum(pair, z.data(), mode_.paired);
-    return sum;
+    return sum_of(pairs, z.data(), mode_.paired);
   }
 };
 
@@ -113,11 +111,12 @@ TEST(SlowExit, IsNeverBelowTheWhole) {
   motion.set_phases(0, -1);
   ASSERT_TRUE(motion.enter(0, start));
   const ExitPlan<4>& plan = motion.mode().exits.front();
-  ASSERT_EQ(plan.seen.slow, 1u);
+  ASSERT_EQ(plan.seen.slow_count, 1u);
   for (int i = 0; i < 100; ++i) {
     const auto forced = motion.forced_exit(0);
-    const auto slow = motion.slow_exit(plan, motion.slow_pairs(plan), forced);
-    const auto whole = motion.whole_exit(plan, motion.slow_pairs(plan), forced);
+    const SeenSum seen = motion.slow_sum(plan);
+    const auto slow = motion.slow_exit(plan, seen, forced);
+    const auto whole = motion.whole_exit(plan, motion.with_fast(plan, seen), forced);
     EXPECT_GE(slow.value, whole.value) << i;
     EXPECT_NEAR(whole.value, plan.physical * motion.physical() - 1, 1e-13) << i;
     motion.step_by_table(10);

@@ -10,11 +10,6 @@
 #include "rubsweep/integrate/exponential_series.hpp"
 
 namespace rubsweep::integrate {
-namespace {
-
-using Complex = std::complex<double>;
-
-}  // namespace
 
 template <int N>
 ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<ExactPlan<N>> plan)
@@ -55,7 +50,6 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
 
 template <int N>
 bool ExactMotion<N>::prepare(ModeCell& cell) const {
-  cell.fastest_rad_per_s = std::max(mode_->fastest_rad_per_s, speed_);
   return prepare(cell.shaft, unbalance_, speed_) && (!kick_on_ || prepare(cell.pulse, kick_, kick_rate_));
 }
 
@@ -114,9 +108,8 @@ void ExactMotion<N>::ahead_by_table(Instant& instant, int k) const {
 template <int N>
 typename ExactMotion<N>::Exit ExactMotion<N>::force(std::size_t t, const Instant& instant) const {
   const TouchPlan<N>& touch = mode_->touches[t];
-  const auto free = touch.force_of_free.at(instant.free);
-  Exit force{touch.force_constant + free(0), free(1),
-             mode_->weigh(touch.force_of_free.curvature_bound, sizes(instant.free))};
+  const SeenSum free = sum_of(touch.force_of_free.list, instant.free.data(), mode_->paired);
+  Exit force{touch.force_constant + free.value(), free.rate(), free.curvature()};
   const auto add = [&](const Drive<N>& drive, Complex phasor) {
     const Complex z = product(drive.at_force[t], phasor);
     force.value += z.real();

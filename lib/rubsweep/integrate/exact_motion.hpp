@@ -64,13 +64,11 @@ class ExactMotion {
   double closing_acceleration(std::size_t i, const State& physical) const;
 
   /// Size of every pair or component of the free vibration, that bounds are multiplied by.
-  State sizes() const { return sizes(free_); }
-  State sizes(const State& free) const;
+  State sizes() const;
   Exit exit(std::size_t e) const {
     const ExitPlan<N>& plan = mode_->exits[e];
-    const Forced forced = forced_exit(e);
-    if (plan.seen.slow == 0) return whole_exit(plan, forced);
-    return whole_exit(plan, slow_pairs(plan), forced);
+    return whole_exit(plan, plan.seen.slow_count > 0 ? with_fast(plan, slow_sum(plan)) : fast_sum(plan),
+                      forced_exit(e));
   }
 
   // The same in parts, for whoever can do with less.
@@ -80,9 +78,11 @@ class ExactMotion {
     Exit shaft, kick;
     bool kicked = false;
 
-    void add_to(Exit& exit) const {
+    Exit with(double value, const SeenSum& free) const {
+      Exit exit{value, free.rate(), free.curvature()};
       add(shaft, exit);
       if (kicked) add(kick, exit);
+      return exit;
     }
 
     static void add(const Exit& part, Exit& exit) {
@@ -92,13 +92,19 @@ class ExactMotion {
     }
   };
   Forced forced_exit(std::size_t e) const;
-  /// What an exit sees of slow pairs; requires plan.seen.slow > 0, and so a modal form.
-  SeenSum slow_pairs(const ExitPlan<N>& plan) const;
-  /// That with the envelope of fast pairs instead of their own values: never below the exit function.
+  /// What an exit sees of slow pairs, of which there must be some (so that there is a modal form), and these
+  /// with fast pairs; what it sees of fast ones alone.
+  SeenSum slow_sum(const ExitPlan<N>& plan) const { return sum_of(plan.seen.slow(), free_.data(), true); }
+  SeenSum with_fast(const ExitPlan<N>& plan, SeenSum slow) const;
+  SeenSum fast_sum(const ExitPlan<N>& plan) const {
+    return sum_of(plan.seen.fast(), free_.data(), mode_->paired);
+  }
+  /// By slow pairs, with the envelope of fast ones instead of their own values: never below the exit
+  /// function.
   Exit slow_exit(const ExitPlan<N>& plan, const SeenSum& slow, const Forced& forced) const;
-  Exit whole_exit(const ExitPlan<N>& plan, SeenSum slow, const Forced& forced) const;
-  /// Requires plan.seen.slow == 0.
-  Exit whole_exit(const ExitPlan<N>& plan, const Forced& forced) const;
+  Exit whole_exit(const ExitPlan<N>& plan, const SeenSum& all, const Forced& forced) const {
+    return forced.with(plan.constant + all.value(), all);
+  }
 
   /// (|d|^2 - C^2) / (2 C) of a ring.
   Exit ring(std::size_t r, const State& sizes) const;
@@ -148,14 +154,14 @@ class ExactMotion {
 
   struct ModeCell {
     ModeDrive shaft;
-    ModeDrive pulse;               ///< made where a kick meets the mode
-    double fastest_rad_per_s = 0;  ///< of the mode and the shaft
+    ModeDrive pulse;  ///< made where a kick meets the mode
     Stretch interval;
   };
 
   /// Of what vibrates and what drives it now.
   double fastest_rad_per_s() const {
-    return kick_on_ ? std::max(cell_->fastest_rad_per_s, kick_rate_) : cell_->fastest_rad_per_s;
+    const double unkicked = std::max(mode_->fastest_rad_per_s, speed_);
+    return kick_on_ ? std::max(unkicked, kick_rate_) : unkicked;
   }
   bool prepare(ModeCell& cell) const;
   bool prepare(ModeDrive& drive, const Eigen::VectorXcd& force, double rate_rad_per_s) const;
@@ -182,11 +188,11 @@ class ExactMotion {
 };
 
 template <int N>
-inline typename ExactMotion<N>::State ExactMotion<N>::sizes(const State& free) const {
-  if (!mode_->paired) return free.cwiseAbs();
+inline typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
+  if (!mode_->paired) return free_.cwiseAbs();
   const Eigen::Index n = unbalance_.size();
-  State sizes = State::Zero(free.size());
-  for (Eigen::Index j = 0; j < n; ++j) sizes(j) = pair_size(free(j), free(n + j));
+  State sizes = State::Zero(2 * n);
+  for (Eigen::Index j = 0; j < n; ++j) sizes(j) = pair_size(free_(j), free_(n + j));
   return sizes;
 }
 
@@ -202,12 +208,9 @@ inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_exit(std::size_t e
 }
 
 template <int N>
-inline SeenSum ExactMotion<N>::slow_pairs(const ExitPlan<N>& plan) const {
-  const SeenPair* pair = plan.seen.list.data();
-  SeenSum sum(*pair, free_.data(), true);
-  for (const SeenPair* const end = pair + plan.seen.slow; ++pair != end;)
-    sum += SeenSum(*pair, free_.data(), true);
-  return sum;
+inline SeenSum ExactMotion<N>::with_fast(const ExitPlan<N>& plan, SeenSum slow) const {
+  for (const SeenPair& pair : plan.seen.fast()) slow += SeenSum(pair, free_.data(), true);
+  return slow;
 }
 
 template <int N>
@@ -216,29 +219,7 @@ inline typename ExactMotion<N>::Exit ExactMotion<N>::slow_exit(const ExitPlan<N>
   double value = plan.constant + slow.value();
   for (const SeenPair& pair : plan.seen.fast())
     value += pair.envelope * pair_size(free_(pair.u), free_(pair.v));
-  Exit exit{value, slow.rate(), slow.curvature()};
-  forced.add_to(exit);
-  return exit;
-}
-
-template <int N>
-inline typename ExactMotion<N>::Exit ExactMotion<N>::whole_exit(const ExitPlan<N>& plan, SeenSum sum,
-                                                                const Forced& forced) const {
-  for (const SeenPair& pair : plan.seen.fast()) sum += SeenSum(pair, free_.data(), true);
-  Exit exit{plan.constant + sum.value(), sum.rate(), sum.curvature()};
-  forced.add_to(exit);
-  return exit;
-}
-
-template <int N>
-inline typename ExactMotion<N>::Exit ExactMotion<N>::whole_exit(const ExitPlan<N>& plan,
-                                                                const Forced& forced) const {
-  const std::span pairs = plan.seen.fast();
-  SeenSum sum(pairs.front(), free_.data(), mode_->paired);
-  for (const SeenPair& pair : pairs.subspan(1)) sum += SeenSum(pair, free_.data(), mode_->paired);
-  Exit exit{plan.constant + sum.value(), sum.rate(), sum.curvature()};
-  forced.add_to(exit);
-  return exit;
+  return forced.with(value, slow);
 }
 
 template <int N>

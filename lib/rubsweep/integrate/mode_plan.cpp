@@ -141,11 +141,15 @@ class ModeBuilder {
   /// Rate of a row on z, again as a row on z.
   Row rate(const Row& row) const { return form_ ? rate_of_row(*form_, row) : Row(row * plan_->generator); }
 
-  Watched<N> watched(const Row& row) const {
-    const Row by_time = rate(row);
-    Eigen::Matrix<double, 2, Eigen::Dynamic> both(2, row.size());
-    both << row, by_time;
-    return {both, bound(rate(by_time))};
+  SeenPairs seen(const Row& on_free, const std::vector<bool>& fast) const {
+    const Row by_time = rate(on_free);
+    Eigen::Matrix<double, 4, Eigen::Dynamic> rows(4, on_free.size());
+    rows << on_free, by_time, bound(rate(by_time)), bound(on_free);
+    return seen_pairs(rows, fast);
+  }
+
+  std::vector<bool> all_pairs() const {
+    return std::vector<bool>(static_cast<std::size_t>(system_.coordinates()), true);
   }
 
   Row by_u(const Row& row) const { return over_state(row, Row::Zero(row.size())); }
@@ -181,10 +185,8 @@ class ModeBuilder {
     exit.contact = i;
     exit.next = next;
     exit.physical = row;
-    const Row on_free = row * plan_->basis, by_time = rate(on_free);
-    Eigen::Matrix<double, 4, Eigen::Dynamic> rows(4, row.size());
-    rows << on_free, by_time, bound(rate(by_time)), bound(on_free);
-    exit.seen = seen_pairs(rows, fast_pairs(on_free));
+    const Row on_free = row * plan_->basis;
+    exit.seen = seen(on_free, fast_pairs(on_free));
     exit.constant = constant + row.head(plan_->rest.size()) * plan_->rest;
     set_taylor(exit, on_free);
     plan_->exits.push_back(exit);
@@ -204,8 +206,7 @@ class ModeBuilder {
   /// Pairs much faster than the slowest that the row sees; all, unless it sees some that are.
   std::vector<bool> fast_pairs(const Row& row) const {
     const Eigen::Index n = plan_->rest.size();
-    const std::vector<bool> all(static_cast<std::size_t>(n), true);
-    if (!plan_->paired) return all;
+    if (!plan_->paired) return all_pairs();
     const auto size = [&](Eigen::Index j) { return std::hypot(row(j), row(n + j)); };
     const auto frequency = [&](Eigen::Index j) { return std::sqrt(std::abs(determinant_(j))); };
     double largest = 0, slowest_seen = std::numeric_limits<double>::infinity();
@@ -219,7 +220,7 @@ class ModeBuilder {
       fast.push_back(frequency(j) >= fast_over_slow * slowest_seen);
       split = split || (fast.back() && size(j) > 0);
     }
-    return split ? fast : all;
+    return split ? fast : all_pairs();
   }
 
   void add_ring(std::size_t i) {
@@ -252,7 +253,7 @@ class ModeBuilder {
     touch.force_constant =
         force.head(plan_->rest.size()) * plan_->rest - spring_factor(mode) * c.stiffness * c.clearance;
     touch.pushes = !force.isZero(0);
-    if (touch.pushes) touch.force_of_free = watched(force * plan_->basis);
+    if (touch.pushes) touch.force_of_free = seen(force * plan_->basis, all_pairs());
     plan_->pushes = plan_->pushes || touch.pushes;
     const Row sliding = by_v(c.second_row);
     touch.sliding = sliding;

@@ -32,23 +32,6 @@ struct ExactTypes {
   using Flow = Eigen::Matrix<double, states, states>;
 };
 
-/// A linear function of the free vibration z, row.z, and its rate, and what a unit of each component's
-/// size can do to its second derivative within the mode's longest step.
-template <int N>
-struct Watched {
-  Eigen::Matrix<double, 2, ExactTypes<N>::states> row_and_rate;
-  typename ExactTypes<N>::Row curvature_bound;
-
-  /// Value and rate.
-  Eigen::Vector2d at(const typename ExactTypes<N>::State& z) const {
-    const Eigen::Index n = z.size() / 2;
-    const Eigen::Vector2d u = row_and_rate.template leftCols<N>(n).lazyProduct(z.template head<N>(n)),
-                          v = row_and_rate.template middleCols<N>(n, n).lazyProduct(
-                              z.template segment<N>(n, n));
-    return u + v;
-  }
-};
-
 /// One armed exit of a mode, divided by the contact stiffness so that it is a length. Negative inside the
 /// mode.
 template <int N>
@@ -82,7 +65,7 @@ struct TouchPlan {
   std::size_t contact = 0;
   typename ExactTypes<N>::Row force;  ///< normal force = force . (state - rest) + constant, newtons
   double force_constant = 0;
-  Watched<N> force_of_free;                        ///< the free vibration's part of it
+  SeenPairs force_of_free;                         ///< the free vibration's part of it
   bool pushes = false;                             ///< the normal force is not zero all along
   typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
   typename ExactTypes<N>::Row sliding_rate_bound;  ///< as above
@@ -120,13 +103,6 @@ struct ModePlan {
   std::vector<RingPlan<N>> rings;
   std::vector<TouchPlan<N>> touches;
   bool pushes = false;  ///< one of them does
-
-  /// bound . sizes. A pair has one size, kept in the first half.
-  double weigh(const typename Types::Row& bound, const typename Types::State& sizes) const {
-    if (!paired) return bound.dot(sizes.transpose());
-    const Eigen::Index n = rest.size();
-    return bound.template head<N>(n).dot(sizes.template head<N>(n).transpose());
-  }
 
   typename Types::State from_free(const typename Types::State& z) const { return change(basis, z); }
   typename Types::State to_free(const typename Types::State& vibration) const {

@@ -19,7 +19,7 @@ SeenPairs seen_pairs(const Eigen::Matrix<double, 4, Eigen::Dynamic>& rows, const
                            .bound_u = rows(2, u),
                            .bound_v = rows(2, v),
                            .envelope = rows(3, u)});
-      if (!wanted) ++seen.slow;
+      if (!wanted) ++seen.slow_count;
     }
   }
   if (seen.list.empty()) seen.list.push_back({.u = 0, .v = n});

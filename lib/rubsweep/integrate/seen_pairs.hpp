@@ -27,14 +27,18 @@ struct SeenPair {
   double envelope = 0;  ///< the same for the function itself
 };
 
-/// A linear function of z by the pairs that it does see, slow ones first; where it sees
-/// none, by one that adds nothing.
+/// A linear function of z by the pairs that it does see, slow ones first; where it sees none, by one that
+/// adds nothing.
 struct SeenPairs {
   std::vector<SeenPair> list;
-  std::size_t slow = 0;  ///< how many are slow
+  std::size_t slow_count = 0;
 
-  std::span<const SeenPair> fast() const {
-    return {list.begin() + static_cast<std::ptrdiff_t>(slow), list.end()};
+  std::span<const SeenPair> slow() const { return {list.begin(), first_fast()}; }
+  std::span<const SeenPair> fast() const { return {first_fast(), list.end()}; }
+
+ private:
+  std::vector<SeenPair>::const_iterator first_fast() const {
+    return list.begin() + static_cast<std::ptrdiff_t>(slow_count);
   }
 };
 
@@ -67,6 +71,13 @@ struct SeenSum {
   double rate() const { return rate_u + rate_v; }
   double curvature() const { return bound_u + bound_v; }
 };
+
+/// Of one pair or more.
+inline SeenSum sum_of(std::span<const SeenPair> pairs, const double* z, bool paired) {
+  SeenSum sum(pairs.front(), z, paired);
+  for (const SeenPair& pair : pairs.subspan(1)) sum += SeenSum(pair, z, paired);
+  return sum;
+}
 
 /// Of a function whose value, rate, bound of the second derivative and bound of itself are these rows on z,
 /// each of 2n numbers; `fast` says which of the n pairs are.

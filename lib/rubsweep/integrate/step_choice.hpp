@@ -39,14 +39,14 @@ void heed_exit(const ExactMotion<N>& motion, const ExitPlan<N>& plan, std::size_
     choice.keep_below(std::max(slow_step, safe_step(exit.value, exit.rate, exit.curvature)));
   };
   const auto forced = motion.forced_exit(e);
-  if (plan.seen.slow == 0) return heed(motion.whole_exit(plan, forced), 0);
-  const SeenSum seen = motion.slow_pairs(plan);
+  if (plan.seen.slow_count == 0) return heed(motion.whole_exit(plan, motion.fast_sum(plan), forced), 0);
+  const SeenSum seen = motion.slow_sum(plan);
   const auto slow = motion.slow_exit(plan, seen, forced);
   if (stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
   const double slow_step = slow.value < 0 ? safe_step(slow.value, slow.rate, slow.curvature) : 0;
   // No crossing within reach.
   if (slow_step > reach_s) return choice.keep_below(slow_step);
-  heed(motion.whole_exit(plan, seen, forced), slow_step);
+  heed(motion.whole_exit(plan, motion.with_fast(plan, seen), forced), slow_step);
 }
 
 /// Narrows the choice by ring `r`: steps shorter than `shortest_s` count as touching it.

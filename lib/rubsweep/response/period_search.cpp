@@ -38,6 +38,10 @@ const double* PeriodSearch::row(int ago) const {
   return rows_.data() + static_cast<std::size_t>(slot) * states_;
 }
 
+const double* PeriodSearch::before(const double* row) const {
+  return (row == rows_.data() ? rows_.data() + rows_.size() : row) - states_;
+}
+
 void PeriodSearch::add(std::span<const double> section, bool touched) {
   if (++newest_ == kept_) newest_ = 0;
   std::copy(section.begin(), section.end(),
@@ -57,7 +61,7 @@ std::optional<int> PeriodSearch::candidate() const {
   const double* const last = row(0);
   const double* then = last;
   for (int n = 1; n <= known; ++n) {
-    then = (then == rows_.data() ? rows_.data() + rows_.size() : then) - states_;  // row(n)
+    then = before(then);
     // Most orders are refused by one number.
     const double error = largest_difference(last, then, states_, close_enough);
     if (error < close_enough && is_due(n, error) && closest(n, error) && contracts(n, error)) return n;

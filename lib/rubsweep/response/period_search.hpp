@@ -28,6 +28,7 @@ class PeriodSearch {
   bool closest(int order, double error) const;
   bool contracts(int order, double error) const;
   const double* row(int ago) const;
+  const double* before(const double* row) const;
 
   struct Tried {
     double below = 0;

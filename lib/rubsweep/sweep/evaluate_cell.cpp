@@ -49,8 +49,7 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
 }
 
 /// The cell of a plan whose machine may differ from the study's.
-Row evaluate(const Study& study, const scene::Plan& plan, std::size_t cell,
-             response::Workspace& workspace) {
+Row evaluate(const Study& study, const scene::Plan& plan, std::size_t cell, response::Workspace& workspace) {
   const std::size_t speeds = study.grid.speed_hz.size();
   Row row;
   row.speed_hz = study.grid.speed_hz[cell % speeds];
