@@ -36,7 +36,7 @@ struct Approach {
 TEST(ChooseStep, FarFromTheWallItIsSafeAllAlong) {
   for (const double gap : {0.9, 0.4, 0.1}) {
     const Approach start(gap, 100);
-    const StepChoice choice = choose_step(start.motion, 1.0, start.motion.reach_s(), 0);
+    const StepChoice choice = choose_step(start.motion, {.until_s = 1, .reach_s = start.motion.reach_s()});
     ASSERT_GT(choice.step_s, 0);
     ASSERT_LE(choice.step_s, start.motion.mode().longest_step_s);
     if (choice.crossing != StepChoice::none) continue;
@@ -50,7 +50,7 @@ TEST(ChooseStep, FarFromTheWallItIsSafeAllAlong) {
 
 TEST(ChooseStep, CloseToTheWallItNamesTheCrossingAndWhenAtTheLatest) {
   Approach near(1e-4, 300);
-  const StepChoice choice = choose_step(near.motion, 1.0, near.motion.reach_s(), 0);
+  const StepChoice choice = choose_step(near.motion, {.until_s = 1, .reach_s = near.motion.reach_s()});
   ASSERT_NE(choice.crossing, StepChoice::none);
   const double duration_s = near.motion.land(choice.crossing, choice.step_s);
   EXPECT_LE(duration_s, choice.step_s);
@@ -60,8 +60,8 @@ TEST(ChooseStep, CloseToTheWallItNamesTheCrossingAndWhenAtTheLatest) {
 
 TEST(ChooseStep, NoLandingBeyondReachAndNothingBeyondTheBoundary) {
   const Approach near(1e-4, 300);
-  EXPECT_EQ(choose_step(near.motion, 1.0, 1e-9, 0).crossing, StepChoice::none);
-  const StepChoice cut = choose_step(near.motion, 1e-8, near.motion.reach_s(), 0);
+  EXPECT_EQ(choose_step(near.motion, {.until_s = 1, .reach_s = 1e-9}).crossing, StepChoice::none);
+  const StepChoice cut = choose_step(near.motion, {.until_s = 1e-8, .reach_s = near.motion.reach_s()});
   EXPECT_EQ(cut.step_s, 1e-8);
   EXPECT_EQ(cut.crossing, StepChoice::none);
 }

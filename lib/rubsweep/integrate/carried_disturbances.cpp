@@ -26,10 +26,17 @@ void CarriedDisturbances<N>::change(const ModePlan<N>& from, const ModePlan<N>& 
 }
 
 template <int N>
+void CarriedDisturbances<N>::add(const ModePlan<N>& mode, const State& physical) {
+  catch_up(mode);
+  if (list_.size() == count_) list_.emplace_back();
+  list_[count_++] = mode.to_free(physical);
+}
+
+template <int N>
 void CarriedDisturbances<N>::put(const ModePlan<N>& mode, double speed_rad_per_s,
                                  Eigen::MatrixXd& disturbances) {
   catch_up(mode);
-  for (std::size_t i = 0; i < count_; ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(disturbances.cols()); ++i) {
     State physical = mode.from_free(list_[i]);
     physical.tail(physical.size() / 2) /= speed_rad_per_s;
     disturbances.col(static_cast<Eigen::Index>(i)) = physical;

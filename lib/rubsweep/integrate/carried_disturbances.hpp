@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "rubsweep/integrate/mode_plan.hpp"
@@ -21,6 +22,13 @@ class CarriedDisturbances {
   /// The run leaves mode `from` for `to`: at an exit its state, and so its disturbances, go on without a
   /// jump.
   void change(const ModePlan<N>& from, const ModePlan<N>& to);
+  /// One more from here on, (u, u') with time in seconds.
+  void add(const ModePlan<N>& mode, const typename ExactTypes<N>::State& physical);
+  /// Where they are now in the coordinates of `mode`, the present one.
+  std::span<const typename ExactTypes<N>::State> now(const ModePlan<N>& mode) {
+    catch_up(mode);
+    return {list_.data(), count_};
+  }
   /// Where they are now, column by column.
   void put(const ModePlan<N>& mode, double speed_rad_per_s, Eigen::MatrixXd& disturbances);
 

@@ -132,6 +132,11 @@ class ExactMotion {
   /// Replaces them by where they are now.
   void put_carried(Eigen::MatrixXd& disturbances) { carried_.put(*mode_, speed_, disturbances); }
 
+  /// One more, (u, u').
+  void carry_also(const State& disturbance) { carried_.add(*mode_, disturbance); }
+  /// Where they are now, as `free()`.
+  std::span<const State> carried() { return carried_.now(*mode_); }
+
   const ModePlan<N>& mode() const { return *mode_; }
   std::size_t joint() const { return joint_; }
   ExactPlan<N>& plan() const { return *plan_; }

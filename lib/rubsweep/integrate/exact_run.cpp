@@ -16,6 +16,7 @@ namespace {
 using contact::Mode;
 
 constexpr double shortest_step = 1e-13;    ///< of a turn: what a graze is stepped over with
+constexpr double same_instant = 1e-13;     ///< of a turn: crossings nearer to each other happen at once
 constexpr int longest_standstill = 16;     ///< mode switches without progress before a graze is stepped over
 constexpr double shortest_to_ring = 1e-7;  ///< of a turn: steps towards a ring before it counts as touched
 constexpr double steps_per_turn_when_watched = 64;
@@ -155,7 +156,10 @@ ExactEnding ExactRun<N>::go_on(Turn& turn) {
   const double boundary = std::min(next_boundary(), samples_.boundary_s(motion_)), reach = reach_s();
   for (;;) {
     const double until = boundary - time_s_;
-    StepChoice choice = choose_step(motion_, until, reach, shortest_to_ring * period_s_);
+    StepChoice choice = choose_step(motion_, {.until_s = until,
+                                              .reach_s = reach,
+                                              .shortest_to_ring_s = shortest_to_ring * period_s_,
+                                              .same_instant_s = same_instant * period_s_});
     ++effort_.steps;
     if (choice.ring || !renew_slip_watch(turn, choice.step_s)) return ExactEnding::beyond;
     if (choice.crossing != StepChoice::none && standstill_ < longest_standstill) {

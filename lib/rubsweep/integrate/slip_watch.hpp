@@ -52,14 +52,21 @@ class SlipWatch {
   /// is reversed.
   bool held(const ExactMotion<N>& motion, const State& physical, bool& reversed) const {
     for (const TouchPlan<N>& touch : motion.mode().touches) {
-      const Contact& c = contacts_[touch.contact];
       const double end = slip(touch, physical);
       if (end <= 0) reversed = true;
-      const double friction = c.friction_rate + c.friction_swing * duration_s_;
-      const double least = (end + c.start_m_per_s - (c.rate_bound + friction) * duration_s_) / 2;
-      if (!(least > c.above_m_per_s)) return false;
+      if (!(least_m_per_s(touch, end) > contacts_[touch.contact].above_m_per_s)) return false;
     }
     return true;
+  }
+
+  /// How far the slips stayed above what saturation takes, all along the stretch that ends at `physical`.
+  double margin_m_per_s(const ExactMotion<N>& motion, const State& physical) const {
+    double margin = std::numeric_limits<double>::infinity();
+    for (const TouchPlan<N>& touch : motion.mode().touches) {
+      const double least = least_m_per_s(touch, slip(touch, physical));
+      margin = std::min(margin, least - contacts_[touch.contact].above_m_per_s);
+    }
+    return margin;
   }
 
  private:
@@ -70,6 +77,13 @@ class SlipWatch {
     double rate_bound = 0, friction_rate = 0;  ///< m/s^2
     double friction_swing = 0;                 ///< m/s^3
   };
+
+  /// Bound from below over the stretch that ends with slip `end_m_per_s`.
+  double least_m_per_s(const TouchPlan<N>& touch, double end_m_per_s) const {
+    const Contact& c = contacts_[touch.contact];
+    const double friction = c.friction_rate + c.friction_swing * duration_s_;
+    return (end_m_per_s + c.start_m_per_s - (c.rate_bound + friction) * duration_s_) / 2;
+  }
 
   double slip(const TouchPlan<N>& touch, const State& physical) const {
     return contacts_[touch.contact].surface_speed_m_per_s +

@@ -12,7 +12,6 @@ using Eigen::VectorXd;
 constexpr int newton_iterations = 8;
 constexpr double closed = 1e-11;        ///< return error of an orbit found, in (clearance, clearance omega)
 constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
-constexpr int most_periods_followed = 64;
 /// No orbit that was proven had a larger multiplier where the transient stood, nor one above 1 where Newton's
 /// iteration went from there; a refused one is tried again.
 constexpr double hopeless_from_afar = 1.2;
@@ -66,31 +65,28 @@ std::optional<Closed> close(const TurnMap& turn, const VectorXd& start, int orde
   return std::nullopt;
 }
 
-/// The transient follows the map linearised about the orbit until its distance has halved.
-bool approaches(const TurnMap& turn, const VectorXd& start, const Closed& orbit) {
-  VectorXd predicted = start - orbit.x, now = start;
-  const double from = largest(predicted);
-  if (from < 1e3 * closed) return true;
-  for (int k = 0; k < most_periods_followed && largest(predicted) > from / 2; ++k) {
-    for (int i = 0; i < orbit.order; ++i) {
-      if (!advance(turn, now, nullptr)) return false;
-    }
-    predicted = orbit.monodromy * predicted;
-    if (largest(now - orbit.x - predicted) > linear_share * from) return false;
+/// The orbit's own turns, one by one.
+bool list_turns(const TurnMap& turn, VectorXd x, StableOrbit& orbit) {
+  for (int k = 0; k < orbit.order; ++k) {
+    orbit.sections.push_back(x);
+    orbit.transitions.push_back(MatrixXd::Identity(x.size(), x.size()));
+    if (!advance(turn, x, &orbit.transitions.back())) return false;
   }
   return true;
 }
 
 }  // namespace
 
-std::optional<StableOrbit> prove_orbit(const TurnMap& turn, std::span<const double> section, int order) {
+std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order) {
   const VectorXd start =
       Eigen::Map<const VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
-  const auto orbit = close(turn, start, order);
-  if (!orbit) return std::nullopt;
-  const double modulus = orbit->monodromy.eigenvalues().cwiseAbs().maxCoeff();
-  if (!(modulus < largest_floquet_modulus) || !approaches(turn, start, *orbit)) return std::nullopt;
-  return StableOrbit{orbit->order, {orbit->x.data(), orbit->x.data() + orbit->x.size()}, modulus};
+  const auto closed_orbit = close(turn, start, order);
+  if (!closed_orbit) return std::nullopt;
+  StableOrbit orbit{.order = closed_orbit->order, .sections = {}, .transitions = {}, .floquet_modulus = 0};
+  orbit.floquet_modulus = closed_orbit->monodromy.eigenvalues().cwiseAbs().maxCoeff();
+  if (!(orbit.floquet_modulus < largest_floquet_modulus) || !list_turns(turn, closed_orbit->x, orbit))
+    return std::nullopt;
+  return orbit;
 }
 
 bool differentiate(const std::function<bool(std::span<double>)>& turn, std::span<double> section, double step,

@@ -16,8 +16,9 @@ using TurnMap = std::function<bool(std::span<double> section, Eigen::MatrixXd* d
 /// A motion that repeats after `order` turns, with every disturbance dying out.
 struct StableOrbit {
   int order = 0;
-  std::vector<double> section;  ///< at phase 0 of one of its turns, scaled
-  double floquet_modulus = 0;   ///< largest modulus of the multipliers over `order` turns, < 1
+  std::vector<Eigen::VectorXd> sections;     ///< scaled, where each of its turns starts
+  std::vector<Eigen::MatrixXd> transitions;  ///< derivative of each section by the one before
+  double floquet_modulus = 0;  ///< largest modulus of the multipliers over `order` turns, < 1
 };
 
 /// All multipliers must lie inside this.
@@ -26,20 +27,19 @@ inline constexpr double largest_floquet_modulus = 1 - 1e-6;
 /// An orbit is not looked for farther from the transient than this, in (clearance, clearance omega).
 inline constexpr double farthest_orbit = 0.2;
 
-/// Share of its distance from the orbit by which the transient may miss the linear map about it.
+/// Share of its distance from the orbit by which a transient in the turning frame may miss the linear map
+/// about it.
 inline constexpr double linear_share = 0.1;
 
 /// A transient of a run at ordinary tolerances that is this near is on the orbit: what it does next is noise.
 inline constexpr double on_the_orbit = 1e-6;
 
-/// Proves that a transient now at `section` settles on an orbit of `order` turns: Newton's iteration on the
-/// section finds the orbit to rounding, the monodromy matrix has all its multipliers inside, and the
-/// transient is already where the map about the orbit is linear (until its distance has halved, every period
-/// takes it where the monodromy says, to a tenth of that distance), so that it is this orbit that it
-/// approaches. Empty when any of this fails, and at once where the monodromy at the transient (above 1.2) or
-/// at an iterate (above 1) has a multiplier that no stable orbit is expected near. An orbit that returns
-/// after fewer turns is reported with those.
-std::optional<StableOrbit> prove_orbit(const TurnMap& turn, std::span<const double> section, int order);
+/// Newton's iteration on the section, from a transient now at `section`, for an orbit of `order` turns whose
+/// multipliers all lie inside `largest_floquet_modulus`. Empty where it finds none, and at once where the
+/// monodromy at the transient (above 1.2) or at an iterate (above 1) has a multiplier that no stable orbit is
+/// expected near. An orbit that returns after fewer turns is reported with those. That the transient is on
+/// its way to the orbit is another question, see `comes_near`.
+std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order);
 
 /// Derivative of `turn` at `section` by central differences of `step`, where the solver offers none.
 bool differentiate(const std::function<bool(std::span<double>)>& turn, std::span<double> section, double step,

@@ -1,8 +1,13 @@
 #include "rubsweep/response/orbit_proof.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rubsweep/integrate/start.hpp"
+#include "rubsweep/response/adapted_norm.hpp"
+#include "rubsweep/response/approach.hpp"
+#include "rubsweep/response/floquet.hpp"
+#include "rubsweep/response/orbit_ball.hpp"
 #include "rubsweep/response/record.hpp"
 
 namespace rubsweep::response {
@@ -10,6 +15,18 @@ namespace {
 
 /// Tight enough for derivatives by differences.
 constexpr double tolerance_of_a_proof = 1e-11;
+
+/// Where no ball about the orbit is known, the transient is followed until this share of its distance is left.
+constexpr double followed_down = 1e-4;
+
+/// Turns that following a transient may take: three times what the norms promise near the orbit, and some
+/// periods for where it is not yet near. Turns without closed forms cost a hundred times more.
+long patience(const StableOrbit& orbit, const AdaptedNorms& norms, double ratio, bool closed_forms) {
+  constexpr double periods = 64, times = 3;
+  const double most = closed_forms ? 200'000 : 4'000;
+  const double promised = std::log(std::max(1.0, ratio)) / -std::log(norms.contraction);
+  return static_cast<long>(std::min(most, periods * orbit.order + times * promised));
+}
 
 }  // namespace
 
@@ -24,40 +41,51 @@ OrbitProof::OrbitProof(const scene::Scene& scene, const integrate::SolverOptions
 }
 
 std::optional<ProvenMotion> OrbitProof::look(const integrate::Turn& turn) {
-  const auto orbit = find(turn);
-  if (!orbit) return std::nullopt;
-  const auto measures = measure(*orbit);
-  if (!measures) return std::nullopt;
-  return ProvenMotion{orbit->order == 1 ? MotionClass::synchronous : MotionClass::subharmonic, orbit->order,
-                      *measures, orbit->floquet_modulus};
-}
-
-std::optional<StableOrbit> OrbitProof::find(const integrate::Turn& turn) {
   search_.add(turn.section, turn.touched);
   const auto order = search_.candidate();
   if (!order) return std::nullopt;
+  auto proven = prove(turn.section, *order);
+  if (!proven) search_.refuse(*order);
+  return proven;
+}
+
+std::optional<ProvenMotion> OrbitProof::prove(std::span<const double> section, int order) {
   if (!map_) map_.emplace(scene_, solver_, workspace_.plans);
-  const TurnMap map = [this](std::span<double> section, Eigen::MatrixXd* disturbances) {
-    return disturbances ? map_->carry(section, *disturbances) : (*map_)(section);
+  const TurnMap map = [this](std::span<double> state, Eigen::MatrixXd* disturbances) {
+    return disturbances ? map_->carry(state, *disturbances) : (*map_)(state);
   };
-  auto orbit = prove_orbit(map, turn.section, *order);
-  if (!orbit) search_.refuse(*order);
-  return orbit;
+  const auto orbit = find_orbit(map, section, order);
+  if (!orbit) return std::nullopt;
+  const auto norms = adapted_norms(orbit->transitions);
+  if (!norms) return std::nullopt;
+  const std::vector<double> start(orbit->sections.front().begin(), orbit->sections.front().end());
+  const auto radius = map_->exact() ? ball_radius(scene_, workspace_.plans, start, *norms) : std::nullopt;
+  const double distance = adapted_distance(section, *orbit, *norms);
+  const Nearness wanted = radius ? Nearness{*radius, 0} : Nearness{followed_down * distance, on_the_orbit};
+  if (!comes_near(map, section, *orbit, *norms, wanted, patience(*orbit, *norms, distance / wanted.adapted, radius.has_value())))
+    return std::nullopt;
+  const auto measures = measure(start, orbit->order);
+  if (!measures) return std::nullopt;
+  return ProvenMotion{orbit->order == 1 ? MotionClass::synchronous : MotionClass::subharmonic,
+                      orbit->order,
+                      *measures,
+                      orbit->floquet_modulus,
+                      radius ? Proof::floquet : Proof::floquet_observed};
 }
 
 /// Over exactly one period; empty when the orbit touches nothing.
-std::optional<Measures> OrbitProof::measure(const StableOrbit& orbit) {
+std::optional<Measures> OrbitProof::measure(const std::vector<double>& section, int order) {
   ResponseOptions window = options_;
-  window.window_revolutions = orbit.order;
+  window.window_revolutions = order;
   Record record(scene_, window);
-  record.begin(orbit.section);
+  record.begin(section);
   const integrate::Run run = integrate::start(scene_, solver_, workspace_.plans);
-  run.restart(orbit.section);
+  run.restart(section);
   integrate::Turn turn;
   turn.samples_per_revolution = options_.samples_per_revolution;
   turn.peaks = true;
   bool touched = false;
-  for (int k = 0; k < orbit.order; ++k) {
+  for (int k = 0; k < order; ++k) {
     if (run.advance(turn) != integrate::Outcome::ok) return std::nullopt;
     record.add(turn);
     touched = touched || turn.touched;

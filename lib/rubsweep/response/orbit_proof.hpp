@@ -1,10 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "rubsweep/integrate/options.hpp"
 #include "rubsweep/integrate/turn.hpp"
-#include "rubsweep/response/floquet.hpp"
 #include "rubsweep/response/options.hpp"
 #include "rubsweep/response/period_search.hpp"
 #include "rubsweep/response/proven_motion.hpp"
@@ -14,7 +15,10 @@
 
 namespace rubsweep::response {
 
-/// Looks for a stable orbit of up to twice max_order turns that a transient is on its way to.
+/// Looks for a stable orbit of up to twice max_order turns that a transient is on its way to: proven (`floquet`)
+/// once the transient, followed on, is inside a ball about the orbit from which every motion converges to it;
+/// where no such ball can be had, observed (`floquet_observed`) once it has come down to a ten-thousandth of
+/// its distance in the adapted norm, or to 1e-6 clearances.
 class OrbitProof {
  public:
   /// `options` and `workspace` must outlive the proof.
@@ -25,8 +29,8 @@ class OrbitProof {
   std::optional<ProvenMotion> look(const integrate::Turn& turn);
 
  private:
-  std::optional<StableOrbit> find(const integrate::Turn& turn);
-  std::optional<Measures> measure(const StableOrbit& orbit);
+  std::optional<ProvenMotion> prove(std::span<const double> section, int order);
+  std::optional<Measures> measure(const std::vector<double>& section, int order);
 
   scene::Scene scene_;
   integrate::SolverOptions solver_;

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "rubsweep/response/motion.hpp"
+#include "rubsweep/response/proof.hpp"
 
 namespace rubsweep::response {
 
@@ -12,6 +13,7 @@ struct ProvenMotion {
   std::optional<int> order;                             ///< in turns; empty when quasi-periodic
   Measures measures;                                    ///< of the orbit itself
   double floquet_modulus = 0;                           ///< largest multiplier over its period, < 1
+  Proof proof = Proof::floquet_observed;                ///< or floquet
 };
 
 }  // namespace rubsweep::response

@@ -31,6 +31,9 @@ class SceneMap {
   /// The same only where the turn has closed forms: `exact` says so, else `disturbances` stays.
   bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& exact);
 
+  /// The exact solver makes the turns, as far as they have closed forms.
+  bool exact() const { return exact_; }
+
   /// Some contact was touching at some time in the revolution made last.
   bool touched() const { return turn_.touched; }
 

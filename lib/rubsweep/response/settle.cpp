@@ -113,7 +113,7 @@ void conclude(const ProvenMotion& proven, SettledRun& run) {
   run.motion.motion_class = proven.motion_class;
   run.motion.order = proven.order;
   run.motion.measures = proven.measures;
-  run.proof = Proof::floquet;
+  run.proof = proven.proof;
   run.floquet_modulus = proven.floquet_modulus;
 }
 

@@ -1,28 +1,16 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "rubsweep/integrate/options.hpp"
 #include "rubsweep/integrate/turn.hpp"
 #include "rubsweep/response/classify.hpp"
 #include "rubsweep/response/options.hpp"
+#include "rubsweep/response/proof.hpp"
 #include "rubsweep/response/workspace.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::response {
-
-/// What the class of a motion rests on.
-enum class Proof {
-  rest,     ///< a bound on the free vibration: no contact can ever come again
-  floquet,  ///< the section, or the motion in the turning frame, returns to rounding, and every multiplier of
-            ///< the orbit (there but the trivial one) lies inside the unit circle
-  observed,  ///< what the end of the run shows: windows that agree, a comb that closes, an exponent
-};
-
-constexpr std::string_view to_string(Proof proof) {
-  return proof == Proof::rest ? "rest" : proof == Proof::floquet ? "floquet" : "observed";
-}
 
 /// A run from the kick to its verdict.
 struct SettledRun {

@@ -1,0 +1,48 @@
+#include "rubsweep/response/orbit_ball.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "rubsweep/integrate/exact_tube.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double largest_radius = 0.1, smallest_radius = 1e-9;
+/// Shares of what the linear map leaves to 1 that a turn's own deviation and the orbit's error may take.
+constexpr double deviation_share = 0.9, defect_share = 0.05;
+
+}  // namespace
+
+std::optional<double> ball_radius(const scene::Scene& scene, integrate::ExactPlans& plans,
+                                  const std::vector<double>& section, const AdaptedNorms& norms) {
+  std::vector<double> now = section;
+  std::vector<integrate::TurnTube> tubes;
+  const std::size_t turns = norms.norm.size();
+  for (std::size_t i = 0; i < turns; ++i) {
+    const MatrixXd& norm = norms.norm[i];
+    const MatrixXd unit = norm.triangularView<Eigen::Upper>().solve(
+        MatrixXd::Identity(norm.rows(), norm.cols()));
+    auto tube = integrate::turn_tube(scene, plans, now, unit, norms.norm[(i + 1) % turns]);
+    if (!tube) return std::nullopt;
+    tubes.push_back(std::move(*tube));
+  }
+  const auto as_vector = [](const std::vector<double>& x) {
+    return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+  };
+  const double defect = (norms.norm.front() * (as_vector(now) - as_vector(section))).norm();
+  const double room = 1 - norms.contraction;
+  for (double radius = largest_radius; radius >= smallest_radius; radius /= 2) {
+    if (!(defect <= defect_share * room * radius)) return std::nullopt;
+    const bool holds = std::ranges::all_of(tubes, [&](const integrate::TurnTube& tube) {
+      return tube.deviation(radius) <= deviation_share * room * radius;
+    });
+    if (holds) return radius;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rubsweep::response

@@ -1,0 +1,117 @@
+#include "audit/event_audit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "audit/fixed_step_turn.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/response/section_map.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::audit {
+namespace {
+
+using integrate::ModeSwitch;
+using integrate::Outcome;
+using integrate::Turn;
+
+constexpr int free_turns = 3;
+constexpr int reference_steps = 400'000;
+/// The reference must be nearer to one of two sections by this factor to call the other wrong.
+constexpr double clearly = 3;
+
+integrate::SolverOptions options(integrate::Method method) {
+  integrate::SolverOptions solver;
+  solver.method = method;
+  if (method == integrate::Method::adaptive) {
+    solver.stepper = integrate::Stepper::rkf78;
+    solver.relative_tolerance = 1e-13;
+  } else {
+    solver.relative_tolerance = 1e-12;  // of turns without closed forms
+  }
+  return solver;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+std::string text(const ModeSwitch& at) {
+  return fmt::format("stop {} {}>{} at {:.12f} turns", at.contact, contact::to_string(at.from),
+                     contact::to_string(at.to), at.phase_rad / 6.283185307179586);
+}
+
+/// Empty when both lists are the same but for the order of what happens at one instant.
+std::string first_unshared(std::vector<ModeSwitch> a, std::vector<ModeSwitch> b) {
+  constexpr double same_instant_rad = 1e-6;
+  for (const ModeSwitch& at : a) {
+    const auto twin = std::ranges::find_if(b, [&](const ModeSwitch& other) {
+      return other.contact == at.contact && other.from == at.from && other.to == at.to &&
+             std::abs(other.phase_rad - at.phase_rad) < same_instant_rad;
+    });
+    if (twin == b.end()) return text(at) + " by exact alone";
+    b.erase(twin);
+  }
+  return b.empty() ? "" : text(b.front()) + " by rkf78 alone";
+}
+
+}  // namespace
+
+EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
+  EventAudit audit;
+  const scene::Cell cell =
+      scene::build_cell(random.machine, random.speed_hz, scene::WhirlRatio{random.whirl_ratio});
+  if (cell.start != scene::Start::quiet) return audit;
+  const scene::Scene free = response::after_the_kick(cell.scene);
+  integrate::ExactPlans plans;
+  const integrate::Run exact = integrate::start(cell.scene, options(integrate::Method::exact), plans);
+  const integrate::Run other = integrate::start(free, options(integrate::Method::adaptive), plans);
+  const double kick_turns = random.machine.kick ? random.machine.kick->duration_s * random.speed_hz : 0;
+  Turn turn, again;
+  turn.switches_wanted = again.switches_wanted = true;
+  std::vector<double> before;
+  long adaptive_turns = 0;
+  for (int k = 0, quiet = 0; k < turns && quiet < free_turns; ++k) {
+    before = turn.section;
+    if (exact.advance(turn) != Outcome::ok) {
+      audit.exact_failed = true;
+      return audit;
+    }
+    if (k < kick_turns) continue;
+    quiet = turn.touched ? 0 : quiet + 1;
+    const bool closed_form = turn.effort.adaptive_turns == std::exchange(adaptive_turns, turn.effort.adaptive_turns);
+    other.restart(before);
+    if (other.advance(again) != Outcome::ok) {
+      audit.other_failed = true;
+      continue;
+    }
+    ++audit.turns;
+    audit.touched += turn.touched;
+    audit.exact_turns += closed_form;
+    const std::string unshared = first_unshared(turn.switches, again.switches);
+    const double apart = distance(turn.section, again.section);
+    if (apart <= tolerance) {
+      audit.grazes += !unshared.empty();
+      continue;
+    }
+    if (!closed_form && unshared.empty()) {
+      ++audit.parted;
+      continue;
+    }
+    const auto reference = fixed_step_turn(free, before, reference_steps);
+    const double exact_error = distance(turn.section, reference), other_error = distance(again.section, reference);
+    if (exact_error > clearly * other_error) {
+      audit.difference = EventDifference{k + 1, exact_error, other_error, unshared};
+      return audit;
+    }
+    ++audit.other_wrong;
+  }
+  return audit;
+}
+
+}  // namespace rubsweep::audit

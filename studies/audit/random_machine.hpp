@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <random>
+#include <string_view>
+
+#include "rubsweep/model/machine.hpp"
+
+namespace rubsweep::audit {
+
+/// What stands around the rotor of a random machine.
+enum class StopKind {
+  one_flat,       ///< one flat stop at any angle
+  flats,          ///< two to four, each with numbers of its own
+  equal_flats,    ///< two to four alike, or nearly: contacts begin and end at nearly equal instants
+  annular,        ///< centred around the rotor
+  offset_annular  ///< the rotor rests off its centre
+};
+inline constexpr std::array stop_kinds{StopKind::one_flat, StopKind::flats, StopKind::equal_flats,
+                                       StopKind::annular, StopKind::offset_annular};
+
+constexpr std::string_view to_string(StopKind kind) {
+  constexpr std::array<std::string_view, 5> names{"one_flat", "flats", "equal_flats", "annular",
+                                                  "offset_annular"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+/// One cell of a random map.
+struct RandomCell {
+  model::Machine machine;
+  double speed_hz = 0;
+  double whirl_ratio = 0;
+};
+
+/// Draws a machine, a speed between half and seven times its natural frequency, and an unbalance that does
+/// not touch without the kick: masses, stiffnesses, dampings and casings over several orders of magnitude,
+/// usual restitution and restitution near one, every kind of friction, a kick that can reach the wall.
+RandomCell random_cell(StopKind kind, std::mt19937_64& random);
+
+}  // namespace rubsweep::audit
