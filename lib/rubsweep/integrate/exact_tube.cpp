@@ -197,13 +197,16 @@ class TubeBuilder {
       crossing = e;
       step_s = latest;
     }
-    double safe_s = step_s;
-    for (std::size_t e = 0; e < guards; ++e) {
-      if (e == behind_ || e == crossing) continue;
-      safe_s = std::min(safe_s, safe_step(exits[e].value / 2, exits[e].rate, exits[e].curvature));
-    }
-    if (safe_s < step_s) crossing = none;
-    step_s = safe_s;
+    const auto safe = [&](std::size_t but) {
+      double safe_s = step_s;
+      for (std::size_t e = 0; e < guards; ++e) {
+        if (e == behind_ || e == but) continue;
+        safe_s = std::min(safe_s, safe_step(exits[e].value / 2, exits[e].rate, exits[e].curvature));
+      }
+      return safe_s;
+    };
+    if (crossing != none && safe(crossing) < step_s) crossing = none;
+    step_s = safe(crossing);
     if (step_s < shortest_step * tube_.period_s_ && step_s < tube_.period_s_ - time_s_) return false;
     std::vector<Seen> seen_by;
     for (std::size_t e = 0; e < guards; ++e) seen_by.push_back(seen(e));
