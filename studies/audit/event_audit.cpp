@@ -84,7 +84,8 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
     }
     if (k < kick_turns) continue;
     quiet = turn.touched ? 0 : quiet + 1;
-    const bool closed_form = turn.effort.adaptive_turns == std::exchange(adaptive_turns, turn.effort.adaptive_turns);
+    const bool closed_form =
+        turn.effort.adaptive_turns == std::exchange(adaptive_turns, turn.effort.adaptive_turns);
     other.restart(before);
     if (other.advance(again) != Outcome::ok) {
       audit.other_failed = true;
@@ -104,7 +105,8 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
       continue;
     }
     const auto reference = fixed_step_turn(free, before, reference_steps);
-    const double exact_error = distance(turn.section, reference), other_error = distance(again.section, reference);
+    const double exact_error = distance(turn.section, reference),
+                 other_error = distance(again.section, reference);
     if (exact_error > clearly * other_error) {
       audit.difference = EventDifference{k + 1, exact_error, other_error, unshared};
       return audit;

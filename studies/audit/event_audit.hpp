@@ -17,13 +17,13 @@ struct EventDifference {
 };
 
 struct EventAudit {
-  long turns = 0;    ///< compared
-  long touched = 0;  ///< of these with contact
+  long turns = 0;        ///< compared
+  long touched = 0;      ///< of these with contact
   long exact_turns = 0;  ///< of these made by closed forms alone
   /// The two saw different changes of mode and still agree: a graze below the other's tolerance.
   long grazes = 0;
-  /// Farther apart than the tolerance with the same changes of mode, in a turn that the exact solver handed to
-  /// dopri5: what that tolerance makes of a strongly diverging motion.
+  /// Farther apart than the tolerance with the same changes of mode, in a turn that the exact solver handed
+  /// to dopri5: what that tolerance makes of a strongly diverging motion.
   long parted = 0;
   bool exact_failed = false, other_failed = false;  ///< a solver did not finish a turn
   std::optional<EventDifference> difference;        ///< the exact solver is wrong

@@ -33,7 +33,8 @@ class Equations {
   }
 
  private:
-  static Eigen::Vector2d on_casing(const scene::Contact& contact, Eigen::Vector2d d, const Eigen::Vector2d& v) {
+  static Eigen::Vector2d on_casing(const scene::Contact& contact, Eigen::Vector2d d,
+                                   const Eigen::Vector2d& v) {
     Eigen::Vector2d normal = contact.normal;
     if (contact.ring) {
       d += contact.offset_m;

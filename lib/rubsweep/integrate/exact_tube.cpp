@@ -70,8 +70,7 @@ double TurnTube::deviation(double radius) const {
   if (!at) return std::numeric_limits<double>::infinity();
   double sum = 0;
   for (std::size_t k = 0; k < kicks_.size(); ++k)
-    sum += (*at)[k].kick *
-           (kicks_[k].at_end + rate_over_window * (*at)[k].window_s * kicks_[k].rate_at_end);
+    sum += (*at)[k].kick * (kicks_[k].at_end + rate_over_window * (*at)[k].window_s * kicks_[k].rate_at_end);
   return sum;
 }
 
@@ -118,7 +117,8 @@ class TubeBuilder {
   };
 
   bool start(const std::vector<double>& section) {
-    State physical = Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
+    State physical =
+        Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
     physical.tail(physical.size() / 2) *= speed_;
     motion_.set_phases(0, -1);
     if (!motion_.enter(0, physical)) return false;
@@ -169,9 +169,7 @@ class TubeBuilder {
       spread.kicks[i] = std::max(spread.kicks[i], other.kicks[i]);
   }
 
-  void keep_margin(double margin, Spread spread) {
-    tube_.margins_.push_back({margin, std::move(spread)});
-  }
+  void keep_margin(double margin, Spread spread) { tube_.margins_.push_back({margin, std::move(spread)}); }
 
   bool go_on() {
     const ModePlan<N>& mode = motion_.mode();
@@ -373,8 +371,8 @@ class TubeBuilder {
   double speed_, length_m_;
   bool slips_ = false;  ///< some friction is saturated only above a slip
   Spread slip_width_;
-  std::size_t base_ = 0;        ///< disturbances that are not kicks
-  std::size_t behind_ = none;   ///< the guard of the present mode that has just left zero
+  std::size_t base_ = 0;       ///< disturbances that are not kicks
+  std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
   double time_s_ = 0;
   TurnTube tube_;
 };

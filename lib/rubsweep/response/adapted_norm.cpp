@@ -45,8 +45,8 @@ std::optional<AdaptedNorms> adapted_norms(const std::vector<MatrixXd>& transitio
   norms.norm.resize(transitions.size());
   MatrixXd square = *first;
   for (std::size_t i = transitions.size(); i-- > 0;) {
-    square = identity + transitions[i].transpose() * square * transitions[i] /
-                            (norms.contraction * norms.contraction);
+    square = identity +
+             transitions[i].transpose() * square * transitions[i] / (norms.contraction * norms.contraction);
     const Eigen::LLT<MatrixXd> factor(square);
     if (factor.info() != Eigen::Success) return std::nullopt;
     norms.norm[i] = factor.matrixU();

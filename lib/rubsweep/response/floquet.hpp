@@ -18,7 +18,7 @@ struct StableOrbit {
   int order = 0;
   std::vector<Eigen::VectorXd> sections;     ///< scaled, where each of its turns starts
   std::vector<Eigen::MatrixXd> transitions;  ///< derivative of each section by the one before
-  double floquet_modulus = 0;  ///< largest modulus of the multipliers over `order` turns, < 1
+  double floquet_modulus = 0;                ///< largest modulus of the multipliers over `order` turns, < 1
 };
 
 /// All multipliers must lie inside this.

@@ -24,8 +24,8 @@ std::optional<double> ball_radius(const scene::Scene& scene, integrate::ExactPla
   const std::size_t turns = norms.norm.size();
   for (std::size_t i = 0; i < turns; ++i) {
     const MatrixXd& norm = norms.norm[i];
-    const MatrixXd unit = norm.triangularView<Eigen::Upper>().solve(
-        MatrixXd::Identity(norm.rows(), norm.cols()));
+    const MatrixXd unit =
+        norm.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(norm.rows(), norm.cols()));
     auto tube = integrate::turn_tube(scene, plans, now, unit, norms.norm[(i + 1) % turns]);
     if (!tube) return std::nullopt;
     tubes.push_back(std::move(*tube));

@@ -16,14 +16,15 @@ namespace {
 /// Tight enough for derivatives by differences.
 constexpr double tolerance_of_a_proof = 1e-11;
 
-/// Where no ball about the orbit is known, the transient is followed until this share of its distance is left.
+/// Where no ball about the orbit is known, the transient is followed until this share of its distance is
+/// left.
 constexpr double followed_down = 1e-4;
 
 /// Turns that following a transient may take: three times what the norms promise near the orbit, and some
 /// periods for where it is not yet near. Turns without closed forms cost a hundred times more.
 long patience(const StableOrbit& orbit, const AdaptedNorms& norms, double ratio, bool closed_forms) {
   constexpr double periods = 64, times = 3;
-  const double most = closed_forms ? 200'000 : 4'000;
+  const double most = closed_forms ? 200'000 : 1'000;
   const double promised = std::log(std::max(1.0, ratio)) / -std::log(norms.contraction);
   return static_cast<long>(std::min(most, periods * orbit.order + times * promised));
 }
@@ -33,6 +34,7 @@ long patience(const StableOrbit& orbit, const AdaptedNorms& norms, double ratio,
 OrbitProof::OrbitProof(const scene::Scene& scene, const integrate::SolverOptions& solver,
                        const ResponseOptions& options, Workspace& workspace)
     : scene_(after_the_kick(scene)),
+      run_solver_(solver),
       solver_(solver),
       options_(options),
       workspace_(workspace),
@@ -49,6 +51,12 @@ std::optional<ProvenMotion> OrbitProof::look(const integrate::Turn& turn) {
   return proven;
 }
 
+/// Turns at the run's own tolerance.
+TurnMap OrbitProof::as_it_runs() {
+  if (!run_map_) run_map_.emplace(scene_, run_solver_, workspace_.plans);
+  return [this](std::span<double> state, Eigen::MatrixXd*) { return (*run_map_)(state); };
+}
+
 std::optional<ProvenMotion> OrbitProof::prove(std::span<const double> section, int order) {
   if (!map_) map_.emplace(scene_, solver_, workspace_.plans);
   const TurnMap map = [this](std::span<double> state, Eigen::MatrixXd* disturbances) {
@@ -62,15 +70,13 @@ std::optional<ProvenMotion> OrbitProof::prove(std::span<const double> section, i
   const auto radius = map_->exact() ? ball_radius(scene_, workspace_.plans, start, *norms) : std::nullopt;
   const double distance = adapted_distance(section, *orbit, *norms);
   const Nearness wanted = radius ? Nearness{*radius, 0} : Nearness{followed_down * distance, on_the_orbit};
-  if (!comes_near(map, section, *orbit, *norms, wanted, patience(*orbit, *norms, distance / wanted.adapted, radius.has_value())))
+  const long most_turns = patience(*orbit, *norms, distance / wanted.adapted, radius.has_value());
+  if (!comes_near(radius ? map : as_it_runs(), section, *orbit, *norms, wanted, most_turns))
     return std::nullopt;
   const auto measures = measure(start, orbit->order);
   if (!measures) return std::nullopt;
-  return ProvenMotion{orbit->order == 1 ? MotionClass::synchronous : MotionClass::subharmonic,
-                      orbit->order,
-                      *measures,
-                      orbit->floquet_modulus,
-                      radius ? Proof::floquet : Proof::floquet_observed};
+  return ProvenMotion{orbit->order == 1 ? MotionClass::synchronous : MotionClass::subharmonic, orbit->order,
+                      *measures, orbit->floquet_modulus, radius ? Proof::floquet : Proof::floquet_observed};
 }
 
 /// Over exactly one period; empty when the orbit touches nothing.

@@ -1,0 +1,74 @@
+// proof_audit CELLS SEED [KIND ...]: settles CELLS random machines of every kind or of the kinds named,
+// follows every orbit that a proof names on without any proof, and prints what became of them. Writes a
+// minimised configuration for every proof that the run does not bear out. Exit code 1 when there is one.
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cstdio>
+#include <vector>
+
+#include "audit/proof_audit.hpp"
+#include "audit/written_cell.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+
+namespace {
+
+using namespace rubsweep;
+using response::Proof;
+
+struct Total {
+  long cells = 0, rest = 0, floquet = 0, floquet_observed = 0, observed = 0, followed_turns = 0,
+       undecided = 0, wrong_floquet = 0, wrong_observed = 0;
+
+  void add(const audit::ProofAudit& cell) {
+    cells += cell.simulated;
+    rest += cell.proof == Proof::rest;
+    floquet += cell.proof == Proof::floquet;
+    floquet_observed += cell.proof == Proof::floquet_observed;
+    observed += cell.proof == Proof::observed;
+    followed_turns += cell.turns;
+    undecided += cell.undecided;
+    const bool wrong = cell.followed && !cell.confirmed && !cell.undecided;
+    wrong_floquet += wrong && cell.proof == Proof::floquet;
+    wrong_observed += wrong && cell.proof == Proof::floquet_observed;
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto asked = audit::cells_and_seed(argc, argv);
+  if (!asked) {
+    fmt::print(stderr, "usage: proof_audit CELLS SEED [KIND ...]\n");
+    return 1;
+  }
+  const std::size_t count = asked->cells;
+  std::vector<audit::ProofAudit> results(count);
+  const std::atomic<bool> stop = false;
+  batch::parallel_run(
+      count, 0, [&](std::size_t i) { results[i] = audit::audit_proof(audit::cell_of(*asked, i)); },
+      [&](std::size_t i) {
+        const audit::ProofAudit& cell = results[i];
+        if (!cell.followed || cell.confirmed || cell.undecided) return;
+        const std::string name = fmt::format("false-proof-{}-{}.yaml", asked->seed, i);
+        fmt::print("{}: {} {} after {} turns\n", name, response::to_string(*cell.proof), cell.finding,
+                   cell.turns);
+        std::fflush(stdout);
+        audit::write_cell(audit::minimised(audit::cell_of(*asked, i)), name);
+      },
+      stop);
+  constexpr auto form = "{:15} {:>7} {:>7} {:>9} {:>17} {:>9} {:>15} {:>10} {:>14} {:>15}\n";
+  fmt::print(form, "stops", "cells", "rest", "floquet", "floquet_observed", "observed", "followed turns",
+             "undecided", "false floquet", "false observed");
+  long wrong = 0;
+  for (std::size_t kind = 0; kind < asked->kinds.size(); ++kind) {
+    Total total;
+    for (std::size_t i = kind; i < count; i += asked->kinds.size()) total.add(results[i]);
+    wrong += total.wrong_floquet + total.wrong_observed;
+    fmt::print(form, audit::to_string(asked->kinds[kind]), total.cells, total.rest, total.floquet,
+               total.floquet_observed, total.observed, total.followed_turns, total.undecided,
+               total.wrong_floquet, total.wrong_observed);
+  }
+  return wrong > 0;
+}
