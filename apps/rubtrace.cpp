@@ -44,10 +44,10 @@ fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfi
 }
 
 int cannot_start(scene::Start start) {
-  fmt::print(stderr, "rubtrace: {}; no trace, motion.csv only\n",
-             start == scene::Start::initial_contact
-                 ? "the quiet motion already touches a wall: nothing to kick"
-                 : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion");
+  say(fmt::format("rubtrace: {}; no trace, motion.csv only\n",
+                  start == scene::Start::initial_contact
+                      ? "the quiet motion already touches a wall: nothing to kick"
+                      : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion"));
   return some_cells_failed;
 }
 
@@ -87,8 +87,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
   if (cell.start != scene::Start::quiet) return cannot_start(cell.start);
   if (trace.outcome == integrate::Outcome::ok) return done;
-  fmt::print(stderr, "rubtrace: the run failed in revolution {}: {}; the files end there\n",
-             trace.revolutions + 1, integrate::to_string(trace.outcome));
+  say(fmt::format("rubtrace: the run failed in revolution {}: {}; the files end there\n",
+                  trace.revolutions + 1, integrate::to_string(trace.outcome)));
   return some_cells_failed;
 }
 
