@@ -45,7 +45,26 @@ if command -v gnuplot >/dev/null; then
   expect_compared 5 a/map.csv changed.csv --figure difference.svg
   expect_contains difference.svg 'another class (1)'
   expect_compared 3 a/map.csv a/map.csv --figure nowhere/difference.png
-  expect_contains stderr 'nowhere/difference.png: gnuplot could not draw it'
+  expect_contains stderr 'cannot write nowhere/difference.png: No such file or directory'
+  expect_compared 3 a/map.csv a/map.csv --quiet --figure nowhere/difference.png
+  expect_empty stdout
+  [[ $(<stderr) == 'rubsweep-compare: cannot write nowhere/difference.png: No such file or directory' ]] ||
+    fail 'more than a message'
+
+  # Names are data, whatever they hold, and what is drawn goes to that name.
+  evil=$'m\nsystem("touch pwned-by-map")\n\'`touch pwned-by-backticks`\'.csv'
+  cp a/map.csv "$evil"
+  for picture in '|touch pwned-by-figure;.png' '<touch pwned;.png' $'f\nsystem("touch pwned")\n.png' "q'\"\`touch pwned\`.png" '~root.png'; do
+    expect_compared 5 "$evil" changed.csv --quiet --figure "$picture"
+    expect_empty stdout
+    [[ $(head -c 4 "./$picture" | tail -c 3) == PNG ]] || fail "no picture: $picture"
+  done
+  expect_compared 5 "$evil" changed.csv --quiet --figure '|touch pwned-by-script;.gp'
+  gnuplot ./'|touch pwned-by-script;.gp'
+  [[ $(head -c 4 './|touch pwned-by-script;.png' | tail -c 3) == PNG ]] || fail 'no picture of the script'
+  expect_compared 3 a/map.csv changed.csv --quiet --figure $'f\nsystem("touch pwned")\n.gp'
+  expect_contains stderr 'its name has control characters'
+  [[ -z $(find . -name 'pwned*') ]] || fail "a name became a command: $(find . -name 'pwned*')"
 fi
 
 expect_compared 3 a/map.csv missing.csv
