@@ -9,11 +9,13 @@
 
 #include "exit_code.hpp"
 #include "experiment.hpp"
+#include "forecast.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/error.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/trace_csv.hpp"
@@ -51,9 +53,27 @@ int cannot_start(scene::Start start) {
   return some_cells_failed;
 }
 
+/// Refused before anything is begun, not killed in the middle.
+void refuse_more_memory_than_there_is(const report::TraceOptions& options, std::size_t stops) {
+  const double needed = report::trace_bytes(options, stops),
+               there = static_cast<double>(machine_memory_bytes());
+  if (needed <= there) return;
+  throw ConfigError(fmt::format(
+      "--revolutions: {} revolutions take about {:.3g} GB of memory, this machine has {:.3g} GB, allowed: "
+      "fewer --revolutions or --last-revolutions",
+      options.revolutions, needed / 1e9, there / 1e9));
+}
+
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
   config.study.grid = one_cell(arguments);
   const sweep::Study& study = config.study;
+  const report::TraceOptions options{
+      .speed_hz = arguments.speed_hz,
+      .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
+      .samples_per_revolution = study.response.samples_per_revolution,
+      .window_revolutions = study.response.window_revolutions,
+      .trajectory_revolutions = arguments.last_revolutions};
+  refuse_more_memory_than_there_is(options, study.machine.stops.size());
   const fs::path directory = directory_of(arguments, config);
   make_directory(directory);
 
@@ -68,12 +88,6 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const scene::Cell cell = scene::build_cell(plan, arguments.speed_hz, arguments.unbalance);
   report::Trace trace;
   if (cell.start == scene::Start::quiet) {
-    const report::TraceOptions options{
-        .speed_hz = arguments.speed_hz,
-        .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
-        .samples_per_revolution = study.response.samples_per_revolution,
-        .window_revolutions = study.response.window_revolutions,
-        .trajectory_revolutions = arguments.last_revolutions};
     trace = report::trace_run(integrate::start(cell.scene, study.solver, workspace.plans).advance, cell.scene,
                               study.solver, options);
     const report::TraceWindow window = report::last_window(trace, options, row.order, workspace.spectrum);
