@@ -17,7 +17,6 @@
 #include "command_line.hpp"
 #include "exit_code.hpp"
 #include "program.hpp"
-#include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/compare_maps.hpp"
@@ -120,10 +119,9 @@ int compare(const po::variables_map& given) {
       throw UsageError("--figure: allowed: a name that ends with .png, .svg or .gp");
     }
   }
-  const batch::CsvTable a = batch::read_csv(maps[0]), b = batch::read_csv(maps[1]);
-  std::optional<batch::CsvTable> sensitive;
-  if (given.count("sensitive")) sensitive = batch::read_csv(given["sensitive"].as<std::string>());
-  const auto comparison = report::compare_maps(a, b, tolerance, sensitive ? &*sensitive : nullptr);
+  std::optional<fs::path> sensitive;
+  if (given.count("sensitive")) sensitive = given["sensitive"].as<std::string>();
+  const auto comparison = report::compare_maps(maps[0], maps[1], tolerance, sensitive);
   if (!given.count("quiet")) fmt::print("{}", report::describe(comparison, tolerance));
   if (figure) write_figure(comparison, fmt::format("{} -> {}", maps[0], maps[1]), *figure);
   return comparison.equal() ? done : maps_differ;
