@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <system_error>
 #include <utility>
 
 namespace rubsweep::apps {
@@ -36,21 +37,27 @@ const std::atomic<bool>& catch_interrupts() {
 
 int caught_signal() { return signal_number; }
 
-Watch::Watch(std::function<void()> tick, std::function<void()> leave)
-    : thread_([tick = std::move(tick), leave = std::move(leave)](const std::stop_token& ended) {
-        std::mutex mutex;
-        std::condition_variable_any wake;
-        std::unique_lock lock(mutex);
-        std::optional<std::chrono::steady_clock::time_point> stopped;
-        while (!wake.wait_for(lock, ended, interval, [&] { return ended.stop_requested(); })) {
-          const auto now = std::chrono::steady_clock::now();
-          if (stop && !stopped) stopped = now;
-          if (stopped && now - *stopped >= grace) {
-            leave();
-          } else {
-            tick();
-          }
-        }
-      }) {}
+Watch::Watch(std::function<void()> tick, std::function<void()> leave) {
+  const auto watch = [tick = std::move(tick), leave = std::move(leave)](const std::stop_token& ended) {
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::unique_lock lock(mutex);
+    std::optional<std::chrono::steady_clock::time_point> stopped;
+    while (!wake.wait_for(lock, ended, interval, [&] { return ended.stop_requested(); })) {
+      const auto now = std::chrono::steady_clock::now();
+      if (stop && !stopped) stopped = now;
+      if (stopped && now - *stopped >= grace) {
+        leave();
+      } else {
+        tick();
+      }
+    }
+  };
+  try {
+    thread_ = std::jthread(watch);
+  } catch (const std::system_error&) {
+    // A sweep without it is better than none.
+  }
+}
 
 }  // namespace rubsweep::apps

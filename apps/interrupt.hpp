@@ -18,7 +18,8 @@ int caught_signal();
 constexpr std::chrono::milliseconds grace{500};
 
 /// While it lives, calls `tick` about ten times a second, and `leave` instead once the grace after a signal
-/// is over. Both are called on a thread of its own.
+/// is over. Both are called on a thread of its own; where the system allows none they are not, and a signal
+/// waits for the running cells.
 class Watch {
  public:
   Watch(std::function<void()> tick, std::function<void()> leave);

@@ -111,7 +111,7 @@ int report_map(const RubsweepArguments& arguments, const report::MapSummary& sum
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   sweep::refuse_more_memory_than(machine_memory_bytes(), config.study,
                                  {batch::thread_count(arguments.threads)});
-  batch::require_threads(arguments.threads);
+  batch::require_threads(arguments.threads, 1);
   MapDirectory directory(arguments.output.value_or(config.output_directory), config, arguments.shard,
                          arguments.fresh, own_name(arguments));
   if (directory.finished_map()) {

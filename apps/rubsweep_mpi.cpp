@@ -292,7 +292,7 @@ int run(int argc, char** argv) {
   const std::string text = mpi::broadcast_text(job ? config::print_config(job->config) : "");
   if (code != done || text.empty()) return code;
   code = run_program(program_name, [&] {
-    batch::require_threads(threads);
+    batch::require_threads(threads, 1);
     if (job) return lead(*job, ranks);
     return static_cast<int>(work(config::read_run_config_text(text, "the first rank", {}), rank, threads));
   });

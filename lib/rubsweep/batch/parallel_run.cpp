@@ -66,9 +66,11 @@ int thread_count(int threads) {
   return threads == 0 ? tbb::info::default_concurrency() : threads;
 }
 
-void require_threads(int threads) {
+void require_threads(int threads, int beside) {
+  const int count = thread_count(threads);
+  if (count == 1) return;
   // The calling thread is one of them.
-  const auto wanted = static_cast<std::size_t>(thread_count(threads)) - 1;
+  const auto wanted = static_cast<std::size_t>(count - 1 + beside);
   std::promise<void> all_started;
   const std::shared_future<void> end = all_started.get_future().share();
   std::vector<std::jthread> started;
@@ -81,7 +83,7 @@ void require_threads(int threads) {
   all_started.set_value();
   if (reason.empty()) return;
   throw ConfigError(fmt::format("threads: {} cannot be started, the system stops at {} ({}), allowed: fewer",
-                                wanted + 1, started.size() + 1, reason));
+                                count, started.size() + 1, reason));
 }
 
 std::size_t parallel_run(std::size_t count, int threads,
