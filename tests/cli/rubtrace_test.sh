@@ -41,6 +41,13 @@ for span in '' '--last-revolutions 1'; do
   expect_matches stderr '^--revolutions: 1000000000000 revolutions take about [0-9.e+]+ GB of memory, this machine has [0-9.]+ GB, allowed: fewer'
 done
 expect_missing results
+# Memory that the machine has, but this process may not take.
+(
+  ulimit -v 150000
+  expect_exit 70 "$minimal" "${rub[@]}" --revolutions 20000
+)
+[[ $(<stderr) == 'rubtrace: out of memory' ]] || fail 'another message'
+rm -rf results
 
 # A rub that persists, over all the revolutions of the configuration.
 expect_exit 0 "$minimal" "${rub[@]}"
