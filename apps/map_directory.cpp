@@ -145,27 +145,25 @@ void MapDirectory::remove_leftovers() const {
 }
 
 void MapDirectory::forget() const {
-  for (const fs::path& journal : journals()) {
-    if (part_ && journal != path(".journal")) {
-      forget_other_part(journal);
-    } else {
-      fs::remove(journal);
-    }
-  }
+  std::vector<fs::path> forgotten = journals();
+  if (part_)
+    std::erase_if(forgotten, [&](const fs::path& journal) { return belongs_to_other_part(journal); });
+  for (const fs::path& journal : forgotten) fs::remove(journal);
   fs::remove(map());
 }
 
 /// The journal of another part stays where it belongs to this study: only that part itself forgets it. Throws
 /// LockedError where it belongs to another one, and its process is at work.
-void MapDirectory::forget_other_part(const fs::path& journal) const {
+bool MapDirectory::belongs_to_other_part(const fs::path& journal) const {
+  if (journal == path(".journal")) return false;
   try {
-    if (batch::same_results(batch::read_journal_header(journal), header_)) return;
+    if (batch::same_results(batch::read_journal_header(journal), header_)) return true;
   } catch (const batch::DamagedJournal&) {
   }
   const fs::path other_lock = fs::path(journal).replace_extension(".lock");
   const auto holder = other_lock == directory_ / "map.lock" ? std::nullopt : batch::lock_holder(other_lock);
   if (holder) throw LockedError(fmt::format("{} is held by {}", other_lock.string(), *holder));
-  fs::remove(journal);
+  return false;
 }
 
 void MapDirectory::refuse_journals_of_others() const {

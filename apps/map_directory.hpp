@@ -67,7 +67,7 @@ class MapDirectory {
   void refuse_what_is_no_file() const;
   void remove_leftovers() const;
   void forget() const;
-  void forget_other_part(const std::filesystem::path& journal) const;
+  bool belongs_to_other_part(const std::filesystem::path& journal) const;
   void refuse_journals_of_others() const;
   void read_journals();
   void write_partial(const batch::FinishedCells& finished) const;
