@@ -4,8 +4,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
 #include <utility>
 
 #include "program.hpp"
@@ -41,16 +39,6 @@ std::string comments_and_header(const std::string& digest) {
   return report::map_comments(RUBSWEEP_VERSION, digest) + report::map_header() + '\n';
 }
 
-/// What follows `# digest ` in a map, "" when there is nothing of the kind.
-std::string digest_of_map(const fs::path& map) {
-  std::ifstream stream(map);
-  const std::string mark = "# digest ";
-  for (std::string line; std::getline(stream, line) && line.starts_with('#');) {
-    if (line.starts_with(mark)) return line.substr(mark.size());
-  }
-  return "";
-}
-
 std::string describe_difference(const batch::JournalHeader& there, const batch::JournalHeader& here) {
   if (there.study_digest == here.study_digest) {
     return fmt::format("of another build of the program (digest {}, this one has {})", there.program_digest,
@@ -58,6 +46,7 @@ std::string describe_difference(const batch::JournalHeader& there, const batch::
   }
   std::string text = fmt::format("of another configuration (digest {}, this one has {}):", there.study_digest,
                                  here.study_digest);
+  if (there.damaged_lines > 0) return text + "\n  which keys differ is not known: its header is damaged";
   for (const std::string& line : config::differing_keys(there.study, here.study)) text += "\n  " + line;
   return text;
 }
@@ -87,13 +76,27 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
     : directory_(std::move(directory)), name_(name_of(part)), part_(part), header_(header_of(config)) {
   allow_as_many_files_as_there_may_be();
   make_directory(directory_);
+  // One begins at a time: what one of them reads here, no other removes meanwhile.
+  const batch::FileLock beginning(directory_ / "map.begin.lock", batch::LockMode::exclusive, program,
+                                  batch::Patience::wait);
   lock(program);
+  refuse_what_is_no_file();
   remove_leftovers();
   if (fresh) forget();
   refuse_journals_of_others();
+  if (fs::exists(map())) {
+    finished_map_ = read_finished_map(map());
+    refuse_map_of_another(*finished_map_, map(), header_);
+    // Whoever wrote it may have been killed before they were gone.
+    if (!part_) remove_journals();
+  }
   batch::write_whole_file(directory_ / "config.yaml", config::print_config(config));
-  remove_map_of_another_study();
-  read_journals();
+  if (!finished_map_) read_journals();
+}
+
+void MapDirectory::leave() {
+  own_lock_.reset();
+  directory_lock_.reset();
 }
 
 fs::path MapDirectory::path(std::string_view ending) const {
@@ -114,10 +117,21 @@ void MapDirectory::lock(const std::string& program) {
     directory_lock_.emplace(whole, batch::LockMode::exclusive, program);
   } catch (const LockedError&) {
     for (const fs::path& other : files(directory_, ".lock")) {
-      const auto holder = other == whole ? std::nullopt : batch::lock_holder(other);
+      if (other == whole || other.filename() == "map.begin.lock") continue;
+      const auto holder = batch::lock_holder(other);
       if (holder) throw LockedError(fmt::format("{} is held by {}", other.string(), *holder));
     }
     throw;
+  }
+}
+
+/// Nothing is begun that could not be ended, and nobody waits for the other end of a pipe.
+void MapDirectory::refuse_what_is_no_file() const {
+  std::vector<fs::path> ours = journals();
+  ours.insert(ours.end(), {directory_ / "config.yaml", map(), partial()});
+  for (const fs::path& file : ours) {
+    if (fs::exists(file) && !fs::is_regular_file(file))
+      throw IoError(fmt::format("{}: is not a regular file", file.string()));
   }
 }
 
@@ -131,17 +145,45 @@ void MapDirectory::remove_leftovers() const {
 }
 
 void MapDirectory::forget() const {
-  if (part_) {
-    fs::remove(path(".journal"));
-  } else {
-    for (const fs::path& journal : journals()) fs::remove(journal);
+  std::vector<fs::path> forgotten = journals();
+  if (part_)
+    std::erase_if(forgotten, [&](const fs::path& journal) { return belongs_to_other_part(journal); });
+  for (const fs::path& journal : forgotten) fs::remove(journal);
+  fs::remove(map());
+}
+
+/// The journal of another part stays where it belongs to this study: only that part itself forgets it. Throws
+/// LockedError where it belongs to another one, and its process is at work.
+bool MapDirectory::belongs_to_other_part(const fs::path& journal) const {
+  if (journal == path(".journal")) return false;
+  try {
+    if (batch::same_results(batch::read_journal_header(journal), header_)) return true;
+  } catch (const batch::DamagedJournal&) {
   }
+  const fs::path other_lock = fs::path(journal).replace_extension(".lock");
+  const auto holder = other_lock == directory_ / "map.lock" ? std::nullopt : batch::lock_holder(other_lock);
+  if (holder) throw LockedError(fmt::format("{} is held by {}", other_lock.string(), *holder));
+  return false;
 }
 
 void MapDirectory::refuse_journals_of_others() const {
   for (const fs::path& journal : journals()) {
-    const batch::JournalHeader there = batch::read_journal_header(journal);
-    if (batch::same_results(there, header_)) continue;
+    batch::JournalHeader there;
+    try {
+      there = batch::read_journal_header(journal);
+    } catch (const batch::DamagedJournal& damage) {
+      throw batch::DamagedJournal(fmt::format(
+          "{}\nIt is left as it is, for what its records belong to cannot be told; allowed: another "
+          "--output, moving it away, or --fresh to forget it",
+          damage.what()));
+    }
+    if (batch::same_results(there, header_)) {
+      if (there.damaged_lines > 0) {
+        say(fmt::format("{}: {} damaged lines before its records, which are used all the same\n",
+                        journal.string(), there.damaged_lines));
+      }
+      continue;
+    }
     throw ConfigError(
         fmt::format("{}: holds finished cells {}\nallowed: the same again, another --output, or --fresh "
                     "to forget them",
@@ -159,8 +201,7 @@ void MapDirectory::read_journals() {
       continue;
     }
     if (const std::size_t damaged = finished.add(journal)) {
-      fmt::print(stderr, "{}: {} damaged records; their cells are computed again\n", journal.string(),
-                 damaged);
+      say(fmt::format("{}: {} damaged records; their cells are computed again\n", journal.string(), damaged));
     }
   }
   const Share share = part_.value_or(Share{});
@@ -179,9 +220,10 @@ void MapDirectory::write_partial(const batch::FinishedCells& finished) const {
   file.commit();
 }
 
-/// An older map must not stand beside a configuration that it did not come from.
-void MapDirectory::remove_map_of_another_study() const {
-  if (fs::is_regular_file(map()) && digest_of_map(map()) != header_.study_digest) fs::remove(map());
+/// With what was there to look at, when everything is in map.csv.
+void MapDirectory::remove_journals() const {
+  for (const fs::path& other : files(directory_, ".partial.csv")) fs::remove(other);
+  for (const fs::path& journal : journals()) fs::remove(journal);
 }
 
 report::MapSummary MapDirectory::write_map() const {
@@ -200,8 +242,7 @@ report::MapSummary MapDirectory::write_map() const {
     file.write(line + '\n');
   }
   file.commit();
-  for (const fs::path& other : files(directory_, ".partial.csv")) fs::remove(other);
-  for (const fs::path& journal : journals()) fs::remove(journal);
+  remove_journals();
   return summary;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "finished_map.hpp"
 #include "rubsweep/batch/file_lock.hpp"
 #include "rubsweep/batch/finished_cells.hpp"
 #include "rubsweep/batch/journal.hpp"
@@ -26,19 +27,24 @@ struct Share {
 /// - map.csv, the result, only ever whole, and config.yaml, the complete configuration;
 /// - `NAME.journal`: finished cells as one process wrote them, until they are in map.csv;
 /// - `NAME.partial.csv`: the same cells to look at;
-/// - `NAME.lock`: says who is at work.
+/// - `NAME.lock`: says who is at work; `map.begin.lock`: who is about to begin.
 /// NAME is `map`, or `map.shard-I-of-N` for a part, or `map.rank-R`.
 class MapDirectory {
  public:
-  /// Begins work on a share, or goes on with it; `fresh`: after forgetting what was finished. `program` is
-  /// who the lock names. Throws LockedError when another process is at work there, ConfigError when what is
-  /// finished there belongs to another configuration or program, IoError.
+  /// Begins work on a share, or goes on with it; `fresh`: after forgetting what was finished, a finished map
+  /// and what belongs to other configurations included. `program` is who the lock names. Throws LockedError
+  /// when another process is at work there, ConfigError when what is finished there belongs to another
+  /// configuration or program, IoError; then everything there is as it was.
   MapDirectory(std::filesystem::path directory, const config::RunConfig& config, std::optional<Share> part,
                bool fresh, const std::string& program);
 
   std::size_t cells() const { return cells_; }                       ///< of the share
   std::size_t finished() const { return cells_ - missing_.size(); }  ///< of them, when the work began
   const std::vector<std::size_t>& missing() const { return missing_; }
+
+  /// The whole map of this study, where an earlier run left it: then there is nothing to do, and no cell is
+  /// missing.
+  const std::optional<FinishedMap>& finished_map() const { return finished_map_; }
 
   /// Opens the journal of this process to add finished cells. Throws IoError.
   batch::Journal journal() const { return {path(".journal"), header_}; }
@@ -51,16 +57,21 @@ class MapDirectory {
 
   std::filesystem::path map() const { return directory_ / "map.csv"; }
 
+  /// Frees the directory for others, for a process that ends at once.
+  void leave();
+
  private:
   std::filesystem::path path(std::string_view ending) const;
   std::vector<std::filesystem::path> journals() const;
   void lock(const std::string& program);
+  void refuse_what_is_no_file() const;
   void remove_leftovers() const;
   void forget() const;
+  bool belongs_to_other_part(const std::filesystem::path& journal) const;
   void refuse_journals_of_others() const;
   void read_journals();
   void write_partial(const batch::FinishedCells& finished) const;
-  void remove_map_of_another_study() const;
+  void remove_journals() const;
 
   std::filesystem::path directory_;
   std::string name_;
@@ -69,6 +80,7 @@ class MapDirectory {
   std::optional<batch::FileLock> own_lock_, directory_lock_;
   std::size_t cells_ = 0;
   std::vector<std::size_t> missing_;
+  std::optional<FinishedMap> finished_map_;
 };
 
 /// Opens the journal of another process that helps the one whose MapDirectory this is. Throws IoError.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -80,7 +81,7 @@ std::string broadcast_text(std::string text) {
 }
 
 void send_report(const Report& report) {
-  const std::string text = (report.stopped ? "stopped\n" : "next\n") + report.lines;
+  const std::string text = std::to_string(report.signal) + "\n" + report.lines;
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, report_tag, MPI_COMM_WORLD);
 }
 
@@ -92,7 +93,7 @@ std::optional<Report> receive_report(std::chrono::milliseconds patience) {
     if (!status) return std::nullopt;
   }
   const auto text = receive<std::string>(*status, MPI_CHAR);
-  return Report{status->MPI_SOURCE, text.starts_with("stopped"), text.substr(text.find('\n') + 1)};
+  return Report{status->MPI_SOURCE, std::stoi(text), text.substr(text.find('\n') + 1)};
 }
 
 void send_chunk(int rank, const batch::Chunk& chunk) {

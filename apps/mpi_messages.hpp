@@ -34,10 +34,10 @@ int broadcast_number(int number);
 std::string broadcast_text(std::string text);
 
 /// A worker's word to the first rank: the finished lines of its last chunk, and a request for the next one
-/// unless it stopped.
+/// unless a signal ended its work.
 struct Report {
   int rank = 0;
-  bool stopped = false;
+  int signal = 0;     ///< 0: none did
   std::string lines;  ///< each with its end
 };
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace rubsweep::apps {
@@ -15,6 +16,14 @@ class UsageError : public std::runtime_error {
 /// Runs a program's `body` and returns its exit code. An exception becomes a message on stderr and the exit
 /// code of its cause.
 int run_program(std::string_view name, const std::function<int()>& body);
+
+/// Prints on stderr. A message that cannot be delivered changes nothing else.
+void say(const std::string& text);
+
+/// Puts /dev/null where standard input, output or error were closed, so that no data file gets their numbers
+/// and with them what is printed. Such an output still says that it cannot be written. The first thing a
+/// program does; run_program does it as well.
+void open_standard_descriptors();
 
 /// Creates a directory and those above it where they are missing. Throws IoError.
 void make_directory(const std::filesystem::path& directory);

@@ -50,7 +50,7 @@ bool chart(const RingstabArguments& arguments, const ring::Study& study, const s
       stop);
   progress.finish();
   if (caught_signal() != 0) {
-    fmt::print(stderr, "ringstab: interrupted; finished lines are in {}\n", partial.string());
+    say(fmt::format("ringstab: interrupted; finished lines are in {}\n", partial.string()));
     return false;
   }
   files["chart.csv"] = comments + report::chart_csv(study, lines);

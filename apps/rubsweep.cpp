@@ -2,8 +2,12 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exit_code.hpp"
@@ -36,55 +40,91 @@ std::string own_name(const RubsweepArguments& arguments) {
 
 /// Runs the cells that are missing; false when it was interrupted before they were finished.
 bool run_missing_cells(const RubsweepArguments& arguments, const config::RunConfig& config,
-                       const MapDirectory& directory) {
+                       MapDirectory& directory) {
   batch::Journal journal = directory.journal();
   batch::LineLog partial(directory.partial());
   const std::atomic<bool>& stop = catch_interrupts();
   const batch::ProgressMode mode = arguments.quiet ? batch::ProgressMode::never : arguments.progress;
   batch::Progress progress(directory.cells(), mode, stderr, directory.finished());
+  std::mutex mutex;  // guards journal, partial, progress and finished
+  std::size_t finished = 0;
+  const auto complain = [&] {
+    progress.finish();
+    say(fmt::format(
+        "rubsweep: interrupted; {} of {} cells are finished, the same command computes the others\n",
+        directory.finished() + finished, directory.cells()));
+  };
+  const auto tick = [&] {
+    const std::lock_guard lock(mutex);
+    progress.refresh();
+  };
+  const auto say_progress = [&](const std::string& text) {
+    const std::lock_guard lock(mutex);
+    return progress.say(text);
+  };
+  // Cells that still run are given up: nothing of them is in the journal, and nothing can get there any more.
+  const auto leave = [&] {
+    const std::lock_guard lock(mutex);
+    if (finished == directory.missing().size()) return;
+    complain();
+    directory.leave();
+    std::_Exit(128 + caught_signal());
+  };
   const auto run_cells = [&](std::span<const std::size_t> cells) {
     return sweep::run_cells(
         config.study, cells, arguments.threads,
         [&](std::size_t cell, const sweep::Row& row) {
           const std::string line = report::map_line(row);
+          const std::lock_guard lock(mutex);
           journal.append(cell, line);
           partial.append(line);
           progress.advance();
+          ++finished;
         },
         stop);
   };
   const int threads = batch::thread_count(arguments.threads);
   std::vector<std::size_t> cells = directory.missing();
-  std::size_t finished = 0;
+  std::optional<Watch> watch(std::in_place, tick, leave);
   // A few cells from all over the map tell how long it will take, where somebody is there to read it.
-  if (progress.say(sweep::describe(config.study, {threads})) && cells.size() >= least_cells_to_forecast) {
+  if (say_progress(sweep::describe(config.study, {threads})) && cells.size() >= least_cells_to_forecast) {
     const auto pilots = sweep::take_pilot_cells(cells, pilots_per_thread * static_cast<std::size_t>(threads));
     const auto start = std::chrono::steady_clock::now();
-    finished = run_cells(pilots);
+    run_cells(pilots);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    progress.say(forecast(pilots.size(), elapsed.count(), cells.size()));
+    say_progress(forecast(pilots.size(), elapsed.count(), cells.size()));
   }
-  finished += run_cells(cells);
+  run_cells(cells);
+  watch.reset();
   if (finished == directory.missing().size()) return true;
-  progress.finish();
-  fmt::print(stderr,
-             "rubsweep: interrupted; {} of {} cells are finished, the same command computes the others\n",
-             directory.finished() + finished, directory.cells());
+  complain();
   return false;
+}
+
+/// What is said of a whole map and its exit code, whoever computed it.
+int report_map(const RubsweepArguments& arguments, const report::MapSummary& summary,
+               const MapDirectory& directory) {
+  if (!arguments.quiet) fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+  return summary.has_failed_cells() ? some_cells_failed : done;
 }
 
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   sweep::refuse_more_memory_than(machine_memory_bytes(), config.study,
                                  {batch::thread_count(arguments.threads)});
-  const MapDirectory directory(arguments.output.value_or(config.output_directory), config, arguments.shard,
-                               arguments.fresh, own_name(arguments));
+  batch::require_threads(arguments.threads, 1);
+  MapDirectory directory(arguments.output.value_or(config.output_directory), config, arguments.shard,
+                         arguments.fresh, own_name(arguments));
+  if (directory.finished_map()) {
+    if (!arguments.quiet) say(map_is_there("rubsweep"));
+    return report_map(arguments, directory.finished_map()->summary, directory);
+  }
   if (arguments.merge && !directory.missing().empty()) {
     throw IoError(fmt::format("nothing to merge yet: {} of {} cells are not finished",
                               directory.missing().size(), directory.cells()));
   }
   if (!arguments.quiet && !arguments.merge && directory.finished() > 0) {
-    fmt::print(stderr, "rubsweep: {} of {} cells were finished before\n", directory.finished(),
-               directory.cells());
+    say(fmt::format("rubsweep: {} of {} cells were finished before\n", directory.finished(),
+                    directory.cells()));
   }
   if (!directory.missing().empty() && !run_missing_cells(arguments, config, directory))
     return 128 + caught_signal();
@@ -93,9 +133,7 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
       fmt::print("{} cells finished; when every shard is: rubsweep --merge\n", directory.cells());
     return done;
   }
-  const report::MapSummary summary = directory.write_map();
-  if (!arguments.quiet) fmt::print("{}map: {}\n", summary.text(), directory.map().string());
-  return summary.has_failed_cells() ? some_cells_failed : done;
+  return report_map(arguments, directory.write_map(), directory);
 }
 
 int perform(const RubsweepArguments& arguments) {

@@ -18,7 +18,8 @@ po::options_description visible_options() {
   add_output(options, "write there instead of output.directory");
   add_threads(options, "threads; 0: one per processor");
   add_set(options);
-  options.add_options()("fresh", "forget what an interrupted run finished and start over")(
+  options.add_options()("fresh",
+                        "forget what earlier runs finished, a finished map included, and start over")(
       "shard", po::value<std::string>()->value_name("I/N"),
       "compute the I-th of N parts of the map alone; others may run at the same time, on any machine")(
       "merge", "run nothing, put the finished shards of a map together");
@@ -78,10 +79,16 @@ std::string rubsweep_help() {
       "configuration);\n"
       "finished cells can be watched in DIR/map.partial.csv while the sweep runs. However a run ends before "
       "the map\n"
-      "is whole, DIR/map.journal keeps every finished cell and the same command computes the others.\n\n"
-      "Exit codes: 0 done; 1 usage; 2 bad configuration, or DIR holds cells of another one; 3 input/output; "
-      "4 done,\n"
-      "but some cells failed; 6 another process is at work in DIR; 128+signal when interrupted.\n",
+      "is whole, DIR/map.journal keeps every finished cell and the same command computes the others. A "
+      "finished map\n"
+      "stays: one of another configuration is refused, one of the same is all there is to do, unless --fresh "
+      "is given.\n\n"
+      "Exit codes: 0 done; 1 usage; 2 bad configuration, or DIR holds cells or a map of another one; 3 "
+      "input/output;\n"
+      "4 done, but some cells failed; 6 another process is at work in DIR; 70 out of memory or a fault of "
+      "the "
+      "program;\n"
+      "128+signal when interrupted.\n",
       text_of(visible_options()));
 }
 

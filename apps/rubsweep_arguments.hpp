@@ -12,7 +12,7 @@ namespace rubsweep::apps {
 struct RubsweepArguments : StudyArguments {
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;
-  bool fresh = false;               ///< forget what an interrupted run finished
+  bool fresh = false;               ///< forget what earlier runs finished
   bool merge = false;               ///< only put together what shards finished
   std::optional<Share> shard = {};  ///< compute this part alone
 };

@@ -1,8 +1,15 @@
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,7 +17,6 @@
 #include "command_line.hpp"
 #include "exit_code.hpp"
 #include "program.hpp"
-#include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/compare_maps.hpp"
@@ -59,12 +65,33 @@ po::variables_map parse(int argc, char** argv) {
   return read_command_line(argc, argv, all, positional);
 }
 
-/// Gnuplot reads the script from a pipe and leaves the picture where it says.
+/// Gnuplot, between a script and a picture that are open already; true when it could.
+bool run_gnuplot(int script, int picture) {
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, script, STDIN_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, picture, STDOUT_FILENO);
+  std::string name = "gnuplot";
+  const std::array<char*, 2> arguments{name.data(), nullptr};
+  pid_t process = 0;
+  const int error = ::posix_spawnp(&process, name.c_str(), &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) throw IoError(fmt::format("gnuplot cannot be started: {}", std::strerror(error)));
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// The picture appears whole or not at all, and gnuplot never gets to see its name.
 void draw(const std::string& script, const fs::path& picture) {
-  std::FILE* gnuplot = ::popen("gnuplot", "w");
-  if (!gnuplot) throw IoError("gnuplot cannot be started");
-  std::fputs(script.c_str(), gnuplot);
-  if (::pclose(gnuplot) != 0) throw IoError(fmt::format("{}: gnuplot could not draw it", picture.string()));
+  batch::WholeFile file(picture);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> input(std::tmpfile(), &std::fclose);
+  if (!input || std::fputs(script.c_str(), input.get()) < 0 || std::fflush(input.get()) != 0)
+    throw IoError(fmt::format("a temporary file: {}", std::strerror(errno)));
+  std::rewind(input.get());
+  if (!run_gnuplot(::fileno(input.get()), file.descriptor()))
+    throw IoError(fmt::format("{}: gnuplot could not draw it", picture.string()));
+  file.commit();
 }
 
 void write_figure(const report::MapComparison& comparison, const std::string& heading, const fs::path& file) {
@@ -73,9 +100,8 @@ void write_figure(const report::MapComparison& comparison, const std::string& he
     picture.replace_extension(".png");
     batch::write_whole_file(file, report::comparison_figure(comparison, heading, "pngcairo", picture));
   } else {
-    draw(
-        report::comparison_figure(comparison, heading, file.extension() == ".svg" ? "svg" : "pngcairo", file),
-        file);
+    const char* terminal = file.extension() == ".svg" ? "svg" : "pngcairo";
+    draw(report::comparison_figure(comparison, heading, terminal, ""), file);
   }
 }
 
@@ -93,10 +119,9 @@ int compare(const po::variables_map& given) {
       throw UsageError("--figure: allowed: a name that ends with .png, .svg or .gp");
     }
   }
-  const batch::CsvTable a = batch::read_csv(maps[0]), b = batch::read_csv(maps[1]);
-  std::optional<batch::CsvTable> sensitive;
-  if (given.count("sensitive")) sensitive = batch::read_csv(given["sensitive"].as<std::string>());
-  const auto comparison = report::compare_maps(a, b, tolerance, sensitive ? &*sensitive : nullptr);
+  std::optional<fs::path> sensitive;
+  if (given.count("sensitive")) sensitive = given["sensitive"].as<std::string>();
+  const auto comparison = report::compare_maps(maps[0], maps[1], tolerance, sensitive);
   if (!given.count("quiet")) fmt::print("{}", report::describe(comparison, tolerance));
   if (figure) write_figure(comparison, fmt::format("{} -> {}", maps[0], maps[1]), *figure);
   return comparison.equal() ? done : maps_differ;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <mutex>
@@ -11,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "exit_code.hpp"
@@ -57,8 +59,8 @@ struct Job {
   std::optional<MapDirectory> directory;
 };
 
-/// Returns an exit code; there is a job when it is `done` and the map is not only asked about. Each rank may
-/// take `memory_bytes`.
+/// Returns an exit code; there is a job when it is `done`, and the map is not only asked about and not there.
+/// Each rank may take `memory_bytes`.
 ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::optional<Job>& job) {
   RubsweepArguments arguments = parse_rubsweep_arguments(argc, argv);
   if (answered(program_name, arguments.action, help)) return done;
@@ -73,13 +75,27 @@ ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std
   job->config = std::move(config);
   job->directory.emplace(job->config.output_directory, job->config, std::nullopt, job->arguments.fresh,
                          std::string(program_name));
+  if (const auto& map = job->directory->finished_map()) {
+    const bool failed_cells = map->summary.has_failed_cells();
+    if (!job->arguments.quiet) {
+      say(map_is_there(program_name));
+      fmt::print("{}map: {}\n", map->summary.text(), job->directory->map().string());
+    }
+    job.reset();
+    return failed_cells ? some_cells_failed : done;
+  }
   return done;
+}
+
+std::string interrupted(const MapDirectory& directory, std::size_t finished) {
+  return fmt::format("{}: interrupted; {} of {} cells are finished, the same command computes the others\n",
+                     program_name, directory.finished() + finished, directory.cells());
 }
 
 /// The first rank: deals out chunks to all ranks, itself included, and shows what is finished.
 class Leader {
  public:
-  Leader(const Job& job, int ranks)
+  Leader(Job& job, int ranks)
       : job_(job),
         chunks_(job.directory->missing(), static_cast<std::size_t>(ranks)),
         partial_(job.directory->partial()),
@@ -100,7 +116,7 @@ class Leader {
     std::atomic<bool> own_done = false;
     std::jthread own([&] {
       try {
-        compute(stop);
+        compute();
       } catch (...) {
         failure = std::current_exception();
       }
@@ -108,8 +124,12 @@ class Leader {
     });
     try {
       while (workers > 0 || !own_done) {
-        if (serve(stop)) --workers;
+        if (serve()) --workers;
         if (own_done && failure) break;
+        if (stop) end(caught_signal());
+        if (ended_ && ChunkClock::now() - *ended_ >= grace) leave();
+        const std::lock_guard lock(mutex_);
+        progress_.refresh();
       }
     } catch (...) {
       chunks_.close();  // or the destructor would wait for all of them
@@ -121,36 +141,64 @@ class Leader {
     return finished_;
   }
 
+  /// That ended the work of any rank; 0: none did.
+  int signal() const { return signal_; }
+
  private:
+  using ChunkClock = batch::ChunkQueue::Clock;
+
+  /// A signal to one rank ends the work of all.
+  void end(int signal) {
+    if (ended_) return;
+    ended_ = ChunkClock::now();
+    signal_ = signal;
+    ending_ = true;
+    chunks_.close();
+  }
+
+  /// Cells that still run are given up, here and in the other ranks.
+  [[noreturn]] void leave() {
+    const std::lock_guard lock(mutex_);
+    progress_.finish();
+    say(interrupted(*job_.directory, finished_));
+    job_.directory->leave();
+    mpi::abort(128 + signal_);
+  }
+
   /// Answers one report, if there is one; true when that worker is done.
-  bool serve(const std::atomic<bool>& stop) {
+  bool serve() {
     const auto report = mpi::receive_report(std::chrono::milliseconds(1));
     if (!report) return false;
-    keep(report->lines);
-    if (report->stopped) return true;
-    const batch::Chunk chunk = stop ? batch::Chunk{} : chunks_.next(static_cast<std::size_t>(report->rank));
+    {
+      const std::lock_guard lock(mutex_);
+      keep(report->lines);
+    }
+    if (report->signal != 0) end(report->signal);
+    if (report->signal != 0) return true;
+    const batch::Chunk chunk = chunks_.next(static_cast<std::size_t>(report->rank));
     mpi::send_chunk(report->rank, chunk);
     return chunk.empty();
   }
 
-  void compute(const std::atomic<bool>& stop) {
+  void compute() {
     batch::Journal journal = job_.directory->journal();
-    for (batch::Chunk chunk = chunks_.next(0); !chunk.empty() && !stop; chunk = chunks_.next(0)) {
+    for (batch::Chunk chunk = chunks_.next(0); !chunk.empty(); chunk = chunks_.next(0)) {
       sweep::run_cells(
           job_.config.study, chunk, job_.arguments.threads,
           [&](std::size_t cell, const sweep::Row& row) {
             const std::string line = report::map_line(row);
+            const std::lock_guard lock(mutex_);
             journal.append(cell, line);
             keep(line + '\n');
           },
-          stop);
+          ending_);
     }
   }
 
+  /// With the mutex held.
   void keep(std::string_view lines) {
     if (lines.empty()) return;
     const auto count = static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
-    const std::lock_guard lock(mutex_);
     partial_.append(lines.substr(0, lines.size() - 1));
     finished_ += count;
     progress_.advance(count);
@@ -160,9 +208,12 @@ class Leader {
     pilots_ = 0;
   }
 
-  const Job& job_;
+  Job& job_;
   batch::ChunkQueue chunks_;
-  std::mutex mutex_;  ///< guards what follows
+  std::optional<ChunkClock::time_point> ended_;  ///< when the first signal was heard of
+  int signal_ = 0;
+  std::atomic<bool> ending_ = false;  ///< no new cell starts
+  std::mutex mutex_;                  ///< guards the journal and what follows
   batch::LineLog partial_;
   batch::Progress progress_;
   std::size_t finished_ = 0;
@@ -174,10 +225,20 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
   const std::atomic<bool>& stop = catch_interrupts();
   std::optional<batch::Journal> journal;
   std::string lines;
+  std::mutex mutex;  // guards the journal
+  // A rank in the middle of a long cell cannot report any more. One that ends like this ends the job, and the
+  // others are told by a signal.
+  std::optional<Watch> watch(
+      std::in_place, [] {},
+      [&] {
+        const std::lock_guard lock(mutex);
+        std::_Exit(128 + caught_signal());
+      });
   while (true) {
-    mpi::send_report({rank, stop, std::move(lines)});
+    const int signal = caught_signal();  // once: what is reported is what is done
+    mpi::send_report({rank, signal, std::move(lines)});
     lines.clear();
-    if (stop) break;
+    if (signal != 0) break;
     const batch::Chunk chunk = mpi::receive_chunk();
     if (chunk.empty()) break;
     if (!journal) journal.emplace(rank_journal(config, rank));
@@ -185,30 +246,32 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
         config.study, chunk, threads,
         [&](std::size_t cell, const sweep::Row& row) {
           const std::string line = report::map_line(row);
+          const std::lock_guard lock(mutex);
           journal->append(cell, line);
           lines.append(line).append("\n");
         },
         stop);
   }
+  watch.reset();
   journal.reset();
   mpi::wait_for_all();
   return done;
 }
 
-int lead(const Job& job, int ranks) {
+int lead(Job& job, int ranks) {
   const std::atomic<bool>& stop = catch_interrupts();
   const MapDirectory& directory = *job.directory;
   const bool quiet = job.arguments.quiet;
   if (!quiet && directory.finished() > 0) {
-    fmt::print(stderr, "{}: {} of {} cells were finished before\n", program_name, directory.finished(),
-               directory.cells());
+    say(fmt::format("{}: {} of {} cells were finished before\n", program_name, directory.finished(),
+                    directory.cells()));
   }
-  const std::size_t finished = Leader(job, ranks).run(ranks - 1, stop);
+  Leader leader(job, ranks);
+  const std::size_t finished = leader.run(ranks - 1, stop);
   mpi::wait_for_all();
   if (finished < directory.missing().size()) {
-    fmt::print(stderr, "{}: interrupted; {} of {} cells are finished, the same command computes the others\n",
-               program_name, directory.finished() + finished, directory.cells());
-    return caught_signal() != 0 ? 128 + caught_signal() : input_output;
+    say(interrupted(directory, finished));
+    return 128 + leader.signal();
   }
   const report::MapSummary summary = directory.write_map();
   if (!quiet) fmt::print("{}map: {}\n", summary.text(), directory.map().string());
@@ -229,6 +292,7 @@ int run(int argc, char** argv) {
   const std::string text = mpi::broadcast_text(job ? config::print_config(job->config) : "");
   if (code != done || text.empty()) return code;
   code = run_program(program_name, [&] {
+    batch::require_threads(threads, 1);
     if (job) return lead(*job, ranks);
     return static_cast<int>(work(config::read_run_config_text(text, "the first rank", {}), rank, threads));
   });
@@ -241,6 +305,7 @@ int run(int argc, char** argv) {
 }  // namespace rubsweep::apps
 
 int main(int argc, char** argv) {
+  rubsweep::apps::open_standard_descriptors();
   const rubsweep::apps::mpi::Session session(argc, argv);
   return rubsweep::apps::run(argc, argv);
 }

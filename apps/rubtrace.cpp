@@ -9,11 +9,13 @@
 
 #include "exit_code.hpp"
 #include "experiment.hpp"
+#include "forecast.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/error.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/trace_csv.hpp"
@@ -44,16 +46,34 @@ fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfi
 }
 
 int cannot_start(scene::Start start) {
-  fmt::print(stderr, "rubtrace: {}; no trace, motion.csv only\n",
-             start == scene::Start::initial_contact
-                 ? "the quiet motion already touches a wall: nothing to kick"
-                 : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion");
+  say(fmt::format("rubtrace: {}; no trace, motion.csv only\n",
+                  start == scene::Start::initial_contact
+                      ? "the quiet motion already touches a wall: nothing to kick"
+                      : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion"));
   return some_cells_failed;
+}
+
+/// Refused before anything is begun, not killed in the middle.
+void refuse_more_memory_than_there_is(const report::TraceOptions& options, std::size_t stops) {
+  const double needed = report::trace_bytes(options, stops),
+               there = static_cast<double>(machine_memory_bytes());
+  if (needed <= there) return;
+  throw ConfigError(fmt::format(
+      "--revolutions: {} revolutions take about {:.3g} GB of memory, this machine has {:.3g} GB, allowed: "
+      "fewer --revolutions or --last-revolutions",
+      options.revolutions, needed / 1e9, there / 1e9));
 }
 
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
   config.study.grid = one_cell(arguments);
   const sweep::Study& study = config.study;
+  const report::TraceOptions options{
+      .speed_hz = arguments.speed_hz,
+      .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
+      .samples_per_revolution = study.response.samples_per_revolution,
+      .window_revolutions = study.response.window_revolutions,
+      .trajectory_revolutions = arguments.last_revolutions};
+  refuse_more_memory_than_there_is(options, study.machine.stops.size());
   const fs::path directory = directory_of(arguments, config);
   make_directory(directory);
 
@@ -68,12 +88,6 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const scene::Cell cell = scene::build_cell(plan, arguments.speed_hz, arguments.unbalance);
   report::Trace trace;
   if (cell.start == scene::Start::quiet) {
-    const report::TraceOptions options{
-        .speed_hz = arguments.speed_hz,
-        .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
-        .samples_per_revolution = study.response.samples_per_revolution,
-        .window_revolutions = study.response.window_revolutions,
-        .trajectory_revolutions = arguments.last_revolutions};
     trace = report::trace_run(integrate::start(cell.scene, study.solver, workspace.plans).advance, cell.scene,
                               study.solver, options);
     const report::TraceWindow window = report::last_window(trace, options, row.order, workspace.spectrum);
@@ -87,8 +101,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
   if (cell.start != scene::Start::quiet) return cannot_start(cell.start);
   if (trace.outcome == integrate::Outcome::ok) return done;
-  fmt::print(stderr, "rubtrace: the run failed in revolution {}: {}; the files end there\n",
-             trace.revolutions + 1, integrate::to_string(trace.outcome));
+  say(fmt::format("rubtrace: the run failed in revolution {}: {}; the files end there\n",
+                  trace.revolutions + 1, integrate::to_string(trace.outcome)));
   return some_cells_failed;
 }
 

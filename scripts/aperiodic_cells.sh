@@ -6,6 +6,7 @@ set -euo pipefail
 
 echo map,speed_hz,whirl_ratio,class,lyapunov_per_revolution,status
 for map in "$@"; do
+  [[ $map == /* ]] || map=./$map # a name with = would be an assignment to awk
   awk -v name="$(basename "$(dirname "$map")")" '
     BEGIN { FS = "," }
     /^#/ { next }

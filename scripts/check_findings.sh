@@ -18,6 +18,7 @@ while (($#)); do
   esac
   shift 2
 done
+maps=$(realpath -ms -- "$maps") # a name with = would be an assignment to awk
 # Of all configurations measured here; gap_share is what the offset leaves of the clearance.
 natural_frequency_hz=30 clearance_m=1e-3 kick_s=0.005 gap_share=0.75
 work=$(mktemp -d)

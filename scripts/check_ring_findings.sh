@@ -110,7 +110,7 @@ run ring_figure13 --set loads.2.angle_deg=240
 row 13b 'at 60, 120, 240 degrees: the ring diverges' "$(onset divergence_begin) to $(onset divergence_end)" "$(onset divergence_begin) < 300"
 run ring_figure14
 exchanged=$(awk -F, '$1 == "coupling_begin" && /ring backward \(moves as/ { print $3; exit }' "$work/run/onsets.csv")
-row 14 'two unlike loads: one exchanges its shape with the backward mode' "later: $exchanged" "\"$exchanged\" != \"\""
+row 14 'two unlike loads: one exchanges its shape with the backward mode' "later: $exchanged" "${#exchanged} > 0"
 row 14 'both couple with the forward mode' "couplings from $(onset coupling_begin), $(onset coupling_begin . 2)" "$(count coupling_begin) >= 2"
 
 # Angles (0.5 degrees apart) of the second load with a growing merger below 1270 rpm: number of regions, width of the first.

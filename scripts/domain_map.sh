@@ -6,7 +6,8 @@ set -euo pipefail
 export LC_ALL=C.UTF-8
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
-map=$1 output=$2 heading=$3
+# Absolute names: to gnuplot and awk others may be commands or assignments.
+map=$(realpath -ms -- "$1") output=$(realpath -ms -- "$2") heading=$3
 config_file=$(dirname "$map")/config.yaml
 for file in "$map" "$config_file"; do
   [[ -r $file ]] || { echo "domain_map.sh: cannot read $file" >&2; exit 3; }

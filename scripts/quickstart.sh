@@ -7,7 +7,7 @@ scripts/bootstrap.sh
 cmake --preset release
 cmake --build --preset release --target rubsweep
 # 4: done, but some cells failed; the figure shows which.
-build/release/apps/rubsweep configs/figure06_one_side.yaml --output results/figure06_one_side || (($? == 4))
+build/release/apps/rubsweep configs/figure06_one_side.yaml --output results/figure06_one_side --fresh || (($? == 4))
 scripts/figure06.sh
 
 printf 'Map:     %s\n' results/figure06_one_side/map.csv

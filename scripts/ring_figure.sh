@@ -11,7 +11,9 @@ if (($# == 0)); then
   exit
 fi
 figure=$1
-output=${2:-$top/results/figures/ring_figure$figure}
+# Absolute names: to gnuplot and awk others may be commands or assignments.
+output=$(realpath -ms -- "${2:-$top/results/figures/ring_figure$figure}")
+program=$(realpath -s -- "$program")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 panels=0
@@ -34,7 +36,9 @@ panel() {
     "$panels" "$title" "$panels" "$from" "$panels" "$to" "$panels" "$limit" >>"$work/panels.gp"
 }
 
-draw() { gnuplot -c "$here/ring_panels.gp" "$work" "$output" "$1" "$panels"; }
+# draw_with SCRIPT ARGUMENT...: where the data are, so that the names in the script's own commands are those written there.
+draw_with() { (cd "$work" && gnuplot -c "$here/$1" . "$output" "${@:2}"); }
+draw() { draw_with ring_panels.gp "$1" "$panels"; }
 
 # chart CONFIG_STEM [--set KEY=VALUE]...: the onsets of its chart, as "parameter speed kind", in $work/NAME.
 chart() {
@@ -118,7 +122,7 @@ case $figure in
   15)
     chart n2 ring_figure15
     chart n3 ring_figure15 --set ring.nodal_diameters=3
-    gnuplot -c "$here/ring_regions.gp" "$work" "$output" 'Where a second spring-mass couples with the one at 60°'
+    draw_with ring_regions.gp 'Where a second spring-mass couples with the one at 60°'
     ;;
   16)
     panel 'Zoom of figure 12a' ring_figure12 900 1250 0
@@ -144,7 +148,7 @@ case $figure in
     ;;
   20 | 21)
     chart alpha ring_figure20
-    gnuplot -c "$here/ring_onset_chart.gp" "$work" "$output" "$figure"
+    draw_with ring_onset_chart.gp "$figure"
     ;;
   *)
     echo "ring_figure.sh: no figure $figure" >&2

@@ -7,7 +7,8 @@ set -euo pipefail
 export LC_ALL=C.UTF-8
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(dirname "$here")
-directory=${1:-$top/results/rotor_kit}
+# Absolute names: to gnuplot and awk others may be commands or assignments.
+directory=$(realpath -ms -- "${1:-$top/results/rotor_kit}")
 figures=$top/results/figures
 config=$top/configs/rotor_kit.yaml
 for program in rubsweep rubtrace; do

@@ -8,12 +8,33 @@ export LC_ALL=C.UTF-8
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 (($# >= 3)) || { echo 'trace.sh: usage: trace.sh TRACE_DIR OUTPUT_BASENAME HEADING [REVOLUTIONS [TRACE_DIR]...]' >&2; exit 1; }
-output=$2 heading=$3 revolutions=${4:-40}
-traces=("$1" "${@:5}")
+# Absolute names: to gnuplot and awk others may be commands or assignments.
+output=$(realpath -ms -- "$2") heading=$3 revolutions=${4:-40}
+traces=()
+for trace in "$1" "${@:5}"; do traces+=("$(realpath -ms -- "$trace")"); done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-calculate() { awk "BEGIN { printf \"%.17g\", $1 }"; }
+# require PLACE VALUE PATTERN...: ends the script unless every value is what its pattern says. What stands in a file becomes
+# part of arithmetic and of gnuplot's commands below, and must not become anything else there.
+number='[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?' whole='(0|[1-9][0-9]*)' word='[a-z_]+'
+require() {
+  local place=$1
+  shift
+  while (($# > 0)); do
+    [[ $1 =~ ^($2)$ ]] || { echo "trace.sh: $place: '$1' is not allowed there" >&2; exit 3; }
+    shift 2
+  done
+}
+require REVOLUTIONS "$revolutions" "-?$whole"
+
+# calculate EXPRESSION: numbers, + - * / and parentheses, cos, sin and atan2.
+calculate() {
+  local rest=${1//atan2/}
+  rest=${rest//cos/}
+  require "$directory" "${rest//sin/}" '[-+*/(),.0-9eE ]*'
+  awk "BEGIN { printf \"%.17g\", $1 }"
+}
 
 # columns FILE NAME... [--between FROM TO]: see csv_columns.awk
 columns() {
@@ -82,10 +103,15 @@ lay_out() {
   read -r speed_hz whirl_ratio class <<<"$(columns "$directory/motion.csv" speed_hz whirl_ratio class)"
   order=$(columns "$directory/motion.csv" order) orbit=$(columns "$directory/motion.csv" orbit)
   comb_spacing=$(columns "$directory/motion.csv" comb_spacing)
+  require "$directory/motion.csv" "$speed_hz" "$number" "$whirl_ratio" "$number" "$class" "$word" "$order" "($whole)?" \
+    "$orbit" "($word)?" "$comb_spacing" "($number)?"
+  require "$directory/config.yaml" "${config[response.window_revolutions]}" "$whole" "${config[gravity_m_per_s2]}" "$number" \
+    "${config[kick.duration_s]:-0}" "$number"
   read_stops
 
   local last from=0 to
   last=$(tail -n 1 "$directory/section.csv" | cut -d, -f1)
+  require "$directory/section.csv" "$last" "$whole"
   to=$((revolutions < 0 || revolutions > last ? last : revolutions))
   ((revolutions >= 0)) || from=$((last + revolutions > 0 ? last + revolutions : 0))
   # A periodic orbit closes after `order` revolutions, an oval fills a ring as it turns: eight show how it begins.
@@ -104,6 +130,7 @@ lay_out() {
   awk -v period="${order:-0}" -v comb_spacing="${comb_spacing:-0}" -f "$here/spectrum_labels.awk" "$work/$row.spectrum" >"$work/$row.labels"
   local start
   start=$(columns "$directory/section.csv" y_m vy_m_per_s --between 0 0)
+  require "$directory/section.csv" "$start" "$number $number"
 
   cat <<ASSIGNMENTS
 row_title[$row] = "$(title)"

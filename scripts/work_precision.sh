@@ -6,7 +6,8 @@ export LC_ALL=C.UTF-8
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 (($# == 3)) || { echo 'work_precision.sh: usage: work_precision.sh TABLE.csv OUTPUT_BASENAME HEADING' >&2; exit 1; }
-table=$1 output=$2 heading=$3
+# Absolute names: to gnuplot and awk others may be commands or assignments.
+table=$(realpath -ms -- "$1") output=$(realpath -ms -- "$2") heading=$3
 [[ -r $table ]] || { echo "work_precision.sh: cannot read $table" >&2; exit 3; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -31,6 +32,8 @@ awk -F, -v data="$work/data" '
     point(number[cell] "_" $(at["contact"]) "_" stepper "_" $(at["method"]), time, error)
     if (stepper == "exact") point(number[cell] "_smoothed_exact_exact", time, error)
   }
+  # As gnuplot reads it between single quotes, where it knows one escape.
+  function quoted(text) { gsub(/[[:cntrl:]]/, "?", text); gsub(/\047/, "&&", text); return "\047" text "\047" }
   function point(name, time, error) {
     if (!(name in block)) names[++count] = name
     block[name] = block[name] time " " error "\n"
@@ -44,10 +47,10 @@ awk -F, -v data="$work/data" '
     }
     settings = data ".gp"
     printf "array cell_title[%d]\n", cells > settings
-    for (i = 1; i <= cells; ++i) printf "cell_title[%d] = \"%s\"\n", i, title[i] > settings
+    for (i = 1; i <= cells; ++i) printf "cell_title[%d] = %s\n", i, quoted(title[i]) > settings
     printf "low_time = %g\nhigh_time = %g\n", least_time / 2, most_time * 2 > settings
     printf "low_error = %g\nhigh_error = %g\n", least_error / 3, most_error * 3 > settings
-    printf "known = \"%s\"\nhas(name) = strstrt(known, \" \" . name . \" \") > 0\n", known > settings
+    printf "known = %s\nhas(name) = strstrt(known, \" \" . name . \" \") > 0\n", quoted(known) > settings
     print cells > (data ".cells")
   }' "$table"
 

@@ -9,9 +9,12 @@
 #include <fstream>
 #include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
+#include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
@@ -141,6 +144,34 @@ TEST(Number, IsReadExactlyOrRefused) {
   EXPECT_EQ(refused(1, 0), "table.csv:4: a: '1.5x' is not a number");
   EXPECT_EQ(refused(1, 1), "table.csv:4: b: '1e999' is not a number");
   EXPECT_EQ(refused(2, 1), "table.csv:5: b: '+1' is not a number");
+}
+
+TEST(CsvReader, FindsItsRowsAgain) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.csv";
+  write_whole_file(path, "# first\na,b\n1,one\n\n# second\r\n2,\"two\n\"\"lines\"\"\"\r\n3,three");
+  CsvReader reader(path);
+  EXPECT_EQ(reader.header(), (std::vector<std::string>{"a", "b"}));
+  std::vector<CsvReader::Place> places;
+  std::vector<std::vector<std::string>> rows;
+  while (reader.next()) {
+    places.push_back(reader.place());
+    rows.push_back(reader.cells());
+  }
+  EXPECT_EQ(reader.comments(), (std::vector<std::string>{"first", "second"}));
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[1], (std::vector<std::string>{"2", "two\n\"lines\""}));
+  EXPECT_EQ(places[1].line, 6u);
+  EXPECT_EQ(places[2].line, 8u);
+  for (const std::size_t i : std::vector<std::size_t>{2, 0, 1, 1}) {
+    reader.read_at(places[i]);
+    EXPECT_EQ(reader.cells(), rows[i]);
+    EXPECT_EQ(reader.place().line, places[i].line);
+    EXPECT_EQ(reader.number(0), static_cast<double>(i + 1));
+  }
+  EXPECT_TRUE(reader.next());
+  EXPECT_EQ(reader.cells(), rows[2]);
+  EXPECT_FALSE(reader.next());
 }
 
 }  // namespace

@@ -5,8 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <optional>
 #include <regex>
+#include <thread>
 
 #include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
@@ -64,6 +67,75 @@ TEST_F(LockFile, OfAProcessThatWasKilledMeansNothing) {
   EXPECT_EQ(lock_holder(path_), std::nullopt);
   const FileLock lock(path_, LockMode::exclusive, "first");
   expect_taken(LockMode::exclusive);
+}
+
+TEST_F(LockFile, FreedAtAnyMomentIsEitherHeldOrNot) {
+  const std::jthread holder([&](const std::stop_token& end) {
+    while (!end.stop_requested()) {
+      try {
+        const FileLock lock(path_, LockMode::exclusive, "holder");
+      } catch (const LockedError&) {
+      }
+    }
+  });
+  // An IoError of either of them ends the test.
+  for (int i = 0; i < 1000; ++i) {
+    try {
+      const FileLock lock(path_, LockMode::exclusive, "other");
+    } catch (const LockedError&) {
+    }
+    lock_holder(path_);
+  }
+}
+
+TEST_F(LockFile, CanBeWaitedFor) {
+  std::optional<FileLock> first(std::in_place, path_, LockMode::exclusive, "first");
+  std::atomic<bool> freed = false;
+  const std::jthread other([&] {
+    const FileLock lock(path_, LockMode::exclusive, "second", Patience::wait);
+    EXPECT_TRUE(freed);
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  freed = true;
+  first.reset();
+}
+
+TEST_F(LockFile, OfAnotherDirectoryUnderTheSameNameIsLeftAlone) {
+  const auto place = directory_.path() / "map", path = place / "map.lock";
+  std::filesystem::create_directory(place);
+  std::optional<FileLock> first(std::in_place, path, LockMode::exclusive, "first");
+  std::filesystem::remove_all(place);
+  std::filesystem::create_directory(place);
+  const FileLock second(path, LockMode::exclusive, "second");
+  first.reset();
+  EXPECT_TRUE(std::filesystem::exists(path));
+  EXPECT_TRUE(lock_holder(path).has_value());
+}
+
+/// Without the rights of root, if this test has them.
+class OrdinaryUser {
+ public:
+  OrdinaryUser() { EXPECT_EQ(root_ ? ::seteuid(65534) : 0, 0); }
+  ~OrdinaryUser() { EXPECT_EQ(root_ ? ::seteuid(0) : 0, 0); }
+
+ private:
+  const bool root_ = ::geteuid() == 0;
+};
+
+TEST_F(LockFile, OfADeadOwnerMeansNothingEvenWhereItCannotBeWritten) {
+  for (const bool directory_is_shared : {true, false}) {
+    std::filesystem::permissions(directory_.path(),
+                                 std::filesystem::perms{directory_is_shared ? 0777U : 0755U});
+    write_whole_file(path_, "somebody who is dead\n");
+    std::filesystem::permissions(path_, std::filesystem::perms{0444});
+    {
+      const OrdinaryUser user;
+      const FileLock lock(path_, LockMode::exclusive, "first");
+      if (directory_is_shared) expect_taken(LockMode::exclusive);
+      EXPECT_TRUE(lock_holder(path_).has_value());
+    }
+    std::filesystem::remove(path_);
+  }
 }
 
 TEST_F(LockFile, ThatCannotBeIsAnError) {

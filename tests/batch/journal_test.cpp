@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "batch/failing_stat.hpp"
 #include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/batch/whole_file.hpp"
@@ -120,6 +121,59 @@ TEST_F(JournalFile, WithoutAWholeHeaderIsRefused) {
   write_whole_file(path_, "speed_hz,whirl_ratio\n");
   EXPECT_EQ(message_of<IoError>([&] { read_journal_header(path_); }),
             path_.string() + ":1: not a journal of this program, or a damaged one");
+}
+
+/// The file with one letter of line `number`, from 1, changed.
+std::string damaged(std::string text, int number) {
+  std::size_t place = 0;
+  for (; number > 1; --number) place = text.find('\n', place) + 1;
+  text[place + 9] ^= 1;  // behind the checksum
+  return text;
+}
+
+TEST_F(JournalFile, ADamagedHeaderCostsNothingWhereTheRestSaysEnough) {
+  {
+    Journal journal(path_, header);
+    journal.append(3, "three");
+    journal.append(12, "twelve");
+  }
+  const std::string whole = read_whole_file(path_);
+  const Cells all{{3, "three"}, {12, "twelve"}};
+  // First line, digest of the study, study, line before the records.
+  for (const int line : {1, 2, 5, 6, 7}) {
+    write_whole_file(path_, damaged(whole, line));
+    const JournalHeader read = read_journal_header(path_);
+    EXPECT_EQ(read.damaged_lines, 1u) << line;
+    EXPECT_TRUE(same_results(read, header)) << line;
+    EXPECT_FALSE(same_results(read, {"other", "program", 20, "rotor:\n  mass_kg: 0.9\n"})) << line;
+    EXPECT_EQ(cells_of(path_), all) << line;
+    Journal(path_, header);
+    EXPECT_EQ(read_whole_file(path_), damaged(whole, line)) << line;
+  }
+  // Digest of the program, number of cells, digest and study at once, every line end.
+  std::vector<std::string> hopeless{damaged(whole, 3), damaged(whole, 4), damaged(damaged(whole, 2), 5)};
+  for (std::size_t end = whole.find('\n'); hopeless.size() < 6; end = whole.find('\n', end + 1)) {
+    hopeless.push_back(whole);
+    hopeless.back()[end] ^= 1;
+  }
+  for (const std::string& text : hopeless) {
+    write_whole_file(path_, text);
+    EXPECT_NE(message_of<DamagedJournal>([&] { read_journal_header(path_); }).find("a damaged one"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(read_whole_file(path_), text);
+  }
+}
+
+TEST_F(JournalFile, ThatCannotBeLookedAtIsNotBegunAnew) {
+  Journal(path_, header).append(1, "one");
+  const std::string before = read_whole_file(path_);
+  {
+    const FailingStat trouble;
+    EXPECT_EQ(message_of<IoError>([&] { Journal(path_, header); }),
+              "cannot look at " + path_.string() + ": Input/output error");
+  }
+  EXPECT_EQ(read_whole_file(path_), before);
 }
 
 TEST_F(JournalFile, KeepsSingleLines) {

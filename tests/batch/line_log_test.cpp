@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "batch/failing_stat.hpp"
 #include "batch/file_size_limit.hpp"
 #include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
@@ -56,6 +57,24 @@ TEST(LineLog, ALineThatDoesNotFitLeavesNothingBehind) {
   EXPECT_EQ(read_whole_file(path), "1,2\n");
   log.append("3,4");
   EXPECT_EQ(read_whole_file(path), "1,2\n3,4\n");
+}
+
+TEST(LineLog, AFileThatCannotBeLookedAtIsNotTakenForAnEmptyOne) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.journal";
+  write_whole_file(path, "a\nb\n");
+  const std::string expected = "cannot look at " + path.string() + ": Input/output error";
+  {
+    const FailingStat trouble;
+    EXPECT_EQ(message_of<IoError>([&] { LineLog log(path); }), expected);
+  }
+  EXPECT_EQ(read_whole_file(path), "a\nb\n");
+  LineLog log(path);
+  {
+    const FailingStat trouble;
+    EXPECT_EQ(message_of<IoError>([&] { log.append("c"); }), expected);
+  }
+  EXPECT_EQ(read_whole_file(path), "a\nb\n");
 }
 
 TEST(LineLog, FailuresAreErrors) {

@@ -1,6 +1,9 @@
 #include "rubsweep/batch/parallel_run.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,6 +12,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -188,6 +192,30 @@ TEST(ParallelRun, FailureToReportEndsTheRun) {
 TEST(ParallelRun, NegativeThreadsAreAnError) {
   EXPECT_EQ(message_of<ConfigError>([] { parallel_run(1, -1, ignore, ignore, never); }),
             "threads: -1 is out of range, allowed: 0 (all) or a number >= 1");
+}
+
+TEST(RequireThreads, TellsWhatTheSystemDoesNotLetUsStart) {
+  require_threads(8);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // Root has no limit; a user whose only process this is may have as many threads as his limit says.
+    if (::geteuid() == 0 && ::setuid(54321) != 0) ::_exit(2);
+    const rlimit few{.rlim_cur = 1, .rlim_max = 1};
+    ::setrlimit(RLIMIT_NPROC, &few);
+    try {
+      require_threads(1);
+      require_threads(8);
+    } catch (const ConfigError& error) {
+      ::_exit(
+          std::string_view(error.what()).starts_with("threads: 8 cannot be started, the system stops at 1 (")
+              ? 0
+              : 3);
+    }
+    ::_exit(4);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <thread>
 
 namespace rubsweep::batch {
@@ -29,6 +30,11 @@ TEST(ProgressLine, GuessesNothingBeforeItCan) {
 TEST(ProgressLine, CountsNoTimeForWhatWasDoneBefore) {
   EXPECT_EQ(progress_line(600, 1000, 5, 500), "600/1000 cells, 60%, 20.0 cells/s, 0:00:20 left");
   EXPECT_EQ(progress_line(500, 1000, 5, 500), "500/1000 cells, 50%");
+}
+
+TEST(ProgressLine, PromisesNoMoreThanTheLastCellsDo) {
+  EXPECT_EQ(progress_line(1316, 1320, 300, 0, 15), "1316/1320 cells, 99%, 4.39 cells/s, 0:01:00 left");
+  EXPECT_EQ(progress_line(132, 1320, 2.92, 0, 0.001), "132/1320 cells, 10%, 45.2 cells/s, 0:00:26 left");
 }
 
 TEST(ProgressLine, IsFullOnlyAtTheEnd) {
@@ -71,6 +77,25 @@ TEST(Progress, RewritesItsLineAtMostTenTimesASecond) {
   const auto drawn = std::ranges::count(text, '\r');
   EXPECT_GE(drawn, 3);  // first, last and at least one in 0.4 s
   EXPECT_LE(static_cast<double>(drawn), 2 + elapsed_s / 0.1);
+}
+
+TEST(Progress, SaysWhatASlowCellThatIsRunningCosts) {
+  std::FILE* file = std::tmpfile();
+  Progress progress(1001, ProgressMode::always, file);
+  progress.advance(1000);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1600));
+  progress.refresh();
+  progress.refresh();  // too soon
+  std::rewind(file);
+  std::array<char, 4096> text{};
+  text[std::fread(text.data(), 1, text.size() - 1, file)] = 0;
+  // The average cell would promise the end in no time.
+  EXPECT_TRUE(
+      std::regex_match(text.data(), std::regex("\r0/1001 cells, 0%\r1000/1001 cells, 99%, [0-9.]+ cells/s, "
+                                               "(0:00:0[1-9]|0:[0-9:]+[1-9][0-9]) left")))
+      << text.data();
+  progress.finish();
+  std::fclose(file);
 }
 
 TEST(Progress, LeavesNothingOfALongerLine) {

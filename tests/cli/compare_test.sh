@@ -38,6 +38,14 @@ expect_exit 0 "${quick[@]}" --output c --set sweep.speed_hz.count=11
 expect_compared 5 a/map.csv c/map.csv
 expect_matches stdout 'in one map only$'
 
+# Maps are read a row at a time: these two would take some 200 MB as tables.
+awk -F, -v OFS=, '/^#/ || /^speed_hz/ { print; next } { for (i = 0; i < 600; ++i) { $1 = ++n; print } }' a/map.csv >many.csv
+(
+  ulimit -v 100000
+  expect_compared 0 many.csv many.csv
+)
+expect_matches stdout '^57600 cells: 57600 equal, '
+
 if command -v gnuplot >/dev/null; then
   expect_compared 5 a/map.csv changed.csv --figure difference.png
   [[ $(head -c 4 difference.png | tail -c 3) == PNG ]] || fail 'no picture'
@@ -45,7 +53,26 @@ if command -v gnuplot >/dev/null; then
   expect_compared 5 a/map.csv changed.csv --figure difference.svg
   expect_contains difference.svg 'another class (1)'
   expect_compared 3 a/map.csv a/map.csv --figure nowhere/difference.png
-  expect_contains stderr 'nowhere/difference.png: gnuplot could not draw it'
+  expect_contains stderr 'cannot write nowhere/difference.png: No such file or directory'
+  expect_compared 3 a/map.csv a/map.csv --quiet --figure nowhere/difference.png
+  expect_empty stdout
+  [[ $(<stderr) == 'rubsweep-compare: cannot write nowhere/difference.png: No such file or directory' ]] ||
+    fail 'more than a message'
+
+  # Names are data, whatever they hold, and what is drawn goes to that name.
+  evil=$'m\nsystem("touch pwned-by-map")\n\'`touch pwned-by-backticks`\'.csv'
+  cp a/map.csv "$evil"
+  for picture in '|touch pwned-by-figure;.png' '<touch pwned;.png' $'f\nsystem("touch pwned")\n.png' "q'\"\`touch pwned\`.png" '~root.png'; do
+    expect_compared 5 "$evil" changed.csv --quiet --figure "$picture"
+    expect_empty stdout
+    [[ $(head -c 4 "./$picture" | tail -c 3) == PNG ]] || fail "no picture: $picture"
+  done
+  expect_compared 5 "$evil" changed.csv --quiet --figure '|touch pwned-by-script;.gp'
+  gnuplot ./'|touch pwned-by-script;.gp'
+  [[ $(head -c 4 './|touch pwned-by-script;.png' | tail -c 3) == PNG ]] || fail 'no picture of the script'
+  expect_compared 3 a/map.csv changed.csv --quiet --figure $'f\nsystem("touch pwned")\n.gp'
+  expect_contains stderr 'its name has control characters'
+  [[ -z $(find . -name 'pwned*') ]] || fail "a name became a command: $(find . -name 'pwned*')"
 fi
 
 expect_compared 3 a/map.csv missing.csv

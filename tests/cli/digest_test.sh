@@ -37,7 +37,7 @@ YAML
 
 # digest_of CONFIG [ARGUMENT]...: runs it; its digest is in `digest` from then on.
 digest_of() {
-  expect_exit 0 "$@" --output out
+  expect_exit 0 "$@" --output out --fresh
   digest=$(sed -n 's/^# digest //p' out/map.csv)
   [[ -n $digest ]] || fail 'map.csv has no digest'
 }

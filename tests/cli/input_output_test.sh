@@ -29,13 +29,22 @@ mkdir -p no_config/config.yaml
 expect_io_error no_config/config.yaml "$minimal" "${cell[@]}" --output no_config
 expect_files no_config config.yaml
 
-# map.csv cannot be replaced: the finished cells stay, the map.partial.csv of an earlier run does not.
+# What could never be written in the end is refused at once, and so is a pipe that nobody may ever read.
 mkdir -p no_map/map.csv
-echo 'an older row' >no_map/map.partial.csv
 expect_io_error no_map/map.csv "$minimal" "${cell[@]}" --output no_map
-expect_files no_map config.yaml map.csv map.journal map.partial.csv
-expect_whole_rows no_map/map.partial.csv
-[[ $(rows no_map/map.partial.csv) == 50,0.2,* ]] || fail 'the finished cell is not in map.partial.csv'
+expect_contains stderr 'is not a regular file'
+expect_files no_map map.csv
+for name in map.journal map.rank-1.journal map.partial.csv map.csv config.yaml; do
+  mkdir pipe && mkfifo "pipe/$name"
+  expect_io_error "pipe/$name" "$minimal" "${cell[@]}" --output pipe
+  expect_files pipe "$name"
+  rm -r pipe
+done
+# The map.partial.csv of an earlier run does not stay.
+mkdir stale
+echo 'an older row' >stale/map.partial.csv
+expect_exit 0 "$minimal" "${cell[@]}" --output stale
+expect_files stale config.yaml map.csv
 
 # The disk is full after a few kilobytes: more than config.yaml needs, less than the map.
 (
@@ -54,11 +63,32 @@ done
 "$rubsweep" "$minimal" "${cell[@]}" --output gone --progress always --quiet 2>/dev/full </dev/null ||
   fail 'a full stderr ended a run'
 
-# A map of another study does not stay beside the new configuration; one of the same study does.
+# Descriptors 0 to 2 that are closed are not taken by data files: what is printed goes nowhere else.
+for closed in '<&- 2>&-' '<&- >&- 2>&-' '2>&-'; do
+  rm -rf closed
+  eval '"$rubsweep" "$minimal" --output closed --shard 1/2 --progress always '"$closed" >stdout || [[ $closed == *'>&- 2'* ]] ||
+    fail "closed descriptors $closed: exit code $?"
+  grep -qa 'records$' closed/map.shard-1-of-2.journal || fail 'no journal'
+  if grep -qaE 'cells( |,)' closed/map.*; then fail "$closed: what is printed went into a data file"; fi
+done
+code=0
+"$rubsweep" "$minimal" --print-config >&- 2>stderr || code=$?
+[[ $code == 3 ]] || fail "a closed standard output: exit code $code"
+
+# Whoever reads the progress may go: the sweep runs on. A reader of the result who goes ends the program quietly.
+("$rubsweep" "$minimal" --output unread --progress always 2>&1 || true) | head -c 1 >/dev/null
+expect_exit 0 "$minimal" --output unread_whole
+expect_same unread/map.csv unread_whole/map.csv
+{ { code=0; "$rubsweep" "$minimal" --explain 2>stderr || code=$?; echo $code >code; } | true; } || true
+[[ $(<code) == 0 || $(<code) == 141 ]] || fail "a reader who is gone: exit code $(<code)"
+expect_empty stderr
+
+# A finished map stays when a run on another configuration is refused, whatever would have become of that run.
 expect_exit 0 "$minimal" "${cell[@]}" --output reused
-cp reused/map.csv before.csv
+cp -r reused before
 (
   ulimit -f 4
-  expect_exit 3 "$minimal" --output reused
+  expect_exit 2 "$minimal" --output reused
 )
-[[ ! -e reused/map.csv ]] || fail 'the map of another study stayed'
+expect_same reused/map.csv before/map.csv
+expect_same reused/config.yaml before/config.yaml

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# SIGINT and SIGTERM end a sweep after the running cells; what is finished stays, and can be seen in map.partial.csv.
+# SIGINT and SIGTERM end a sweep soon, with the running cells where these end soon; what is finished stays, and can be seen in map.partial.csv.
 source "$(dirname "$0")/support.sh"
 # With job control, background jobs do not ignore SIGINT.
 set -m
@@ -49,14 +49,31 @@ expect_exit 0 "$top/configs/figure06_one_side.yaml" "${cell[@]}" --set solver.me
 rows alone/map.csv >row
 expect_same row last
 
-# The first cell needs no integration, the second very long. It may finish; a second signal does not wait for it.
-start twice 1 "$minimal" --set 'sweep={speed_hz: {values: [70]}, whirl_ratio: {values: [1.2, 0.2]}}' \
-  --set solver.method=adaptive --set solver.stepper=rosenbrock4 --set solver.relative_tolerance=1e-14 --set solver.max_steps_per_revolution=1e9
+# The first cell needs no integration, the second very long. It is given up, and nothing of it is kept; a second signal
+# would end the program at once.
+long=(--set 'sweep={speed_hz: {values: [70]}, whirl_ratio: {values: [1.2, 0.2]}}'
+  --set solver.method=adaptive --set solver.stepper=rosenbrock4 --set solver.relative_tolerance=1e-14 --set solver.max_steps_per_revolution=1e9)
+for signal in INT:130 TERM:143; do
+  start "long_$signal" 1 "$minimal" "${long[@]}"
+  kill -s "${signal%:*}" "$running"
+  expect_end "${signal#*:}"
+  [[ $(<stderr) == 'rubsweep: interrupted; 1 of 2 cells are finished, the same command computes the others' ]] ||
+    fail 'another message'
+  expect_whole_rows "long_$signal/map.partial.csv"
+  [[ $(rows "long_$signal/map.partial.csv" | wc -l) == 1 && $(grep -c ',[a-z_]*$' "long_$signal/map.journal") == 1 ]] ||
+    fail 'the cell that was given up was kept'
+  expect_files "long_$signal" config.yaml map.journal map.partial.csv
+done
+
+# A signal that was ignored from the start, as by nohup, stays ignored.
+(
+  trap '' INT
+  exec "$rubsweep" "$minimal" "${long[@]}" --threads 2 --output ignored >stdout 2>stderr </dev/null
+) &
+running=$!
+until [[ -e ignored/map.partial.csv ]] && (($(rows ignored/map.partial.csv | wc -l) >= 1)); do sleep 0.02; done
 kill -s INT "$running"
-sleep 0.3
-kill -0 "$running" || fail 'the running cell was not awaited'
-kill -s INT "$running"
-expect_end 130
-expect_empty stderr
-expect_whole_rows twice/map.partial.csv
-expect_files twice config.yaml map.journal map.lock map.partial.csv
+sleep 1.5
+kill -0 "$running" || fail 'an ignored signal ended the sweep'
+kill -s TERM "$running"
+expect_end 143

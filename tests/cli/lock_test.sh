@@ -42,5 +42,8 @@ for again in '--shard 2/2' '--merge' ''; do
   expect_exit 6 "$minimal" "${long[@]}" --output busy $again
   expect_matches stderr "busy/map.shard-2-of-2.lock is held by rubsweep --shard 2/2, process $running on"
 done
+# Nor does --fresh forget what a part at work has, not even one of another configuration.
+expect_exit 6 "$minimal" "${long[@]}" --output busy --shard 1/2 --fresh --set rotor.mass_kg=0.9
+expect_matches stderr "busy/map.shard-2-of-2.lock is held by rubsweep --shard 2/2, process $running on"
 expect_exit 0 "$minimal" "${long[@]}" --output busy --shard 1/2
 end

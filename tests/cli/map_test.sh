@@ -33,10 +33,10 @@ expect_matches "$map" '^50,0\.2,[^,]+,non_contact,,circle,forward,rest,'
 expect_exit 0 "$minimal" --print-config
 expect_same stdout results/minimal/config.yaml
 
-# The configuration beside the map makes it again, over whatever an earlier run left behind.
+# The configuration beside the map makes it again, with --fresh over whatever an earlier run left behind.
 mkdir again
 echo 'an older file' | tee again/map.csv again/map.partial.csv >again/config.yaml
-expect_exit 0 results/minimal/config.yaml --output again
+expect_exit 0 results/minimal/config.yaml --output again --fresh
 expect_files again config.yaml map.csv
 expect_same again/map.csv "$map"
 expect_same again/config.yaml results/minimal/config.yaml

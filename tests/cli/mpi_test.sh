@@ -55,6 +55,43 @@ expect_exit 0 "${slow[@]}" --output copy
 expect_contains stderr "rubsweep: $finished of $cells cells were finished before"
 expect_same copy/map.csv slow/map.csv
 
+# A finished map: of this configuration nothing is left to do, one of another is refused unless --fresh replaces it.
+expect_mpi 0 2 "${quick[@]}" --output ranks_2
+expect_contains stderr 'rubsweep-mpi: the map is there, nothing is left to do'
+expect_matches stdout '^ +96  100\.0 %  non_contact$'
+expect_mpi 2 2 "${quick[@]}" --output ranks_2 --set rotor.mass_kg=0.9
+expect_contains stderr 'ranks_2/map.csv: is a finished map of another configuration'
+expect_same ranks_2/map.csv whole/map.csv
+expect_mpi 0 2 "${quick[@]}" --output ranks_3 --set rotor.mass_kg=0.9 --fresh
+
+# A signal to one rank ends the work of all, whether their cells end soon or not: 143, and the lock is free.
+endless=("$minimal" --set 'sweep={speed_hz: {values: [70, 70.1, 70.2, 70.3]}, whirl_ratio: {values: [0.2]}}' --set solver.method=adaptive
+  --set solver.stepper=rosenbrock4 --set solver.relative_tolerance=1e-14 --set solver.max_steps_per_revolution=1e9)
+for kind in slow endless; do
+  declare -n sweep=$kind
+  for ((attempt = 1; ; ++attempt)); do
+    rm -rf "term_$kind"
+    "$mpirun" -n 2 --oversubscribe "$program" "${sweep[@]}" --output "term_$kind" --threads 1 >stdout 2>stderr </dev/null &
+    running=$!
+    until [[ -e term_$kind/map.csv || -e term_$kind/map.rank-1.journal ]]; do
+      kill -0 $running 2>/dev/null || break
+      sleep 0.01
+    done
+    ranks=()
+    read -ra ranks 2>/dev/null <"/proc/$running/task/$running/children" || true
+    code=0
+    ((${#ranks[@]})) && kill -TERM "${ranks[-1]}" 2>/dev/null || true
+    wait $running 2>/dev/null || code=$?
+    [[ $code == 0 ]] || break
+    ((attempt < 10)) || fail 'the job was always done before one of its ranks could be signalled'
+  done
+  [[ $code == 143 ]] || fail "exit code $code after a signal to one rank"
+  expect_missing "term_$kind/map.lock"
+  expect_missing "term_$kind/map.csv"
+done
+expect_mpi 0 2 "${slow[@]}" --output term_slow
+expect_same term_slow/map.csv slow/map.csv
+
 # What it takes is said beforehand, and refused where it is too much, as by rubsweep.
 long=("${quick[@]}" --set sweep.speed_hz.count=125)
 expect_mpi 0 2 "${long[@]}" --output long --progress always

@@ -2,6 +2,7 @@
 # What the program prints when nobody sits at a terminal.
 source "$(dirname "$0")/support.sh"
 one_cell 50 0.2
+cell+=(--fresh) # the map is there after the first time
 
 expect_exit 0 "$minimal" "${cell[@]}"
 expect_empty stderr

@@ -61,7 +61,17 @@ rm -rf torn && cp -r kept torn
 echo nonsense >torn/map.journal
 expect_exit 3 "${quick[@]}" --output torn
 expect_contains stderr 'torn/map.journal:1: not a journal of this program, or a damaged one'
+expect_contains stderr '--fresh to forget it'
+[[ $(<torn/map.journal) == nonsense ]] || fail 'the journal did not stay'
 resumed torn --fresh
+
+# A damaged header costs nothing where the rest of it says enough: here its first line and one of the study.
+rm -rf torn && cp -r kept torn
+finished=$(grep -c ',ok$' torn/map.journal)
+sed -i -e '1s/rubsweep/Rubsweep/' -e '6s/: */&x/' torn/map.journal
+resumed torn
+expect_contains stderr 'torn/map.journal: 2 damaged lines before its records, which are used all the same'
+expect_contains stderr "$finished of $cells cells were finished before"
 
 # A full disk, seen as a limit on the size of a file.
 for kilobytes in 8 40 80; do

@@ -35,7 +35,19 @@ expect_matches stderr '^rubtrace: .*no_such_file\.yaml'
 echo precious >file
 expect_exit 3 "$minimal" "${rub[@]}" --output file/below
 expect_matches stderr '^rubtrace: .*file/below'
+for span in '' '--last-revolutions 1'; do
+  # shellcheck disable=SC2086  # several arguments
+  expect_exit 2 "$minimal" "${rub[@]}" --revolutions 1000000000000 $span
+  expect_matches stderr '^--revolutions: 1000000000000 revolutions take about [0-9.e+]+ GB of memory, this machine has [0-9.]+ GB, allowed: fewer'
+done
 expect_missing results
+# Memory that the machine has, but this process may not take.
+(
+  ulimit -v 150000
+  expect_exit 70 "$minimal" "${rub[@]}" --revolutions 20000
+)
+[[ $(<stderr) == 'rubtrace: out of memory' ]] || fail 'another message'
+rm -rf results
 
 # A rub that persists, over all the revolutions of the configuration.
 expect_exit 0 "$minimal" "${rub[@]}"
@@ -58,7 +70,7 @@ expect_contains stdout 'files     results/minimal_trace: config.yaml events.csv 
 rubtrace=$rubsweep rubsweep=$sweep
 expect_exit 0 trace/config.yaml --output map
 expect_same map/map.csv trace/motion.csv
-expect_exit 0 "$minimal" --output map
+expect_exit 0 "$minimal" --output map --fresh
 rows trace/motion.csv >row
 grep -qxF -f row map/map.csv || fail 'the map has another row for this cell'
 rubsweep=$rubtrace

@@ -48,6 +48,32 @@ expect_contains stderr '48 of 96 cells were finished before'
 expect_same part/map.csv whole/map.csv
 expect_files part config.yaml map.csv
 
+# Killed while the journals were removed after a merge: the map is there, and the rest of them goes.
+expect_exit 0 "${quick[@]}" --output merged --shard 1/2
+expect_exit 0 "${quick[@]}" --output merged --shard 2/2
+cp merged/map.shard-2-of-2.journal kept.journal
+expect_exit 0 "${quick[@]}" --output merged --merge
+cp kept.journal merged/map.shard-2-of-2.journal
+expect_exit 0 "${quick[@]}" --output merged --merge
+expect_matches stdout '^ +[0-9]+ +[0-9.]+ %  non_contact$'
+expect_same merged/map.csv whole/map.csv
+expect_files merged config.yaml map.csv
+
+# Parts of another configuration make room for --fresh, whichever of them comes first or at once; those of this one stay.
+for i in 1 2 3 4; do expect_exit 0 "${quick[@]}" --output changed --shard $i/4; done
+for i in 1 2 3 4; do
+  "$rubsweep" "${quick[@]}" --set rotor.mass_kg=0.9 --output changed --shard $i/4 --fresh --threads 1 --quiet 2>stderr_$i &
+done
+for i in 1 2 3 4; do wait -n || fail "a part ended with $?: $(cat stderr_?)"; done
+expect_exit 0 "${quick[@]}" --set rotor.mass_kg=0.9 --output changed --merge
+expect_exit 0 "${quick[@]}" --set rotor.mass_kg=0.9 --output changed_whole
+expect_same changed/map.csv changed_whole/map.csv
+# And so does a finished map.
+expect_exit 2 "${quick[@]}" --output changed --shard 1/4
+expect_contains stderr 'changed/map.csv: is a finished map of another configuration'
+expect_exit 0 "${quick[@]}" --output changed --shard 1/4 --fresh
+expect_missing changed/map.csv
+
 # Parts of different studies do not mix, and --fresh forgets one's own part only.
 expect_exit 0 "${quick[@]}" --output mixed --shard 1/2
 expect_exit 2 "${quick[@]}" --output mixed --shard 2/2 --set rotor.mass_kg=0.9

@@ -10,7 +10,7 @@ at_terminal() {
   script -qec "$1" /dev/null >stdout </dev/null || fail "$1: exit code $?"
 }
 
-run=$(printf '%q ' "$rubsweep" "$minimal" "${cell[@]}")
+run=$(printf '%q ' "$rubsweep" "$minimal" "${cell[@]}" --fresh)
 at_terminal "$run"
 expect_contains stdout '1/1 cells in '
 at_terminal "$run --progress never"

@@ -44,5 +44,5 @@ expect_picture out/bare 1
 draw 1 rub out/nothing
 expect_contains stderr 'usage: trace.sh'
 draw 3 nowhere out/nothing Heading
-expect_contains stderr 'trace.sh: cannot read nowhere/trajectory.csv'
+expect_matches stderr '^trace.sh: cannot read .*/nowhere/trajectory.csv$'
 expect_missing out/nothing.png

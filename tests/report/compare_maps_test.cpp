@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 
 #include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
+#include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/comparison_figure.hpp"
@@ -34,7 +37,7 @@ Row row(double speed_hz, double whirl_ratio, response::MotionClass motion_class,
 }
 
 /// Four cells: two motions that repeat, rest and chaos.
-std::vector<Row> map() {
+std::vector<Row> cells() {
   using enum response::MotionClass;
   return {row(50, 0.2, subharmonic, 2), row(60, 0.2, non_contact, {}), row(50, 0.4, chaotic, {}),
           row(60, 0.4, subharmonic, 3)};
@@ -42,19 +45,19 @@ std::vector<Row> map() {
 
 class CompareMaps : public testing::Test {
  protected:
-  batch::CsvTable table(const std::string& name, const std::vector<Row>& rows) const {
+  std::filesystem::path table(const std::string& name, const std::vector<Row>& rows) const {
     std::string text = map_comments("1", "digest") + map_header() + "\n";
     for (const Row& row : rows) text += map_line(row) + "\n";
     return table_of(name, text);
   }
 
-  batch::CsvTable table_of(const std::string& name, const std::string& text) const {
+  std::filesystem::path table_of(const std::string& name, const std::string& text) const {
     batch::write_whole_file(directory_.path() / name, text);
-    return batch::read_csv(directory_.path() / name);
+    return directory_.path() / name;
   }
 
   MapComparison compare(const std::vector<Row>& a, const std::vector<Row>& b, double tolerance = 1e-4) const {
-    return compare_maps(table("a.csv", a), table("b.csv", b), tolerance, nullptr);
+    return compare_maps(table("a.csv", a), table("b.csv", b), tolerance);
   }
 
   const TemporaryDirectory directory_;
@@ -69,7 +72,7 @@ std::vector<CellVerdict> verdicts(const MapComparison& comparison) {
 using enum CellVerdict;
 
 TEST_F(CompareMaps, EqualMapsAreEqual) {
-  const MapComparison comparison = compare(map(), map(), 0);
+  const MapComparison comparison = compare(cells(), cells(), 0);
   EXPECT_TRUE(comparison.equal());
   EXPECT_EQ(comparison.axis, "whirl_ratio");
   EXPECT_EQ(
@@ -78,10 +81,10 @@ TEST_F(CompareMaps, EqualMapsAreEqual) {
 }
 
 TEST_F(CompareMaps, ClassAndOrderMustBeTheSame) {
-  auto other = map();
+  auto other = cells();
   other[0].order = 4;
   other[1].motion_class = response::MotionClass::unsettled;
-  const MapComparison comparison = compare(map(), other);
+  const MapComparison comparison = compare(cells(), other);
   EXPECT_FALSE(comparison.equal());
   EXPECT_EQ(verdicts(comparison), (std::vector{classes_differ, classes_differ, equal, equal}));
   EXPECT_EQ(
@@ -93,11 +96,11 @@ TEST_F(CompareMaps, ClassAndOrderMustBeTheSame) {
 }
 
 TEST_F(CompareMaps, NumbersMayDifferByTheTolerance) {
-  auto other = map();
+  auto other = cells();
   other[0].measures->contact.peak_contact_force_n *= 1.002;
   other[3].measures->contact.peak_contact_force_n *= 1.004;
-  EXPECT_TRUE(compare(map(), other, 5e-3).equal());
-  const MapComparison comparison = compare(map(), other, 1e-3);
+  EXPECT_TRUE(compare(cells(), other, 5e-3).equal());
+  const MapComparison comparison = compare(cells(), other, 1e-3);
   EXPECT_EQ(verdicts(comparison), (std::vector{numbers_differ, equal, equal, numbers_differ}));
   ASSERT_EQ(comparison.columns.size(), 1u);
   const ColumnDifference& force = comparison.columns[0];
@@ -112,18 +115,18 @@ TEST_F(CompareMaps, NumbersMayDifferByTheTolerance) {
 }
 
 TEST_F(CompareMaps, LengthsAreRelativeToThePeakDisplacement) {
-  auto other = map();
+  auto other = cells();
   other[1].measures->amplitude_1x_backward_m = 9e-20;
-  EXPECT_TRUE(compare(map(), other).equal()) << "rounding of nothing";
+  EXPECT_TRUE(compare(cells(), other).equal()) << "rounding of nothing";
   other[1].measures->amplitude_1x_backward_m = 2.1e-3 * 1e-4;
-  EXPECT_EQ(compare(map(), other).columns.at(0).column, "amplitude_1x_backward_m");
+  EXPECT_EQ(compare(cells(), other).columns.at(0).column, "amplitude_1x_backward_m");
 }
 
 TEST_F(CompareMaps, WordsAndEmptyNumbersOfARepeatingMotionMustBeTheSame) {
-  auto other = map();
+  auto other = cells();
   other[0].measures->orbit = response::OrbitKind::complex;
   other[1].measures->comb_spacing = 0.3;
-  const MapComparison comparison = compare(map(), other);
+  const MapComparison comparison = compare(cells(), other);
   EXPECT_EQ(verdicts(comparison), (std::vector{numbers_differ, numbers_differ, equal, equal}));
   EXPECT_NE(describe(comparison, 1e-4)
                 .find("orbit: 1 cells, first at speed_hz 50, whirl_ratio 0.2: oval -> complex"),
@@ -134,24 +137,24 @@ TEST_F(CompareMaps, WordsAndEmptyNumbersOfARepeatingMotionMustBeTheSame) {
 }
 
 TEST_F(CompareMaps, MotionsThatNeverRepeatHaveNoNumbers) {
-  auto other = map();
+  auto other = cells();
   other[2].measures->contact.peak_contact_force_n *= 2;
-  EXPECT_TRUE(compare(map(), other).equal());
+  EXPECT_TRUE(compare(cells(), other).equal());
 }
 
 TEST_F(CompareMaps, HowLongATransientLastedIsNotCompared) {
-  auto other = map();
+  auto other = cells();
   other[0].revolutions = 999;
   other[0].last_contact_revolution = 77;
   other[0].proof = response::Proof::observed;
-  EXPECT_TRUE(compare(map(), other).equal());
+  EXPECT_TRUE(compare(cells(), other).equal());
 }
 
 TEST_F(CompareMaps, ListedCellsAreLeftOut) {
-  auto other = map();
+  auto other = cells();
   other[0].order = 4;
   const auto list = table_of("list.csv", "# why\nspeed_hz,whirl_ratio\n50,0.2\n60,0.4\n");
-  const auto comparison = compare_maps(table("a.csv", map()), table("b.csv", other), 0, &list);
+  const auto comparison = compare_maps(table("a.csv", cells()), table("b.csv", other), 0, list);
   EXPECT_TRUE(comparison.equal());
   EXPECT_EQ(verdicts(comparison), (std::vector{sensitive, equal, equal, sensitive}));
   EXPECT_NE(describe(comparison, 0).find("not compared: 2 sensitive cells, 1 of them with another class\n"),
@@ -159,23 +162,27 @@ TEST_F(CompareMaps, ListedCellsAreLeftOut) {
 }
 
 TEST_F(CompareMaps, CellsThatAreNotRobustAreLeftOut) {
-  auto other = map();
+  auto other = cells();
   other[0].order = 4;
   other[3].order = 4;
-  auto a = table("a.csv", map()), b = table("b.csv", other);
-  const std::size_t robust = batch::column(a, "robust");
-  a.rows[0][robust] = "no";
-  a.rows[3][robust] = "yes";
-  b.rows[1][robust] = "no";
-  EXPECT_EQ(verdicts(compare_maps(a, b, 0, nullptr)),
-            (std::vector{sensitive, sensitive, equal, classes_differ}));
+  const auto with_robust = [&](const std::string& name, const std::vector<Row>& rows,
+                               const std::map<std::size_t, std::string>& robust) {
+    batch::CsvTable table = batch::read_csv(this->table(name, rows));
+    for (const auto& [row, word] : robust) table.rows[row][batch::column(table, "robust")] = word;
+    std::string text = map_header() + "\n";
+    for (const auto& row : table.rows) text += batch::csv_row(row) + "\n";
+    return table_of(name, text);
+  };
+  const auto a = with_robust("a.csv", cells(), {{0, "no"}, {3, "yes"}});
+  const auto b = with_robust("b.csv", other, {{1, "no"}});
+  EXPECT_EQ(verdicts(compare_maps(a, b, 0)), (std::vector{sensitive, sensitive, equal, classes_differ}));
 }
 
 TEST_F(CompareMaps, CellsOfOneMapOnlyAreADifference) {
-  auto some = map();
+  auto some = cells();
   some.pop_back();
   std::reverse(some.begin(), some.end());
-  const MapComparison fewer = compare(map(), some), more = compare(some, map());
+  const MapComparison fewer = compare(cells(), some), more = compare(some, cells());
   EXPECT_EQ(verdicts(fewer), (std::vector{equal, equal, equal, only_in_one}));
   EXPECT_EQ(verdicts(more), (std::vector{equal, equal, equal, only_in_one}))
       << "the order of rows means nothing";
@@ -200,23 +207,28 @@ TEST_F(CompareMaps, OfEccentricityMapsTheCellsAreFoundByEccentricity) {
 }
 
 TEST_F(CompareMaps, WhatIsNoMapIsAnError) {
-  const auto good = table("a.csv", map()), bad = table_of("b.csv", "speed_hz,whirl_ratio\n50,0.2\n");
-  EXPECT_NE(
-      message_of<IoError>([&] { compare_maps(good, bad, 0, nullptr); }).find("b.csv: no column 'class'"),
-      std::string::npos);
-  auto twice = map();
+  const auto good = table("a.csv", cells()), bad = table_of("b.csv", "speed_hz,whirl_ratio\n50,0.2\n");
+  EXPECT_NE(message_of<IoError>([&] { compare_maps(good, bad, 0); }).find("b.csv: no column 'class'"),
+            std::string::npos);
+  auto twice = cells();
   twice.push_back(twice.front());
   EXPECT_NE(
-      message_of<IoError>([&] { compare(map(), twice); }).find("b.csv:9: this cell is in the map twice"),
+      message_of<IoError>([&] { compare(cells(), twice); }).find("b.csv:9: this cell is in the map twice"),
       std::string::npos);
 }
 
 TEST_F(CompareMaps, TheFigureHoldsEveryCellUnderItsVerdict) {
-  auto other = map();
+  auto other = cells();
   other[0].order = 4;
-  const std::string script = comparison_figure(compare(map(), other), "it's a map", "svg", "out.svg");
+  const std::string script = comparison_figure(compare(cells(), other), "it's a map", "svg", "out.svg");
   EXPECT_NE(script.find("set title 'it''s a map'\n"), std::string::npos);
   EXPECT_NE(script.find("set output 'out.svg'\n"), std::string::npos);
+  EXPECT_NE(comparison_figure(compare(cells(), other), "a\nsystem('b')", "svg", "|c'.svg")
+                .find("set output './|c''.svg'\nset title 'a?system(''b'')'\n"),
+            std::string::npos);
+  EXPECT_EQ(comparison_figure(compare(cells(), other), "a", "svg", "").find("set output"), std::string::npos);
+  EXPECT_EQ(message_of<IoError>([&] { comparison_figure(compare(cells(), other), "a", "svg", "c\n.svg"); }),
+            "cannot write 'c?.svg': its name has control characters");
   EXPECT_NE(script.find("$cells_0 << END\n60 0.2\n50 0.4\n60 0.4\nEND\n"), std::string::npos);
   EXPECT_NE(script.find("$cells_3 << END\n50 0.2\nEND\n"), std::string::npos);
   EXPECT_NE(script.find("title 'another class (1)'"), std::string::npos);

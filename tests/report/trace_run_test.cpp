@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/batch/csv_table.hpp"
@@ -109,6 +110,18 @@ TEST(TraceRun, KeepsOnlyTheLastOfTheTrajectoryWhenAsked) {
   EXPECT_TRUE(all.trajectory_csv.ends_with(body(last.trajectory_csv)));
   EXPECT_EQ(last.section_csv, all.section_csv);
   EXPECT_EQ(last.events_csv, all.events_csv);
+}
+
+TEST(TraceRun, TakesAboutAsMuchMemoryAsItSays) {
+  const OneSideRotor rotor;
+  for (const std::optional<long> kept : {std::optional<long>(), std::optional<long>(2)}) {
+    TraceOptions options = options_for(rotor, 30);
+    options.trajectory_revolutions = kept;
+    const Trace trace = run(rotor, options);
+    const auto text = static_cast<double>(trace.trajectory_csv.size() + trace.section_csv.size());
+    EXPECT_GT(trace_bytes(options, 1), text);
+    EXPECT_LT(trace_bytes(options, 1), 4 * text);
+  }
 }
 
 TEST(TraceRun, EventsFormOneChainPerStop) {

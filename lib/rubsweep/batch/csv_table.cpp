@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/batch/descriptor.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
@@ -18,7 +20,7 @@ namespace {
   throw IoError(fmt::format("{}:{}: {}", path.string(), line, message));
 }
 
-/// The text of a file and how far it is read.
+/// The text of a row and how far it is read.
 struct Cursor {
   const std::filesystem::path& path;
   std::string_view rest;
@@ -40,12 +42,10 @@ struct Cursor {
   }
 };
 
-std::string read_comment(Cursor& cursor) {
-  cursor.take(cursor.rest.starts_with("# ") ? 2 : 1);
-  std::string comment = cursor.take(std::min(cursor.rest.find('\n'), cursor.rest.size()));
-  if (comment.ends_with('\r')) comment.pop_back();
-  cursor.skip_line_end();
-  return comment;
+std::string comment_of(std::string_view line) {
+  line.remove_prefix(line.starts_with("# ") ? 2 : 1);
+  while (line.ends_with('\n') || line.ends_with('\r')) line.remove_suffix(1);
+  return std::string(line);
 }
 
 std::string read_quoted_cell(Cursor& cursor) {
@@ -94,6 +94,27 @@ void require_distinct(const std::vector<std::string>& header, const std::filesys
   }
 }
 
+std::size_t column_of(const std::filesystem::path& path, const std::vector<std::string>& header,
+                      std::string_view name) {
+  const auto place = std::ranges::find(header, name);
+  if (place == header.end()) {
+    throw IoError(
+        fmt::format("{}: no column '{}', there are: {}", path.string(), name, fmt::join(header, ", ")));
+  }
+  return static_cast<std::size_t>(place - header.begin());
+}
+
+double number_of(const std::filesystem::path& path, std::size_t line, const std::string& column,
+                 const std::string& cell) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  if (cell.empty()) return value;
+  const char* end = cell.data() + cell.size();
+  const auto read = std::from_chars(cell.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end)
+    fail(path, line, fmt::format("{}: '{}' is not a number", column, cell));
+  return value;
+}
+
 }  // namespace
 
 std::string csv_number(double value) {
@@ -121,52 +142,82 @@ std::string csv_row(std::span<const std::string> cells) {
   return row;
 }
 
-CsvTable read_csv(const std::filesystem::path& path) {
-  CsvTable table{.path = path, .comments = {}, .header = {}, .rows = {}, .lines = {}};
-  const std::string text = read_whole_file(path);
-  Cursor cursor{.path = path, .rest = text};
-  while (!cursor.rest.empty()) {
-    const std::size_t line = cursor.line;
-    if (cursor.at_line_end()) {
-      cursor.skip_line_end();
-    } else if (cursor.rest.starts_with('#')) {
-      table.comments.push_back(read_comment(cursor));
-    } else if (table.header.empty()) {
-      table.header = read_row(cursor);
-      require_distinct(table.header, path, line);
-    } else {
-      table.rows.push_back(read_row(cursor));
-      table.lines.push_back(line);
-      if (table.rows.back().size() != table.header.size()) {
-        fail(path, line,
-             fmt::format("{} cells, but the header has {}", table.rows.back().size(), table.header.size()));
-      }
+CsvReader::CsvReader(std::filesystem::path path)
+    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "rb"), &std::fclose) {
+  if (!file_) throw_io_error("read", path_, errno);
+  if (!read_record()) fail(path_, next_.line, "no header line");
+  header_ = parse_record();
+  require_distinct(header_, path_, place_.line);
+}
+
+/// Past comments and empty lines; false when nothing follows.
+bool CsvReader::read_record() {
+  record_.clear();
+  std::ptrdiff_t quotes = 0;
+  while (true) {
+    errno = 0;
+    const ssize_t length = ::getline(&line_.text, &line_.capacity, file_.get());
+    if (length < 0 && std::ferror(file_.get())) throw_io_error("read", path_, errno);
+    if (length < 0) return !record_.empty();
+    const std::string_view line(line_.text, static_cast<std::size_t>(length));
+    if (record_.empty()) place_ = next_;
+    next_.offset += static_cast<std::uint64_t>(length);
+    next_.line += 1;
+    if (record_.empty() && line.starts_with('#')) {
+      comments_.push_back(comment_of(line));
+    } else if (!record_.empty() || (line != "\n" && line != "\r\n")) {
+      record_ += line;
+      quotes += std::ranges::count(line, '"');
+      if (quotes % 2 == 0) return true;  // or a quoted cell goes on in the next line
     }
   }
-  if (table.header.empty()) fail(path, cursor.line, "no header line");
+}
+
+std::vector<std::string> CsvReader::parse_record() const {
+  Cursor cursor{.path = path_, .rest = record_, .line = place_.line};
+  return read_row(cursor);
+}
+
+bool CsvReader::next() {
+  if (!read_record()) return false;
+  cells_ = parse_record();
+  if (cells_.size() != header_.size()) {
+    fail(path_, place_.line, fmt::format("{} cells, but the header has {}", cells_.size(), header_.size()));
+  }
+  return true;
+}
+
+void CsvReader::read_at(const Place& place) {
+  // Maps are read in order: what is buffered already stays.
+  if (place.offset != next_.offset && ::fseeko(file_.get(), static_cast<off_t>(place.offset), SEEK_SET) != 0)
+    throw_io_error("read", path_, errno);
+  next_ = place;
+  if (!next()) fail(path_, place.line, "the file has become shorter");
+}
+
+std::size_t CsvReader::column(std::string_view name) const { return column_of(path_, header_, name); }
+
+double CsvReader::number(std::size_t column) const {
+  return number_of(path_, place_.line, header_.at(column), cells_.at(column));
+}
+
+CsvTable read_csv(const std::filesystem::path& path) {
+  CsvReader reader(path);
+  CsvTable table{.path = path, .comments = {}, .header = reader.header(), .rows = {}, .lines = {}};
+  while (reader.next()) {
+    table.rows.push_back(reader.cells());
+    table.lines.push_back(reader.place().line);
+  }
+  table.comments = reader.comments();
   return table;
 }
 
 std::size_t column(const CsvTable& table, std::string_view name) {
-  const auto place = std::ranges::find(table.header, name);
-  if (place == table.header.end()) {
-    throw IoError(fmt::format("{}: no column '{}', there are: {}", table.path.string(), name,
-                              fmt::join(table.header, ", ")));
-  }
-  return static_cast<std::size_t>(place - table.header.begin());
+  return column_of(table.path, table.header, name);
 }
 
 double number(const CsvTable& table, std::size_t row, std::size_t column) {
-  const std::string& cell = table.rows.at(row).at(column);
-  double value = std::numeric_limits<double>::quiet_NaN();
-  if (cell.empty()) return value;
-  const char* end = cell.data() + cell.size();
-  const auto read = std::from_chars(cell.data(), end, value);
-  if (read.ec != std::errc() || read.ptr != end) {
-    fail(table.path, table.lines.at(row),
-         fmt::format("{}: '{}' is not a number", table.header.at(column), cell));
-  }
-  return value;
+  return number_of(table.path, table.lines.at(row), table.header.at(column), table.rows.at(row).at(column));
 }
 
 }  // namespace rubsweep::batch

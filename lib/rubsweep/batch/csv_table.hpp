@@ -1,7 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +20,56 @@ std::string csv_number(double value);
 /// otherwise.
 std::string csv_row(std::span<const std::string> cells);
 
+/// A comma-separated file, a row at a time: comment lines anywhere, then a header of distinct names, then
+/// rows of as many cells. Cells stay text, blanks included; empty lines are skipped. Throws IoError, with
+/// file:line where the text is at fault.
+class CsvReader {
+ public:
+  /// Reads up to the header.
+  explicit CsvReader(std::filesystem::path path);
+
+  const std::filesystem::path& path() const { return path_; }
+  const std::vector<std::string>& comments() const { return comments_; }  ///< so far, as in CsvTable
+  const std::vector<std::string>& header() const { return header_; }
+
+  /// Where a row starts.
+  struct Place {
+    std::uint64_t offset = 0;
+    std::size_t line = 0;  ///< from 1
+  };
+
+  /// Reads the next row; false when there is none.
+  bool next();
+
+  /// Reads the row at `place`, which was the place of a row; `next` goes on behind it.
+  void read_at(const Place& place);
+
+  const std::vector<std::string>& cells() const { return cells_; }  ///< of the row
+  const Place& place() const { return place_; }                     ///< of the row
+
+  /// Place of the column called `name`. Throws IoError naming the file and its columns when there is none.
+  std::size_t column(std::string_view name) const;
+
+  /// The number in one cell of the row; NaN when it is empty. Throws IoError with file:line when it is none.
+  double number(std::size_t column) const;
+
+ private:
+  bool read_record();
+  std::vector<std::string> parse_record() const;
+
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  struct Line {  ///< as getline(3) wants it
+    char* text = nullptr;
+    std::size_t capacity = 0;
+    ~Line() { std::free(text); }
+  } line_;
+  Place next_{0, 1};  ///< where the next line starts
+  Place place_;
+  std::string record_;  ///< one line, or more where a quoted cell goes on
+  std::vector<std::string> comments_, header_, cells_;
+};
+
 /// A table as read from a file: every row has as many cells as the header.
 struct CsvTable {
   std::filesystem::path path;
@@ -25,9 +79,7 @@ struct CsvTable {
   std::vector<std::size_t> lines;  ///< line of the file where each row starts, from 1
 };
 
-/// Reads a comma-separated table: comment lines anywhere, then a header of distinct names, then rows. Cells
-/// stay text, blanks included; empty lines are skipped. Throws IoError, with file:line where the text is at
-/// fault.
+/// Reads a whole file as CsvReader does, and throws as it does.
 CsvTable read_csv(const std::filesystem::path& path);
 
 /// Place of the column called `name`. Throws IoError naming the file and its columns when there is none.

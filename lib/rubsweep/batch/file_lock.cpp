@@ -10,17 +10,17 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <string_view>
 #include <utility>
 
-#include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
 namespace {
 
-/// 0, or the system's error number: EWOULDBLOCK when somebody else holds the lock.
-int try_lock(int descriptor, int operation) {
-  while (::flock(descriptor, operation | LOCK_NB) != 0) {
+/// 0, or the system's error number: with LOCK_NB, EWOULDBLOCK when somebody else holds the lock.
+int lock(int descriptor, int operation) {
+  while (::flock(descriptor, operation) != 0) {
     if (errno != EINTR) return errno;
   }
   return 0;
@@ -42,38 +42,71 @@ std::string identity(const std::string& purpose) {
                      fmt::gmtime(now));
 }
 
-std::string written_holder(const std::filesystem::path& path) {
-  const std::string text = read_whole_file(path);
-  return text.empty() ? "another process" : text.substr(0, text.find('\n'));
+/// Read through the open file: its name may be gone by now.
+std::string written_holder(int descriptor) {
+  std::array<char, 512> text{};
+  const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
+  const std::string_view written(text.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+  return written.empty() ? "another process" : std::string(written.substr(0, written.find('\n')));
+}
+
+/// The file at `path` to be locked, and whether it may be written: in a directory that is shared it may be
+/// one that only its owner can write, and who that is does not matter when he is dead.
+std::pair<Descriptor, bool> open_lock(const std::filesystem::path& path) {
+  constexpr int most_attempts = 3;  // it may be removed between the two ways to open it
+  for (int attempt = 1;; ++attempt) {
+    const int writable = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (writable >= 0) return {Descriptor(writable), true};
+    const int error = errno;
+    const int readable = error == EACCES ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : -1;
+    if (readable >= 0) return {Descriptor(readable), false};
+    if (error != EACCES || attempt == most_attempts) throw_io_error("lock", path, error);
+  }
 }
 
 }  // namespace
 
-FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string& purpose)
+FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string& purpose, Patience patience)
     : path_(std::move(path)) {
-  do {
-    descriptor_.emplace(open_file(path_, O_RDWR | O_CREAT, "lock"));
-    const int error = try_lock(descriptor_->get(), mode == LockMode::exclusive ? LOCK_EX : LOCK_SH);
-    if (error == EWOULDBLOCK) {
-      throw LockedError(fmt::format("{} is held by {}", path_.string(), written_holder(path_)));
+  const int operation = mode == LockMode::exclusive ? LOCK_EX : LOCK_SH;
+  bool writable = false;
+  for (;;) {
+    auto [descriptor, may_write] = open_lock(path_);
+    const int error = patience == Patience::wait ? lock(descriptor.get(), operation)
+                                                 : lock(descriptor.get(), operation | LOCK_NB);
+    const bool still_there = is_file_at(descriptor.get(), path_);
+    if (error == EWOULDBLOCK && still_there) {
+      throw LockedError(fmt::format("{} is held by {}", path_.string(), written_holder(descriptor.get())));
     }
-    if (error != 0) throw_io_error("lock", path_, error);
-  } while (!is_file_at(descriptor_->get(), path_));
+    if (error != 0 && error != EWOULDBLOCK) throw_io_error("lock", path_, error);
+    if (error != 0 || !still_there) continue;  // its holder has just removed it
+    // A dead owner's file is replaced by one of ours where the directory lets us.
+    if (!may_write && mode == LockMode::exclusive && ::unlink(path_.c_str()) == 0) continue;
+    writable = may_write;
+    descriptor_.emplace(std::move(descriptor));
+    break;
+  }
+  if (!writable) return;
   if (::ftruncate(descriptor_->get(), 0) != 0) throw_io_error("write", path_, errno);
   if (const int error = write_all(descriptor_->get(), identity(purpose) + '\n'))
     throw_io_error("write", path_, error);
 }
 
 FileLock::~FileLock() {
-  if (try_lock(descriptor_->get(), LOCK_EX) == 0) ::unlink(path_.c_str());
+  // Somebody may have removed the directory and begun another one under its name: that lock is not ours.
+  if (lock(descriptor_->get(), LOCK_EX | LOCK_NB) == 0 && is_file_at(descriptor_->get(), path_))
+    ::unlink(path_.c_str());
 }
 
 std::optional<std::string> lock_holder(const std::filesystem::path& path) {
-  const Descriptor descriptor = open_file(path, O_RDONLY, "read");
-  const int error = try_lock(descriptor.get(), LOCK_SH);
+  const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (opened < 0 && errno == ENOENT) return std::nullopt;
+  const Descriptor descriptor(opened);
+  if (opened < 0) throw_io_error("read", path, errno);
+  const int error = lock(descriptor.get(), LOCK_SH | LOCK_NB);
   if (error == 0) return std::nullopt;
   if (error != EWOULDBLOCK) throw_io_error("lock", path, error);
-  return written_holder(path);
+  return written_holder(descriptor.get());
 }
 
 }  // namespace rubsweep::batch

@@ -13,14 +13,21 @@ enum class LockMode {
   shared      ///< others may share it
 };
 
+enum class Patience {
+  none,  ///< a lock that somebody else holds is an error
+  wait   ///< until whoever holds it frees it, for locks that nobody holds for long
+};
+
 /// A lock that a process holds as long as this lives: the system releases it however the process ends. It is
 /// a file that says who holds it; a file that nobody holds (its process was killed) means nothing.
 class FileLock {
  public:
   /// Throws LockedError "PATH is held by HOLDER", IoError when there can be no such file. `purpose` is told
-  /// to whoever finds the lock taken.
-  FileLock(std::filesystem::path path, LockMode mode, const std::string& purpose);
-  ~FileLock();  ///< removes the file unless others share the lock
+  /// to whoever finds the lock taken, where the file may be written: that of a dead owner in a directory
+  /// where nobody else may remove it goes on naming him.
+  FileLock(std::filesystem::path path, LockMode mode, const std::string& purpose,
+           Patience patience = Patience::none);
+  ~FileLock();  ///< removes the file unless others share the lock, or it is no longer the one that was locked
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
@@ -29,7 +36,7 @@ class FileLock {
   std::optional<Descriptor> descriptor_;
 };
 
-/// Who holds the lock at `path`; empty when nobody does. Throws IoError.
+/// Who holds the lock at `path`; empty when nobody does, or there is no such file. Throws IoError.
 std::optional<std::string> lock_holder(const std::filesystem::path& path);
 
 }  // namespace rubsweep::batch

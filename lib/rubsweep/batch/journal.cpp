@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
@@ -54,15 +55,23 @@ class LineReader {
 
   /// The next line without its end; false when no whole line is left: one without an end was torn.
   bool next(std::string_view& line, std::uint64_t& offset) {
+    if (std::exchange(again_, false)) {
+      line = line_;
+      offset = offset_;
+      return true;
+    }
     errno = 0;
     const ssize_t length = ::getline(&buffer_, &capacity_, file_.get());
     if (length < 0 && std::ferror(file_.get())) throw_io_error("read", path_, errno);
     if (length < 0 || buffer_[length - 1] != '\n') return false;
-    offset = position_;
+    offset = offset_ = position_;
     position_ += static_cast<std::uint64_t>(length);
-    line = std::string_view(buffer_, static_cast<std::size_t>(length - 1));
+    line = line_ = std::string_view(buffer_, static_cast<std::size_t>(length - 1));
     return true;
   }
+
+  /// The next line is the last one once more.
+  void again() { again_ = true; }
 
  private:
   std::filesystem::path path_;
@@ -70,6 +79,9 @@ class LineReader {
   char* buffer_ = nullptr;
   std::size_t capacity_ = 0;
   std::uint64_t position_ = 0;
+  std::string_view line_;  ///< the last one
+  std::uint64_t offset_ = 0;
+  bool again_ = false;
 };
 
 std::string header_text(const JournalHeader& header) {
@@ -89,26 +101,40 @@ std::string header_text(const JournalHeader& header) {
   return text;
 }
 
+/// What belongs to its place in the header comes first: whether the records can be trusted rests on it.
 JournalHeader read_header(LineReader& lines, const std::filesystem::path& path) {
-  int number = 0;
+  JournalHeader header;
+  int number = 0, first_damaged = 0;
+  std::string_view line;
+  std::uint64_t offset = 0;
+  const auto refuse = [&] {
+    throw DamagedJournal(fmt::format("{}:{}: not a journal of this program, or a damaged one", path.string(),
+                                     first_damaged > 0 ? first_damaged : number));
+  };
+  // Empty where the line is damaged: no line of a header is.
   const auto next = [&] {
     ++number;
-    std::string_view line;
-    std::uint64_t offset = 0;
-    const auto content = lines.next(line, offset) ? content_of(line) : std::nullopt;
-    if (!content || (number == 1 && *content != first_line)) {
-      throw IoError(
-          fmt::format("{}:{}: not a journal of this program, or a damaged one", path.string(), number));
-    }
-    return std::string(*content);
+    if (!lines.next(line, offset)) refuse();
+    const std::string content(content_of(line).value_or(""));
+    if (content.empty() && header.damaged_lines++ == 0) first_damaged = number;
+    return content;
   };
-  next();
-  JournalHeader header;
+  if (const std::string begin = next(); !begin.empty() && begin != first_line) refuse();
   header.study_digest = next();
+  const bool study_is_needed = header.study_digest.empty();
   header.program_digest = next();
+  if (header.program_digest.empty()) refuse();
   header.cells = read_size(next()).value_or(0);
-  for (std::string line = next(); line != last_header_line; line = next()) {
-    header.study.append(line, std::min<std::size_t>(line.size(), 1)) += '\n';
+  if (header.cells == 0) refuse();
+  for (std::string content = next(); content != last_header_line; content = next()) {
+    if (content.starts_with(':')) {
+      header.study.append(content, 1) += '\n';
+    } else if (!content.empty()) {  // the line before this record is damaged
+      lines.again();
+      break;
+    } else if (study_is_needed) {
+      refuse();
+    }
   }
   return header;
 }
@@ -116,7 +142,8 @@ JournalHeader read_header(LineReader& lines, const std::filesystem::path& path) 
 }  // namespace
 
 bool same_results(const JournalHeader& a, const JournalHeader& b) {
-  return a.study_digest == b.study_digest && a.program_digest == b.program_digest && a.cells == b.cells;
+  const bool same_study = a.study_digest.empty() ? a.study == b.study : a.study_digest == b.study_digest;
+  return same_study && a.program_digest == b.program_digest && a.cells == b.cells;
 }
 
 JournalHeader read_journal_header(const std::filesystem::path& path) {
@@ -146,8 +173,11 @@ std::size_t read_journal(const std::filesystem::path& path,
 
 Journal::Journal(const std::filesystem::path& path, const JournalHeader& header)
     : log_([&] {
-        std::error_code unknown;  // what cannot be looked at cannot be opened either, and that tells why
-        if (!std::filesystem::exists(path, unknown)) write_whole_file(path, header_text(header));
+        std::error_code unknown;
+        const bool there = std::filesystem::exists(path, unknown);
+        // What cannot be looked at may well be there: a header in its place would cost all its records.
+        if (unknown) throw_io_error("look at", path, unknown.value());
+        if (!there) write_whole_file(path, header_text(header));
         return path;
       }()) {}
 

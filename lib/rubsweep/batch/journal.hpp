@@ -8,19 +8,27 @@
 #include <string_view>
 
 #include "rubsweep/batch/line_log.hpp"
+#include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
 
 /// What the results in a journal belong to. Results of two journals with equal digests and cells may be
 /// mixed.
 struct JournalHeader {
-  std::string study_digest;    ///< of everything that decides the results
-  std::string program_digest;  ///< of the code that computes them
-  std::size_t cells = 0;       ///< of the whole grid; records name cells 0 ... cells - 1
-  std::string study;           ///< the study itself as lines of text, so that a difference can be named
+  std::string study_digest;       ///< of everything that decides the results
+  std::string program_digest;     ///< of the code that computes them
+  std::size_t cells = 0;          ///< of the whole grid; records name cells 0 ... cells - 1
+  std::string study;              ///< the study itself as lines of text, so that a difference can be named
+  std::size_t damaged_lines = 0;  ///< that could not be read and were not needed
 };
 
-/// True when results under one header are results under the other.
+/// What should be a journal does not say what its records belong to.
+class DamagedJournal : public IoError {
+  using IoError::IoError;
+};
+
+/// True when results under one header are results under the other: by the digests, or by the study where the
+/// digest of `a` was damaged.
 bool same_results(const JournalHeader& a, const JournalHeader& b);
 
 /// A finished cell as the journal holds it.
@@ -30,7 +38,10 @@ struct JournalRecord {
   std::uint64_t offset;   ///< of the text in the file
 };
 
-/// Reads what stands before the records. Throws IoError: the file cannot be read, or is no whole header.
+/// Reads what stands before the records. Damaged lines are done without where the others tell what the
+/// records belong to: the first line, the study as long as its digest is good, the digest as long as the
+/// study is (it is empty then), the line before the records. Throws DamagedJournal where they do not, or
+/// IoError.
 JournalHeader read_journal_header(const std::filesystem::path& path);
 
 /// Hands every good record to `on_record`, in the order of the file, and returns how many were damaged on the

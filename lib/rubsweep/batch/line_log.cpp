@@ -13,15 +13,18 @@
 namespace rubsweep::batch {
 namespace {
 
-off_t size_of(int descriptor) {
+/// 0 for a device. A size that cannot be told must never pass for an empty file, which would be cut to
+/// nothing.
+off_t size_of(int descriptor, const std::filesystem::path& path) {
   struct stat facts {};
-  return ::fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) ? facts.st_size : 0;
+  if (::fstat(descriptor, &facts) != 0) throw_io_error("look at", path, errno);
+  return S_ISREG(facts.st_mode) ? facts.st_size : 0;
 }
 
 /// Length of the file up to the end of its last whole line: read from the end, whatever its size.
 off_t whole_lines(int descriptor, const std::filesystem::path& path) {
   std::array<char, 4096> block;
-  off_t end = size_of(descriptor);
+  off_t end = size_of(descriptor, path);
   while (end > 0) {
     const off_t begin = std::max<off_t>(0, end - static_cast<off_t>(block.size()));
     const ssize_t length = ::pread(descriptor, block.data(), static_cast<std::size_t>(end - begin), begin);
@@ -39,16 +42,16 @@ off_t whole_lines(int descriptor, const std::filesystem::path& path) {
 LineLog::LineLog(std::filesystem::path path)
     : path_(std::move(path)), descriptor_(open_file(path_, O_RDWR | O_CREAT | O_APPEND, "write")) {
   const off_t whole = whole_lines(descriptor_.get(), path_);
-  if (whole != size_of(descriptor_.get()) && ::ftruncate(descriptor_.get(), whole) != 0) {
+  if (whole != size_of(descriptor_.get(), path_) && ::ftruncate(descriptor_.get(), whole) != 0) {
     throw_io_error("shorten", path_, errno);
   }
 }
 
 void LineLog::append(std::string_view line) {
-  const off_t before = size_of(descriptor_.get());
+  const off_t before = size_of(descriptor_.get(), path_);
   int error = write_all(descriptor_.get(), std::string(line) + '\n');
   // Best effort: the next one who opens the log cuts an unfinished line as well.
-  if (error != 0 && size_of(descriptor_.get()) > before) (void)!::ftruncate(descriptor_.get(), before);
+  if (error != 0) (void)!::ftruncate(descriptor_.get(), before);
   const auto now = std::chrono::steady_clock::now();
   if (error == 0 && now - synced_ >= sync_interval) {
     synced_ = now;

@@ -10,8 +10,12 @@
 
 #include <atomic>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "rubsweep/error.hpp"
 
@@ -60,6 +64,26 @@ int thread_count(int threads) {
     throw ConfigError(fmt::format("threads: {} is out of range, allowed: 0 (all) or a number >= 1", threads));
   }
   return threads == 0 ? tbb::info::default_concurrency() : threads;
+}
+
+void require_threads(int threads, int beside) {
+  const int count = thread_count(threads);
+  if (count == 1) return;
+  // The calling thread is one of them.
+  const auto wanted = static_cast<std::size_t>(count - 1 + beside);
+  std::promise<void> all_started;
+  const std::shared_future<void> end = all_started.get_future().share();
+  std::vector<std::jthread> started;
+  std::string reason;
+  try {
+    while (started.size() < wanted) started.emplace_back([end] { end.wait(); });
+  } catch (const std::system_error& error) {
+    reason = error.code().message();
+  }
+  all_started.set_value();
+  if (reason.empty()) return;
+  throw ConfigError(fmt::format("threads: {} cannot be started, the system stops at {} ({}), allowed: fewer",
+                                count, started.size() + 1, reason));
 }
 
 std::size_t parallel_run(std::size_t count, int threads,

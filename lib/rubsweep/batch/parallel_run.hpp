@@ -10,6 +10,11 @@ namespace rubsweep::batch {
 /// when threads < 0.
 int thread_count(int threads);
 
+/// Throws ConfigError when the system does not let this process run cells on as many threads as that, and
+/// have `beside` more for itself: asked for beforehand, because what runs the cells later has no other answer
+/// than to abort. One thread is always there, that of the caller, and nothing else is then asked for.
+void require_threads(int threads, int beside = 0);
+
 /// Runs run_cell(0) ... run_cell(count - 1) on thread_count(threads) threads and returns how many finished.
 /// Cells may differ in cost without bound: each is a task of its own. A cell must write to its own slot only;
 /// then results do not depend on the number of threads.

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubsweep::batch {
 namespace {
 
-constexpr auto redraw_interval = std::chrono::milliseconds(100);
+constexpr auto redraw_interval = std::chrono::milliseconds(100),
+               refresh_interval = std::chrono::milliseconds(1000);
+
+constexpr std::size_t most_ends = 1024;
 
 /// Three figures without an exponent.
 std::string rate_text(double per_second) {
@@ -28,12 +32,13 @@ std::string hours_minutes_seconds(double duration_s) {
   return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
 }
 
-std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before) {
+std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before,
+                          double recent_s_per_cell) {
   const std::size_t percent = total == 0 ? 100 : 100 * done / total;
   std::string line = fmt::format("{}/{} cells, {}%", done, total, percent);
   if (done == done_before || elapsed_s <= 0) return line;
   const double rate = static_cast<double>(done - done_before) / elapsed_s;
-  const double left_s = static_cast<double>(total - done) / rate;
+  const double left_s = static_cast<double>(total - done) * std::max(1 / rate, recent_s_per_cell);
   return line + fmt::format(", {} cells/s, {} left", rate_text(rate), hours_minutes_seconds(left_s));
 }
 
@@ -44,8 +49,19 @@ Progress::Progress(std::size_t total, ProgressMode mode, std::FILE* stream, std:
 
 void Progress::advance(std::size_t cells) {
   done_ += cells;
-  if (!stream_ || Clock::now() - drawn_ < redraw_interval) return;
-  draw(progress_line(done_, total_, elapsed_s(), done_before_));
+  if (!stream_) return;
+  const Clock::time_point now = Clock::now();
+  const std::size_t worth_keeping = std::min(most_ends, total_ - std::min(done_, total_));
+  ends_.insert(ends_.end(), std::min(cells, most_ends), now);
+  while (ends_.size() > worth_keeping) ends_.pop_front();
+  if (now - drawn_ < redraw_interval) return;
+  draw(line());
+  drawn_ = now;
+}
+
+void Progress::refresh() {
+  if (!stream_ || Clock::now() - drawn_ < refresh_interval) return;
+  draw(line());
   drawn_ = Clock::now();
 }
 
@@ -54,7 +70,7 @@ bool Progress::say(const std::string& text) {
   draw(text);
   std::fputc('\n', stream_);
   drawn_width_ = 0;
-  draw(progress_line(done_, total_, elapsed_s(), done_before_));
+  draw(line());
   return true;
 }
 
@@ -67,6 +83,18 @@ void Progress::finish() {
 }
 
 double Progress::elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+/// Since the first of the kept ends, with what has been waited for since the last: slow cells that are
+/// running count as soon as they are slow.
+double Progress::recent_s_per_cell() const {
+  if (ends_.empty()) return 0;
+  return std::chrono::duration<double>(Clock::now() - ends_.front()).count() /
+         static_cast<double>(ends_.size());
+}
+
+std::string Progress::line() const {
+  return progress_line(done_, total_, elapsed_s(), done_before_, recent_s_per_cell());
+}
 
 void Progress::draw(const std::string& line) {
   // Blanks cover what a longer line left behind. A terminal that is gone must not end the run.

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <deque>
 #include <string>
 
 namespace rubsweep::batch {
@@ -15,10 +16,13 @@ std::string hours_minutes_seconds(double duration_s);
 
 /// "132/1320 cells, 10%, 45.2 cells/s, 0:00:26 left" after `elapsed_s` seconds, which did not go into the
 /// first `done_before` cells. The rate and the time left are missing as long as nothing tells them (no cell
-/// or no time yet). The percentage is rounded down.
-std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before = 0);
+/// or no time yet). The percentage is rounded down. Cells are not alike: where the last ones took longer than
+/// the average, `recent_s_per_cell`, so may those that are left, and that time is said.
+std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before = 0,
+                          double recent_s_per_cell = 0);
 
-/// A line on a terminal that counts finished cells, rewritten in place at most ten times a second. Time
+/// A line on a terminal that counts finished cells, rewritten in place at most ten times a second. The time
+/// left is what the average cell says, or what as many last cells as are left say, whichever is longer. Time
 /// counts from construction; `done_before` cells were finished by then. Not for use by several threads at
 /// once.
 class Progress {
@@ -31,6 +35,9 @@ class Progress {
   /// So many more cells are finished.
   void advance(std::size_t cells = 1);
 
+  /// Draws the line anew, as time goes by while no cell is finished; at most once a second.
+  void refresh();
+
   /// Puts `text` on a line of its own above, where progress is shown; true if it is.
   bool say(const std::string& text);
 
@@ -42,6 +49,8 @@ class Progress {
   using Clock = std::chrono::steady_clock;
 
   double elapsed_s() const;
+  double recent_s_per_cell() const;
+  std::string line() const;
   void draw(const std::string& line);
 
   std::size_t done_before_;
@@ -51,6 +60,7 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   Clock::time_point drawn_ = start_;
   std::size_t drawn_width_ = 0;
+  std::deque<Clock::time_point> ends_;  ///< of the last cells, as many as are left, within reason
 };
 
 }  // namespace rubsweep::batch

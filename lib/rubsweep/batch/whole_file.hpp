@@ -23,6 +23,9 @@ class WholeFile {
 
   void write(std::string_view text);
 
+  /// Where another process may write instead, as its standard output.
+  int descriptor() const { return descriptor_.get(); }
+
   /// Waits until everything is on the disk, then renames. Nothing may be written afterwards.
   void commit();
 

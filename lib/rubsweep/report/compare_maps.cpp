@@ -5,17 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
-#include <set>
 #include <string_view>
 #include <utility>
 
+#include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::report {
 namespace {
 
-using batch::CsvTable;
+namespace fs = std::filesystem;
+
+using batch::CsvReader;
 using Key = std::pair<double, double>;
 
 constexpr std::array<std::string_view, 2> words{"orbit", "whirl"};
@@ -25,47 +28,68 @@ constexpr std::array<std::string_view, 10> numbers{
     "dominant_amplitude_m", "peak_contact_force_n"};
 
 /// The axis holds few values that come again and again; the other measure follows from it.
-std::string second_axis(const CsvTable& table) {
-  const auto distinct = [&](std::string_view name) {
-    const std::size_t place = batch::column(table, name);
-    std::set<std::string> values;
-    for (const auto& row : table.rows) values.insert(row[place]);
-    return values.size();
+std::string second_axis(const fs::path& map) {
+  CsvReader rows(map);
+  const auto distinct = [](std::vector<double>& values) {
+    std::ranges::sort(values);
+    return std::unique(values.begin(), values.end()) - values.begin();
   };
-  return distinct("eccentricity_m") < distinct("whirl_ratio") ? "eccentricity_m" : "whirl_ratio";
-}
-
-/// Rows of a table by their cell.
-std::map<Key, std::size_t> rows_by_cell(const CsvTable& table, const std::string& axis) {
-  const std::size_t speed = batch::column(table, "speed_hz"), unbalance = batch::column(table, axis);
-  std::map<Key, std::size_t> rows;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const Key key{batch::number(table, row, speed), batch::number(table, row, unbalance)};
-    if (!rows.emplace(key, row).second) {
-      throw IoError(
-          fmt::format("{}:{}: this cell is in the map twice", table.path.string(), table.lines[row]));
+  const std::size_t eccentricity = rows.column("eccentricity_m"), ratio = rows.column("whirl_ratio");
+  std::vector<double> eccentricities, ratios;
+  while (rows.next()) {
+    // What does not apply counts as one value.
+    for (auto& [column, values] : {std::pair(eccentricity, &eccentricities), {ratio, &ratios}}) {
+      const double value = rows.number(column);
+      values->push_back(std::isnan(value) ? -1 : value);
     }
   }
-  return rows;
+  return distinct(eccentricities) < distinct(ratios) ? "eccentricity_m" : "whirl_ratio";
 }
 
-const std::string& text(const CsvTable& table, std::size_t row, std::string_view name) {
-  return table.rows[row][batch::column(table, name)];
+/// Where the row of a cell is.
+struct CellPlace {
+  Key key;
+  CsvReader::Place row;
+};
+
+/// The rows of a map, in the order of their cells.
+std::vector<CellPlace> rows_by_cell(const fs::path& map, const std::string& axis) {
+  CsvReader rows(map);
+  const std::size_t speed = rows.column("speed_hz"), unbalance = rows.column(axis);
+  std::vector<CellPlace> places;
+  while (rows.next()) places.push_back({{rows.number(speed), rows.number(unbalance)}, rows.place()});
+  // Rows of one cell stay in the order of the file.
+  std::ranges::stable_sort(places, {}, &CellPlace::key);
+  const auto twice = std::ranges::adjacent_find(places, {}, &CellPlace::key);
+  if (twice != places.end()) {
+    throw IoError(fmt::format("{}:{}: this cell is in the map twice", map.string(), (twice + 1)->row.line));
+  }
+  return places;
 }
 
-std::string label(const CsvTable& table, std::size_t row) {
-  const std::string &name = text(table, row, "class"), &order = text(table, row, "order");
+/// None where there is no such cell.
+std::optional<std::size_t> find_cell(const std::vector<CellPlace>& places, const Key& key) {
+  const auto place = std::ranges::lower_bound(places, key, {}, &CellPlace::key);
+  if (place == places.end() || place->key != key) return std::nullopt;
+  return static_cast<std::size_t>(place - places.begin());
+}
+
+/// Of the row that was read last.
+const std::string& text(const CsvReader& row, std::string_view name) { return row.cells()[row.column(name)]; }
+
+std::string label(const CsvReader& row) {
+  const std::string &name = text(row, "class"), &order = text(row, "order");
   return order.empty() || order == "1" ? name : fmt::format("{} 1/{}", name, order);
 }
 
 /// Motions whose numbers do not depend on when one looks.
-bool repeats(const CsvTable& table, std::size_t row) {
-  const std::string& name = text(table, row, "class");
+bool repeats(const CsvReader& row) {
+  const std::string& name = text(row, "class");
   return name == "non_contact" || name == "synchronous" || name == "subharmonic";
 }
 
-std::string digest_of(const CsvTable& table) {
-  for (const std::string& comment : table.comments) {
+std::string digest_of(const CsvReader& map) {
+  for (const std::string& comment : map.comments()) {
     if (comment.starts_with("digest ")) return comment.substr(7);
   }
   return "";
@@ -73,20 +97,17 @@ std::string digest_of(const CsvTable& table) {
 
 /// A pair of rows for one cell, and what their columns say.
 struct Pair {
-  const CsvTable &a, &b;
-  std::size_t row_a, row_b;
+  const CsvReader &a, &b;
 
-  double number(const CsvTable& table, std::size_t row, std::string_view name) const {
-    return batch::number(table, row, batch::column(table, name));
-  }
+  static double number(const CsvReader& row, std::string_view name) { return row.number(row.column(name)); }
 
   /// Empty when both are empty or equal to the last bit.
   std::optional<double> relative_difference(std::string_view name) const {
-    const double x = number(a, row_a, name), y = number(b, row_b, name);
+    const double x = number(a, name), y = number(b, name);
     if (x == y) return std::nullopt;
     double scale = std::max(std::abs(x), std::abs(y));
     if (name.ends_with("_m")) {
-      const double peak_m = number(a, row_a, "peak_displacement_m");
+      const double peak_m = number(a, "peak_displacement_m");
       if (peak_m > scale) scale = peak_m;
     }
     return std::abs(x - y) / scale;
@@ -102,8 +123,8 @@ class Columns {
     if (worst.cells > 1 && (!worst.largest || (size && *size <= *worst.largest))) return;
     worst.largest = size;
     worst.cell = cell;
-    worst.a = text(pair.a, pair.row_a, column);
-    worst.b = text(pair.b, pair.row_b, column);
+    worst.a = text(pair.a, column);
+    worst.b = text(pair.b, column);
   }
 
   std::vector<ColumnDifference> list() const {
@@ -127,11 +148,10 @@ bool compare_columns(const Pair& pair, std::size_t cell, double tolerance, Colum
     differs = true;
   };
   for (const std::string_view name : words) {
-    if (text(pair.a, pair.row_a, name) != text(pair.b, pair.row_b, name)) found(name, std::nullopt);
+    if (text(pair.a, name) != text(pair.b, name)) found(name, std::nullopt);
   }
   for (const std::string_view name : numbers) {
-    const bool none_a = text(pair.a, pair.row_a, name).empty(),
-               none_b = text(pair.b, pair.row_b, name).empty();
+    const bool none_a = text(pair.a, name).empty(), none_b = text(pair.b, name).empty();
     if (none_a || none_b) {
       if (none_a != none_b) found(name, std::nullopt);
       continue;
@@ -182,42 +202,46 @@ bool MapComparison::equal() const {
   return count(CellVerdict::equal) + count(CellVerdict::sensitive) == cells.size();
 }
 
-MapComparison compare_maps(const CsvTable& a, const CsvTable& b, double tolerance,
-                           const CsvTable* sensitive) {
+MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, double tolerance,
+                           const std::optional<fs::path>& sensitive) {
+  CsvReader a(path_a), b(path_b);
   MapComparison comparison;
-  comparison.axis = second_axis(a);
+  comparison.axis = second_axis(path_a);
   comparison.digest_a = digest_of(a);
   comparison.digest_b = digest_of(b);
-  const auto rows_a = rows_by_cell(a, comparison.axis), rows_b = rows_by_cell(b, comparison.axis);
-  const auto left_out = sensitive ? rows_by_cell(*sensitive, comparison.axis) : std::map<Key, std::size_t>{};
-  std::vector<Key> in_order(rows_a.size());
-  for (const auto& [key, row] : rows_a) in_order[row] = key;
+  rows_by_cell(path_a, comparison.axis);  // no cell twice
+  const auto rows_b = rows_by_cell(path_b, comparison.axis);
+  const auto left_out = sensitive ? rows_by_cell(*sensitive, comparison.axis) : std::vector<CellPlace>{};
+  const std::size_t speed = a.column("speed_hz"), unbalance = a.column(comparison.axis);
 
   Columns columns;
-  for (const Key& key : in_order) {
-    ComparedCell cell{
-        .speed_hz = key.first, .unbalance = key.second, .label_a = label(a, rows_a.at(key)), .label_b = ""};
-    const auto found = rows_b.find(key);
-    if (found == rows_b.end()) {
+  std::vector<bool> met(rows_b.size(), false);
+  while (a.next()) {
+    const Key key{a.number(speed), a.number(unbalance)};
+    ComparedCell cell{.speed_hz = key.first, .unbalance = key.second, .label_a = label(a), .label_b = ""};
+    const auto found = find_cell(rows_b, key);
+    if (!found) {
       cell.verdict = CellVerdict::only_in_one;
     } else {
-      const Pair pair{a, b, rows_a.at(key), found->second};
-      cell.label_b = label(b, pair.row_b);
-      const bool fragile = text(a, pair.row_a, "robust") == "no" || text(b, pair.row_b, "robust") == "no";
-      if (fragile || left_out.contains(key)) {
+      met[*found] = true;
+      b.read_at(rows_b[*found].row);
+      cell.label_b = label(b);
+      const bool fragile = text(a, "robust") == "no" || text(b, "robust") == "no";
+      if (fragile || find_cell(left_out, key)) {
         cell.verdict = CellVerdict::sensitive;
       } else if (cell.label_a != cell.label_b) {
         cell.verdict = CellVerdict::classes_differ;
-      } else if (repeats(a, pair.row_a) &&
-                 compare_columns(pair, comparison.cells.size(), tolerance, columns)) {
+      } else if (repeats(a) && compare_columns({a, b}, comparison.cells.size(), tolerance, columns)) {
         cell.verdict = CellVerdict::numbers_differ;
       }
     }
     comparison.cells.push_back(std::move(cell));
   }
-  for (const auto& [key, row] : rows_b) {
-    if (rows_a.contains(key)) continue;
-    comparison.cells.push_back({key.first, key.second, CellVerdict::only_in_one, "", label(b, row)});
+  for (std::size_t i = 0; i < rows_b.size(); ++i) {
+    if (met[i]) continue;
+    b.read_at(rows_b[i].row);
+    const Key& key = rows_b[i].key;
+    comparison.cells.push_back({key.first, key.second, CellVerdict::only_in_one, "", label(b)});
   }
   comparison.columns = columns.list();
   return comparison;

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "rubsweep/batch/csv_table.hpp"
 
 namespace rubsweep::report {
 
@@ -45,14 +44,16 @@ struct MapComparison {
   bool equal() const;  ///< nothing but equal and sensitive cells
 };
 
-/// Compares two tables of map.csv cell by cell. Class and order must be equal. In cells at rest, synchronous
+/// Compares two files like map.csv cell by cell. Class and order must be equal. In cells at rest, synchronous
 /// or subharmonic in both, orbit and whirl must be equal too and every measured number within `tolerance`
 /// relative to the larger of both, lengths relative to the cell's peak displacement; numbers of motions that
-/// never repeat, and how long a transient lasted, are no property of the cell. `sensitive` (may be null) is a
+/// never repeat, and how long a transient lasted, are no property of the cell. `sensitive` is a
 /// table of cells to leave out, with columns speed_hz and the second axis. Throws IoError when a column is
-/// missing or a number is none, or when a map holds a cell twice.
-MapComparison compare_maps(const batch::CsvTable& a, const batch::CsvTable& b, double tolerance,
-                           const batch::CsvTable* sensitive);
+/// missing or a number is none, when a map holds a cell twice, or a file cannot be read.
+///
+/// The maps are read a row at a time; of their cells only places and verdicts are kept.
+MapComparison compare_maps(const std::filesystem::path& a, const std::filesystem::path& b, double tolerance,
+                           const std::optional<std::filesystem::path>& sensitive = std::nullopt);
 
 /// The comparison for people, ending with "equal" or "different".
 std::string describe(const MapComparison& comparison, double tolerance);

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
+
+#include "rubsweep/error.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -27,11 +30,24 @@ std::string data_of(const MapComparison& comparison, CellVerdict verdict) {
   return data;
 }
 
-/// Text between single quotes, where gnuplot knows one escape.
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+/// Text between single quotes, where gnuplot knows one escape. A line would end there, and with it the
+/// string.
 std::string in_quotes(std::string_view text) {
   std::string result = "'";
-  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+  for (const char c : text) result += c == '\'' ? "''" : std::string(1, is_control(c) ? '?' : c);
   return result + "'";
+}
+
+/// Gnuplot takes a name that begins with '|' for a command, and one with '~' for somebody's home.
+std::string set_output(const std::string& output) {
+  if (output.empty()) return "";
+  if (std::ranges::any_of(output, is_control)) {
+    throw IoError(fmt::format("cannot write {}: its name has control characters", in_quotes(output)));
+  }
+  const bool is_special = std::string_view("|<~").find(output.front()) != std::string_view::npos;
+  return fmt::format("set output {}\n", in_quotes((is_special ? "./" : "") + output));
 }
 
 }  // namespace
@@ -49,14 +65,14 @@ std::string comparison_figure(const MapComparison& comparison, const std::string
   }
   return fmt::format(
       "set terminal {} size 1000,600 noenhanced font 'DejaVu Sans,11'\n"
-      "set output {}\n"
+      "{}"
       "set title {}\n"
       "set xlabel 'shaft speed (Hz)'\n"
       "set ylabel '{}'\n"
       "set key outside below\n"
       "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n"
       "{}plot {}\n",
-      terminal, in_quotes(output), in_quotes(heading),
+      terminal, set_output(output), in_quotes(heading),
       comparison.axis == "whirl_ratio" ? "whirl ratio before contact" : "eccentricity (m)", script, plots);
 }
 

@@ -100,6 +100,19 @@ class Recorder {
 
 }  // namespace
 
+double trace_bytes(const TraceOptions& options, std::size_t stops) {
+  // A number of all digits and its comma. A text that grows may take twice what it holds, and the trajectory
+  // is put together from its turns.
+  constexpr double number_bytes = 21, copies = 2;
+  const double section_bytes = number_bytes * static_cast<double>(6 + 2 * stops),
+               sample_bytes = number_bytes * static_cast<double>(5 + 5 * stops);
+  const long kept =
+      std::min(options.revolutions, options.trajectory_revolutions.value_or(options.revolutions));
+  return copies * section_bytes * static_cast<double>(options.revolutions) +
+         copies * sample_bytes * static_cast<double>(kept) * options.samples_per_revolution +
+         sizeof(response::ContactFacts) * static_cast<double>(options.revolutions);
+}
+
 Trace trace_run(const integrate::Cursor& cursor, const scene::Scene& scene,
                 const integrate::SolverOptions& solver, const TraceOptions& options) {
   Trace trace;

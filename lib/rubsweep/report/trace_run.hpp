@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ struct TraceOptions {
   int window_revolutions = 0;                  ///< >= 1: the end of the run that `last_window` may look at
   std::optional<long> trajectory_revolutions;  ///< only so many last ones go into the trajectory; empty: all
 };
+
+/// About how many bytes the tables of a trace take in memory while it runs, changes of contact mode left out.
+double trace_bytes(const TraceOptions& options, std::size_t stops);
 
 /// One run under the lens: the tables of trace_csv.hpp and what the summary and the spectrum need.
 struct Trace {

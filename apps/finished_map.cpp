@@ -1,0 +1,86 @@
+#include "finished_map.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <string_view>
+
+#include "rubsweep/config/differing_keys.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/report/map_csv.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One line for each key, or why they are not known.
+std::string keys_that_differ(const fs::path& config_file, const std::string& digest,
+                             const std::string& study_here) {
+  std::string study_there;
+  try {
+    const config::RunConfig there = config::read_run_config(config_file, {});
+    if (config::study_digest(there.study) != digest) {
+      return fmt::format("\n  which keys differ is not known: {} is not the one of the map",
+                         config_file.string());
+    }
+    study_there = config::print_study(there.study);
+  } catch (const std::runtime_error&) {  // ConfigError and IoError
+    return fmt::format("\n  which keys differ is not known: {} cannot be read", config_file.string());
+  }
+  std::string text;
+  for (const std::string& line : config::differing_keys(study_there, study_here)) text += "\n  " + line;
+  return text;
+}
+
+}  // namespace
+
+FinishedMap read_finished_map(const fs::path& map) {
+  std::ifstream stream(map);
+  if (!stream) batch::throw_io_error("read", map, errno);
+  constexpr std::string_view mark = "# digest ";
+  FinishedMap found;
+  bool header = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with('#')) {
+      if (line.starts_with(mark)) found.digest = line.substr(mark.size());
+    } else if (!header) {
+      header = true;
+      found.known_columns = line == report::map_header();
+    } else {
+      ++found.cells;
+      if (found.known_columns) found.summary.add(line);
+    }
+  }
+  if (stream.bad()) batch::throw_io_error("read", map, EIO);
+  return found;
+}
+
+std::string map_is_there(std::string_view program) {
+  return fmt::format("{}: the map is there, nothing is left to do; --fresh computes it anew\n", program);
+}
+
+void refuse_map_of_another(const FinishedMap& there, const fs::path& map, const batch::JournalHeader& here) {
+  constexpr std::string_view others = "another --output, or --fresh to replace it";
+  if (there.digest.empty()) {
+    throw ConfigError(
+        fmt::format("{}: is no map of this program: it says no digest\nallowed: {}", map.string(), others));
+  }
+  if (there.digest != here.study_digest) {
+    throw ConfigError(
+        fmt::format("{}: is a finished map of another configuration (digest {}, this one has "
+                    "{}):{}\nallowed: the same again, {}",
+                    map.string(), there.digest, here.study_digest,
+                    keys_that_differ(map.parent_path() / "config.yaml", there.digest, here.study), others));
+  }
+  if (there.cells != here.cells) {
+    throw ConfigError(fmt::format("{}: holds {} cells of this configuration, which has {}\nallowed: {}",
+                                  map.string(), there.cells, here.cells, others));
+  }
+}
+
+}  // namespace rubsweep::apps

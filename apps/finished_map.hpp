@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "rubsweep/batch/journal.hpp"
+#include "rubsweep/report/map_summary.hpp"
+
+namespace rubsweep::apps {
+
+/// A map.csv as an earlier run left it.
+struct FinishedMap {
+  std::string digest;         ///< of its study; empty: it says none, and is no map of this program
+  bool known_columns = true;  ///< false: the version that wrote it had other columns
+  std::size_t cells = 0;
+  report::MapSummary summary;  ///< of known columns
+};
+
+/// Reads it a row at a time. Throws IoError.
+FinishedMap read_finished_map(const std::filesystem::path& map);
+
+/// What `program` says on stderr where it finds the whole map of its study.
+std::string map_is_there(std::string_view program);
+
+/// Throws ConfigError where `there`, found at `map`, is not the whole map of the study of `here`, with both
+/// digests and every key that differs as far as the config.yaml beside it tells.
+void refuse_map_of_another(const FinishedMap& there, const std::filesystem::path& map,
+                           const batch::JournalHeader& here);
+
+}  // namespace rubsweep::apps
