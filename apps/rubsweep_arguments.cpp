@@ -79,6 +79,13 @@ std::string rubsweep_help() {
       "finished cells can be watched in DIR/map.partial.csv while the sweep runs. However a run ends before "
       "the map\n"
       "is whole, DIR/map.journal keeps every finished cell and the same command computes the others.\n\n"
+      "A half-sine kick (kick.force_n, kick.duration_s) starts each cell, towards the wall of the first stop "
+      "unless "
+      "kick.angle_deg\n"
+      "(from +x towards +y) says otherwise. From a whirl ratio of 1, where the quiet whirl itself reaches "
+      "the wall, the "
+      "rotor starts\n"
+      "at rest and is not kicked; the column `start` says so.\n\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration, or DIR holds cells of another one; 3 input/output; "
       "4 done,\n"
       "but some cells failed; 6 another process is at work in DIR; 128+signal when interrupted.\n",
