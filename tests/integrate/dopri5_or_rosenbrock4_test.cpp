@@ -81,9 +81,9 @@ TEST(AutomaticStepper, SamplesInsideImplicitStepsFollowTheClosedForm) {
 TEST(AutomaticStepper, ImplicitStepsOfTurnsWithoutClosedFormAreCounted) {
   const auto rolling = test::rolling_scene(1e5);
   ExactPlans plans;
-  const Run run = start_exact(rolling.scene, with(Stepper::automatic, 1e-6), plans);
+  const auto exact = start_exact(rolling.scene, with(Stepper::automatic, 1e-6), plans);
   Turn turn;
-  ASSERT_EQ(run.advance(turn), Outcome::ok);
+  ASSERT_EQ(exact.advance(turn), Outcome::ok);
   EXPECT_EQ(turn.effort.adaptive_turns, 1);
   EXPECT_GT(turn.effort.implicit_steps, 0);
 }
