@@ -57,13 +57,13 @@ bench::Place central_rub(const std::vector<bench::Place>& places,
                 })->place];
 }
 
-/// The scene of a cell to be timed. Throws ConfigError where it cannot be kicked.
+/// The scene of a cell to be timed. Throws ConfigError where nothing can be run.
 scene::Scene scene_of(const sweep::Study& study, const bench::Place& place) {
   scene::Cell cell = scene::build_cell(study.machine, place.speed_hz, place.unbalance);
-  if (cell.start != scene::Start::quiet) {
+  if (!scene::can_run(cell.start)) {
     throw ConfigError(fmt::format("the cell {} cannot be timed: {}", report::cell_name(place),
                                   cell.start == scene::Start::initial_contact
-                                      ? "the quiet motion already touches a wall"
+                                      ? "static forces press the rotor on the wall"
                                       : "no quiet motion has this unbalance"));
   }
   return std::move(cell.scene);

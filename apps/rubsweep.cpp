@@ -23,10 +23,12 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/map_summary.hpp"
+#include "rubsweep/scene/plan.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "rubsweep/sweep/explain_study.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
+#include "rubsweep/sweep/untouched_walls.hpp"
 #include "rubsweep_arguments.hpp"
 
 namespace rubsweep::apps {
@@ -83,6 +85,11 @@ bool run_missing_cells(const RubsweepArguments& arguments, const config::RunConf
         },
         stop);
   };
+  if (std::string why = sweep::why_walls_stay_untouched(config.study, scene::make_plan(config.study.machine));
+      !why.empty()) {
+    why.pop_back();
+    progress.say(why);
+  }
   const int threads = batch::thread_count(arguments.threads);
   std::vector<std::size_t> cells = directory.missing();
   std::optional<Watch> watch(std::in_place, tick, leave);
@@ -141,11 +148,16 @@ int perform(const RubsweepArguments& arguments) {
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
   const sweep::Study& study = config.study;
   const int threads = batch::thread_count(arguments.threads);
-  return act(arguments,
-             {.size = [&] { return fmt::format("{} cells", sweep::cell_count(study.grid)); },
-              .explanation = [&] { return sweep::explain(study) + sweep::describe(study, {threads}) + "\n"; },
-              .configuration = [&] { return config::print_config(config); },
-              .run = [&] { return run(arguments, config); }});
+  return act(
+      arguments,
+      {.size =
+           [&] {
+             scene::make_plan(study.machine);  // throws where no structure can be computed of these numbers
+             return fmt::format("{} cells", sweep::cell_count(study.grid));
+           },
+       .explanation = [&] { return sweep::explain(study) + sweep::describe(study, {threads}) + "\n"; },
+       .configuration = [&] { return config::print_config(config); },
+       .run = [&] { return run(arguments, config); }});
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfi
 int cannot_start(scene::Start start) {
   say(fmt::format("rubtrace: {}; no trace, motion.csv only\n",
                   start == scene::Start::initial_contact
-                      ? "the quiet motion already touches a wall: nothing to kick"
+                      ? "static forces press the rotor on the wall, so that no unbalance gives this whirl ratio; "
+                        "give --eccentricity-m instead"
                       : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion"));
   return some_cells_failed;
 }
@@ -87,7 +88,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 
   const scene::Cell cell = scene::build_cell(plan, arguments.speed_hz, arguments.unbalance);
   report::Trace trace;
-  if (cell.start == scene::Start::quiet) {
+  if (scene::can_run(cell.start)) {
     trace = report::trace_run(integrate::start(cell.scene, study.solver, workspace.plans).advance, cell.scene,
                               study.solver, options);
     const report::TraceWindow window = report::last_window(trace, options, row.order, workspace.spectrum);
@@ -99,7 +100,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   }
   write_result_files(files, file_names, directory);
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
-  if (cell.start != scene::Start::quiet) return cannot_start(cell.start);
+  if (!scene::can_run(cell.start)) return cannot_start(cell.start);
   if (trace.outcome == integrate::Outcome::ok) return done;
   say(fmt::format("rubtrace: the run failed in revolution {}: {}; the files end there\n",
                   trace.revolutions + 1, integrate::to_string(trace.outcome)));

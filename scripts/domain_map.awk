@@ -1,9 +1,11 @@
-# Lays out a map.csv for domain_map.gp. Set -v natural_frequency_hz=...
+# Lays out a map.csv for domain_map.gp. Set -v measure=whirl_ratio or eccentricity_m, the column that goes upward, and
+# where there is one -v natural_frequency_hz=...
 # Prints two blocks, parted by two empty lines as gnuplot wants them:
-#   one line per cell:   x y left right bottom top kind     x = speed / natural frequency, y = whirl ratio
+#   one line per cell:   x y left right bottom top kind     x = speed / natural frequency, else speed in Hz
 #   one line per domain: x y text                           where to write 1/n
 # A cell reaches half way to its neighbours. `kind` is the class, with the order behind a subharmonic (8: 8 and more),
-# and with what parts the two synchronous motions of an annulus: synchronous_circle, quasi_periodic_comb.
+# and with what parts the motions of an annulus: synchronous_circle and synchronous_circle_backward, and of closed combs
+# quasi_periodic_oval and, whirling backward, quasi_periodic_whip.
 
 function fail(message) {
   print FILENAME ":" FNR ": " message > "/dev/stderr"
@@ -32,10 +34,10 @@ function find_edges(values, count, low, high,    i, v, before, after) {
   }
 }
 
-function kind_of(class, order, orbit, comb_spacing) {
+function kind_of(class, order, orbit, whirl, comb_spacing) {
   if (class == "subharmonic") return class "_" (order > 8 ? 8 : order)
-  if (class == "synchronous" && orbit == "circle") return "synchronous_circle"
-  if (class == "quasi_periodic" && comb_spacing != "") return "quasi_periodic_comb"
+  if (class == "synchronous" && orbit == "circle") return "synchronous_circle" (whirl == "backward" ? "_backward" : "")
+  if (class == "quasi_periodic" && comb_spacing != "") return class (whirl == "backward" ? "_whip" : "_oval")
   return class
 }
 
@@ -48,15 +50,15 @@ BEGIN {
 !columns {
   columns = NF
   for (i = 1; i <= NF; ++i) place[$i] = i
-  split("speed_hz whirl_ratio class order orbit comb_spacing", need, " ")
+  split("speed_hz class order orbit whirl comb_spacing " measure, need, " ")
   for (i in need) if (!(need[i] in place)) fail("no column '" need[i] "'")
   next
 }
-$place["whirl_ratio"] != "" {
+$place[measure] != "" {
   ++cells
-  x[cells] = $place["speed_hz"] / natural_frequency_hz
-  y[cells] = $place["whirl_ratio"] + 0
-  kind[cells] = kind_of($place["class"], $place["order"], $place["orbit"], $place["comb_spacing"])
+  x[cells] = $place["speed_hz"] / (natural_frequency_hz ? natural_frequency_hz : 1)
+  y[cells] = $place[measure] + 0
+  kind[cells] = kind_of($place["class"], $place["order"], $place["orbit"], $place["whirl"], $place["comb_spacing"])
   if (!(x[cells] in seen_x)) seen_x[x[cells]] = xs[++nx] = x[cells]
   if (!(y[cells] in seen_y)) seen_y[y[cells]] = ys[++ny] = y[cells]
 }

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# domain_map.sh MAP.csv OUTPUT_BASENAME HEADING: draws any map.csv over speed and whirl ratio as OUTPUT_BASENAME.png
-# and .svg. Takes natural frequency and the parameters under the heading from config.yaml beside the map; a rotor kit has
-# no natural frequency there: give it as NATURAL_FREQUENCY_HZ.
+# domain_map.sh MAP.csv OUTPUT_BASENAME HEADING: draws any map.csv over speed and unbalance, as whirl ratio or eccentricity
+# as the map was swept, as OUTPUT_BASENAME.png and .svg. Takes natural frequency and the parameters under the heading from
+# config.yaml beside the map. A rotor kit has no natural frequency there: its speeds are drawn in Hz, or over the
+# frequency given as NATURAL_FREQUENCY_HZ.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
+(($# == 3)) || { echo 'domain_map.sh: usage: domain_map.sh MAP.csv OUTPUT_BASENAME HEADING' >&2; exit 1; }
 # Absolute names: to gnuplot and awk others may be commands or assignments.
 map=$(realpath -ms -- "$1") output=$(realpath -ms -- "$2") heading=$3
 config_file=$(dirname "$map")/config.yaml
@@ -16,7 +18,13 @@ done
 declare -A config
 while IFS='=' read -r path value; do config[$path]=$value; done < <(awk -f "$here/config_values.awk" "$config_file")
 
-natural_frequency_hz=${config[rotor.natural_frequency_hz]:-${NATURAL_FREQUENCY_HZ:?rotor.natural_frequency_hz is not in "$config_file"}}
+natural_frequency_hz=${config[rotor.natural_frequency_hz]:-${NATURAL_FREQUENCY_HZ:-}}
+speed_label='shaft speed / natural frequency'
+[[ -n $natural_frequency_hz ]] || speed_label='shaft speed (Hz)'
+measure=whirl_ratio measure_label='whirl ratio (quiet whirl / clearance)'
+if [[ -n ${config[sweep.eccentricity_m.values]+set} ]]; then
+  measure=eccentricity_m measure_label='eccentricity (m)'
+fi
 
 # number PATH [FACTOR]: the value at PATH times FACTOR for people, 2e+06 as 2×10^6 in gnuplot's notation.
 number() {
@@ -61,18 +69,22 @@ kick_text() {
 }
 
 rotor_text() {
-  has rotor.natural_frequency_hz || { printf 'rotor kit, identified %.4g Hz' "$natural_frequency_hz"; return; }
+  if ! has rotor.natural_frequency_hz; then
+    printf 'rotor kit'
+    [[ -z $natural_frequency_hz ]] || printf ', identified %.4g Hz' "$natural_frequency_hz"
+    return
+  fi
   printf 'rotor %s kg, %s Hz, ζ = %s' "$(number rotor.mass_kg)" "$(number rotor.natural_frequency_hz)" \
     "$(number rotor.damping_ratio)"
 }
 
 cells=$(mktemp)
 trap 'rm -f "$cells"' EXIT
-awk -v natural_frequency_hz="$natural_frequency_hz" -f "$here/domain_map.awk" "$map" >"$cells"
+awk -v natural_frequency_hz="$natural_frequency_hz" -v measure="$measure" -f "$here/domain_map.awk" "$map" >"$cells"
 present=$(awk 'NF == 7 { print $7 }' "$cells" | sort -u | tr '\n' ' ')
 
 mkdir -p "$(dirname "$output")"
 small() { printf '\n{/*0.75 %s}' "$1"; }
 gnuplot -c "$here/domain_map.gp" "$cells" "$output" \
   "{/:Bold $heading}$(small "$(rotor_text); $(stop_text)")$(small "$(casing_text); $(kick_text)")" \
-  " $present" "$(awk 'NF == 3' "$cells" | tr '\n' ' ')"
+  " $present" "$(awk 'NF == 3' "$cells" | tr '\n' ' ')" "$speed_label" "$measure_label"

@@ -5,6 +5,10 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(dirname "$here")
 
+(($# >= 3 && $# <= 5)) || {
+  echo 'map_figure.sh: usage: map_figure.sh CONFIG_STEM FIGURE HEADING [MAP.csv] [OUTPUT_BASENAME]' >&2
+  exit 1
+}
 stem=$1 figure=$2 heading=$3
 map=${4:-$top/results/$stem/map.csv}
 output=${5:-$top/results/figures/$figure}

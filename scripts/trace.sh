@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # trace.sh TRACE_DIR OUTPUT_BASENAME HEADING [REVOLUTIONS [TRACE_DIR]...]: draws what rubtrace wrote as
 # OUTPUT_BASENAME.png and .svg: time history, orbit and full spectrum, one row of panels per trace.
-# The history shows the first REVOLUTIONS after the start of the kick (default 40), or the last ones where the number
-# is negative. Orbit and section points are those of the end of the run.
+# The history shows the first REVOLUTIONS after the start of the run (default 40), or of what rubtrace --last-revolutions
+# left of it, or the last ones where the number is negative. Orbit and section points are those of the end of the run.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -78,14 +78,17 @@ title() {
   [[ $class != non_contact ]] || name='no contact'
   [[ -z $order || $order == 1 ]] || name+=" 1/$order"
   [[ $class != synchronous || $orbit != circle ]] || name+=' circle'
-  # Ishibashi & Kawai's name for it.
+  # Ishibashi & Kawai's name for the oval; a whip rolls backward along the wall.
   [[ -z $comb_spacing ]] || name="self-excited whirl (“synchronous oval”), lines at 1 ± k $(printf '%.4g' "$comb_spacing")"
+  [[ -z $comb_spacing || $whirl != backward ]] || name="backward dry whip, lines at 1 ± k $(printf '%.4g' "$comb_spacing")"
   # A rotor kit has many natural frequencies, and none in its configuration.
   local ratio=''
   if has rotor.natural_frequency_hz; then
     ratio=$(printf ' = %.3g × natural frequency' "$(calculate "$speed_hz / ${config[rotor.natural_frequency_hz]}")")
   fi
-  printf '%s: %.4g Hz%s, whirl ratio %.3g' "$name" "$speed_hz" "$ratio" "$whirl_ratio"
+  local unbalance='no clearance left at rest'
+  [[ -z $whirl_ratio ]] || unbalance=$(printf 'whirl ratio %.3g' "$whirl_ratio")
+  printf '%s: %.4g Hz%s, %s' "$name" "$speed_hz" "$ratio" "$unbalance"
 }
 
 # lay_out ROW DIRECTORY: what trace.gp needs of one trace, as files $work/ROW.* and as assignments on stdout.
@@ -98,22 +101,31 @@ lay_out() {
   local path value
   while IFS='=' read -r path value; do config[$path]=$value; done \
     < <(awk -f "$here/config_values.awk" "$directory/config.yaml")
-  local speed_hz whirl_ratio class order orbit comb_spacing walls rings moving_walls wall_names
+  local speed_hz whirl_ratio class order orbit whirl comb_spacing kick_s at_rest=0 walls rings moving_walls wall_names
   # What may be empty is read alone.
-  read -r speed_hz whirl_ratio class <<<"$(columns "$directory/motion.csv" speed_hz whirl_ratio class)"
+  read -r speed_hz class <<<"$(columns "$directory/motion.csv" speed_hz class)"
+  whirl_ratio=$(columns "$directory/motion.csv" whirl_ratio) whirl=$(columns "$directory/motion.csv" whirl)
   order=$(columns "$directory/motion.csv" order) orbit=$(columns "$directory/motion.csv" orbit)
   comb_spacing=$(columns "$directory/motion.csv" comb_spacing)
-  require "$directory/motion.csv" "$speed_hz" "$number" "$whirl_ratio" "$number" "$class" "$word" "$order" "($whole)?" \
-    "$orbit" "($word)?" "$comb_spacing" "($number)?"
+  require "$directory/motion.csv" "$speed_hz" "$number" "$whirl_ratio" "($number)?" "$class" "$word" "$order" "($whole)?" \
+    "$orbit" "($word)?" "$whirl" "($word)?" "$comb_spacing" "($number)?"
   require "$directory/config.yaml" "${config[response.window_revolutions]}" "$whole" "${config[gravity_m_per_s2]}" "$number" \
     "${config[kick.duration_s]:-0}" "$number"
+  # Where the quiet whirl itself reaches the wall, the rotor starts at rest and is not kicked.
+  kick_s=${config[kick.duration_s]:-0}
+  [[ $(head -n 5 "$directory/motion.csv" | grep '^speed_hz,') != *,start* ||
+    $(columns "$directory/motion.csv" start) != contact ]] || kick_s=0 at_rest=1
   read_stops
 
-  local last from=0 to
+  local last first from to
   last=$(tail -n 1 "$directory/section.csv" | cut -d, -f1)
   require "$directory/section.csv" "$last" "$whole"
-  to=$((revolutions < 0 || revolutions > last ? last : revolutions))
-  ((revolutions >= 0)) || from=$((last + revolutions > 0 ? last + revolutions : 0))
+  # The trajectory may begin late.
+  first=$(columns "$directory/trajectory.csv" t_s | awk -v speed_hz="$speed_hz" 'NR == 1 { printf "%.0f", $1 * speed_hz }')
+  first=${first:-0}
+  require "$directory/trajectory.csv" "$first" "$whole"
+  from=$first to=$((revolutions < 0 || first + revolutions > last ? last : first + revolutions))
+  ((revolutions >= 0)) || from=$((last + revolutions > first ? last + revolutions : first))
   # A periodic orbit closes after `order` revolutions, an oval fills a ring as it turns: eight show how it begins.
   # Anything else shows all that the spectrum was taken of.
   local window=${config[response.window_revolutions]} shown=${order:+$((2 * order))}
@@ -138,7 +150,8 @@ from[$row] = $from
 to[$row] = $to
 speed_hz[$row] = $speed_hz
 order[$row] = ${order:-0}
-kick_s[$row] = ${config[kick.duration_s]:-0}
+kick_s[$row] = $kick_s
+at_rest[$row] = $at_rest
 moving_walls[$row] = "$moving_walls"
 gravity[$row] = ${config[gravity_m_per_s2]}
 start_y_m[$row] = ${start% *}
@@ -148,7 +161,7 @@ rings[$row] = "$rings"
 ASSIGNMENTS
 }
 
-for array in row_title from to speed_hz order kick_s moving_walls gravity start_y_m start_vy_m_per_s walls rings; do
+for array in row_title from to speed_hz order kick_s at_rest moving_walls gravity start_y_m start_vy_m_per_s walls rings; do
   echo "array ${array}[${#traces[@]}]"
 done >"$work/rows.gp"
 for i in "${!traces[@]}"; do lay_out $((i + 1)) "${traces[i]}"; done >>"$work/rows.gp"

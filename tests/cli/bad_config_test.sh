@@ -54,3 +54,16 @@ expect_problems 1 "$minimal" --set rotor.mass_kg
 expect_problems 2 "$minimal" --set rotor.mass_kg=0 --set solver.stepper=rk4
 expect_matches stderr '^--set rotor\.mass_kg=0: rotor\.mass_kg: 0 is out of range'
 expect_matches stderr "^--set solver\.stepper=rk4: solver\.stepper: 'rk4' is unknown"
+
+# A rotor kit whose shaft no machine has, or whose numbers cannot be computed together: said by --check already.
+kit=$top/configs/rotor_kit.yaml
+for diameter in 1e-300 1e100; do
+  sed "s/outer_diameter_m: 0.01/outer_diameter_m: $diameter/" "$kit" >kit.yaml
+  for action in --check --explain --quiet; do
+    expect_exit 2 kit.yaml "$action" --output out
+    expect_matches stderr '^kit\.yaml:9:[0-9]+: rotor\.shaft\.0\.outer_diameter_m: 1e[-+]?[0-9]+ is out of range, allowed: a number >= 1e-06 and <= 100$'
+    expect_missing out
+  done
+done
+expect_exit 2 "$kit" --set rotor.elements=1 --set 'rotor.bow={mode: 40, amplitude_m: 1e-5}' --check
+expect_matches stderr 'rotor\.bow\.mode: the shaft has fewer modes that can be computed, allowed: 1 to [0-9]+$'

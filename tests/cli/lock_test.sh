@@ -3,8 +3,8 @@
 source "$(dirname "$0")/support.sh"
 set -m
 trap 'kill -KILL %% 2>/dev/null || true; rm -rf "$work"' EXIT
-# A cell that takes as long as we like.
-long=(--set 'sweep={speed_hz: {values: [70]}, whirl_ratio: {values: [1.2, 0.2]}}' --set solver.method=adaptive --set solver.stepper=rosenbrock4
+# One cell without a motion, at the undamped resonance, and one that takes as long as we like.
+long=(--set rotor.damping_ratio=0 --set 'sweep={speed_hz: {values: [30, 70]}, whirl_ratio: {values: [0.2]}}' --set solver.method=adaptive --set solver.stepper=rosenbrock4
   --set solver.relative_tolerance=1e-14 --set solver.max_steps_per_revolution=1e9)
 
 # start [ARGUMENT]...: runs it in the background, as $running, until it is at work in `busy`.

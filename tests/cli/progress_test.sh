@@ -15,6 +15,20 @@ expect_matches stderr $'\r1 cells on [0-9]+ threads: up to [0-9.]+ MB of memory,
 expect_matches stderr $'\r1/1 cells in 0:0[0-9]:[0-9]{2} *$'
 expect_contains stdout 'map: '
 
+# A map on which nothing can rub says why: before it starts, in the explanation and in its summary.
+sed '/^kick:/d' "$minimal" >no_kick.yaml
+expect_exit 0 no_kick.yaml "${cell[@]}" --progress always --output no_kick
+expect_contains stderr 'no kick: the cells whose quiet whirl leaves a clearance'
+expect_contains stdout 'no wall was ever touched: there is no kick'
+expect_exit 0 no_kick.yaml "${cell[@]}" --explain
+expect_contains stdout 'no kick: the cells whose quiet whirl leaves a clearance'
+weak=("$minimal" "${cell[@]}" --set kick.force_n=1)
+expect_exit 0 "${weak[@]}" --progress always --output weak
+expect_contains stderr 'weak kick: 1 N for 0.005 s reach no wall'
+expect_contains stdout 'no wall was ever touched: the kick is too weak'
+expect_exit 0 "${weak[@]}" --explain
+expect_contains stdout 'weak kick: 1 N for 0.005 s reach no wall'
+
 # A long one says beforehand how long, by cells that are part of it.
 expect_exit 0 "${quick[@]}" --set sweep.speed_hz.count=125 --progress always --threads 2 --output long
 expect_matches stderr $'\rabout 0:0[0-9]:[0-9]{2} by 32 cells spread over the map *$'

@@ -18,8 +18,8 @@ expect_usage_error 'without labels no cell can be chosen' "$minimal" --labels 0x
 
 # Configuration and files that cannot be had.
 expect_exit 2 "$minimal" --set rotor.mass_kg=-1
-expect_exit 2 "$minimal" --labels 0x0 --cell 90,1.2
-expect_contains stderr 'the quiet motion already touches a wall'
+expect_exit 2 "$minimal" --labels 0x0 --cell 90,0.4 --set gravity_m_per_s2=99 --set stops.0.angle_deg=-90
+expect_contains stderr 'static forces press the rotor on the wall'
 expect_exit 3 no_such_file.yaml
 echo precious >file
 expect_exit 3 "$minimal" --output file/below

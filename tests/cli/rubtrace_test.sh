@@ -95,9 +95,17 @@ expect_exit 0 "$minimal" --speed-hz 90 --eccentricity-m "${cells[2]}" --revoluti
 [[ $(rows other/motion.csv | cut -d, -f4,5) == subharmonic,2 ]] || fail 'another motion by eccentricity'
 expect_contains other/config.yaml "values: [${cells[2]}]"
 
-# Nothing to kick: the row says so, and nothing of an older trace stays.
-expect_exit 4 "$minimal" --speed-hz 90 --whirl-ratio 1.2 --output short
-expect_matches stderr '^rubtrace: the quiet motion already touches a wall'
+# Where the quiet whirl itself touches the trace starts at rest, and what the kick is does not matter.
+expect_exit 0 "$minimal" --speed-hz 90 --whirl-ratio 1.2 --revolutions 20 --output above
+expect_files above "${files[@]}"
+[[ $(rows above/motion.csv | cut -d, -f23,24) == ok,contact ]] || fail 'the row does not say that it started without a kick'
+[[ $(sed -n 2p above/section.csv) =~ ^0,0,0,0,0,0,0,0$ ]] || fail "the trace does not start at rest: $(sed -n 2p above/section.csv)"
+expect_exit 0 "$minimal" --speed-hz 90 --whirl-ratio 1.2 --revolutions 20 --set kick.force_n=9999 --output harder
+expect_same above/trajectory.csv harder/trajectory.csv
+
+# Nothing to run: the row says so, and nothing of an older trace stays.
+expect_exit 4 "$minimal" --speed-hz 90 --whirl-ratio 1.2 --set gravity_m_per_s2=99 --set stops.0.angle_deg=-90 --output short
+expect_matches stderr '^rubtrace: static forces press the rotor on the wall'
 expect_files short config.yaml motion.csv
 [[ $(rows short/motion.csv | cut -d, -f4,23) == initial_contact,ok ]] || fail 'the row is not that of initial contact'
 expect_exit 4 "$minimal" --speed-hz 30 --whirl-ratio 0.5 --set rotor.damping_ratio=0 --output short

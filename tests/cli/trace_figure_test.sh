@@ -41,6 +41,21 @@ draw 0 bare out/bare Heading 20
 expect_picture out/bare 1
 ! grep -q 'moving wall' out/bare.svg || fail 'a rigid wall does not move'
 
+# Of a trajectory that holds only the end of the run, the first revolutions that it has.
+trace late --speed-hz 90 --whirl-ratio 0.6 --last-revolutions 60
+draw 0 late out/late Heading
+expect_picture out/late 1
+expect_contains out/late.svg 'time after revolution 40 (ms)'
+draw 0 late out/late_end Heading -12
+expect_contains out/late_end.svg 'time after revolution 88 (ms)'
+
+# Above a whirl ratio of 1 there is no kick to be drawn.
+trace above --speed-hz 90 --whirl-ratio 1.2
+draw 0 above out/above Heading
+expect_picture out/above 1
+! grep -q '>kick<' out/above.svg || fail 'a kick is drawn where there was none'
+grep -q '>kick<' out/first.svg || fail 'the kick is missing'
+
 draw 1 rub out/nothing
 expect_contains stderr 'usage: trace.sh'
 draw 3 nowhere out/nothing Heading

@@ -112,6 +112,22 @@ TEST(RotorKit, problems_have_their_places) {
             std::string::npos);
 }
 
+TEST(RotorKit, numbers_that_no_machine_has_are_refused_in_their_place) {
+  for (const std::string override :
+       {"rotor.shaft.0.outer_diameter_m=1e-300", "rotor.shaft.0.outer_diameter_m=1e100",
+        "rotor.shaft.1.length_m=1e-9", "rotor.shaft.0.youngs_modulus_pa=1e200",
+        "rotor.shaft.0.density_kg_per_m3=1e-200", "rotor.discs.0.mass_kg=1e50",
+        "rotor.supports.0.stiffness_x_n_per_m=1e30", "rotor.supports.1.pedestal.mass_kg=1e-100",
+        "rotor.couplings.0.lateral_stiffness_n_per_m=1e-50", "rotor.torsion.drive_stiffness_nm_per_rad=1e99",
+        "rotor.couplings.0.position_m=0", "rotor.couplings.0.position_m=0.5", "rotor.modes_up_to_hz=1e300",
+        "rotor.bow.deflection_m=[0, 1e99, 0]"}) {
+    const std::string text = message_of(test_file("rotor_kit.yaml"), {override}, "kit.yaml");
+    EXPECT_NE(text.find("out of range, allowed: a number >= "), std::string::npos) << override << "\n"
+                                                                                   << text;
+    EXPECT_TRUE(text.starts_with("--set " + override)) << text;
+  }
+}
+
 TEST(RotorKit, a_jeffcott_rotor_has_no_places) {
   EXPECT_NE(message_of(test_file("minimal.yaml"), {"stops.0.position_m=0.1"})
                 .find("stops.0.position_m: unknown key"),

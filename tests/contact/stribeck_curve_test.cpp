@@ -56,6 +56,17 @@ TEST(StribeckCurve, SettlesAtTheKineticCoefficientAndGrowsViscouslyBeyond) {
   EXPECT_NEAR(friction_coefficient(friction, 2.0), 0.18 + 0.2, 1e-6);
 }
 
+TEST(StribeckCurve, SpeedsTooFarApartAreRefusedInsteadOfSearchedForEver) {
+  for (const double settle : {1e5, 1e30, 1.7e308}) {
+    model::StribeckCurve curve = dry();
+    curve.settle_speed_m_per_s = settle;
+    EXPECT_THROW(stribeck_of(curve), ConfigError) << settle;
+  }
+  model::StribeckCurve curve = dry();
+  curve.settle_speed_m_per_s = 1e3;
+  EXPECT_NO_THROW(stribeck_of(curve));
+}
+
 TEST(StribeckCurve, NumbersThatNoCurveHas) {
   EXPECT_THROW(stribeck_of(dry(0.1)), ConfigError);
   model::StribeckCurve curve = dry();

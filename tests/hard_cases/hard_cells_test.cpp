@@ -38,9 +38,26 @@ model::Machine undamped_rotor() {
   return machine;
 }
 
-TEST(HardCells, WhirlRatioOfOneAndAboveIsInitialContact) {
-  for (const double whirl_ratio : {1.0, 1.2, 1e6})
-    expect_row(study_of(scene::one_side_machine(), 75, whirl_ratio), {"initial_contact", "ok"});
+TEST(HardCells, AWhirlRatioOfOneAndAboveComesToTheWallWithoutAKick) {
+  for (const double whirl_ratio : {1.0 + 1e-9, 1.2, 3.0, 1e6}) {
+    response::Workspace workspace;
+    const Row row = evaluate_cell(study_of(scene::one_side_machine(), 75, whirl_ratio), 0, workspace);
+    EXPECT_EQ(row.start, RunStart::contact);
+    EXPECT_NE(row.motion_class, response::MotionClass::initial_contact) << whirl_ratio;
+    EXPECT_NE(row.motion_class, response::MotionClass::non_contact) << whirl_ratio;
+    EXPECT_NE(row.proof, response::Proof::rest) << whirl_ratio;
+    EXPECT_TRUE(row.last_contact_revolution) << whirl_ratio;
+  }
+}
+
+TEST(HardCells, AtAWhirlRatioOfExactlyOneRestIsNeverProven) {
+  response::Workspace workspace;
+  Study study = study_of(scene::one_side_machine(), 75, 1);
+  study.response.max_revolutions = 400;  // long enough for the start to die out
+  const Row row = evaluate_cell(study, 0, workspace);
+  EXPECT_EQ(row.status, "ok");
+  EXPECT_NE(row.proof, response::Proof::rest);
+  EXPECT_NE(row.motion_class, response::MotionClass::non_contact);
 }
 
 TEST(HardCells, JustBelowOneItWhirlsWithoutContactUnlessTheSolversErrorGrazes) {
@@ -64,17 +81,28 @@ TEST(HardCells, NoUnbalanceReachesAWhirlRatioAtAnUndampedResonance) {
 }
 
 TEST(HardCells, AnUndampedRotorJustOffItsResonanceRuns) {
-  expect_row(study_of(undamped_rotor(), 30.0001, 1.5), {"initial_contact", "ok"});
+  response::Workspace workspace;
+  EXPECT_NE(evaluate_cell(study_of(undamped_rotor(), 30.0001, 1.5), 0, workspace).motion_class,
+            response::MotionClass::failed);
   Study study = study_of(undamped_rotor(), 30.0001, 0.5);
   study.machine.kick.reset();
   expect_row(study, {"non_contact", "ok"});
 }
 
-TEST(HardCells, ARotorThatSagsOntoItsStopIsInitialContact) {
+TEST(HardCells, ARotorThatSagsOntoItsStopHasNoWhirlRatioButAnEccentricity) {
   model::Machine machine = scene::one_side_machine();
   machine.stops[0].geometry = model::OneSideGeometry{-90};
   machine.gravity_m_per_s2 = 1e3;  // sags by 28 mm
   expect_row(study_of(machine, 75, 0.1), {"initial_contact", "ok"});
+  // An eccentricity is one all the same: it starts on the wall and stays there.
+  Study study = study_of(machine, 75, 1e-5);
+  study.grid.measure = UnbalanceMeasure::eccentricity_m;
+  response::Workspace workspace;
+  const Row row = evaluate_cell(study, 0, workspace);
+  EXPECT_EQ(row.start, RunStart::contact);
+  EXPECT_EQ(row.status, "ok");
+  ASSERT_TRUE(row.measures);
+  EXPECT_GT(row.measures->contact.contact_fraction, 0.5);
 }
 
 TEST(HardCells, WithoutUnbalanceTheKickDiesOut) {

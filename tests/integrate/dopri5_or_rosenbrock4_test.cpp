@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/exact.hpp"
 #include "support/rolling_scene.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -75,6 +76,16 @@ TEST(AutomaticStepper, SamplesInsideImplicitStepsFollowTheClosedForm) {
     EXPECT_NEAR(turn.samples[4 * k], z.real(), 1e-4);
     EXPECT_NEAR(turn.samples[4 * k + 1], z.imag(), 1e-4);
   }
+}
+
+TEST(AutomaticStepper, ImplicitStepsOfTurnsWithoutClosedFormAreCounted) {
+  const auto rolling = test::rolling_scene(1e5);
+  ExactPlans plans;
+  const auto exact = start_exact(rolling.scene, with(Stepper::automatic, 1e-6), plans);
+  Turn turn;
+  ASSERT_EQ(exact.advance(turn), Outcome::ok);
+  EXPECT_EQ(turn.effort.adaptive_turns, 1);
+  EXPECT_GT(turn.effort.implicit_steps, 0);
 }
 
 TEST(StiffFrictionRatio, GrowsWithTheFourthRootOfTheAccuracy) {

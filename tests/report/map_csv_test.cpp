@@ -54,6 +54,7 @@ Row full_row() {
   row.robust = true;
   row.last_contact_revolution = 600;
   row.revolutions = 600;
+  row.start = sweep::RunStart::kick;
   return row;
 }
 
@@ -73,14 +74,25 @@ constexpr const char* contract =
     "m,"
     "dominant_order,dominant_amplitude_m,floquet_modulus,lyapunov_per_revolution,last_contact_revolution,"
     "revolutions,"
-    "status";
+    "status,start";
 
 TEST(MapHeader, IsTheContract) { EXPECT_EQ(map_header(), contract); }
 
 TEST(MapLine, OfARowWithEverything) {
-  EXPECT_EQ(map_line(full_row()),
-            "75,0.4,0.000336,subharmonic,2,oval,backward,observed,yes,,1.5,0.125,0.0025,1234.5,0.000456,2e-05,"
-            "-0.5,0.0015,,,600,600,ok");
+  EXPECT_EQ(
+      map_line(full_row()),
+      "75,0.4,0.000336,subharmonic,2,oval,backward,observed,yes,,1.5,0.125,0.0025,1234.5,0.000456,2e-05,"
+      "-0.5,0.0015,,,600,600,ok,kick");
+}
+
+TEST(MapLine, HowTheRunStartedStandsLast) {
+  Row row = full_row();
+  EXPECT_EQ(by_column(map_line(row)).at("start"), "kick");
+  row.start = sweep::RunStart::quiet;
+  EXPECT_EQ(by_column(map_line(row)).at("start"), "quiet");
+  row.start = sweep::RunStart::contact;
+  EXPECT_EQ(by_column(map_line(row)).at("start"), "contact");
+  EXPECT_TRUE(map_line(row).ends_with(",ok,contact"));
 }
 
 TEST(MapLine, ASensitiveCellSaysSo) {
@@ -107,7 +119,7 @@ TEST(MapLine, CombSpacingAndExponentStandInTheirOwnColumns) {
 }
 
 TEST(MapLine, WhatDoesNotApplyIsEmpty) {
-  EXPECT_EQ(map_line(failed_row()), "60,0.5,,failed,,,,,,,,,,,,,,,,,,0,unreachable");
+  EXPECT_EQ(map_line(failed_row()), "60,0.5,,failed,,,,,,,,,,,,,,,,,,0,unreachable,");
 }
 
 TEST(MapLine, ARotorAtRestHasNoOrbitWhirlOrDominantLine) {

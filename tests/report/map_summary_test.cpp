@@ -45,6 +45,58 @@ TEST(MapSummary, OnlyTheClassTellsAFailedCell) {
   EXPECT_FALSE(summary_of({row(MotionClass::subharmonic, 2, "slip_reversal")}).has_failed_cells());
 }
 
+Row measured(MotionClass motion_class, response::OrbitKind orbit, response::WhirlKind whirl, bool comb) {
+  Row result = row(motion_class);
+  result.measures.emplace();
+  result.measures->turns = 64;
+  result.measures->orbit = orbit;
+  result.measures->whirl = whirl;
+  if (comb) result.measures->comb_spacing = 2.5;
+  return result;
+}
+
+TEST(MapSummary, TellsAWhipFromAnOvalAndCirclesByTheirSense) {
+  using response::OrbitKind, response::WhirlKind;
+  const MapSummary summary =
+      summary_of({measured(MotionClass::quasi_periodic, OrbitKind::circle, WhirlKind::backward, true),
+                  measured(MotionClass::quasi_periodic, OrbitKind::oval, WhirlKind::backward, true),
+                  measured(MotionClass::quasi_periodic, OrbitKind::oval, WhirlKind::forward, true),
+                  measured(MotionClass::quasi_periodic, OrbitKind::complex, WhirlKind::backward, false),
+                  measured(MotionClass::synchronous, OrbitKind::circle, WhirlKind::forward, false),
+                  measured(MotionClass::synchronous, OrbitKind::circle, WhirlKind::backward, false),
+                  measured(MotionClass::synchronous, OrbitKind::oval, WhirlKind::forward, false),
+                  row(MotionClass::failed, {}, "step_limit")});
+  EXPECT_EQ(summary.text(),
+            "       2   25.0 %  quasi_periodic dry whip, backward\n"
+            "       1   12.5 %  failed\n"
+            "       1   12.5 %  quasi_periodic\n"
+            "       1   12.5 %  quasi_periodic oval, forward\n"
+            "       1   12.5 %  synchronous\n"
+            "       1   12.5 %  synchronous circle, backward\n"
+            "       1   12.5 %  synchronous circle, forward\n"
+            "       1  status step_limit\n");
+  EXPECT_TRUE(summary.has_failed_cells());
+}
+
+Row untouched(sweep::RunStart start) {
+  Row result = row(MotionClass::non_contact);
+  result.start = start;
+  return result;
+}
+
+TEST(MapSummary, SaysWhyNothingRubs) {
+  const Row quiet = untouched(sweep::RunStart::quiet), kicked = untouched(sweep::RunStart::kick);
+  Row came_free = kicked;
+  came_free.last_contact_revolution = 3;
+  EXPECT_NE(summary_of({quiet, quiet}).text().find("no wall was ever touched: there is no kick"),
+            std::string::npos);
+  EXPECT_NE(summary_of({kicked}).text().find("no wall was ever touched: the kick is too weak"),
+            std::string::npos);
+  EXPECT_NE(summary_of({kicked, came_free}).text().find("nothing rubs on: the kick reached a wall"),
+            std::string::npos);
+  EXPECT_EQ(summary_of({kicked, row(MotionClass::synchronous, 1)}).text().find("touched"), std::string::npos);
+}
+
 TEST(MapSummary, OfNothingIsEmpty) { EXPECT_EQ(MapSummary().text(), ""); }
 
 }  // namespace

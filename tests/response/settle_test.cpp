@@ -198,6 +198,17 @@ TEST(Settle, TheAnnulusCirclesAtLowSpeed) {
   EXPECT_FALSE(settled.motion.exponent);
 }
 
+TEST(Settle, WindowsTooShortForACombAreSearchedForNone) {
+  const ResponseOptions options{.max_revolutions = 24,
+                                .samples_per_revolution = 24,
+                                .window_revolutions = 8,
+                                .floquet_proof = false,
+                                .max_order = 4};
+  const auto settled = run_annulus(165, 0.6, 0, options);
+  EXPECT_EQ(settled.outcome, integrate::Outcome::ok);
+  EXPECT_FALSE(settled.motion.measures.comb_spacing);
+}
+
 TEST(Settle, TheAnnulusTurnsOvalsAtHighSpeed) {
   for (const double whirl_ratio : {0.3, 0.6, 0.9}) {
     const auto settled = run_annulus(165, whirl_ratio, 0, without_floquet_proof());

@@ -146,7 +146,7 @@ TEST(BuildCell, GravityShiftsTheMeanAndTheRemainingClearance) {
   EXPECT_NEAR(build_cell(machine, 75, WhirlRatio{0.5}).scene.displacement_m(0), 0.5e-3, 1e-17);
 }
 
-TEST(BuildCell, SagThroughTheStopIsInitialContactAndNoUnbalanceCorresponds) {
+TEST(BuildCell, SagThroughTheStopHasNoWhirlRatioButStartsAtTheWall) {
   model::Machine machine = one_side_machine();
   machine.stops[0].geometry = model::OneSideGeometry{-90};
   machine.stops[0].clearance_m = 1e-4;
@@ -155,28 +155,65 @@ TEST(BuildCell, SagThroughTheStopIsInitialContactAndNoUnbalanceCorresponds) {
   EXPECT_EQ(by_ratio.start, Start::initial_contact);
   EXPECT_TRUE(std::isnan(by_ratio.eccentricity_m));
   const Cell by_eccentricity = build_cell(machine, 75, Eccentricity{1e-5});
-  EXPECT_EQ(by_eccentricity.start, Start::initial_contact);
+  EXPECT_EQ(by_eccentricity.start, Start::contact);
   EXPECT_TRUE(std::isnan(by_eccentricity.whirl_ratio));
   EXPECT_EQ(by_eccentricity.eccentricity_m, 1e-5);
+  // As far down as rotor and casing get before they meet.
+  const auto& scene = by_eccentricity.scene;
+  const Eigen::Vector2d apart = relative_map(scene.structure, scene.contacts[0]) * scene.displacement_m;
+  EXPECT_NEAR(apart.y(), -1e-4, 1e-18);
+  EXPECT_LT(scene.displacement_m(1), 0);
+  EXPECT_GT(scene.displacement_m(1), by_eccentricity.quiet.mean(1));
 }
 
-TEST(BuildCell, InitialContactFromAWhirlRatioOfOne) {
+TEST(BuildCell, WhereTheQuietWhirlTouchesItStartsAtRestAndIsNotKicked) {
+  model::Machine machine = one_side_machine();
+  machine.gravity_m_per_s2 = 9.81;
+  const Cell below = build_cell(machine, 75, WhirlRatio{0.9});
+  const Cell above = build_cell(machine, 75, WhirlRatio{1.2});
+  EXPECT_TRUE(below.scene.pulse);
+  EXPECT_FALSE(above.scene.pulse);
+  EXPECT_EQ(above.start, Start::contact);
+  EXPECT_TRUE(can_run(above.start));
+  // At rest in the static position, with the unbalance where it would be in any other cell.
+  EXPECT_EQ(above.scene.displacement_m, above.quiet.mean);
+  EXPECT_TRUE(above.scene.velocity_m_per_s.isZero(0));
+  EXPECT_TRUE((above.scene.harmonic_n / 1.2).isApprox(below.scene.harmonic_n / 0.9, 1e-14));
+}
+
+TEST(BuildCell, ARingHoldsASaggingRotorAtItsWall) {
+  model::Machine machine = one_side_machine();
+  machine.gravity_m_per_s2 = 400;  // sags by 11 mm
+  machine.stops[0].casing.reset();
+  for (const std::array<double, 2> offset_m :
+       {std::array{0.0, 0.0}, {3e-4, 0.0}, {2e-4, -5e-4}, {0.0, 6e-4}}) {
+    machine.stops[0].geometry = model::AnnularGeometry{offset_m};
+    const Cell cell = build_cell(machine, 75, Eccentricity{1e-4});
+    EXPECT_EQ(cell.start, Start::contact);
+    const Contact& ring = cell.scene.contacts[0];
+    const Eigen::Vector2d apart =
+        relative_map(cell.scene.structure, ring) * cell.scene.displacement_m + ring.offset_m;
+    EXPECT_NEAR(apart.norm(), 1e-3, 1e-17);
+    EXPECT_LT(cell.scene.displacement_m(1), 0);
+  }
+}
+
+TEST(BuildCell, ContactWithoutAKickFromAWhirlRatioOfOne) {
   std::mt19937_64 random(3);
   for (int trial = 0; trial < 200; ++trial) {
     const double speed_hz = std::uniform_real_distribution(5.0, 300.0)(random);
-    EXPECT_EQ(build_cell(one_side_machine(), speed_hz, WhirlRatio{1}).start, Start::initial_contact)
-        << speed_hz;
-    EXPECT_EQ(build_cell(one_side_machine(), speed_hz, WhirlRatio{1.5}).start, Start::initial_contact);
+    EXPECT_EQ(build_cell(one_side_machine(), speed_hz, WhirlRatio{1}).start, Start::contact) << speed_hz;
+    EXPECT_EQ(build_cell(one_side_machine(), speed_hz, WhirlRatio{1.5}).start, Start::contact);
     EXPECT_EQ(build_cell(one_side_machine(), speed_hz, WhirlRatio{1 - 1e-14}).start, Start::quiet)
         << speed_hz;
   }
 }
 
-TEST(BuildCell, InitialContactAtAnyStop) {
+TEST(BuildCell, ContactAtAnyStop) {
   model::Machine machine = both_sides_machine();
   machine.stops[1].clearance_m = 0.5e-3;
   EXPECT_EQ(build_cell(machine, 75, WhirlRatio{0.49}).start, Start::quiet);
-  EXPECT_EQ(build_cell(machine, 75, WhirlRatio{0.51}).start, Start::initial_contact);
+  EXPECT_EQ(build_cell(machine, 75, WhirlRatio{0.51}).start, Start::contact);
 }
 
 TEST(BuildCell, UnreachableAtAnUndampedResonance) {
@@ -196,6 +233,13 @@ TEST(BuildCell, UnreachableAtAnUndampedResonance) {
     EXPECT_TRUE(std::isnan(by_eccentricity.whirl_ratio));
     EXPECT_EQ(build_cell(machine, speed_hz * 1.001, WhirlRatio{0.5}).start, Start::quiet);
   }
+}
+
+TEST(BuildCell, WhatOverflowsIsNoNumberThatSaysTheUnbalanceTheOtherWay) {
+  model::Machine machine = one_side_machine();
+  machine.stops[0].clearance_m = 5e-324;
+  EXPECT_TRUE(std::isnan(build_cell(machine, 75, Eccentricity{1e-5}).whirl_ratio));
+  EXPECT_TRUE(std::isnan(build_cell(one_side_machine(), 1e-200, WhirlRatio{0.4}).eccentricity_m));
 }
 
 TEST(BuildCell, WithoutUnbalanceTheRotorRests) {

@@ -4,9 +4,11 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
+#include "batch/message_of.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/structure/beam_element.hpp"
 #include "structure/steel.hpp"
@@ -172,6 +174,17 @@ TEST(Project, CrossTermsKeepTheirPlaces) {
   const Eigen::Index last = 2 * (2 * 7 - 2);  // deflection of the last of seven nodes, x plane
   EXPECT_EQ(system.damping(last + 1, last), 70);
   EXPECT_EQ(system.damping(last, last + 1), 0);
+}
+
+TEST(PlaneModes, NumbersWithoutModesAreRefused) {
+  const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
+  const auto message = [](const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
+    return message_of<ConfigError>([&] { plane_modes(mass, stiffness, 2); });
+  };
+  EXPECT_NE(message(std::numeric_limits<double>::infinity() * one, one).find("no finite number"),
+            std::string::npos);
+  EXPECT_NE(message(one, -one).find("leave the shaft free"), std::string::npos);
+  EXPECT_NE(message(0 * one, one).find("too far apart to have modes"), std::string::npos);
 }
 
 }  // namespace

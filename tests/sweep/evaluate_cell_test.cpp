@@ -91,13 +91,39 @@ TEST(EvaluateCell, UnbalanceByEccentricityIsTheSameCell) {
   EXPECT_EQ(by_eccentricity.last_contact_revolution, by_ratio.last_contact_revolution);
 }
 
-TEST(EvaluateCell, InitialContactIsNotRun) {
-  const Row row = evaluate(one_side_study({75}, {1.2}));
+TEST(EvaluateCell, AboveAWhirlRatioOfOneTheRotorRubsWithoutAKick) {
+  Study study = one_side_study({75}, {1.2});
+  const Row row = evaluate(study);
+  EXPECT_EQ(row.start, RunStart::contact);
+  EXPECT_EQ(row.status, "ok");
+  EXPECT_GT(row.revolutions, 0);
+  EXPECT_TRUE(row.last_contact_revolution);
+  EXPECT_NE(row.proof, response::Proof::rest);
+  // The kick has no part in it.
+  study.machine.kick->force_n = 1e4;
+  EXPECT_EQ(report::map_line(evaluate(study)), report::map_line(row));
+  study.machine.kick.reset();
+  EXPECT_EQ(report::map_line(evaluate(study)), report::map_line(row));
+  study.robustness = Robustness::on;
+  EXPECT_FALSE(evaluate(study).robust);
+}
+
+TEST(EvaluateCell, SaysHowItStarted) {
+  Study study = one_side_study({75}, {0.4});
+  EXPECT_EQ(evaluate(study).start, RunStart::kick);
+  study.machine.kick.reset();
+  EXPECT_EQ(evaluate(study).start, RunStart::quiet);
+}
+
+TEST(EvaluateCell, WhatCannotBeRunIsNot) {
+  Study study = one_side_study({75}, {0.5});
+  study.machine.stops[0].geometry = model::OneSideGeometry{-90};
+  study.machine.gravity_m_per_s2 = 1e3;  // sags through the stop: no unbalance gives any whirl ratio
+  const Row row = evaluate(study);
   EXPECT_EQ(to_string(row.motion_class), "initial_contact");
   EXPECT_EQ(row.status, "ok");
   EXPECT_EQ(row.revolutions, 0);
-  EXPECT_GT(row.eccentricity_m, 0);
-  EXPECT_FALSE(row.measures || row.proof || row.order || row.last_contact_revolution);
+  EXPECT_FALSE(row.start || row.measures || row.proof || row.order || row.last_contact_revolution);
 }
 
 TEST(EvaluateCell, UnreachableWhirlRatio) {

@@ -58,6 +58,9 @@ TEST(IsRobust, SaysNothingWhereNoKickWasSimulated) {
     return {};
   };
   EXPECT_EQ(is_robust(row(MotionClass::initial_contact), kicked(), never), std::nullopt);
+  Row unkicked = row(MotionClass::synchronous, 1);
+  unkicked.start = RunStart::contact;
+  EXPECT_EQ(is_robust(unkicked, kicked(), never), std::nullopt);
   EXPECT_EQ(is_robust(row(MotionClass::failed), kicked(), never), std::nullopt);
   EXPECT_EQ(is_robust(row(MotionClass::non_contact), model::Machine{}, never), std::nullopt);
 }

@@ -31,7 +31,7 @@ std::vector<LabelledCell> reference_labels(const model::Machine& machine, std::s
   std::vector<LabelledCell> cells;
   for (std::size_t i = 0; i < places.size(); ++i) {
     scene::Cell cell = scene::build_cell(machine, places[i].speed_hz, places[i].unbalance);
-    if (cell.start != scene::Start::quiet) continue;
+    if (!scene::can_run(cell.start)) continue;
     const Label label = label_of(cell, solver, response, workspace);
     cells.push_back({i, std::move(cell), label});
   }

@@ -31,7 +31,7 @@ struct LabelledCell {
 /// Tolerance of the steppers behind reference labels.
 inline constexpr double label_tolerance = 1e-11;
 
-/// The cells at `places` that can be kicked (neither initial contact nor unreachable) with the label that the
+/// The cells at `places` that can be run (neither initial contact nor unreachable) with the label that the
 /// reference solver gives them (reference_options at label_tolerance).
 std::vector<LabelledCell> reference_labels(const model::Machine& machine, std::span<const Place> places,
                                            const integrate::SolverOptions& base,

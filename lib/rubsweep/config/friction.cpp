@@ -4,6 +4,7 @@
 
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/contact/stribeck_curve.hpp"
+#include "rubsweep/error.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -22,12 +23,21 @@ model::StribeckFriction read_curve(Section& section) {
   } else if (curve.settle_speed_m_per_s <= 1.5 * curve.peak_speed_m_per_s) {
     section.refuse_together("settle_speed_m_per_s", {"settle_speed_m_per_s", "peak_speed_m_per_s"},
                             "too close to the peak", "more than 1.5 peak_speed_m_per_s");
+  } else if (curve.settle_speed_m_per_s > contact::largest_settle_over_peak * curve.peak_speed_m_per_s) {
+    section.refuse_together("settle_speed_m_per_s", {"settle_speed_m_per_s", "peak_speed_m_per_s"},
+                            "too far from the peak", "at most 1e6 peak_speed_m_per_s");
   } else if (curve.viscous_s_per_m * curve.settle_speed_m_per_s > curve.kinetic) {
     section.refuse_together("viscous_s_per_m", {"viscous_s_per_m", "settle_speed_m_per_s", "kinetic"},
                             "more than all of the kinetic friction at the settling speed",
                             "a number <= kinetic / settle_speed_m_per_s");
   } else {
-    return contact::stribeck_of(curve);
+    try {
+      return contact::stribeck_of(curve);
+    } catch (const ConfigError&) {
+      section.refuse_together("static", {"static", "kinetic", "peak_speed_m_per_s", "settle_speed_m_per_s"},
+                              "no curve with these speeds and this kinetic coefficient has such a peak",
+                              "a number that some curve reaches");
+    }
   }
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 
 namespace rubsweep::config {
 namespace {
@@ -72,7 +73,7 @@ model::BowPoints read_bow_points(Section& section, const model::Range& range) {
     points.position_m = read_number_list(*positions, range);
   }
   if (const auto deflections = section.require("deflection_m", "a list of numbers")) {
-    points.deflection_m = read_number_list(*deflections, model::any_finite);
+    points.deflection_m = read_number_list(*deflections, model::physical::deflection_m);
   }
   return points;
 }
@@ -85,7 +86,7 @@ model::Bow read_bow(const Value& value, const model::Range& range) {
   if (section.find("mode")) {
     auto& mode = bow.shape.emplace<model::BowMode>();
     section.field("mode", mode.mode, mode_counts);
-    section.field("amplitude_m", mode.amplitude_m, model::not_negative);
+    section.field("amplitude_m", mode.amplitude_m, model::physical::amplitude_m);
   } else if (section.problem_count() == problems && section.is_map()) {
     bow.shape = read_bow_points(section, range);
   }
@@ -165,7 +166,10 @@ model::RotorKit read_rotor_kit(Section& section) {
   const std::size_t problems = section.problem_count();
   const auto list = [&](std::string_view name, auto& parts, auto more) {
     using Part = typename std::remove_reference_t<decltype(parts)>::value_type;
-    if (const auto value = section.find(name)) parts = read_parts<Part>(*value, places(kit), more);
+    constexpr bool coupling = std::is_same_v<Part, model::Coupling>;
+    const model::Range range =
+        coupling && std::isfinite(model::shaft_length_m(kit)) ? model::coupling_places(kit) : places(kit);
+    if (const auto value = section.find(name)) parts = read_parts<Part>(*value, range, more);
   };
   section.require("shaft", "a list of maps");
   list("shaft", kit.shaft, read_hole);
@@ -178,7 +182,7 @@ model::RotorKit read_rotor_kit(Section& section) {
   read_inner(section, "torsion", kit.torsion);
   if (const auto value = section.find("damping_ratio")) read_damping_ratio(*value, kit);
   if (const auto value = section.find("modes")) read_modes(*value, kit);
-  section.field("modes_up_to_hz", kit.modes_up_to_hz, model::positive);
+  section.field("modes_up_to_hz", kit.modes_up_to_hz, model::physical::frequency_hz);
   section.field("elements", kit.elements, element_counts);
   if (supports && section.problem_count() == problems) refuse_loose_shaft(*supports, kit);
   return kit;

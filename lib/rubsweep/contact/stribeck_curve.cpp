@@ -12,6 +12,7 @@ namespace rubsweep::contact {
 namespace {
 
 constexpr int scan_points = 400;
+constexpr int most_doublings = 60;
 
 /// Largest coefficient for slip speeds from 0 to `highest`.
 double peak(const model::StribeckFriction& friction, double highest) {
@@ -31,6 +32,9 @@ model::StribeckFriction stribeck_of(const model::StribeckCurve& curve) {
   if (!(curve.settle_speed_m_per_s > 1.5 * curve.peak_speed_m_per_s)) {
     throw ConfigError("settle_speed_m_per_s: allowed: more than 1.5 peak_speed_m_per_s");
   }
+  if (!(curve.settle_speed_m_per_s <= largest_settle_over_peak * curve.peak_speed_m_per_s)) {
+    throw ConfigError("settle_speed_m_per_s: allowed: at most 1e6 peak_speed_m_per_s");
+  }
   model::StribeckFriction friction;
   friction.curve = curve;
   const double level = curve.kinetic - curve.viscous_s_per_m * curve.settle_speed_m_per_s;
@@ -44,7 +48,11 @@ model::StribeckFriction stribeck_of(const model::StribeckCurve& curve) {
   if (missing(0) > rounding) throw ConfigError("static: allowed: no less than kinetic");
   if (missing(0) >= 0) return friction;
   double high = curve.static_coefficient;
-  while (missing(high) < 0) high *= 2;
+  int doublings = 0;
+  while (missing(high) < 0) {
+    if (++doublings > most_doublings) throw ConfigError("static: allowed: a peak that such a curve can have");
+    high *= 2;
+  }
   std::uintmax_t iterations = 200;
   const auto bracket = boost::math::tools::toms748_solve(
       missing, 0.0, high, boost::math::tools::eps_tolerance<double>(50), iterations);

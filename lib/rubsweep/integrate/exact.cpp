@@ -81,6 +81,8 @@ class ExactCursor {
     a.steps += b.steps;
     a.refused += b.refused;
     a.switches += b.switches;
+    a.implicit_steps += b.implicit_steps;
+    a.adaptive_turns += b.adaptive_turns;
     return a;
   }
 

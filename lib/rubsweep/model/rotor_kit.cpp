@@ -35,7 +35,7 @@ void require_parts(const std::vector<Part>& parts, const std::string& path, cons
 void validate(const Bow& bow, const std::string& path, double length_m) {
   require(path + "phase_deg", bow.phase_deg, any_finite);
   if (const auto* mode = std::get_if<BowMode>(&bow.shape)) {
-    require(path + "amplitude_m", mode->amplitude_m, not_negative);
+    require(path + "amplitude_m", mode->amplitude_m, physical::amplitude_m);
     require(path + "mode", mode->mode, Range{.low = 1, .high = RotorKit::most_modes});
     return;
   }
@@ -43,7 +43,8 @@ void validate(const Bow& bow, const std::string& path, double length_m) {
   for (const double position : points.position_m) {
     require(path + "position_m", position, Range{.low = 0, .high = length_m});
   }
-  for (const double deflection : points.deflection_m) require(path + "deflection_m", deflection, any_finite);
+  for (const double deflection : points.deflection_m)
+    require(path + "deflection_m", deflection, physical::deflection_m);
   std::vector<double> sorted = points.position_m;
   std::sort(sorted.begin(), sorted.end());
   const bool distinct = std::adjacent_find(sorted.begin(), sorted.end(), [&](double a, double b) {
@@ -82,6 +83,12 @@ double shaft_length_m(const RotorKit& kit) {
   return length;
 }
 
+Range coupling_places(const RotorKit& kit) {
+  constexpr double margin = 1e-6;
+  const double length = shaft_length_m(kit);
+  return {.low = margin * length, .high = (1 - margin) * length};
+}
+
 void validate(const RotorKit& kit, const std::string& path) {
   if (kit.shaft.empty()) throw ConfigError(path + "shaft: at least one segment is needed");
   for (std::size_t i = 0; i < kit.shaft.size(); ++i) {
@@ -98,7 +105,7 @@ void validate(const RotorKit& kit, const std::string& path) {
   require_parts(kit.couplings, path, "couplings", length);
   for (std::size_t i = 0; i < kit.couplings.size(); ++i) {
     require(fmt::format("{}couplings.{}.position_m", path, i), kit.couplings[i].position_m,
-            Range{.low = 0, .high = length, .low_open = true, .high_open = true});
+            coupling_places(kit));
   }
   for (std::size_t i = 0; i < kit.supports.size(); ++i) {
     const std::string name = fmt::format("{}supports.{}.", path, i);
@@ -118,7 +125,7 @@ void validate(const RotorKit& kit, const std::string& path) {
     require(path + "damping_ratio", ratio, RotorKit::damping_ratio_range);
   }
   if (kit.modes) require(path + "modes", *kit.modes, Range{.low = 1, .high = RotorKit::most_modes});
-  require(path + "modes_up_to_hz", kit.modes_up_to_hz, positive);
+  require(path + "modes_up_to_hz", kit.modes_up_to_hz, physical::frequency_hz);
   require(path + "elements", kit.elements, Range{.low = 1, .high = RotorKit::most_elements});
 }
 

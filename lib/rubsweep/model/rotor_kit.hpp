@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "rubsweep/model/physical_range.hpp"
 #include "rubsweep/model/range.hpp"
 
 namespace rubsweep::model {
@@ -20,12 +21,12 @@ struct ShaftSegment {
   double density_kg_per_m3 = required;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("length_m", self.length_m, positive);
-    visit("outer_diameter_m", self.outer_diameter_m, positive);
-    visit("inner_diameter_m", self.inner_diameter_m, not_negative);
-    visit("youngs_modulus_pa", self.youngs_modulus_pa, positive);
-    visit("shear_modulus_pa", self.shear_modulus_pa, positive);
-    visit("density_kg_per_m3", self.density_kg_per_m3, positive);
+    visit("length_m", self.length_m, physical::length_m);
+    visit("outer_diameter_m", self.outer_diameter_m, physical::diameter_m);
+    visit("inner_diameter_m", self.inner_diameter_m, physical::hole_m);
+    visit("youngs_modulus_pa", self.youngs_modulus_pa, physical::modulus_pa);
+    visit("shear_modulus_pa", self.shear_modulus_pa, physical::modulus_pa);
+    visit("density_kg_per_m3", self.density_kg_per_m3, physical::density_kg_per_m3);
   }
 };
 
@@ -44,12 +45,12 @@ struct Disc {
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, not_negative);
-    visit("mass_kg", self.mass_kg, not_negative);
-    visit("polar_inertia_kg_m2", self.polar_inertia_kg_m2, not_negative);
-    visit("diametral_inertia_kg_m2", self.diametral_inertia_kg_m2, not_negative);
-    visit("eccentricity_ratio", self.eccentricity_ratio, not_negative);
+    visit("mass_kg", self.mass_kg, physical::mass_kg);
+    visit("polar_inertia_kg_m2", self.polar_inertia_kg_m2, physical::inertia_kg_m2);
+    visit("diametral_inertia_kg_m2", self.diametral_inertia_kg_m2, physical::inertia_kg_m2);
+    visit("eccentricity_ratio", self.eccentricity_ratio, physical::per_eccentricity);
     visit("eccentricity_phase_deg", self.eccentricity_phase_deg, any_finite);
-    visit("skew_rad_per_m", self.skew_rad_per_m, not_negative);
+    visit("skew_rad_per_m", self.skew_rad_per_m, physical::per_eccentricity);
     visit("skew_phase_deg", self.skew_phase_deg, any_finite);
   }
 };
@@ -63,11 +64,11 @@ struct Pedestal {
   double damping_y_ns_per_m = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("mass_kg", self.mass_kg, positive);
-    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, positive);
-    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, positive);
-    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, not_negative);
-    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, not_negative);
+    visit("mass_kg", self.mass_kg, physical::moving_mass_kg);
+    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, physical::holding_stiffness);
+    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, physical::holding_stiffness);
+    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, physical::damping);
+    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, physical::damping);
   }
 };
 
@@ -83,7 +84,7 @@ struct BearingFault {
   static constexpr double most_per_revolution = 1000;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("impulse_ns", self.impulse_ns, not_negative);
+    visit("impulse_ns", self.impulse_ns, physical::impulse_ns);
     visit("multiple", self.multiple, Range{.low = 0, .high = most_per_revolution, .low_open = true});
     visit("angle_deg", self.angle_deg, any_finite);
     visit("phase_deg", self.phase_deg, Range{.low = 0, .high = 360, .high_open = true});
@@ -108,15 +109,15 @@ struct Support {
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, not_negative);
-    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, not_negative);
-    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, not_negative);
-    visit("stiffness_xy_n_per_m", self.stiffness_xy_n_per_m, any_finite);
-    visit("stiffness_yx_n_per_m", self.stiffness_yx_n_per_m, any_finite);
-    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, not_negative);
-    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, not_negative);
-    visit("damping_xy_ns_per_m", self.damping_xy_ns_per_m, any_finite);
-    visit("damping_yx_ns_per_m", self.damping_yx_ns_per_m, any_finite);
-    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, not_negative);
+    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, physical::stiffness);
+    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, physical::stiffness);
+    visit("stiffness_xy_n_per_m", self.stiffness_xy_n_per_m, physical::cross_stiffness);
+    visit("stiffness_yx_n_per_m", self.stiffness_yx_n_per_m, physical::cross_stiffness);
+    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, physical::damping);
+    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, physical::damping);
+    visit("damping_xy_ns_per_m", self.damping_xy_ns_per_m, physical::cross_damping);
+    visit("damping_yx_ns_per_m", self.damping_yx_ns_per_m, physical::cross_damping);
+    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, physical::stiffness);
   }
 };
 
@@ -128,8 +129,8 @@ struct Coupling {
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, positive);
-    visit("lateral_stiffness_n_per_m", self.lateral_stiffness_n_per_m, positive);
-    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, positive);
+    visit("lateral_stiffness_n_per_m", self.lateral_stiffness_n_per_m, physical::holding_stiffness);
+    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, physical::holding_stiffness);
   }
 };
 
@@ -154,8 +155,8 @@ struct Torsion {
   double drive_damping_nms_per_rad = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("drive_stiffness_nm_per_rad", self.drive_stiffness_nm_per_rad, positive);
-    visit("drive_damping_nms_per_rad", self.drive_damping_nms_per_rad, not_negative);
+    visit("drive_stiffness_nm_per_rad", self.drive_stiffness_nm_per_rad, physical::holding_stiffness);
+    visit("drive_damping_nms_per_rad", self.drive_damping_nms_per_rad, physical::damping);
   }
 };
 
@@ -194,6 +195,9 @@ bool supports_hold(const RotorKit& kit, int plane);
 
 /// Sum of the lengths of the segments.
 double shaft_length_m(const RotorKit& kit);
+
+/// Where a coupling may stand: off both ends, so that there is shaft on either side of it.
+Range coupling_places(const RotorKit& kit);
 
 /// Throws ConfigError naming the first number that is missing or out of range, or a part that is not on the
 /// shaft. `path` opens every message, e.g. "rotor.".

@@ -99,6 +99,7 @@ constexpr std::array columns{
     Column{"last_contact_revolution", [](const Row& r) { return integer(r.last_contact_revolution); }},
     Column{"revolutions", [](const Row& r) { return fmt::format("{}", r.revolutions); }},
     Column{"status", [](const Row& r) { return r.status; }},
+    Column{"start", [](const Row& r) { return r.start ? word(to_string(*r.start)) : std::string(); }},
 };
 
 }  // namespace

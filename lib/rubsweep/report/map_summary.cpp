@@ -25,17 +25,36 @@ std::string_view cell(std::string_view line, std::size_t column) {
   return line.substr(0, line.find(','));
 }
 
+/// Class and order, and what parts motions that share a class but are not alike: a whip that rolls backward
+/// on its own force from an oval that the unbalance drives, a circle forward from one backward.
+std::string name_of(std::string_view map_line) {
+  static const std::size_t class_column = column("class"), order_column = column("order"),
+                           orbit_column = column("orbit"), whirl_column = column("whirl"),
+                           comb_column = column("comb_spacing");
+  std::string name(cell(map_line, class_column));
+  const std::string_view order = cell(map_line, order_column), whirl = cell(map_line, whirl_column);
+  const bool comb = !cell(map_line, comb_column).empty();
+  if (!order.empty() && order != "1") name += fmt::format(" 1/{}", order);
+  if (name == "synchronous" && cell(map_line, orbit_column) == "circle")
+    name += fmt::format(" circle, {}", whirl);
+  if (name == "quasi_periodic" && comb) {
+    name += whirl == "backward" ? " dry whip, backward" : fmt::format(" oval, {}", whirl);
+  }
+  return name;
+}
+
 }  // namespace
 
 void MapSummary::add(std::string_view map_line) {
-  static const std::size_t class_column = column("class"), order_column = column("order"),
-                           status_column = column("status");
-  std::string name(cell(map_line, class_column));
-  const std::string_view order = cell(map_line, order_column), status = cell(map_line, status_column);
-  if (!order.empty() && order != "1") name += fmt::format(" 1/{}", order);
+  static const std::size_t class_column = column("class"), status_column = column("status"),
+                           start_column = column("start"), last_column = column("last_contact_revolution");
   ++total_;
-  ++by_name_[name];
+  ++by_name_[name_of(map_line)];
+  const std::string_view status = cell(map_line, status_column);
   if (status != "ok") ++by_status_[std::string(status)];
+  if (cell(map_line, class_column) == to_string(response::MotionClass::non_contact)) ++non_contact_;
+  if (cell(map_line, start_column) == to_string(sweep::RunStart::kick)) ++kicked_;
+  if (!cell(map_line, last_column).empty()) ++touched_;
 }
 
 bool MapSummary::has_failed_cells() const {
@@ -52,7 +71,17 @@ std::string MapSummary::text() const {
     text += fmt::format("{:>8}  {:5.1f} %  {}\n", count, percent, name);
   }
   for (const auto& [status, count] : by_status_) text += fmt::format("{:>8}  status {}\n", count, status);
-  return text;
+  return text + why_all_is_quiet();
+}
+
+std::string MapSummary::why_all_is_quiet() const {
+  if (total_ == 0 || non_contact_ != total_) return "";
+  if (kicked_ == 0) return "no wall was ever touched: there is no kick (kick.force_n, kick.duration_s)\n";
+  if (touched_ == 0) {
+    return "no wall was ever touched: the kick is too weak to reach one (kick.force_n, or larger whirl "
+           "ratios)\n";
+  }
+  return "nothing rubs on: the kick reached a wall, but the rotor came free of it everywhere\n";
 }
 
 }  // namespace rubsweep::report

@@ -14,12 +14,14 @@ class MapSummary {
 
   bool has_failed_cells() const;
 
-  /// Table for a terminal: cells per class and order, largest share first, then every status that is not
-  /// `ok`.
+  /// Table for a terminal: cells per class and order, circles and ovals by the sense of their whirl, largest
+  /// share first, then every status that is not `ok`, and why nothing rubs where no cell does.
   std::string text() const;
 
  private:
-  std::size_t total_ = 0;
+  std::string why_all_is_quiet() const;
+
+  std::size_t total_ = 0, non_contact_ = 0, kicked_ = 0, touched_ = 0;
   std::map<std::string, std::size_t> by_name_, by_status_;
 };
 

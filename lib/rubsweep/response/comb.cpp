@@ -18,7 +18,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr int largest_multiple = 16;
-constexpr std::size_t fewest_turns = 32;
+constexpr auto fewest_turns = static_cast<std::size_t>(fewest_comb_turns);
 
 /// Reads samples a fraction of a step later than they stand: Lagrange's polynomial through 6 of them.
 struct Delay {

@@ -21,6 +21,9 @@ struct Comb {
   double energy_share = 0;  ///< of z, within the width of a line about the comb; 0 where its lines overlap
 };
 
+/// Fewest turns in which a comb can be told.
+inline constexpr int fewest_comb_turns = 32;
+
 /// Comb of the motion in `displacement_m`, samples of z (any unit serves) over whole turns, 32 turns or more.
 ///
 /// The largest line off 1X stands k spacings from it: its order, read between the bins of a Hann-windowed

@@ -17,7 +17,8 @@ enum class MotionClass {
   quasi_periodic,   ///< discrete lines without a common period; in symmetric scenes a comb
   chaotic,          ///< largest Lyapunov exponent positive beyond its error bar
   unsettled,        ///< not decided when the run ended
-  initial_contact,  ///< the quiet motion already touches the wall: nothing to kick
+  initial_contact,  ///< static forces press the rotor on the wall, so that no unbalance gives the whirl ratio
+                    ///< asked for
   failed,           ///< the integration did not finish
 };
 

@@ -14,7 +14,8 @@ constexpr double growth_tolerance = 1e-12;  ///< rounding of an undamped mode's 
 
 RestProof::RestProof(const scene::Cell& cell) {
   const scene::Scene& scene = cell.scene;
-  if (!scene.impulses.empty()) return;
+  // At a whirl ratio of 1 rounding must not decide.
+  if (!scene.impulses.empty() || cell.start != scene::Start::quiet) return;
   const auto system = integrate::scale<Eigen::Dynamic>(scene);
   const auto form = integrate::modal_form(system.stiffness, system.damping);
   if (!form || form->growth > growth_tolerance) return;

@@ -16,8 +16,8 @@ namespace rubsweep::response {
 /// moves the rotor by.
 class RestProof {
  public:
-  /// Without effect (`proves` is always false) when a mode grows, there is no modal form, or impulses keep on
-  /// disturbing the rotor.
+  /// Without effect (`proves` is always false) when the quiet motion itself touches, a mode grows, there is
+  /// no modal form, or impulses keep on disturbing the rotor.
   explicit RestProof(const scene::Cell& cell);
 
   /// `section`: scaled state at the start of a revolution with every contact open and the kick over, as

@@ -36,6 +36,7 @@ const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const scene::Scene& sce
 
 void look_for_comb(const Record& record, const ResponseOptions& options, Workspace& workspace,
                    Motion& motion) {
+  if (2 * options.window_revolutions < fewest_comb_turns) return;
   const auto comb = find_comb(record.displacement_m(), options.samples_per_revolution, workspace.spectrum);
   if (!comb) return;
   const bool holds_the_energy = comb->closed || comb->energy_share >= oval_energy_share;
@@ -159,6 +160,10 @@ SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solve
     }
   }
   run.motion = verdict(cell.scene, solver, options, record, turn.section, workspace);
+  // Two windows without contact do not last where the quiet motion itself touches: the whirl is still
+  // growing.
+  if (run.motion.motion_class == MotionClass::non_contact && cell.start != scene::Start::quiet)
+    run.motion.motion_class = MotionClass::unsettled;
   if (run.motion.motion_class != MotionClass::unsettled) run.proof = Proof::observed;
   return run;
 }

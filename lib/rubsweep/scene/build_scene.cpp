@@ -109,6 +109,34 @@ void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaini
   }
 }
 
+/// Smallest share s in (0, 1] of the way to the static position at which a wall is met: flat s r.q =
+/// clearance, in a ring |s r q + offset| = clearance, its rest position being inside. 1 where none is.
+double share_before_contact(const Cell& cell) {
+  double share = 1;
+  for (const Contact& contact : cell.scene.contacts) {
+    const Eigen::Vector2d way = relative_map(cell.scene.structure, contact) * cell.quiet.mean;
+    double met = std::numeric_limits<double>::infinity();
+    if (contact.ring) {
+      const double a = way.squaredNorm(), b = way.dot(contact.offset_m);
+      const double c = contact.clearance_m * contact.clearance_m - contact.offset_m.squaredNorm();
+      // a s^2 + 2 b s = c with c > 0, in the form that does not cancel.
+      const double root = std::sqrt(b * b + a * c);
+      if (a > 0) met = b > 0 ? c / (b + root) : (root - b) / a;
+    } else if (contact.normal.dot(way) > 0) {
+      met = contact.clearance_m / contact.normal.dot(way);
+    }
+    if (met < share) share = met;
+  }
+  return share;
+}
+
+void start_at_rest(Cell& cell) {
+  cell.start = Start::contact;
+  cell.scene.pulse.reset();
+  cell.scene.displacement_m = share_before_contact(cell) * cell.quiet.mean;
+  cell.scene.velocity_m_per_s = Eigen::VectorXd::Zero(cell.quiet.mean.size());
+}
+
 /// The first stop goes by the whirl ratio, so that rounding does not decide at a ratio of exactly 1.
 bool touches_anywhere(const Cell& cell) {
   if (!(cell.whirl_ratio < 1)) return true;
@@ -152,6 +180,10 @@ Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
   } else {
     set_unbalance(cell, unbalance, -mean, amplitude_per_m);
   }
+  // What overflows is no number that says it the other way.
+  for (double* said : {&cell.whirl_ratio, &cell.eccentricity_m}) {
+    if (!std::isfinite(*said)) *said = std::numeric_limits<double>::quiet_NaN();
+  }
   const bool has_quiet_motion = std::isfinite(amplitude_per_m) && std::isfinite(mean);
   if (!has_quiet_motion || !std::isfinite(cell.eccentricity_m)) {
     cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;
@@ -168,7 +200,7 @@ Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
   cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
   scene.displacement_m = cell.quiet.displacement(0);
   scene.velocity_m_per_s = w * cell.quiet.velocity(0);
-  if (touches_anywhere(cell)) cell.start = Start::initial_contact;
+  if (touches_anywhere(cell)) start_at_rest(cell);
   return cell;
 }
 

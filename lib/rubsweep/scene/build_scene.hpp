@@ -19,13 +19,18 @@ struct Eccentricity {
 using Unbalance = std::variant<WhirlRatio, Eccentricity>;
 
 enum class Start {
-  quiet,            ///< whirls without touching; the kick decides
-  initial_contact,  ///< the quiet motion itself reaches a wall: nothing to kick
+  quiet,    ///< whirls without touching; the kick decides
+  contact,  ///< the quiet motion itself reaches a wall: starts at rest, unbalance on, and is not kicked
+  initial_contact,  ///< static forces leave no clearance at the first stop, so that no unbalance gives the
+                    ///< whirl ratio
   unreachable,      ///< no finite eccentricity gives the whirl ratio (undamped resonance), or no quiet motion
                     ///< exists
 };
 
-/// One cell of a map, ready to run when `start` is quiet.
+/// True when a cell that starts so has a motion to run.
+constexpr bool can_run(Start start) { return start == Start::quiet || start == Start::contact; }
+
+/// One cell of a map, ready to run when can_run(start).
 struct Cell {
   Scene scene;
   QuietMotion quiet;
@@ -37,8 +42,11 @@ struct Cell {
 
 /// Scene of the plan's machine at one speed and unbalance: starts on the closed-form quiet whirl with t = 0
 /// at the instant of smallest gap at the first stop; the kick points at that stop's wall unless it has an
-/// angle of its own. A bow of the shaft stays what it is whatever the unbalance; where two eccentricities
-/// give the whirl ratio, the larger one is taken. speed_hz > 0.
+/// angle of its own. Where the quiet motion itself reaches a wall, the rotor starts at rest in its static
+/// position instead, or as far on the way to it as the walls let it, with the same phase of the unbalance and
+/// without the kick: that motion is what a machine does that is switched on. A bow of the shaft stays what it
+/// is whatever the unbalance; where two eccentricities give the whirl ratio, the larger one is taken.
+/// speed_hz > 0.
 Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance);
 
 /// The same for a single cell. Throws ConfigError where `machine` is not valid.

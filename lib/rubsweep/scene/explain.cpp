@@ -157,6 +157,17 @@ std::string explain_rotor(const Plan& plan) {
                      rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio);
 }
 
+std::string explain_kick(const model::Machine& machine) {
+  if (!machine.kick) return "kick: none\n";
+  const std::string direction =
+      machine.kick->angle_deg ? fmt::format(" at {} degrees", *machine.kick->angle_deg) : "";
+  return fmt::format(
+      "kick: half-sine, {} N for {} s{}\n"
+      "  none where the quiet whirl itself reaches a wall (whirl ratio 1 and above): the rotor starts at "
+      "rest there\n",
+      machine.kick->force_n, machine.kick->duration_s, direction);
+}
+
 std::string left_out(const model::Machine& machine) {
   if (!machine.kit) {
     return "left out: torsion and drive (the speed is held constant), axial motion, tilting of the disc\n";
@@ -173,9 +184,7 @@ std::string explain(const model::Machine& machine, double speed_hz) {
   const auto coordinates = cell.scene.structure.coordinates();
   std::string text = explain_rotor(plan);
   for (std::size_t i = 0; i < machine.stops.size(); ++i) text += explain_stop(plan, cell, i);
-  text += machine.kick ? fmt::format("kick: half-sine, {} N for {} s\n", machine.kick->force_n,
-                                     machine.kick->duration_s)
-                       : "kick: none\n";
+  text += explain_kick(machine);
   text += fmt::format("states: {} ({} coordinates and their rates)\n", 2 * coordinates, coordinates);
   text += left_out(machine);
   if (machine.gravity_m_per_s2 == 0) text += "left out: gravity (gravity_m_per_s2 is 0)\n";

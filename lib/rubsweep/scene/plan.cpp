@@ -12,11 +12,14 @@ Plan make_plan(const model::Machine& machine) {
   model::validate(machine);
   if (machine.kit) {
     structure::KitAssembly kit = structure::assemble_rotor_kit(machine);
+    structure::refuse_unusable(kit.assembly);
     return {machine, std::move(kit.assembly), std::move(kit.reduction)};
   }
   std::vector<std::optional<model::Casing>> casings;
   for (const model::Stop& stop : machine.stops) casings.push_back(stop.casing);
-  return {machine, structure::assemble_jeffcott(machine.rotor, casings), {}};
+  structure::Assembly assembly = structure::assemble_jeffcott(machine.rotor, casings);
+  structure::refuse_unusable(assembly);
+  return {machine, std::move(assembly), {}};
 }
 
 }  // namespace rubsweep::scene

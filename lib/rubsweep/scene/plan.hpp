@@ -15,7 +15,8 @@ struct Plan {
   std::optional<structure::Reduction> reduction;  ///< of a rotor kit
 };
 
-/// Validates the machine, builds its structure and reduces it. Throws ConfigError.
+/// Validates the machine, builds its structure and reduces it. Throws ConfigError, also where the numbers are
+/// each allowed but too far apart for the structure to be computed.
 Plan make_plan(const model::Machine& machine);
 
 }  // namespace rubsweep::scene

@@ -1,6 +1,9 @@
 #include "rubsweep/structure/assembly.hpp"
 
+#include <Eigen/Cholesky>
 #include <cmath>
+
+#include "rubsweep/error.hpp"
 
 namespace rubsweep::structure {
 
@@ -16,6 +19,28 @@ void add_body(LinearSystem& system, Eigen::Index first, double mass_kg, double s
   point.map(0, first) = 1;
   point.map(1, first + 1) = 1;
   system.points.push_back(std::move(point));
+}
+
+void refuse_unusable(const Assembly& assembly) {
+  const LinearSystem& system = assembly.system;
+  bool finite = system.mass.allFinite() && system.damping.allFinite() && system.stiffness.allFinite() &&
+                system.unbalance_kg.allFinite() && system.weight_kg.allFinite() &&
+                assembly.gyroscopic.allFinite() && assembly.bow_n.allFinite();
+  for (const Point& point : system.points) finite = finite && point.map.allFinite();
+  for (const ImpulseTrain& train : assembly.impulses) finite = finite && train.impulse_ns.allFinite();
+  if (!finite) {
+    throw ConfigError(
+        "rotor, stops: their numbers give a mass, damping or stiffness that is no finite number, allowed: "
+        "less extreme "
+        "ones");
+  }
+  // Each mass against its own size: a rotor of a tonne may have a casing of a gramme.
+  const Eigen::VectorXd scale = system.mass.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::LLT<Eigen::MatrixXd> factor(scale.asDiagonal() * system.mass * scale.asDiagonal());
+  if (!scale.allFinite() || factor.info() != Eigen::Success) {
+    throw ConfigError(
+        "rotor, stops: their numbers leave a motion without mass, allowed: masses less far apart");
+  }
 }
 
 }  // namespace rubsweep::structure

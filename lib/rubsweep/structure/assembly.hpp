@@ -27,4 +27,8 @@ struct Assembly {
 void add_body(LinearSystem& system, Eigen::Index first, double mass_kg, double stiffness_n_per_m,
               double damping_ratio);
 
+/// Throws ConfigError where some number of the assembly is not finite, or its mass matrix is not positive
+/// definite to rounding: no motion of it could be computed.
+void refuse_unusable(const Assembly& assembly);
+
 }  // namespace rubsweep::structure

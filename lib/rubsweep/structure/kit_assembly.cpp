@@ -89,6 +89,10 @@ class KitBuilder {
     } else {
       const auto& mode = std::get<model::BowMode>(kit_.bow->shape);
       const PlaneModes modes = plane_modes(shaft_.mass, shaft_.plane_stiffness(0), mode.mode);
+      if (modes.rad_per_s.size() < mode.mode) {
+        throw ConfigError("rotor.bow.mode: the shaft has fewer modes that can be computed, allowed: 1 to " +
+                          std::to_string(modes.rad_per_s.size()));
+      }
       const auto nodes = static_cast<Eigen::Index>(shaft_.node_position_m.size());
       line = modes.shape.rightCols<1>();
       Eigen::Index largest = 0;

@@ -11,6 +11,11 @@
 namespace rubsweep::structure {
 namespace {
 
+constexpr const char* no_modes =
+    "rotor: its masses and stiffnesses are too far apart to have modes that can be computed, allowed: less "
+    "extreme "
+    "numbers";
+
 /// Adds the projected block of planes (a, b) where its shapes stand.
 void add(const LateralSystem& system, std::size_t a, std::size_t b, const Eigen::MatrixXd& block,
          Eigen::MatrixXd& matrix) {
@@ -71,10 +76,16 @@ LateralSystem project(const BeamShaft& shaft, const PlaneBases& bases) {
 
 PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, Eigen::Index count) {
   constexpr double massless = 1e-14;  // of the largest 1/w^2
+  if (!mass.allFinite() || !stiffness.allFinite()) {
+    throw ConfigError(
+        "rotor: its numbers give a mass or stiffness that is no finite number, allowed: less extreme ones");
+  }
   const Eigen::LLT<Eigen::MatrixXd> factor(stiffness);
   if (factor.info() != Eigen::Success) {
     throw ConfigError(
-        "rotor.supports: they leave the shaft free to move as a whole, allowed: supports that hold it");
+        "rotor.supports: they leave the shaft free to move as a whole, or are so much stiffer or softer than "
+        "the "
+        "shaft that rounding says so, allowed: supports that hold it");
   }
   const auto lower = factor.matrixL();
   const Eigen::MatrixXd half = lower.solve(mass);
@@ -84,13 +95,16 @@ PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiff
   const Eigen::VectorXd& values = solver.eigenvalues();
   const Eigen::Index n = values.size();
   Eigen::Index kept = 0;
+  if (solver.info() != Eigen::Success) throw ConfigError(no_modes);
   while (kept < std::min(count, n) && values(n - 1 - kept) > massless * values(n - 1)) ++kept;
+  if (kept == 0) throw ConfigError(no_modes);
   PlaneModes modes{Eigen::VectorXd(kept), Eigen::MatrixXd(n, kept)};
   for (Eigen::Index j = 0; j < kept; ++j) {
     const double value = values(n - 1 - j);
     modes.rad_per_s(j) = 1 / std::sqrt(value);
     modes.shape.col(j) = factor.matrixU().solve(solver.eigenvectors().col(n - 1 - j)) / std::sqrt(value);
   }
+  if (!modes.rad_per_s.allFinite() || !modes.shape.allFinite()) throw ConfigError(no_modes);
   return modes;
 }
 

@@ -35,8 +35,8 @@ struct PlaneModes {
 
 /// Modes of stiffness v = w^2 mass v; stiffness positive definite, mass at least semidefinite. The `count`
 /// lowest ones, fewer where fewer have mass. Works on the inverse problem, whose largest values are the
-/// lowest frequencies: these are the ones that come out with full relative accuracy. Throws ConfigError when
-/// the stiffness is not positive definite.
+/// lowest frequencies: these are the ones that come out with full relative accuracy. At least one. Throws
+/// ConfigError when the stiffness is not positive definite, or no mode can be computed.
 PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, Eigen::Index count);
 
 /// Whirl frequencies in rad/s at a shaft speed, ascending: imaginary parts of the eigenvalues of the damped

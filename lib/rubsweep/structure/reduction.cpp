@@ -7,12 +7,18 @@
 #include <complex>
 #include <numbers>
 
+#include "rubsweep/error.hpp"
+
 namespace rubsweep::structure {
 namespace {
 
 constexpr double unseen = 1e-9;   ///< share of a station's static compliance
 constexpr int grid_points = 100;  ///< frequencies at which receptances are compared
 constexpr double grid_decades = 2.5;
+constexpr const char* too_extreme =
+    "rotor: its parts are too far apart in stiffness or mass for the motion at the stops to be computed, "
+    "allowed: "
+    "less extreme numbers";
 
 /// One plane before the reduction: all modes that may be kept, and what a static force at each stop does.
 struct Plane {
@@ -32,6 +38,9 @@ Plane study_plane(const BeamShaft& shaft, std::size_t index, const std::vector<d
     const Eigen::Index w = shaft.deflection(place);
     compliance.push_back(plane.factor.solve(Eigen::VectorXd::Unit(shaft.coordinates(), w))(w));
   }
+  for (const double value : compliance) {
+    if (!(value > 0) || !std::isfinite(value)) throw ConfigError(too_extreme);
+  }
   for (Eigen::Index j = 0; j < plane.modes.rad_per_s.size(); ++j) {
     for (std::size_t i = 0; i < places_m.size(); ++i) {
       const double share = plane.modes.shape(shaft.deflection(places_m[i]), j) / plane.modes.rad_per_s(j);
@@ -40,6 +49,7 @@ Plane study_plane(const BeamShaft& shaft, std::size_t index, const std::vector<d
       break;
     }
   }
+  if (plane.seen.empty()) throw ConfigError(too_extreme);
   return plane;
 }
 
@@ -93,8 +103,11 @@ void fill_plane(const BeamShaft& shaft, const Plane& plane, std::size_t index, i
     // A coordinate is then a displacement in metres, and an integrator's tolerance means the same for all.
     Eigen::Index largest = 0;
     basis(Eigen::seqN(0, nodes, 2), j).cwiseAbs().maxCoeff(&largest);
-    basis.col(j) /= basis(2 * largest, j);
+    const double deflection = basis(2 * largest, j);
+    if (deflection == 0 || !std::isfinite(deflection)) throw ConfigError(too_extreme);
+    basis.col(j) /= deflection;
   }
+  if (!basis.allFinite() || !hz.allFinite()) throw ConfigError(too_extreme);
 }
 
 class Reducer {

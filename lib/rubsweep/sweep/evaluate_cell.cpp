@@ -64,6 +64,9 @@ Row evaluate(const Study& study, const scene::Plan& plan, std::size_t cell, resp
     row.motion_class = response::MotionClass::initial_contact;
     return row;
   }
+  row.start = start.start == scene::Start::contact ? RunStart::contact
+              : start.scene.pulse                  ? RunStart::kick
+                                                   : RunStart::quiet;
   fill(row, response::settle(start, study.solver, study.response, workspace),
        has_constant_friction(plan.machine));
   return row;

@@ -11,6 +11,7 @@
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/scene/explain.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/sweep/untouched_walls.hpp"
 
 namespace rubsweep::sweep {
 namespace {
@@ -97,7 +98,8 @@ std::string explain_solver(const Study& study) {
 
 std::string explain(const Study& study) {
   const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
-  std::string text = scene::explain(study.machine, *slowest) + explain_solver(study);
+  std::string text = scene::explain(study.machine, *slowest);
+  text += why_walls_stay_untouched(study, scene::make_plan(study.machine)) + explain_solver(study);
   text += fmt::format(
       "a cell ends when rest {}is proven, else after {} revolutions, by its last two windows of {}\n",
       study.response.floquet_proof ? "or a stable orbit " : "", study.response.max_revolutions,

@@ -5,7 +5,7 @@ namespace rubsweep::sweep {
 std::optional<bool> is_robust(const Row& row, const model::Machine& machine,
                               const std::function<Row(const model::Machine&)>& evaluate) {
   using response::MotionClass;
-  if (!machine.kick || row.motion_class == MotionClass::initial_contact ||
+  if (!machine.kick || row.start == RunStart::contact || row.motion_class == MotionClass::initial_contact ||
       row.motion_class == MotionClass::failed) {
     return std::nullopt;
   }

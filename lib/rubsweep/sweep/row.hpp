@@ -2,10 +2,22 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "rubsweep/response/settle.hpp"
 
 namespace rubsweep::sweep {
+
+/// How the run of a cell began.
+enum class RunStart {
+  kick,    ///< on the quiet whirl, kicked
+  quiet,   ///< on the quiet whirl; there is no kick
+  contact  ///< at rest in the static position, not kicked: the quiet motion itself reaches a wall
+};
+
+constexpr std::string_view to_string(RunStart start) {
+  return start == RunStart::kick ? "kick" : start == RunStart::quiet ? "quiet" : "contact";
+}
 
 /// All that survives of one cell: one row of the map. What does not apply is empty.
 struct Row {
@@ -22,7 +34,8 @@ struct Row {
   std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found
   std::optional<long> last_contact_revolution;
   long revolutions = 0;
-  std::string status = "ok";  ///< `ok` or one word per cause, joined by ';'
+  std::string status = "ok";      ///< `ok` or one word per cause, joined by ';'
+  std::optional<RunStart> start;  ///< empty: nothing was run
 };
 
 }  // namespace rubsweep::sweep

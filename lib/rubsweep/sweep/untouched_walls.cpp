@@ -1,0 +1,81 @@
+#include "rubsweep/sweep/untouched_walls.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/response/rest_proof.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+constexpr std::size_t most_speeds = 100;
+
+scene::Unbalance unbalance_of(const Grid& grid, double value) {
+  if (grid.measure == UnbalanceMeasure::whirl_ratio) return scene::WhirlRatio{value};
+  return scene::Eccentricity{value};
+}
+
+/// The quiet cell nearest to the wall at one speed; empty where all touch without a kick. `descending`: all
+/// unbalances.
+std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::Plan& plan, double speed_hz,
+                                              const std::vector<double>& descending) {
+  for (const double unbalance : descending) {
+    scene::Cell cell = scene::build_cell(plan, speed_hz, unbalance_of(study.grid, unbalance));
+    if (cell.start == scene::Start::quiet) return cell;
+  }
+  return std::nullopt;
+}
+
+/// No length of a mode can grow by more than its share of the whole impulse, however the pulse spreads it in
+/// time.
+bool never_touches(const scene::Cell& cell) {
+  const scene::Scene& scene = cell.scene;
+  std::vector<double> section = integrate::scaled_initial_state(scene);
+  if (scene.pulse) {
+    const double impulse_ns = 2 / std::numbers::pi * scene.pulse->force_n * scene.pulse->duration_s;
+    const Eigen::VectorXd jump = scene.structure.mass.llt().solve(impulse_ns * scene.pulse->direction) /
+                                 (scene.length_scale_m * scene.speed_rad_per_s);
+    const auto n = static_cast<std::size_t>(jump.size());
+    for (std::size_t i = 0; i < n; ++i) section[n + i] += jump(static_cast<Eigen::Index>(i));
+  }
+  return response::RestProof(cell).proves(section);
+}
+
+}  // namespace
+
+std::string why_walls_stay_untouched(const Study& study, const scene::Plan& plan) {
+  std::vector<double> descending = study.grid.unbalance;
+  std::sort(descending.begin(), descending.end(), std::greater<>());
+  const std::vector<double>& speeds = study.grid.speed_hz;
+  const std::size_t looked_at = std::min(speeds.size(), most_speeds);
+  bool any = false;
+  for (std::size_t i = 0; i < looked_at; ++i) {
+    const double speed_hz = speeds[i * speeds.size() / looked_at];
+    const auto cell = nearest_quiet_cell(study, plan, speed_hz, descending);
+    if (!cell) continue;
+    if (!never_touches(*cell)) return "";
+    any = true;
+  }
+  if (!any) return "";
+  const auto& kick = plan.machine.kick;
+  if (!kick) {
+    return "no kick: the cells whose quiet whirl leaves a clearance (whirl ratio below 1) touch nothing and "
+           "are all "
+           "non_contact; to change that, give kick.force_n and kick.duration_s\n";
+  }
+  return fmt::format(
+      "weak kick: {} N for {} s reach no wall from any cell whose quiet whirl leaves a clearance (whirl "
+      "ratio below "
+      "1), which are all non_contact; to change that, raise kick.force_n\n",
+      kick->force_n, kick->duration_s);
+}
+
+}  // namespace rubsweep::sweep

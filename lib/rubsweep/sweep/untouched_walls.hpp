@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "rubsweep/scene/plan.hpp"
+#include "rubsweep/sweep/study.hpp"
+
+namespace rubsweep::sweep {
+
+/// One line that says why no cell below a whirl ratio of 1 will ever touch a wall: there is no kick, or none
+/// that gets that far. Empty where some cell may touch, as far as a bound can tell: the kick counts with its
+/// whole impulse at once and the free vibration by the sizes of its modes, so that a kick much longer than
+/// the rotor's period may be too weak without being named. Looks at every speed of a small grid and at speeds
+/// all over a large one, and at the largest unbalance that leaves a clearance there.
+std::string why_walls_stay_untouched(const Study& study, const scene::Plan& plan);
+
+}  // namespace rubsweep::sweep

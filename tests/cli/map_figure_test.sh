@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# scripts/map_figure.sh and domain_map.sh draw any map: over whirl ratio or eccentricity, over the natural frequency or,
+# of a rotor kit, in Hz. Skipped without gnuplot.
+source "$(dirname "$0")/support.sh"
+command -v gnuplot >/dev/null || { echo 'skipped: there is no gnuplot'; exit 77; }
+touch stdout stderr
+
+# draw EXPECTED_EXIT_CODE SCRIPT ARGUMENT...
+draw() {
+  local code=0
+  "$top/scripts/$2" "${@:3}" >stdout 2>stderr || code=$?
+  [[ $code == "$1" ]] || fail "${*:2}: exit code $code, expected $1"
+}
+
+draw 1 map_figure.sh
+expect_contains stderr 'map_figure.sh: usage: map_figure.sh CONFIG_STEM FIGURE HEADING'
+draw 1 map_figure.sh minimal figure
+expect_contains stderr 'usage: map_figure.sh'
+draw 1 domain_map.sh
+expect_contains stderr 'usage: domain_map.sh'
+
+# Above a whirl ratio of 1, where the rotor starts without a kick.
+expect_exit 0 "$minimal" --quiet --output ratio --set 'sweep={speed_hz: {values: [60, 75, 90]}, whirl_ratio: {values: [0.4, 0.8, 1.2]}}'
+draw 0 map_figure.sh minimal unused Heading ratio/map.csv out/ratio
+expect_empty stderr
+for text in 'whirl ratio (quiet whirl / clearance)' 'shaft speed / natural frequency'; do expect_contains out/ratio.svg "$text"; done
+! grep -q 'pressed on the wall' out/ratio.svg || fail 'cells above 1 are not drawn'
+[[ -s out/ratio.png ]] || fail 'there is no out/ratio.png'
+
+expect_exit 0 "$minimal" --quiet --output eccentricity \
+  --set 'sweep={speed_hz: {values: [60, 75, 90]}, eccentricity_m: {values: [2e-4, 4e-4, 6e-4]}}'
+draw 0 map_figure.sh minimal unused Heading eccentricity/map.csv out/eccentricity
+expect_empty stderr
+expect_contains out/eccentricity.svg 'eccentricity (m)'
+! grep -q 'whirl ratio' out/eccentricity.svg || fail 'an eccentricity is called a whirl ratio'
+
+# A kit has no natural frequency in its configuration.
+expect_exit 0 "$top/configs/rotor_kit.yaml" --quiet --output kit --set response.max_revolutions=128 --set kick.force_n=1 \
+  --set 'sweep={speed_hz: {values: [50, 60]}, whirl_ratio: {values: [0.1, 0.2]}}'
+draw 0 domain_map.sh kit/map.csv out/kit Heading
+expect_empty stderr
+expect_contains out/kit.svg 'shaft speed (Hz)'
+NATURAL_FREQUENCY_HZ=30 draw 0 domain_map.sh kit/map.csv out/kit Heading
+expect_contains out/kit.svg 'shaft speed / natural frequency'
+
+# A whip and an oval, circles forward and backward: each has its own colour and name.
+mkdir motions
+cp ratio/config.yaml motions
+{
+  echo "$header"
+  row() { echo "$1,$2,1e-4,$3,$4,$5,$6,,,$7,0,0,0,0,0,0,1,0,,,1,1,ok,kick"; }
+  row 60 0.2 quasi_periodic '' oval forward 2.5
+  row 75 0.2 quasi_periodic '' circle backward 3.5
+  row 90 0.2 quasi_periodic '' complex mixed ''
+  row 60 0.4 synchronous 1 circle forward ''
+  row 75 0.4 synchronous 1 circle backward ''
+  row 90 0.4 synchronous 1 oval mixed ''
+} >motions/map.csv
+draw 0 domain_map.sh motions/map.csv out/motions Heading
+for text in '“synchronous oval”' 'backward dry whip' '>quasi-periodic<' '>synchronous circle<' 'backward circle' '>synchronous<'; do
+  expect_contains out/motions.svg "$text"
+done

@@ -1,0 +1,53 @@
+#include "rubsweep/sweep/untouched_walls.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/sweep/explain_study.hpp"
+#include "sweep/one_side_study.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+std::string why(const Study& study) {
+  return why_walls_stay_untouched(study, scene::make_plan(study.machine));
+}
+
+TEST(UntouchedWalls, AKickThatReachesTheWallIsNoReason) {
+  EXPECT_EQ(why(one_side_study({60, 75}, {0.2, 0.4})), "");
+}
+
+TEST(UntouchedWalls, WithoutAKickNothingTouches) {
+  Study study = one_side_study({60, 75}, {0.2, 0.4});
+  study.machine.kick.reset();
+  EXPECT_TRUE(why(study).starts_with("no kick: "));
+  EXPECT_NE(explain(study).find(why(study)), std::string::npos);
+  // From a whirl ratio of 1 no kick is needed.
+  study.grid.unbalance = {1.2};
+  EXPECT_EQ(why(study), "");
+}
+
+TEST(UntouchedWalls, AWeakKickIsNamedAndReallyTouchesNothing) {
+  Study study = one_side_study({60, 75}, {0.4, 1.2, 0.1});
+  study.machine.kick->force_n = 20;
+  EXPECT_TRUE(why(study).starts_with("weak kick: 20 N for 0.005 s reach no wall"));
+  response::Workspace workspace;
+  for (const std::size_t cell : {0U, 1U, 4U, 5U}) {
+    EXPECT_FALSE(evaluate_cell(study, cell, workspace).last_contact_revolution) << cell;
+  }
+  // One cell near enough to the wall, or one speed, is enough to say nothing.
+  study.grid.unbalance = {0.1, 0.999};
+  EXPECT_EQ(why(study), "");
+}
+
+TEST(UntouchedWalls, FaultyBearingsMayMoveTheRotorAllTheSame) {
+  Study study = one_side_study({75}, {0.4});
+  study.machine.kick.reset();
+  study.machine.stops.front().clearance_m = 1e-3;
+  scene::Plan plan = scene::make_plan(study.machine);
+  plan.assembly.impulses.push_back({Eigen::VectorXd::Unit(plan.assembly.system.coordinates(), 1), 1, 0});
+  EXPECT_EQ(why_walls_stay_untouched(study, plan), "");
+}
+
+}  // namespace
+}  // namespace rubsweep::sweep
