@@ -47,11 +47,11 @@ expect_none() {
   done
 }
 
-expect_motion 60 0.5 'synchronous 1 circle forward floquet ok'
+expect_motion 60 0.5 'synchronous 1 circle forward floquet_observed ok'
 expect_none comb_spacing lyapunov_per_revolution
 expect_between dominant_order 1 1
 
-expect_motion 165 0.6 'quasi_periodic  oval forward floquet ok'
+expect_motion 165 0.6 'quasi_periodic  oval forward floquet_observed ok'
 expect_between comb_spacing 0.6123 0.6125
 expect_between dominant_order 0.3875 0.3877
 expect_none lyapunov_per_revolution

@@ -45,7 +45,7 @@ TEST(Settle, BothSolversProveTheSameOrbit) {
   integrate::SolverOptions adaptive;
   adaptive.method = integrate::Method::adaptive;
   const auto a = run({}, {}), b = run({}, {}, adaptive);
-  EXPECT_EQ(b.proof, Proof::floquet);
+  EXPECT_EQ(b.proof, Proof::floquet_observed);
   EXPECT_EQ(b.motion.order, 2);
   EXPECT_NEAR(a.floquet_modulus.value(), b.floquet_modulus.value(), 1e-4);
   EXPECT_NEAR(a.motion.measures.amplitude_1x_forward_m, b.motion.measures.amplitude_1x_forward_m, 1e-12);
@@ -60,7 +60,7 @@ SettledRun run_struck(double multiple, const ResponseOptions& options) {
 
 TEST(Settle, ImpulsesThatRepeatEveryTurnLeaveTheProof) {
   const auto proven = run_struck(2, {}), observed = run_struck(2, without_floquet_proof());
-  EXPECT_EQ(proven.proof, Proof::floquet);
+  EXPECT_EQ(proven.proof, Proof::floquet_observed);
   EXPECT_EQ(observed.proof, Proof::observed);
   EXPECT_EQ(proven.motion.order, 2);
   EXPECT_EQ(observed.motion.order, 2);
@@ -236,7 +236,7 @@ TEST(Settle, ACombWhoseLinesOverlapIsAnOvalToo) {
 /// of 1200 shows so).
 TEST(Settle, AProofTellsAPeriodFromASlowTransient) {
   const auto settled = run_annulus(120, 0.3231578947368421);
-  EXPECT_EQ(settled.proof, Proof::floquet);
+  EXPECT_EQ(settled.proof, Proof::floquet_observed);
   EXPECT_NEAR(settled.motion.measures.comb_spacing.value(), 0.223451707, 1e-8);
   EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::oval);
 }

@@ -42,7 +42,8 @@ struct NormalForm {
   }
   TurningMotion motion() const {
     const auto flow = [*this](const VectorXd& y, double t) { return std::optional(arc(y, t)); };
-    return {[*this](const VectorXd& y) { return rate(y); }, flow, flow};
+    return {[*this](const VectorXd& y) { return rate(y); }, flow, flow,
+            [*this](const VectorXd& y, double t) { return std::optional(after(y, t)); }};
   }
 };
 
@@ -78,7 +79,7 @@ TEST(ProveCycle, RefusesAnUnstableOne) {
 
 TEST(ProveCycle, RefusesATransientThatGoesElsewhere) {
   NormalForm form;
-  form.push_out = 0.04;
+  form.push_out = 1;
   const VectorXd start{{0.9, 0, 0}};
   EXPECT_FALSE(prove_cycle(form.motion(), start, {form.period()}));
   form.push_out = 0;

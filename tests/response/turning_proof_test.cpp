@@ -26,7 +26,7 @@ struct ProvenAndObserved {
 
   ProvenAndObserved(const scene::Cell& cell, const char* motion_class, int within_turns, int observed_turns)
       : proven(run(cell, true)), observed(run(cell, false, observed_turns)) {
-    EXPECT_EQ(proven.proof, Proof::floquet);
+    EXPECT_EQ(proven.proof, Proof::floquet_observed);
     EXPECT_LT(proven.revolutions, within_turns);
     EXPECT_EQ(name(proven), motion_class);
     EXPECT_EQ(name(observed), motion_class);
@@ -67,7 +67,7 @@ TEST(TurningProof, TheOvalIsWhatALongRunShows) {
 /// double period.
 TEST(TurningProof, AnOvalThatIsReachedSlowlyIsProvenAtOnce) {
   const auto proven = run(annular_cell(120, 0.6), true);
-  EXPECT_EQ(proven.proof, Proof::floquet);
+  EXPECT_EQ(proven.proof, Proof::floquet_observed);
   EXPECT_LT(proven.revolutions, 400);
   EXPECT_NEAR(proven.motion.measures.comb_spacing.value(), 0.40854734, 1e-7);
   EXPECT_NEAR(proven.floquet_modulus.value(), 0.991531, 1e-5);

@@ -50,6 +50,18 @@ std::optional<TurningArc> follow(const scene::Scene& scene, const SolverOptions&
   return arc;
 }
 
+template <class State, int N, bool Smoothed>
+std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const SolverOptions& options,
+                                      double angle_rad) {
+  AdaptiveRun<Dopri5<State>, N, Smoothed> run(scene, options);
+  Turn turn;
+  for (double left = angle_rad; left > 0; left -= full_turn) {
+    if (run.advance(turn, std::min(left, full_turn)) != Outcome::ok) return std::nullopt;
+  }
+  const Eigen::Map<const Eigen::VectorXd> end(turn.section.data(), 2 * scene.structure.coordinates());
+  return turned(end, -angle_rad);
+}
+
 }  // namespace
 
 TurningFlow::TurningFlow(const scene::Scene& scene, const SolverOptions& options, int samples_per_revolution)
@@ -57,18 +69,33 @@ TurningFlow::TurningFlow(const scene::Scene& scene, const SolverOptions& options
   scene_.pulse.reset();
 }
 
-std::optional<TurningArc> TurningFlow::from(const Eigen::VectorXd& state, double angle_rad) const {
+scene::Scene TurningFlow::scene_at(const Eigen::VectorXd& state) const {
   scene::Scene scene = scene_;
   const Eigen::Index n = scene.structure.coordinates();
   scene.displacement_m = scene.length_scale_m * state.head(n);
   scene.velocity_m_per_s = scene.length_scale_m * scene.speed_rad_per_s * state.tail(n);
+  return scene;
+}
+
+// The usual scene, a rotor and one casing, gets a fixed size.
+
+std::optional<TurningArc> TurningFlow::from(const Eigen::VectorXd& state, double angle_rad) const {
+  const scene::Scene scene = scene_at(state);
   constexpr int any = Eigen::Dynamic;
   const int samples = samples_per_revolution_;
   if (options_.contact == ContactHandling::smoothed)
     return follow<std::vector<double>, any, true>(scene, options_, samples, angle_rad);
-  // The usual scene, a rotor and one casing, gets a fixed size.
-  if (n == 4) return follow<std::array<double, 72>, 4, false>(scene, options_, samples, angle_rad);
+  if (state.size() == 8) return follow<std::array<double, 72>, 4, false>(scene, options_, samples, angle_rad);
   return follow<std::vector<double>, any, false>(scene, options_, samples, angle_rad);
+}
+
+std::optional<Eigen::VectorXd> TurningFlow::end_from(const Eigen::VectorXd& state, double angle_rad) const {
+  const scene::Scene scene = scene_at(state);
+  constexpr int any = Eigen::Dynamic;
+  if (options_.contact == ContactHandling::smoothed)
+    return end_of<std::vector<double>, any, true>(scene, options_, angle_rad);
+  if (state.size() == 8) return end_of<std::array<double, 8>, 4, false>(scene, options_, angle_rad);
+  return end_of<std::vector<double>, any, false>(scene, options_, angle_rad);
 }
 
 }  // namespace rubsweep::integrate

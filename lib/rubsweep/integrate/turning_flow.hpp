@@ -33,7 +33,12 @@ class TurningFlow {
   /// Empty when the solver fails. `state`: 2n scaled numbers; `angle_rad` > 0.
   std::optional<TurningArc> from(const Eigen::VectorXd& state, double angle_rad) const;
 
+  /// The end alone, without its derivative: several times cheaper.
+  std::optional<Eigen::VectorXd> end_from(const Eigen::VectorXd& state, double angle_rad) const;
+
  private:
+  scene::Scene scene_at(const Eigen::VectorXd& state) const;
+
   scene::Scene scene_;
   SolverOptions options_;
   int samples_per_revolution_;

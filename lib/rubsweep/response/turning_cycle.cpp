@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubsweep/response/adapted_norm.hpp"
 #include "rubsweep/response/floquet.hpp"
 
 namespace rubsweep::response {
@@ -19,6 +20,9 @@ constexpr double period_changes = 0.2;  ///< share of its first guess by which t
 constexpr int most_periods = 8;         ///< looked for in a cycle that closes
 constexpr double returns_early = 1e-4;  ///< return error that makes a fraction the period
 constexpr double stands_still = 1e-5;   ///< rate below which a cycle is no cycle but a point
+constexpr double followed_down = 1e-3;  ///< share of its distance that a transient is followed down to
+constexpr double near_by = 1e-5;        ///< or this distance: what it does next is the rough flow's noise
+constexpr double most_periods_followed = 3000;
 
 /// In (clearance, clearance omega).
 struct Accuracy {
@@ -33,7 +37,6 @@ double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 struct Closed {
   VectorXd x;
   TurningArc once;
-  TurningArc first;  ///< from the start, over the guessed period
 };
 
 /// Newton step of (state, period), the state staying across `across`.
@@ -54,13 +57,11 @@ std::optional<Closed> close(const TurningMotion& motion, const TurningMotion::Fl
   const VectorXd across = motion.rate(start);
   VectorXd x = start;
   double period = guess_rad, last = 0;
-  std::optional<TurningArc> first;
   for (int i = 0; i < newton_iterations; ++i) {
     const auto arc = flow(x, period);
     if (!arc || !arc->end.allFinite()) return std::nullopt;
-    if (!first) first = arc;
     const double error = largest(arc->end - x);
-    if (error < closed) return Closed{x, *arc, *first};
+    if (error < closed) return Closed{x, *arc};
     if (error > farthest_orbit || (i > 2 && error > last / 2)) return std::nullopt;
     last = error;
     const VectorXd step = newton_step(x, *arc, motion.rate(arc->end), across);
@@ -88,25 +89,31 @@ std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_w
   return modulus;
 }
 
-/// Whether the transient ends where the linear map about the cycle says, after one period or after so many as
-/// it takes to come back: what alternates about an orbit bends from its linear map in one period and back in
-/// the next. What it misses must be less than what the cycle draws it in by, or a weak cycle may not hold it.
-/// Being early or late is no distance: only what lies across the orbit counts.
-bool approaches(const TurningMotion& motion, const VectorXd& start, const Closed& cycle, double modulus,
-                int periods) {
-  const VectorXd from = start - cycle.x, along = motion.rate(cycle.x).normalized();
-  if (largest(from) < on_the_orbit) return true;
-  VectorXd expected = from, image = cycle.first.end;
-  for (int k = 1;; ++k) {
-    expected = cycle.once.transition * expected;
-    const VectorXd missed = image - cycle.x - expected;
-    const double share = std::min(linear_share, 1 - std::pow(modulus, k));
-    if (largest(missed - along * along.dot(missed)) <= share * largest(from)) return true;
-    if (k >= periods) return false;
-    const auto arc = motion.roughly(image, cycle.once.angle_rad);
-    if (!arc) return false;
-    image = arc->end;
+/// Follows the transient period by period until a thousandth of its distance from the cycle is left, in the
+/// adapted norm of the return map across the cycle, or `near_by`. Being early or late is no distance: each
+/// period is cut or prolonged by as much as the one before was off along the motion.
+bool comes_near(const TurningMotion& motion, const VectorXd& start, const Closed& cycle) {
+  const Eigen::Index n = start.size();
+  const VectorXd rate = motion.rate(cycle.x), along = rate.normalized();
+  const MatrixXd across = MatrixXd::Identity(n, n) - along * along.transpose();
+  const auto norms = adapted_norms({across * cycle.once.transition * across});
+  if (!norms) return false;
+  VectorXd image = start;
+  double first = 0;
+  const double promised = std::log(followed_down) / std::log(norms->contraction);
+  const double patience = std::min(most_periods_followed, 64 + 3 * promised);
+  for (int k = 0; k <= patience; ++k) {
+    const VectorXd off = across * (image - cycle.x);
+    const double distance = (norms->norm.front() * off).norm();
+    if (k == 0) first = distance;
+    if (largest(off) < near_by || distance < followed_down * first) return true;
+    if (!(distance < 4 * first)) return false;
+    const double late_rad = along.dot(image - cycle.x) / rate.norm();
+    const auto end = motion.end(image, cycle.once.angle_rad - late_rad);
+    if (!end || !end->allFinite()) return false;
+    image = *end;
   }
+  return false;
 }
 
 /// Whole periods in the cycle: Newton's iteration may have closed several at once.
@@ -133,10 +140,8 @@ std::optional<TurningCycle> prove_cycle(const TurningMotion& motion, const Vecto
   for (const double period : periods_rad) {
     const auto nearly = close(motion, motion.roughly, start, period, rough.closed);
     if (!nearly || largest(motion.rate(nearly->x)) < stands_still) continue;
-    const auto modulus = stable_modulus(nearly->once.transition, rough.trivial);
-    if (!modulus) continue;
-    const auto periods = static_cast<int>(std::lround(periods_rad.back() / period));
-    if (!approaches(motion, start, *nearly, *modulus, periods)) return std::nullopt;
+    if (!stable_modulus(nearly->once.transition, rough.trivial)) continue;
+    if (!comes_near(motion, start, *nearly)) return std::nullopt;
     return exact_cycle(motion, nearly->x, nearly->once.angle_rad / periods_in(motion, *nearly));
   }
   return std::nullopt;

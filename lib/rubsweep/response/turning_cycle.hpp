@@ -16,6 +16,8 @@ struct TurningMotion {
       std::function<std::optional<integrate::TurningArc>(const Eigen::VectorXd& state, double angle_rad)>;
   std::function<Eigen::VectorXd(const Eigen::VectorXd& state)> rate;
   Flow roughly, exactly;
+  /// Where the rough flow ends, without its derivative.
+  std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& state, double angle_rad)> end;
 };
 
 /// A stable closed orbit in the frame that turns with the shaft.
@@ -25,14 +27,14 @@ struct TurningCycle {
   double floquet_modulus = 0;  ///< largest multiplier over one period but the trivial one, < 1
 };
 
-/// Proves that a transient now at `start` settles on a closed orbit of about one of `periods_rad` (ascending:
-/// where the transient alternates about an orbit, its double returns sooner): Newton's iteration on state and
-/// period, the state staying on the plane through `start` across the motion there, closes the orbit; one
-/// multiplier of its monodromy matrix is 1, as every shift along the orbit makes it, to how well it is known,
-/// and all others lie inside `largest_floquet_modulus`; and the transient's next period, or the time of the
-/// last of `periods_rad`, ends where the monodromy matrix says, to a tenth of its distance from the orbit
-/// and to less than the multipliers shorten that.
-/// Empty when none closes and is stable, or when the first that is fails the last test.
+/// Finds the closed orbit that a transient now at `start` settles on, of about one of `periods_rad`
+/// (ascending: where the transient alternates about an orbit, its double returns sooner). Newton's iteration
+/// on state and period, the state staying on the plane through `start` across the motion there, closes the
+/// orbit; one multiplier of its monodromy matrix is 1, as every shift along the orbit makes it, to how well
+/// it is known, and all others lie inside `largest_floquet_modulus`; and the transient, followed on, comes
+/// down to a thousandth of its distance from the orbit in the adapted norm of the return map, or to 1e-5.
+/// Observed, not proven: nothing is known of a ball about the orbit. Empty when none closes and is stable, or
+/// when the transient does not come near the first that is.
 std::optional<TurningCycle> prove_cycle(const TurningMotion& motion, const Eigen::VectorXd& start,
                                         const std::vector<double>& periods_rad);
 

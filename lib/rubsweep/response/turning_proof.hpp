@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 
 #include "rubsweep/integrate/turn.hpp"
 #include "rubsweep/integrate/turning_flow.hpp"
@@ -10,6 +11,7 @@
 #include "rubsweep/response/options.hpp"
 #include "rubsweep/response/period_search.hpp"
 #include "rubsweep/response/proven_motion.hpp"
+#include "rubsweep/response/section_map.hpp"
 #include "rubsweep/response/turning_circle.hpp"
 #include "rubsweep/response/turning_cycle.hpp"
 #include "rubsweep/response/workspace.hpp"
@@ -35,17 +37,19 @@ class TurningProof {
  private:
   std::optional<ProvenMotion> look_for_circle(const Eigen::VectorXd& section, const integrate::Turn& turn);
   std::optional<ProvenMotion> look_for_cycle(const Eigen::VectorXd& section, const integrate::Turn& turn);
+  bool comes_near_to(const TurningCircle& circle, std::span<const double> section);
   ProvenMotion measured(const TurningCircle& circle);
   bool returns_with_the_shaft(const TurningCycle& cycle) const;
 
   scene::Scene scene_;
+  integrate::SolverOptions solver_;
   const ResponseOptions& options_;
   Workspace& workspace_;
   integrate::TurningField field_;
   integrate::TurningFlow rough_flow_, flow_;
   PeriodSearch turns_;
   std::optional<MaximaSearch> maxima_;  ///< empty after a turn without samples
-  Eigen::VectorXd last_section_;
+  std::optional<SceneMap> turn_map_;
   int free_turns_ = 0;
   long looked_at_ = 0;              ///< turns
   double spent_on_cycles_rad_ = 0;  ///< rotation that Newton's iteration followed

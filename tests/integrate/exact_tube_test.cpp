@@ -1,0 +1,95 @@
+#include "rubsweep/integrate/exact_tube.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "rubsweep/integrate/start.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A turn of parameter set A with contact, well after the kick.
+struct RubbingTurn {
+  scene::Scene scene = test::cell_of({}).scene;
+  ExactPlans plans;
+  std::vector<double> start, end;
+  MatrixXd transition;
+
+  RubbingTurn() {
+    const Run kicked = integrate::start(scene, {}, plans);
+    Turn turn;
+    do {
+      EXPECT_EQ(kicked.advance(turn), Outcome::ok);
+      start = turn.section;
+      scene.pulse.reset();
+      turn_from(start, turn);
+    } while (turn.effort.steps < 10'000 && (!turn.touched || turn.touching_at_end));
+    EXPECT_TRUE(turn.touched);
+    end = turn.section;
+    transition = turn.disturbances;
+  }
+
+  void turn_from(const std::vector<double>& section, Turn& turn) {
+    const Run run = integrate::start(scene, {}, plans);
+    const auto states = static_cast<Eigen::Index>(section.size());
+    turn.disturbances = MatrixXd::Identity(states, states);
+    run.restart(section);
+    EXPECT_EQ(run.advance(turn), Outcome::ok);
+  }
+};
+
+VectorXd vector_of(const std::vector<double>& x) {
+  return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+
+TEST(TurnTube, DeviationFromTheLinearMapIsBelowItsBound) {
+  RubbingTurn turn;
+  const MatrixXd identity = MatrixXd::Identity(8, 8);
+  std::vector<double> section = turn.start;
+  const auto tube = turn_tube(turn.scene, turn.plans, section, identity, identity);
+  ASSERT_TRUE(tube);
+  EXPECT_NEAR((vector_of(section) - vector_of(turn.end)).cwiseAbs().maxCoeff(), 0, 1e-12);
+  double radius = 0.1;
+  while (!tube->holds(radius)) radius /= 2;
+  ASSERT_GT(radius, 1e-7);
+  EXPECT_FALSE(tube->holds(10));
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  double largest_share = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    VectorXd y(8);
+    for (double& x : y) x = normal(random);
+    const double share = trial % 2 == 0 ? 1 : 0.25;
+    y *= share * radius / y.norm();
+    VectorXd from = vector_of(turn.start) + y;
+    Turn made;
+    turn.turn_from({from.begin(), from.end()}, made);
+    const double deviation = (vector_of(made.section) - vector_of(turn.end) - turn.transition * y).norm();
+    EXPECT_LE(deviation, tube->deviation(radius) * share * share + 1e-12);
+    largest_share = std::max(largest_share, deviation / tube->deviation(radius));
+  }
+  // The bound is no more than some orders of magnitude too large.
+  EXPECT_GT(largest_share, 1e-4);
+}
+
+TEST(TurnTube, AFlightHasNoDeviation) {
+  scene::Scene scene = test::cell_of({}).scene;
+  scene.pulse.reset();
+  ExactPlans plans;
+  std::vector<double> section(8, 0.0);
+  const MatrixXd identity = MatrixXd::Identity(8, 8);
+  const auto tube = turn_tube(scene, plans, section, identity, identity);
+  ASSERT_TRUE(tube);
+  EXPECT_TRUE(tube->holds(1e-2));
+  EXPECT_EQ(tube->deviation(1e-2), 0);
+  EXPECT_FALSE(tube->holds(5));
+  EXPECT_EQ(tube->deviation(5), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate
