@@ -190,5 +190,22 @@ TEST(Mode, Names) {
   EXPECT_EQ(to_string(Mode::released), "released");
 }
 
+/// With a damping far below rounding both exits of sprung stand at p = 0: the speed says which one it is.
+TEST(ModeThrough, OutOfSprungTheClosingSpeedDecides) {
+  const Kinematics separating{-1e-16, -1, 0}, closing{1e-17, 1, 0};
+  EXPECT_EQ(mode_through(Mode::sprung, Mode::clamped, separating), Mode::released);
+  EXPECT_EQ(mode_through(Mode::sprung, Mode::released, separating), Mode::released);
+  EXPECT_EQ(mode_through(Mode::sprung, Mode::released, closing), Mode::clamped);
+  EXPECT_EQ(mode_through(Mode::sprung, Mode::open, separating), Mode::open);
+  EXPECT_EQ(mode_through(Mode::open, Mode::clamped, closing), Mode::clamped);
+  EXPECT_EQ(mode_through(Mode::released, Mode::open, separating), Mode::open);
+}
+
+TEST(ModeAfter, ARotorThatLeavesAnAllButUndampedWallIsFree) {
+  for (const double penetration : {1e-17, 0.0, -1e-17, -1e-15})
+    EXPECT_NE(mode_after(Mode::sprung, 2e6, 1e-12, {penetration, -0.3, 0}), Mode::clamped) << penetration;
+  EXPECT_EQ(mode_after(Mode::sprung, 2e6, 1e-12, {-1e-15, -0.3, 0}), Mode::open);
+}
+
 }  // namespace
 }  // namespace rubsweep::contact

@@ -96,6 +96,14 @@ constexpr Exits exits_of(Mode mode, double stiffness, double damping, const Kine
   return {};
 }
 
+/// Where an exit from `mode` towards `next` really leads. Out of sprung the way to clamped (d v = K p) is one
+/// of rising penetration, that to released (d v = -K p) one of falling penetration. With little damping both
+/// lie within rounding of p = 0, and which of the two a solver meets there is chance: v tells.
+constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) {
+  if (mode != Mode::sprung || next == Mode::open) return next;
+  return kinematics.closing_speed > 0 ? Mode::clamped : Mode::released;
+}
+
 /// Mode just after an instant at which `mode` may have ended: follows every exit that is at or past zero and
 /// still rising, until none is. An exit past zero but falling is a return from a graze, not an event.
 /// Bounded: a state with all exits at zero and rising cannot exist, and four hops visit every mode.
@@ -106,7 +114,7 @@ constexpr Mode mode_after(Mode mode, double stiffness, double damping, const Kin
     for (int i = 0; i < exits.count; ++i) {
       const Exit& exit = exits.list[static_cast<std::size_t>(i)];
       if (exit.value >= 0 && exit.rate > 0) {
-        next = exit.next;
+        next = mode_through(mode, exit.next, kinematics);
         break;
       }
     }

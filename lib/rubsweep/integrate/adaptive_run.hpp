@@ -261,7 +261,8 @@ class AdaptiveRun {
       const auto& c = system_.contacts[i];
       contact::Mode& mode = dynamics_.modes()[i];
       const contact::Mode from = mode;
-      if (crossing && crossing->contact == i) mode = crossing->next;
+      if (crossing && crossing->contact == i)
+        mode = contact::mode_through(from, crossing->next, end_kinematics_[i]);
       mode = contact::mode_after(mode, c.stiffness, c.damping, end_kinematics_[i]);
       if (mode == from) continue;
       switched = true;

@@ -278,10 +278,12 @@ bool ExactRun<N>::switch_mode(Turn& turn, std::size_t e) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& c = contacts[i];
     const Mode from = plan.modes[i];
-    Mode to = plan.exits[e].contact == i ? plan.exits[e].next : from;
-    if (!c.ring)
-      to = contact::mode_after(to, c.stiffness, c.damping,
-                               kinematics_of(c, here, motion_.closing_acceleration(i, here)));
+    Mode to = from;
+    if (!c.ring) {
+      const auto kinematics = kinematics_of(c, here, motion_.closing_acceleration(i, here));
+      if (plan.exits[e].contact == i) to = contact::mode_through(from, plan.exits[e].next, kinematics);
+      to = contact::mode_after(to, c.stiffness, c.damping, kinematics);
+    }
     joint += in_joint_mode(to, i);
     if (to == from) continue;
     ++effort_.switches;
