@@ -19,6 +19,9 @@ constexpr double shortest_step = 1e-13;    ///< of a turn: what a graze is stepp
 constexpr double same_instant = 1e-13;     ///< of a turn: crossings nearer to each other happen at once
 constexpr int longest_standstill = 16;     ///< mode switches without progress before a graze is stepped over
 constexpr double shortest_to_ring = 1e-7;  ///< of a turn: steps towards a ring before it counts as touched
+/// More steps in a turn than this show bounds that do not fit the motion, as with a friction so strong that
+/// closed forms are small differences of large numbers: the adaptive solver makes such a turn.
+constexpr long most_steps = 100'000;
 constexpr double steps_per_turn_when_watched = 64;
 
 }  // namespace
@@ -73,10 +76,12 @@ void ExactRun<N>::restart(std::span<const double> section) {
 template <int N>
 ExactEnding ExactRun<N>::advance(Turn& turn) {
   if (!begin_turn(turn)) return ExactEnding::beyond;
-  step_limit_ = effort_.steps + max_steps_;
+  step_limit_ = effort_.steps + std::min(max_steps_, most_steps);
   ExactEnding ending = ExactEnding::ok;
   while (ending == ExactEnding::ok && time_s_ < period_s_) {
-    ending = effort_.steps < step_limit_ ? go_on(turn) : ExactEnding::step_limit;
+    ending = effort_.steps < step_limit_ ? go_on(turn)
+             : max_steps_ > most_steps   ? ExactEnding::beyond
+                                         : ExactEnding::step_limit;
   }
   if (ending == ExactEnding::ok) ending = end_turn(turn);
   turn.effort = effort_;
@@ -248,6 +253,7 @@ void ExactRun<N>::passed(Turn& turn, double duration_s) {
   time_s_ += duration_s;
   if (motion_.joint() != 0) {
     slip_.advance(duration_s);
+    if (slip_.may_reverse()) turn.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
     turn.contact_fraction += duration_s * turns_per_s_;
   }
   if (turn.peaks || samples_.wanted()) watch(turn, duration_s);
