@@ -49,14 +49,14 @@ TEST(Record, HoldsTwoWindowsOfEqualLength) {
   ASSERT_EQ(newer.section.size(), 16u);
   EXPECT_EQ(newer.section.front(), 3);
   EXPECT_EQ(newer.section.back(), 6000);
-  EXPECT_EQ(older.contact.hits, 1 + 2 + 3);
-  EXPECT_EQ(newer.contact.hits, 4 + 5 + 6);
-  EXPECT_NEAR(older.contact.contact_fraction, 0.2, 1e-15);
-  EXPECT_NEAR(newer.contact.contact_fraction, 0.5, 1e-15);
-  EXPECT_EQ(older.contact.peak_displacement_m, 7);
-  EXPECT_EQ(newer.contact.peak_displacement_m, 1);
-  EXPECT_EQ(older.contact.peak_contact_force_n, 2);
-  EXPECT_EQ(newer.contact.peak_contact_force_n, 9);
+  EXPECT_EQ(together(older.contact).hits, 1 + 2 + 3);
+  EXPECT_EQ(together(newer.contact).hits, 4 + 5 + 6);
+  EXPECT_NEAR(together(older.contact).contact_fraction, 0.2, 1e-15);
+  EXPECT_NEAR(together(newer.contact).contact_fraction, 0.5, 1e-15);
+  EXPECT_EQ(together(older.contact).peak_displacement_m, 7);
+  EXPECT_EQ(together(newer.contact).peak_displacement_m, 1);
+  EXPECT_EQ(together(older.contact).peak_contact_force_n, 2);
+  EXPECT_EQ(together(newer.contact).peak_contact_force_n, 9);
 }
 
 }  // namespace

@@ -14,13 +14,13 @@ inline constexpr int turns = 64;
 inline constexpr int per_turn = 128;
 inline constexpr double clearance_m = 1e-3;
 inline constexpr ContactFacts touching{
-    .hits = 64, .contact_fraction = 0.1, .peak_displacement_m = 1.1e-3, .peak_contact_force_n = 200};
+    .hits = 1, .contact_fraction = 0.1, .peak_displacement_m = 1.1e-3, .peak_contact_force_n = 200};
 
 /// Owns what a Window looks at.
 struct Recording {
   std::vector<Complex> displacement_m;
   std::vector<double> section_rows;
-  ContactFacts contact = touching;
+  std::vector<ContactFacts> contact = std::vector<ContactFacts>(turns, touching);
 
   Window window() const {
     return {.turns = turns,

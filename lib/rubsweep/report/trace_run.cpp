@@ -131,15 +131,7 @@ Trace trace_run(const integrate::Cursor& cursor, const scene::Scene& scene,
 }
 
 response::ContactFacts facts_of_last(const Trace& trace, std::size_t turns) {
-  response::ContactFacts all;
-  const std::size_t count = std::min(turns, trace.turns.size());
-  for (const auto& facts : std::span(trace.turns).last(count)) {
-    all.hits += facts.hits;
-    all.contact_fraction += facts.contact_fraction / static_cast<double>(count);
-    all.peak_displacement_m = std::max(all.peak_displacement_m, facts.peak_displacement_m);
-    all.peak_contact_force_n = std::max(all.peak_contact_force_n, facts.peak_contact_force_n);
-  }
-  return all;
+  return response::together(std::span(trace.turns).last(std::min(turns, trace.turns.size())));
 }
 
 TraceWindow last_window(const Trace& trace, const TraceOptions& options, std::optional<int> order,

@@ -20,10 +20,13 @@ void require_shape(const Window& window) {
   const auto turns = static_cast<std::size_t>(window.turns);
   const std::size_t samples = turns * static_cast<std::size_t>(window.samples_per_revolution);
   const std::size_t numbers = (turns + 1) * static_cast<std::size_t>(window.states);
-  if (window.displacement_m.size() != samples || window.section.size() != numbers) {
-    throw SolverError(
-        fmt::format("a window of {} turns takes {} samples and {} section numbers, got {} and {}",
-                    window.turns, samples, numbers, window.displacement_m.size(), window.section.size()));
+  if (window.displacement_m.size() != samples || window.section.size() != numbers ||
+      window.contact.size() != turns) {
+    throw SolverError(fmt::format(
+        "a window of {} turns takes {} samples, {} section numbers and the contact facts of every "
+        "turn, got {}, {} and {}",
+        window.turns, samples, numbers, window.displacement_m.size(), window.section.size(),
+        window.contact.size()));
   }
 }
 
@@ -58,9 +61,8 @@ OffOrder off_order(const FullSpectrum& spectrum, int order, double clearance_m) 
 
 Measures measure(const Window& window, std::span<const std::complex<double>> displacement_m,
                  const FullSpectrum& spectrum) {
-  Measures measures{.turns = window.turns,
-                    .spectrum_turns = spectrum.turns,
-                    .contact = window.contact,
+  Measures measures{.turns = spectrum.turns,
+                    .contact = together(window.contact.last(static_cast<std::size_t>(spectrum.turns))),
                     .amplitude_1x_forward_m = spectrum.amplitude(spectrum.turns),
                     .amplitude_1x_backward_m = spectrum.amplitude(-spectrum.turns),
                     .dominant = {},
@@ -82,7 +84,7 @@ WindowVerdict classify_window(const Window& window, const ResponseOptions& optio
                               SpectrumWorkspace& workspace) {
   require_shape(window);
   WindowVerdict verdict;
-  const bool quiet = never_touches(window.contact);
+  const bool quiet = never_touches(together(window.contact));
   if (!quiet) verdict.period = period_of_section(window.section, window.states, options.max_order);
 
   const int turns = verdict.period ? window_turns(window.turns, verdict.period->order) : window.turns;

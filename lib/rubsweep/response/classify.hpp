@@ -29,7 +29,7 @@ struct Window {
       displacement_m;  ///< turns x samples_per_revolution, end point left out
   int states = 0;
   std::span<const double> section;  ///< (turns + 1) x states, scaled rows as `period_of_section` takes them
-  ContactFacts contact;
+  std::span<const ContactFacts> contact;  ///< of each turn
 };
 
 /// What one window says on its own.

@@ -94,7 +94,7 @@ Measures measure_cycle(const scene::Scene& scene, const integrate::TurningArc& o
   const double turns = once.angle_rad / full_turn, spacing = 1 / turns;
   const auto w = one_period(knots_of(scene, once, options.samples_per_revolution));
   Measures measures;
-  measures.turns = measures.spectrum_turns = options.window_revolutions;
+  measures.turns = options.window_revolutions;
   measures.contact = {.hits = static_cast<int>(std::lround(once.hits * options.window_revolutions / turns)),
                       .contact_fraction = once.contact_fraction,
                       .peak_displacement_m = once.peak_displacement_m,

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/response/contact_facts.hpp"
 #include "rubsweep/response/exponent.hpp"
 #include "rubsweep/response/orbit.hpp"
 
@@ -65,14 +66,6 @@ constexpr std::string_view to_string(MotionStatus status) {
   throw SolverError("motion status without a name");
 }
 
-/// What the integrator saw of the contacts over all turns of one window.
-struct ContactFacts {
-  int hits = 0;                    ///< contacts that began in the window
-  double contact_fraction = 0;     ///< time in contact / time; 1 with 0 hits is a rotor that slides all along
-  double peak_displacement_m = 0;  ///< largest |z|
-  double peak_contact_force_n = 0;  ///< largest total force at one stop
-};
-
 struct SpectralLine {
   double order = 0;  ///< in multiples of the shaft speed, negative for backward whirl
   double amplitude_m = 0;
@@ -80,8 +73,8 @@ struct SpectralLine {
 
 /// What can be measured in one window whatever the motion is called.
 struct Measures {
-  int turns = 0;           ///< of the window, the base of `contact`
-  int spectrum_turns = 0;  ///< last turns of the window, the base of everything below
+  int turns =
+      0;  ///< last turns of the window, whole periods where there is one: the base of all that follows
   ContactFacts contact;
   double amplitude_1x_forward_m = 0;
   double amplitude_1x_backward_m = 0;

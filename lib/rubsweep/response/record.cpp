@@ -1,7 +1,5 @@
 #include "rubsweep/response/record.hpp"
 
-#include <algorithm>
-
 namespace rubsweep::response {
 
 Record::Record(const scene::Scene& scene, const ResponseOptions& options)
@@ -11,6 +9,7 @@ Record::Record(const scene::Scene& scene, const ResponseOptions& options)
       states_(2 * static_cast<std::size_t>(scene.structure.coordinates())) {
   const auto turns = static_cast<std::size_t>(2 * options.window_revolutions);
   displacement_m_.reserve(turns * static_cast<std::size_t>(options.samples_per_revolution));
+  facts_.reserve(turns);
   section_.reserve((turns + 1) * states_);
 }
 
@@ -29,12 +28,7 @@ void Record::add(const integrate::Turn& turn) {
     displacement_m_.emplace_back(x, y);
   }
   section_.insert(section_.end(), turn.section.begin(), turn.section.end());
-  ContactFacts& facts = facts_[turns_ < options_.window_revolutions ? 0 : 1];
-  facts.hits += turn.hits;
-  facts.contact_fraction += turn.contact_fraction / options_.window_revolutions;
-  facts.peak_displacement_m = std::max(facts.peak_displacement_m, turn.peak_displacement_m);
-  facts.peak_contact_force_n = std::max(facts.peak_contact_force_n, turn.peak_contact_force_n);
-  ++turns_;
+  facts_.push_back({turn.hits, turn.contact_fraction, turn.peak_displacement_m, turn.peak_contact_force_n});
 }
 
 Window Record::window(std::size_t which) const {
@@ -47,7 +41,7 @@ Window Record::window(std::size_t which) const {
   window.displacement_m = std::span(displacement_m_).subspan(which * samples, samples);
   window.states = static_cast<int>(states_);
   window.section = std::span(section_).subspan(which * turns * states_, (turns + 1) * states_);
-  window.contact = facts_[which];
+  window.contact = std::span(facts_).subspan(which * turns, turns);
   return window;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <complex>
 #include <cstddef>
 #include <span>
@@ -36,10 +35,9 @@ class Record {
   Eigen::Matrix<double, 2, Eigen::Dynamic> map_;  ///< scaled displacements to (x, y) in metres
   double length_scale_m_;
   std::size_t states_;
-  int turns_ = 0;
   std::vector<std::complex<double>> displacement_m_;
   std::vector<double> section_;
-  std::array<ContactFacts, 2> facts_;
+  std::vector<ContactFacts> facts_;
 };
 
 }  // namespace rubsweep::response

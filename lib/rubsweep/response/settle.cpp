@@ -186,7 +186,8 @@ Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options,
   window.displacement_m = displacement_m;
   window.states = 1;
   window.section = rest;
-  window.contact.peak_displacement_m = peak;
+  const std::array<ContactFacts, 1> facts{{{.peak_displacement_m = peak}}};
+  window.contact = facts;
   return classify_window(window, options, workspace.spectrum).measures;
 }
 

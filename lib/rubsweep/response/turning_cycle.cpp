@@ -17,7 +17,7 @@ using integrate::TurningArc;
 
 constexpr int newton_iterations = 8;
 constexpr double period_changes = 0.2;  ///< share of its first guess by which the period may change
-constexpr int most_periods = 8;         ///< looked for in a cycle that closes
+constexpr int most_periods = 64;        ///< looked for in a cycle that closes
 constexpr double returns_early = 1e-4;  ///< return error that makes a fraction the period
 constexpr double stands_still = 1e-5;   ///< rate below which a cycle is no cycle but a point
 constexpr double followed_down = 1e-3;  ///< share of its distance that a transient is followed down to
@@ -116,21 +116,24 @@ bool comes_near(const TurningMotion& motion, const VectorXd& start, const Closed
   return false;
 }
 
-/// Whole periods in the cycle: Newton's iteration may have closed several at once.
-int periods_in(const TurningMotion& motion, const Closed& cycle) {
-  for (int k = most_periods; k > 1; --k) {
-    const auto arc = motion.roughly(cycle.x, cycle.once.angle_rad / k);
-    if (arc && largest(arc->end - cycle.x) < returns_early) return k;
-  }
-  return 1;
-}
-
 std::optional<TurningCycle> exact_cycle(const TurningMotion& motion, const VectorXd& x, double period_rad) {
   auto cycle = close(motion, motion.exactly, x, period_rad, exact.closed);
   if (!cycle) return std::nullopt;
   const auto modulus = stable_modulus(cycle->once.transition, exact.trivial);
   if (!modulus) return std::nullopt;
   return TurningCycle{cycle->x, std::move(cycle->once), *modulus};
+}
+
+/// Newton's iteration may have closed several periods at once, of a whip dozens: the smallest one that
+/// closes.
+std::optional<TurningCycle> smallest_cycle(const TurningMotion& motion, const Closed& cycle) {
+  for (int k = most_periods; k > 1; --k) {
+    const double period_rad = cycle.once.angle_rad / k;
+    const auto end = motion.end(cycle.x, period_rad);
+    if (!end || !(largest(*end - cycle.x) < returns_early)) continue;
+    if (auto found = exact_cycle(motion, cycle.x, period_rad)) return found;
+  }
+  return exact_cycle(motion, cycle.x, cycle.once.angle_rad);
 }
 
 }  // namespace
@@ -142,7 +145,7 @@ std::optional<TurningCycle> prove_cycle(const TurningMotion& motion, const Vecto
     if (!nearly || largest(motion.rate(nearly->x)) < stands_still) continue;
     if (!stable_modulus(nearly->once.transition, rough.trivial)) continue;
     if (!comes_near(motion, start, *nearly)) return std::nullopt;
-    return exact_cycle(motion, nearly->x, nearly->once.angle_rad / periods_in(motion, *nearly));
+    return smallest_cycle(motion, *nearly);
   }
   return std::nullopt;
 }

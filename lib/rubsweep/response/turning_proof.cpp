@@ -1,6 +1,7 @@
 #include "rubsweep/response/turning_proof.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -111,10 +112,11 @@ ProvenMotion TurningProof::measured(const TurningCircle& circle) {
   window.displacement_m = displacement_m;
   window.states = static_cast<int>(state.size());
   window.section = section;
-  window.contact = {.hits = 0,
-                    .contact_fraction = 1,
-                    .peak_displacement_m = z.norm(),
-                    .peak_contact_force_n = field_.contact_force_n(state)};
+  const std::array<ContactFacts, 1> facts{{{.hits = 0,
+                                            .contact_fraction = 1,
+                                            .peak_displacement_m = z.norm(),
+                                            .peak_contact_force_n = field_.contact_force_n(state)}}};
+  window.contact = facts;
   return {MotionClass::synchronous, 1, measure_window(window, workspace_.spectrum), circle.floquet_modulus};
 }
 

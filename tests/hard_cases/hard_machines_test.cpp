@@ -1,0 +1,151 @@
+// Machines on which the solvers or the proofs were once wrong; found by random search, see studies/audit.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "audit/event_audit.hpp"
+#include "audit/proof_audit.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/sweep/evaluate_cell.hpp"
+
+namespace rubsweep {
+namespace {
+
+config::RunConfig read(const std::string& name) {
+  return config::read_run_config(std::string(RUBSWEEP_TEST_DATA) + "/machines/" + name + ".yaml", {});
+}
+
+sweep::Row row_of(const std::string& name, double speed_hz, double whirl_ratio,
+                  const integrate::SolverOptions& solver = {}) {
+  sweep::Study study = read(name).study;
+  study.grid = {{speed_hz}, sweep::UnbalanceMeasure::whirl_ratio, {whirl_ratio}};
+  study.solver = solver;
+  response::Workspace workspace;
+  return sweep::evaluate_cell(study, 0, workspace);
+}
+
+std::string label(const sweep::Row& row) {
+  return fmt::format("{}{}{}", to_string(row.motion_class),
+                     row.order ? fmt::format(" {}", *row.order) : "",
+                     row.proof ? fmt::format(" {}", to_string(*row.proof)) : "");
+}
+
+struct EventCell {
+  const char* machine;
+  double speed_hz, whirl_ratio;
+  int turns;
+};
+
+class Events : public testing::TestWithParam<EventCell> {};
+
+/// Two contacts that change mode close together: the one that comes first is handled first.
+TEST_P(Events, NoneIsPassedOverOrLate) {
+  const auto [machine, speed_hz, whirl_ratio, turns] = GetParam();
+  const auto audit = audit::audit_events({read(machine).study.machine, speed_hz, whirl_ratio}, turns);
+  EXPECT_GE(audit.touched, 5);
+  EXPECT_EQ(audit.exact_turns, audit.turns);
+  ASSERT_FALSE(audit.difference) << audit.difference->turn << ' ' << audit.difference->exact_error << ' '
+                                 << audit.difference->first_switch;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, Events,
+    testing::Values(EventCell{"four_stops", 138.50961428204522, 0.8830485153668182, 60},
+                    EventCell{"three_stops", 30.490615403801954, 0.6338227589241093, 60},
+                    EventCell{"two_stops", 55.65629421162545, 0.46841560218741296, 120}),
+    [](const auto& cell) { return std::string(cell.param.machine); });
+
+struct ProofCell {
+  const char* machine;
+  double speed_hz, whirl_ratio;
+  const char* not_this;  ///< what was once called proven
+};
+
+class Proofs : public testing::TestWithParam<ProofCell> {};
+
+/// The distance of a slowly decaying focus halves in the maximum norm by turning alone.
+TEST_P(Proofs, NameOnlyWhatTheRunComesTo) {
+  const auto& [machine, speed_hz, whirl_ratio, not_this] = GetParam();
+  const std::string found = label(row_of(machine, speed_hz, whirl_ratio));
+  EXPECT_NE(found, not_this);
+  if (!found.ends_with("floquet")) return;
+  const auto audit = audit::audit_proof({read(machine).study.machine, speed_hz, whirl_ratio});
+  EXPECT_TRUE(!audit.followed || audit.confirmed) << audit.finding;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, Proofs,
+    testing::Values(ProofCell{"focus_a", 142.567366660783, 0.5360785, "subharmonic 3 floquet"},
+                    ProofCell{"focus_b", 108.01805551670208, 0.6724440334324026, "subharmonic 3 floquet"},
+                    ProofCell{"focus_b", 112.66803696989342, 0.8502851858416605, "subharmonic 3 floquet"},
+                    ProofCell{"focus_c", 217.33829715146, 0.5026265333926665, "subharmonic 3 floquet"},
+                    ProofCell{"focus_d", 145.58822432879052, 0.625153635275109, "subharmonic 2 floquet"},
+                    ProofCell{"focus_d", 167.06392968844887, 0.3375768176375545, "subharmonic 2 floquet"}));
+
+TEST(HardMachines, AWhipHasTheSmallestPeriodOfTheTurningFrame) {
+  for (const double whirl_ratio : {0.1, 0.5034363264726616}) {
+    const sweep::Row row = row_of("rolling", 65.47606509297073, whirl_ratio);
+    EXPECT_EQ(label(row), "quasi_periodic floquet_observed");
+    EXPECT_NEAR(row.measures.value().comb_spacing.value(), 6.6131, 1e-4);
+    EXPECT_NEAR(row.floquet_modulus.value(), 0.99414, 1e-5);
+  }
+}
+
+TEST(HardMachines, ATurnOfTooManyStepsIsMadeByTheAdaptiveSolver) {
+  const auto cell = scene::build_cell(read("stiff_friction").study.machine, 75, scene::WhirlRatio{0.4});
+  integrate::ExactPlans plans;
+  const auto run = integrate::start(cell.scene, {}, plans);
+  integrate::Turn turn;
+  for (int k = 0; k < 4; ++k) ASSERT_EQ(run.advance(turn), integrate::Outcome::ok) << k;
+  EXPECT_GT(turn.effort.adaptive_turns, 0);
+}
+
+TEST(HardMachines, ConstantFrictionThatReversesSaysSo) {
+  integrate::SolverOptions adaptive;
+  adaptive.method = integrate::Method::adaptive;
+  EXPECT_EQ(row_of("slow_shaft", 0.3, 0.4).status, "slip_reversal");
+  EXPECT_EQ(row_of("slow_shaft", 0.3, 0.4, adaptive).status, "slip_reversal");
+}
+
+/// The labels that no damping at all gives, and 1e-9 N s/m, too.
+TEST(HardMachines, DampingBelowRoundingIsNone) {
+  for (const double damping : {1e-12, 1e-14, 1e-18}) {
+    for (const auto method : {integrate::Method::exact, integrate::Method::adaptive}) {
+      sweep::Study study = read("slow_shaft").study;
+      study.machine.stops[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
+      study.machine.stops[0].damping = model::ExplicitDamping{damping};
+      study.grid = {{70}, sweep::UnbalanceMeasure::whirl_ratio, {0.3, 0.8}};
+      study.solver.method = method;
+      response::Workspace workspace;
+      SCOPED_TRACE(damping);
+      EXPECT_EQ(sweep::evaluate_cell(study, 0, workspace).order, 2);
+      EXPECT_EQ(sweep::evaluate_cell(study, 1, workspace).order, 6);
+    }
+  }
+}
+
+/// A few cells of every kind; `ctest -L audit` takes thousands.
+TEST(HardMachines, AnAuditOfEventsInShort) {
+  for (std::size_t i = 0; i < 60; ++i) {
+    std::mt19937_64 random(9'000'000 + i);
+    const auto kind = audit::stop_kinds[i % 3];
+    const auto found = audit::audit_events(audit::random_cell(kind, random), 30);
+    EXPECT_FALSE(found.difference) << i;
+  }
+}
+
+TEST(HardMachines, AnAuditOfProofsInShort) {
+  int followed = 0;
+  for (std::size_t i = 0; i < 100; ++i) {
+    std::mt19937_64 random(8'000'000 + i);
+    const auto found = audit::audit_proof(audit::random_cell(audit::StopKind::one_flat, random));
+    followed += found.followed;
+    EXPECT_TRUE(!found.followed || found.confirmed || found.undecided) << i << ' ' << found.finding;
+  }
+  EXPECT_GT(followed, 20);
+}
+
+}  // namespace
+}  // namespace rubsweep
