@@ -26,8 +26,8 @@ model::ContactDamping damping(Draw& draw) {
 }
 
 model::Friction friction(Draw& draw) {
-  if (draw.chance(0.35)) return model::NoFriction{};
-  if (draw.chance(0.4)) return model::ConstantFriction{draw.even(0, 0.3)};
+  if (draw.chance(0.4)) return model::NoFriction{};
+  if (draw.chance(0.75)) return model::ConstantFriction{draw.even(0, 0.3)};
   return model::StribeckFriction{{0, 0, 0, draw.even(0, 0.3), draw.log(30, 300), 0}};
 }
 
