@@ -66,5 +66,48 @@ TEST(ChooseStep, NoLandingBeyondReachAndNothingBeyondTheBoundary) {
   EXPECT_EQ(cut.crossing, StepChoice::none);
 }
 
+constexpr double instant = 1e-6;
+
+TEST(StepChoice, OfTwoCrossingsTheOneThatIsCertainlyFirst) {
+  for (const bool earlier_one_first : {true, false}) {
+    StepChoice choice{.step_s = 10};
+    for (const bool earlier : {earlier_one_first, !earlier_one_first})
+      choice.keep_first(earlier ? 7 : 8, earlier ? 1 : 3, earlier ? 2 : 4, instant);
+    EXPECT_EQ(choice.crossing, 7u);
+    EXPECT_EQ(choice.step_s, 2);
+    EXPECT_EQ(choice.earliest_s, 1);
+  }
+}
+
+/// The one that is crossed earlier at the latest may still come second.
+TEST(StepChoice, WhereTwoCrossingsOverlapTheStepEndsBeforeEither) {
+  for (const bool one_first : {true, false}) {
+    StepChoice choice{.step_s = 10};
+    for (const bool one : {one_first, !one_first})
+      choice.keep_first(one ? 7 : 8, one ? 1 : 1.5, one ? 3 : 2, instant);
+    EXPECT_EQ(choice.crossing, StepChoice::none);
+    EXPECT_EQ(choice.step_s, 1);
+  }
+}
+
+TEST(StepChoice, CrossingsAtOneInstantAreLandedOnTogether) {
+  StepChoice choice{.step_s = 10};
+  choice.keep_first(7, 1, 1 + 0.4 * instant, instant);
+  choice.keep_first(8, 1 - 0.2 * instant, 1 + 0.3 * instant, instant);
+  EXPECT_EQ(choice.crossing, 8u);
+  choice.keep_below(1, instant);
+  EXPECT_EQ(choice.crossing, 8u);
+}
+
+TEST(StepChoice, ACrossingThatIsGivenUpIsNotSteppedOver) {
+  StepChoice choice{.step_s = 10};
+  choice.keep_first(7, 1, 3, instant);
+  choice.keep_below(4, instant);
+  EXPECT_EQ(choice.crossing, 7u);
+  choice.keep_below(2, instant);
+  EXPECT_EQ(choice.crossing, StepChoice::none);
+  EXPECT_EQ(choice.step_s, 1);
+}
+
 }  // namespace
 }  // namespace rubsweep::integrate

@@ -24,26 +24,29 @@ struct StepChoice {
   double earliest_s = 0;        ///< before that it cannot be
   bool ring = false;            ///< a ring is about to be touched
 
-  /// No further than this; a crossing that may come later is no longer certain to be the first.
-  void keep_below(double other_step_s) {
+  /// No further than this. A crossing that was to be landed on later than that is no longer certain to be the
+  /// first: the step ends before it, too, unless all of this is one instant.
+  void keep_below(double other_step_s, double same_instant_s) {
     if (other_step_s >= step_s) return;
-    step_s = other_step_s;
+    const double safe_s = crossing == none ? other_step_s : std::min(other_step_s, earliest_s);
+    if (crossing != none && step_s - safe_s <= same_instant_s) return;
+    step_s = safe_s;
     crossing = none;
   }
 
   /// Exit `e` is crossed between these instants, the later one within reach. Of two crossings the first is
   /// the one whose latest instant comes before the other's earliest. Where that tells nothing the step ends
   /// before either: from there both intervals are smaller, by the square of their length.
-  void keep_first(std::size_t e, double crossing_from_s, double crossing_to_s, double same_instant_s) {
-    const double both_s = std::min(earliest_s, crossing_from_s);
-    if (crossing == none ? crossing_to_s < step_s : crossing_to_s <= earliest_s) {
-      *this = {crossing_to_s, e, crossing_from_s, ring};
-    } else if (crossing == none) {
-      keep_below(crossing_from_s);
-    } else if (crossing_from_s < step_s) {
-      if (std::max(crossing_to_s, step_s) - both_s > same_instant_s) return keep_below(both_s);
-      if (crossing_to_s < step_s) *this = {crossing_to_s, e, both_s, ring};
-      earliest_s = both_s;
+  void keep_first(std::size_t e, double from_s, double to_s, double same_instant_s) {
+    if (crossing == none) {
+      if (to_s >= step_s) return keep_below(from_s, same_instant_s);
+      *this = {to_s, e, from_s, ring};
+    } else if (from_s < step_s) {
+      const double both_s = std::min(earliest_s, from_s);
+      const bool first = to_s <= earliest_s, at_once = std::max(to_s, step_s) - both_s <= same_instant_s;
+      if (!first && !at_once) return keep_below(both_s, same_instant_s);
+      if (to_s < step_s) *this = {to_s, e, from_s, ring};
+      if (at_once) earliest_s = both_s;
     }
   }
 };
@@ -59,7 +62,7 @@ void heed_exit(const ExactMotion<N>& motion, const ExitPlan<N>& plan, std::size_
       const double latest = latest_crossing(exit.value, exit.rate, exit.curvature);
       if (latest <= limits.reach_s) return choice.keep_first(e, safe, latest, limits.same_instant_s);
     }
-    choice.keep_below(safe);
+    choice.keep_below(safe, limits.same_instant_s);
   };
   const auto forced = motion.forced_exit(e);
   if (plan.seen.slow_count == 0) return heed(motion.whole_exit(plan, motion.fast_sum(plan), forced), 0);
@@ -68,7 +71,7 @@ void heed_exit(const ExactMotion<N>& motion, const ExitPlan<N>& plan, std::size_
   if (stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
   const double slow_step = slow.value < 0 ? safe_step(slow.value, slow.rate, slow.curvature) : 0;
   // No crossing within reach.
-  if (slow_step > limits.reach_s) return choice.keep_below(slow_step);
+  if (slow_step > limits.reach_s) return choice.keep_below(slow_step, limits.same_instant_s);
   heed(motion.whole_exit(plan, motion.with_fast(plan, seen), forced), slow_step);
 }
 
@@ -81,7 +84,7 @@ void heed_ring(const ExactMotion<N>& motion, std::size_t r, const typename Exact
   const bool near = crosses(ring.value, ring.rate, ring.curvature);
   if (ring.value >= 0 || (near && step < choice.step_s) || step < limits.shortest_to_ring_s)
     choice.ring = true;
-  choice.keep_below(step);
+  choice.keep_below(step, limits.same_instant_s);
 }
 
 /// The longest step of the motion that is certified.
