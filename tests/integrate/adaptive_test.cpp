@@ -74,6 +74,16 @@ TEST_P(EveryStepper, ForcedOscillatorFromRestWithConstantForce) {
   EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 3) - z), 1e-7 * scene.length_scale_m);
 }
 
+/// Without damping z = F W / (m (w0^2 - W^2)) (sin W t / W - sin w0 t / w0), W the rate of the half-sine.
+TEST_P(EveryStepper, AKickOverSeveralTurns) {
+  const double m = 1, k = 400, T = 0.25, force = 0.3, duration = 2.4 * T;
+  auto scene = test::one_mass_scene(m, k, 0, T, 1e-3);
+  scene.pulse = scene::Pulse{Eigen::Vector2d(1, 0), force, duration};
+  const double w0 = std::sqrt(k / m), w = std::numbers::pi / duration, t = 2 * T;
+  const double x = force * w / (m * (w0 * w0 - w * w)) * (std::sin(w * t) / w - std::sin(w0 * t) / w0);
+  EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 2) - x), 5e-8 * scene.length_scale_m);
+}
+
 TEST_P(EveryStepper, GyroscopicTermSplitsTheWhirlSpeeds) {
   // z'' - i g z' + k z = 0: whirl speeds g/2 +- sqrt(g^2/4 + k); x'' = -g y' - k x, y'' = g x' - k y.
   const double k = 100, g = 3, T = 0.5;

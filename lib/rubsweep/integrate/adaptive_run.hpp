@@ -53,6 +53,8 @@ class AdaptiveRun {
     const long limit = steps_ + refused_ + max_steps_;
     step_.start_phase = 0;
     if (!impulses_.none()) impulses_.begin_turn(revolution_);
+    // The pulse counts its time from the start of the turn: it goes first.
+    set_pulse(0);
     dynamics_(step_.start, step_.start_rate, 0.0);
     while (step_.start_phase < end_phase_) {
       if (steps_ + refused_ >= limit) return finish(turn, Outcome::step_limit);
