@@ -148,6 +148,8 @@ ExactEnding ExactRun<N>::end_turn(Turn& turn) {
   ++revolution_;
   goes_on_ = true;
   put_section(turn.section);
+  // A landing may go back by rounding.
+  turn.contact_fraction = std::clamp(turn.contact_fraction, 0.0, 1.0);
   turn.touching_at_end = motion_.joint() != 0;
   motion_.put_carried(turn.disturbances);
   return ExactEnding::ok;

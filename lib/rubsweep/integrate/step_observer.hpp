@@ -68,6 +68,8 @@ class StepObserver {
   template <class State, class Dynamics>
   void end_turn(const State& state, const Dynamics& dynamics) {
     turn_.section.assign(state.begin(), state.end());
+    // The steps of a turn add up to it but for rounding.
+    turn_.contact_fraction = std::min(1.0, turn_.contact_fraction);
     for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
       if (touching_now(dynamics, i, dynamics.kinematics(i, state, state).penetration))
         turn_.touching_at_end = true;

@@ -96,7 +96,7 @@ Measures measure_cycle(const scene::Scene& scene, const integrate::TurningArc& o
   Measures measures;
   measures.turns = options.window_revolutions;
   measures.contact = {.hits = static_cast<int>(std::lround(once.hits * options.window_revolutions / turns)),
-                      .contact_fraction = once.contact_fraction,
+                      .contact_fraction = std::min(1.0, once.contact_fraction),
                       .peak_displacement_m = once.peak_displacement_m,
                       .peak_contact_force_n = once.peak_contact_force_n};
   measures.orbit = shape_of(w);
