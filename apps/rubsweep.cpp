@@ -1,34 +1,23 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <mutex>
-#include <optional>
-#include <span>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "exit_code.hpp"
-#include "forecast.hpp"
 #include "interrupt.hpp"
+#include "forecast.hpp"
 #include "map_directory.hpp"
+#include "missing_cells.hpp"
 #include "program.hpp"
-#include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
-#include "rubsweep/batch/progress.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
-#include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/scene/plan.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "rubsweep/sweep/explain_study.hpp"
 #include "rubsweep/sweep/footprint.hpp"
-#include "rubsweep/sweep/run_cells.hpp"
-#include "rubsweep/sweep/untouched_walls.hpp"
 #include "rubsweep_arguments.hpp"
 
 namespace rubsweep::apps {
@@ -38,74 +27,6 @@ namespace {
 std::string own_name(const RubsweepArguments& arguments) {
   if (!arguments.shard) return "rubsweep";
   return fmt::format("rubsweep --shard {}/{}", arguments.shard->index + 1, arguments.shard->count);
-}
-
-/// Runs the cells that are missing; false when it was interrupted before they were finished.
-bool run_missing_cells(const RubsweepArguments& arguments, const config::RunConfig& config,
-                       MapDirectory& directory) {
-  batch::Journal journal = directory.journal();
-  batch::LineLog partial(directory.partial());
-  const std::atomic<bool>& stop = catch_interrupts();
-  const batch::ProgressMode mode = arguments.quiet ? batch::ProgressMode::never : arguments.progress;
-  batch::Progress progress(directory.cells(), mode, stderr, directory.finished());
-  std::mutex mutex;  // guards journal, partial, progress and finished
-  std::size_t finished = 0;
-  const auto complain = [&] {
-    progress.finish();
-    say(fmt::format(
-        "rubsweep: interrupted; {} of {} cells are finished, the same command computes the others\n",
-        directory.finished() + finished, directory.cells()));
-  };
-  const auto tick = [&] {
-    const std::lock_guard lock(mutex);
-    progress.refresh();
-  };
-  const auto say_progress = [&](const std::string& text) {
-    const std::lock_guard lock(mutex);
-    return progress.say(text);
-  };
-  // Cells that still run are given up: nothing of them is in the journal, and nothing can get there any more.
-  const auto leave = [&] {
-    const std::lock_guard lock(mutex);
-    if (finished == directory.missing().size()) return;
-    complain();
-    directory.leave();
-    std::_Exit(128 + caught_signal());
-  };
-  const auto run_cells = [&](std::span<const std::size_t> cells) {
-    return sweep::run_cells(
-        config.study, cells, arguments.threads,
-        [&](std::size_t cell, const sweep::Row& row) {
-          const std::string line = report::map_line(row);
-          const std::lock_guard lock(mutex);
-          journal.append(cell, line);
-          partial.append(line);
-          progress.advance();
-          ++finished;
-        },
-        stop);
-  };
-  if (std::string why = sweep::why_walls_stay_untouched(config.study, scene::make_plan(config.study.machine));
-      !why.empty()) {
-    why.pop_back();
-    progress.say(why);
-  }
-  const int threads = batch::thread_count(arguments.threads);
-  std::vector<std::size_t> cells = directory.missing();
-  std::optional<Watch> watch(std::in_place, tick, leave);
-  // A few cells from all over the map tell how long it will take, where somebody is there to read it.
-  if (say_progress(sweep::describe(config.study, {threads})) && cells.size() >= least_cells_to_forecast) {
-    const auto pilots = sweep::take_pilot_cells(cells, pilots_per_thread * static_cast<std::size_t>(threads));
-    const auto start = std::chrono::steady_clock::now();
-    run_cells(pilots);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    say_progress(forecast(pilots.size(), elapsed.count(), cells.size()));
-  }
-  run_cells(cells);
-  watch.reset();
-  if (finished == directory.missing().size()) return true;
-  complain();
-  return false;
 }
 
 /// What is said of a whole map and its exit code, whoever computed it.
@@ -133,7 +54,7 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
     say(fmt::format("rubsweep: {} of {} cells were finished before\n", directory.finished(),
                     directory.cells()));
   }
-  if (!directory.missing().empty() && !run_missing_cells(arguments, config, directory))
+  if (!directory.missing().empty() && !MissingCells(arguments, config.study, directory).run())
     return 128 + caught_signal();
   if (arguments.shard) {
     if (!arguments.quiet)

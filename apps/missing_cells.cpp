@@ -1,0 +1,101 @@
+#include "missing_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "forecast.hpp"
+#include "interrupt.hpp"
+#include "program.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/scene/plan.hpp"
+#include "rubsweep/sweep/footprint.hpp"
+#include "rubsweep/sweep/run_cells.hpp"
+#include "rubsweep/sweep/untouched_walls.hpp"
+
+namespace rubsweep::apps {
+
+MissingCells::MissingCells(const RubsweepArguments& arguments, const sweep::Study& study,
+                           MapDirectory& directory)
+    : arguments_(arguments),
+      study_(study),
+      directory_(directory),
+      stop_(catch_interrupts()),
+      journal_(directory.journal()),
+      partial_(directory.partial()),
+      progress_(directory.cells(), arguments.quiet ? batch::ProgressMode::never : arguments.progress, stderr,
+                directory.finished()) {}
+
+bool MissingCells::run() {
+  std::string why = sweep::why_walls_stay_untouched(study_, scene::make_plan(study_.machine));
+  if (!why.empty()) {
+    why.pop_back();
+    progress_.say(why);
+  }
+  const int threads = batch::thread_count(arguments_.threads);
+  std::vector<std::size_t> cells = directory_.missing();
+  std::optional<Watch> watch(
+      std::in_place, [this] { refresh(); }, [this] { leave(); });
+  // A few cells from all over the map tell how long it will take, where somebody is there to read it.
+  if (say_progress(sweep::describe(study_, {threads})) && cells.size() >= least_cells_to_forecast) {
+    const auto pilots = sweep::take_pilot_cells(cells, pilots_per_thread * static_cast<std::size_t>(threads));
+    const auto start = std::chrono::steady_clock::now();
+    run_cells(pilots);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    say_progress(forecast(pilots.size(), elapsed.count(), cells.size()));
+  }
+  run_cells(cells);
+  watch.reset();
+  if (all_finished()) return true;
+  say_interrupted();
+  return false;
+}
+
+void MissingCells::run_cells(std::span<const std::size_t> cells) {
+  sweep::run_cells(
+      study_, cells, arguments_.threads,
+      [this](std::size_t cell, const sweep::Row& row) { write_down(cell, row); }, stop_);
+}
+
+void MissingCells::write_down(std::size_t cell, const sweep::Row& row) {
+  const std::string line = report::map_line(row);
+  const std::lock_guard lock(mutex_);
+  journal_.append(cell, line);
+  partial_.append(line);
+  progress_.advance();
+  ++finished_;
+}
+
+bool MissingCells::say_progress(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  return progress_.say(text);
+}
+
+void MissingCells::refresh() {
+  const std::lock_guard lock(mutex_);
+  progress_.refresh();
+}
+
+/// Nothing can get into the journal any more once the mutex is held.
+void MissingCells::leave() {
+  const std::lock_guard lock(mutex_);
+  if (all_finished()) return;
+  say_interrupted();
+  directory_.leave();
+  std::_Exit(128 + caught_signal());
+}
+
+void MissingCells::say_interrupted() {
+  progress_.finish();
+  say(fmt::format(
+      "rubsweep: interrupted; {} of {} cells are finished, the same command computes the others\n",
+      directory_.finished() + finished_, directory_.cells()));
+}
+
+}  // namespace rubsweep::apps

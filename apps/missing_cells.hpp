@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <mutex>
+#include <span>
+#include <string>
+
+#include "map_directory.hpp"
+#include "rubsweep/batch/journal.hpp"
+#include "rubsweep/batch/line_log.hpp"
+#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/sweep/row.hpp"
+#include "rubsweep/sweep/study.hpp"
+#include "rubsweep_arguments.hpp"
+
+namespace rubsweep::apps {
+
+/// Computes the cells that a directory misses and writes each one down as it is finished.
+class MissingCells {
+ public:
+  /// All three must outlive it. Opens journal and partial map; throws IoError.
+  MissingCells(const RubsweepArguments& arguments, const sweep::Study& study, MapDirectory& directory);
+
+  /// False when a signal came before all were finished. Cells that still run half a second after it are given
+  /// up: nothing of them is in the journal, and the process ends without them.
+  bool run();
+
+ private:
+  bool all_finished() const { return finished_ == directory_.missing().size(); }
+  void run_cells(std::span<const std::size_t> cells);
+  void write_down(std::size_t cell, const sweep::Row& row);
+  bool say_progress(const std::string& text);
+  void refresh();
+  void leave();
+  void say_interrupted();
+
+  const RubsweepArguments& arguments_;
+  const sweep::Study& study_;
+  MapDirectory& directory_;
+  const std::atomic<bool>& stop_;
+  std::mutex mutex_;  ///< guards all that follows
+  batch::Journal journal_;
+  batch::LineLog partial_;
+  batch::Progress progress_;
+  std::size_t finished_ = 0;
+};
+
+}  // namespace rubsweep::apps
