@@ -3,10 +3,19 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+#include <random>
+#include <span>
+#include <utility>
+#include <vector>
+
 #include "audit/event_audit.hpp"
 #include "audit/proof_audit.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/integrate/start.hpp"
+#include "rubsweep/response/floquet.hpp"
+#include "rubsweep/response/orbit_ball.hpp"
+#include "rubsweep/response/section_map.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
@@ -27,8 +36,7 @@ sweep::Row row_of(const std::string& name, double speed_hz, double whirl_ratio,
 }
 
 std::string label(const sweep::Row& row) {
-  return fmt::format("{}{}{}", to_string(row.motion_class),
-                     row.order ? fmt::format(" {}", *row.order) : "",
+  return fmt::format("{}{}{}", to_string(row.motion_class), row.order ? fmt::format(" {}", *row.order) : "",
                      row.proof ? fmt::format(" {}", to_string(*row.proof)) : "");
 }
 
@@ -50,12 +58,11 @@ TEST_P(Events, NoneIsPassedOverOrLate) {
                                  << audit.difference->first_switch;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Of, Events,
-    testing::Values(EventCell{"four_stops", 138.50961428204522, 0.8830485153668182, 60},
-                    EventCell{"three_stops", 30.490615403801954, 0.6338227589241093, 60},
-                    EventCell{"two_stops", 55.65629421162545, 0.46841560218741296, 120}),
-    [](const auto& cell) { return std::string(cell.param.machine); });
+INSTANTIATE_TEST_SUITE_P(Of, Events,
+                         testing::Values(EventCell{"four_stops", 138.50961428204522, 0.8830485153668182, 60},
+                                         EventCell{"three_stops", 30.490615403801954, 0.6338227589241093, 60},
+                                         EventCell{"two_stops", 55.65629421162545, 0.46841560218741296, 120}),
+                         [](const auto& cell) { return std::string(cell.param.machine); });
 
 struct ProofCell {
   const char* machine;
@@ -137,14 +144,101 @@ TEST(HardMachines, AnAuditOfEventsInShort) {
 }
 
 TEST(HardMachines, AnAuditOfProofsInShort) {
-  int followed = 0;
-  for (std::size_t i = 0; i < 100; ++i) {
+  int proven = 0;
+  for (std::size_t i = 0; i < 120; ++i) {
     std::mt19937_64 random(8'000'000 + i);
-    const auto found = audit::audit_proof(audit::random_cell(audit::StopKind::one_flat, random));
-    followed += found.followed;
+    const auto kind = i % 4 == 0 ? audit::StopKind::equal_flats : audit::StopKind::one_flat;
+    const auto found = audit::audit_proof(audit::random_cell(kind, random));
+    proven += found.proof == response::Proof::floquet;
     EXPECT_TRUE(!found.followed || found.confirmed || found.undecided) << i << ' ' << found.finding;
   }
-  EXPECT_GT(followed, 20);
+  EXPECT_GT(proven, 20);
+}
+
+/// An orbit of a random machine with its ball, if the run comes to one.
+struct Ball {
+  scene::Scene scene;
+  integrate::ExactPlans plans;
+  response::StableOrbit orbit;
+  response::AdaptedNorms norms;
+  double radius = 0;
+
+  response::TurnMap turn(response::SceneMap& map) const {
+    return [&map](std::span<double> s, Eigen::MatrixXd* disturbances) {
+      return disturbances ? map.carry(s, *disturbances) : map(s);
+    };
+  }
+
+  bool find(const audit::RandomCell& random) {
+    const auto cell =
+        scene::build_cell(random.machine, random.speed_hz, scene::WhirlRatio{random.whirl_ratio});
+    if (cell.start != scene::Start::quiet) return false;
+    scene = response::after_the_kick(cell.scene);
+    const auto run = integrate::start(cell.scene, {}, plans);
+    integrate::Turn made;
+    for (int k = 0; k < 800; ++k) {
+      if (run.advance(made) != integrate::Outcome::ok || (k == 20 && made.effort.adaptive_turns > 0))
+        return false;
+    }
+    if (!made.touched) return false;
+    response::SceneMap map(scene, {}, plans);
+    for (int order = 1; order <= 6; ++order) {
+      const auto found = response::find_orbit(turn(map), made.section, order);
+      if (!found) continue;
+      const auto adapted = response::adapted_norms(found->transitions);
+      if (!adapted) return false;
+      orbit = *found;
+      norms = *adapted;
+      const auto& x = orbit.sections[0];
+      radius = response::ball_radius(scene, plans, {x.begin(), x.end()}, norms).value_or(0);
+      return radius > 0;
+    }
+    return false;
+  }
+
+  std::vector<std::pair<int, contact::Mode>> changes_from(std::vector<double>& section) {
+    const auto run = integrate::start(scene, {}, plans);
+    run.restart(section);
+    integrate::Turn made;
+    made.switches_wanted = true;
+    EXPECT_EQ(run.advance(made), integrate::Outcome::ok);
+    section = made.section;
+    std::vector<std::pair<int, contact::Mode>> changes;
+    for (const auto& at : made.switches) changes.emplace_back(at.contact, at.to);
+    return changes;
+  }
+};
+
+/// On the rims of the balls of random machines every turn goes through the orbit's own modes and comes
+/// nearer.
+TEST(HardMachines, MotionsOnTheRimOfABallComeNearerByTheOrbitsOwnModes) {
+  int balls = 0;
+  for (std::size_t i = 0; i < 90 && balls < 16; ++i) {
+    std::mt19937_64 random(7'000'000 + i);
+    Ball ball;
+    if (!ball.find(audit::random_cell(audit::stop_kinds[i % 3], random))) continue;
+    ++balls;
+    SCOPED_TRACE(fmt::format("{} radius {} order {}", i, ball.radius, ball.orbit.order));
+    const auto turns = ball.orbit.sections.size();
+    std::normal_distribution<double> normal;
+    for (std::size_t k = 0; k < turns; ++k) {
+      const Eigen::VectorXd& centre = ball.orbit.sections[k];
+      std::vector<double> own(centre.begin(), centre.end());
+      const auto changes = ball.changes_from(own);
+      for (int trial = 0; trial < 6; ++trial) {
+        Eigen::VectorXd y(centre.size());
+        for (double& x : y) x = normal(random);
+        const Eigen::VectorXd from =
+            centre + ball.norms.norm[k].triangularView<Eigen::Upper>().solve(ball.radius * y.normalized());
+        std::vector<double> section(from.begin(), from.end());
+        EXPECT_EQ(ball.changes_from(section), changes);
+        const std::size_t next = (k + 1) % turns;
+        const Eigen::Map<const Eigen::VectorXd> to(section.data(), centre.size());
+        EXPECT_LT((ball.norms.norm[next] * (to - ball.orbit.sections[next])).norm(), ball.radius);
+      }
+    }
+  }
+  EXPECT_GE(balls, 10);
 }
 
 }  // namespace

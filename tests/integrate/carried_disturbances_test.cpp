@@ -51,5 +51,29 @@ TEST(CarriedDisturbances, NoneAreCarriedWhereNoneAreAskedFor) {
   EXPECT_EQ(disturbances, Eigen::MatrixXd(Eigen::MatrixXd::Identity(8, 2)));
 }
 
+/// One that joins later goes on from there, and does not come back in the matrix of those at the start.
+TEST(CarriedDisturbances, OneMayJoinOnTheWay) {
+  ExactPlan<4> plan(test::cell_of({}).scene);
+  for (const std::size_t joint : {0u, 3u}) {
+    const ModePlan<4>& mode = *plan.mode(joint);
+    CarriedDisturbances<4> carried;
+    Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 8);
+    carried.begin(mode, speed_rad_per_s, disturbances);
+    carried.pass(0.001);
+    ExactTypes<4>::State joins;
+    joins << 0.3, -0.2, 0.1, 0.5, 10, -20, 30, 5;
+    carried.add(mode, joins);
+    carried.pass(0.0005);
+    const auto now = carried.now(mode);
+    ASSERT_EQ(now.size(), 9);
+    const Eigen::VectorXd wanted = matrix_flow(mode.generator, 0.0005) * joins;
+    EXPECT_LT((mode.from_free(now[8]) - wanted).cwiseAbs().maxCoeff(), 1e-11 * wanted.cwiseAbs().maxCoeff());
+    carried.put(mode, speed_rad_per_s, disturbances);
+    ASSERT_EQ(disturbances.cols(), 8);
+    const Eigen::MatrixXd whole = as_sections(matrix_flow(mode.generator, 0.0015));
+    EXPECT_LT((disturbances - whole).cwiseAbs().maxCoeff(), 1e-11 * whole.cwiseAbs().maxCoeff());
+  }
+}
+
 }  // namespace
 }  // namespace rubsweep::integrate

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/SVD>
 #include <random>
 
 #include "rubsweep/integrate/start.hpp"
@@ -35,7 +36,7 @@ struct RubbingTurn {
   }
 
   void turn_from(const std::vector<double>& section, Turn& turn) {
-    const Run run = integrate::start(scene, {}, plans);
+    const auto run = integrate::start(scene, {}, plans);
     const auto states = static_cast<Eigen::Index>(section.size());
     turn.disturbances = MatrixXd::Identity(states, states);
     run.restart(section);
@@ -47,7 +48,7 @@ VectorXd vector_of(const std::vector<double>& x) {
   return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 
-TEST(TurnTube, DeviationFromTheLinearMapIsBelowItsBound) {
+TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
   RubbingTurn turn;
   const MatrixXd identity = MatrixXd::Identity(8, 8);
   std::vector<double> section = turn.start;
@@ -77,7 +78,7 @@ TEST(TurnTube, DeviationFromTheLinearMapIsBelowItsBound) {
   EXPECT_GT(largest_share, 1e-4);
 }
 
-TEST(TurnTube, AFlightHasNoDeviation) {
+TEST(ExactTube, AFlightHasNoDeviation) {
   scene::Scene scene = test::cell_of({}).scene;
   scene.pulse.reset();
   ExactPlans plans;
@@ -89,6 +90,50 @@ TEST(TurnTube, AFlightHasNoDeviation) {
   EXPECT_EQ(tube->deviation(1e-2), 0);
   EXPECT_FALSE(tube->holds(5));
   EXPECT_EQ(tube->deviation(5), std::numeric_limits<double>::infinity());
+}
+
+TEST(ExactTube, ContractionIsThatOfTheLinearMap) {
+  RubbingTurn turn;
+  std::vector<double> section = turn.start;
+  const MatrixXd identity = MatrixXd::Identity(8, 8);
+  const auto tube = turn_tube(turn.scene, turn.plans, section, identity, identity);
+  ASSERT_TRUE(tube);
+  EXPECT_NEAR(tube->contraction, Eigen::JacobiSVD<MatrixXd>(turn.transition).singularValues()(0),
+              1e-9 * tube->contraction);
+}
+
+/// A viscous part, however small, is not what the closed forms move by.
+TEST(ExactTube, NoneWhereFrictionNeverSaturates) {
+  RubbingTurn turn;
+  std::vector<double> section = turn.start;
+  turn.scene.contacts.front().friction = model::StribeckFriction{{0, 0, 0, 0, 0, 1e-9}};
+  ExactPlans plans;
+  const MatrixXd identity = MatrixXd::Identity(8, 8);
+  EXPECT_FALSE(turn_tube(turn.scene, plans, section, identity, identity));
+}
+
+/// The motion does not depend on how fast the surface slides as long as friction is saturated; the tube does.
+TEST(ExactTube, SlipsMustStaySaturated) {
+  RubbingTurn turn;
+  const MatrixXd identity = MatrixXd::Identity(8, 8);
+  const auto radius_at = [&](double surface_speed_m_per_s) {
+    turn.scene.contacts.front().surface_speed_m_per_s = surface_speed_m_per_s;
+    ExactPlans plans;
+    std::vector<double> section = turn.start;
+    const auto tube = turn_tube(turn.scene, plans, section, identity, identity);
+    double radius = tube ? 0.1 : 0;
+    while (radius > 1e-12 && !tube->holds(radius)) radius /= 2;
+    return radius;
+  };
+  const double usual = turn.scene.contacts.front().surface_speed_m_per_s, free = radius_at(usual);
+  EXPECT_GT(free, 1e-7);
+  double none = 0, some = usual;
+  EXPECT_EQ(radius_at(none), 0);
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (none + some) / 2;
+    (radius_at(middle) > 0 ? some : none) = middle;
+  }
+  EXPECT_LT(radius_at(some), 0.1 * free);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "rubsweep/integrate/carried_disturbances.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "rubsweep/integrate/mode_flow.hpp"
@@ -36,7 +37,7 @@ template <int N>
 void CarriedDisturbances<N>::put(const ModePlan<N>& mode, double speed_rad_per_s,
                                  Eigen::MatrixXd& disturbances) {
   catch_up(mode);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(disturbances.cols()); ++i) {
+  for (std::size_t i = 0; i < std::min(count_, static_cast<std::size_t>(disturbances.cols())); ++i) {
     State physical = mode.from_free(list_[i]);
     physical.tail(physical.size() / 2) /= speed_rad_per_s;
     disturbances.col(static_cast<Eigen::Index>(i)) = physical;

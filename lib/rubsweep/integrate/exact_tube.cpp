@@ -1,10 +1,12 @@
 #include "rubsweep/integrate/exact_tube.hpp"
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
+#include <ranges>
 
+#include "rubsweep/contact/saturation.hpp"
 #include "rubsweep/integrate/certified_step.hpp"
 #include "rubsweep/integrate/exact_motion.hpp"
 #include "rubsweep/integrate/joint_mode.hpp"
@@ -12,67 +14,10 @@
 #include "rubsweep/integrate/step_table.hpp"
 
 namespace rubsweep::integrate {
+namespace {
 
-// Windows of D / s, see the lemma; the distance D leaves a tenth for what the window's own kick does.
-constexpr double window_in_distances = 4, share_of_distance = 0.9;
-// A window is this short against the fastest rate, so that the flow over it is the identity to 5 %.
-constexpr double window_by_rate = 0.05, flow_over_window = 1.05, rate_over_window = 1.1;
-
-double TurnTube::width(const Spread& spread, double radius, std::span<const Window> before) {
-  double sum = radius * spread.width;
-  for (std::size_t k = 0; k < before.size() && 2 * k + 1 < spread.kicks.size(); ++k)
-    sum += before[k].kick *
-           (spread.kicks[2 * k] + rate_over_window * before[k].window_s * spread.kicks[2 * k + 1]);
-  return sum;
-}
-
-std::optional<std::vector<TurnTube::Window>> TurnTube::windows(double radius) const {
-  std::vector<Window> found;
-  double free_from_s = 0;
-  std::size_t margin = 0;
-  const auto margins_hold = [&](std::size_t end) {
-    for (; margin < end; ++margin) {
-      if (!(width(margins_[margin].spread, radius, found) < margins_[margin].margin)) return false;
-    }
-    return true;
-  };
-  for (std::size_t k = 0; k < switches_.size(); ++k) {
-    const Switch& at = switches_[k];
-    if (!margins_hold(margins_before_[k])) return std::nullopt;
-    Window window;
-    window.distance = width(at.spread, radius, found) / share_of_distance;
-    window.window_s = window_in_distances * window.distance / at.rate;
-    window.kick = flow_over_window * window.distance * window.distance / at.rate;
-    const double curvature = at.curvature + width(at.curvature_spread, radius, found);
-    const double least_rate = at.rate - width(at.rate_spread, radius, found) - curvature * window.window_s -
-                              at.own_kick * window.distance;
-    const bool rises = least_rate >= at.rate / 2 && at.lowest_rate >= at.rate / 4 &&
-                       at.own_kick * window.window_s <= 0.2 && window.window_s <= at.longest_window_s;
-    if (!rises || !(at.time_s - window.window_s > free_from_s)) return std::nullopt;
-    for (const OtherGuard& other : at.others) {
-      const double t = window.window_s;
-      const double value = other.gap + width(other.spread, radius, found) +
-                           (other.rate + width(other.rate_spread, radius, found)) * t +
-                           0.6 * (other.curvature + width(other.curvature_spread, radius, found)) * t * t;
-      if (!(value < 0)) return std::nullopt;
-    }
-    free_from_s = at.time_s + window.window_s;
-    found.push_back(window);
-  }
-  if (!(free_from_s < period_s_) || !margins_hold(margins_.size())) return std::nullopt;
-  return found;
-}
-
-bool TurnTube::holds(double radius) const { return windows(radius).has_value(); }
-
-double TurnTube::deviation(double radius) const {
-  const auto at = windows(radius);
-  if (!at) return std::numeric_limits<double>::infinity();
-  double sum = 0;
-  for (std::size_t k = 0; k < kicks_.size(); ++k)
-    sum += (*at)[k].kick * (kicks_[k].at_end + rate_over_window * (*at)[k].window_s * kicks_[k].rate_at_end);
-  return sum;
-}
+/// A window is this short against the norm of the generator, so that the flow over it is the identity to 5 %.
+constexpr double window_by_rate = 0.05;
 
 /// Follows the reference by certified steps and takes down what the tube must keep away from.
 template <int N>
@@ -86,9 +31,9 @@ class TubeBuilder {
         slip_(scene, plan->friction()),
         speed_(scene.speed_rad_per_s),
         length_m_(scene.length_scale_m) {
-    tube_.period_s_ = scene.period_s();
-    for (std::size_t i = 0; i < scene.contacts.size(); ++i)
-      slips_ = slips_ || plan->friction()[i].above_m_per_s > 0;
+    tube_.period_s = scene.period_s();
+    for (const contact::SaturatedFriction& friction : plan->friction())
+      slips_ = slips_ || friction.above_m_per_s > 0;
   }
 
   std::optional<TurnTube> build(std::vector<double>& section, const Eigen::MatrixXd& disturbances,
@@ -96,7 +41,8 @@ class TubeBuilder {
     base_ = static_cast<std::size_t>(disturbances.cols());
     if (!start(section)) return std::nullopt;
     motion_.carry(disturbances);
-    for (int steps = 0; time_s_ < tube_.period_s_; ++steps) {
+    if (!keep_clamped()) return std::nullopt;
+    for (int steps = 0; time_s_ < tube_.period_s; ++steps) {
       if (steps > most_steps || !go_on()) return std::nullopt;
     }
     if (!motion_.free().allFinite()) return std::nullopt;
@@ -169,62 +115,91 @@ class TubeBuilder {
       spread.kicks[i] = std::max(spread.kicks[i], other.kicks[i]);
   }
 
-  void keep_margin(double margin, Spread spread) { tube_.margins_.push_back({margin, std::move(spread)}); }
+  void keep_margin(double margin, Spread spread) { tube_.margins.push_back({margin, std::move(spread)}); }
 
-  bool go_on() {
-    const ModePlan<N>& mode = motion_.mode();
-    const std::size_t guards = mode.exits.size();
-    std::vector<Exit> exits;
-    for (std::size_t e = 0; e < guards; ++e) exits.push_back(motion_.exit(e));
-    double step_s = std::min({mode.longest_step_s, 1 / mode.fastest_rad_per_s, tube_.period_s_ - time_s_});
+  /// The exits of clamped do not watch p, which only its entry makes positive: a turn that starts there must
+  /// be told.
+  bool keep_clamped() {
+    const auto& contacts = motion_.plan().system().contacts;
+    const State here = motion_.physical();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (motion_.mode().modes[i] != contact::Mode::clamped) continue;
+      std::vector<double> widths;
+      for (const State& z : motion_.carried()) {
+        const State physical = motion_.mode().from_free(z);
+        widths.push_back(contacts[i].first_row.dot(physical.head(contacts[i].first_row.size()).transpose()));
+      }
+      keep_margin(kinematics_of(contacts[i], here, 0).penetration, spread_of(widths));
+    }
+    return std::ranges::all_of(tube_.margins, [](const TurnTube::Margin& m) { return m.margin > 0; });
+  }
+
+  struct Choice {
+    double step_s = 0;
     std::size_t crossing = none;
-    for (std::size_t e = 0; e < guards; ++e) {
+  };
+
+  /// A step that leaves every guard at half its distance from zero, or the landing on the guard that crosses
+  /// first. Empty where a guard stands at zero.
+  std::optional<Choice> choose(const std::vector<Exit>& exits) const {
+    const ModePlan<N>& mode = motion_.mode();
+    Choice choice{std::min({mode.longest_step_s, 1 / mode.fastest_rad_per_s, tube_.period_s - time_s_})};
+    for (std::size_t e = 0; e < exits.size(); ++e) {
       const Exit& exit = exits[e];
       if (e == behind_) {
-        if (!(exit.rate < 0)) return false;
-        step_s = std::min(step_s, -exit.rate / (2 * exit.curvature));
+        if (!(exit.rate < 0)) return std::nullopt;
+        choice.step_s = std::min(choice.step_s, -exit.rate / (2 * exit.curvature));
       } else if (!(exit.value < 0)) {
-        return false;
+        return std::nullopt;
       }
     }
-    for (std::size_t e = 0; e < guards; ++e) {
+    for (std::size_t e = 0; e < exits.size(); ++e) {
       const Exit& exit = exits[e];
       if (e == behind_ || !crosses(exit.value, exit.rate, exit.curvature)) continue;
       const double latest = latest_crossing(exit.value, exit.rate, exit.curvature);
-      if (latest >= step_s || latest > motion_.reach_s()) continue;
-      crossing = e;
-      step_s = latest;
+      if (latest < choice.step_s && latest <= motion_.reach_s()) choice = {latest, e};
     }
-    const auto safe = [&](std::size_t but) {
-      double safe_s = step_s;
-      for (std::size_t e = 0; e < guards; ++e) {
+    const auto safe_but = [&](std::size_t but) {
+      double safe_s = choice.step_s;
+      for (std::size_t e = 0; e < exits.size(); ++e) {
         if (e == behind_ || e == but) continue;
         safe_s = std::min(safe_s, safe_step(exits[e].value / 2, exits[e].rate, exits[e].curvature));
       }
       return safe_s;
     };
-    if (crossing != none && safe(crossing) < step_s) crossing = none;
-    step_s = safe(crossing);
-    if (step_s < shortest_step * tube_.period_s_ && step_s < tube_.period_s_ - time_s_) return false;
+    if (choice.crossing != none && safe_but(choice.crossing) < choice.step_s) choice.crossing = none;
+    choice.step_s = safe_but(choice.crossing);
+    const bool stands = choice.step_s < shortest_step * tube_.period_s;
+    return stands && choice.step_s < tube_.period_s - time_s_ ? std::nullopt : std::optional(choice);
+  }
+
+  bool go_on() {
+    const std::size_t guards = motion_.mode().exits.size();
+    std::vector<Exit> exits;
     std::vector<Seen> seen_by;
-    for (std::size_t e = 0; e < guards; ++e) seen_by.push_back(seen(e));
-    if (!begin_slip()) return false;
-    const double duration_s = move(crossing, step_s);
+    for (std::size_t e = 0; e < guards; ++e) {
+      exits.push_back(motion_.exit(e));
+      seen_by.push_back(seen(e));
+    }
+    const auto choice = choose(exits);
+    if (!choice || !begin_slip()) return false;
+    const double duration_s = move(choice->crossing, choice->step_s);
     if (!end_slip(duration_s)) return false;
     for (std::size_t e = 0; e < guards; ++e) {
-      const Exit& exit = exits[e];
+      if (e == choice->crossing) continue;
       const Spread spread = spread_over(seen_by[e], duration_s);
-      if (e == crossing) continue;
       if (e == behind_) {
-        raise(tube_.switches_.back().spread, spread);
+        raise(tube_.switches.back().spread, spread);
         continue;
       }
+      const Exit& exit = exits[e];
       const double end = exit.value + duration_s * (exit.rate + duration_s / 2 * exit.curvature);
       keep_margin(-std::max(exit.value, end), spread);
     }
     behind_ = none;
-    return crossing == none ||
-           change_mode(crossing, exits[crossing], spread_over(seen_by[crossing], duration_s), duration_s);
+    if (choice->crossing == none) return true;
+    const Spread spread = spread_over(seen_by[choice->crossing], duration_s);
+    return change_mode(choice->crossing, exits[choice->crossing], spread, duration_s);
   }
 
   /// Along the present mode; returns how far.
@@ -232,9 +207,9 @@ class TubeBuilder {
     double duration_s = step_s;
     if (crossing != none) {
       duration_s = motion_.land(crossing, step_s);
-    } else if (step_s >= tube_.period_s_ - time_s_) {
+    } else if (step_s >= tube_.period_s - time_s_) {
       motion_.step_by(step_s);
-      time_s_ = tube_.period_s_;
+      time_s_ = tube_.period_s;
       return step_s;
     } else if (const int k = exact_step_below(step_s * motion_.mode().longest_steps_per_s);
                k < exact_step_count) {
@@ -262,26 +237,47 @@ class TubeBuilder {
     return margin > 0;
   }
 
-  /// What disturbances may make of a sliding speed until the end of a step, m/s: by the largest component
-  /// in units of (1, fastest rate), which grows no faster than the norm of the generator.
-  Spread slip_spread() {
-    const ModePlan<N>& mode = motion_.mode();
+  /// Norm of the generator in units of (1, fastest rate).
+  static double norm_of(const ModePlan<N>& mode) {
     const Eigen::Index n = mode.rest.size();
     Eigen::MatrixXd generator = mode.generator / mode.fastest_rad_per_s;
     generator.topRightCorner(n, n) *= mode.fastest_rad_per_s;
     generator.bottomLeftCorner(n, n) /= mode.fastest_rad_per_s;
-    const double growth = std::exp(std::min(700.0, generator.cwiseAbs().rowwise().sum().maxCoeff()));
+    return generator.cwiseAbs().rowwise().sum().maxCoeff();
+  }
+
+  /// What disturbances may make of a sliding speed until the end of a step, m/s: by the largest component in
+  /// units of (1, fastest rate), which grows no faster than the norm of the generator.
+  Spread slip_spread() {
+    const ModePlan<N>& mode = motion_.mode();
+    const Eigen::Index n = mode.rest.size();
+    const double growth = std::exp(std::min(700.0, norm_of(mode)));
+    double largest = 0;
+    for (const TouchPlan<N>& touch : mode.touches)
+      largest = std::max(largest, touch.sliding.cwiseAbs().sum());
     std::vector<double> values;
     for (const State& z : motion_.carried()) {
       const State physical = mode.from_free(z);
       const double size = std::max(physical.head(n).cwiseAbs().maxCoeff(),
                                    physical.tail(n).cwiseAbs().maxCoeff() / mode.fastest_rad_per_s);
-      double largest = 0;
-      for (const TouchPlan<N>& touch : mode.touches)
-        largest = std::max(largest, touch.sliding.cwiseAbs().sum());
       values.push_back(length_m_ * largest * mode.fastest_rad_per_s * growth * size);
     }
     return spread_of(values);
+  }
+
+  /// What is left of the slips at a change of mode, for whoever touches in its window: in the old mode until
+  /// the guard is crossed, in the new one from then on.
+  bool add_slip(TurnTube::Switch& change) {
+    if (!slips_ || motion_.mode().touches.empty()) return true;
+    if (!slip_.begin(motion_, motion_.physical())) return false;
+    const auto [margin, rate] = slip_.at_start(motion_);
+    TurnTube::Other slip;
+    slip.value = -margin;
+    slip.rate = rate;
+    slip.spread = slip_spread();
+    change.others.push_back(std::move(slip));
+    other_rows_.push_back(State::Zero(motion_.free().size()).transpose());
+    return true;
   }
 
   bool change_mode(std::size_t e, const Exit& before, const Spread& spread, double landing_s) {
@@ -297,7 +293,8 @@ class TubeBuilder {
     change.spread = spread;
     change.rate_spread = spread_of(on_guard.rate);
     change.curvature_spread = spread_of(on_guard.curvature);
-    if (!add_others(change, e)) return false;
+    other_rows_.clear();
+    if (!add_others(change, e) || !add_slip(change)) return false;
 
     const State here = motion_.physical();
     const std::size_t i = guard.contact;
@@ -317,11 +314,12 @@ class TubeBuilder {
       change.curvature = std::max(change.curvature, motion_.exit(behind_).curvature);
       raise(change.curvature_spread, spread_of(seen(behind_).curvature));
     }
-    if (!add_others(change, behind_)) return false;
-    change.longest_window_s = window_by_rate / std::max(from.fastest_rad_per_s, to.fastest_rad_per_s);
+    if (!add_others(change, behind_) || !add_slip(change)) return false;
+    change.longest_window_s =
+        window_by_rate / std::max(norm_of(from) * from.fastest_rad_per_s, norm_of(to) * to.fastest_rad_per_s);
     if (!add_kick(from, to, guard, change)) return false;
-    tube_.margins_before_.push_back(tube_.margins_.size());
-    tube_.switches_.push_back(std::move(change));
+    change.margins_before = tube_.margins.size();
+    tube_.switches.push_back(std::move(change));
     return true;
   }
 
@@ -333,7 +331,8 @@ class TubeBuilder {
       if (!(at.value < 0)) return false;
       const Seen on = seen(k);
       change.others.push_back({at.value, std::abs(at.rate), at.curvature, spread_of(on.value),
-                               spread_of(on.rate), spread_of(on.curvature)});
+                               spread_of(on.rate), spread_of(on.curvature), 0});
+      other_rows_.push_back(motion_.mode().exits[k].physical);
     }
     return true;
   }
@@ -346,6 +345,8 @@ class TubeBuilder {
     const Eigen::VectorXd b = difference * row / row.squaredNorm();
     if (!((difference - b * row.transpose()).norm() <= 1e-9 * difference.norm())) return false;
     change.own_kick = std::abs(row.dot(b));
+    for (std::size_t k = 0; k < change.others.size(); ++k)
+      change.others[k].own_kick = std::abs(other_rows_[k].dot(b.transpose()));
     motion_.carry_also(State(b));
     motion_.carry_also(State(to.generator * b));
     return true;
@@ -357,11 +358,14 @@ class TubeBuilder {
       return state;
     };
     const auto list = motion_.carried();
-    const auto size_at_end = [&](std::size_t i) {
-      return (end_norm * scaled(motion_.mode().from_free(list[i]))).norm();
+    const auto at_end = [&](std::size_t i) -> Eigen::VectorXd {
+      return end_norm * scaled(motion_.mode().from_free(list[i]));
     };
+    Eigen::MatrixXd linear(end_norm.rows(), static_cast<Eigen::Index>(base_));
+    for (std::size_t i = 0; i < base_; ++i) linear.col(static_cast<Eigen::Index>(i)) = at_end(i);
+    tube_.contraction = Eigen::JacobiSVD<Eigen::MatrixXd>(linear).singularValues()(0);
     for (std::size_t i = base_; i + 1 < list.size(); i += 2)
-      tube_.kicks_.push_back({size_at_end(i), size_at_end(i + 1)});
+      tube_.kicks.push_back({at_end(i).norm(), at_end(i + 1).norm()});
     const Eigen::VectorXd end = scaled(motion_.physical());
     section.assign(end.data(), end.data() + end.size());
   }
@@ -374,10 +378,9 @@ class TubeBuilder {
   std::size_t base_ = 0;       ///< disturbances that are not kicks
   std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
   double time_s_ = 0;
+  std::vector<typename ExactTypes<N>::Row> other_rows_;  ///< of the present change's others
   TurnTube tube_;
 };
-
-namespace {
 
 template <int N>
 std::optional<TurnTube> build(const scene::Scene& scene, ExactPlans& plans, std::vector<double>& section,
@@ -389,7 +392,10 @@ std::optional<TurnTube> build(const scene::Scene& scene, ExactPlans& plans, std:
 
 std::optional<TurnTube> turn_tube(const scene::Scene& scene, ExactPlans& plans, std::vector<double>& section,
                                   const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& end_norm) {
-  if (!exact_applies(scene) || !scene.impulses.empty()) return std::nullopt;
+  const bool saturates = std::ranges::all_of(scene.contacts, [](const scene::Contact& contact) {
+    return contact::saturated_friction(contact.friction).has_value();
+  });
+  if (!saturates || !exact_applies(scene) || !scene.impulses.empty()) return std::nullopt;
   switch (scene.structure.coordinates()) {
     case 2:
       return build<2>(scene, plans, section, disturbances, end_norm);

@@ -92,6 +92,22 @@ class SlipWatch {
     return true;
   }
 
+  struct AtStart {
+    double margin_m_per_s = 0;  ///< least distance of a slip from where it is no longer saturated
+    double rate_m_per_s2 = 0;   ///< no slip changes faster within the mode's longest step
+  };
+  /// Of the stretch that began last.
+  AtStart at_start(const ExactMotion<N>& motion) const {
+    AtStart all{std::numeric_limits<double>::infinity(), 0};
+    for (const TouchPlan<N>& touch : motion.mode().touches) {
+      const Contact& c = contacts_[touch.contact];
+      all.margin_m_per_s = std::min(all.margin_m_per_s, c.start_m_per_s - c.above_m_per_s);
+      all.rate_m_per_s2 = std::max(all.rate_m_per_s2, c.rate_bound + c.friction_rate +
+                                                          c.friction_swing * motion.mode().longest_step_s);
+    }
+    return all;
+  }
+
   /// How far the slips stayed above what saturation takes, all along the stretch that ends at `physical`.
   double margin_m_per_s(const ExactMotion<N>& motion, const State& physical) const {
     double margin = std::numeric_limits<double>::infinity();

@@ -53,13 +53,16 @@ std::optional<Closed> close(const TurnMap& turn, const VectorXd& start, int orde
     const auto back = return_of(turn, x, order);
     if (!back) return std::nullopt;
     const double error = largest(back->defect);
-    if (error < closed) return Closed{back->order, x, back->monodromy};
+    const MatrixXd slope = MatrixXd::Identity(x.size(), x.size()) - back->monodromy;
+    const VectorXd step = slope.partialPivLu().solve(back->defect);
+    // The last step takes the error to rounding.
+    if (error < closed)
+      return Closed{back->order, step.allFinite() ? VectorXd(x + step) : x, back->monodromy};
     if (i > 0 && error > last / 2) return std::nullopt;
     if (back->monodromy.eigenvalues().cwiseAbs().maxCoeff() > (i == 0 ? hopeless_from_afar : 1))
       return std::nullopt;
     last = error;
-    const MatrixXd slope = MatrixXd::Identity(x.size(), x.size()) - back->monodromy;
-    x += slope.partialPivLu().solve(back->defect);
+    x += step;
     if (!x.allFinite() || largest(x - start) > farthest_orbit) return std::nullopt;
   }
   return std::nullopt;

@@ -12,8 +12,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double largest_radius = 0.1, smallest_radius = 1e-9;
-/// Shares of what the linear map leaves to 1 that a turn's own deviation and the orbit's error may take.
-constexpr double deviation_share = 0.9, defect_share = 0.05;
+/// What a turn's own deviation may take of what the linear map leaves to 1, and how far the sections given
+/// may be from the orbit itself against the radius: the 5 % that the shares leave cover what that changes.
+constexpr double deviation_share = 0.9, defect_share = 1e-3;
 
 }  // namespace
 
@@ -34,9 +35,13 @@ std::optional<double> ball_radius(const scene::Scene& scene, integrate::ExactPla
     return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
   };
   const double defect = (norms.norm.front() * (as_vector(now) - as_vector(section))).norm();
-  const double room = 1 - norms.contraction;
+  double contraction = 0;
+  for (const integrate::TurnTube& tube : tubes) contraction = std::max(contraction, tube.contraction);
+  // Not as the norms were made, but as the tubes' own linear maps are.
+  const double room = 1 - contraction;
+  if (!(room > 0)) return std::nullopt;
   for (double radius = largest_radius; radius >= smallest_radius; radius /= 2) {
-    if (!(defect <= defect_share * room * radius)) return std::nullopt;
+    if (!(defect <= defect_share * 0.1 * room * radius)) return std::nullopt;
     const bool holds = std::ranges::all_of(tubes, [&](const integrate::TurnTube& tube) {
       return tube.deviation(radius) <= deviation_share * room * radius;
     });
