@@ -39,7 +39,7 @@ std::string ringstab_help() {
       "  ringstab configs/ring_figure10.yaml\n"
       "  ringstab configs/ring_figure10.yaml --set friction_coefficient=0 --output /tmp/smooth\n"
       "  ringstab configs/ring_figure10.yaml --set loads.0.inclination_deg=5 --quiet\n"
-      "  ringstab configs/ring_figure15_n2.yaml --threads 2      (a stability chart)\n\n"
+      "  ringstab configs/ring_figure15.yaml --threads 2         (a stability chart)\n\n"
       "Writes into DIR; speeds in revolutions per minute, loads counted from 0:\n"
       "  eigenvalues.csv      every mode over the speed: real part (positive: unstable) and frequency\n"
       "  onsets.csv           divergence, flutter, coupling, veering and stable windows, with the modes "

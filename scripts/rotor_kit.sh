@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# rotor_kit.sh [DIR]: the experiment on a rotor kit, as Ishibashi & Kawai describe it in section 6, by simulation:
+# rotor_kit.sh [DIR]: the experiment on a rotor kit, as Ishibashi & Kawai describe it in section 5, by simulation:
 # impulse and run-up identify the rotor (1 ms samples with noise), then it rubs at 70 rev/s after a kick. Draws
 # results/figures/rotor_kit_{identification,rub,map}.png and .svg and writes the reports reduction.txt and
 # identification.txt into DIR (default results/rotor_kit). A map that is there is not computed again.

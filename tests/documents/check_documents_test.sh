@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# check_documents_test.sh CHECK_DOCUMENTS: the check accepts good links and names each that leads nowhere.
+set -euo pipefail
+check=$1
+top=$(mktemp -d)
+trap 'rm -rf "$top"' EXIT
+mkdir "$top/docs" "$top/results"
+
+# expect NAME STATUS [LINE...]: runs the check; what it prints must be exactly these lines.
+expect() {
+  local name=$1 status=$2 actual=0 output
+  shift 2
+  output=$("$check" "$top" 2>&1) || actual=$?
+  local expected
+  expected=$(printf '%s\n' "$@")
+  [[ $actual == "$status" && $output == "$expected" ]] && return
+  printf '%s: status %s, expected %s\nprinted:\n%s\nexpected:\n%s\n' "$name" "$actual" "$status" "$output" "$expected"
+  exit 1
+}
+
+printf '# A title\n\n[guide](docs/guide.md#the-ball-behind-floquet), [here](#a-title), [outside](https://example.org/x)\n' >"$top/README.md"
+printf '# Guide\n\n## The ball behind `floquet`\n\n[back](../README.md)\n' >"$top/docs/guide.md"
+printf '# Results\n' >"$top/results/README.md"
+expect 'good links' 0
+
+wide=$(printf 'x%.0s' {1..121})
+printf '[file](missing.md)\n[heading](../README.md#another)\n%s\n| %s |\n' "$wide" "$wide" >>"$top/docs/guide.md"
+expect 'bad links' 1 'docs/guide.md: there is no missing.md' 'docs/guide.md: there is no heading ../README.md#another' \
+  'docs/guide.md:8: wider than 120 characters'
