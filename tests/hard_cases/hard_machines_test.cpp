@@ -213,10 +213,10 @@ struct Ball {
 /// nearer.
 TEST(HardMachines, MotionsOnTheRimOfABallComeNearerByTheOrbitsOwnModes) {
   int balls = 0;
-  for (std::size_t i = 0; i < 90 && balls < 16; ++i) {
+  for (std::size_t i = 0; i < 120 && balls < 12; ++i) {
     std::mt19937_64 random(7'000'000 + i);
     Ball ball;
-    if (!ball.find(audit::random_cell(audit::stop_kinds[i % 3], random))) continue;
+    if (!ball.find(audit::random_cell(audit::stop_kinds[i % 2 == 0 ? 0 : 2], random))) continue;
     ++balls;
     SCOPED_TRACE(fmt::format("{} radius {} order {}", i, ball.radius, ball.orbit.order));
     const auto turns = ball.orbit.sections.size();
@@ -238,7 +238,7 @@ TEST(HardMachines, MotionsOnTheRimOfABallComeNearerByTheOrbitsOwnModes) {
       }
     }
   }
-  EXPECT_GE(balls, 10);
+  EXPECT_EQ(balls, 12);
 }
 
 }  // namespace
