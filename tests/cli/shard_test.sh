@@ -63,8 +63,9 @@ expect_files merged config.yaml map.csv
 for i in 1 2 3 4; do expect_exit 0 "${quick[@]}" --output changed --shard $i/4; done
 for i in 1 2 3 4; do
   "$rubsweep" "${quick[@]}" --set rotor.mass_kg=0.9 --output changed --shard $i/4 --fresh --threads 1 --quiet 2>stderr_$i &
+  part[i]=$!
 done
-for i in 1 2 3 4; do wait -n || fail "a part ended with $?: $(cat stderr_?)"; done
+for i in 1 2 3 4; do wait "${part[i]}" || fail "part $i ended with $?: $(cat stderr_$i)"; done
 expect_exit 0 "${quick[@]}" --set rotor.mass_kg=0.9 --output changed --merge
 expect_exit 0 "${quick[@]}" --set rotor.mass_kg=0.9 --output changed_whole
 expect_same changed/map.csv changed_whole/map.csv
