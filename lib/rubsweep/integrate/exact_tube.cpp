@@ -12,6 +12,7 @@
 #include "rubsweep/integrate/joint_mode.hpp"
 #include "rubsweep/integrate/slip_watch.hpp"
 #include "rubsweep/integrate/step_table.hpp"
+#include "rubsweep/integrate/tube_spread.hpp"
 
 namespace rubsweep::integrate {
 namespace {
@@ -52,15 +53,11 @@ class TubeBuilder {
 
  private:
   using Spread = TurnTube::Spread;
+  using Seen = SeenByDisturbances;
   using Exit = typename Motion::Exit;
   static constexpr int most_steps = 100'000;
   static constexpr double shortest_step = 1e-12;  ///< of a turn
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-  /// A guard on every disturbance: values, rates and bounds of the second derivatives.
-  struct Seen {
-    std::vector<double> value, rate, curvature;
-  };
 
   bool start(const std::vector<double>& section) {
     State physical =
@@ -85,34 +82,10 @@ class TubeBuilder {
     return seen;
   }
 
-  /// The first `base_` numbers as one length, the others each by itself.
-  Spread spread_of(const std::vector<double>& values) const {
-    Spread spread;
-    for (std::size_t i = 0; i < base_; ++i) spread.width += values[i] * values[i];
-    spread.width = std::sqrt(spread.width);
-    for (std::size_t i = base_; i < values.size(); ++i) spread.kicks.push_back(std::abs(values[i]));
-    return spread;
-  }
+  Spread spread_of(const std::vector<double>& values) const { return integrate::spread_of(values, base_); }
 
-  /// Over a step: a length is convex, so that along a straight line it is largest at an end.
   Spread spread_over(const Seen& seen, double duration_s) const {
-    std::vector<double> end = seen.value, bend = seen.curvature;
-    for (std::size_t i = 0; i < end.size(); ++i) {
-      end[i] += duration_s * seen.rate[i];
-      bend[i] *= duration_s * duration_s / 2;
-    }
-    Spread spread = spread_of(seen.value);
-    raise(spread, spread_of(end));
-    const Spread bent = spread_of(bend);
-    spread.width += bent.width;
-    for (std::size_t i = 0; i < spread.kicks.size(); ++i) spread.kicks[i] += bent.kicks[i];
-    return spread;
-  }
-
-  static void raise(Spread& spread, const Spread& other) {
-    spread.width = std::max(spread.width, other.width);
-    for (std::size_t i = 0; i < spread.kicks.size() && i < other.kicks.size(); ++i)
-      spread.kicks[i] = std::max(spread.kicks[i], other.kicks[i]);
+    return integrate::spread_over(seen, base_, duration_s);
   }
 
   void keep_margin(double margin, Spread spread) { tube_.margins.push_back({margin, std::move(spread)}); }
