@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "audit/fixed_step_turn.hpp"
+#include "audit/section_distance.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/response/section_map.hpp"
 #include "rubsweep/scene/build_scene.hpp"
@@ -33,12 +34,6 @@ integrate::SolverOptions options(integrate::Method method) {
     solver.relative_tolerance = 1e-12;  // of turns without closed forms
   }
   return solver;
-}
-
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
 }
 
 std::string text(const ModeSwitch& at) {
@@ -95,7 +90,7 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
     audit.touched += turn.touched;
     audit.exact_turns += closed_form;
     const std::string unshared = first_unshared(turn.switches, again.switches);
-    const double apart = distance(turn.section, again.section);
+    const double apart = section_distance(turn.section, again.section);
     if (apart <= tolerance) {
       audit.grazes += !unshared.empty();
       continue;
@@ -105,8 +100,8 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
       continue;
     }
     const auto reference = fixed_step_turn(free, before, reference_steps);
-    const double exact_error = distance(turn.section, reference),
-                 other_error = distance(again.section, reference);
+    const double exact_error = section_distance(turn.section, reference),
+                 other_error = section_distance(again.section, reference);
     if (exact_error > clearly * other_error) {
       audit.difference = EventDifference{k + 1, exact_error, other_error, unshared};
       return audit;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "audit/section_distance.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
@@ -24,12 +25,6 @@ constexpr int revolutions_of_a_cell = 1500;
 constexpr long most_turns_exact = 60'000, most_turns_adaptive = 1'500;
 constexpr int window = 64;
 
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 /// The last sections of a run.
 class Sections {
  public:
@@ -44,7 +39,7 @@ class Sections {
   /// Distance of the last section from the one `turns` before; infinite where that is not known.
   double returns_by(int turns) const {
     const auto n = static_cast<std::size_t>(turns);
-    return n < list_.size() ? distance(list_[0], list_[n]) : std::numeric_limits<double>::infinity();
+    return n < list_.size() ? section_distance(list_[0], list_[n]) : std::numeric_limits<double>::infinity();
   }
 
   /// The smallest number of turns after which the section comes back within `tolerance`; 0: none.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <ranges>
 
 #include "rubsweep/contact/saturation.hpp"
 #include "rubsweep/integrate/certified_step.hpp"

@@ -27,10 +27,6 @@ inline constexpr double largest_floquet_modulus = 1 - 1e-6;
 /// An orbit is not looked for farther from the transient than this, in (clearance, clearance omega).
 inline constexpr double farthest_orbit = 0.2;
 
-/// Share of its distance from the orbit by which a transient in the turning frame may miss the linear map
-/// about it.
-inline constexpr double linear_share = 0.1;
-
 /// A transient of a run at ordinary tolerances that is this near is on the orbit: what it does next is noise.
 inline constexpr double on_the_orbit = 1e-6;
 
