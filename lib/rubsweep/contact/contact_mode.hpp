@@ -57,21 +57,21 @@ constexpr NormalForce force_in_mode(Mode mode, double stiffness, double damping,
 
 /// One way out of a mode: `value` < 0 inside, the mode ends when it rises through zero. `rate` = d value /
 /// dt.
-struct Exit {
+struct Guard {
   double value = 0;
   double rate = 0;
   Mode next = Mode::open;
 };
 
-struct Exits {
-  std::array<Exit, 2> list{};
+struct Guards {
+  std::array<Guard, 2> list{};
   int count = 0;
 };
 
-/// The exits armed in `mode`, at most two:
+/// The guards armed in `mode`, at most two:
 /// open: p; clamped: K p - d v; sprung: d v - K p and -(K p + d v); released: -p and K p + d v.
 /// Without damping sprung is the only touching mode and ends as p falls through zero.
-constexpr Exits exits_of(Mode mode, double stiffness, double damping, const Kinematics& k) {
+constexpr Guards guards_of(Mode mode, double stiffness, double damping, const Kinematics& k) {
   const double spring = stiffness * k.penetration;
   const double spring_rate = stiffness * k.closing_speed;
   const double damper = damping * k.closing_speed;
@@ -96,7 +96,7 @@ constexpr Exits exits_of(Mode mode, double stiffness, double damping, const Kine
   return {};
 }
 
-/// Where an exit from `mode` towards `next` really leads. Out of sprung the way to clamped (d v = K p) is one
+/// Where a guard from `mode` towards `next` really leads. Out of sprung the way to clamped (d v = K p) is one
 /// of rising penetration, that to released (d v = -K p) one of falling penetration. With little damping both
 /// lie within rounding of p = 0, and which of the two a solver meets there is chance: v tells.
 constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) {
@@ -104,17 +104,17 @@ constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) 
   return kinematics.closing_speed > 0 ? Mode::clamped : Mode::released;
 }
 
-/// Mode just after an instant at which `mode` may have ended: follows every exit that is at or past zero and
-/// still rising, until none is. An exit past zero but falling is a return from a graze, not an event.
-/// Bounded: a state with all exits at zero and rising cannot exist, and four hops visit every mode.
+/// Mode just after an instant at which `mode` may have ended: follows every guard that is at or past zero and
+/// still rising, until none is. A guard past zero but falling is a return from a graze, not an event.
+/// Bounded: a state with all guards at zero and rising cannot exist, and four hops visit every mode.
 constexpr Mode mode_after(Mode mode, double stiffness, double damping, const Kinematics& kinematics) {
   for (int hop = 0; hop < mode_count; ++hop) {
-    const Exits exits = exits_of(mode, stiffness, damping, kinematics);
+    const Guards guards = guards_of(mode, stiffness, damping, kinematics);
     Mode next = mode;
-    for (int i = 0; i < exits.count; ++i) {
-      const Exit& exit = exits.list[static_cast<std::size_t>(i)];
-      if (exit.value >= 0 && exit.rate > 0) {
-        next = mode_through(mode, exit.next, kinematics);
+    for (int i = 0; i < guards.count; ++i) {
+      const Guard& guard = guards.list[static_cast<std::size_t>(i)];
+      if (guard.value >= 0 && guard.rate > 0) {
+        next = mode_through(mode, guard.next, kinematics);
         break;
       }
     }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "rubsweep/response/exponent.hpp"
-#include "rubsweep/response/full_spectrum.hpp"
 #include "rubsweep/response/growth.hpp"
-#include "rubsweep/response/motion.hpp"
+#include "rubsweep/response/motion/motion.hpp"
+#include "rubsweep/response/spectrum/full_spectrum.hpp"
 
 namespace rubsweep::response {
 
@@ -26,8 +26,9 @@ inline constexpr double zero_rate = 2e-5;
 
 /// What a motion without a period turned out to be.
 struct Aperiodic {
-  MotionClass motion_class = MotionClass::unsettled;  ///< quasi_periodic, chaotic or unsettled
-  std::optional<Exponent> exponent;                   ///< empty when a turn failed or contact ended
+  motion::MotionClass motion_class =
+      motion::MotionClass::unsettled;        ///< quasi_periodic, chaotic or unsettled
+  std::optional<motion::Exponent> exponent;  ///< empty when a turn failed or contact ended
   std::optional<int> returns_after;  ///< turns after which the section returns; the class is then unsettled
 };
 
@@ -47,6 +48,6 @@ struct Aperiodic {
 Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
                              std::vector<double> section,
                              const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
-                             SpectrumWorkspace& workspace);
+                             spectrum::SpectrumWorkspace& workspace);
 
 }  // namespace rubsweep::response
