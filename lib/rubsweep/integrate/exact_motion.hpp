@@ -42,13 +42,14 @@ class ExactMotion {
   /// none.
   void set_phases(double phase_rad, double kick_rad);
 
-  /// What changes along a mode.
+  /// What changes while the mode does not: the free vibration, and the phasors e^{i rate t} of unbalance and
+  /// kick.
   struct Instant {
     State free;
     std::complex<double> phasor, kick_phasor;
   };
   Instant here() const { return {free_, phasor_, kick_phasor_}; }
-  /// Moves an instant of the present mode, which must be made of pairs, leaving the motion where it is.
+  /// Moves an instant of the present mode, which must have a modal form; the motion stays where it is.
   void ahead(Instant& instant, double duration_s) const;
   /// The same by a step of the mode's table.
   void ahead_by_table(Instant& instant, int k) const;
@@ -63,7 +64,8 @@ class ExactMotion {
   /// p'' of flat contact `i`, by the law of the present mode.
   double closing_acceleration(std::size_t i, const State& physical) const;
 
-  /// Size of every pair or component of the free vibration, that bounds are multiplied by.
+  /// What bounds are multiplied by: with a modal form the length of every pair of the free vibration (n
+  /// numbers, then n zeros), else the size of each of its 2n components.
   State sizes() const;
   Exit exit(std::size_t e) const {
     const ExitPlan<N>& plan = mode_->exits[e];
@@ -71,9 +73,11 @@ class ExactMotion {
                       forced_exit(e));
   }
 
-  // The same in parts, for whoever can do with less.
+  // An exit is the sum of three parts: the terms of slow pairs of the free vibration, those of fast pairs,
+  // and the part that unbalance and kick force. Most steps can be certified from some of them, so that they
+  // can be had one by one.
 
-  /// What unbalance and kick add to an exit.
+  /// The forced part.
   struct Forced {
     Exit shaft, kick;
     bool kicked = false;
@@ -92,24 +96,27 @@ class ExactMotion {
     }
   };
   Forced forced_exit(std::size_t e) const;
-  /// What an exit sees of slow pairs, of which there must be some (so that there is a modal form), and these
-  /// with fast pairs; what it sees of fast ones alone.
+  /// The terms of slow pairs alone; those of slow and fast pairs, from the former; those of fast pairs alone.
+  /// The first two are for exits that have slow pairs (`plan.seen.slow_count` > 0); in all others every pair
+  /// counts as fast. Only a mode with a modal form tells slow from fast.
   SeenSum slow_sum(const ExitPlan<N>& plan) const { return sum_of(plan.seen.slow(), free_.data(), true); }
   SeenSum with_fast(const ExitPlan<N>& plan, SeenSum slow) const;
   SeenSum fast_sum(const ExitPlan<N>& plan) const {
     return sum_of(plan.seen.fast(), free_.data(), mode_->paired);
   }
-  /// By slow pairs, with the envelope of fast ones instead of their own values: never below the exit
-  /// function.
+  /// The exit with every fast pair at the top of its envelope instead of at its present value: never below
+  /// the exit itself, and it moves as slowly as the slow pairs do. A step over which this stays negative is
+  /// certified without a look at the fast pairs, however often they oscillate in it.
   Exit slow_exit(const ExitPlan<N>& plan, const SeenSum& slow, const Forced& forced) const;
   Exit whole_exit(const ExitPlan<N>& plan, const SeenSum& all, const Forced& forced) const {
     return forced.with(plan.constant + all.value(), all);
   }
 
-  /// (|d|^2 - C^2) / (2 C) of a ring.
+  /// What stands for the exit of an open annular stop: (|d|^2 - C^2) / (2 C), with d the offset of the rotor
+  /// and C the clearance. It passes through zero with |d| - C and is smooth in the centre, where |d| is not.
   Exit ring(std::size_t r, const State& sizes) const;
 
-  /// Normal force of touch `t`, which must push, at an instant of the present mode, newtons.
+  /// Normal force in newtons of the touching contact `t`, one that pushes, at an instant of the present mode.
   Exit force(std::size_t t, const Instant& instant) const;
 
   void step_by_table(int k);
@@ -122,8 +129,8 @@ class ExactMotion {
   /// ahead. Returns the duration.
   double land(std::size_t e, double within_s);
 
-  /// Bound on |d slip / dt| / length scale of a touching contact, within the longest step from `physical`,
-  /// the present state; without friction's part where the touch says so.
+  /// Bound on |d slip / dt| / length scale of a touching contact within the mode's longest step from
+  /// `physical`, the present state. Where the touch has a `friction_rate`, what friction adds is not in it.
   double sliding_rate_bound(const TouchPlan<N>& touch, const State& physical) const;
 
   void carry_nothing() { carried_.carry_nothing(); }
@@ -132,7 +139,7 @@ class ExactMotion {
   /// Replaces them by where they are now.
   void put_carried(Eigen::MatrixXd& disturbances) { carried_.put(*mode_, speed_, disturbances); }
 
-  /// One more, (u, u').
+  /// Carries one more, given as a change of (u, u').
   void carry_also(const State& disturbance) { carried_.add(*mode_, disturbance); }
   /// Where they are now, as `free()`.
   std::span<const State> carried() { return carried_.now(*mode_); }

@@ -26,8 +26,8 @@ struct Row {
   double eccentricity_m = 0;
   response::MotionClass motion_class = response::MotionClass::failed;
   std::optional<int> order;
-  std::optional<response::Measures>
-      measures;  ///< of the settled window; empty where nothing settled can be measured
+  /// Of the settled window; empty where nothing settled can be measured.
+  std::optional<response::Measures> measures;
   std::optional<response::Proof> proof;
   std::optional<bool> robust;                     ///< see is_robust; empty unless asked for
   std::optional<double> floquet_modulus;          ///< of a proven orbit, over its period
