@@ -27,7 +27,7 @@ double awkward(std::mt19937_64& random) {
 RunConfig awkward_config(std::mt19937_64& random) {
   const auto maybe = [&]() { return random() % 2 == 0 ? std::optional<double>() : awkward(random); };
   RunConfig config;
-  config.study.machine.rotor = {awkward(random), awkward(random), awkward(random)};
+  config.study.machine.rotor = {awkward(random), awkward(random), std::min(awkward(random), 0.9)};
   for (std::size_t i = 0; i < 1 + random() % 3; ++i) {
     model::Stop stop;
     stop.geometry = model::OneSideGeometry{-awkward(random)};

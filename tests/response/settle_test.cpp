@@ -178,9 +178,7 @@ TEST(Settle, NoUnbalanceRestsWithoutAnyLine) {
   EXPECT_EQ(settled.motion.measures.amplitude_1x_forward_m, 0);
 }
 
-std::string name(const SettledRun& settled) {
-  return std::string(to_string(settled.motion.motion_class));
-}
+std::string name(const SettledRun& settled) { return std::string(to_string(settled.motion.motion_class)); }
 
 /// By the adaptive solver alone, whose transients lead to the motions that the tests name.
 SettledRun run_annular(double speed_hz, double whirl_ratio, double offset_y_m = 0,

@@ -7,8 +7,8 @@
 
 namespace rubsweep::contact {
 
-/// The four smooth pieces of the clamped ElastoGap law. p penetration, v closing speed, K stiffness, d
-/// damping.
+/// The four pieces on each of which the clamped ElastoGap law is smooth. p is the penetration, v the closing
+/// speed dp/dt, K the stiffness, d the damping.
 enum class Mode : unsigned char {
   open,      ///< p <= 0: no force
   clamped,   ///< p > 0, d v >= K p: normal force 2 K p
@@ -55,8 +55,8 @@ constexpr NormalForce force_in_mode(Mode mode, double stiffness, double damping,
   return {};
 }
 
-/// One way out of a mode: `value` < 0 inside, the mode ends when it rises through zero. `rate` = d value /
-/// dt.
+/// One way out of a mode, a guard or event function: `value` is negative inside the mode, which ends when it
+/// rises through zero. `rate` is its time derivative.
 struct Guard {
   double value = 0;
   double rate = 0;
@@ -96,9 +96,10 @@ constexpr Guards guards_of(Mode mode, double stiffness, double damping, const Ki
   return {};
 }
 
-/// Where a guard from `mode` towards `next` really leads. Out of sprung the way to clamped (d v = K p) is one
-/// of rising penetration, that to released (d v = -K p) one of falling penetration. With little damping both
-/// lie within rounding of p = 0, and which of the two a solver meets there is chance: v tells.
+/// Where a guard from `mode` towards `next` really leads. A sprung contact becomes clamped (at d v = K p)
+/// while its penetration rises, and released (at d v = -K p) while it falls. With little damping both happen
+/// within rounding of p = 0, and which of the two a solver meets first there is chance: the sign of v
+/// decides.
 constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) {
   if (mode != Mode::sprung || next == Mode::open) return next;
   return kinematics.closing_speed > 0 ? Mode::clamped : Mode::released;

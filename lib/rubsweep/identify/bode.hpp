@@ -9,8 +9,9 @@ namespace rubsweep::identify {
 struct BodePoint {
   double speed_hz = 0;
   double amplitude_m = 0;
-  double phase_deg =
-      0;  ///< of the displacement against the mark on the shaft passing the sensor, 0 to -360: negative lags
+  /// Of the displacement against the instant at which the mark on the shaft passes the sensor: 0 to -360,
+  /// negative values lag.
+  double phase_deg = 0;
 };
 
 /// Splits a run-up into windows of `revolutions` and fits offset + Re(A e^{i phi}) to each. `shaft_angle_rad`

@@ -17,8 +17,8 @@ struct OneSideGeometry {
   double angle_deg = required;
 };
 
-/// Annular stop around the rotor. `offset_m` is that of the rotor's rest position against the stop's centre,
-/// (x, y).
+/// Annular stop, a round hole around the rotor. `offset_m` leads from the centre of the hole to the rotor's
+/// rest position, (x, y).
 struct AnnularGeometry {
   std::array<double, 2> offset_m{0, 0};
 };

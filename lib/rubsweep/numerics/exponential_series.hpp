@@ -11,7 +11,8 @@ namespace rubsweep::numerics {
 /// Size |A| t of a step up to which the series of e^{A t} is used.
 inline constexpr double longest_series = 1;
 
-/// Below it the series costs no more than two steps of a table.
+/// Size of a step up to which the series, of 12 terms then, costs no more than two steps by the table of
+/// flows.
 inline constexpr double short_series = 0.14;
 
 /// Highest term of the series of e^x, |x| = `size` <= longest_series, that double rounding does not hide:

@@ -38,12 +38,11 @@ struct Aperiodic {
 /// - Unsettled at once when a turn fails, or when `window` turns pass without contact.
 /// - Unsettled when the section returns, after any number of turns that fits twice into the last two fifths
 ///   (`returns_after`), or when the exponent is below -chaos_floor beyond its bar: still settling.
-/// - Chaotic when the exponent is positive beyond its bar and above chaos_floor, and 1280 turns have not
-/// ended it.
+/// - Chaotic when the exponent is positive beyond its bar and above chaos_floor, and still is after 1280
+/// turns.
 /// - Quasi-periodic when the exponent is zero within its bar, which lies within +-chaos_floor; the closest
-/// return within
-///   window / 2 turns is significant and neither grows nor shrinks; and both halves of the last four fifths
-///   of the turns hold the same discrete lines.
+///   return within window / 2 turns is significant and neither grows nor shrinks; and both halves of the last
+///   four fifths of the turns hold the same discrete lines.
 /// - Else unsettled.
 Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
                              std::vector<double> section,

@@ -18,8 +18,8 @@ struct SettledRun {
   motion::Motion motion;                  ///< class `failed` when the outcome is not ok
   std::optional<motion::Proof> proof;     ///< empty: unsettled or failed
   std::optional<double> floquet_modulus;  ///< of a proven orbit: largest multiplier over its period
-  long revolutions =
-      0;  ///< from the kick to the end of the windows; those that measure an exponent do not count
+  /// From the kick to the end of the windows; those that measure an exponent do not count.
+  long revolutions = 0;
   std::optional<long> last_contact_revolution;  ///< 1 for the first; empty: the wall was never touched
   bool slip_reversed = false;                   ///< some slip speed was <= 0 while touching
   integrate::run::Effort effort;

@@ -34,9 +34,9 @@ constexpr bool can_run(Start start) { return start == Start::quiet || start == S
 struct Cell {
   Scene scene;
   QuietMotion quiet;
-  double eccentricity_m =
-      0;  ///< one of these two was given; the other is NaN where none matches it: at an undamped
-  double whirl_ratio = 0;  ///< resonance, or where static forces leave no clearance at the first stop
+  /// One of the two was given, the other belongs to it. NaN where there is none: at an undamped resonance, or
+  /// where static forces leave no clearance at the first stop.
+  double eccentricity_m = 0, whirl_ratio = 0;
   Start start = Start::quiet;
 };
 

@@ -27,8 +27,8 @@ struct Contact {
   double surface_speed_m_per_s = 0;  ///< R omega
 };
 
-/// Half-sine pulse F(t) = force_n sin(pi (t + elapsed_s) / duration_s) while 0 <= t + elapsed_s <=
-/// duration_s.
+/// Half-sine pulse: F(t) = force_n sin(pi (t + elapsed_s) / duration_s) as long as t + elapsed_s is between 0
+/// and duration_s, nothing before and after.
 struct Pulse {
   Eigen::VectorXd direction;  ///< n: generalised force per newton
   double force_n = 0;

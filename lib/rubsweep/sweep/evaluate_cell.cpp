@@ -43,8 +43,7 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
   } else {
     add_status(row, integrate::run::to_string(run.outcome));
   }
-  if (run.motion.status != response::motion::MotionStatus::ok)
-    add_status(row, to_string(run.motion.status));
+  if (run.motion.status != response::motion::MotionStatus::ok) add_status(row, to_string(run.motion.status));
   if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
 }
 

@@ -26,8 +26,8 @@ struct Row {
   double eccentricity_m = 0;
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
   std::optional<int> order;
-  std::optional<response::motion::Measures>
-      measures;  ///< of the settled window; empty where nothing settled can be measured
+  /// Of the settled window; empty where nothing settled can be measured.
+  std::optional<response::motion::Measures> measures;
   std::optional<response::motion::Proof> proof;
   std::optional<bool> robust;                     ///< see is_robust; empty unless asked for
   std::optional<double> floquet_modulus;          ///< of a proven orbit, over its period

@@ -46,8 +46,8 @@ struct Trace {
   std::vector<TracedState> section;     ///< states at t = 0, T, 2 T, ...: one more than revolutions
   std::vector<TracedSwitch> switches;   ///< none where the law is smoothed: nothing is located then
   std::vector<response::motion::ContactFacts> turns;  ///< one per whole revolution
-  std::vector<std::complex<double>>
-      displacement_m;  ///< samples of the last window, or of the whole run if shorter
+  /// Samples of the last window, or of the whole run if shorter.
+  std::vector<std::complex<double>> displacement_m;
   std::optional<long> last_contact_revolution;  ///< 1 for the first; empty: no wall was touched
   integrate::run::Effort effort;
 };

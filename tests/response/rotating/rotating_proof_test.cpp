@@ -18,9 +18,7 @@ SettledRun run(const scene::Cell& cell, bool proof, int max_revolutions = 600) {
   return settle(cell, {}, options, workspace);
 }
 
-std::string name(const SettledRun& settled) {
-  return std::string(to_string(settled.motion.motion_class));
-}
+std::string name(const SettledRun& settled) { return std::string(to_string(settled.motion.motion_class)); }
 
 /// Proven within so many turns to be what a run of `observed_turns` without any proof shows.
 struct ProvenAndObserved {

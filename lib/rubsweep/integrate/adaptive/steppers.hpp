@@ -18,13 +18,12 @@
 namespace rubsweep::integrate::adaptive {
 
 /// Every method below offers the same three calls on a Step whose start is filled in:
-///   bool try_step(dynamics, step, size): true: `end`, `end_rate` and `end_phase` are filled. Either way
-///   `size`
-///        becomes the next size to try.
-///   void state_at(dynamics, step, phase, out): state inside the last accepted step; by dense output where
-///   the method
-///        has one, else by the same method from the start of the step.
-///   void restart(): the right-hand side changed its form.
+/// - `bool try_step(dynamics, step, size)` attempts a step of `size` radians. True: it was accepted, and the
+///   step's `end`, `end_rate` and `end_phase` are filled. Either way `size` becomes the next size to try.
+/// - `void state_at(dynamics, step, phase, out)` gives a state inside the last accepted step: by dense output
+///   where the method has one, else by the same method again from the start of the step.
+/// - `void restart()` says that the right-hand side has changed its form, at a change of contact mode or an
+///   impulse: what the method remembers of earlier steps is of no use.
 namespace odeint = boost::numeric::odeint;
 
 template <class State>

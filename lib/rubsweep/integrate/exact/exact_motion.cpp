@@ -217,10 +217,17 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   if (size > numerics::short_series) {
     const auto start = expand(1, 2);
     const double guess_s = std::clamp(numerics::next_root(start[0], start[1], 2 * start[2]), 0.0, within_s);
+    // Steps of the table lead up to the parabola's root as far as they fit; the series reaches over what they
+    // leave, with a quarter to spare, and over a twentieth of the whole, for the error of the parabola. Where
+    // that is not enough the loop below takes a longer series, so that these two numbers decide the cost
+    // alone. Measured: of 810 000 landings of configs/figure06_one_side.yaml and 770 000 of three other maps
+    // none was farther from the parabola's root than a twentieth, and none needed a second series, at 10.3
+    // terms each in the mean. A series that reaches no farther than the parabola's root needs a second one in
+    // 42 % of them, 15.3 terms in the mean.
     stepped_s = guess_s - table_steps(*mode_, fastest, guess_s, [this](int k) { step_by_table(k); });
     size = fastest * (1.25 * (guess_s - stepped_s) + 0.05 * guess_s);
   }
-  size += 1e-4;
+  size += 1e-4;  // not zero where the root is here, and still the shortest of all series
   for (;; size = std::min(4 * size, numerics::longest_series)) {
     const double duration_s = size / fastest;
     root_s = duration_s * numerics::root_of_series(expand(duration_s, numerics::series_terms(size)));

@@ -42,13 +42,14 @@ class ExactMotion {
   /// none.
   void set_phases(double phase_rad, double kick_rad);
 
-  /// What changes along a mode.
+  /// What changes while the mode does not: the free vibration, and the phasors e^{i rate t} of unbalance and
+  /// kick.
   struct Instant {
     State free;
     std::complex<double> phasor, kick_phasor;
   };
   Instant here() const { return {free_, phasor_, kick_phasor_}; }
-  /// Moves an instant of the present mode, which must be made of pairs, leaving the motion where it is.
+  /// Moves an instant of the present mode, which must have a modal form; the motion stays where it is.
   void ahead(Instant& instant, double duration_s) const;
   /// The same by a step of the mode's table.
   void ahead_by_table(Instant& instant, int k) const;
@@ -63,7 +64,8 @@ class ExactMotion {
   /// p'' of flat contact `i`, by the law of the present mode.
   double closing_acceleration(std::size_t i, const State& physical) const;
 
-  /// Size of every pair or component of the free vibration, that bounds are multiplied by.
+  /// What bounds are multiplied by: with a modal form the length of every pair of the free vibration (n
+  /// numbers, then n zeros), else the size of each of its 2n components.
   State sizes() const;
   GuardValue guard(std::size_t e) const {
     const LinearGuard<N>& guard = mode_->guards[e];
@@ -72,9 +74,11 @@ class ExactMotion {
                        forced_guard(e));
   }
 
-  // The same in parts, for whoever can do with less.
+  // An exit is the sum of three parts: the terms of slow pairs of the free vibration, those of fast pairs,
+  // and the part that unbalance and kick force. Most steps can be certified from some of them, so that they
+  // can be had one by one.
 
-  /// What unbalance and kick add to a guard.
+  /// The forced part.
   struct Forced {
     GuardValue shaft, kick;
     bool kicked = false;
@@ -93,8 +97,9 @@ class ExactMotion {
     }
   };
   Forced forced_guard(std::size_t e) const;
-  /// What a guard sees of slow pairs, of which there must be some (so that there is a modal form), and these
-  /// with fast pairs; what it sees of fast ones alone.
+  /// The terms of slow pairs alone; those of slow and fast pairs, from the former; those of fast pairs alone.
+  /// The first two are for guards that have slow pairs (`guard.terms.slow_count` > 0); in all others every
+  /// pair counts as fast. Only a mode with a modal form tells slow from fast.
   ModalSum slow_sum(const LinearGuard<N>& guard) const {
     return sum_of(guard.terms.slow(), free_.data(), true);
   }
@@ -102,17 +107,19 @@ class ExactMotion {
   ModalSum fast_sum(const LinearGuard<N>& guard) const {
     return sum_of(guard.terms.fast(), free_.data(), mode_->paired);
   }
-  /// By slow pairs, with the envelope of fast ones instead of their own values: never below the guard
-  /// function.
+  /// The guard with every fast pair at the top of its envelope instead of at its present value: never below
+  /// the guard itself, and it moves as slowly as the slow pairs do. A step over which this stays negative is
+  /// certified without a look at the fast pairs, however often they oscillate in it.
   GuardValue slow_guard(const LinearGuard<N>& guard, const ModalSum& slow, const Forced& forced) const;
   GuardValue whole_guard(const LinearGuard<N>& guard, const ModalSum& all, const Forced& forced) const {
     return forced.with(guard.constant + all.value(), all);
   }
 
-  /// (|d|^2 - C^2) / (2 C) of an annular stop.
+  /// What stands for the guard of an open annular stop: (|d|^2 - C^2) / (2 C), with d the offset of the rotor
+  /// and C the clearance. It passes through zero with |d| - C and is smooth in the centre, where |d| is not.
   GuardValue annular(std::size_t r, const State& sizes) const;
 
-  /// Normal force of touch `t`, which must push, at an instant of the present mode, newtons.
+  /// Normal force in newtons of the touching contact `t`, one that pushes, at an instant of the present mode.
   GuardValue force(std::size_t t, const Instant& instant) const;
 
   void step_by_table(int k);
@@ -125,8 +132,8 @@ class ExactMotion {
   /// ahead. Returns the duration.
   double land(std::size_t e, double within_s);
 
-  /// Bound on |d slip / dt| / length scale of a touching contact, within the longest step from `physical`,
-  /// the present state; without friction's part where the touch says so.
+  /// Bound on |d slip / dt| / length scale of a touching contact within the mode's longest step from
+  /// `physical`, the present state. Where the touch has a `friction_rate`, what friction adds is not in it.
   double sliding_rate_bound(const TouchWatch<N>& touch, const State& physical) const;
 
   void carry_no_tangents() { tangents_.clear(); }
@@ -135,7 +142,7 @@ class ExactMotion {
   /// Replaces them by where they are now.
   void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, speed_, vectors); }
 
-  /// One more, (u, u').
+  /// Carries one more, given as a change of (u, u').
   void carry_tangent_too(const State& vector) { tangents_.add(*mode_, vector); }
   /// Where they are now, as `free()`.
   std::span<const State> tangents() { return tangents_.now(*mode_); }

@@ -42,15 +42,17 @@ struct LinearGuard {
   /// Fast pairs (a ringing casing) may be bounded by their envelope, which lets the step go by the slow ones.
   /// Where none is split off, all count as fast.
   ModalTerms terms;
-  double constant = 0;  ///< value = what it sees of z + constant + forced part
-  /// Taylor coefficients of what it sees of z, time in units of 1 / fastest_rad_per_s of the mode: column j
-  /// is what a unit of z_j adds to them.
+  double constant = 0;  ///< value = sum of the `terms` + constant + forced part
+  /// Taylor coefficients in time of the sum of these terms, time in units of 1 / fastest_rad_per_s of the
+  /// mode: column j is what a unit of z_j adds to them.
   numerics::SeriesTable<ExactTypes<N>::states> taylor;
   std::vector<Eigen::Index> columns;  ///< those that are not zero
 };
 
-/// An annular stop seen from inside: d = rows . z + centre + forced part stays shorter than the clearance.
-/// Bounds as above, for the lengths of d' and d''.
+/// An annular stop that is not touched: the guard is reached when the offset d = row . z + centre + forced
+/// part of the rotor against the stop, a vector of two components, becomes as long as the clearance. `rate`
+/// gives d' from z. Multiplied by ExactMotion::sizes(), `speed_bound` and `curvature_bound` bound the lengths
+/// of the free vibration's parts of d' and d'' over the mode's longest step.
 template <int N>
 struct AnnularGuard {
   std::size_t contact = 0;
@@ -59,26 +61,30 @@ struct AnnularGuard {
   typename ExactTypes<N>::Row speed_bound, curvature_bound;
 };
 
-/// What a touching contact is watched for.
+/// A touching contact: its normal force, for the peak, and its sliding speed, which must stay where friction
+/// is saturated. "Bound" is over the mode's longest step and is to be multiplied by ExactMotion::sizes().
 template <int N>
 struct TouchWatch {
   std::size_t contact = 0;
   typename ExactTypes<N>::Row force;  ///< normal force = force . (state - rest) + constant, newtons
   double force_constant = 0;
   ModalTerms force_of_free;                        ///< the free vibration's part of it
-  bool pushes = false;                             ///< the normal force is not zero all along
+  bool pushes = false;                             ///< false: released, the normal force is zero
   typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
-  typename ExactTypes<N>::Row sliding_rate_bound;  ///< as above
-  /// Friction taken apart from the structure, per contact: what it may add to the sliding rate per
-  /// penetration at the start, at once and by what it has moved after a second. Where nonempty, all contacts
-  /// are released, so that penetrations only fall, and `sliding_rate_bound` is on the free vibration of the
-  /// mode without any contact.
+  typename ExactTypes<N>::Row sliding_rate_bound;  ///< of the free vibration's part of d sliding / dt
+  /// Empty in most modes. Where every touching contact is released there is nothing but friction, mu K p at
+  /// contact k, between rotor and casings, and the penetrations p only fall. `sliding_rate_bound` is then on
+  /// the free vibration of the structure without any contact, and friction is added as a force from outside:
+  /// per penetration of contact k at the start, `friction_rate[k]` is what it adds to d sliding / dt at once
+  /// and `friction_swing[k]` what it adds per second through the vibration that it has excited by then.
   std::vector<double> friction_rate, friction_swing;
 };
 
-/// Exact flow of one joint contact mode, (u, u') = particular solution + basis z. With a modal form z is made
-/// of pairs (z_j, z_{n+j}) and the size of a pair is its length; else basis = 1, z moves by full matrices and
-/// every component has its own size.
+/// Everything that the exact solver knows beforehand about one joint contact mode, inside which the law is
+/// linear: (u, u') = particular solution + basis z with the free vibration z. Where the mode has a modal form
+/// (`paired`), z consists of pairs (z_j, z_{n+j}) that do not influence each other, and bounds go by the
+/// length of each pair. Else the basis is the identity, z moves by full matrix exponentials, and bounds go by
+/// the size of each component.
 template <int N>
 struct LinearMode {
   using Types = ExactTypes<N>;
@@ -102,7 +108,7 @@ struct LinearMode {
   std::vector<LinearGuard<N>> guards;
   std::vector<AnnularGuard<N>> annular_guards;
   std::vector<TouchWatch<N>> touches;
-  bool pushes = false;  ///< one of them does
+  bool pushes = false;  ///< one of the touches does
 
   typename Types::State from_free(const typename Types::State& z) const { return change(basis, z); }
   typename Types::State to_free(const typename Types::State& vibration) const {

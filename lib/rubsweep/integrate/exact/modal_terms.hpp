@@ -15,20 +15,22 @@ inline double pair_size(double u, double v) {
   return std::max(a, b) + 0.5 * std::min(a, b);
 }
 
-/// What a linear function of the free vibration z sees of one pair (z_u, z_v) of a modal form, or of a
-/// coordinate and its rate where there is none.
+/// One term of a linear function of the free vibration z: a penetration, for example, is a fixed combination
+/// of all modal coordinates, and what one mode of vibration adds to it is a term. It depends on the pair
+/// (z_u, z_v) of that mode; in a contact mode without a modal form, on a displacement and its velocity.
 struct ModalTerm {
   Eigen::Index u = 0, v = 0;
-  double value_u = 0, value_v = 0;  ///< per unit of each
-  double rate_u = 0, rate_v = 0;    ///< the function's rate, the same
-  /// What a unit of size can do to the second derivative within the mode's longest step: of the pair, in
-  /// `bound_u` alone, or of each component.
+  double value_u = 0, value_v = 0;  ///< the term is value_u z_u + value_v z_v
+  double rate_u = 0, rate_v = 0;    ///< its time derivative is rate_u z_u + rate_v z_v
+  /// Bound of its second derivative over the mode's longest step from now: bound_u |(z_u, z_v)| with a modal
+  /// form, bound_u |z_u| + bound_v |z_v| without one.
   double bound_u = 0, bound_v = 0;
-  double envelope = 0;  ///< the same for the function itself
+  double envelope = 0;  ///< the term itself stays below envelope |(z_u, z_v)|; with a modal form only
 };
 
-/// A linear function of z by the pairs that it does see, slow ones first; where it sees none, by one that
-/// adds nothing.
+/// A linear function of z as the list of its terms, those that are zero left out. Slow pairs stand before
+/// fast ones. A function that depends on nothing has one term of zeros, so that there is always one to begin
+/// a sum with.
 struct ModalTerms {
   std::vector<ModalTerm> list;
   std::size_t slow_count = 0;
@@ -42,9 +44,9 @@ struct ModalTerms {
   }
 };
 
-/// Value, rate and bound on the second derivative of such a function, pair by pair.
+/// A sum of such terms: their value, their time derivative, and a bound of their second derivative.
 struct ModalSum {
-  // By u and by v apart, so that neither sum waits for the other.
+  // What comes from u and from v is summed apart: the processor adds both at once.
   double value_u, value_v, rate_u, rate_v, bound_u, bound_v;
 
   /// `paired`: z has a modal form.
@@ -72,15 +74,15 @@ struct ModalSum {
   double curvature() const { return bound_u + bound_v; }
 };
 
-/// Of one pair or more.
+/// Sum of one term or more at the state `z`.
 inline ModalSum sum_of(std::span<const ModalTerm> pairs, const double* z, bool paired) {
   ModalSum sum(pairs.front(), z, paired);
   for (const ModalTerm& pair : pairs.subspan(1)) sum += ModalSum(pair, z, paired);
   return sum;
 }
 
-/// Of a function whose value, rate, bound of the second derivative and bound of itself are these rows on z,
-/// each of 2n numbers; `fast` says which of the n pairs are.
+/// The terms of a function that is given by four rows of 2n numbers on z: its value, its time derivative, the
+/// bound of its second derivative and the bound of itself. `fast` says which of the n pairs count as fast.
 ModalTerms modal_terms(const Eigen::Matrix<double, 4, Eigen::Dynamic>& rows, const std::vector<bool>& fast);
 
 }  // namespace rubsweep::integrate::exact

@@ -12,7 +12,10 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Between states this far apart a cubic through values and rates has the maximum of a contact force.
+/// Between states no farther apart than this a cubic through values and rates has the maximum of a contact
+/// force. Its error is at most h^4 / 384 times the largest fourth derivative, which for a vibration of
+/// amplitude F at the angular frequency w is F w^4. No rate w of the motion is faster than 1 / reach_s(), so
+/// that h = reach_s() / 4 makes the error (1 / 4)^4 / 384 = 1e-5 of the amplitude.
 template <int N>
 double peak_reach_s(const ExactMotion<N>& motion) {
   return 0.25 * motion.reach_s();

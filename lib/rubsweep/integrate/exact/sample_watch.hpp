@@ -7,8 +7,9 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Takes the samples of an exact run. In modes made of pairs they do not cut the run's steps: the flow over
-/// one interval between samples goes from one to the next. Other modes end their steps at every sample.
+/// Takes the samples of an exact run. In modes with a modal form samples do not cut the run's steps: a second
+/// copy of the state goes from sample to sample by the flow over one sampling interval. In other modes, where
+/// such a flow would be a full matrix, the run ends its steps at every sample.
 template <int N>
 class SampleWatch {
  public:

@@ -12,8 +12,9 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Watches that friction stays saturated over stretches of contact that a mode's longest step covers. Between
-/// two instants a slip stays above their mean less half of what its rate allows.
+/// Watches that friction stays saturated, so that its coefficient is the constant that the mode's plan was
+/// made with, over stretches of contact no longer than the mode's longest step. Between two instants T apart
+/// a slip whose rate is at most L stays above (slip at the one + slip at the other - L T) / 2.
 template <int N>
 class SlipWatch {
  public:

@@ -9,8 +9,9 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Tangent vectors of an exact run's state, which follow its contact modes: by the flow of a mode once per
-/// visit to it, not once per step.
+/// Tangent vectors of an exact run: small disturbances of its state, moved by the derivative of the flow.
+/// Inside a contact mode the law is linear, so that the derivative is the flow of the mode itself; it is
+/// applied once per visit to the mode, over the whole time spent there, not once per step.
 template <int N>
 class TangentVectors {
  public:
@@ -19,8 +20,8 @@ class TangentVectors {
   void begin(const LinearMode<N>& mode, double speed_rad_per_s, const Eigen::MatrixXd& vectors);
   /// The run has gone on in its mode.
   void pass(double duration_s) { lag_s_ += duration_s; }
-  /// The run leaves mode `from` for `to`: at a guard its state, and so its tangent vectors, go on without a
-  /// jump.
+  /// The run leaves mode `from` for `to`. The force is continuous there, so that the disturbances go on
+  /// without a jump (the saltation matrix is the identity); only their coordinates change.
   void change(const LinearMode<N>& from, const LinearMode<N>& to);
   /// One more from here on, (u, u') with time in seconds.
   void add(const LinearMode<N>& mode, const typename ExactTypes<N>::State& physical);

@@ -7,14 +7,15 @@
 
 namespace rubsweep::integrate::exact {
 
-/// What something linear in the state makes of every disturbance that is carried: values, rates and bounds of
-/// the second derivatives.
+/// A linear function of the state (a guard, a slip) applied to every disturbance that is carried: its values,
+/// rates, and bounds of its second derivatives, one number per disturbance.
 struct SeenByDisturbances {
   std::vector<double> value, rate, curvature;
 };
 
-/// The first `base` numbers, of the unit disturbances, as one length, and the others, of kicks, each by
-/// itself.
+/// The spread that these values mean: the first `base` of them belong to the unit disturbances that span the
+/// tube and count as one Euclidean length, the others belong to the kicks at changes of mode, one number
+/// each.
 TurnTube::Spread spread_of(const std::vector<double>& values, std::size_t base);
 
 /// The largest over a step of `duration_s`: a length is convex, so that along a straight line it is largest

@@ -4,7 +4,8 @@
 
 namespace rubsweep::integrate::run {
 
-/// How a stretch of integration ended. Expected endings are values: a bad cell is data, not an exception.
+/// How a stretch of integration ended. A cell that cannot be integrated is a result like any other, so that
+/// this is a value and not an exception.
 enum class Outcome {
   ok,
   step_limit,      ///< more steps in one revolution than allowed

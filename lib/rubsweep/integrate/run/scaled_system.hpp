@@ -15,8 +15,8 @@ namespace rubsweep::integrate::run {
 /// an annular stop.
 template <int N>
 struct ScaledContact {
-  Eigen::Matrix<double, 1, N> first_row,
-      second_row;  ///< d = (first_row u + offset[0], second_row u + offset[1])
+  /// d = (first_row u + offset[0], second_row u + offset[1])
+  Eigen::Matrix<double, 1, N> first_row, second_row;
   Eigen::Matrix<double, N, 1> first_push, second_push;  ///< scaled acceleration per newton on the casing
   bool annular = false;
   std::array<double, 2> offset{};  ///< annular only, else zero
@@ -32,9 +32,11 @@ struct ScaledContact {
 };
 
 /// A scene in the units that make every tolerance a pure number: length in L = scene.length_scale_m, time in
-/// radians of shaft rotation. u'' = -stiffness u - damping u' + cosine cos(phase) + sine sin(phase) +
-/// constant + pulse
-/// + contacts, with the mass matrix already divided out. N coordinates, or Eigen::Dynamic.
+/// radians of shaft rotation. With the mass matrix already divided out, its equations of motion are
+///
+///     u'' = -stiffness u - damping u' + cosine cos(phase) + sine sin(phase) + constant + pulse + contacts.
+///
+/// N coordinates, or Eigen::Dynamic.
 template <int N>
 struct ScaledSystem {
   using Vector = Eigen::Matrix<double, N, 1>;

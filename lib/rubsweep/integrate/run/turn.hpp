@@ -30,8 +30,8 @@ struct Effort {
 };
 
 /// One revolution: what is asked of the integrator, and what it answers. Reused from turn to turn.
-/// States are scaled: displacements by the scene's length scale L, velocities by L * speed; q then q', 2n
-/// numbers.
+/// States are scaled and hold 2n numbers: the displacements q in units of the scene's length scale L, then
+/// the velocities q' in units of L * speed.
 struct Turn {
   int samples_per_revolution = 0;  ///< asked: states at phases 2 pi k / N, k = 0..N-1; 0: none
   bool peaks = false;              ///< asked: fill the peak_ numbers

@@ -19,14 +19,13 @@ inline constexpr double significant_share_of_clearance = 1e-6;
 /// Energy off the multiples of 1/n stays below this share of the energy without 0X.
 inline constexpr double off_order_energy_limit = 1e-4;
 
-/// View of one window: `turns` successive turns of one run. Nothing is copied. A ring of two windows that is
-/// filled from its beginning holds the older and the newer window each in one piece whenever one is complete.
+/// View of one window: `turns` successive turns of one run. Nothing is copied.
 struct Window {
   int turns = 0;
   int samples_per_revolution = 0;
   double clearance_m = 0;  ///< of the kicked stop, > 0: scale of what matters
-  std::span<const std::complex<double>>
-      displacement_m;  ///< turns x samples_per_revolution, end point left out
+  /// turns x samples_per_revolution samples, the end point left out.
+  std::span<const std::complex<double>> displacement_m;
   int states = 0;
   std::span<const double> section;  ///< (turns + 1) x states, scaled rows as `period_of_section` takes them
   std::span<const ContactFacts> contact;  ///< of each turn

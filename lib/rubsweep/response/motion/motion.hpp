@@ -68,8 +68,8 @@ constexpr std::string_view to_string(MotionStatus status) {
 
 /// What can be measured in one window whatever the motion is called.
 struct Measures {
-  int turns =
-      0;  ///< last turns of the window, whole periods where there is one: the base of all that follows
+  /// The last turns of the window, whole periods where there is one: what all that follows is taken from.
+  int turns = 0;
   ContactFacts contact;
   double amplitude_1x_forward_m = 0;
   double amplitude_1x_backward_m = 0;

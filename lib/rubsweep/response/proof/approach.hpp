@@ -7,7 +7,7 @@
 
 namespace rubsweep::response::proof {
 
-/// What counts as near an orbit.
+/// What counts as near an orbit: either of the two distances is enough.
 struct Nearness {
   double adapted = 0;  ///< distance in the adapted norm of the turn
   double largest = 0;  ///< or this largest component of it, in (clearance, clearance omega)

@@ -9,8 +9,10 @@
 
 namespace rubsweep::response::rotating {
 
-/// An autonomous system: its rate, and what it does in `angle_rad` from `state`: quickly, to about 1e-6, for
-/// Newton's first steps, and to the accuracy that the cycle is wanted with.
+/// An autonomous system: its rate, and its flow from `state` over `angle_rad`, once cheaply with an accuracy
+/// of about 1e-6 for Newton's first steps (`roughly`) and once with the accuracy that the cycle is wanted
+/// with
+/// (`exactly`).
 struct RotatingMotion {
   using Flow = std::function<std::optional<RotatingArc>(const Eigen::VectorXd& state, double angle_rad)>;
   std::function<Eigen::VectorXd(const Eigen::VectorXd& state)> rate;
