@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "response/companion_growth.hpp"
+
 namespace rubsweep::response {
 namespace {
 
@@ -23,7 +25,7 @@ Aperiodic follow(const SectionMap& map, const std::vector<double>& state, int co
   int turns = 0;
   SpectrumWorkspace workspace;
   return classify_aperiodic(
-      companion_growth(map, state), [&] { return ++turns <= contact_ends; }, state, observed, window,
+      test::companion_growth(map, state), [&] { return ++turns <= contact_ends; }, state, observed, window,
       workspace);
 }
 
@@ -135,8 +137,8 @@ TEST(ClassifyAperiodic, AShorterPauseIsContact) {
   observed << 1, 0;
   SpectrumWorkspace workspace;
   const auto now_and_then = [&turns] { return ++turns % window == 0; };
-  EXPECT_EQ(name(classify_aperiodic(companion_growth(henon, std::vector{0.1, 0.2}), now_and_then, {0.1, 0.2},
-                                    observed, window, workspace)),
+  EXPECT_EQ(name(classify_aperiodic(test::companion_growth(henon, std::vector{0.1, 0.2}), now_and_then,
+                                    {0.1, 0.2}, observed, window, workspace)),
             "chaotic");
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "response/companion_growth.hpp"
 #include "rubsweep/response/exponent.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -46,7 +47,7 @@ TEST(Growth, TangentAndCompanionTellTheSameExponent) {
   const auto start = late_section(map, 100);
   auto a = start, b = start;
   const auto tangent = exponent_of(contributions(tangent_growth(map), a, 600));
-  const auto companion = exponent_of(contributions(companion_growth(std::ref(map), b), b, 600));
+  const auto companion = exponent_of(contributions(test::companion_growth(std::ref(map), b), b, 600));
   EXPECT_EQ(a, b);
   EXPECT_NEAR(tangent.per_revolution, companion.per_revolution, 1e-3 + 0.2 * tangent.error_bar);
 }
@@ -73,7 +74,7 @@ TEST(Growth, EndsWhereTheTurnFails) {
   SceneMap map(test::cell_of({}).scene, solver, plans);
   std::vector<double> section(8);
   EXPECT_FALSE(tangent_growth(map)(section));
-  EXPECT_FALSE(companion_growth(std::ref(map), section)(section));
+  EXPECT_FALSE(test::companion_growth(std::ref(map), section)(section));
 }
 
 }  // namespace

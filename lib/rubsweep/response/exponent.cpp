@@ -7,14 +7,13 @@
 #include <numbers>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/response/growth.hpp"
+#include "rubsweep/response/student_quantile.hpp"
 
 namespace rubsweep::response {
 namespace {
 
 constexpr std::size_t blocks = 8;
-constexpr std::size_t fewest = 40;           ///< four per block
-constexpr double student_quantile = 3.4995;  ///< 99 %, two-sided, blocks - 1 degrees of freedom
+constexpr std::size_t fewest = 40;  ///< four per block
 constexpr double lost_in_rounding = 1e-15;
 
 double hann_mean(std::span<const double> block) {
@@ -71,24 +70,14 @@ Exponent exponent_of(std::span<const double> contributions) {
   const auto kept = contributions.last(blocks * length);
   std::array<double, blocks> means{};
   double mean = 0;
+  // Summed here and not by Boost.Math's mean, which rounds otherwise: the maps print this number.
   for (std::size_t b = 0; b < blocks; ++b) {
     means[b] = hann_mean(kept.subspan(b * length, length));
     mean += means[b] / blocks;
   }
   double variance = 0;
   for (const double m : means) variance += (m - mean) * (m - mean) / (blocks - 1);
-  return {.per_revolution = mean, .error_bar = student_quantile * std::sqrt(variance / blocks)};
-}
-
-std::optional<Exponent> largest_exponent(const SectionMap& map, std::vector<double> state, int iterations) {
-  const Growth turn = companion_growth(map, state);
-  std::vector<double> contributions;
-  for (int k = 0; k < iterations; ++k) {
-    const auto growth = turn(state);
-    if (!growth) return std::nullopt;
-    contributions.push_back(*growth);
-  }
-  return exponent_of(contributions);
+  return {.per_revolution = mean, .error_bar = student_quantile(blocks - 1) * std::sqrt(variance / blocks)};
 }
 
 }  // namespace rubsweep::response

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
-
-#include "rubsweep/response/section_map.hpp"
 
 namespace rubsweep::response {
 
@@ -52,8 +49,5 @@ class Companion {
 /// (2017) 4111); the bars of such motions are ten to a hundred times shorter, those of chaotic ones 1.2 times
 /// longer. SolverError for fewer than 40 contributions.
 Exponent exponent_of(std::span<const double> contributions);
-
-/// Exponent of the motion from `state` over `iterations`; empty when the map fails.
-std::optional<Exponent> largest_exponent(const SectionMap& map, std::vector<double> state, int iterations);
 
 }  // namespace rubsweep::response

@@ -53,14 +53,6 @@ struct Tangent {
 
 }  // namespace
 
-Growth companion_growth(SectionMap map, std::span<const double> section) {
-  return [map = std::move(map),
-          companion = Companion(section)](std::span<double> base) mutable -> std::optional<double> {
-    if (!map(companion.state()) || !map(base)) return std::nullopt;
-    return companion.pull_back(base);
-  };
-}
-
 Growth tangent_growth(SceneMap& map) { return Tangent{map}; }
 
 }  // namespace rubsweep::response

@@ -13,9 +13,6 @@ namespace rubsweep::response {
 /// the disturbance grew by. Empty: the turn could not be made.
 using Growth = std::function<std::optional<double>(std::span<double> section)>;
 
-/// The disturbance is a companion of the motion that starts at `section`, followed through any map.
-Growth companion_growth(SectionMap map, std::span<const double> section);
-
 /// The disturbance is a tangent vector, moved by the exact derivative of the section where the turn has
 /// closed forms: nothing is lost to the distance of a companion, and there is no second run. Turns without
 /// closed forms take the difference to a companion. `map` must outlive what is returned.
