@@ -7,8 +7,8 @@
 #include <map>
 #include <optional>
 
+#include "batch/read_csv.hpp"
 #include "batch/temporary_directory.hpp"
-#include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/integrate/adaptive.hpp"
 #include "rubsweep/response/classify.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"

@@ -168,37 +168,5 @@ TEST(ExponentOf, RefusesFewerThanFortyContributions) {
   EXPECT_THROW(exponent_of(std::vector<double>(39)), SolverError);
 }
 
-TEST(Companion, StartsAtTheSeparationWithAShareOfEveryCoordinate) {
-  for (std::size_t states = 1; states <= 24; ++states) {
-    const std::vector<double> base(states, 0.0);
-    Companion companion(base);
-    double square = 0;
-    for (const double x : companion.state()) {
-      EXPECT_GT(std::abs(x), 0.1 * Companion::separation / std::sqrt(static_cast<double>(states)));
-      square += x * x;
-    }
-    EXPECT_NEAR(std::sqrt(square), Companion::separation, 1e-15);
-  }
-}
-
-TEST(Companion, IsPulledBackAlongTheLineToTheBase) {
-  const std::vector<double> base{1, 2};
-  Companion companion(base);
-  companion.state()[0] = 1 + 3e-3;
-  companion.state()[1] = 2 - 4e-3;
-  EXPECT_NEAR(companion.pull_back(base), std::log(5e-3 / Companion::separation), 1e-9);
-  EXPECT_NEAR(companion.state()[0], 1 + 0.6 * Companion::separation, 1e-15);
-  EXPECT_NEAR(companion.state()[1], 2 - 0.8 * Companion::separation, 1e-15);
-}
-
-TEST(Companion, StartsAnewWhenItFallsOntoTheBase) {
-  const std::vector<double> base{1, 2};
-  Companion companion(base);
-  companion.state()[0] = 1;
-  companion.state()[1] = 2;
-  EXPECT_NEAR(companion.pull_back(base), std::log(1e-10), 1e-9);
-  EXPECT_NEAR(std::hypot(companion.state()[0] - 1, companion.state()[1] - 2), Companion::separation, 1e-12);
-}
-
 }  // namespace
 }  // namespace rubsweep::response

@@ -77,5 +77,32 @@ TEST(Growth, EndsWhereTheTurnFails) {
   EXPECT_FALSE(test::companion_growth(std::ref(map), section)(section));
 }
 
+TEST(FirstDisturbance, HasTheSeparationAndAShareOfEveryCoordinate) {
+  for (std::size_t states = 1; states <= 24; ++states) {
+    const Eigen::VectorXd away = first_disturbance(states);
+    EXPECT_GT(away.cwiseAbs().minCoeff(), 0.1 * separation / std::sqrt(static_cast<double>(states)));
+    EXPECT_NEAR(away.norm(), separation, 1e-15);
+  }
+}
+
+TEST(Companion, IsPulledBackAlongTheLineToTheBase) {
+  const std::vector<double> base{1, 2};
+  test::Companion companion(base);
+  companion.state()[0] = 1 + 3e-3;
+  companion.state()[1] = 2 - 4e-3;
+  EXPECT_NEAR(companion.pull_back(base), std::log(5e-3 / separation), 1e-9);
+  EXPECT_NEAR(companion.state()[0], 1 + 0.6 * separation, 1e-15);
+  EXPECT_NEAR(companion.state()[1], 2 - 0.8 * separation, 1e-15);
+}
+
+TEST(Companion, StartsAnewWhenItFallsOntoTheBase) {
+  const std::vector<double> base{1, 2};
+  test::Companion companion(base);
+  companion.state()[0] = 1;
+  companion.state()[1] = 2;
+  EXPECT_NEAR(companion.pull_back(base), std::log(1e-10), 1e-9);
+  EXPECT_NEAR(std::hypot(companion.state()[0] - 1, companion.state()[1] - 2), separation, 1e-12);
+}
+
 }  // namespace
 }  // namespace rubsweep::response

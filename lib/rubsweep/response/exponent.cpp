@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t blocks = 8;
 constexpr std::size_t fewest = 40;  ///< four per block
-constexpr double lost_in_rounding = 1e-15;
 
 double hann_mean(std::span<const double> block) {
   double sum = 0, weights = 0;
@@ -27,39 +26,7 @@ double hann_mean(std::span<const double> block) {
   return sum / weights;
 }
 
-double distance(std::span<const double> a, std::span<const double> b) {
-  double square = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(square);
-}
-
 }  // namespace
-
-Companion::Companion(std::span<const double> base) : state_(base.size()) { start(base); }
-
-void Companion::start(std::span<const double> base) {
-  double square = 0;
-  for (std::size_t i = 0; i < state_.size(); ++i) {
-    // Multiples of the golden ratio, folded: no two coordinates get equal shares, none gets nothing.
-    const double share = 0.5 + std::fmod(std::numbers::phi * static_cast<double>(i + 1), 1.0);
-    state_[i] = i % 3 == 1 ? -share : share;
-    square += share * share;
-  }
-  for (std::size_t i = 0; i < state_.size(); ++i)
-    state_[i] = base[i] + separation * state_[i] / std::sqrt(square);
-}
-
-double Companion::pull_back(std::span<const double> base) {
-  const double apart = distance(state_, base);
-  if (apart < lost_in_rounding) {
-    start(base);
-    return std::log(lost_in_rounding / separation);
-  }
-  for (std::size_t i = 0; i < state_.size(); ++i) {
-    state_[i] = base[i] + (state_[i] - base[i]) * (separation / apart);
-  }
-  return std::log(apart / separation);
-}
 
 Exponent exponent_of(std::span<const double> contributions) {
   if (contributions.size() < fewest) {
