@@ -46,11 +46,12 @@ fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfi
 }
 
 int cannot_start(scene::Start start) {
-  say(fmt::format("rubtrace: {}; no trace, motion.csv only\n",
-                  start == scene::Start::initial_contact
-                      ? "static forces press the rotor on the wall, so that no unbalance gives this whirl ratio; "
-                        "give --eccentricity-m instead"
-                      : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion"));
+  say(fmt::format(
+      "rubtrace: {}; no trace, motion.csv only\n",
+      start == scene::Start::initial_contact
+          ? "static forces press the rotor on the wall, so that no unbalance gives this whirl ratio; "
+            "give --eccentricity-m instead"
+          : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion"));
   return some_cells_failed;
 }
 
@@ -86,6 +87,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
                                        report::map_header() + "\n" + report::map_line(row) + "\n"}};
   std::string summary = report::motion_summary(row);
 
+  // A second run of the cell: the first one, which classifies, ends where the motion is proven and asks the
+  // solver for other samples, so that its steps are not those of a trace of all revolutions.
   const scene::Cell cell = scene::build_cell(plan, arguments.speed_hz, arguments.unbalance);
   report::Trace trace;
   if (scene::can_run(cell.start)) {

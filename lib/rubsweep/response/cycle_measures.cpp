@@ -74,17 +74,7 @@ void measure_lines(const FullSpectrum& spectrum, double spacing, double half_bin
   }
   measures.amplitude_1x_forward_m = spectrum.amplitude(0);
   measures.dominant = dominant;
-  const double share = whirl_energy_share * (forward + backward);
-  measures.whirl = forward >= share    ? WhirlKind::forward
-                   : backward >= share ? WhirlKind::backward
-                                       : WhirlKind::mixed;
-}
-
-/// About the centre, which is where the mean of such a motion lies.
-OrbitKind shape_of(const std::vector<Complex>& w) {
-  const auto [nearest, farthest] = std::minmax_element(
-      w.begin(), w.end(), [](const Complex& a, const Complex& b) { return std::norm(a) < std::norm(b); });
-  return std::abs(*farthest) < circle_ratio * std::abs(*nearest) ? OrbitKind::circle : OrbitKind::oval;
+  measures.whirl = whirl_kind(forward, backward);
 }
 
 }  // namespace
@@ -99,7 +89,8 @@ Measures measure_cycle(const scene::Scene& scene, const integrate::TurningArc& o
                       .contact_fraction = std::min(1.0, once.contact_fraction),
                       .peak_displacement_m = once.peak_displacement_m,
                       .peak_contact_force_n = once.peak_contact_force_n};
-  measures.orbit = shape_of(w);
+  // The mean of such a motion lies in the centre.
+  measures.orbit = is_circle(w, 0) ? OrbitKind::circle : OrbitKind::oval;
   measures.comb_spacing = spacing;
   measure_lines(full_spectrum(w, 1, workspace.spectrum), spacing, 0.5 / options.window_revolutions, measures);
   return measures;
