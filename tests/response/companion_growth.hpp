@@ -9,7 +9,7 @@
 
 #include "rubsweep/response/exponent.hpp"
 #include "rubsweep/response/growth.hpp"
-#include "rubsweep/response/section_map.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
 
 namespace rubsweep::test {
 
@@ -50,7 +50,7 @@ class Companion {
 
 /// Growth of a companion of the motion that starts at `section`, followed through any map: another route to
 /// what `tangent_growth` finds, and the only one for maps that are not of a scene.
-inline response::Growth companion_growth(response::SectionMap map, std::span<const double> section) {
+inline response::Growth companion_growth(response::proof::SectionMap map, std::span<const double> section) {
   return [map = std::move(map),
           companion = Companion(section)](std::span<double> base) mutable -> std::optional<double> {
     if (!map(companion.state()) || !map(base)) return std::nullopt;
@@ -59,7 +59,7 @@ inline response::Growth companion_growth(response::SectionMap map, std::span<con
 }
 
 /// Exponent of the motion from `state` over `iterations`; empty when the map fails.
-inline std::optional<response::Exponent> largest_exponent(const response::SectionMap& map,
+inline std::optional<response::motion::Exponent> largest_exponent(const response::proof::SectionMap& map,
                                                           std::vector<double> state, int iterations) {
   const response::Growth turn = companion_growth(map, state);
   std::vector<double> contributions;

@@ -28,7 +28,7 @@ double hann_mean(std::span<const double> block) {
 
 }  // namespace
 
-Exponent exponent_of(std::span<const double> contributions) {
+motion::Exponent exponent_of(std::span<const double> contributions) {
   if (contributions.size() < fewest) {
     throw SolverError(
         fmt::format("an exponent takes {} iterations or more, got {}", fewest, contributions.size()));

@@ -2,14 +2,9 @@
 
 #include <span>
 
-namespace rubsweep::response {
+#include "rubsweep/response/motion/motion.hpp"
 
-/// Largest Lyapunov exponent: mean rate at which nearby motions part, per iteration of the map (for a
-/// section: per revolution). Positive: chaos; zero: a torus; negative: a periodic motion that attracts.
-struct Exponent {
-  double per_revolution = 0;
-  double error_bar = 0;  ///< half-width of the 99 % confidence interval, > 0
-};
+namespace rubsweep::response {
 
 /// Exponent from its contributions, one per iteration. The first fifth is dropped (the disturbance turns into
 /// the direction of largest growth), the rest makes 8 blocks of equal length with means m_b, each weighted by
@@ -19,6 +14,6 @@ struct Exponent {
 /// mean, which a flat block cuts off anywhere and a smooth one averages out (S. Das et al., Nonlinearity 30
 /// (2017) 4111); the bars of such motions are ten to a hundred times shorter, those of chaotic ones 1.2 times
 /// longer. SolverError for fewer than 40 contributions.
-Exponent exponent_of(std::span<const double> contributions);
+motion::Exponent exponent_of(std::span<const double> contributions);
 
 }  // namespace rubsweep::response

@@ -11,7 +11,7 @@ namespace {
 constexpr double lost = 1e-10;
 
 struct Tangent {
-  SceneMap& map;
+  proof::SceneMap& map;
   Eigen::MatrixXd direction{};  ///< one column
   std::vector<double> before{};
 
@@ -56,6 +56,6 @@ Eigen::VectorXd first_disturbance(std::size_t states) {
   return separation * shares / std::sqrt(square);
 }
 
-Growth tangent_growth(SceneMap& map) { return Tangent{map}; }
+Growth tangent_growth(proof::SceneMap& map) { return Tangent{map}; }
 
 }  // namespace rubsweep::response

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/response/section_map.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
 
 namespace rubsweep::response {
 
@@ -30,6 +30,6 @@ Eigen::VectorXd first_disturbance(std::size_t states);
 /// closed forms take the difference to a second run that starts at `separation`. G. Benettin, L. Galgani,
 /// J.-M. Strelcyn, Phys. Rev. A 14 (1976) 2338: the mean of what is returned tends to the largest exponent.
 /// `map` must outlive what is returned.
-Growth tangent_growth(SceneMap& map);
+Growth tangent_growth(proof::SceneMap& map);
 
 }  // namespace rubsweep::response

@@ -44,7 +44,7 @@ Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly,
   contact.rotor_point = assembly.rotor_points[index];
   contact.casing_point = assembly.casing_points[index];
   if (const auto* annular = std::get_if<model::AnnularGeometry>(&stop.geometry)) {
-    contact.ring = true;
+    contact.annular = true;
     contact.offset_m = {annular->offset_m[0], annular->offset_m[1]};
   } else {
     contact.normal = direction(std::get<model::OneSideGeometry>(stop.geometry).angle_deg);
@@ -110,13 +110,14 @@ void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaini
 }
 
 /// Smallest share s in (0, 1] of the way to the static position at which a wall is met: flat s r.q =
-/// clearance, in a ring |s r q + offset| = clearance, its rest position being inside. 1 where none is.
+/// clearance, in an annular stop |s r q + offset| = clearance, its rest position being inside. 1 where none
+/// is.
 double share_before_contact(const Cell& cell) {
   double share = 1;
   for (const Contact& contact : cell.scene.contacts) {
     const Eigen::Vector2d way = relative_map(cell.scene.structure, contact) * cell.quiet.mean;
     double met = std::numeric_limits<double>::infinity();
-    if (contact.ring) {
+    if (contact.annular) {
       const double a = way.squaredNorm(), b = way.dot(contact.offset_m);
       const double c = contact.clearance_m * contact.clearance_m - contact.offset_m.squaredNorm();
       // a s^2 + 2 b s = c with c > 0, in the form that does not cancel.
@@ -148,13 +149,13 @@ bool touches_anywhere(const Cell& cell) {
 }
 
 /// Structure, walls and constant force at a speed: what no unbalance and no kick changes.
-Scene scene_at(const Plan& plan, double speed_hz) {
-  const structure::Assembly& assembly = plan.assembly;
+Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
+  const structure::Assembly& assembly = prepared.assembly;
   Scene scene;
   scene.speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
-  for (std::size_t i = 0; i < plan.machine.stops.size(); ++i)
-    scene.contacts.push_back(contact_of(plan.machine.stops[i], assembly, i, scene.speed_rad_per_s));
-  scene.constant_n = plan.machine.gravity_m_per_s2 * assembly.system.weight_kg;
+  for (std::size_t i = 0; i < prepared.machine.stops.size(); ++i)
+    scene.contacts.push_back(contact_of(prepared.machine.stops[i], assembly, i, scene.speed_rad_per_s));
+  scene.constant_n = prepared.machine.gravity_m_per_s2 * assembly.system.weight_kg;
   scene.observed_point = assembly.observed_point;
   scene.length_scale_m = scene.contacts.front().clearance_m;
   scene.structure = assembly.system;
@@ -181,10 +182,10 @@ void start_on_quiet_motion(Cell& cell) {
 
 }  // namespace
 
-Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
-  const structure::Assembly& assembly = plan.assembly;
+Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance) {
+  const structure::Assembly& assembly = prepared.assembly;
   Cell cell;
-  cell.scene = scene_at(plan, speed_hz);
+  cell.scene = scene_at(prepared, speed_hz);
   Scene& scene = cell.scene;
   const Contact& first = scene.contacts.front();
   const double w = scene.speed_rad_per_s;
@@ -192,7 +193,7 @@ Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
   const QuietMotion unit = quiet_motion(scene.structure, w, unit_force, scene.constant_n);
   const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
   const Eigen::Vector2d wall = nearest_wall(unit, scene.structure, first);
-  if (plan.machine.kick) scene.pulse = pulse_of(*plan.machine.kick, wall, assembly);
+  if (prepared.machine.kick) scene.pulse = pulse_of(*prepared.machine.kick, wall, assembly);
   const bool bowed = assembly.bow_n.size() > 0;
   QuietMotion bow;
   if (bowed) {
@@ -220,7 +221,7 @@ Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
 }
 
 Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance) {
-  return build_cell(make_plan(machine), speed_hz, unbalance);
+  return build_cell(prepare_machine(machine), speed_hz, unbalance);
 }
 
 }  // namespace rubsweep::scene
