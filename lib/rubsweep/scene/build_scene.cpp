@@ -118,31 +118,52 @@ bool touches_anywhere(const Cell& cell) {
   return false;
 }
 
+/// Structure, walls and constant force at a speed: what no unbalance and no kick changes.
+Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
+  const structure::Assembly& assembly = prepared.assembly;
+  Scene scene;
+  scene.speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
+  for (std::size_t i = 0; i < prepared.machine.stops.size(); ++i)
+    scene.contacts.push_back(contact_of(prepared.machine.stops[i], assembly, i, scene.speed_rad_per_s));
+  scene.constant_n = prepared.machine.gravity_m_per_s2 * assembly.system.weight_kg;
+  scene.observed_point = assembly.observed_point;
+  scene.length_scale_m = scene.contacts.front().clearance_m;
+  scene.structure = assembly.system;
+  scene.impulses = assembly.impulses;
+  if (assembly.gyroscopic.size() > 0) scene.structure.damping += scene.speed_rad_per_s * assembly.gyroscopic;
+  return scene;
+}
+
+/// What overflows is no number that says the unbalance the other way.
+void forget_what_overflows(Cell& cell) {
+  for (double* said : {&cell.whirl_ratio, &cell.eccentricity_m}) {
+    if (!std::isfinite(*said)) *said = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+void start_on_quiet_motion(Cell& cell) {
+  Scene& scene = cell.scene;
+  const double w = scene.speed_rad_per_s;
+  cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
+  scene.displacement_m = cell.quiet.displacement(0);
+  scene.velocity_m_per_s = w * cell.quiet.velocity(0);
+  if (touches_anywhere(cell)) start_at_rest(cell);
+}
+
 }  // namespace
 
 Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance) {
-  const model::Machine& machine = prepared.machine;
   const structure::Assembly& assembly = prepared.assembly;
   Cell cell;
+  cell.scene = scene_at(prepared, speed_hz);
   Scene& scene = cell.scene;
-  scene.speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
-  for (std::size_t i = 0; i < machine.stops.size(); ++i) {
-    scene.contacts.push_back(contact_of(machine.stops[i], assembly, i, scene.speed_rad_per_s));
-  }
   const Contact& first = scene.contacts.front();
-  scene.constant_n = machine.gravity_m_per_s2 * assembly.system.weight_kg;
-  scene.observed_point = assembly.observed_point;
-  scene.length_scale_m = first.clearance_m;
-  scene.structure = assembly.system;
-  scene.impulses = assembly.impulses;
   const double w = scene.speed_rad_per_s;
-  if (assembly.gyroscopic.size() > 0) scene.structure.damping += w * assembly.gyroscopic;
-
   const Eigen::VectorXcd unit_force = w * w * scene.structure.unbalance_kg;
   const QuietMotion unit = quiet_motion(scene.structure, w, unit_force, scene.constant_n);
   const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
   const Eigen::Vector2d wall = nearest_wall(unit, scene.structure, first);
-  if (machine.kick) scene.pulse = pulse_of(*machine.kick, wall, assembly);
+  if (prepared.machine.kick) scene.pulse = pulse_of(*prepared.machine.kick, wall, assembly);
   const bool bowed = assembly.bow_n.size() > 0;
   QuietMotion bow;
   if (bowed) {
@@ -151,10 +172,7 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
   } else {
     set_unbalance(cell, unbalance, -mean, amplitude_per_m);
   }
-  // What overflows is no number that says it the other way.
-  for (double* said : {&cell.whirl_ratio, &cell.eccentricity_m}) {
-    if (!std::isfinite(*said)) *said = std::numeric_limits<double>::quiet_NaN();
-  }
+  forget_what_overflows(cell);
   const bool has_quiet_motion = std::isfinite(amplitude_per_m) && std::isfinite(mean);
   if (!has_quiet_motion || !std::isfinite(cell.eccentricity_m)) {
     cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;
@@ -168,10 +186,7 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
     scene.harmonic_n =
         cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first, wall) * unit_force;
   }
-  cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
-  scene.displacement_m = cell.quiet.displacement(0);
-  scene.velocity_m_per_s = w * cell.quiet.velocity(0);
-  if (touches_anywhere(cell)) start_at_rest(cell);
+  start_on_quiet_motion(cell);
   return cell;
 }
 
