@@ -39,7 +39,7 @@ model::Machine machine() {
   stop.casing = model::Casing{.mass_kg = 0.05, .stiffness_n_per_m = 5e5, .damping_ratio = 0.1};
 
   model::Machine machine;
-  machine.rotor = {.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02};
+  machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02};
   machine.stops = {stop};
   machine.kick = model::Kick{.force_n = 200, .duration_s = 0.005, .angle_deg = {}};  // no angle: at the wall
   return machine;
