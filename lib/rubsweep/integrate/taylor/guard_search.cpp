@@ -55,6 +55,23 @@ bool far_from_wall(const ContactSeries& contact, int order, double duration_rad)
 
 }  // namespace
 
+double guards_converged_rad(const ContactSeries& contact, int order, double duration_rad) {
+  const ContactLaw& law = contact.law();
+  // Of flat stops they are linear in the motion.
+  if (!law.annular) return duration_rad;
+  if (contact.mode() == Mode::open && far_from_wall(contact, order, duration_rad)) return duration_rad;
+  constexpr double rounding = 0x1p-52;
+  const double damper = law.damping / law.stiffness;
+  for (int k = order - 2; k < order; ++k) {
+    const double term = (std::abs(contact.penetration_term(k)) +
+                         damper * (k + 1) * std::abs(contact.penetration_term(k + 1))) /
+                        law.clearance;
+    if (term * std::pow(duration_rad, k) > rounding)
+      duration_rad = std::pow(rounding / term, 1.0 / k);
+  }
+  return duration_rad;
+}
+
 std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order, double duration_rad) {
   const ContactLaw& law = contact.law();
   const Mode mode = contact.mode();

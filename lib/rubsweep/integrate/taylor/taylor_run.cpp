@@ -128,17 +128,20 @@ double TaylorRun<N>::next_boundary(double phase) const {
   return pulse.on ? std::min(boundary, system_.pulse_end_rad - pulse.elapsed_rad) : boundary;
 }
 
+/// Of the structure and of the springs that contacts join it with: an underdamped oscillator has eigenvalues of
+/// its undamped frequency's size, an overdamped one none above its damping.
 template <int N>
 double TaylorRun<N>::fastest_rate() const {
   double square = structure_rate_ * structure_rate_;
-  double linear = 0;
+  double linear = 1;
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    if (dynamics_.modes()[i] == Mode::open) continue;
+    const Mode mode = dynamics_.modes()[i];
+    if (mode == Mode::open) continue;
     const ContactLaw& law = motion_.law(i);
-    square += 2 * law.stiffness * law.mobility;
-    linear += law.damper(dynamics_.modes()[i]) * law.mobility;
+    square += std::max(1.0, ContactLaw::spring_factor(mode)) * law.stiffness * law.mobility;
+    linear += law.damper(mode) * law.mobility;
   }
-  return std::max(1.0, std::sqrt(square) + linear);
+  return std::max(linear, std::sqrt(square));
 }
 
 template <int N>
@@ -154,7 +157,9 @@ TaylorEnding TaylorRun<N>::step(Turn& turn) {
     fastest = std::max(fastest, ratio * fastest);
   }
   const double boundary = next_boundary(phase_), left = boundary - phase_;
-  const double wanted = std::min(motion_.converged_rad(), longest_times_fastest / fastest);
+  double wanted = std::min(motion_.converged_rad(), longest_times_fastest / fastest);
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+    wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);
   if (!(wanted > 0)) return TaylorEnding::non_finite;
   if (standstill_ >= longest_standstill) {
     // Landings that lead nowhere: an instant is passed without one.
