@@ -5,11 +5,12 @@
 
 #include "rubsweep/integrate/adaptive.hpp"
 #include "rubsweep/integrate/exact_run.hpp"
+#include "rubsweep/integrate/taylor/taylor_run.hpp"
 
 namespace rubsweep::integrate {
 namespace {
 
-constexpr int longest_absence = 64;  ///< turns by the adaptive solver before closed forms are tried again
+constexpr int longest_absence = 64;  ///< turns by other means before closed forms are tried again
 
 /// The scene as it stands at the start of revolution `revolution`, at `section`.
 scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long revolution) {
@@ -22,7 +23,8 @@ scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long 
   return scene;
 }
 
-/// Exact turns, and adaptive ones where there is no closed form.
+/// Exact turns; Taylor pieces where there is no closed form; a stepper's where friction is stiff, or where one
+/// was asked for by name.
 template <int N>
 class ExactCursor {
  public:
@@ -30,7 +32,7 @@ class ExactCursor {
       : scene_(scene), options_(options), run_(scene, std::move(plan), options.max_steps_per_revolution) {}
 
   Outcome operator()(Turn& turn) {
-    if (!adaptive_) {
+    if (!away_) {
       switch (run_.advance(turn)) {
         case ExactEnding::ok:
           return report(turn, Outcome::ok);
@@ -42,21 +44,48 @@ class ExactCursor {
           leave();
       }
     }
-    return advance_adaptively(turn);
+    return adaptive_ ? advance_adaptively(turn) : advance_by_series(turn);
   }
 
   void restart(std::span<const double> section) {
     run_.restart(section);
-    adaptive_ = nullptr;
+    come_back();
     absence_ = 1;
   }
 
  private:
+  using TaylorRun = taylor::TaylorRun<N>;
+
   void leave() {
-    adaptive_ = start_adaptive(scene_at(scene_, run_.section(), run_.revolution()), options_);
+    away_ = true;
     absent_ = 0;
-    adaptive_effort_ = {};
     absence_ = std::min(2 * absence_, longest_absence);
+    if (options_.stepper != Stepper::automatic || options_.contact != ContactHandling::located)
+      return start_stepper();
+    if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
+    taylor_->resume(run_.section(), run_.revolution());
+  }
+
+  void start_stepper() {
+    adaptive_ = start_adaptive(scene_at(scene_, run_.section(), run_.revolution()), options_);
+    adaptive_effort_ = {};
+  }
+
+  Outcome advance_by_series(Turn& turn) {
+    switch (taylor_->advance(turn)) {
+      case taylor::TaylorEnding::ok:
+        break;
+      case taylor::TaylorEnding::stiff:
+        start_stepper();
+        return advance_adaptively(turn);
+      case taylor::TaylorEnding::step_limit:
+        return report(turn, Outcome::step_limit);
+      case taylor::TaylorEnding::non_finite:
+        return report(turn, Outcome::non_finite);
+    }
+    ++taylor_turns_;
+    report(turn, Outcome::ok);
+    return made_away(turn);
   }
 
   Outcome advance_adaptively(Turn& turn) {
@@ -64,16 +93,24 @@ class ExactCursor {
     adaptive_effort_ = turn.effort;
     ++adaptive_turns_;
     report(turn, outcome);
-    if (outcome != Outcome::ok) return outcome;
+    return outcome == Outcome::ok ? made_away(turn) : outcome;
+  }
+
+  Outcome made_away(const Turn& turn) {
     run_.resume(turn.section);
     ++absent_;
     if (!turn.touched || absent_ >= absence_) {
       if (!turn.touched) absence_ = 1;
-      past_ = sum(past_, adaptive_effort_);
-      adaptive_effort_ = {};
-      adaptive_ = nullptr;
+      come_back();
     }
-    return outcome;
+    return Outcome::ok;
+  }
+
+  void come_back() {
+    past_ = sum(past_, adaptive_effort_);
+    adaptive_effort_ = {};
+    adaptive_ = nullptr;
+    away_ = false;
   }
 
   static Effort sum(Effort a, const Effort& b) {
@@ -82,12 +119,13 @@ class ExactCursor {
     a.refused += b.refused;
     a.switches += b.switches;
     a.implicit_steps += b.implicit_steps;
-    a.adaptive_turns += b.adaptive_turns;
     return a;
   }
 
   Outcome report(Turn& turn, Outcome outcome) {
     turn.effort = sum(sum(past_, adaptive_effort_), run_.effort());
+    if (taylor_) turn.effort = sum(turn.effort, taylor_->effort());
+    turn.effort.taylor_turns = taylor_turns_;
     turn.effort.adaptive_turns = adaptive_turns_;
     return outcome;
   }
@@ -95,9 +133,11 @@ class ExactCursor {
   scene::Scene scene_;
   SolverOptions options_;
   ExactRun<N> run_;
-  Cursor adaptive_;  ///< empty while closed forms do
+  std::unique_ptr<TaylorRun> taylor_;  ///< made when first needed
+  Cursor adaptive_;                    ///< empty while no stepper is at work
+  bool away_ = false;                  ///< from closed forms
   int absence_ = 1, absent_ = 0;
-  long adaptive_turns_ = 0;
+  long taylor_turns_ = 0, adaptive_turns_ = 0;
   Effort past_, adaptive_effort_;
 };
 

@@ -28,9 +28,10 @@ class ExactPlans {
 };
 
 /// Starts a run of `scene` by the exact solver: closed forms between mode switches, found by certified steps.
-/// A turn that has no closed form (a ring touched, friction not saturated, an undamped resonance) is made by
-/// the adaptive solver with `options` instead and counted in Effort::adaptive_turns; the run returns to
-/// closed forms as soon as the rotor has been free for a turn, or after a while.
+/// A turn that has no closed form (an annular stop touched, friction not saturated, an undamped resonance) is
+/// made of Taylor pieces and counted in Effort::taylor_turns; with a stepper that `options` name, or where
+/// friction is stiff, by that stepper and counted in Effort::adaptive_turns. The run returns to closed forms as
+/// soon as the rotor has been free for a turn, or after a while.
 Run start_exact(const scene::Scene& scene, const SolverOptions& options, ExactPlans& plans);
 
 /// Whether some turn of the scene may have a closed form: not more stops than a plan can number, nor more

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rubsweep/integrate/adaptive_run.hpp"
+#include "rubsweep/integrate/taylor/taylor_run.hpp"
 #include "rubsweep/integrate/turning_frame.hpp"
 #include "rubsweep/integrate/variational_dynamics.hpp"
 
@@ -13,9 +14,10 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// Adds the states sampled in a turn before `end_phase`.
-void append_samples(const Turn& turn, double end_phase, Eigen::Index states, TurningArc& arc) {
-  const Eigen::Index whole = states * (states + 1), old = arc.samples.cols();
+/// Adds the states sampled in a turn before `end_phase`: the first `states` of `whole` numbers each.
+void append_samples(const Turn& turn, double end_phase, Eigen::Index states, Eigen::Index whole,
+                    TurningArc& arc) {
+  const Eigen::Index old = arc.samples.cols();
   int count = 0;
   while (count < turn.samples_per_revolution && full_turn * count / turn.samples_per_revolution < end_phase)
     ++count;
@@ -23,6 +25,61 @@ void append_samples(const Turn& turn, double end_phase, Eigen::Index states, Tur
   arc.samples.rightCols(count) =
       Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.samples_per_revolution)
           .topLeftCorner(states, count);
+}
+
+/// What a turn, or its first `end_phase`, adds to the measures of an arc of `angle_rad`.
+void add_measures(const Turn& turn, double angle_rad, TurningArc& arc) {
+  arc.hits += turn.hits;
+  arc.contact_fraction += turn.contact_fraction * full_turn / angle_rad;
+  arc.peak_displacement_m = std::max(arc.peak_displacement_m, turn.peak_displacement_m);
+  arc.peak_contact_force_n = std::max(arc.peak_contact_force_n, turn.peak_contact_force_n);
+}
+
+enum class Followed { made, stiff, failed };
+
+/// By Taylor pieces; `stiff` where a stepper must do it.
+template <int N>
+Followed follow_by_series(const scene::Scene& scene, const SolverOptions& options, int samples_per_revolution,
+                          double angle_rad, TurningArc& arc) {
+  taylor::TaylorRun<N> run(scene, options);
+  const Eigen::Index states = 2 * scene.structure.coordinates();
+  Turn turn;
+  turn.samples_per_revolution = samples_per_revolution;
+  turn.peaks = samples_per_revolution > 0;
+  turn.disturbances.setIdentity(states, states);
+  for (double left = angle_rad; left > 0; left -= full_turn) {
+    const double end_phase = std::min(left, full_turn);
+    const taylor::TaylorEnding ending = run.advance(turn, end_phase);
+    if (ending == taylor::TaylorEnding::stiff) return Followed::stiff;
+    if (ending != taylor::TaylorEnding::ok) return Followed::failed;
+    if (samples_per_revolution > 0) append_samples(turn, end_phase, states, states, arc);
+    add_measures(turn, angle_rad, arc);
+  }
+  arc.angle_rad = angle_rad;
+  arc.end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -angle_rad);
+  arc.transition = turned(turn.disturbances, -angle_rad);
+  return Followed::made;
+}
+
+template <int N>
+Followed end_by_series(const scene::Scene& scene, const SolverOptions& options, double angle_rad,
+                       Eigen::VectorXd& end) {
+  taylor::TaylorRun<N> run(scene, options);
+  Turn turn;
+  for (double left = angle_rad; left > 0; left -= full_turn) {
+    const taylor::TaylorEnding ending = run.advance(turn, std::min(left, full_turn));
+    if (ending == taylor::TaylorEnding::stiff) return Followed::stiff;
+    if (ending != taylor::TaylorEnding::ok) return Followed::failed;
+  }
+  const Eigen::Index states = 2 * scene.structure.coordinates();
+  end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -angle_rad);
+  return Followed::made;
+}
+
+/// A stepper that is asked for by name makes every turn.
+bool by_series(const SolverOptions& options) {
+  return options.method != Method::adaptive && options.stepper == Stepper::automatic &&
+         options.contact == ContactHandling::located;
 }
 
 template <class State, int N, bool Smoothed>
@@ -38,11 +95,8 @@ std::optional<TurningArc> follow(const scene::Scene& scene, const SolverOptions&
   for (double left = angle_rad; left > 0; left -= full_turn) {
     const double end_phase = std::min(left, full_turn);
     if (run.advance(turn, end_phase) != Outcome::ok) return std::nullopt;
-    if (samples_per_revolution > 0) append_samples(turn, end_phase, states, arc);
-    arc.hits += turn.hits;
-    arc.contact_fraction += turn.contact_fraction * full_turn / angle_rad;
-    arc.peak_displacement_m = std::max(arc.peak_displacement_m, turn.peak_displacement_m);
-    arc.peak_contact_force_n = std::max(arc.peak_contact_force_n, turn.peak_contact_force_n);
+    if (samples_per_revolution > 0) append_samples(turn, end_phase, states, states * (states + 1), arc);
+    add_measures(turn, angle_rad, arc);
   }
   const double* end = turn.section.data();
   arc.end = turned(Eigen::Map<const Eigen::VectorXd>(end, states), -angle_rad);
@@ -83,6 +137,14 @@ std::optional<TurningArc> TurningFlow::from(const Eigen::VectorXd& state, double
   const scene::Scene scene = scene_at(state);
   constexpr int any = Eigen::Dynamic;
   const int samples = samples_per_revolution_;
+  if (by_series(options_)) {
+    TurningArc arc;
+    const Followed followed = state.size() == 8
+                                  ? follow_by_series<4>(scene, options_, samples, angle_rad, arc)
+                                  : follow_by_series<any>(scene, options_, samples, angle_rad, arc);
+    if (followed == Followed::made) return arc;
+    if (followed == Followed::failed) return std::nullopt;
+  }
   if (options_.contact == ContactHandling::smoothed)
     return follow<std::vector<double>, any, true>(scene, options_, samples, angle_rad);
   if (state.size() == 8) return follow<std::array<double, 72>, 4, false>(scene, options_, samples, angle_rad);
@@ -92,6 +154,13 @@ std::optional<TurningArc> TurningFlow::from(const Eigen::VectorXd& state, double
 std::optional<Eigen::VectorXd> TurningFlow::end_from(const Eigen::VectorXd& state, double angle_rad) const {
   const scene::Scene scene = scene_at(state);
   constexpr int any = Eigen::Dynamic;
+  if (by_series(options_)) {
+    Eigen::VectorXd end;
+    const Followed followed = state.size() == 8 ? end_by_series<4>(scene, options_, angle_rad, end)
+                                                : end_by_series<any>(scene, options_, angle_rad, end);
+    if (followed == Followed::made) return end;
+    if (followed == Followed::failed) return std::nullopt;
+  }
   if (options_.contact == ContactHandling::smoothed)
     return end_of<std::vector<double>, any, true>(scene, options_, angle_rad);
   if (state.size() == 8) return end_of<std::array<double, 8>, 4, false>(scene, options_, angle_rad);
