@@ -53,7 +53,7 @@ TEST(Series, RootAndReciprocalOfAQuadratic) {
   // r = sqrt(1.44 + t + t^2 / 2), q = 1 / r.
   Series r, q;
   for (int k = 0; k <= order; ++k) {
-    r.set(k, root_term(r, k == 0 ? 1.44 : k == 1 ? 1.0 : k == 2 ? 0.5 : 0.0, k));
+    r.set(k, k == 0 ? 1.2 : root_term(r, k == 1 ? 1.0 : k == 2 ? 0.5 : 0.0, k, 1 / r[0]));
     q.set(k, reciprocal_term(q, r, k));
   }
   for (const double t : {-0.25, 0.1, 0.3}) {

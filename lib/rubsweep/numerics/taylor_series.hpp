@@ -1,12 +1,22 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 namespace rubsweep::numerics {
 
 /// Highest order of a power series here.
 inline constexpr int most_taylor_order = 24;
+
+/// 1 / k, as many as are needed: divisions are what such recurrences would wait for.
+inline constexpr auto taylor_reciprocals = [] {
+  std::array<double, most_taylor_order + 3> table{};
+  for (std::size_t k = 1; k < table.size(); ++k) table[k] = 1 / static_cast<double>(k);
+  return table;
+}();
+constexpr double one_over(int k) { return taylor_reciprocals[static_cast<std::size_t>(k)]; }
 
 /// Coefficients of a power series sum a_k t^k, written one after the other. They are kept in both directions,
 /// so that the sum over a_j b_{k-j} reads two rows of numbers forwards.
@@ -73,9 +83,9 @@ inline double square_term(const Series& a, int k) {
 }
 
 /// Coefficient k of the square root r of a series: r_0 = sqrt(a_0), 2 r_0 r_k = a_k - sum r_j r_{k-j}.
-/// `a_k` is that coefficient of it; r is known up to k - 1.
-inline double root_term(const Series& r, double a_k, int k) {
-  return k == 0 ? std::sqrt(a_k) : (a_k - inner_square(r, k)) / (2 * r[0]);
+/// `a_k` is that coefficient of it and `inverse` 1 / r_0; r is known up to k - 1 >= 0.
+inline double root_term(const Series& r, double a_k, int k, double inverse) {
+  return (a_k - inner_square(r, k)) * (0.5 * inverse);
 }
 
 /// Coefficient k of q = 1 / a: a_0 q_k = -sum_{j >= 1} a_j q_{k-j}. q is known up to k - 1, a up to k.
@@ -96,7 +106,7 @@ struct TanhSeries {
       z.set(0, inverse * inverse);
       return;
     }
-    y.set(k, (rate[k] * z[0] + inner_sum(rate, z, k)) / k);
+    y.set(k, (rate[k] * z[0] + inner_sum(rate, z, k)) * one_over(k));
     z.set(k, -square_term(y, k));
   }
 };

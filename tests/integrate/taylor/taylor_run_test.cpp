@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "integrate/rubbing_kit.hpp"
-#include "rubsweep/integrate/adaptive.hpp"
-#include "rubsweep/integrate/adaptive_run.hpp"
-#include "rubsweep/integrate/exact.hpp"
+#include "rubsweep/integrate/adaptive/adaptive_run.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/hybrid_run.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/integrate/variational_dynamics.hpp"
-#include "support/ring_scene.hpp"
+#include "rubsweep/response/rotating/variational_dynamics.hpp"
+#include "support/annular_scene.hpp"
 #include "support/rolling_scene.hpp"
 #include "support/set_a_cell.hpp"
 #include "support/simple_scenes.hpp"
@@ -35,16 +35,16 @@ double distance(std::span<const double> a, std::span<const double> b) {
   return largest;
 }
 
-SolverOptions tight(double tolerance = 1e-13) {
-  SolverOptions options;
-  options.method = Method::adaptive;
-  options.stepper = Stepper::rkf78;
+run::SolverOptions tight(double tolerance = 1e-13) {
+  run::SolverOptions options;
+  options.method = run::Method::adaptive;
+  options.stepper = run::Stepper::rkf78;
   options.relative_tolerance = tolerance;
   return options;
 }
 
 /// Set C of the annulus: circles and ovals that stay in contact.
-scene::Scene annular_scene(double speed_hz, double whirl_ratio, std::array<double, 2> offset_m = {0, 0}) {
+scene::Scene set_c_scene(double speed_hz, double whirl_ratio, std::array<double, 2> offset_m = {0, 0}) {
   test::OneSideRotor rotor;
   rotor.damping_ratio = 0.04;
   rotor.restitution = 0.5;
@@ -62,13 +62,13 @@ struct Agreement {
   double contact_turns = 0;
 };
 
-/// Turn after turn from the sections of the Taylor run, so that chaos has one turn to part the two. `other`
-/// starts at revolution 0 each time: the scene has no kick and no impulses.
+/// run::Turn after turn from the sections of the Taylor run, so that chaos has one turn to part the two.
+/// `other` starts at revolution 0 each time: the scene has no kick and no impulses.
 template <int N>
-Agreement compare(scene::Scene scene, const Run& other, int turns) {
+Agreement compare(scene::Scene scene, const run::Run& other, int turns) {
   scene.pulse.reset();
   TaylorRun<N> run(scene, {});
-  Turn a, b;
+  run::Turn a, b;
   a.samples_per_revolution = b.samples_per_revolution = 16;
   a.peaks = b.peaks = a.switches_wanted = b.switches_wanted = true;
   Agreement all;
@@ -76,7 +76,7 @@ Agreement compare(scene::Scene scene, const Run& other, int turns) {
     const std::vector<double> before = run.section();
     EXPECT_EQ(run.advance(a), TaylorEnding::ok);
     other.restart(before);
-    EXPECT_EQ(other.advance(b), Outcome::ok);
+    EXPECT_EQ(other.advance(b), run::Outcome::ok);
     EXPECT_EQ(a.hits, b.hits) << "turn " << k;
     EXPECT_EQ(a.touching_at_end, b.touching_at_end) << "turn " << k;
     EXPECT_EQ(a.touched, b.touched) << "turn " << k;
@@ -113,18 +113,18 @@ void expect_small(const Agreement& all, double tolerance, const char* name, doub
 
 /// Between flat stops the exact solver knows better than any stepper.
 TEST(TaylorRun, AgreesWithTheExactSolverBetweenFlatStops) {
-  ExactPlans plans;
+  exact::ModeCache modes;
   for (const auto& [speed_hz, ratio] : {std::pair{75.0, 0.4}, std::pair{110.0, 0.7}, std::pair{60.0, 0.9}}) {
     test::OneSideRotor rotor;
     rotor.speed_hz = speed_hz;
     rotor.whirl_ratio = ratio;
     scene::Scene scene = test::cell_of(rotor).scene;
     TaylorRun<4> kicked(scene, {});
-    const auto exact_kicked = start_exact(scene, {}, plans);
-    Turn a, b;
+    const auto exact_kicked = start_hybrid(scene, {}, modes);
+    run::Turn a, b;
     for (int k = 0; k < 4; ++k) {
       ASSERT_EQ(kicked.advance(a), TaylorEnding::ok);
-      ASSERT_EQ(exact_kicked.advance(b), Outcome::ok);
+      ASSERT_EQ(exact_kicked.advance(b), run::Outcome::ok);
       EXPECT_LT(distance(a.section, b.section), 1e-13);
     }
     scene = [&] {
@@ -137,54 +137,53 @@ TEST(TaylorRun, AgreesWithTheExactSolverBetweenFlatStops) {
       }
       return later;
     }();
-    const Agreement all = compare<4>(scene, start_exact(scene, {}, plans), 30);
+    const Agreement all = compare<4>(scene, start_hybrid(scene, {}, modes), 30);
     EXPECT_GT(all.hits, 3);
     expect_small(all, 1e-13, "flat", 1e-3);
   }
 }
 
 TEST(TaylorRun, AgreesWithTheExactSolverOnAKit) {
-  ExactPlans plans;
+  exact::ModeCache modes;
   scene::Scene scene = kit_scene(70, 0.7);
   const Agreement all = compare<Eigen::Dynamic>(
       scene,
       [&] {
         scene.pulse.reset();
-        return start_exact(scene, {}, plans);
+        return start_hybrid(scene, {}, modes);
       }(),
       5);
   expect_small(all, 1e-11, "kit", 1e-3);
 }
 
 TEST(TaylorRun, AgreesWithRkf78InAnnularStops) {
-  ExactPlans plans;
+  exact::ModeCache modes;
   struct Case {
     const char* name;
     scene::Scene scene;
     std::array<double, 4> start;
   };
   const std::array cases{
-      Case{"circle", annular_scene(80, 0.6), {1.6, 0, 0, 1.5}},
-      Case{"oval", annular_scene(165, 0.6), {0.9, 0.7, -0.4, 0.9}},
-      Case{"offset", annular_scene(120, 0.7, {0, 2.5e-4}), {1.1, 0, 0.2, 1.0}},
-      Case{"far offset", annular_scene(60, 0.3, {-7e-4, 2e-4}), {0.2, 0.9, 0.4, -0.3}},
+      Case{"circle", set_c_scene(80, 0.6), {1.6, 0, 0, 1.5}},
+      Case{"oval", set_c_scene(165, 0.6), {0.9, 0.7, -0.4, 0.9}},
+      Case{"offset", set_c_scene(120, 0.7, {0, 2.5e-4}), {1.1, 0, 0.2, 1.0}},
+      Case{"far offset", set_c_scene(60, 0.3, {-7e-4, 2e-4}), {0.2, 0.9, 0.4, -0.3}},
   };
   for (const Case& c : cases) {
     scene::Scene scene = c.scene;
     scene.pulse.reset();
     for (Eigen::Index j = 0; j < 2; ++j) {
       scene.displacement_m(j) = c.start[std::size_t(j)] * scene.length_scale_m;
-      scene.velocity_m_per_s(j) =
-          c.start[std::size_t(j) + 2] * scene.length_scale_m * scene.speed_rad_per_s;
+      scene.velocity_m_per_s(j) = c.start[std::size_t(j) + 2] * scene.length_scale_m * scene.speed_rad_per_s;
     }
-    const Agreement all = compare<4>(scene, start(scene, tight(), plans), 20);
+    const Agreement all = compare<4>(scene, start(scene, tight(), modes), 20);
     EXPECT_GT(all.contact_turns, 1) << c.name;
     expect_small(all, 2e-11, c.name);
   }
 }
 
 TEST(TaylorRun, AgreesWithRkf78WhereFrictionVariesAndReverses) {
-  ExactPlans plans;
+  exact::ModeCache modes;
   for (const double steepness : {30.0, 300.0}) {
     // A screw against a thin shaft: the slip reverses in every turn.
     test::OneSideRotor rotor;
@@ -194,17 +193,17 @@ TEST(TaylorRun, AgreesWithRkf78WhereFrictionVariesAndReverses) {
     scene::Scene flat = test::cell_of(rotor).scene;
     flat.pulse.reset();
     flat.displacement_m(1) = 1.4e-3;
-    const Agreement on_flat = compare<4>(flat, start(flat, tight(), plans), 12);
+    const Agreement on_flat = compare<4>(flat, start(flat, tight(), modes), 12);
     EXPECT_GT(on_flat.hits, 5);
     expect_small(on_flat, 1e-11, "flat");
-    scene::Scene annular = annular_scene(90, 0.6);
+    scene::Scene annular = set_c_scene(90, 0.6);
     annular.pulse.reset();
     annular.contacts[0].surface_speed_m_per_s = 0.1;
     annular.contacts[0].friction =
         model::StribeckFriction{{0.05, steepness, steepness / 10, 0.1, steepness, 0.001}};
     annular.displacement_m.head(2) << 1.3e-3, 0.2e-3;
     annular.velocity_m_per_s.head(2) << 0.1, -0.5;
-    const Agreement in_ring = compare<4>(annular, start(annular, tight(), plans), 12);
+    const Agreement in_ring = compare<4>(annular, start(annular, tight(), modes), 12);
     EXPECT_GT(in_ring.hits, 1);
     expect_small(in_ring, 1e-11, "annular");
   }
@@ -212,18 +211,18 @@ TEST(TaylorRun, AgreesWithRkf78WhereFrictionVariesAndReverses) {
 
 /// An annular stop and two flat ones reach into one another's way.
 TEST(TaylorRun, TakesStopsOfBothKindsTogether) {
-  ExactPlans plans;
-  scene::Scene scene = test::ring_scene(1, 0.02, 1.7, 0.5, 0, 60, 0.1);
+  exact::ModeCache modes;
+  scene::Scene scene = test::annular_scene(1, 0.02, 1.7, 0.5, 0, 60, 0.1);
   for (const double angle : {0.3, 2.5}) {
     scene::Contact wall = test::wall_across_x(1, 0.8, 40, 0.6);
-    wall.normal << std::cos(angle), std::sin(angle);
+    wall.wall = contact::FlatWall{{std::cos(angle), std::sin(angle)}};
     wall.friction = model::StribeckFriction{{0, 0, 0, 0.2, 3, 0}};
     wall.surface_speed_m_per_s = 0.5;
     scene.contacts.push_back(wall);
   }
   scene.contacts[0].damping_ns_per_m = 0.8;
   test::start_at(scene, 0.5, Complex(0.2, 1.2));
-  const Agreement all = compare<2>(scene, start(scene, tight(), plans), 20);
+  const Agreement all = compare<2>(scene, start(scene, tight(), modes), 20);
   EXPECT_GT(all.hits, 20);
   expect_small(all, 2e-11, "both");
 }
@@ -231,7 +230,7 @@ TEST(TaylorRun, TakesStopsOfBothKindsTogether) {
 TEST(TaylorRun, StaysOnTheClosedFormsOfFullRubAndDryWhip) {
   const test::FullRub rub;
   TaylorRun<2> full(rub.scene(), {});
-  Turn turn;
+  run::Turn turn;
   turn.samples_per_revolution = 16;
   turn.peaks = true;
   for (int k = 0; k < 20; ++k) {
@@ -241,11 +240,12 @@ TEST(TaylorRun, StaysOnTheClosedFormsOfFullRubAndDryWhip) {
       EXPECT_NEAR(std::hypot(turn.samples[4 * j], turn.samples[4 * j + 1]), rub.radius, 1e-13);
     EXPECT_NEAR(turn.peak_contact_force_n, rub.k_c * (rub.radius - 1), 1e-11);
   }
-  // Dry whip, from which a disturbance grows here. Without unbalance: w = zeta/mu + sqrt((zeta/mu)^2 + 1), r = 1 / (1 - 2 zeta w / (mu b)).
+  // Dry whip, from which a disturbance grows here. Without unbalance: w = zeta/mu + sqrt((zeta/mu)^2 + 1), r
+  // = 1 / (1 - 2 zeta w / (mu b)).
   const double zeta = 0.05, mu = 0.2, b = 20;
   const double w = zeta / mu + std::sqrt(zeta * zeta / (mu * mu) + 1);
   const double radius = 1 / (1 - 2 * zeta * w / (mu * b));
-  scene::Scene whip = test::ring_scene(1, zeta, 1, 0, 0, b, mu);
+  scene::Scene whip = test::annular_scene(1, zeta, 1, 0, 0, b, mu);
   test::start_at(whip, radius, -i * w * radius);
   TaylorRun<2> run(whip, {});
   turn.samples_per_revolution = 0;
@@ -260,7 +260,7 @@ TEST(TaylorRun, RollsBackwardOnItsClosedForm) {
   for (const double steepness : {1.0, 10.0, 100.0}) {
     const test::RollingScene rolling = test::rolling_scene(steepness);
     TaylorRun<2> run(rolling.scene, {});
-    Turn turn;
+    run::Turn turn;
     for (int k = 1; k <= 3; ++k) {
       ASSERT_EQ(run.advance(turn), TaylorEnding::ok) << steepness;
       const Complex z(turn.section[0], turn.section[1]);
@@ -275,7 +275,7 @@ TEST(TaylorRun, SaysWhereFrictionIsStiff) {
   const test::RollingScene rolling = test::rolling_scene(1e5);
   TaylorRun<2> run(rolling.scene, {});
   const std::vector<double> before = run.section();
-  Turn turn;
+  run::Turn turn;
   EXPECT_EQ(run.advance(turn), TaylorEnding::stiff);
   EXPECT_EQ(run.section(), before);
   EXPECT_EQ(run.revolution(), 0);
@@ -284,7 +284,7 @@ TEST(TaylorRun, SaysWhereFrictionIsStiff) {
 /// Elastic stops without damping, friction and unbalance: the energy of rotor, casing and contact springs
 /// stays.
 TEST(TaylorRun, KeepsTheEnergyOfAConservativeScene) {
-  scene::Scene scene = annular_scene(80, 0.6, {1e-4, -2e-4});
+  scene::Scene scene = set_c_scene(80, 0.6, {1e-4, -2e-4});
   scene.pulse.reset();
   scene.harmonic_n.setZero();
   scene.structure.damping.setZero();
@@ -303,13 +303,13 @@ TEST(TaylorRun, KeepsTheEnergyOfAConservativeScene) {
     const auto& c = scene.contacts[0];
     const auto& points = scene.structure.points;
     const Eigen::Vector2d rotor = points[std::size_t(c.rotor_point)].map * q,
-                          d = rotor - points[std::size_t(*c.casing_point)].map * q + c.offset_m;
+                          d = rotor - points[std::size_t(*c.casing_point)].map * q + contact::offset(c.wall);
     const double p = std::max(0.0, d.norm() - c.clearance_m), flat = std::max(0.0, rotor.x() - 6e-4);
     return (sum + c.stiffness_n_per_m * p * p + 1e6 * flat * flat) / 2;
   };
   TaylorRun<4> run(scene, {});
   const double start = energy(run.section());
-  Turn turn;
+  run::Turn turn;
   int hits = 0;
   for (int k = 0; k < 100; ++k) {
     ASSERT_EQ(run.advance(turn), TaylorEnding::ok);
@@ -322,12 +322,12 @@ TEST(TaylorRun, KeepsTheEnergyOfAConservativeScene) {
 /// Halving the duration of one expansion divides its error by 2^(order + 2) in the displacement, which is one
 /// order ahead of the velocity.
 TEST(Expansion, ConvergesWithItsOrder) {
-  scene::Scene scene = annular_scene(80, 0.6);
+  scene::Scene scene = set_c_scene(80, 0.6);
   scene.pulse.reset();
   scene.contacts[0].surface_speed_m_per_s = 0.2;
   scene.contacts[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 2, 0}};
   const std::vector<double> state{1.3, 0.4, 0.1, -0.1, 0.5, -0.9, 0.2, 0.3};
-  const auto system = scale<4>(scene);
+  const auto system = run::scale<4>(scene);
   const std::vector<Mode> modes{Mode::sprung};
   Expansion<4> reference(system, 24);
   reference.expand(state.data(), 0.3, {}, modes);
@@ -347,10 +347,10 @@ TEST(Expansion, ConvergesWithItsOrder) {
 }
 
 TEST(TaylorRun, NeedsFewerStepsAtHigherOrderForTheSameMotion) {
-  scene::Scene scene = annular_scene(165, 0.6);
+  scene::Scene scene = set_c_scene(165, 0.6);
   TaylorRun<4> best(scene, {});
   std::vector<double> reference;
-  Turn turn;
+  run::Turn turn;
   for (int k = 0; k < 6; ++k) ASSERT_EQ(best.advance(turn), TaylorEnding::ok);
   reference = turn.section;
   long last = 1'000'000;
@@ -370,12 +370,12 @@ TEST(TaylorRun, SeesAGrazeAsShallowAsRounding) {
       for (const double sign : {1.0, -1.0}) {
         scene::Scene scene = test::one_mass_scene(1, 1, 0, 2 * pi, 1);
         scene::Contact stop = test::wall_across_x(1, 1, 50, 0);
-        stop.ring = annular;
+        if (annular) stop.wall = contact::AnnularWall{};
         scene.contacts.push_back(stop);
         scene.displacement_m << 0, 0.4;
         scene.velocity_m_per_s << 1 + sign * excess, 0;
         TaylorRun<2> run(scene, {});
-        Turn turn;
+        run::Turn turn;
         ASSERT_EQ(run.advance(turn), TaylorEnding::ok);
         EXPECT_EQ(turn.hits, sign < 0 ? 0 : annular ? 2 : 1) << annular << " " << sign * excess;
       }
@@ -385,9 +385,10 @@ TEST(TaylorRun, SeesAGrazeAsShallowAsRounding) {
 
 /// Value of every armed guard at many states of a turn, by the modes that the run says it was in: none may be
 /// past zero.
-double worst_guard(const scene::Scene& scene, const std::vector<Mode>& modes_at_start, const Turn& turn) {
-  const auto system = scale<Eigen::Dynamic>(scene);
-  Dynamics<Eigen::Dynamic, false> dynamics(system, 0);
+double worst_guard(const scene::Scene& scene, const std::vector<Mode>& modes_at_start,
+                   const run::Turn& turn) {
+  const auto system = run::scale<Eigen::Dynamic>(scene);
+  adaptive::Dynamics<Eigen::Dynamic, false> dynamics(system, 0);
   dynamics.modes() = modes_at_start;
   const std::size_t states = 2 * std::size_t(system.coordinates());
   double worst = -1;
@@ -401,13 +402,12 @@ double worst_guard(const scene::Scene& scene, const std::vector<Mode>& modes_at_
     dynamics(state, rate, phase);
     for (std::size_t c = 0; c < system.contacts.size(); ++c) {
       const auto& law = system.contacts[c];
-      const auto exits = contact::exits_of(dynamics.modes()[c], law.stiffness, law.damping,
-                                           dynamics.kinematics(c, state, rate));
-      for (int e = 0; e < exits.count; ++e) {
-        const auto& exit = exits.list[std::size_t(e)];
-        const double unit =
-            dynamics.modes()[c] == Mode::open || exit.next == Mode::open ? 1 : law.stiffness;
-        worst = std::max(worst, exit.value / unit);
+      const auto guards = contact::guards_of(dynamics.modes()[c], law.stiffness, law.damping,
+                                             dynamics.kinematics(c, state, rate));
+      for (int e = 0; e < guards.count; ++e) {
+        const auto& guard = guards.list[std::size_t(e)];
+        const double unit = dynamics.modes()[c] == Mode::open || guard.next == Mode::open ? 1 : law.stiffness;
+        worst = std::max(worst, guard.value / unit);
       }
     }
   }
@@ -419,7 +419,7 @@ TEST(TaylorRun, PassesOverNoGuardThatTwentyThousandPointsATurnSee) {
   int hits = 0;
   for (const auto& [speed_hz, ratio] :
        {std::pair{80.0, 0.6}, std::pair{120.0, 0.9}, std::pair{165.0, 0.6}, std::pair{230.0, 0.3}}) {
-    scene::Scene scene = annular_scene(speed_hz, ratio, {0, 2.5e-4});
+    scene::Scene scene = set_c_scene(speed_hz, ratio, {0, 2.5e-4});
     scene.pulse.reset();
     scene::Contact wall = test::wall_across_x(-1, 8e-4, 2e6, 300);
     wall.rotor_point = scene.contacts[0].rotor_point;
@@ -430,14 +430,14 @@ TEST(TaylorRun, PassesOverNoGuardThatTwentyThousandPointsATurnSee) {
     scene.displacement_m.head(2) << 0.5e-3, 0.3e-3;
     scene.velocity_m_per_s.head(2) << 0.4, -0.6;
     TaylorRun<4> run(scene, {});
-    Turn turn;
+    run::Turn turn;
     turn.samples_per_revolution = 20'000;
     turn.switches_wanted = true;
     std::vector<Mode> modes(2, Mode::open);
     for (int k = 0; k < 40; ++k) {
       ASSERT_EQ(run.advance(turn), TaylorEnding::ok);
       EXPECT_LT(worst_guard(scene, modes, turn), 1e-12) << speed_hz << " Hz, turn " << k;
-      for (const ModeSwitch& change : turn.switches) modes[std::size_t(change.contact)] = change.to;
+      for (const run::ModeSwitch& change : turn.switches) modes[std::size_t(change.contact)] = change.to;
       hits += turn.hits;
     }
   }
@@ -446,19 +446,20 @@ TEST(TaylorRun, PassesOverNoGuardThatTwentyThousandPointsATurnSee) {
 
 Eigen::MatrixXd transition_by_dopri5(const scene::Scene& scene) {
   const auto states = std::size_t(2 * scene.structure.coordinates());
-  AdaptiveRun<Dopri5<std::vector<double>>, Eigen::Dynamic, false, VariationalDynamics<Eigen::Dynamic, false>>
+  adaptive::AdaptiveRun<adaptive::Dopri5<std::vector<double>>, Eigen::Dynamic, false,
+                        response::rotating::VariationalDynamics<Eigen::Dynamic, false>>
       run(scene, {.relative_tolerance = 1e-13});
-  Turn turn;
-  EXPECT_EQ(run.advance(turn), Outcome::ok);
+  run::Turn turn;
+  EXPECT_EQ(run.advance(turn), run::Outcome::ok);
   return Eigen::Map<const Eigen::MatrixXd>(turn.section.data() + states, Eigen::Index(states),
                                            Eigen::Index(states));
 }
 
 TEST(TaylorRun, CarriesTangentsAsTheVariationalEquations) {
-  ExactPlans plans;
+  exact::ModeCache modes;
   scene::Scene flat = test::cell_of({}).scene;
   flat.displacement_m(1) = 1.1e-3;
-  scene::Scene circle = annular_scene(80, 0.6), slipping = annular_scene(90, 0.6, {1e-4, 1e-4});
+  scene::Scene circle = set_c_scene(80, 0.6), slipping = set_c_scene(90, 0.6, {1e-4, 1e-4});
   circle.displacement_m.head(2) << 1.5e-3, 0;
   circle.velocity_m_per_s.head(2) << 0, 0.7;
   slipping.contacts[0].surface_speed_m_per_s = 0.1;
@@ -472,48 +473,48 @@ TEST(TaylorRun, CarriesTangentsAsTheVariationalEquations) {
     scene.pulse.reset();
     const Eigen::MatrixXd expected = transition_by_dopri5(scene);
     TaylorRun<4> run(scene, {});
-    Turn turn;
-    turn.disturbances.setIdentity(8, 8);
+    run::Turn turn;
+    turn.tangent_vectors.setIdentity(8, 8);
     ASSERT_EQ(run.advance(turn), TaylorEnding::ok);
     EXPECT_GT(turn.contact_fraction, 0.04);
-    EXPECT_LT((turn.disturbances - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
+    EXPECT_LT((turn.tangent_vectors - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
     // One direction alone is moved as it is among all.
     TaylorRun<4> again(scene, {});
-    const Eigen::MatrixXd all = turn.disturbances;
-    turn.disturbances = Eigen::VectorXd::Unit(8, 5);
+    const Eigen::MatrixXd all = turn.tangent_vectors;
+    turn.tangent_vectors = Eigen::VectorXd::Unit(8, 5);
     ASSERT_EQ(again.advance(turn), TaylorEnding::ok);
-    EXPECT_LT((turn.disturbances - all.col(5)).cwiseAbs().maxCoeff(), 1e-13 * all.cwiseAbs().maxCoeff());
+    EXPECT_LT((turn.tangent_vectors - all.col(5)).cwiseAbs().maxCoeff(), 1e-13 * all.cwiseAbs().maxCoeff());
   }
-  const auto exact = start_exact(flat, {}, plans);
+  const auto exact = start_hybrid(flat, {}, modes);
   TaylorRun<4> run(flat, {});
-  Turn a, b;
-  a.disturbances.setIdentity(8, 8);
-  b.disturbances.setIdentity(8, 8);
+  run::Turn a, b;
+  a.tangent_vectors.setIdentity(8, 8);
+  b.tangent_vectors.setIdentity(8, 8);
   ASSERT_EQ(run.advance(a), TaylorEnding::ok);
-  ASSERT_EQ(exact.advance(b), Outcome::ok);
-  EXPECT_LT((a.disturbances - b.disturbances).cwiseAbs().maxCoeff(), 1e-11);
+  ASSERT_EQ(exact.advance(b), run::Outcome::ok);
+  EXPECT_LT((a.tangent_vectors - b.tangent_vectors).cwiseAbs().maxCoeff(), 1e-11);
 }
 
 TEST(TaylorRun, StopsAtImpulsesAndAtTheEndOfAKick) {
-  ExactPlans plans;
+  exact::ModeCache modes;
   scene::Scene scene = test::cell_of({}).scene;
   scene.impulses.push_back({Eigen::Vector4d(0.02, 0.01, 0, 0), 3.1, 0.3});
   scene.pulse->duration_s = 0.02;
-  const auto exact = start_exact(scene, {}, plans);
+  const auto exact = start_hybrid(scene, {}, modes);
   TaylorRun<4> run(scene, {});
-  Turn a, b;
+  run::Turn a, b;
   for (int k = 0; k < 5; ++k) {
     ASSERT_EQ(run.advance(a), TaylorEnding::ok);
-    ASSERT_EQ(exact.advance(b), Outcome::ok);
+    ASSERT_EQ(exact.advance(b), run::Outcome::ok);
     EXPECT_LT(distance(a.section, b.section), 1e-12);
     EXPECT_EQ(a.hits, b.hits);
   }
 }
 
 TEST(TaylorRun, SaysWhatFailed) {
-  SolverOptions few;
+  run::SolverOptions few;
   few.max_steps_per_revolution = 3;
-  Turn turn;
+  run::Turn turn;
   EXPECT_EQ(TaylorRun<4>(test::cell_of({}).scene, few).advance(turn), TaylorEnding::step_limit);
   scene::Scene lost = test::cell_of({}).scene;
   lost.displacement_m(0) = std::nan("");

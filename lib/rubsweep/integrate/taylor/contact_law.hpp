@@ -6,7 +6,8 @@
 #include <variant>
 
 #include "rubsweep/contact/contact_mode.hpp"
-#include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/contact/wall.hpp"
+#include "rubsweep/integrate/run/scaled_system.hpp"
 
 namespace rubsweep::integrate::taylor {
 
@@ -55,8 +56,8 @@ struct ContactLaw {
   FrictionTerms friction;
 
   template <int N>
-  explicit ContactLaw(const ScaledContact<N>& c)
-      : annular(c.ring),
+  explicit ContactLaw(const run::ScaledContact<N>& c)
+      : annular(!contact::linear(c.wall)),
         clearance(c.clearance),
         stiffness(c.stiffness),
         damping(c.damping),
@@ -65,11 +66,9 @@ struct ContactLaw {
         mobility(c.mobility()),
         friction(friction_terms(c.friction)) {}
 
-  /// Normal force = spring_factor K p + damper d p'.
-  static double spring_factor(contact::Mode mode) {
-    return mode == contact::Mode::clamped ? 2 : mode == contact::Mode::sprung ? 1 : 0;
-  }
-  double damper(contact::Mode mode) const { return mode == contact::Mode::sprung ? damping : 0; }
+  /// Normal force = spring p + damper p' in a mode.
+  double spring(contact::Mode mode) const { return contact::law_of(mode).spring * stiffness; }
+  double damper(contact::Mode mode) const { return contact::law_of(mode).damper * damping; }
 };
 
 /// From |steepness slip| = 20 on a tanh is one to the last bit. A step that begins there takes it as constant

@@ -12,7 +12,7 @@ using numerics::square_term;
 void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s) {
   law_ = &law;
   mode_ = mode;
-  spring_factor_ = ContactLaw::spring_factor(mode);
+  spring_factor_ = contact::law_of(mode).spring;
   damper_ = law.damper(mode);
   sliding_made_ = false;
   saturated_steepness_ = 0;
@@ -73,8 +73,8 @@ ContactSeries::Force ContactSeries::annular_term(int k) {
     r_.set(0, std::sqrt(s_[0]));
   }
   s_.set(k + 1, square_term(d1, k + 1) + square_term(d2, k + 1));
-  r_.set(k + 1, numerics::root_term(r_, s_[k + 1], k + 1));
   q_.set(k, numerics::reciprocal_term(q_, r_, k));
+  r_.set(k + 1, numerics::root_term(r_, s_[k + 1], k + 1, q_[0]));
   e_.set(k, law_->stiffness * ((k == 0 ? 1 : 0) - law_->clearance * q_[k]));
   Force force;
   double zx = 0, zy = 0;
@@ -123,6 +123,7 @@ double ContactSeries::slip_term(int k) const {
 }
 
 void ContactSeries::make_open_penetration(int order) {
+  if (!law_->annular) return;
   for (int k = 0; k <= order; ++k) s_.set(k, square_term(d1, k) + square_term(d2, k));
 }
 

@@ -22,7 +22,7 @@ void ContactSlopes::make(ContactSeries& contact, int order) {
 /// Normal force K (factor p) + d v, friction mu(slip) K p.
 void ContactSlopes::make_flat(const ContactSeries& contact, int order) {
   const ContactLaw& law = contact.law();
-  const double spring = ContactLaw::spring_factor(contact.mode()) * law.stiffness;
+  const double spring = law.spring(contact.mode());
   if (contact.friction_varies()) {
     for (int k = 0; k <= order; ++k) {
       slope_.set(k, contact.friction_slope_term(k));
@@ -50,7 +50,7 @@ void ContactSlopes::make_flat(const ContactSeries& contact, int order) {
 /// normal's angle: so are the four entries.
 void ContactSlopes::make_annular(ContactSeries& contact, int order) {
   const ContactLaw& law = contact.law();
-  const double normal = ContactLaw::spring_factor(contact.mode()) * law.stiffness;
+  const double normal = law.spring(contact.mode());
   const double damper = law.damper(contact.mode());
   const bool varies = contact.friction_varies();
   const Series &q = contact.inverse_length(), &e = contact.spring_over_length();

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/taylor/contact_law.hpp"
 #include "rubsweep/integrate/taylor/contact_series.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
@@ -27,7 +27,7 @@ class Expansion {
   using Vector = Eigen::Matrix<double, N, 1>;
   using ConstMap = Eigen::Map<const Vector>;
 
-  Expansion(const ScaledSystem<N>& system, int order)
+  Expansion(const run::ScaledSystem<N>& system, int order)
       : system_(system),
         order_(order),
         u_(system.coordinates(), order + 2),
@@ -47,8 +47,8 @@ class Expansion {
     start_drives(phase_rad, pulse);
     for (int k = 0; k < order_; ++k) {
       accelerate(k);
-      v_.col(k + 1) = acceleration_ / (k + 1);
-      u_.col(k + 2) = v_.col(k + 1) / (k + 2);
+      v_.col(k + 1) = acceleration_ * numerics::one_over(k + 1);
+      u_.col(k + 2) = v_.col(k + 1) * numerics::one_over(k + 2);
     }
     complete_contacts();
   }
@@ -83,7 +83,7 @@ class Expansion {
   }
 
   int order() const { return order_; }
-  const ScaledSystem<N>& system() const { return system_; }
+  const run::ScaledSystem<N>& system() const { return system_; }
   const ContactLaw& law(std::size_t i) const { return laws_[i]; }
   ContactSeries& contact(std::size_t i) { return contacts_[i]; }
   double displacement_term(Eigen::Index row, int k) const { return u_(row, k); }
@@ -135,7 +135,7 @@ class Expansion {
     }
     if (k == 0) acceleration_ += system_.constant;
     acceleration_ += system_.cosine * cosine_ + system_.sine * sine_;
-    const double next = 1.0 / (k + 1), cosine = cosine_;
+    const double next = numerics::one_over(k + 1), cosine = cosine_;
     cosine_ = -next * sine_;
     sine_ = next * cosine;
     if (pulse_on_) {
@@ -158,11 +158,10 @@ class Expansion {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (contacts_[i].mode() != contact::Mode::open) continue;
       for (int k = 1; k <= order_; ++k) put_distance(i, k);
-      if (laws_[i].annular) contacts_[i].make_open_penetration(order_);
     }
   }
 
-  const ScaledSystem<N>& system_;
+  const run::ScaledSystem<N>& system_;
   int order_;
   Eigen::Matrix<double, N, Eigen::Dynamic> u_, v_;
   Vector acceleration_;

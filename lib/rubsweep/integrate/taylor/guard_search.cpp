@@ -28,7 +28,7 @@ double fastest_distance(const ContactSeries& contact, int order, double duration
     first_sum += std::abs((k + 1) * contact.d1[k + 1]) * power;
     second_sum += std::abs((k + 1) * contact.d2[k + 1]) * power;
   }
-  return contact.law().annular ? std::hypot(first_sum, second_sum) : second_sum;
+  return contact.law().annular ? std::sqrt(first_sum * first_sum + second_sum * second_sum) : second_sum;
 }
 
 /// Coefficients of `sign` slip + `constant` in units of the duration, order of them.
@@ -55,19 +55,21 @@ bool far_from_wall(const ContactSeries& contact, int order, double duration_rad)
 
 }  // namespace
 
-double guards_converged_rad(const ContactSeries& contact, int order, double duration_rad) {
+double guards_converged_rad(ContactSeries& contact, int order, double duration_rad) {
   const ContactLaw& law = contact.law();
   // Of flat stops they are linear in the motion.
   if (!law.annular) return duration_rad;
-  if (contact.mode() == Mode::open && far_from_wall(contact, order, duration_rad)) return duration_rad;
+  if (contact.mode() == Mode::open) {
+    if (far_from_wall(contact, order, duration_rad)) return duration_rad;
+    contact.make_open_penetration(order);
+  }
   constexpr double rounding = 0x1p-52;
   const double damper = law.damping / law.stiffness;
   for (int k = order - 2; k < order; ++k) {
     const double term = (std::abs(contact.penetration_term(k)) +
                          damper * (k + 1) * std::abs(contact.penetration_term(k + 1))) /
                         law.clearance;
-    if (term * std::pow(duration_rad, k) > rounding)
-      duration_rad = std::pow(rounding / term, 1.0 / k);
+    if (term * std::pow(duration_rad, k) > rounding) duration_rad = std::pow(rounding / term, 1.0 / k);
   }
   return duration_rad;
 }
@@ -76,28 +78,24 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
   const ContactLaw& law = contact.law();
   const Mode mode = contact.mode();
   if (mode == Mode::open && law.annular && far_from_wall(contact, order, duration_rad)) return std::nullopt;
-  std::array<Coefficients, 2> guards{};
-  contact::Exits exits;
-  double power = 1;
-  double term = contact.penetration_term(0);
-  // Rates are known to one order less.
+  // Penetration and closing speed; rates are known to one order less.
+  Coefficients p, v;
+  double power = 1, next = contact.penetration_term(0);
   for (int k = 0; k < order; ++k, power *= duration_rad) {
-    const double next = contact.penetration_term(k + 1);
-    // Guards are linear in penetration and closing speed: what holds for values holds for coefficients.
-    exits = contact::exits_of(mode, law.stiffness, law.damping, {power * term, power * (k + 1) * next, 0});
-    for (int e = 0; e < exits.count; ++e)
-      guards[static_cast<std::size_t>(e)][static_cast<std::size_t>(k)] =
-          exits.list[static_cast<std::size_t>(e)].value;
-    term = next;
+    const auto index = static_cast<std::size_t>(k);
+    p[index] = power * next;
+    next = contact.penetration_term(k + 1);
+    v[index] = power * (k + 1) * next;
   }
+  const contact::GuardForms forms = contact::guard_forms(mode, law.damping > 0);
   std::optional<GuardCrossing> earliest;
-  for (int e = 0; e < exits.count; ++e) {
-    const auto index = static_cast<std::size_t>(e);
-    const Mode next = exits.list[index].next;
-    // Between open and touching a guard is a length, else a force.
-    const double unit = mode == Mode::open || next == Mode::open ? 1 : law.stiffness;
-    const auto rise = numerics::first_rise_of(first(guards[index], order), noise * unit);
-    if (rise && (!earliest || *rise < earliest->share)) earliest = GuardCrossing{*rise, next};
+  for (std::size_t e = 0; e < static_cast<std::size_t>(forms.count); ++e) {
+    const auto& [spring, damper, to] = forms.list[e];
+    Coefficients guard;
+    const double by_v = damper * law.damping / law.stiffness;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(order); ++k) guard[k] = spring * p[k] + by_v * v[k];
+    const auto rise = numerics::first_rise_of(first(guard, order), noise);
+    if (rise && (!earliest || *rise < earliest->share)) earliest = GuardCrossing{*rise, to};
   }
   return earliest;
 }

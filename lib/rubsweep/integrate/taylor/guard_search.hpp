@@ -15,9 +15,9 @@ struct GuardCrossing {
 };
 
 /// The longest duration, at most `duration_rad`, over which the guards of a contact are their polynomials to
-/// rounding. |d| and its square have series that end later than those of d: a step that is right for the motion
-/// may be too long for them.
-double guards_converged_rad(const ContactSeries& contact, int order, double duration_rad);
+/// rounding. |d| and its square have series that end later than those of d: a step that is right for the
+/// motion may be too long for them. To be asked before `first_guard`.
+double guards_converged_rad(ContactSeries& contact, int order, double duration_rad);
 
 /// The first armed guard of a contact that rises through zero within `duration_rad` of an expansion of order
 /// `order`; the guards are polynomials there and none is passed over.

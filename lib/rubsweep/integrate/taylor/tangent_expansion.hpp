@@ -9,20 +9,20 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Small disturbances (tangent vectors) of a motion, moved along its expansions: w'' = -stiffness w - damping
-/// w' + contacts' slopes. At a change of mode they go on without a jump, as the force does.
+/// Tangent vectors of a motion, small changes of its state, moved along its expansions: w'' = -stiffness w -
+/// damping w' + contacts' slopes. At a change of mode they go on without a jump, as the force does.
 template <int N>
 class TangentExpansion {
  public:
   /// Four orders less than a motion's: the first term left out is below 1e-12 where the motion's is rounding.
   static constexpr int order = numerics::most_taylor_order - 4;
 
-  explicit TangentExpansion(const ScaledSystem<N>& system)
+  explicit TangentExpansion(const run::ScaledSystem<N>& system)
       : system_(system), slopes_(system.contacts.size()) {}
 
-  /// One per column, as Turn::disturbances.
-  void begin(const Eigen::MatrixXd& disturbances) {
-    count_ = disturbances.cols();
+  /// One per column, as Turn::tangent_vectors.
+  void begin(const Eigen::MatrixXd& tangents) {
+    count_ = tangents.cols();
     if (count_ == 0) return;
     const Eigen::Index n = system_.coordinates();
     if (terms_.empty() || terms_[0].cols() != count_) {
@@ -32,8 +32,8 @@ class TangentExpansion {
       distance_.assign(system_.contacts.size() * (order + 1), Pair(2, count_));
       distance_rate_ = distance_;
     }
-    terms_[0] = disturbances.topRows(n);
-    rates_[0] = disturbances.bottomRows(n);
+    terms_[0] = tangents.topRows(n);
+    rates_[0] = tangents.bottomRows(n);
   }
 
   Eigen::Index count() const { return count_; }
@@ -49,11 +49,11 @@ class TangentExpansion {
     sum_up(rates_, duration_rad);
   }
 
-  void put(Eigen::MatrixXd& disturbances) const {
+  void put(Eigen::MatrixXd& tangents) const {
     if (count_ == 0) return;
     const Eigen::Index n = system_.coordinates();
-    disturbances.topRows(n) = terms_[0];
-    disturbances.bottomRows(n) = rates_[0];
+    tangents.topRows(n) = terms_[0];
+    tangents.bottomRows(n) = rates_[0];
   }
 
  private:
@@ -84,8 +84,8 @@ class TangentExpansion {
     for (std::size_t i = 0; i < slopes_.size(); ++i) {
       if (touches(motion, i)) add_contact(i, k, next);
     }
-    next /= k + 1;
-    terms_[index + 1] = rates_[index] / (k + 1);
+    next *= numerics::one_over(k + 1);
+    terms_[index + 1] = rates_[index] * numerics::one_over(k + 1);
   }
 
   void add_contact(std::size_t i, int k, Directions& acceleration) {
@@ -121,9 +121,9 @@ class TangentExpansion {
     terms[0] = sum;
   }
 
-  const ScaledSystem<N>& system_;
+  const run::ScaledSystem<N>& system_;
   Eigen::Index count_ = 0;
-  std::vector<Directions> terms_, rates_;  ///< by order; the first ones are where the disturbances are
+  std::vector<Directions> terms_, rates_;  ///< by order; the first ones are where they are now
   std::vector<Pair> distance_, distance_rate_;
   Pair force_;
   Directions sum_;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/integrate/step_observer.hpp"
+#include "rubsweep/numerics/cubic_maximum.hpp"
 
 namespace rubsweep::integrate::taylor {
 namespace {
@@ -21,7 +21,7 @@ constexpr int most_watched_pieces = 64;
 
 /// Largest |eigenvalue| of the structure by itself.
 template <int N>
-double fastest_of(const ScaledSystem<N>& system) {
+double fastest_of(const run::ScaledSystem<N>& system) {
   const Eigen::Index n = system.coordinates();
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   generator.topRightCorner(n, n).setIdentity();
@@ -33,16 +33,16 @@ double fastest_of(const ScaledSystem<N>& system) {
 }  // namespace
 
 template <int N>
-TaylorRun<N>::TaylorRun(const scene::Scene& scene, const SolverOptions& options, int order)
-    : system_(scale<N>(scene)),
+TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& options, int order)
+    : system_(run::scale<N>(scene)),
       dynamics_(system_, 0),
       motion_(system_, order),
       tangents_(system_),
       impulses_(scene),
       structure_rate_(fastest_of(system_)),
-      stiff_above_(stiff_friction_ratio(options.relative_tolerance)),
+      stiff_above_(run::stiff_friction_ratio(options.relative_tolerance)),
       max_steps_(options.max_steps_per_revolution),
-      state_(scaled_initial_state(scene)),
+      state_(run::scaled_initial_state(scene)),
       rate_(state_.size()),
       probe_(state_.size()) {}
 
@@ -54,8 +54,8 @@ void TaylorRun<N>::resume(std::span<const double> section, long revolution) {
 }
 
 template <int N>
-TaylorEnding TaylorRun<N>::advance(Turn& turn, double end_phase) {
-  StepObserver{turn};
+TaylorEnding TaylorRun<N>::advance(run::Turn& turn, double end_phase) {
+  turn.clear_answers();
   phase_ = 0;
   end_phase_ = end_phase;
   standstill_ = next_sample_ = 0;
@@ -66,7 +66,7 @@ TaylorEnding TaylorRun<N>::advance(Turn& turn, double end_phase) {
   entered_ = true;
   start_ = state_;
   start_modes_ = dynamics_.modes();
-  tangents_.begin(turn.disturbances);
+  tangents_.begin(turn.tangent_vectors);
   step_limit_ = effort_.steps + max_steps_;
   TaylorEnding ending = TaylorEnding::ok;
   while (ending == TaylorEnding::ok && phase_ < end_phase_) {
@@ -77,7 +77,7 @@ TaylorEnding TaylorRun<N>::advance(Turn& turn, double end_phase) {
 }
 
 template <int N>
-TaylorEnding TaylorRun<N>::end(Turn& turn, TaylorEnding ending) {
+TaylorEnding TaylorRun<N>::end(run::Turn& turn, TaylorEnding ending) {
   if (ending == TaylorEnding::stiff) {
     state_ = start_;
     dynamics_.modes() = start_modes_;
@@ -90,7 +90,7 @@ TaylorEnding TaylorRun<N>::end(Turn& turn, TaylorEnding ending) {
   // The steps of a turn add up to it but for rounding.
   turn.contact_fraction = std::min(1.0, turn.contact_fraction);
   turn.touching_at_end = std::ranges::any_of(dynamics_.modes(), [](Mode mode) { return mode != Mode::open; });
-  tangents_.put(turn.disturbances);
+  tangents_.put(turn.tangent_vectors);
   return ending;
 }
 
@@ -128,8 +128,8 @@ double TaylorRun<N>::next_boundary(double phase) const {
   return pulse.on ? std::min(boundary, system_.pulse_end_rad - pulse.elapsed_rad) : boundary;
 }
 
-/// Of the structure and of the springs that contacts join it with: an underdamped oscillator has eigenvalues of
-/// its undamped frequency's size, an overdamped one none above its damping.
+/// Of the structure and of the springs that contacts join it with: an underdamped oscillator has eigenvalues
+/// of its undamped frequency's size, an overdamped one none above its damping.
 template <int N>
 double TaylorRun<N>::fastest_rate() const {
   double square = structure_rate_ * structure_rate_;
@@ -138,14 +138,14 @@ double TaylorRun<N>::fastest_rate() const {
     const Mode mode = dynamics_.modes()[i];
     if (mode == Mode::open) continue;
     const ContactLaw& law = motion_.law(i);
-    square += std::max(1.0, ContactLaw::spring_factor(mode)) * law.stiffness * law.mobility;
+    square += std::max(law.stiffness, law.spring(mode)) * law.mobility;
     linear += law.damper(mode) * law.mobility;
   }
   return std::max(linear, std::sqrt(square));
 }
 
 template <int N>
-TaylorEnding TaylorRun<N>::step(Turn& turn) {
+TaylorEnding TaylorRun<N>::step(run::Turn& turn) {
   const PulsePhase pulse = pulse_at(phase_);
   motion_.expand(state_.data(), phase_, pulse, dynamics_.modes());
   ++effort_.steps;
@@ -197,7 +197,7 @@ typename TaylorRun<N>::Crossing TaylorRun<N>::first_crossing(double duration) {
 
 /// Moves on by `duration` within the modes of the expansion, and looks at what was asked for.
 template <int N>
-void TaylorRun<N>::take(Turn& turn, double duration, double end_phase) {
+void TaylorRun<N>::take(run::Turn& turn, double duration, double end_phase) {
   put_samples(turn, end_phase);
   watch(turn, duration);
   tangents_.pass(motion_, duration);
@@ -206,7 +206,7 @@ void TaylorRun<N>::take(Turn& turn, double duration, double end_phase) {
 }
 
 template <int N>
-void TaylorRun<N>::put_samples(Turn& turn, double end_phase) {
+void TaylorRun<N>::put_samples(run::Turn& turn, double end_phase) {
   const int count = turn.samples_per_revolution;
   for (; next_sample_ < count; ++next_sample_) {
     const double due = full_turn * next_sample_ / count;
@@ -224,7 +224,7 @@ int TaylorRun<N>::pieces(double duration) const {
 }
 
 template <int N>
-void TaylorRun<N>::watch(Turn& turn, double duration) {
+void TaylorRun<N>::watch(run::Turn& turn, double duration) {
   bool touching = false;
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     if (dynamics_.modes()[i] == Mode::open) continue;
@@ -248,7 +248,7 @@ double largest_of(const At& at, int pieces, double duration) {
   double largest = value;
   for (int i = 1; i <= pieces; ++i) {
     const auto [next, next_rate] = at(size * i);
-    largest = std::max(largest, cubic_maximum(value, size * rate, next, size * next_rate));
+    largest = std::max(largest, numerics::cubic_maximum(value, size * rate, next, size * next_rate));
     value = next;
     rate = next_rate;
   }
@@ -256,7 +256,7 @@ double largest_of(const At& at, int pieces, double duration) {
 }
 
 template <int N>
-void TaylorRun<N>::watch_displacement(Turn& turn, double duration) {
+void TaylorRun<N>::watch_displacement(run::Turn& turn, double duration) {
   const Eigen::Index n = system_.coordinates();
   const auto square = [&](double at) {
     motion_.put_state(at, probe_.data());
@@ -271,10 +271,9 @@ void TaylorRun<N>::watch_displacement(Turn& turn, double duration) {
 }
 
 template <int N>
-void TaylorRun<N>::watch_force(Turn& turn, std::size_t i, double duration) {
+void TaylorRun<N>::watch_force(run::Turn& turn, std::size_t i, double duration) {
   const ContactSeries& c = motion_.contact(i);
-  const double spring = ContactLaw::spring_factor(c.mode()) * c.law().stiffness,
-               damper = c.law().damper(c.mode());
+  const double spring = c.law().spring(c.mode()), damper = c.law().damper(c.mode());
   const auto force = [&](double at) {
     double value = 0, rate = 0;
     for (int k = motion_.order() - 1; k >= 0; --k) {
@@ -288,14 +287,14 @@ void TaylorRun<N>::watch_force(Turn& turn, std::size_t i, double duration) {
 }
 
 template <int N>
-void TaylorRun<N>::note_switch(Turn& turn, std::size_t i, Mode from) {
+void TaylorRun<N>::note_switch(run::Turn& turn, std::size_t i, Mode from) {
   ++effort_.switches;
-  StepObserver::count(turn, {phase_, static_cast<int>(i), from, dynamics_.modes()[i]});
+  turn.add({phase_, static_cast<int>(i), from, dynamics_.modes()[i]});
 }
 
 /// The force is continuous across the switch: one rate holds on both sides of it.
 template <int N>
-void TaylorRun<N>::switch_modes(Turn& turn, const Crossing& crossing) {
+void TaylorRun<N>::switch_modes(run::Turn& turn, const Crossing& crossing) {
   const PulsePhase pulse = pulse_at(phase_);
   dynamics_.set_pulse(pulse.on, pulse.elapsed_rad);
   dynamics_(state_, rate_, phase_);
@@ -312,7 +311,7 @@ void TaylorRun<N>::switch_modes(Turn& turn, const Crossing& crossing) {
 
 /// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
 template <int N>
-void TaylorRun<N>::strike(Turn& turn) {
+void TaylorRun<N>::strike(run::Turn& turn) {
   const auto n = static_cast<std::size_t>(system_.coordinates());
   while (phase_ >= impulses_.next_phase_rad()) {
     const Eigen::VectorXd& jump_m_per_s = impulses_.take();

@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/integrate/dynamics.hpp"
-#include "rubsweep/integrate/impulses.hpp"
-#include "rubsweep/integrate/options.hpp"
-#include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/run/impulses.hpp"
+#include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 #include "rubsweep/integrate/taylor/guard_search.hpp"
 #include "rubsweep/integrate/taylor/tangent_expansion.hpp"
-#include "rubsweep/integrate/turn.hpp"
 
 namespace rubsweep::integrate::taylor {
 
@@ -31,7 +31,7 @@ enum class TaylorEnding {
 template <int N>
 class TaylorRun {
  public:
-  explicit TaylorRun(const scene::Scene& scene, const SolverOptions& options,
+  explicit TaylorRun(const scene::Scene& scene, const run::SolverOptions& options,
                      int order = numerics::most_taylor_order);
 
   TaylorRun(const TaylorRun&) = delete;
@@ -39,7 +39,7 @@ class TaylorRun {
 
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
   /// After `stiff` the run stands where the revolution began, and the turn's numbers mean nothing.
-  TaylorEnding advance(Turn& turn, double end_phase = full_turn);
+  TaylorEnding advance(run::Turn& turn, double end_phase = full_turn);
 
   /// The next revolution is number `revolution` and starts from `section` (as Turn::section).
   void resume(std::span<const double> section, long revolution);
@@ -47,7 +47,7 @@ class TaylorRun {
   /// Scaled state where the next revolution begins.
   const std::vector<double>& section() const { return state_; }
   long revolution() const { return revolution_; }
-  const Effort& effort() const { return effort_; }
+  const run::Effort& effort() const { return effort_; }
 
  private:
   static constexpr double full_turn = 2 * std::numbers::pi;
@@ -61,25 +61,25 @@ class TaylorRun {
   void enter_by_state(double phase);
   PulsePhase pulse_at(double phase) const;
   double next_boundary(double phase) const;
-  TaylorEnding step(Turn& turn);
+  TaylorEnding step(run::Turn& turn);
   double fastest_rate() const;
   Crossing first_crossing(double duration);
-  void take(Turn& turn, double duration, double end_phase);
-  void put_samples(Turn& turn, double end_phase);
-  void watch(Turn& turn, double duration);
-  void watch_displacement(Turn& turn, double duration);
-  void watch_force(Turn& turn, std::size_t i, double duration);
+  void take(run::Turn& turn, double duration, double end_phase);
+  void put_samples(run::Turn& turn, double end_phase);
+  void watch(run::Turn& turn, double duration);
+  void watch_displacement(run::Turn& turn, double duration);
+  void watch_force(run::Turn& turn, std::size_t i, double duration);
   int pieces(double duration) const;
-  void switch_modes(Turn& turn, const Crossing& crossing);
-  void strike(Turn& turn);
-  void note_switch(Turn& turn, std::size_t i, contact::Mode from);
-  TaylorEnding end(Turn& turn, TaylorEnding ending);
+  void switch_modes(run::Turn& turn, const Crossing& crossing);
+  void strike(run::Turn& turn);
+  void note_switch(run::Turn& turn, std::size_t i, contact::Mode from);
+  TaylorEnding end(run::Turn& turn, TaylorEnding ending);
 
-  ScaledSystem<N> system_;
-  Dynamics<N, false> dynamics_;
+  run::ScaledSystem<N> system_;
+  adaptive::Dynamics<N, false> dynamics_;
   Expansion<N> motion_;
   TangentExpansion<N> tangents_;
-  Impulses impulses_;
+  run::Impulses impulses_;
   double structure_rate_ = 0;  ///< fastest of the structure without contacts, per radian
   double stiff_above_ = 0;
   long max_steps_ = 0, step_limit_ = 0;
@@ -89,7 +89,7 @@ class TaylorRun {
   bool entered_ = false;
   int standstill_ = 0, next_sample_ = 0;
   long revolution_ = 0;
-  Effort effort_;
+  run::Effort effort_;
 };
 
 extern template class TaylorRun<2>;
