@@ -54,7 +54,7 @@ long allocations_of(const scene::Scene& scene, const run::SolverOptions& options
   advance(30);
   const long before = allocations;
   EXPECT_GT(advance(30), 2);
-  EXPECT_EQ(turn.effort.adaptive_turns, 0);
+  EXPECT_EQ(turn.effort.taylor_turns + turn.effort.adaptive_turns, 0);
   return allocations - before;
 }
 
