@@ -31,8 +31,9 @@ TEST(ExplainStudy, GridWhateverItsOrder) {
 TEST(ExplainStudy, SolverAndHowACellEnds) {
   sweep::Study study = sweep::one_side_study({50}, {0.4});
   EXPECT_TRUE(says(explain_study(study), "solver: exact (auto: wherever it applies), closed forms"));
-  EXPECT_TRUE(
-      says(explain_study(study), "turns whose friction is not saturated by the\n  adaptive one: dopri5"));
+  EXPECT_TRUE(says(explain_study(study),
+                   "turns whose friction is not saturated in Taylor pieces, stiff ones "
+                   "by the\n  adaptive one: dopri5"));
   EXPECT_TRUE(says(explain_study(study), "relative tolerance 1e-08\n"));
   EXPECT_TRUE(says(explain_study(study), "contact: located"));
   EXPECT_TRUE(says(explain_study(study),

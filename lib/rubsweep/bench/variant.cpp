@@ -21,7 +21,7 @@ bool closed_forms_do(const scene::Scene& scene, integrate::run::SolverOptions ba
   for (int k = 0; k < turns; ++k) {
     if (run.advance(turn) != integrate::run::Outcome::ok) return false;
   }
-  return turn.effort.adaptive_turns == 0;
+  return turn.effort.adaptive_turns == 0 && turn.effort.taylor_turns == 0;
 }
 
 }  // namespace

@@ -77,9 +77,10 @@ std::string explain_solver(const sweep::Study& study) {
   std::string text;
   if (exact(study)) {
     text = fmt::format(
-        "solver: exact{}, closed forms between mode switches, which certified steps find; {} by the\n  "
+        "solver: exact{}, closed forms between mode switches, which certified steps find; {} {}by the\n  "
         "adaptive one: ",
-        chosen ? " (auto: wherever it applies)" : "", explain_beyond(study.machine));
+        chosen ? " (auto: wherever it applies)" : "", explain_beyond(study.machine),
+        solver.stepper == integrate::run::Stepper::automatic ? "in Taylor pieces, stiff ones " : "");
   } else {
     text =
         fmt::format("solver: adaptive{}, ",
