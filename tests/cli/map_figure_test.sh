@@ -57,6 +57,6 @@ cp ratio/config.yaml motions
   row 90 0.4 synchronous 1 oval mixed ''
 } >motions/map.csv
 draw 0 domain_map.sh motions/map.csv out/motions Heading
-for text in '“synchronous oval”' 'backward dry whip' '>quasi-periodic<' '>synchronous circle<' 'backward circle' '>synchronous<'; do
+for text in 'quasi-periodic oval' 'backward dry whip' '>quasi-periodic<' '>synchronous circle<' 'backward circle' '>synchronous<'; do
   expect_contains out/motions.svg "$text"
 done
