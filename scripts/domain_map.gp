@@ -60,6 +60,9 @@ if (in_hz) { set xtics autofreq out nomirror } else { set xtics 1 out nomirror; 
 set ytics out nomirror
 set key at screen 0.775, graph 1 left top Left reverse samplen 1.5 spacing 1.4
 set rmargin at screen 0.76
+if (strstrt(present, " quasi_periodic_oval ")) {
+  set label "quasi-periodic oval: whirl that\nis closed in the rotating frame" at screen 0.78, screen 0.16 left font ",15"
+}
 at(list, k) = k > words(list) ? kinds : int(word(list, k))  # gnuplot reads the body of an empty loop, too
 x_if(i) = strcol(7) eq kind[i] ? $1 : NaN
 
