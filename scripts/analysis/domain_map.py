@@ -35,7 +35,7 @@ def kind_of(row):
     """The kind of a row, as the legend of the picture parts them."""
     name, backward = row["class"], row["whirl"] == "backward"
     if name == "subharmonic":
-        return f"subharmonic_{min(int(csv_table.number(row, 'order')), LARGEST_NAMED_ORDER)}"
+        return f"subharmonic_{min(int(csv_table.number(row, 'order') or 0), LARGEST_NAMED_ORDER)}"
     if name == "synchronous" and row["orbit"] == "circle":
         return "synchronous_circle_backward" if backward else "synchronous_circle"
     if name == "quasi_periodic" and row["comb_spacing"]:

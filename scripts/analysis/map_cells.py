@@ -51,8 +51,10 @@ class MapCell:
 
 
 def read_map(path, natural_frequency_hz):
-    """All cells of a map over the whirl ratio, in the order of the file."""
-    return [_cell(row, natural_frequency_hz) for row in csv_table.read_table(path, *COLUMNS)]
+    """The cells of a map in the order of the file, without those that have no whirl ratio: where static forces take the
+    clearance there is none."""
+    rows = csv_table.read_table(path, *COLUMNS)
+    return [_cell(row, natural_frequency_hz) for row in rows if row["whirl_ratio"]]
 
 
 def _cell(row, natural_frequency_hz):

@@ -23,11 +23,13 @@ class StudiedMap:
         self.cells = read_map(os.path.join(directory, "map.csv"), self.number("rotor.natural_frequency_hz"))
 
     def number(self, path):
+        if path not in self.values:
+            raise configuration.ConfigurationError(f"{self.config_file} has no {path}")
         return configuration.number(self.values[path])
 
     def gap_share(self):
         """What the offset of the first stop leaves of its clearance."""
-        offset = configuration.numbers(self.values["stops.0.offset_m"])
+        offset = configuration.numbers(self.values.get("stops.0.offset_m", "[0, 0]"))
         return 1 - math.hypot(*offset) / self.number("stops.0.clearance_m")
 
 

@@ -6,7 +6,7 @@ from sample_machine import cell, circle, oval
 class ReadMap(FileTest):
     def test_reads_columns_by_name(self):
         names = ",".join(reversed(COLUMNS)) + ",proof\n"
-        path = self.write("map.csv", names + "0.5,1e-3,0.5,,complex,2,subharmonic,0.2,75,floquet\n,,,,,,failed,0.1,45,\n")
+        path = self.write("map.csv", names + "0.5,1e-3,0.5,,complex,2,subharmonic,0.2,75,floquet\n,,,,,,failed,0.1,45,\n,,,,,,failed,,45,\n")
         first, failed = read_map(path, 30)
         self.assertEqual((first.speed, first.ratio, first.order, first.hits), (2.5, 0.2, 2, 0.5))
         self.assertEqual((first.amplitude_1x_m, first.dominant_order, first.comb_spacing), (1e-3, 0.5, None))

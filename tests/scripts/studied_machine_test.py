@@ -2,6 +2,7 @@ import os
 import stat
 
 from command import Failure
+from configuration import ConfigurationError
 from files import FileTest
 from map_cells import COLUMNS
 from sample_machine import cell
@@ -40,6 +41,10 @@ class Machine(FileTest):
         self.assertEqual([one.speed for one in self.machine.cells("annulus")], [2.5])
         self.assertEqual(self.machine.ratios("annulus"), {0.2})
         self.assertAlmostEqual(self.machine.maps["annulus"].gap_share(), 0.5)
+
+    def test_a_value_that_is_not_there_is_named(self):
+        with self.assertRaisesRegex(ConfigurationError, "annulus/config.yaml has no kick.force_n"):
+            self.machine.maps["annulus"].number("kick.force_n")
 
     def test_traces(self):
         one = cell(2.5, 0.1, "chaotic")
