@@ -7,7 +7,7 @@ set -euo pipefail
 export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(dirname "$here")
-program=$top/build/release/tests/support/exact_turns
+program=$top/build/release/studies/cost/exact_turns
 [[ -x $program ]] || { echo "count_operations.sh: no $program; run scripts/test.sh" >&2; exit 1; }
 command -v valgrind >/dev/null || { echo 'count_operations.sh: needs valgrind (Debian package: valgrind)' >&2; exit 1; }
 work=$(mktemp -d)
