@@ -27,7 +27,8 @@ double awkward(std::mt19937_64& random) {
 RunConfig awkward_config(std::mt19937_64& random) {
   const auto maybe = [&]() { return random() % 2 == 0 ? std::optional<double>() : awkward(random); };
   RunConfig config;
-  config.study.machine.rotor = {awkward(random), awkward(random), std::min(awkward(random), 0.9)};
+  config.study.machine.rotor =
+      model::JeffcottRotor{awkward(random), awkward(random), std::min(awkward(random), 0.9)};
   for (std::size_t i = 0; i < 1 + random() % 3; ++i) {
     model::Stop stop;
     stop.geometry = model::OneSideGeometry{-awkward(random)};
@@ -51,7 +52,7 @@ RunConfig awkward_config(std::mt19937_64& random) {
     config.study.machine.stops.push_back(stop);
   }
   // No number may look like one in another unit.
-  const double frequency_hz = config.study.machine.rotor.natural_frequency_hz;
+  const double frequency_hz = std::get<model::JeffcottRotor>(config.study.machine.rotor).natural_frequency_hz;
   if (random() % 2 == 0)
     config.study.machine.kick =
         model::Kick{awkward(random), std::min(awkward(random), 90 / frequency_hz), maybe()};

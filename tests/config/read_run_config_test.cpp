@@ -13,9 +13,9 @@ const std::filesystem::path folder = RUBSWEEP_TEST_DATA;
 TEST(ReadRunConfig, reads_every_key) {
   const RunConfig config = read_run_config(folder / "one_side.yaml", {});
   const model::Machine& machine = config.study.machine;
-  EXPECT_EQ(machine.rotor.mass_kg, 0.8);
-  EXPECT_EQ(machine.rotor.natural_frequency_hz, 30);
-  EXPECT_EQ(machine.rotor.damping_ratio, 0.02);
+  EXPECT_EQ(std::get<model::JeffcottRotor>(machine.rotor).mass_kg, 0.8);
+  EXPECT_EQ(std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz, 30);
+  EXPECT_EQ(std::get<model::JeffcottRotor>(machine.rotor).damping_ratio, 0.02);
   ASSERT_EQ(machine.stops.size(), 1U);
   const model::Stop& stop = machine.stops[0];
   EXPECT_EQ(std::get<model::OneSideGeometry>(stop.geometry).angle_deg, 90);

@@ -7,6 +7,7 @@
 
 #include "response/annular_cell.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/integrate/start.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::response {

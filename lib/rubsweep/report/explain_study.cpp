@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <variant>
 
-#include "rubsweep/contact/saturation.hpp"
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/explain_machine.hpp"
@@ -17,9 +18,8 @@ namespace rubsweep::report {
 namespace {
 
 bool friction_depends_on_slip(const model::Machine& machine) {
-  return std::ranges::any_of(machine.stops, [](const model::Stop& stop) {
-    return std::holds_alternative<model::StribeckFriction>(stop.friction);
-  });
+  return std::ranges::any_of(machine.stops,
+                             [](const model::Stop& stop) { return contact::depends_on_slip(stop.friction); });
 }
 
 /// What `stepper: auto` comes to for this machine, and why.
@@ -38,7 +38,7 @@ std::string explain_automatic(const sweep::Study& study) {
 std::string explain_beyond(const model::Machine& machine) {
   bool annular = false, unsaturated = false;
   for (const model::Stop& stop : machine.stops) {
-    annular = annular || std::holds_alternative<model::AnnularGeometry>(stop.geometry);
+    annular = annular || !contact::linear(contact::wall_of(stop.geometry));
     unsaturated = unsaturated || !contact::saturated_friction(stop.friction);
   }
   if (annular) return "turns that touch the annular stop";
