@@ -133,8 +133,8 @@ void conclude(const motion::Motion& seen, const scene::Cell& cell, SettledRun& r
   if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
 }
 
-void conclude_at_rest(const scene::Cell& cell, const motion::ResponseOptions& options, motion::Workspace& workspace,
-                      SettledRun& run) {
+void conclude_at_rest(const scene::Cell& cell, const motion::ResponseOptions& options,
+                      motion::Workspace& workspace, SettledRun& run) {
   run.motion.motion_class = motion::MotionClass::non_contact;
   run.motion.measures = quiet_measures(cell, options, workspace);
   run.proof = motion::Proof::rest;
