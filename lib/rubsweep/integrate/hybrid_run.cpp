@@ -64,7 +64,8 @@ class ExactCursor {
     if (options_.stepper != run::Stepper::automatic || options_.contact != run::ContactHandling::located)
       return start_stepper();
     if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
-    taylor_->resume(run_.section(), run_.revolution());
+    run_.put_section(section_);
+    taylor_->resume(section_, run_.revolution());
   }
 
   void start_stepper() {
@@ -137,6 +138,7 @@ class ExactCursor {
   std::unique_ptr<TaylorRun> taylor_;  ///< made when first needed
   run::Cursor adaptive_;               ///< empty while no stepper is at work
   bool away_ = false;                  ///< from closed forms
+  std::vector<double> section_;        ///< where the run left them
   int absence_ = 1, absent_ = 0;
   long taylor_turns_ = 0, adaptive_turns_ = 0;
   run::Effort past_, adaptive_effort_;

@@ -266,7 +266,7 @@ TEST(TaylorRun, RollsBackwardOnItsClosedForm) {
       const Complex z(turn.section[0], turn.section[1]);
       EXPECT_LT(std::abs(z - rolling.displacement(k)), 1e-11) << steepness;
     }
-    EXPECT_EQ(turn.contact_fraction, 1);
+    EXPECT_DOUBLE_EQ(turn.contact_fraction, 1);
   }
 }
 

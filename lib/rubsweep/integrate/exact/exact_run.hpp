@@ -45,6 +45,8 @@ class ExactRun {
 
   /// Scaled state where the next revolution begins, as Turn::section.
   std::vector<double> section() const;
+  /// The same without an allocation, once `section` has the room.
+  void put_section(std::vector<double>& section) const;
   long revolution() const { return revolution_; }
   const run::Effort& effort() const { return effort_; }
 
@@ -55,7 +57,6 @@ class ExactRun {
   bool begin_turn(run::Turn& turn);
   bool start_motion();
   ExactEnding end_turn(run::Turn& turn);
-  void put_section(std::vector<double>& section) const;
   void set_phases();
   bool enter_by_state(const State& physical);
   ExactEnding go_on(run::Turn& turn);
