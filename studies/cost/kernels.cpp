@@ -21,10 +21,10 @@ void turn(benchmark::State& state, integrate::run::Method method, double toleran
   options.relative_tolerance = tolerance;
   integrate::exact::ModeCache modes;
   const integrate::run::Run run = integrate::start(test::cell_of({}).scene, options, modes);
-  integrate::run::Turn turn;
-  for (int k = 0; k < 300; ++k) run.advance(turn);
+  integrate::run::TurnReport turn;
+  for (int k = 0; k < 300; ++k) run.advance({}, turn);
   const long before = turn.effort.steps;
-  for (auto _ : state) run.advance(turn);
+  for (auto _ : state) run.advance({}, turn);
   state.counters["steps"] =
       benchmark::Counter(static_cast<double>(turn.effort.steps - before), benchmark::Counter::kAvgIterations);
   // The share of one step, whatever a turn holds besides.

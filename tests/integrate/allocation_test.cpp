@@ -38,15 +38,16 @@ namespace {
 long allocations_of(const scene::Scene& scene, const run::SolverOptions& options) {
   exact::ModeCache modes;
   const run::Run run = start(scene, options, modes);
-  run::Turn turn;
-  turn.peaks = true;
-  turn.samples_per_revolution = 32;
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  asked.peaks = true;
+  asked.samples_per_revolution = 32;
   const Eigen::Index states = 2 * scene.structure.coordinates();
-  turn.tangent_vectors.setIdentity(states, states);
+  asked.tangent_vectors.setIdentity(states, states);
   const auto advance = [&](int turns) {
     int hits = 0;
     for (int k = 0; k < turns; ++k) {
-      EXPECT_EQ(run.advance(turn), run::Outcome::ok);
+      EXPECT_EQ(run.advance(asked, turn), run::Outcome::ok);
       hits += turn.hits;
     }
     return hits;

@@ -30,20 +30,20 @@ class ExactCursor {
               std::shared_ptr<exact::MachineModes<N>> modes)
       : scene_(scene), options_(options), run_(scene, std::move(modes), options.max_steps_per_revolution) {}
 
-  run::Outcome operator()(run::Turn& turn) {
+  run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
     if (!adaptive_) {
-      switch (run_.advance(turn)) {
+      switch (run_.advance(request, report)) {
         case exact::ExactEnding::ok:
-          return report(turn, run::Outcome::ok);
+          return finish(report, run::Outcome::ok);
         case exact::ExactEnding::step_limit:
-          return report(turn, run::Outcome::step_limit);
+          return finish(report, run::Outcome::step_limit);
         case exact::ExactEnding::non_finite:
-          return report(turn, run::Outcome::non_finite);
+          return finish(report, run::Outcome::non_finite);
         case exact::ExactEnding::beyond:
           leave();
       }
     }
-    return advance_adaptively(turn);
+    return advance_adaptively(request, report);
   }
 
   void restart(std::span<const double> section) {
@@ -60,16 +60,16 @@ class ExactCursor {
     absence_ = std::min(2 * absence_, longest_absence);
   }
 
-  run::Outcome advance_adaptively(run::Turn& turn) {
-    const run::Outcome outcome = adaptive_(turn);
-    adaptive_effort_ = turn.effort;
+  run::Outcome advance_adaptively(const run::TurnRequest& request, run::TurnReport& report) {
+    const run::Outcome outcome = adaptive_(request, report);
+    adaptive_effort_ = report.effort;
     ++adaptive_turns_;
-    report(turn, outcome);
+    finish(report, outcome);
     if (outcome != run::Outcome::ok) return outcome;
-    run_.resume(turn.section);
+    run_.resume(report.section);
     ++absent_;
-    if (!turn.touched || absent_ >= absence_) {
-      if (!turn.touched) absence_ = 1;
+    if (!report.touched || absent_ >= absence_) {
+      if (!report.touched) absence_ = 1;
       past_ = sum(past_, adaptive_effort_);
       adaptive_effort_ = {};
       adaptive_ = nullptr;
@@ -87,9 +87,9 @@ class ExactCursor {
     return a;
   }
 
-  run::Outcome report(run::Turn& turn, run::Outcome outcome) {
-    turn.effort = sum(sum(past_, adaptive_effort_), run_.effort());
-    turn.effort.adaptive_turns = adaptive_turns_;
+  run::Outcome finish(run::TurnReport& report, run::Outcome outcome) {
+    report.effort = sum(sum(past_, adaptive_effort_), run_.effort());
+    report.effort.adaptive_turns = adaptive_turns_;
     return outcome;
   }
 
@@ -105,7 +105,7 @@ class ExactCursor {
 template <int N>
 run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::ModeCache& modes) {
   auto run = std::make_shared<ExactCursor<N>>(scene, options, modes.modes_of<N>(scene));
-  return {[run](run::Turn& turn) { return (*run)(turn); },
+  return {[run](const run::TurnRequest& request, run::TurnReport& report) { return (*run)(request, report); },
           [run](std::span<const double> section) { run->restart(section); }};
 }
 

@@ -16,7 +16,9 @@ struct Restarting {
 run::Run start_restarting(const scene::Scene& scene, const run::SolverOptions& options) {
   auto run =
       std::make_shared<Restarting>(Restarting{scene, options, adaptive::start_adaptive(scene, options)});
-  return {[run](run::Turn& turn) { return run->cursor(turn); },
+  return {[run](const run::TurnRequest& request, run::TurnReport& report) {
+            return run->cursor(request, report);
+          },
           [run](std::span<const double> section) {
             const Eigen::Index n = run->scene.structure.coordinates();
             const Eigen::Map<const Eigen::VectorXd> state(section.data(), 2 * n);

@@ -105,7 +105,7 @@ class MotionProof {
     return turning ? turning->samples_wanted() : 0;
   }
 
-  std::optional<motion::ProvenMotion> look(const integrate::run::Turn& turn) {
+  std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn) {
     if (auto* turning = std::get_if<rotating::RotatingProof>(&proof_)) return turning->look(turn);
     if (auto* section = std::get_if<proof::OrbitProof>(&proof_)) return section->look(turn);
     return std::nullopt;
@@ -134,15 +134,16 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   motion::Record record(cell.scene, options);
   const long first_recorded = options.max_revolutions - 2L * options.window_revolutions;
   const double kick_turns = pulse_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
-  integrate::run::Turn turn;
+  integrate::run::TurnRequest request;
+  integrate::run::TurnReport turn;
   while (run.revolutions < options.max_revolutions) {
-    turn.samples_per_revolution = proof.samples_wanted();
-    if (run.revolutions >= first_recorded) turn.samples_per_revolution = options.samples_per_revolution;
+    request.samples_per_revolution = proof.samples_wanted();
+    if (run.revolutions >= first_recorded) request.samples_per_revolution = options.samples_per_revolution;
     if (run.revolutions == first_recorded) {
-      turn.peaks = true;
+      request.peaks = true;
       record.begin(first_recorded == 0 ? integrate::run::scaled_initial_state(cell.scene) : turn.section);
     }
-    run.outcome = motion.advance(turn);
+    run.outcome = motion.advance(request, turn);
     run.effort = turn.effort;
     if (run.outcome != integrate::run::Outcome::ok) {
       run.motion.motion_class = motion::MotionClass::failed;

@@ -21,8 +21,8 @@ constexpr Complex i{0, 1};
 /// z = x + iy of the first point after `turns` revolutions, in metres.
 Complex displacement_after(const scene::Scene& scene, const run::SolverOptions& options, int turns) {
   const run::Cursor advance = start_adaptive(scene, options);
-  run::Turn turn;
-  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok);
+  run::TurnReport turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance({}, turn), run::Outcome::ok);
   return scene.length_scale_m * Complex(turn.section[0], turn.section[1]);
 }
 
@@ -115,10 +115,10 @@ TEST_P(EveryStepper, RubbingRunAgreesWithTheLongDoubleReference) {
   static const auto reference = test::long_double_sections(rotor, 12);
   const double tolerance = GetParam() == run::Stepper::rosenbrock4 ? 1e-8 : 1e-10;
   const run::Cursor advance = start_adaptive(test::cell_of(rotor).scene, with(GetParam(), tolerance));
-  run::Turn turn;
+  run::TurnReport turn;
   int hits = 0;
   for (std::size_t k = 1; k < reference.size(); ++k) {
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    ASSERT_EQ(advance({}, turn), run::Outcome::ok);
     hits += turn.hits;
     EXPECT_LT(test::section_error(turn.section, reference[k], rotor), 1e3 * tolerance) << "turn " << k;
   }
@@ -132,9 +132,10 @@ TEST_P(EveryStepper, SingleElasticShock) {
   scene.contacts.push_back(test::wall_across_x(1, 0, 1e6, 0));
   scene.velocity_m_per_s << 1, 0;
   const run::Cursor advance = start_adaptive(scene, with(GetParam(), 1e-10));
-  run::Turn turn;
-  turn.peaks = turn.switches_wanted = true;
-  ASSERT_EQ(advance(turn), run::Outcome::ok);
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  asked.peaks = asked.switches = true;
+  ASSERT_EQ(advance(asked, turn), run::Outcome::ok);
   const double in_contact = std::sqrt(1.01e6 / 100), in_flight = 10, pi = std::numbers::pi;
   EXPECT_NEAR(turn.peak_contact_force_n, 1e6 / in_contact, 1e-4 * 9950.37);
   ASSERT_GE(turn.switches.size(), 2u);
@@ -148,13 +149,14 @@ TEST_P(EveryStepper, SamplingDoesNotChangeTheRun) {
   const auto cell = test::cell_of({});
   const run::Cursor plain = start_adaptive(cell.scene, with(GetParam(), 1e-8));
   const run::Cursor sampled = start_adaptive(cell.scene, with(GetParam(), 1e-8));
-  run::Turn a, b;
-  b.samples_per_revolution = 50;
-  b.peaks = b.switches_wanted = true;
+  run::TurnRequest asked;
+  run::TurnReport a, b;
+  asked.samples_per_revolution = 50;
+  asked.peaks = asked.switches = true;
   std::vector<double> before = run::scaled_initial_state(cell.scene);
   for (int k = 0; k < 4; ++k) {
-    ASSERT_EQ(plain(a), run::Outcome::ok);
-    ASSERT_EQ(sampled(b), run::Outcome::ok);
+    ASSERT_EQ(plain({}, a), run::Outcome::ok);
+    ASSERT_EQ(sampled(asked, b), run::Outcome::ok);
     ASSERT_EQ(a.section, b.section);
     EXPECT_TRUE(
         std::equal(before.begin(), before.end(), b.samples.begin()));  // sample 0 is the previous section
@@ -169,9 +171,10 @@ TEST(Adaptive, SamplesOfAllSteppersAgree) {
                                      run::Stepper::bulirsch_stoer, run::Stepper::rosenbrock4}) {
     const run::Cursor advance =
         start_adaptive(cell.scene, with(stepper, stepper == run::Stepper::rosenbrock4 ? 1e-9 : 1e-10));
-    run::Turn turn;
-    turn.samples_per_revolution = 37;
-    for (int k = 0; k < 3; ++k) ASSERT_EQ(advance(turn), run::Outcome::ok);
+    run::TurnRequest asked;
+    run::TurnReport turn;
+    asked.samples_per_revolution = 37;
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(advance(asked, turn), run::Outcome::ok);
     if (reference.empty()) reference = turn.samples;
     for (std::size_t k = 0; k < reference.size(); ++k) EXPECT_NEAR(turn.samples[k], reference[k], 2e-7) << k;
   }
@@ -179,12 +182,13 @@ TEST(Adaptive, SamplesOfAllSteppersAgree) {
 
 TEST(Adaptive, ModesFollowTheRulesAndTheHitIsCountedOnce) {
   const run::Cursor advance = start_adaptive(test::cell_of({}).scene, with(run::Stepper::dopri5, 1e-9));
-  run::Turn turn;
-  turn.switches_wanted = true;
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  asked.switches = true;
   contact::Mode mode = contact::Mode::open;
   int hits = 0, entries = 0;
   for (int k = 0; k < 10; ++k) {
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    ASSERT_EQ(advance(asked, turn), run::Outcome::ok);
     double last_phase = 0;
     for (const run::ModeSwitch& change : turn.switches) {
       EXPECT_EQ(change.from, mode);
@@ -207,8 +211,8 @@ TEST(Adaptive, GrazeIsAHitOnlyWhenThePeakPassesTheWall) {
       scene.displacement_m << -1, 0;
       scene.contacts.push_back(test::wall_across_x(1, 1 - depth, 1e4, 1));
       const run::Cursor advance = start_adaptive(scene, with(stepper, 1e-12));
-      run::Turn turn;
-      ASSERT_EQ(advance(turn), run::Outcome::ok);
+      run::TurnReport turn;
+      ASSERT_EQ(advance({}, turn), run::Outcome::ok);
       EXPECT_EQ(turn.hits, depth > 0 ? 1 : 0) << depth << " stepper " << static_cast<int>(stepper);
     }
   }
@@ -223,10 +227,10 @@ TEST(Adaptive, TwoWallsHitAtOnceStaySymmetric) {
   }
   scene.velocity_m_per_s << 1, 0;
   const run::Cursor advance = start_adaptive(scene, with(run::Stepper::dopri5, 1e-9));
-  run::Turn turn;
+  run::TurnReport turn;
   int hits = 0;
   for (int k = 0; k < 5; ++k) {
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    ASSERT_EQ(advance({}, turn), run::Outcome::ok);
     hits += turn.hits;
     EXPECT_NEAR(turn.section[1], 0, 1e-12);
   }
@@ -237,8 +241,8 @@ TEST(Adaptive, TwoWallsHitAtOnceStaySymmetric) {
 TEST(Adaptive, StepLimitIsAnOutcome) {
   run::SolverOptions options = with(run::Stepper::dopri5, 1e-12);
   options.max_steps_per_revolution = 20;
-  run::Turn turn;
-  EXPECT_EQ(start_adaptive(test::cell_of({}).scene, options)(turn), run::Outcome::step_limit);
+  run::TurnReport turn;
+  EXPECT_EQ(start_adaptive(test::cell_of({}).scene, options)({}, turn), run::Outcome::step_limit);
   EXPECT_EQ(turn.effort.steps + turn.effort.refused, 20);
 }
 
@@ -247,7 +251,7 @@ TEST(Adaptive, NonFiniteStatesAreAnOutcome) {
   scene.constant_n << std::numeric_limits<double>::infinity(), 0;
   for (const run::Stepper stepper :
        {run::Stepper::dopri5, run::Stepper::cash_karp54, run::Stepper::rkf78, run::Stepper::bulirsch_stoer}) {
-    run::Turn turn;
+    run::TurnReport turn;
     const run::Outcome outcome = start_adaptive(scene, with(stepper, 1e-8))(turn);
     EXPECT_TRUE(outcome == run::Outcome::non_finite || outcome == run::Outcome::step_too_small)
         << static_cast<int>(stepper);
@@ -258,7 +262,7 @@ TEST(Adaptive, RunawayEndsAsAnOutcome) {
   // Negative damping: e^{1e4 t} leaves the finite numbers within the turn.
   auto scene = test::one_mass_scene(1, 1, -1e4, 1, 1);
   scene.displacement_m << 1, 0;
-  run::Turn turn;
+  run::TurnReport turn;
   const run::Outcome outcome = start_adaptive(scene, with(run::Stepper::dopri5, 1e-6))(turn);
   EXPECT_TRUE(outcome == run::Outcome::non_finite || outcome == run::Outcome::step_too_small);
 }
@@ -277,9 +281,9 @@ TEST(Adaptive, EightCoordinatesTakeTheDynamicPath) {
   ASSERT_EQ(cell.scene.structure.coordinates(), 8);
   const run::Cursor advance = start_adaptive(cell.scene, with(run::Stepper::dopri5, 1e-10));
   const auto reference = test::long_double_sections(rotor, 4);
-  run::Turn turn;
+  run::TurnReport turn;
   for (std::size_t k = 1; k < reference.size(); ++k) {
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    ASSERT_EQ(advance({}, turn), run::Outcome::ok);
     const auto& s = turn.section;
     const std::vector<double> first{s[0], s[1], s[2], s[3], s[8], s[9], s[10], s[11]};
     EXPECT_LT(test::section_error(first, reference[k], rotor), 1e-7);

@@ -47,9 +47,11 @@ class AdaptiveRun {
   AdaptiveRun& operator=(const AdaptiveRun&) = delete;
 
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
-  run::Outcome advance(run::Turn& turn, double end_phase = full_turn) {
+  /// Moves no tangent vectors.
+  run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
+                       double end_phase = full_turn) {
     end_phase_ = end_phase;
-    StepObserver observer(turn);
+    StepObserver observer(request, report);
     const long limit = steps_ + refused_ + max_steps_;
     step_.start_phase = 0;
     if (!impulses_.none()) impulses_.begin_turn(revolution_);
@@ -57,14 +59,14 @@ class AdaptiveRun {
     set_pulse(0);
     dynamics_(step_.start, step_.start_rate, 0.0);
     while (step_.start_phase < end_phase_) {
-      if (steps_ + refused_ >= limit) return finish(turn, run::Outcome::step_limit);
+      if (steps_ + refused_ >= limit) return finish(report, run::Outcome::step_limit);
       if (step_.start_phase >= impulses_.next_phase_rad()) strike(observer);
       const run::Outcome outcome = advance_one_step(observer);
-      if (outcome != run::Outcome::ok) return finish(turn, outcome);
+      if (outcome != run::Outcome::ok) return finish(report, outcome);
     }
     ++revolution_;
     observer.end_turn(step_.start, dynamics_);
-    return finish(turn, run::Outcome::ok);
+    return finish(report, run::Outcome::ok);
   }
 
  private:
@@ -292,14 +294,14 @@ class AdaptiveRun {
     return std::all_of(state.begin(), state.end(), [](double value) { return std::isfinite(value); });
   }
 
-  run::Outcome finish(run::Turn& turn, run::Outcome outcome) const {
-    turn.effort = {.rhs_calls = dynamics_.rhs_calls(),
-                   .steps = steps_,
-                   .refused = refused_,
-                   .switches = switches_,
-                   .implicit_steps = 0};
+  run::Outcome finish(run::TurnReport& report, run::Outcome outcome) const {
+    report.effort = {.rhs_calls = dynamics_.rhs_calls(),
+                     .steps = steps_,
+                     .refused = refused_,
+                     .switches = switches_,
+                     .implicit_steps = 0};
     if constexpr (requires { method_.implicit_steps(); })
-      turn.effort.implicit_steps = method_.implicit_steps();
+      report.effort.implicit_steps = method_.implicit_steps();
     return outcome;
   }
 

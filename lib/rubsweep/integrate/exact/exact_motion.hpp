@@ -139,7 +139,7 @@ class ExactMotion {
   void carry_no_tangents() { tangents_.clear(); }
   /// Carries tangent vectors of the state along from here on.
   void carry_tangents(const Eigen::MatrixXd& vectors) { tangents_.begin(*mode_, speed_, vectors); }
-  /// Replaces them by where they are now.
+  /// Where they are now: as many of the first ones as `vectors` has columns.
   void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, speed_, vectors); }
 
   /// Carries one more, given as a change of (u, u').

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "rubsweep/integrate/exact/exact_motion.hpp"
-#include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/integrate/run/report.hpp"
 #include "rubsweep/numerics/certified_step.hpp"
 #include "rubsweep/numerics/cubic_maximum.hpp"
 #include "rubsweep/numerics/step_table.hpp"
@@ -39,23 +39,23 @@ class PeakWatch {
 
   /// A step of `duration_s` in one mode ends here, `since_look_s` after the last state that was passed or the
   /// step's start.
-  void step(const ExactMotion<N>& motion, double duration_s, double since_look_s, run::Turn& turn) {
-    pass(motion.physical(), since_look_s, turn);
+  void step(const ExactMotion<N>& motion, double duration_s, double since_look_s, run::TurnReport& report) {
+    pass(motion.physical(), since_look_s, report);
     const auto here = motion.here();
     for (std::size_t t = 0; t < motion.mode().touches.size(); ++t) {
       if (motion.mode().touches[t].pushes)
-        raise_force(motion, t, here, duration_s, turn.peak_contact_force_n);
+        raise_force(motion, t, here, duration_s, report.peak_contact_force_n);
     }
     start_ = here;
   }
 
   /// The same at a state between the ends of steps, for the displacement alone.
-  void pass(const State& here, double duration_s, run::Turn& turn) {
+  void pass(const State& here, double duration_s, run::TurnReport& report) {
     const ValueAndRate last = std::exchange(now_, square_of_displacement(here));
-    const double known = turn.peak_displacement_m / length_m_;
+    const double known = report.peak_displacement_m / length_m_;
     if (ceiling(last, now_, duration_s) <= known * known) return;
     const double square = std::max(0.0, largest(last, now_, duration_s));
-    turn.peak_displacement_m = std::max(turn.peak_displacement_m, length_m_ * std::sqrt(square));
+    report.peak_displacement_m = std::max(report.peak_displacement_m, length_m_ * std::sqrt(square));
   }
 
  private:

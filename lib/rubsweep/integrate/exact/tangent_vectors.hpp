@@ -16,7 +16,7 @@ template <int N>
 class TangentVectors {
  public:
   void clear() { count_ = 0; }
-  /// One per column, as Turn::tangent_vectors, in `mode` from here on.
+  /// One per column, as TurnRequest::tangent_vectors, in `mode` from here on.
   void begin(const LinearMode<N>& mode, double speed_rad_per_s, const Eigen::MatrixXd& vectors);
   /// The run has gone on in its mode.
   void pass(double duration_s) { lag_s_ += duration_s; }
@@ -30,7 +30,7 @@ class TangentVectors {
     catch_up(mode);
     return {list_.data(), count_};
   }
-  /// Where they are now, column by column.
+  /// Where the first ones are now, as many as `vectors` has columns.
   void put(const LinearMode<N>& mode, double speed_rad_per_s, Eigen::MatrixXd& vectors);
 
  private:

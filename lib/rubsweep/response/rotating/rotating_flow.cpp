@@ -13,17 +13,12 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// Adds the states sampled in a turn before `end_phase`.
-void append_samples(const integrate::run::Turn& turn, double end_phase, Eigen::Index states,
-                    RotatingArc& arc) {
+/// Adds the states sampled in a turn.
+void append_samples(const integrate::run::TurnReport& turn, Eigen::Index states, RotatingArc& arc) {
   const Eigen::Index whole = states * (states + 1), old = arc.samples.cols();
-  int count = 0;
-  while (count < turn.samples_per_revolution && full_turn * count / turn.samples_per_revolution < end_phase)
-    ++count;
-  arc.samples.conservativeResize(states, old + count);
-  arc.samples.rightCols(count) =
-      Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.samples_per_revolution)
-          .topLeftCorner(states, count);
+  arc.samples.conservativeResize(states, old + turn.sample_count);
+  arc.samples.rightCols(turn.sample_count) =
+      Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.sample_count).topRows(states);
 }
 
 template <class State, int N, bool Smoothed>
@@ -35,13 +30,14 @@ std::optional<RotatingArc> follow(const scene::Scene& scene, const integrate::ru
   const Eigen::Index states = 2 * scene.structure.coordinates();
   RotatingArc arc;
   arc.angle_rad = angle_rad;
-  integrate::run::Turn turn;
-  turn.samples_per_revolution = samples_per_revolution;
-  turn.peaks = samples_per_revolution > 0;
+  integrate::run::TurnRequest request;
+  integrate::run::TurnReport turn;
+  request.samples_per_revolution = samples_per_revolution;
+  request.peaks = samples_per_revolution > 0;
   for (double left = angle_rad; left > 0; left -= full_turn) {
     const double end_phase = std::min(left, full_turn);
-    if (run.advance(turn, end_phase) != integrate::run::Outcome::ok) return std::nullopt;
-    if (samples_per_revolution > 0) append_samples(turn, end_phase, states, arc);
+    if (run.advance(request, turn, end_phase) != integrate::run::Outcome::ok) return std::nullopt;
+    if (samples_per_revolution > 0) append_samples(turn, states, arc);
     arc.hits += turn.hits;
     arc.contact_fraction += turn.contact_fraction * full_turn / angle_rad;
     arc.peak_displacement_m = std::max(arc.peak_displacement_m, turn.peak_displacement_m);
@@ -57,9 +53,9 @@ template <class State, int N, bool Smoothed>
 std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                                       double angle_rad) {
   integrate::adaptive::AdaptiveRun<integrate::adaptive::Dopri5<State>, N, Smoothed> run(scene, options);
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   for (double left = angle_rad; left > 0; left -= full_turn) {
-    if (run.advance(turn, std::min(left, full_turn)) != integrate::run::Outcome::ok) return std::nullopt;
+    if (run.advance({}, turn, std::min(left, full_turn)) != integrate::run::Outcome::ok) return std::nullopt;
   }
   const Eigen::Map<const Eigen::VectorXd> end(turn.section.data(), 2 * scene.structure.coordinates());
   return turned(end, -angle_rad);

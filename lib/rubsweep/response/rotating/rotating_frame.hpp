@@ -19,8 +19,8 @@ Eigen::MatrixXd turned(const Eigen::MatrixXd& state, double angle_rad);
 ///     y' = f(y, 0) - turned(y, pi/2),
 ///
 /// which does not depend on time. The velocities in y are those seen from the fixed frame, written in turned
-/// directions; they are not the derivatives of the displacements in y. States are scaled as Turn::section,
-/// and rates are per radian of rotation.
+/// directions; they are not the derivatives of the displacements in y. States are scaled as
+/// TurnReport::section, and rates are per radian of rotation.
 class RotatingField {
  public:
   RotatingField(const scene::Scene& scene, const integrate::run::SolverOptions& options);
