@@ -149,9 +149,8 @@ TEST(Ring, OffsetMovesTheWall) {
   for (const int sign : {1, -1}) {
     auto scene = test::one_mass_scene(1, 1e-6, 0, 1, 1);
     scene::Contact stop;
-    stop.annular = true;
+    stop.wall = contact::AnnularWall{{0.6, 0}};
     stop.clearance_m = 1;
-    stop.offset_m << 0.6, 0;
     stop.stiffness_n_per_m = 1e4;
     scene.contacts.push_back(stop);
     scene.velocity_m_per_s << sign * 2.0, 0;
@@ -168,7 +167,7 @@ TEST(Ring, OffsetMovesTheWall) {
 TEST(Ring, PassingThroughTheCentreIsHarmless) {
   auto scene = test::one_mass_scene(1, 40, 0, 1, 1);
   scene::Contact stop;
-  stop.annular = true;
+  stop.wall = contact::AnnularWall{};
   stop.clearance_m = 1;
   stop.stiffness_n_per_m = 1e4;
   scene.contacts.push_back(stop);

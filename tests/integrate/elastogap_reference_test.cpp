@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/batch/csv_table.hpp"
+#include "batch/read_csv.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "support/simple_scenes.hpp"
 

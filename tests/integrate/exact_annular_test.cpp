@@ -16,8 +16,7 @@ scene::Scene annular_scene(double start_x, double start_vy) {
   scene.displacement_m << start_x, 0;
   scene.velocity_m_per_s << 0, start_vy;
   scene::Contact stop;
-  stop.annular = true;
-  stop.offset_m = {0.1, 0};
+  stop.wall = contact::AnnularWall{{0.1, 0}};
   stop.clearance_m = 1;
   stop.stiffness_n_per_m = 1e4;
   stop.damping_ns_per_m = 5;

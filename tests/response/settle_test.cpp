@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "response/annular_cell.hpp"
+#include "rubsweep/integrate/start.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::response {

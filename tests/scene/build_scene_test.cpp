@@ -36,7 +36,8 @@ double whirl_amplitude(const model::JeffcottRotor& rotor, double speed_hz, doubl
 /// `normal . z` is largest at the start among all instants of the quiet motion.
 void expect_smallest_gap_at_start(const Cell& cell) {
   const auto& contact = cell.scene.contacts.front();
-  const Eigen::RowVectorXd row = contact.normal.transpose() * relative_map(cell.scene.structure, contact);
+  const Eigen::RowVectorXd row =
+      contact::first_direction(contact.wall).transpose() * relative_map(cell.scene.structure, contact);
   const double at_start = row.dot(cell.scene.displacement_m);
   for (int i = 0; i < 360; ++i) EXPECT_GE(at_start, row.dot(cell.quiet.displacement(i * pi / 180)) - 1e-17);
 }
@@ -192,7 +193,7 @@ TEST(BuildCell, ARingHoldsASaggingRotorAtItsWall) {
     EXPECT_EQ(cell.start, Start::contact);
     const Contact& stop = cell.scene.contacts[0];
     const Eigen::Vector2d apart =
-        relative_map(cell.scene.structure, stop) * cell.scene.displacement_m + stop.offset_m;
+        relative_map(cell.scene.structure, stop) * cell.scene.displacement_m + contact::offset(stop.wall);
     EXPECT_NEAR(apart.norm(), 1e-3, 1e-17);
     EXPECT_LT(cell.scene.displacement_m(1), 0);
   }

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::model {
 namespace {
@@ -23,31 +25,31 @@ auto requiring(std::string prefix) {
 }
 
 void validate(const Friction& friction, const std::string& path) {
-  if (const auto* constant = std::get_if<ConstantFriction>(&friction)) {
-    require(path + "coefficient", constant->coefficient, ConstantFriction::coefficient_range);
-  } else if (const auto* stribeck = std::get_if<StribeckFriction>(&friction)) {
-    for (const double gamma : stribeck->gamma) require(path + "stribeck", gamma, any_finite);
-  }
+  std::visit([&](const auto& law) { std::decay_t<decltype(law)>::visit_fields(law, requiring(path)); },
+             friction);
 }
 
 void validate(const ContactDamping& damping, const std::string& path) {
-  if (const auto* nominal = std::get_if<NominalRestitution>(&damping)) {
-    require(path + "restitution", nominal->value, Stop::restitution_range);
-  } else if (const auto* delivered = std::get_if<DeliveredRestitution>(&damping)) {
-    require(path + "restitution_delivered", delivered->value, Stop::restitution_delivered_range);
-  } else {
-    require(path + "damping_ns_per_m", std::get<ExplicitDamping>(damping).damping_ns_per_m, not_negative);
-  }
+  std::visit(overloaded{[&](const NominalRestitution& nominal) {
+                          require(path + "restitution", nominal.value, Stop::restitution_range);
+                        },
+                        [&](const DeliveredRestitution& delivered) {
+                          require(path + "restitution_delivered", delivered.value,
+                                  Stop::restitution_delivered_range);
+                        },
+                        [&](const ExplicitDamping& given) {
+                          require(path + "damping_ns_per_m", given.damping_ns_per_m, not_negative);
+                        }},
+             damping);
 }
 
-void validate(const StopGeometry& geometry, double clearance_m, const std::string& path) {
-  if (const auto* one_side = std::get_if<OneSideGeometry>(&geometry)) {
-    require(path + "angle_deg", one_side->angle_deg, any_finite);
-    return;
-  }
-  const auto& offset_m = std::get<AnnularGeometry>(geometry).offset_m;
-  for (const double component : offset_m) require(path + "offset_m", component, any_finite);
-  if (std::hypot(offset_m[0], offset_m[1]) >= clearance_m) {
+void validate(const OneSideGeometry& flat, double, const std::string& path) {
+  require(path + "angle_deg", flat.angle_deg, any_finite);
+}
+
+void validate(const AnnularGeometry& annular, double clearance_m, const std::string& path) {
+  for (const double component : annular.offset_m) require(path + "offset_m", component, any_finite);
+  if (std::hypot(annular.offset_m[0], annular.offset_m[1]) >= clearance_m) {
     throw ConfigError(fmt::format(
         "{}offset_m: the rest position is not inside the annular stop, allowed: shorter than {}clearance_m",
         path, path));
@@ -55,7 +57,7 @@ void validate(const StopGeometry& geometry, double clearance_m, const std::strin
 }
 
 void validate(const Stop& stop, const std::string& path) {
-  validate(stop.geometry, stop.clearance_m, path);
+  std::visit([&](const auto& geometry) { validate(geometry, stop.clearance_m, path); }, stop.geometry);
   Stop::visit_fields(stop, requiring(path));
   if (stop.contact_mass_kg) require(path + "contact_mass_kg", *stop.contact_mass_kg, positive);
   validate(stop.damping, path);

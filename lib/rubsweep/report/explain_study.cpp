@@ -6,7 +6,8 @@
 #include <string_view>
 #include <variant>
 
-#include "rubsweep/contact/saturation.hpp"
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/explain_machine.hpp"
 #include "rubsweep/scene/build_scene.hpp"
@@ -34,9 +35,8 @@ std::string_view describe(integrate::run::Stepper stepper) {
 }
 
 bool friction_depends_on_slip(const model::Machine& machine) {
-  return std::ranges::any_of(machine.stops, [](const model::Stop& stop) {
-    return std::holds_alternative<model::StribeckFriction>(stop.friction);
-  });
+  return std::ranges::any_of(machine.stops,
+                             [](const model::Stop& stop) { return contact::depends_on_slip(stop.friction); });
 }
 
 /// What `stepper: auto` comes to for this machine, and why.
@@ -57,7 +57,7 @@ std::string explain_automatic(const sweep::Study& study) {
 std::string explain_beyond(const model::Machine& machine) {
   bool annular = false, unsaturated = false;
   for (const model::Stop& stop : machine.stops) {
-    annular = annular || std::holds_alternative<model::AnnularGeometry>(stop.geometry);
+    annular = annular || !contact::linear(contact::wall_of(stop.geometry));
     unsaturated = unsaturated || !contact::saturated_friction(stop.friction);
   }
   if (annular) return "turns that touch the annular stop";

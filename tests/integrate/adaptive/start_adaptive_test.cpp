@@ -222,7 +222,7 @@ TEST(Adaptive, TwoWallsHitAtOnceStaySymmetric) {
   auto scene = test::one_mass_scene(1, 100, 0, 0.5, 1e-3);
   for (const int sign : {1, -1}) {
     scene::Contact wall = test::wall_across_x(1, 1e-3, 1e5, 20);
-    wall.normal = Eigen::Vector2d(std::sqrt(0.5), sign * std::sqrt(0.5));
+    wall.wall = contact::FlatWall{{std::sqrt(0.5), sign * std::sqrt(0.5)}};
     scene.contacts.push_back(wall);
   }
   scene.velocity_m_per_s << 1, 0;

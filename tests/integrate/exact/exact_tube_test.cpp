@@ -53,7 +53,7 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
   RubbingTurn turn;
   const MatrixXd identity = MatrixXd::Identity(8, 8);
   std::vector<double> section = turn.start;
-  const auto tube = turn_tube(turn.scene, turn.plans, section, identity, identity);
+  const auto tube = turn_tube(turn.scene, turn.modes, section, identity, identity);
   ASSERT_TRUE(tube);
   EXPECT_NEAR((vector_of(section) - vector_of(turn.end)).cwiseAbs().maxCoeff(), 0, 1e-12);
   double radius = 0.1;
@@ -97,7 +97,7 @@ TEST(ExactTube, ContractionIsThatOfTheLinearMap) {
   RubbingTurn turn;
   std::vector<double> section = turn.start;
   const MatrixXd identity = MatrixXd::Identity(8, 8);
-  const auto tube = turn_tube(turn.scene, turn.plans, section, identity, identity);
+  const auto tube = turn_tube(turn.scene, turn.modes, section, identity, identity);
   ASSERT_TRUE(tube);
   EXPECT_NEAR(tube->contraction, Eigen::JacobiSVD<MatrixXd>(turn.transition).singularValues()(0),
               1e-9 * tube->contraction);

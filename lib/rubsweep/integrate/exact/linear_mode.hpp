@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rubsweep/contact/contact_mode.hpp"
-#include "rubsweep/contact/saturation.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/exact/modal_terms.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/contact/contact_mode.hpp"
-#include "rubsweep/contact/saturation.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 
 namespace rubsweep::integrate::exact {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace rubsweep::integrate::run {
+namespace rubsweep::contact {
 
 /// Displacement d and velocity v of the rotor relative to the casing at one contact, scaled, in the contact's
 /// two fixed directions: normal and tangent of a flat wall, x and y in an annular stop.
@@ -40,4 +40,4 @@ inline ContactFrame annular_frame(const RelativeMotion& m, double clearance) {
           cosine * m.v2 - sine * m.v1};
 }
 
-}  // namespace rubsweep::integrate::run
+}  // namespace rubsweep::contact
