@@ -47,7 +47,7 @@ void certified_step(benchmark::State& state) {
   motion.set_phases(0, -1);
   Eigen::Matrix<double, 8, 1> physical;
   physical << 0, 0.4, 0, 0, -0.4, 0, 0, 0;
-  physical.tail(4) *= scene.speed_rad_per_s;
+  integrate::run::state_scale(scene).to_seconds(physical);
   constexpr int steps = 256;  // then from the start again: free vibration dies out
   for (auto _ : state) {
     if (!motion.enter(0, physical)) state.SkipWithError("no closed form");

@@ -5,6 +5,7 @@
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/exact/exact_run.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 
 namespace rubsweep::integrate {
 namespace {
@@ -13,10 +14,7 @@ constexpr int longest_absence = 64;  ///< turns by the adaptive solver before cl
 
 /// The scene as it stands at the start of revolution `revolution`, at `section`.
 scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long revolution) {
-  const Eigen::Index n = scene.structure.coordinates();
-  const Eigen::Map<const Eigen::VectorXd> state(section.data(), 2 * n);
-  scene.displacement_m = scene.length_scale_m * state.head(n);
-  scene.velocity_m_per_s = scene.length_scale_m * scene.speed_rad_per_s * state.tail(n);
+  run::set_initial_state(scene, section);
   scene.elapsed_revolutions += revolution;
   if (scene.pulse) scene.pulse->elapsed_s += static_cast<double>(revolution) * scene.period_s();
   return scene;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rubsweep/integrate/run/impulses.hpp"
-#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/response/aperiodic.hpp"
 #include "rubsweep/response/motion/record.hpp"
 #include "rubsweep/response/proof/orbit_proof.hpp"

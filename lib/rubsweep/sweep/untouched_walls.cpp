@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/response/proof/rest_proof.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
@@ -42,7 +42,7 @@ bool never_touches(const scene::Cell& cell) {
   if (scene.pulse) {
     const double impulse_ns = 2 / std::numbers::pi * scene.pulse->force_n * scene.pulse->duration_s;
     const Eigen::VectorXd jump = scene.structure.mass.llt().solve(impulse_ns * scene.pulse->direction) /
-                                 (scene.length_scale_m * scene.speed_rad_per_s);
+                                 integrate::run::state_scale(scene).unit_velocity_m_per_s();
     const auto n = static_cast<std::size_t>(jump.size());
     for (std::size_t i = 0; i < n; ++i) section[n + i] += jump(static_cast<Eigen::Index>(i));
   }

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <span>
 
-#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/response/motion/section.hpp"
 #include "rubsweep/trace/trace_state.hpp"
 

@@ -27,7 +27,7 @@ class AdaptiveRun {
 
   AdaptiveRun(const scene::Scene& scene, const run::SolverOptions& options)
       : system_(run::scale<N>(scene)),
-        dynamics_(system_, options.smoothing_m / scene.length_scale_m),
+        dynamics_(system_, options.smoothing_m / system_.scale.length_m),
         method_(options),
         impulses_(scene),
         max_steps_(options.max_steps_per_revolution),
@@ -126,7 +126,7 @@ class AdaptiveRun {
       const Eigen::VectorXd& jump_m_per_s = impulses_.take();
       for (Eigen::Index j = 0; j < n; ++j)
         step_.start[static_cast<std::size_t>(n + j)] +=
-            jump_m_per_s(j) / (system_.length_m * system_.speed_rad_per_s);
+            jump_m_per_s(j) / system_.scale.unit_velocity_m_per_s();
     }
     dynamics_(step_.start, step_.start_rate, step_.start_phase);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {

@@ -120,7 +120,8 @@ class StepObserver {
     const auto [start, start_slope] = square_and_slope(step.start);
     const auto [end, end_slope] = square_and_slope(step.end);
     const double peak = std::sqrt(numerics::cubic_maximum(start, h * start_slope, end, h * end_slope));
-    report_.peak_displacement_m = std::max(report_.peak_displacement_m, peak * dynamics.system().length_m);
+    report_.peak_displacement_m =
+        std::max(report_.peak_displacement_m, peak * dynamics.system().scale.length_m);
   }
 
   const run::TurnRequest& request_;

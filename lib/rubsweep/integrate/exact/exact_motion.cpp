@@ -13,9 +13,9 @@ namespace rubsweep::integrate::exact {
 
 template <int N>
 ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
-    : machine_(std::move(modes)), speed_(scene.speed_rad_per_s) {
+    : machine_(std::move(modes)), scale_(run::state_scale(scene)), speed_(scene.speed_rad_per_s) {
   const Eigen::MatrixXcd inverse_mass =
-      machine_->inverse_mass().template cast<Complex>() / scene.length_scale_m;
+      machine_->inverse_mass().template cast<Complex>() / scale_.in_seconds().unit_acceleration_m_per_s2();
   unbalance_ = inverse_mass * scene.harmonic_n;
   kick_ = Eigen::VectorXcd::Zero(unbalance_.size());
   if (scene.pulse && scene.pulse->force_n != 0) {

@@ -138,9 +138,9 @@ class ExactMotion {
 
   void carry_no_tangents() { tangents_.clear(); }
   /// Carries tangent vectors of the state along from here on.
-  void carry_tangents(const Eigen::MatrixXd& vectors) { tangents_.begin(*mode_, speed_, vectors); }
+  void carry_tangents(const Eigen::MatrixXd& vectors) { tangents_.begin(*mode_, scale_, vectors); }
   /// Where they are now: as many of the first ones as `vectors` has columns.
-  void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, speed_, vectors); }
+  void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, scale_, vectors); }
 
   /// Carries one more, given as a change of (u, u').
   void carry_tangent_too(const State& vector) { tangents_.add(*mode_, vector); }
@@ -188,6 +188,7 @@ class ExactMotion {
   void step_by_series(double duration_s);
 
   std::shared_ptr<MachineModes<N>> machine_;
+  run::StateScale scale_;                                  ///< of sections
   Eigen::VectorXcd unbalance_, kick_;                      ///< acceleration per s^2 is Re(. e^{i rate t})
   std::vector<Complex> unbalance_closing_, kick_closing_;  ///< the same along each contact's normal
   double speed_ = 0, kick_rate_ = 0;

@@ -29,10 +29,10 @@ constexpr double steps_per_turn_when_watched = 64;
 template <int N>
 ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps)
     : motion_(scene, modes),
+      scale_(run::state_scale(scene)),
       speed_(scene.speed_rad_per_s),
       period_s_(2 * std::numbers::pi / scene.speed_rad_per_s),
       turns_per_s_(1 / period_s_),
-      length_m_(scene.length_scale_m),
       impulses_(scene),
       slip_(scene, modes->friction()),
       peaks_(*modes, scene.length_scale_m),
@@ -41,9 +41,9 @@ ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>
     kick_s_ = scene.pulse->duration_s;
     kick_elapsed_s_ = scene.pulse->elapsed_s;
   }
-  const Eigen::Index n = scene.structure.coordinates();
-  turn_start_.resize(2 * n);
-  turn_start_ << scene.displacement_m / length_m_, scene.velocity_m_per_s / length_m_;
+  const std::vector<double> start = scale_.in_seconds().state(scene.displacement_m, scene.velocity_m_per_s);
+  turn_start_.resize(static_cast<Eigen::Index>(start.size()));
+  std::copy(start.begin(), start.end(), turn_start_.data());
 }
 
 template <int N>
@@ -56,13 +56,13 @@ std::vector<double> ExactRun<N>::section() const {
 template <int N>
 void ExactRun<N>::put_section(std::vector<double>& section) const {
   section.assign(turn_start_.data(), turn_start_.data() + turn_start_.size());
-  for (std::size_t i = section.size() / 2; i < section.size(); ++i) section[i] /= speed_;
+  scale_.from_seconds(Eigen::Map<Eigen::VectorXd>(section.data(), turn_start_.size()));
 }
 
 template <int N>
 void ExactRun<N>::resume(std::span<const double> section) {
   std::copy(section.begin(), section.end(), turn_start_.data());
-  turn_start_.tail(turn_start_.size() / 2) *= speed_;
+  scale_.to_seconds(turn_start_);
   ++revolution_;
   goes_on_ = false;
 }
@@ -160,7 +160,7 @@ ExactEnding ExactRun<N>::end_turn(run::TurnReport& report) {
 /// Steps as they follow each other, only one where something is watched, and what ends them.
 template <int N>
 ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
-  samples_.start(motion_, time_s_, report, speed_);
+  samples_.start(motion_, time_s_, report, scale_);
   const bool watched = peaks_wanted_ || samples_.wanted();
   const double boundary = std::min(next_boundary(), samples_.boundary_s(motion_)), reach = reach_s();
   for (;;) {
@@ -239,7 +239,8 @@ bool ExactRun<N>::strike(run::TurnReport& report) {
   State here = motion_.physical();
   if (!slip_held(report, here)) return false;
   const std::vector<Mode>& from = motion_.mode().modes;
-  while (time_s_ >= next_impulse_s()) here.tail(here.size() / 2) += impulses_.take() / length_m_;
+  while (time_s_ >= next_impulse_s())
+    here.tail(here.size() / 2) += impulses_.take() / scale_.in_seconds().unit_velocity_m_per_s();
   if (!enter_by_state(here)) return false;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const Mode to = motion_.mode().modes[i];
@@ -267,7 +268,7 @@ void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
 template <int N>
 void ExactRun<N>::watch(run::TurnReport& report, double duration_s) {
   const double rest_s =
-      samples_.end(motion_, time_s_, report, speed_, [&](const State& here, double passed_s) {
+      samples_.end(motion_, time_s_, report, scale_, [&](const State& here, double passed_s) {
         if (peaks_wanted_) peaks_.pass(here, passed_s, report);
       });
   if (peaks_wanted_) peaks_.step(motion_, duration_s, rest_s, report);

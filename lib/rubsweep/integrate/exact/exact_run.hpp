@@ -9,7 +9,7 @@
 #include "rubsweep/integrate/exact/sample_watch.hpp"
 #include "rubsweep/integrate/exact/slip_watch.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
-#include "rubsweep/integrate/run/report.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -78,7 +78,8 @@ class ExactRun {
   bool renew_slip_watch(run::TurnReport& report, double step_s);
 
   Motion motion_;
-  double speed_ = 0, period_s_ = 0, turns_per_s_ = 0, length_m_ = 0;
+  run::StateScale scale_;  ///< of sections
+  double speed_ = 0, period_s_ = 0, turns_per_s_ = 0;
   double kick_s_ = 0, kick_elapsed_s_ = 0;  ///< duration (0: none), and how much of it was over at the start
   run::Impulses impulses_;
   SlipWatch<N> slip_;

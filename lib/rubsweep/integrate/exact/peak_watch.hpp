@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "rubsweep/integrate/exact/exact_motion.hpp"
-#include "rubsweep/integrate/run/report.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/numerics/certified_step.hpp"
 #include "rubsweep/numerics/cubic_maximum.hpp"
 #include "rubsweep/numerics/step_table.hpp"

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "rubsweep/integrate/exact/exact_motion.hpp"
-#include "rubsweep/integrate/run/report.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -34,20 +35,21 @@ class SampleWatch {
   }
 
   /// A step starts here, `time_s` into the turn; where nothing is wanted, the first of several.
-  void start(const ExactMotion<N>& motion, double time_s, run::TurnReport& report, double speed_rad_per_s) {
+  void start(const ExactMotion<N>& motion, double time_s, run::TurnReport& report,
+             const run::StateScale& scale) {
     step_s_ = time_s;
     if (!wanted()) return;
     if (motion.mode().paired) {
       if (visit_ != motion.visits()) stand(motion, time_s);
     } else if (time_s >= due_s()) {
-      put(motion.physical(), report, speed_rad_per_s);
+      put(motion.physical(), report, scale);
     }
   }
 
   /// The step that started last ends at `time_s`, still in its mode. `look(state, seconds)` sees every sample
   /// inside and the time since the one before, or since the step's start; returns the time left over.
   template <class Look>
-  double end(ExactMotion<N>& motion, double time_s, run::TurnReport& report, double speed_rad_per_s,
+  double end(ExactMotion<N>& motion, double time_s, run::TurnReport& report, const run::StateScale& scale,
              const Look& look) {
     double last_s = step_s_;
     if (!ahead(motion)) return time_s - last_s;
@@ -62,7 +64,7 @@ class SampleWatch {
       const State state = motion.physical(instant_);
       look(state, due - last_s);
       last_s = due;
-      put(state, report, speed_rad_per_s);
+      put(state, report, scale);
     }
     return time_s - last_s;
   }
@@ -70,8 +72,8 @@ class SampleWatch {
  private:
   double due_s() const { return period_s_ * next_ / count_; }
 
-  void put(State state, run::TurnReport& report, double speed_rad_per_s) {
-    state.tail(state.size() / 2) /= speed_rad_per_s;
+  void put(State state, run::TurnReport& report, const run::StateScale& scale) {
+    scale.from_seconds(state);
     std::copy(state.data(), state.data() + state.size(), report.samples.begin() + next_ * state.size());
     report.sample_count = ++next_;
   }

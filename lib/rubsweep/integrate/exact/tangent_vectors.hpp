@@ -16,8 +16,8 @@ template <int N>
 class TangentVectors {
  public:
   void clear() { count_ = 0; }
-  /// One per column, as TurnRequest::tangent_vectors, in `mode` from here on.
-  void begin(const LinearMode<N>& mode, double speed_rad_per_s, const Eigen::MatrixXd& vectors);
+  /// One per column, as TurnRequest::tangent_vectors of sections in this scale, in `mode` from here on.
+  void begin(const LinearMode<N>& mode, const run::StateScale& scale, const Eigen::MatrixXd& vectors);
   /// The run has gone on in its mode.
   void pass(double duration_s) { lag_s_ += duration_s; }
   /// The run leaves mode `from` for `to`. The force is continuous there, so that the disturbances go on
@@ -31,7 +31,7 @@ class TangentVectors {
     return {list_.data(), count_};
   }
   /// Where the first ones are now, as many as `vectors` has columns.
-  void put(const LinearMode<N>& mode, double speed_rad_per_s, Eigen::MatrixXd& vectors);
+  void put(const LinearMode<N>& mode, const run::StateScale& scale, Eigen::MatrixXd& vectors);
 
  private:
   using State = typename ExactTypes<N>::State;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 #include "rubsweep/response/rotating/variational_dynamics.hpp"
 
@@ -71,9 +72,7 @@ RotatingFlow::RotatingFlow(const scene::Scene& scene, const integrate::run::Solv
 
 scene::Scene RotatingFlow::scene_at(const Eigen::VectorXd& state) const {
   scene::Scene scene = scene_;
-  const Eigen::Index n = scene.structure.coordinates();
-  scene.displacement_m = scene.length_scale_m * state.head(n);
-  scene.velocity_m_per_s = scene.length_scale_m * scene.speed_rad_per_s * state.tail(n);
+  integrate::run::set_initial_state(scene, {state.data(), static_cast<std::size_t>(state.size())});
   return scene;
 }
 
