@@ -44,7 +44,7 @@ void certified_step(benchmark::State& state) {
   const scene::Scene scene = test::cell_of({}).scene;
   const auto prepared = std::make_shared<integrate::exact::MachineModes<4>>(scene);
   integrate::exact::ExactMotion<4> motion(scene, prepared);
-  motion.set_phases(0, -1);
+  motion.set_phases(0);
   Eigen::Matrix<double, 8, 1> physical;
   physical << 0, 0.4, 0, 0, -0.4, 0, 0, 0;
   integrate::run::state_scale(scene).to_seconds(physical);

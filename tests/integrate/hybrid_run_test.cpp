@@ -119,7 +119,7 @@ TEST(Exact, TransitionIsTheDerivativeOfTheSection) {
   run.advance(asked, turn);
   run.advance(asked, turn);
   const std::vector<double> start = turn.section;
-  scene.pulse.reset();
+  scene.pulses.clear();
   const auto undriven = start_hybrid(scene, {}, modes);
   undriven.restart(start);
   asked.tangent_vectors.setIdentity(8, 8);
@@ -222,7 +222,7 @@ TEST(Exact, WatchingDoesNotMoveTheRotor) {
 TEST(Exact, PeakForceOfATurnThatStartsInContact) {
   const auto scene = [] {
     auto without_kick = test::cell_of({}).scene;
-    without_kick.pulse.reset();
+    without_kick.pulses.clear();
     return without_kick;
   }();
   exact::ModeCache modes;

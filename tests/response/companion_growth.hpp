@@ -60,7 +60,7 @@ inline response::Growth companion_growth(response::proof::SectionMap map, std::s
 
 /// Exponent of the motion from `state` over `iterations`; empty when the map fails.
 inline std::optional<response::motion::Exponent> largest_exponent(const response::proof::SectionMap& map,
-                                                          std::vector<double> state, int iterations) {
+                                                                  std::vector<double> state, int iterations) {
   const response::Growth turn = companion_growth(map, state);
   std::vector<double> contributions;
   for (int k = 0; k < iterations; ++k) {

@@ -16,7 +16,8 @@ constexpr int longest_absence = 64;  ///< turns by the adaptive solver before cl
 scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long revolution) {
   run::set_initial_state(scene, section);
   scene.elapsed_revolutions += revolution;
-  if (scene.pulse) scene.pulse->elapsed_s += static_cast<double>(revolution) * scene.period_s();
+  for (scene::Pulse& pulse : scene.pulses)
+    pulse.elapsed_s += static_cast<double>(revolution) * scene.period_s();
   return scene;
 }
 

@@ -28,7 +28,12 @@ using Complex = std::complex<double>;
 /// A hundredth of `separation`: the solver's noise must not part the states.
 constexpr double largest_tolerance_of_an_exponent = 1e-7;
 
-double pulse_end_s(const scene::Scene& scene) { return scene.pulse ? scene.pulse->duration_s : 0; }
+/// End of the last pulse.
+double pulses_end_s(const scene::Scene& scene) {
+  double end_s = 0;
+  for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
+  return end_s;
+}
 
 const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const scene::Scene& scene) {
   return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
@@ -150,7 +155,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   MotionProof proof(cell.scene, solver, options, workspace);
   motion::Record record(cell.scene, options);
   const long first_recorded = options.max_revolutions - 2L * options.window_revolutions;
-  const double kick_turns = pulse_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
+  const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
   integrate::run::TurnRequest request;
   integrate::run::TurnReport turn;
   while (run.revolutions < options.max_revolutions) {

@@ -79,7 +79,7 @@ TEST_P(EveryStepper, ForcedOscillatorFromRestWithConstantForce) {
 TEST_P(EveryStepper, AKickOverSeveralTurns) {
   const double m = 1, k = 400, T = 0.25, force = 0.3, duration = 2.4 * T;
   auto scene = test::one_mass_scene(m, k, 0, T, 1e-3);
-  scene.pulse = scene::Pulse{Eigen::Vector2d(1, 0), force, duration};
+  scene.pulses = {{Eigen::Vector2d(1, 0), force, duration}};
   const double w0 = std::sqrt(k / m), w = std::numbers::pi / duration, t = 2 * T;
   const double x = force * w / (m * (w0 * w0 - w * w)) * (std::sin(w * t) / w - std::sin(w0 * t) / w0);
   EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 2) - x), 5e-8 * scene.length_scale_m);
@@ -101,7 +101,7 @@ TEST_P(EveryStepper, KickLongerThanATurn) {
   // x'' + w0^2 x = F sin(pi t / D): x = F/(w0^2 - p^2) (sin p t - p/w0 sin w0 t) while it lasts, then free.
   const double w0 = 9, T = 0.3, duration = 1.1, p = std::numbers::pi / duration, force = 0.02;
   auto scene = test::one_mass_scene(1, w0 * w0, 0, T, 1e-3);
-  scene.pulse = scene::Pulse{Eigen::Vector2d(1, 0), force, duration};
+  scene.pulses = {{Eigen::Vector2d(1, 0), force, duration}};
   const double gain = force / (w0 * w0 - p * p);
   const double x1 = gain * (std::sin(p * duration) - p / w0 * std::sin(w0 * duration));
   const double v1 = gain * p * (std::cos(p * duration) - std::cos(w0 * duration));

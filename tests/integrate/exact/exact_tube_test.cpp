@@ -27,7 +27,7 @@ struct RubbingTurn {
     do {
       EXPECT_EQ(kicked.advance({}, turn), run::Outcome::ok);
       start = turn.section;
-      scene.pulse.reset();
+      scene.pulses.clear();
       turn_from(start, turn);
     } while (turn.effort.steps < 10'000 && (!turn.touched || turn.touching_at_end));
     EXPECT_TRUE(turn.touched);
@@ -81,7 +81,7 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
 
 TEST(ExactTube, AFlightHasNoDeviation) {
   scene::Scene scene = test::cell_of({}).scene;
-  scene.pulse.reset();
+  scene.pulses.clear();
   ModeCache modes;
   std::vector<double> section(8, 0.0);
   const MatrixXd identity = MatrixXd::Identity(8, 8);

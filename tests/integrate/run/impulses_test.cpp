@@ -201,7 +201,7 @@ TEST(Impulses, TransitionIsTheDerivativeOfTheSection) {
   kicked.advance(asked, turn);
   kicked.advance(asked, turn);
   const std::vector<double> start = turn.section;
-  scene.pulse.reset();
+  scene.pulses.clear();
   const auto run = start_hybrid(scene, {}, modes);
   const auto section_after = [&](std::vector<double> from, std::size_t j, double h) {
     from[j] += h;

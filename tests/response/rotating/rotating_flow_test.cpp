@@ -28,7 +28,7 @@ integrate::run::SolverOptions tight() {
 /// Bouncing round the annular stop: every mode occurs within a turn.
 scene::Scene bouncing() {
   auto scene = response::testing::annular_cell(120, 0.6).scene;
-  scene.pulse.reset();
+  scene.pulses.clear();
   scene.displacement_m << 0.9e-3, 0, 2e-5, 0;
   scene.velocity_m_per_s << 0.3, 0.5, 0.01, 0;
   return scene;

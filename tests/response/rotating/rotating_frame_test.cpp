@@ -52,7 +52,7 @@ TEST(RotatingField, IsTheSameFromEveryDirection) {
 /// Rate of y = turned(x, -phase) along a run of the adaptive solver, by differences.
 TEST(RotatingField, IsTheRateOfARunSeenFromTheShaft) {
   auto scene = response::testing::annular_cell(120, 0.6).scene;
-  scene.pulse.reset();
+  scene.pulses.clear();
   integrate::run::SolverOptions options;
   options.relative_tolerance = 1e-11;
   constexpr int samples = 4096;

@@ -33,14 +33,11 @@ ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>
       speed_(scene.speed_rad_per_s),
       period_s_(2 * std::numbers::pi / scene.speed_rad_per_s),
       turns_per_s_(1 / period_s_),
+      pulses_(scene, scale_.in_seconds(), period_s_),
       impulses_(scene),
       slip_(scene, modes->friction()),
       peaks_(*modes, scene.length_scale_m),
       max_steps_(max_steps) {
-  if (scene.pulse && scene.pulse->force_n != 0) {
-    kick_s_ = scene.pulse->duration_s;
-    kick_elapsed_s_ = scene.pulse->elapsed_s;
-  }
   const std::vector<double> start = scale_.in_seconds().state(scene.displacement_m, scene.velocity_m_per_s);
   turn_start_.resize(static_cast<Eigen::Index>(start.size()));
   std::copy(start.begin(), start.end(), turn_start_.data());
@@ -102,7 +99,7 @@ bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& r
   peaks_wanted_ = request.peaks;
   switches_wanted_ = request.switches;
   if (peaks_wanted_) peaks_.begin(motion_);
-  return impulses_.next_phase_rad() > 0 || strike(report);
+  return impulses_.next_phase_rad() > 0 || apply_impulses(report);
 }
 
 /// Longest landing.
@@ -120,17 +117,10 @@ bool ExactRun<N>::force_by_steps() const {
 /// Where the motion stands at the end of the last turn only its phase starts again, from exactly zero.
 template <int N>
 bool ExactRun<N>::start_motion() {
-  const bool stands = std::exchange(goes_on_, false), was_kicked = kicked_;
-  set_phases();
+  const bool stands = std::exchange(goes_on_, false), changed = pulses_.begin_turn(revolution_);
+  motion_.set_phases(0, pulses_, 0);
   if (!stands) return enter_by_state(turn_start_);
-  return kicked_ == was_kicked || motion_.enter(motion_.joint(), turn_start_);
-}
-
-template <int N>
-void ExactRun<N>::set_phases() {
-  const double kick_time = kick_elapsed_s_ + static_cast<double>(revolution_) * period_s_;
-  kicked_ = kick_time < kick_s_;
-  motion_.set_phases(0, kicked_ ? std::numbers::pi * kick_time / kick_s_ : -1);
+  return !changed || motion_.enter(motion_.joint(), turn_start_);
 }
 
 template <int N>
@@ -208,34 +198,30 @@ ExactEnding ExactRun<N>::reach_boundary(run::TurnReport& report, double boundary
   return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
 }
 
-template <int N>
-double ExactRun<N>::kick_end_s() const {
-  return kick_s_ - kick_elapsed_s_ - static_cast<double>(revolution_) * period_s_;
-}
-
-/// End of the turn or of the kick, or the next impulse, whichever is soonest.
+/// End of the turn, beginning or end of a pulse, or the next impulse, whichever is soonest.
 template <int N>
 double ExactRun<N>::next_boundary() const {
-  const double end = std::min(period_s_, next_impulse_s());
-  return kicked_ ? std::min(end, kick_end_s()) : end;
+  return std::min({period_s_, next_impulse_s(), pulses_.next_change()});
 }
 
-/// What happens inside a turn at an instant that was steered for: the kick ends, impulses strike.
+/// What happens inside a turn at an instant that was steered for: pulses begin or end, impulses act. A pulse
+/// is zero at both ends, so that the state and its rate go on smoothly; but its phasor comes or goes, and
+/// with it the free vibration that the bounds on the slips were made from.
 template <int N>
 bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
-  if (kicked_ && time_s_ >= kick_end_s()) {
+  if (pulses_.go_to(time_s_)) {
     const State here = motion_.physical();
-    kicked_ = false;
-    motion_.set_phases(speed_ * time_s_, -1);
-    if (!motion_.enter(motion_.joint(), here)) return false;
+    if (!slip_held(report, here)) return false;
+    motion_.set_phases(speed_ * time_s_, pulses_, time_s_);
+    if (!motion_.enter(motion_.joint(), here) || !slip_.begin(motion_, here)) return false;
     if (peaks_wanted_) peaks_.begin(motion_);
   }
-  return time_s_ < next_impulse_s() || strike(report);
+  return time_s_ < next_impulse_s() || apply_impulses(report);
 }
 
 /// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
 template <int N>
-bool ExactRun<N>::strike(run::TurnReport& report) {
+bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
   State here = motion_.physical();
   if (!slip_held(report, here)) return false;
   const std::vector<Mode>& from = motion_.mode().modes;

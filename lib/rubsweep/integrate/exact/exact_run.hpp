@@ -9,6 +9,7 @@
 #include "rubsweep/integrate/exact/sample_watch.hpp"
 #include "rubsweep/integrate/exact/slip_watch.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
+#include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 
 namespace rubsweep::integrate::exact {
@@ -57,18 +58,16 @@ class ExactRun {
   bool start_motion();
   ExactEnding end_turn(run::TurnReport& report);
   void put_section(std::vector<double>& section) const;
-  void set_phases();
   bool enter_by_state(const State& physical);
   ExactEnding go_on(run::TurnReport& report);
   double shorten_for_peaks(double step_s) const;
   ExactEnding reach_boundary(run::TurnReport& report, double boundary_s);
-  double kick_end_s() const;
   double next_impulse_s() const { return impulses_.next_phase_rad() / speed_; }
   double next_boundary() const;
   double reach_s() const;
   bool force_by_steps() const;
   bool pass_boundary(run::TurnReport& report);
-  bool strike(run::TurnReport& report);
+  bool apply_impulses(run::TurnReport& report);
   void passed(run::TurnReport& report, double duration_s);
   void watch(run::TurnReport& report, double duration_s);
   void land(run::TurnReport& report, std::size_t guard, double latest_s);
@@ -80,7 +79,7 @@ class ExactRun {
   Motion motion_;
   run::StateScale scale_;  ///< of sections
   double speed_ = 0, period_s_ = 0, turns_per_s_ = 0;
-  double kick_s_ = 0, kick_elapsed_s_ = 0;  ///< duration (0: none), and how much of it was over at the start
+  run::PulseTimes pulses_;  ///< in seconds
   run::Impulses impulses_;
   SlipWatch<N> slip_;
   PeakWatch<N> peaks_;
@@ -92,7 +91,7 @@ class ExactRun {
   long revolution_ = 0;
   bool goes_on_ = false;  ///< the motion stands where the last turn ended
   double time_s_ = 0;     ///< into the revolution
-  bool kicked_ = false, peaks_wanted_ = false, switches_wanted_ = false;
+  bool peaks_wanted_ = false, switches_wanted_ = false;
   Eigen::Index tangents_ = 0;  ///< asked for in this turn
   int standstill_ = 0;
   run::Effort effort_;

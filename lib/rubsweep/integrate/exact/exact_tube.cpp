@@ -59,7 +59,7 @@ class TubeBuilder {
     State physical =
         Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
     scale_.to_seconds(physical);
-    motion_.set_phases(0, -1);
+    motion_.set_phases(0);
     if (!motion_.enter(0, physical)) return false;
     const std::size_t joint =
         joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));

@@ -53,12 +53,9 @@ void scale_forcing(const scene::Scene& scene, const MassFactor& mass, ScaledSyst
   system.cosine = mass.solve(Eigen::VectorXd(scene.harmonic_n.real())) / unit;
   system.sine = -mass.solve(Eigen::VectorXd(scene.harmonic_n.imag())) / unit;
   system.constant = mass.solve(scene.constant_n) / unit;
-  system.pulse = ScaledSystem<N>::Vector::Zero(scene.structure.coordinates());
-  if (scene.pulse && scene.pulse->force_n != 0) {
-    system.pulse = mass.solve(scene.pulse->direction) * (scene.pulse->force_n / unit);
-    system.pulse_end_rad = system.scale.duration(scene.pulse->duration_s);
-    system.pulse_rate = std::numbers::pi / system.pulse_end_rad;
-    system.pulse_elapsed_rad = system.scale.duration(scene.pulse->elapsed_s);
+  for (const scene::Pulse& pulse : scene.pulses) {
+    system.pulses.push_back({.top = mass.solve(pulse.direction) * (pulse.force_n / unit),
+                             .rate = std::numbers::pi / system.scale.duration(pulse.duration_s)});
   }
 }
 

@@ -33,11 +33,18 @@ struct ScaledContact {
   double mobility() const { return -first_row.dot(first_push.transpose()); }
 };
 
+/// A half-sine pulse, as a part of the acceleration: top sin(rate * time since its start) while it acts.
+template <int N>
+struct ScaledPulse {
+  Eigen::Matrix<double, N, 1> top;
+  double rate = 0;  ///< angle of the half-sine per radian of rotation
+};
+
 /// A scene in the units of a StateScale. That of its sections makes every tolerance a pure number: length in
 /// L = scene.length_scale_m, time in radians of shaft rotation. With the mass matrix already divided out, its
 /// equations of motion are
 ///
-///     u'' = -stiffness u - damping u' + cosine cos(phase) + sine sin(phase) + constant + pulse + contacts.
+///     u'' = -stiffness u - damping u' + cosine cos(phase) + sine sin(phase) + constant + pulses + contacts.
 ///
 /// N coordinates, or Eigen::Dynamic.
 template <int N>
@@ -49,10 +56,7 @@ struct ScaledSystem {
   Vector stiffness_diagonal, damping_diagonal;
   Matrix stiffness, damping;
   Vector cosine, sine, constant;
-  Vector pulse;                          ///< acceleration at the top of the half-sine
-  double pulse_rate = 0;                 ///< phase of the half-sine per radian of rotation
-  double pulse_end_rad = 0;              ///< rotation over which it lasts; 0: no pulse
-  double pulse_elapsed_rad = 0;          ///< rotation since its start at phase 0 of revolution 0
+  std::vector<ScaledPulse<N>> pulses;    ///< as those of the scene; PulseTimes says when they act
   Eigen::Matrix<double, 2, N> observed;  ///< (x, y) of the observed point in units of L
   std::vector<ScaledContact<N>> contacts;
   StateScale scale;

@@ -16,7 +16,7 @@ constexpr double difference_step = 1e-5;
 }  // namespace
 
 scene::Scene after_the_kick(scene::Scene scene) {
-  scene.pulse.reset();
+  scene.pulses.clear();
   return scene;
 }
 

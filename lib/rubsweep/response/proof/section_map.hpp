@@ -14,7 +14,7 @@ namespace rubsweep::response::proof {
 using SectionMap = std::function<bool(std::span<double> state)>;
 
 /// One revolution of a scene as a map of its scaled section (as TurnReport::section): from phase 0 to phase
-/// 0, the pulse left out. Every call starts afresh, so that the map has no memory: equal sections give equal
+/// 0, the pulses left out. Every call starts afresh, so that the map has no memory: equal sections give equal
 /// sections to the last bit, near ones go through nearly the same steps.
 class SceneMap {
  public:
@@ -50,7 +50,7 @@ class SceneMap {
   std::vector<double> before_;
 };
 
-/// The scene without its pulse.
+/// The scene without its pulses.
 scene::Scene after_the_kick(scene::Scene scene);
 
 }  // namespace rubsweep::response::proof

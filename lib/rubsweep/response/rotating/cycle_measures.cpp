@@ -90,8 +90,7 @@ motion::Measures measure_cycle(const scene::Scene& scene, const RotatingArc& onc
                       .peak_displacement_m = once.peak_displacement_m,
                       .peak_contact_force_n = once.peak_contact_force_n};
   // The mean of such a motion lies in the centre.
-  measures.orbit =
-      spectrum::is_circle(w, 0) ? spectrum::OrbitKind::circle : spectrum::OrbitKind::oval;
+  measures.orbit = spectrum::is_circle(w, 0) ? spectrum::OrbitKind::circle : spectrum::OrbitKind::oval;
   measures.comb_spacing = spacing;
   measure_lines(spectrum::full_spectrum(w, 1, workspace.spectrum), spacing, 0.5 / options.window_revolutions,
                 measures);

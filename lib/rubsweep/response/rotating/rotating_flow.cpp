@@ -67,7 +67,7 @@ std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate
 RotatingFlow::RotatingFlow(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                            int samples_per_revolution)
     : scene_(scene), options_(options), samples_per_revolution_(samples_per_revolution) {
-  scene_.pulse.reset();
+  scene_.pulses.clear();
 }
 
 scene::Scene RotatingFlow::scene_at(const Eigen::VectorXd& state) const {

@@ -21,10 +21,10 @@ struct RotatingArc {
   Eigen::MatrixXd samples;  ///< 2n x count: states in the fixed frame at phases 2 pi k / N before the end
 };
 
-/// Follows a rotationally symmetric scene, its pulse left out, and the derivative of the motion by its start,
-/// from any state over any angle, with located (or smoothed) contacts, by dopri5. In the frame that turns
-/// with the shaft such a scene does not depend on time, so that every start is one at phase 0, where the two
-/// frames coincide.
+/// Follows a rotationally symmetric scene, its pulses left out, and the derivative of the motion by its
+/// start, from any state over any angle, with located (or smoothed) contacts, by dopri5. In the frame that
+/// turns with the shaft such a scene does not depend on time, so that every start is one at phase 0, where
+/// the two frames coincide.
 class RotatingFlow {
  public:
   /// `samples_per_revolution`: N of RotatingArc::samples; 0: none.

@@ -13,7 +13,7 @@ namespace rubsweep::response::rotating {
 /// +y: every pair of coordinates (x, y), and every pair of velocities, turns alike.
 Eigen::MatrixXd turned(const Eigen::MatrixXd& state, double angle_rad);
 
-/// Rate of a rotationally symmetric scene, its pulse left out, in the frame that turns with the shaft. With
+/// Rate of a rotationally symmetric scene, its pulses left out, in the frame that turns with the shaft. With
 /// x' = f(x, phase) for the scaled state x in the fixed frame, the turned state y = turned(x, -phase) follows
 ///
 ///     y' = f(y, 0) - turned(y, pi/2),
