@@ -140,7 +140,7 @@ inline HardScene two_stops_at_once() {
 /// Two moving casings, nothing damped, no friction, nothing driven: the energy stays.
 inline HardScene nothing_damped() {
   model::Machine machine = machine_of({});
-  machine.rotor.damping_ratio = 0;
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
   machine.kick.reset();
   auto& stop = machine.stops[0];
   stop.damping = model::ExplicitDamping{0};

@@ -68,28 +68,29 @@ void validate(const Stop& stop, const std::string& path) {
 /// Places along the shaft: a rotor kit has them, a Jeffcott rotor has none.
 void validate_position(const Machine& machine, const std::optional<double>& position_m, bool needed,
                        const std::string& path) {
-  if (!machine.kit) {
+  const RotorKit* kit = kit_of(machine);
+  if (kit == nullptr) {
     if (position_m)
       throw ConfigError(path + ": a Jeffcott rotor has no places along its shaft, allowed: nothing");
   } else if (position_m || needed) {
-    require(path, position_m.value_or(required), Range{.low = 0, .high = shaft_length_m(*machine.kit)});
+    require(path, position_m.value_or(required), Range{.low = 0, .high = shaft_length_m(*kit)});
   }
 }
 
 }  // namespace
 
 void validate(const Machine& machine) {
-  if (machine.kit) {
-    validate(*machine.kit, "rotor.");
-  } else {
-    JeffcottRotor::visit_fields(machine.rotor, requiring("rotor."));
-  }
+  std::visit(
+      overloaded{[](const JeffcottRotor& rotor) { JeffcottRotor::visit_fields(rotor, requiring("rotor.")); },
+                 [](const RotorKit& kit) { validate(kit, "rotor."); }},
+      machine.rotor);
+  const RotorKit* kit = kit_of(machine);
   if (machine.stops.empty()) throw ConfigError("stops: at least one stop is needed");
   for (std::size_t i = 0; i < machine.stops.size(); ++i) {
     const Stop& stop = machine.stops[i];
     validate(stop, fmt::format("stops.{}.", i));
     validate_position(machine, stop.position_m, true, fmt::format("stops.{}.position_m", i));
-    if (machine.kit && machine.kit->torsion && std::holds_alternative<AnnularGeometry>(stop.geometry)) {
+    if (kit != nullptr && kit->torsion && !std::holds_alternative<OneSideGeometry>(stop.geometry)) {
       throw ConfigError(fmt::format("stops.{}.kind: torsion needs flat walls, allowed: one_side", i));
     }
   }

@@ -76,7 +76,7 @@ std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Ce
   const scene::Contact& contact = cell.scene.contacts[i];
   std::string text = fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
                                  describe(stop.geometry), stop.clearance_m);
-  if (prepared.machine.kit) {
+  if (model::kit_of(prepared.machine) != nullptr) {
     text += fmt::format("  at {} m of the shaft; mass behind the contact {:.4g} kg{}\n", *stop.position_m,
                         stop.contact_mass_kg.value_or(mass_kg),
                         stop.contact_mass_kg ? "" : " (modal mass of the first mode there)");
@@ -134,8 +134,7 @@ std::string explain_faults(const model::RotorKit& kit) {
   return text;
 }
 
-std::string explain_kit(const scene::PreparedMachine& prepared) {
-  const model::RotorKit& kit = *prepared.machine.kit;
+std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit) {
   const structure::Reduction& reduction = *prepared.reduction;
   std::string text = fmt::format(
       "rotor: kit, shaft of {:.6g} m in {} or more Timoshenko elements, {} discs, {} supports, {} "
@@ -159,10 +158,14 @@ std::string explain_kit(const scene::PreparedMachine& prepared) {
 }
 
 std::string explain_rotor(const scene::PreparedMachine& prepared) {
-  if (prepared.machine.kit) return explain_kit(prepared);
-  const model::JeffcottRotor& rotor = prepared.machine.rotor;
-  return fmt::format("rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
-                     rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio);
+  return std::visit(
+      overloaded{[](const model::JeffcottRotor& rotor) {
+                   return fmt::format(
+                       "rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
+                       rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio);
+                 },
+                 [&](const model::RotorKit& kit) { return explain_kit(prepared, kit); }},
+      prepared.machine.rotor);
 }
 
 std::string explain_kick(const model::Machine& machine) {
@@ -177,11 +180,17 @@ std::string explain_kick(const model::Machine& machine) {
 }
 
 std::string left_out(const model::Machine& machine) {
-  if (!machine.kit) {
-    return "left out: torsion and drive (the speed is held constant), axial motion, tilting of the disc\n";
-  }
-  return machine.kit->torsion ? "left out: axial motion\n"
-                              : "left out: torsion and drive (the speed is held constant), axial motion\n";
+  return std::visit(
+      overloaded{
+          [](const model::JeffcottRotor&) {
+            return "left out: torsion and drive (the speed is held constant), axial motion, tilting of "
+                   "the disc\n";
+          },
+          [](const model::RotorKit& kit) {
+            return kit.torsion ? "left out: axial motion\n"
+                               : "left out: torsion and drive (the speed is held constant), axial motion\n";
+          }},
+      machine.rotor);
 }
 
 }  // namespace

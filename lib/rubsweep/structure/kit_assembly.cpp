@@ -15,7 +15,8 @@ constexpr double node_of_mode = 1e-6;  ///< share of the largest deflection, squ
 
 class KitBuilder {
  public:
-  explicit KitBuilder(const model::Machine& machine) : machine_(machine), kit_(*machine.kit) {
+  explicit KitBuilder(const model::Machine& machine)
+      : machine_(machine), kit_(std::get<model::RotorKit>(machine.rotor)) {
     for (const auto& stop : machine.stops) stops_.push_back(*stop.position_m);
     for (const auto& sensor : kit_.sensors) sensors_.push_back(sensor.position_m);
     kick_ = machine.kick && machine.kick->position_m ? *machine.kick->position_m : stops_.front();

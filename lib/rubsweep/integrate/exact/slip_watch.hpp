@@ -12,9 +12,9 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Watches that friction stays saturated, so that its coefficient is the constant that the mode's plan was
-/// made with, over stretches of contact no longer than the mode's longest step. Between two instants T apart
-/// a slip whose rate is at most L stays above (slip at the one + slip at the other - L T) / 2.
+/// Watches that friction stays saturated, so that its coefficient is the constant that the linear mode
+/// was made with, over stretches of contact no longer than the mode's longest step. Between two instants T
+/// apart a slip whose rate is at most L stays above (slip at the one + slip at the other - L T) / 2.
 template <int N>
 class SlipWatch {
  public:

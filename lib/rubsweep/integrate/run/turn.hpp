@@ -26,7 +26,8 @@ struct Effort {
   long refused = 0;  ///< refused by the error control
   long switches = 0;
   long implicit_steps = 0;  ///< accepted ones that Stepper::automatic took with rosenbrock4
-  long adaptive_turns = 0;  ///< by an exact run: revolutions that had no closed form
+  long taylor_turns = 0;    ///< revolutions without a closed form, by pieces of Taylor series
+  long adaptive_turns = 0;  ///< revolutions without a closed form, by a stepper
 };
 
 /// What is asked of one revolution; it may stay the same from turn to turn. States are scaled and hold 2n
