@@ -17,7 +17,8 @@ namespace {
 
 using integrate::run::ModeSwitch;
 using integrate::run::Outcome;
-using integrate::run::Turn;
+using integrate::run::TurnReport;
+using integrate::run::TurnRequest;
 
 constexpr int free_turns = 3;
 constexpr int reference_steps = 400'000;
@@ -74,13 +75,14 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
       integrate::start(cell.scene, options(integrate::run::Method::exact), modes);
   const integrate::run::Run other = integrate::start(free, options(integrate::run::Method::adaptive), modes);
   const double kick_turns = random.machine.kick ? random.machine.kick->duration_s * random.speed_hz : 0;
-  Turn turn, again;
-  turn.switches_wanted = again.switches_wanted = true;
+  TurnRequest asked;
+  TurnReport turn, again;
+  asked.switches = true;
   std::vector<double> before;
   long adaptive_turns = 0;
   for (int k = 0, quiet = 0; k < turns && quiet < free_turns; ++k) {
     before = turn.section;
-    if (exact.advance(turn) != Outcome::ok) {
+    if (exact.advance(asked, turn) != Outcome::ok) {
       audit.exact_failed = true;
       return audit;
     }
@@ -89,7 +91,7 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
     const bool closed_form =
         turn.effort.adaptive_turns == std::exchange(adaptive_turns, turn.effort.adaptive_turns);
     other.restart(before);
-    if (other.advance(again) != Outcome::ok) {
+    if (other.advance(asked, again) != Outcome::ok) {
       audit.other_failed = true;
       continue;
     }

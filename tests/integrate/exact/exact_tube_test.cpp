@@ -23,24 +23,25 @@ struct RubbingTurn {
 
   RubbingTurn() {
     const run::Run kicked = integrate::start(scene, {}, modes);
-    run::Turn turn;
+    run::TurnReport turn;
     do {
-      EXPECT_EQ(kicked.advance(turn), run::Outcome::ok);
+      EXPECT_EQ(kicked.advance({}, turn), run::Outcome::ok);
       start = turn.section;
-      scene.pulse.reset();
+      scene.pulses.clear();
       turn_from(start, turn);
     } while (turn.effort.steps < 10'000 && (!turn.touched || turn.touching_at_end));
     EXPECT_TRUE(turn.touched);
     end = turn.section;
-    transition = turn.tangent_vectors;
+    transition = *turn.tangent_vectors.get();
   }
 
-  void turn_from(const std::vector<double>& section, run::Turn& turn) {
+  void turn_from(const std::vector<double>& section, run::TurnReport& turn) {
     const auto run = integrate::start(scene, {}, modes);
     const auto states = static_cast<Eigen::Index>(section.size());
-    turn.tangent_vectors = MatrixXd::Identity(states, states);
+    run::TurnRequest asked;
+    asked.tangent_vectors = MatrixXd::Identity(states, states);
     run.restart(section);
-    EXPECT_EQ(run.advance(turn), run::Outcome::ok);
+    EXPECT_EQ(run.advance(asked, turn), run::Outcome::ok);
   }
 };
 
@@ -68,7 +69,7 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
     const double share = trial % 2 == 0 ? 1 : 0.25;
     y *= share * radius / y.norm();
     VectorXd from = vector_of(turn.start) + y;
-    run::Turn made;
+    run::TurnReport made;
     turn.turn_from({from.begin(), from.end()}, made);
     const double deviation = (vector_of(made.section) - vector_of(turn.end) - turn.transition * y).norm();
     EXPECT_LE(deviation, tube->deviation(radius) * share * share + 1e-12);
@@ -80,7 +81,7 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
 
 TEST(ExactTube, AFlightHasNoDeviation) {
   scene::Scene scene = test::cell_of({}).scene;
-  scene.pulse.reset();
+  scene.pulses.clear();
   ModeCache modes;
   std::vector<double> section(8, 0.0);
   const MatrixXd identity = MatrixXd::Identity(8, 8);

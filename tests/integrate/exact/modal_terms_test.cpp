@@ -104,12 +104,12 @@ INSTANTIATE_TEST_SUITE_P(OneStop, EveryModeSeen, testing::Range<std::size_t>(0, 
 /// A flight with its casing ringing: the guard is the penetration, and what stands for it is never below.
 TEST(SlowGuard, IsNeverBelowTheWhole) {
   auto scene = test::cell_of({}).scene;
-  scene.pulse.reset();
+  scene.pulses.clear();
   ExactMotion<4> motion(scene, std::make_shared<MachineModes<4>>(scene));
   State start = State::Zero();
   start(3) = 0.4;
   start(5) = 100;
-  motion.set_phases(0, -1);
+  motion.set_phases(0);
   ASSERT_TRUE(motion.enter(0, start));
   const LinearGuard<4>& plan = motion.mode().guards.front();
   ASSERT_EQ(plan.terms.slow_count, 1u);

@@ -30,8 +30,8 @@ struct HalfMotion {
   HalfMotion() {
     const auto start = test::cell_of({}).scene;
     const auto run = integrate::start(start, {}, modes);
-    integrate::run::Turn turn_made;
-    for (int k = 0; k < 400; ++k) EXPECT_EQ(run.advance(turn_made), integrate::run::Outcome::ok);
+    integrate::run::TurnReport turn_made;
+    for (int k = 0; k < 400; ++k) EXPECT_EQ(run.advance({}, turn_made), integrate::run::Outcome::ok);
     const auto found = find_orbit(turn(), turn_made.section, 2);
     EXPECT_TRUE(found);
     orbit = *found;
@@ -57,10 +57,11 @@ std::vector<integrate::run::ModeSwitch> switches_of(const HalfMotion& motion,
   const auto run = integrate::start(motion.scene, {}, modes);
   run.restart(section);
   std::vector<integrate::run::ModeSwitch> all;
-  integrate::run::Turn turn;
-  turn.switches_wanted = true;
+  integrate::run::TurnRequest asked;
+  integrate::run::TurnReport turn;
+  asked.switches = true;
   for (int k = 0; k < 2; ++k) {
-    EXPECT_EQ(run.advance(turn), integrate::run::Outcome::ok);
+    EXPECT_EQ(run.advance(asked, turn), integrate::run::Outcome::ok);
     all.insert(all.end(), turn.switches.begin(), turn.switches.end());
   }
   return all;
