@@ -15,6 +15,7 @@
 namespace rubsweep::integrate {
 namespace {
 
+namespace odeint = boost::numeric::odeint;
 using Complex = std::complex<double>;
 constexpr double two_pi = 2 * std::numbers::pi;
 

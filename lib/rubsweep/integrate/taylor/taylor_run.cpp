@@ -11,8 +11,8 @@ namespace {
 
 using contact::Mode;
 
-/// A step times the fastest rate. Up to here a polynomial of order 24 moves what a mode that is not excited has of
-/// rounding as the motion does, within 8^25 / 25! = 2e-3.
+/// A step times the fastest rate. Up to here a polynomial of order 24 moves what a mode that is not excited
+/// has of rounding as the motion does, within 8^25 / 25! = 2e-3.
 constexpr double longest_times_fastest = 8;
 constexpr double same_instant = 1e-13;          ///< radians: landings nearer than that make no progress
 constexpr int longest_standstill = 16;          ///< landings without progress before one is stepped over
