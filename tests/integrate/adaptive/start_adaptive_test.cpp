@@ -214,7 +214,7 @@ TEST(Adaptive, GrazeIsAHitOnlyWhenThePeakPassesTheWall) {
       const run::Cursor advance = start_adaptive(scene, with(stepper, 1e-12));
       run::TurnReport turn;
       ASSERT_EQ(advance({}, turn), run::Outcome::ok);
-      EXPECT_EQ(turn.hits, depth > 0 ? 1 : 0) << depth << " stepper " << static_cast<int>(stepper);
+      EXPECT_EQ(turn.hits, depth > 0 ? 1 : 0) << depth << " stepper " << row_of(stepper).word;
     }
   }
 }
@@ -253,9 +253,9 @@ TEST(Adaptive, NonFiniteStatesAreAnOutcome) {
   for (const run::Stepper stepper :
        {run::Stepper::dopri5, run::Stepper::cash_karp54, run::Stepper::rkf78, run::Stepper::bulirsch_stoer}) {
     run::TurnReport turn;
-    const run::Outcome outcome = start_adaptive(scene, with(stepper, 1e-8))(turn);
+    const run::Outcome outcome = start_adaptive(scene, with(stepper, 1e-8))({}, turn);
     EXPECT_TRUE(outcome == run::Outcome::non_finite || outcome == run::Outcome::step_too_small)
-        << static_cast<int>(stepper);
+        << row_of(stepper).word;
   }
 }
 
