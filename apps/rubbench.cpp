@@ -45,7 +45,7 @@ bench::Place central_rub(const std::vector<bench::Place>& places,
                          const std::vector<bench::LabelledCell>& cells, std::size_t columns) {
   if (cells.empty()) throw ConfigError("no cell of the sweep can be kicked: nothing to measure");
   const auto distance = [&](const bench::LabelledCell& cell) {
-    const bool rubs = cell.label.motion_class != response::MotionClass::non_contact;
+    const bool rubs = cell.label.motion_class != response::motion::MotionClass::non_contact;
     const auto off_centre = [](std::size_t i, std::size_t n) {
       return (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5;
     };
@@ -166,7 +166,7 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   say(arguments, fmt::format("{}\nfiles: {}: config.yaml work_precision.csv\n",
                              report::work_precision_table(lines, arguments.work.turns), directory.string()));
   const bool all_ran = std::all_of(lines.begin(), lines.end(), [](const auto& line) {
-    return line.measurement.outcome == integrate::Outcome::ok;
+    return line.measurement.outcome == integrate::run::Outcome::ok;
   });
   return all_ran ? done : some_cells_failed;
 }

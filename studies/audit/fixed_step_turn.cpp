@@ -36,7 +36,7 @@ class Equations {
   static Eigen::Vector2d on_casing(const scene::Contact& contact, Eigen::Vector2d d,
                                    const Eigen::Vector2d& v) {
     Eigen::Vector2d normal = contact.normal;
-    if (contact.ring) {
+    if (contact.annular) {
       d += contact.offset_m;
       if (d.norm() <= contact.clearance_m) return Eigen::Vector2d::Zero();
       normal = d.normalized();

@@ -72,15 +72,15 @@ RandomCell random_cell(StopKind kind, std::mt19937_64& random) {
   model::Machine& machine = cell.machine;
   machine.rotor = {draw.log(0.1, 7), draw.even(10, 45), draw.log(0.002, 0.1)};
   if (kind == StopKind::annular || kind == StopKind::offset_annular) {
-    model::Stop ring = stop(draw, machine.rotor);
+    model::Stop annular = stop(draw, machine.rotor);
     model::AnnularGeometry geometry;
     if (kind == StopKind::offset_annular) {
       const double share = draw.even(0.02, 0.6), angle = draw.even(0, 2 * std::numbers::pi);
-      geometry.offset_m = {share * ring.clearance_m * std::cos(angle),
-                           share * ring.clearance_m * std::sin(angle)};
+      geometry.offset_m = {share * annular.clearance_m * std::cos(angle),
+                           share * annular.clearance_m * std::sin(angle)};
     }
-    ring.geometry = geometry;
-    machine.stops.push_back(ring);
+    annular.geometry = geometry;
+    machine.stops.push_back(annular);
   } else {
     const int count = kind == StopKind::one_flat ? 1 : draw.whole(2, 4);
     put_flats(draw, machine.rotor, kind == StopKind::equal_flats, count, machine.stops);

@@ -26,7 +26,7 @@ TEST(LabelAgreement, CellsThatCannotRunAreLeftOut) {
 TEST(LabelAgreement, CellsThatStartInContactCount) {
   const auto cells = reference_labels(test::machine_of({}), places, {}, {});
   ASSERT_EQ(cells.size(), 4);
-  EXPECT_EQ(cells[2].label.motion_class, response::MotionClass::subharmonic);
+  EXPECT_EQ(cells[2].label.motion_class, response::motion::MotionClass::subharmonic);
   EXPECT_EQ(cells[2].label.order, 2);
 }
 

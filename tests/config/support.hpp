@@ -80,10 +80,10 @@ inline std::vector<std::uint64_t> bits_of(const RunConfig& config) {
   for (const double speed : config.study.grid.speed_hz) put(speed);
   count(config.study.grid.measure);
   for (const double unbalance : config.study.grid.unbalance) put(unbalance);
-  const integrate::SolverOptions& solver = config.study.solver;
+  const integrate::run::SolverOptions& solver = config.study.solver;
   count(solver.method), count(solver.stepper), count(solver.contact), put(solver.relative_tolerance);
   put(solver.smoothing_m), count(solver.max_steps_per_revolution);
-  const response::ResponseOptions& response = config.study.response;
+  const response::motion::ResponseOptions& response = config.study.response;
   count(response.max_revolutions), count(response.samples_per_revolution);
   count(response.window_revolutions), count(response.max_order), count(config.study.robustness);
   return bits;

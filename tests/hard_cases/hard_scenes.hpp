@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/rolling_scene.hpp"
@@ -49,7 +49,7 @@ inline double stored_energy_j(const scene::Scene& scene, const std::vector<doubl
   double energy = (v.dot(scene.structure.mass * v) + q.dot(scene.structure.stiffness * q)) / 2;
   for (const scene::Contact& c : scene.contacts) {
     const Eigen::Vector2d d = scene::relative_map(scene.structure, c) * q + c.offset_m;
-    const double penetration = (c.ring ? d.norm() : d.dot(c.normal)) - c.clearance_m;
+    const double penetration = (c.annular ? d.norm() : d.dot(c.normal)) - c.clearance_m;
     if (penetration > 0) energy += c.stiffness_n_per_m * penetration * penetration / 2;
   }
   return energy;
@@ -101,11 +101,12 @@ inline HardScene graze_in_every_turn() {
   return hard;
 }
 
-/// The circle lies on the wall of a ring: contact without penetration, all the time. Below the natural
-/// frequency, where the ring does not push the rotor out of phase, and without friction the circle attracts.
+/// The circle lies on the wall of an annular stop: contact without penetration, all the time. Below the
+/// natural frequency, where the annular stop does not push the rotor out of phase, and without friction the
+/// circle attracts.
 inline HardScene graze_all_along_a_ring() {
   HardScene hard{.name = "graze_all_along_a_ring", .scene = whirl_up_to_a_wall(3)};
-  hard.scene.contacts[0].ring = true;
+  hard.scene.contacts[0].annular = true;
   hard.scene.contacts[0].friction = model::NoFriction{};
   hard.section = section_of(hard.scene, {0, 1}, -3);
   return hard;

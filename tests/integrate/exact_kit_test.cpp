@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "integrate/rubbing_kit.hpp"
-#include "rubsweep/integrate/adaptive.hpp"
-#include "rubsweep/integrate/exact.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/hybrid_run.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "scene/kit_machine.hpp"
 
@@ -22,14 +22,14 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 TEST(ExactKit, TurnsInContactHaveClosedFormsAndAgreeWithTheAdaptiveSolver) {
   for (const double speed_hz : {70.0, 110.0}) {
     const scene::Scene scene = kit_scene(speed_hz, 0.7);
-    ExactPlans plans;
-    const auto exact = start_exact(scene, {}, plans);
-    const Cursor adaptive = start_adaptive(scene, {.relative_tolerance = 1e-11});
-    Turn a, b;
+    exact::ModeCache modes;
+    const auto exact = start_hybrid(scene, {}, modes);
+    const run::Cursor adaptive = adaptive::start_adaptive(scene, {.relative_tolerance = 1e-11});
+    run::Turn a, b;
     int hits = 0;
     for (int k = 0; k < 6; ++k) {
-      ASSERT_EQ(exact.advance(a), Outcome::ok);
-      ASSERT_EQ(adaptive(b), Outcome::ok);
+      ASSERT_EQ(exact.advance(a), run::Outcome::ok);
+      ASSERT_EQ(adaptive(b), run::Outcome::ok);
       hits += a.hits;
       EXPECT_EQ(a.hits, b.hits);
       EXPECT_LT(largest_difference(a.section, b.section), 1e-7) << speed_hz << ' ' << k;
@@ -48,10 +48,10 @@ std::vector<double> section_with(const std::function<void(model::Machine&)>& cha
   machine.stops[0].position_m = 0.29;
   machine.kick.reset();
   change(machine);
-  ExactPlans plans;
-  const auto run = start_exact(scene::build_cell(machine, 70, scene::WhirlRatio{0.1}).scene, {}, plans);
-  Turn turn;
-  EXPECT_EQ(run.advance(turn), Outcome::ok);
+  exact::ModeCache modes;
+  const auto run = start_hybrid(scene::build_cell(machine, 70, scene::WhirlRatio{0.1}).scene, {}, modes);
+  run::Turn turn;
+  EXPECT_EQ(run.advance(turn), run::Outcome::ok);
   EXPECT_FALSE(turn.touched);
   return turn.section;
 }

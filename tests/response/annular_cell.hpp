@@ -4,8 +4,8 @@
 
 namespace rubsweep::response::testing {
 
-/// A rotor in a ring with well-damped mounts (parameter set C): circles at low speed, at high speed ovals
-/// that turn against the shaft's frame.
+/// A rotor in an annular stop with well-damped mounts (parameter set C): circles at low speed, at high speed
+/// ovals that turn against the shaft's frame.
 inline model::Machine annular_machine(double offset_y_m = 0) {
   model::Stop stop;
   stop.geometry = model::AnnularGeometry{{0, offset_y_m}};

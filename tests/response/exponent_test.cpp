@@ -15,8 +15,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// Within the error bar, which is to be below `largest_bar`.
-void expect_exponent(const SectionMap& map, const std::vector<double>& state, int iterations, double expected,
-                     double largest_bar) {
+void expect_exponent(const proof::SectionMap& map, const std::vector<double>& state, int iterations,
+                     double expected, double largest_bar) {
   const auto exponent = largest_exponent(map, state, iterations);
   ASSERT_TRUE(exponent);
   EXPECT_NEAR(exponent->per_revolution, expected, exponent->error_bar + 1e-9);
@@ -38,7 +38,7 @@ void set_angle(std::span<double> point, double phi) {
 }
 
 TEST(LargestExponent, OfTheLogisticMapIsLnTwo) {
-  const SectionMap map = [](std::span<double> s) {
+  const proof::SectionMap map = [](std::span<double> s) {
     s[0] = 4 * s[0] * (1 - s[0]);
     return true;
   };
@@ -51,7 +51,7 @@ TEST(LargestExponent, OfHenonsMap) {
 }
 
 TEST(LargestExponent, OfArnoldsCatMap) {
-  const SectionMap map = [](std::span<double> s) {
+  const proof::SectionMap map = [](std::span<double> s) {
     const double x = angle(s.first(2)), y = angle(s.last(2));
     set_angle(s.first(2), 2 * x + y);
     set_angle(s.last(2), x + y);
@@ -62,7 +62,7 @@ TEST(LargestExponent, OfArnoldsCatMap) {
 }
 
 TEST(LargestExponent, OfARotationIsZero) {
-  const SectionMap map = [](std::span<double> s) {
+  const proof::SectionMap map = [](std::span<double> s) {
     const std::complex<double> z = std::complex<double>(s[0], s[1]) * std::polar(1.0, std::numbers::phi);
     s[0] = z.real();
     s[1] = z.imag();
@@ -75,7 +75,7 @@ TEST(LargestExponent, OfARotationIsZero) {
 
 TEST(LargestExponent, OfATorusThatStretchesUnevenlyIsZeroWithinAShortBar) {
   // Contributions of up to ln 9 either way; attracted to the circle.
-  const SectionMap map = [](std::span<double> s) {
+  const proof::SectionMap map = [](std::span<double> s) {
     const double phi = angle(s), radius = std::hypot(s[0], s[1]);
     set_angle(s, phi + 2 * pi * 0.381 + 0.8 * std::sin(phi));
     for (double& x : s) x *= 1 + 0.5 * (radius - 1);
@@ -86,7 +86,7 @@ TEST(LargestExponent, OfATorusThatStretchesUnevenlyIsZeroWithinAShortBar) {
 }
 
 TEST(LargestExponent, OfAContractionIsItsSlowestRate) {
-  const SectionMap map = [](std::span<double> s) {
+  const proof::SectionMap map = [](std::span<double> s) {
     s[0] *= 0.5;
     s[1] *= -0.9;
     s[2] *= 0.1;
@@ -125,7 +125,7 @@ TEST(LargestExponent, OfAPeriodTwoOrbitIsHalfThatOfItsSecondIterate) {
 
 TEST(LargestExponent, NoiseBelowTheSeparationDoesNotTurnAContractionIntoChaos) {
   unsigned long bits = 1;
-  const SectionMap map = [&bits](std::span<double> s) {
+  const proof::SectionMap map = [&bits](std::span<double> s) {
     for (double& x : s) {
       bits = bits * 6364136223846793005UL + 1442695040888963407UL;
       x = 0.8 * x + 1e-7 * (static_cast<double>(bits >> 11) * 0x1p-53 - 0.5);
@@ -137,7 +137,7 @@ TEST(LargestExponent, NoiseBelowTheSeparationDoesNotTurnAContractionIntoChaos) {
 
 TEST(LargestExponent, IsEmptyWhenTheMapFails) {
   int calls = 0;
-  const SectionMap map = [&calls](std::span<double>) { return ++calls < 100; };
+  const proof::SectionMap map = [&calls](std::span<double>) { return ++calls < 100; };
   EXPECT_FALSE(largest_exponent(map, {1}, 60));
   calls = 0;
   EXPECT_TRUE(largest_exponent(map, {1}, 45));
@@ -147,7 +147,7 @@ TEST(ExponentOf, IsTheMeanOfEightBlocksWithTheirStudentInterval) {
   // Blocks of 10 with the values 1 ... 8 after a first fifth that must not count: mean 4.5, variance 6.
   std::vector<double> contributions(20, 1e6);
   for (int k = 0; k < 80; ++k) contributions.push_back(1 + k / 10);
-  const Exponent exponent = exponent_of(contributions);
+  const motion::Exponent exponent = exponent_of(contributions);
   EXPECT_NEAR(exponent.per_revolution, 4.5, 1e-14);
   EXPECT_NEAR(exponent.error_bar, 3.4995 * std::sqrt(6.0 / 8), 1e-13);
 }

@@ -190,9 +190,9 @@ TEST(BuildCell, ARingHoldsASaggingRotorAtItsWall) {
     machine.stops[0].geometry = model::AnnularGeometry{offset_m};
     const Cell cell = build_cell(machine, 75, Eccentricity{1e-4});
     EXPECT_EQ(cell.start, Start::contact);
-    const Contact& ring = cell.scene.contacts[0];
+    const Contact& stop = cell.scene.contacts[0];
     const Eigen::Vector2d apart =
-        relative_map(cell.scene.structure, ring) * cell.scene.displacement_m + ring.offset_m;
+        relative_map(cell.scene.structure, stop) * cell.scene.displacement_m + stop.offset_m;
     EXPECT_NEAR(apart.norm(), 1e-3, 1e-17);
     EXPECT_LT(cell.scene.displacement_m(1), 0);
   }

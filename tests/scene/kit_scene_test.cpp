@@ -66,9 +66,9 @@ TEST(KitScene, GyroscopicTermGrowsWithTheSpeed) {
   model::Machine machine = light_shaft_machine();
   machine.kit->discs[0].position_m = 0.1;
   machine.kit->modes = 2;
-  const Plan plan = make_plan(machine);
+  const PreparedMachine prepared = prepare_machine(machine);
   const auto skew = [&](double speed_hz) {
-    const Eigen::MatrixXd c = build_cell(plan, speed_hz, WhirlRatio{0.4}).scene.structure.damping;
+    const Eigen::MatrixXd c = build_cell(prepared, speed_hz, WhirlRatio{0.4}).scene.structure.damping;
     return Eigen::MatrixXd(c - c.transpose());
   };
   EXPECT_GT(skew(50).norm(), 0);

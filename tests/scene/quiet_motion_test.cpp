@@ -131,14 +131,14 @@ TEST(QuietPenetration, IsTheLargestOfTheSampledMotion) {
   }
 }
 
-/// A ring around a point that moves freely in the plane, as q itself.
+/// An annular stop around a point that moves freely in the plane, as q itself.
 struct InARing {
   structure::LinearSystem structure;
   Contact contact;
 
   InARing() {
     structure.points = {{Eigen::MatrixXd::Identity(2, 2)}};
-    contact.ring = true;
+    contact.annular = true;
     contact.clearance_m = 2;
   }
 
@@ -187,7 +187,7 @@ TEST(NearestWall, IsTheNormalOrTheDirectionOfTheMeanOffset) {
   EXPECT_EQ(nearest_wall(motion, in.structure, in.contact), Eigen::Vector2d(1, 0));
   motion.mean = Eigen::Vector2d(0, -4);
   EXPECT_LE((nearest_wall(motion, in.structure, in.contact) - Eigen::Vector2d(0.6, -0.8)).norm(), 1e-15);
-  in.contact.ring = false;
+  in.contact.annular = false;
   in.contact.normal = Eigen::Vector2d(-1, 0);
   EXPECT_EQ(nearest_wall(motion, in.structure, in.contact), Eigen::Vector2d(-1, 0));
 }

@@ -59,7 +59,7 @@ std::vector<double> read_spaced(Section& section, const model::Range& range) {
     section.refuse_together("count", {"count", "to"}, "1 value cannot be both from and to",
                             "a count of 2 or more, or no to");
   }
-  const std::vector<double> values = spaced(from, *to, count);
+  std::vector<double> values = spaced(from, *to, count);
   if (!all_different_and_allowed(values, range)) {
     section.refuse_together("count", {"from", "to", "count"},
                             fmt::format("from {} to {} there are no {} different values", from, *to, count),

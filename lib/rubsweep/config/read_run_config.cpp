@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::string_view root_form = "a map with rotor, stops, sweep, output";
 
-/// In a ring the tangent turns, along which the surface of a twisting rotor would move.
-void refuse_torsion_in_rings(const Value& stops, const model::Machine& machine) {
+/// In an annular stop the tangent turns, along which the surface of a twisting rotor would move.
+void refuse_torsion_in_annular_stops(const Value& stops, const model::Machine& machine) {
   if (!machine.kit || !machine.kit->torsion) return;
   for (const model::Stop& stop : machine.stops) {
     if (!std::holds_alternative<model::AnnularGeometry>(stop.geometry)) continue;
@@ -39,7 +39,7 @@ RunConfig read_sections(const Value& root) {
   const auto shaft = study.machine.kit ? std::optional(places(*study.machine.kit)) : std::nullopt;
   if (const auto value = section.require("stops", "a list of maps")) {
     study.machine.stops = read_stops(*value, shaft);
-    refuse_torsion_in_rings(*value, study.machine);
+    refuse_torsion_in_annular_stops(*value, study.machine);
   }
   if (const auto value = section.find("kick")) study.machine.kick = read_kick(*value, shaft);
   section.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);

@@ -7,8 +7,8 @@
 
 namespace rubsweep::contact {
 
-/// The four smooth pieces of the clamped ElastoGap law. p penetration, v closing speed, K stiffness, d
-/// damping.
+/// The four pieces on each of which the clamped ElastoGap law is smooth. p is the penetration, v the closing
+/// speed dp/dt, K the stiffness, d the damping.
 enum class Mode : unsigned char {
   open,      ///< p <= 0: no force
   clamped,   ///< p > 0, d v >= K p: normal force 2 K p
@@ -55,23 +55,23 @@ constexpr NormalForce force_in_mode(Mode mode, double stiffness, double damping,
   return {};
 }
 
-/// One way out of a mode: `value` < 0 inside, the mode ends when it rises through zero. `rate` = d value /
-/// dt.
-struct Exit {
+/// One way out of a mode, a guard or event function: `value` is negative inside the mode, which ends when it
+/// rises through zero. `rate` is its time derivative.
+struct Guard {
   double value = 0;
   double rate = 0;
   Mode next = Mode::open;
 };
 
-struct Exits {
-  std::array<Exit, 2> list{};
+struct Guards {
+  std::array<Guard, 2> list{};
   int count = 0;
 };
 
-/// The exits armed in `mode`, at most two:
+/// The guards armed in `mode`, at most two:
 /// open: p; clamped: K p - d v; sprung: d v - K p and -(K p + d v); released: -p and K p + d v.
 /// Without damping sprung is the only touching mode and ends as p falls through zero.
-constexpr Exits exits_of(Mode mode, double stiffness, double damping, const Kinematics& k) {
+constexpr Guards guards_of(Mode mode, double stiffness, double damping, const Kinematics& k) {
   const double spring = stiffness * k.penetration;
   const double spring_rate = stiffness * k.closing_speed;
   const double damper = damping * k.closing_speed;
@@ -96,25 +96,26 @@ constexpr Exits exits_of(Mode mode, double stiffness, double damping, const Kine
   return {};
 }
 
-/// Where an exit from `mode` towards `next` really leads. Out of sprung the way to clamped (d v = K p) is one
-/// of rising penetration, that to released (d v = -K p) one of falling penetration. With little damping both
-/// lie within rounding of p = 0, and which of the two a solver meets there is chance: v tells.
+/// Where a guard from `mode` towards `next` really leads. A sprung contact becomes clamped (at d v = K p)
+/// while its penetration rises, and released (at d v = -K p) while it falls. With little damping both happen
+/// within rounding of p = 0, and which of the two a solver meets first there is chance: the sign of v
+/// decides.
 constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) {
   if (mode != Mode::sprung || next == Mode::open) return next;
   return kinematics.closing_speed > 0 ? Mode::clamped : Mode::released;
 }
 
-/// Mode just after an instant at which `mode` may have ended: follows every exit that is at or past zero and
-/// still rising, until none is. An exit past zero but falling is a return from a graze, not an event.
-/// Bounded: a state with all exits at zero and rising cannot exist, and four hops visit every mode.
+/// Mode just after an instant at which `mode` may have ended: follows every guard that is at or past zero and
+/// still rising, until none is. A guard past zero but falling is a return from a graze, not an event.
+/// Bounded: a state with all guards at zero and rising cannot exist, and four hops visit every mode.
 constexpr Mode mode_after(Mode mode, double stiffness, double damping, const Kinematics& kinematics) {
   for (int hop = 0; hop < mode_count; ++hop) {
-    const Exits exits = exits_of(mode, stiffness, damping, kinematics);
+    const Guards guards = guards_of(mode, stiffness, damping, kinematics);
     Mode next = mode;
-    for (int i = 0; i < exits.count; ++i) {
-      const Exit& exit = exits.list[static_cast<std::size_t>(i)];
-      if (exit.value >= 0 && exit.rate > 0) {
-        next = mode_through(mode, exit.next, kinematics);
+    for (int i = 0; i < guards.count; ++i) {
+      const Guard& guard = guards.list[static_cast<std::size_t>(i)];
+      if (guard.value >= 0 && guard.rate > 0) {
+        next = mode_through(mode, guard.next, kinematics);
         break;
       }
     }

@@ -10,15 +10,16 @@ namespace rubsweep::model {
 
 struct NoFriction {};
 
-/// mu(v) = coefficient for every slip speed: never reverses. A run whose slip would reverse says so in its
-/// status.
+/// mu(v) = coefficient whatever the slip speed v, even where v < 0: this friction never changes its
+/// direction. A run whose slip would reverse says so in its status.
 struct ConstantFriction {
   double coefficient = required;
   static constexpr Range coefficient_range{.low = 0, .high = 10};
 };
 
-/// What can be measured of a friction curve: the peak, the speeds where it is reached and where the fall from
-/// it has settled, the level there, and how it grows beyond.
+/// A friction curve by numbers that can be measured: the largest coefficient and the slip speed where it is
+/// reached, the slip speed where the fall behind this peak has ended and the coefficient there (kinetic), and
+/// the slope beyond (viscous).
 struct StribeckCurve {
   double static_coefficient = required;
   double kinetic = required;
@@ -39,8 +40,8 @@ struct StribeckCurve {
 /// gamma[0..5] = g1 [-], g2 [s/m], g3 [s/m], g4 [-], g5 [s/m], g6 [s/m]; v slip speed in m/s.
 struct StribeckFriction {
   std::array<double, 6> gamma{};
-  std::optional<StribeckCurve> curve =
-      std::nullopt;  ///< where gamma came from (contact::stribeck_of); changes no force
+  /// Where gamma came from (contact::stribeck_of); changes no force.
+  std::optional<StribeckCurve> curve = std::nullopt;
 };
 
 using Friction = std::variant<NoFriction, ConstantFriction, StribeckFriction>;

@@ -49,8 +49,8 @@ void validate(const StopGeometry& geometry, double clearance_m, const std::strin
   for (const double component : offset_m) require(path + "offset_m", component, any_finite);
   if (std::hypot(offset_m[0], offset_m[1]) >= clearance_m) {
     throw ConfigError(fmt::format(
-        "{}offset_m: the rest position is not inside the ring, allowed: shorter than {}clearance_m", path,
-        path));
+        "{}offset_m: the rest position is not inside the annular stop, allowed: shorter than {}clearance_m",
+        path, path));
   }
 }
 

@@ -62,7 +62,7 @@ double Companion::pull_back(std::span<const double> base) {
   return std::log(apart / separation);
 }
 
-Exponent exponent_of(std::span<const double> contributions) {
+motion::Exponent exponent_of(std::span<const double> contributions) {
   if (contributions.size() < fewest) {
     throw SolverError(
         fmt::format("an exponent takes {} iterations or more, got {}", fewest, contributions.size()));
@@ -80,7 +80,8 @@ Exponent exponent_of(std::span<const double> contributions) {
   return {.per_revolution = mean, .error_bar = student_quantile * std::sqrt(variance / blocks)};
 }
 
-std::optional<Exponent> largest_exponent(const SectionMap& map, std::vector<double> state, int iterations) {
+std::optional<motion::Exponent> largest_exponent(const proof::SectionMap& map, std::vector<double> state,
+                                                 int iterations) {
   const Growth turn = companion_growth(map, state);
   std::vector<double> contributions;
   for (int k = 0; k < iterations; ++k) {

@@ -4,16 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/response/section_map.hpp"
+#include "rubsweep/response/motion/motion.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
 
 namespace rubsweep::response {
-
-/// Largest Lyapunov exponent: mean rate at which nearby motions part, per iteration of the map (for a
-/// section: per revolution). Positive: chaos; zero: a torus; negative: a periodic motion that attracts.
-struct Exponent {
-  double per_revolution = 0;
-  double error_bar = 0;  ///< half-width of the 99 % confidence interval, > 0
-};
 
 /// A second state that follows a base state through the same map, always pulled back to a small distance.
 /// G. Benettin, L. Galgani, J.-M. Strelcyn, Phys. Rev. A 14 (1976) 2338: the mean of ln(distance /
@@ -51,9 +45,10 @@ class Companion {
 /// mean, which a flat block cuts off anywhere and a smooth one averages out (S. Das et al., Nonlinearity 30
 /// (2017) 4111); the bars of such motions are ten to a hundred times shorter, those of chaotic ones 1.2 times
 /// longer. SolverError for fewer than 40 contributions.
-Exponent exponent_of(std::span<const double> contributions);
+motion::Exponent exponent_of(std::span<const double> contributions);
 
 /// Exponent of the motion from `state` over `iterations`; empty when the map fails.
-std::optional<Exponent> largest_exponent(const SectionMap& map, std::vector<double> state, int iterations);
+std::optional<motion::Exponent> largest_exponent(const proof::SectionMap& map, std::vector<double> state,
+                                                 int iterations);
 
 }  // namespace rubsweep::response

@@ -14,7 +14,7 @@ namespace {
 constexpr double lost = 1e-10;
 
 struct Tangent {
-  SceneMap& map;
+  proof::SceneMap& map;
   Eigen::MatrixXd direction{};  ///< one column
   std::vector<double> before{};
 
@@ -53,7 +53,7 @@ struct Tangent {
 
 }  // namespace
 
-Growth companion_growth(SectionMap map, std::span<const double> section) {
+Growth companion_growth(proof::SectionMap map, std::span<const double> section) {
   return [map = std::move(map),
           companion = Companion(section)](std::span<double> base) mutable -> std::optional<double> {
     if (!map(companion.state()) || !map(base)) return std::nullopt;
@@ -61,6 +61,6 @@ Growth companion_growth(SectionMap map, std::span<const double> section) {
   };
 }
 
-Growth tangent_growth(SceneMap& map) { return Tangent{map}; }
+Growth tangent_growth(proof::SceneMap& map) { return Tangent{map}; }
 
 }  // namespace rubsweep::response

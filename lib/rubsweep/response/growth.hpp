@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/response/section_map.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
 
 namespace rubsweep::response {
 
@@ -14,11 +14,11 @@ namespace rubsweep::response {
 using Growth = std::function<std::optional<double>(std::span<double> section)>;
 
 /// The disturbance is a companion of the motion that starts at `section`, followed through any map.
-Growth companion_growth(SectionMap map, std::span<const double> section);
+Growth companion_growth(proof::SectionMap map, std::span<const double> section);
 
 /// The disturbance is a tangent vector, moved by the exact derivative of the section where the turn has
 /// closed forms: nothing is lost to the distance of a companion, and there is no second run. Turns without
 /// closed forms take the difference to a companion. `map` must outlive what is returned.
-Growth tangent_growth(SceneMap& map);
+Growth tangent_growth(proof::SceneMap& map);
 
 }  // namespace rubsweep::response

@@ -44,7 +44,7 @@ Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly,
   contact.rotor_point = assembly.rotor_points[index];
   contact.casing_point = assembly.casing_points[index];
   if (const auto* annular = std::get_if<model::AnnularGeometry>(&stop.geometry)) {
-    contact.ring = true;
+    contact.annular = true;
     contact.offset_m = {annular->offset_m[0], annular->offset_m[1]};
   } else {
     contact.normal = direction(std::get<model::OneSideGeometry>(stop.geometry).angle_deg);
@@ -110,13 +110,14 @@ void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaini
 }
 
 /// Smallest share s in (0, 1] of the way to the static position at which a wall is met: flat s r.q =
-/// clearance, in a ring |s r q + offset| = clearance, its rest position being inside. 1 where none is.
+/// clearance, in an annular stop |s r q + offset| = clearance, its rest position being inside. 1 where none
+/// is.
 double share_before_contact(const Cell& cell) {
   double share = 1;
   for (const Contact& contact : cell.scene.contacts) {
     const Eigen::Vector2d way = relative_map(cell.scene.structure, contact) * cell.quiet.mean;
     double met = std::numeric_limits<double>::infinity();
-    if (contact.ring) {
+    if (contact.annular) {
       const double a = way.squaredNorm(), b = way.dot(contact.offset_m);
       const double c = contact.clearance_m * contact.clearance_m - contact.offset_m.squaredNorm();
       // a s^2 + 2 b s = c with c > 0, in the form that does not cancel.
@@ -149,9 +150,9 @@ bool touches_anywhere(const Cell& cell) {
 
 }  // namespace
 
-Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
-  const model::Machine& machine = plan.machine;
-  const structure::Assembly& assembly = plan.assembly;
+Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance) {
+  const model::Machine& machine = prepared.machine;
+  const structure::Assembly& assembly = prepared.assembly;
   Cell cell;
   Scene& scene = cell.scene;
   scene.speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
@@ -205,7 +206,7 @@ Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
 }
 
 Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance) {
-  return build_cell(make_plan(machine), speed_hz, unbalance);
+  return build_cell(prepare_machine(machine), speed_hz, unbalance);
 }
 
 }  // namespace rubsweep::scene

@@ -68,7 +68,7 @@ double long_half_axis(const Eigen::Vector2cd& amplitude) {
 QuietPenetration quiet_penetration(const QuietMotion& motion, const structure::LinearSystem& structure,
                                    const Contact& contact) {
   const auto map = relative_map(structure, contact);
-  if (contact.ring) {
+  if (contact.annular) {
     const Eigen::Vector2cd amplitude = map.cast<std::complex<double>>() * motion.amplitude;
     return {mean_offset_m(motion, structure, contact).norm() - contact.clearance_m,
             long_half_axis(amplitude)};
@@ -80,7 +80,7 @@ QuietPenetration quiet_penetration(const QuietMotion& motion, const structure::L
 
 Eigen::Vector2d nearest_wall(const QuietMotion& motion, const structure::LinearSystem& structure,
                              const Contact& contact) {
-  if (!contact.ring) return contact.normal;
+  if (!contact.annular) return contact.normal;
   const Eigen::Vector2d mean = mean_offset_m(motion, structure, contact);
   return mean.isZero(0) ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(mean.normalized());
 }

@@ -22,8 +22,8 @@ QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_
                          const Eigen::VectorXcd& harmonic_n, const Eigen::VectorXd& constant_n);
 
 /// Static part and largest excursion about it of the penetration of one contact under a quiet motion. In a
-/// ring the static part is that of the mean position, and the excursion counts as if it pointed outwards
-/// there, which it does at some time when the whirl is a circle.
+/// annular stop the static part is that of the mean position, and the excursion counts as if it pointed
+/// outwards there, which it does at some time when the whirl is a circle.
 struct QuietPenetration {
   double mean_m = 0;       ///< below 0: a gap
   double amplitude_m = 0;  ///< >= 0
@@ -31,8 +31,8 @@ struct QuietPenetration {
 QuietPenetration quiet_penetration(const QuietMotion& motion, const structure::LinearSystem& structure,
                                    const Contact& contact);
 
-/// Direction in which the rotor's mean position is nearest to the wall: the normal of a flat wall; in a ring
-/// the direction of the mean offset, +y when centred.
+/// Direction in which the rotor's mean position is nearest to the wall: the normal of a flat wall; in an
+/// annular stop the direction of the mean offset, +y when centred.
 Eigen::Vector2d nearest_wall(const QuietMotion& motion, const structure::LinearSystem& structure,
                              const Contact& contact);
 

@@ -11,15 +11,15 @@
 
 namespace rubsweep::scene {
 
-/// A wall between two points of the structure: flat with a normal that does not turn, or a ring around the
+/// A wall between two points of the structure: flat with a normal that does not turn, or annular, around the
 /// rotor. d = rotor point - casing point + offset; penetration p = d . n - clearance with n = normal (flat)
-/// or d / |d| (ring); tangent t = (-n_y, n_x); slip = d' . t + surface speed.
+/// or d / |d| (annular); tangent t = (-n_y, n_x); slip = d' . t + surface speed.
 struct Contact {
   int rotor_point = 0;
   std::optional<int> casing_point;  ///< empty: the casing does not move
-  bool ring = false;
+  bool annular = false;
   Eigen::Vector2d normal{0, 1};    ///< flat: unit vector from the rest position towards the wall
-  Eigen::Vector2d offset_m{0, 0};  ///< ring: of the rotor's rest position against the ring's centre
+  Eigen::Vector2d offset_m{0, 0};  ///< annular: of the rotor's rest position against the stop's centre
   double clearance_m = 0;          ///< >= 0
   double stiffness_n_per_m = 0;
   double damping_ns_per_m = 0;
@@ -27,8 +27,8 @@ struct Contact {
   double surface_speed_m_per_s = 0;  ///< R omega
 };
 
-/// Half-sine pulse F(t) = force_n sin(pi (t + elapsed_s) / duration_s) while 0 <= t + elapsed_s <=
-/// duration_s.
+/// Half-sine pulse: F(t) = force_n sin(pi (t + elapsed_s) / duration_s) as long as t + elapsed_s is between 0
+/// and duration_s, nothing before and after.
 struct Pulse {
   Eigen::VectorXd direction;  ///< n: generalised force per newton
   double force_n = 0;

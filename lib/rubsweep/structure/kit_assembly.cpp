@@ -154,7 +154,7 @@ class KitBuilder {
     system().points.back().map.col(lateral()) = stop.contact_radius_m * tangent;
   }
 
-  /// Along the normal of a flat stop; in a ring the mean of both planes.
+  /// Along the normal of a flat stop; in an annular stop the mean of both planes.
   double contact_mass_kg(std::size_t i) const {
     const model::Stop& stop = machine_.stops[i];
     double share_x = 0.5;
