@@ -6,10 +6,12 @@
 #include <map>
 #include <set>
 
+#include "rubsweep/response/motion/motion.hpp"
+
 namespace rubsweep::machine_search {
 namespace {
 
-using response::MotionClass;
+using response::motion::MotionClass;
 
 constexpr double natural_frequency_hz = 30;
 constexpr double clearance_m = 1e-3;
@@ -34,7 +36,7 @@ bool in_tongue(const sweep::Row& row, int order) {
 
 bool is_circle(const sweep::Row& row) {
   return row.motion_class == MotionClass::synchronous && row.measures &&
-         row.measures->orbit == response::OrbitKind::circle;
+         row.measures->orbit == response::spectrum::OrbitKind::circle;
 }
 
 bool is_comb(const sweep::Row& row) {
@@ -43,7 +45,7 @@ bool is_comb(const sweep::Row& row) {
 }
 
 bool is_backward(const sweep::Row& row) {
-  return row.measures && row.measures->whirl == response::WhirlKind::backward;
+  return row.measures && row.measures->whirl == response::spectrum::WhirlKind::backward;
 }
 
 /// Extent of one tongue, in natural frequencies and whirl ratios.

@@ -1,5 +1,5 @@
 // machine_search SEED RANDOM NEARBY [KEPT]: looks for one machine whose five maps show as much as possible of
-// what Ishibashi & Kawai report. Evaluates the starting point, RANDOM machines drawn from the ranges of
+// what Ishibashi & Kawai report. Evaluates the starting points, RANDOM machines drawn from the ranges of
 // candidate.hpp, then NEARBY machines near the KEPT (10) best ones. Prints one CSV line a machine as it goes;
 // the last column tells machines that were given up early. One thread; the lines depend on the arguments
 // alone, but for the processor time.
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
   }
   std::mt19937_64 random(numbers[0]);
   Search search(numbers.size() == 4 ? numbers[3] : 10);
-  search.look_at(starting_point, "start");
+  for (const Candidate& candidate : starting_points) search.look_at(candidate, "start");
   for (std::size_t i = 0; i < numbers[1]; ++i) search.look_at(random_candidate(random), "random");
   for (std::size_t i = 0; i < numbers[2]; ++i) {
     const double spread = i % 2 == 0 ? 0.1 : 0.4;
