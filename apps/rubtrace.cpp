@@ -87,6 +87,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
                                        report::map_header() + "\n" + report::map_line(row) + "\n"}};
   std::string summary = report::motion_summary(row);
 
+  // A second run of the cell: the first one, which classifies, ends where the motion is proven and asks the
+  // solver for other samples, so that its steps are not those of a trace of all revolutions.
   const scene::Cell cell = scene::build_cell(prepared, arguments.speed_hz, arguments.unbalance);
   trace::Trace trace;
   if (scene::can_run(cell.start)) {

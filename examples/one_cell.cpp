@@ -39,7 +39,7 @@ model::Machine machine() {
   stop.casing = model::Casing{.mass_kg = 0.05, .stiffness_n_per_m = 5e5, .damping_ratio = 0.1};
 
   model::Machine machine;
-  machine.rotor = {.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02};
+  machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02};
   machine.stops = {stop};
   machine.kick = model::Kick{.force_n = 200, .duration_s = 0.005, .angle_deg = {}};  // no angle: at the wall
   return machine;
@@ -47,37 +47,37 @@ model::Machine machine() {
 
 // What the rotor ended up doing. The class says which kind of motion it is; the order of a periodic one,
 // after how many revolutions it repeats.
-std::string in_words(const response::Motion& motion) {
+std::string in_words(const response::motion::Motion& motion) {
   switch (motion.motion_class) {
-    case response::MotionClass::non_contact:
+    case response::motion::MotionClass::non_contact:
       return "it does not touch the stop any more";
-    case response::MotionClass::synchronous:
+    case response::motion::MotionClass::synchronous:
       return "it rubs in every revolution in the same way";
-    case response::MotionClass::subharmonic:
+    case response::motion::MotionClass::subharmonic:
       return "it rubs in a rhythm of " + std::to_string(motion.order.value()) + " revolutions";
-    case response::MotionClass::quasi_periodic:
+    case response::motion::MotionClass::quasi_periodic:
       return "it rubs with two frequencies that have no common period";
-    case response::MotionClass::chaotic:
+    case response::motion::MotionClass::chaotic:
       return "it rubs chaotically";
-    case response::MotionClass::unsettled:
+    case response::motion::MotionClass::unsettled:
       return "it rubs, and the run was too short to tell in which way";
-    case response::MotionClass::initial_contact:
-    case response::MotionClass::failed:
+    case response::motion::MotionClass::initial_contact:
+    case response::motion::MotionClass::failed:
       break;
   }
   return "nothing can be said";
 }
 
 // What that rests on.
-std::string_view in_words(response::Proof proof) {
+std::string_view in_words(response::motion::Proof proof) {
   switch (proof) {
-    case response::Proof::rest:
+    case response::motion::Proof::rest:
       return "a bound on the free vibration: it can never reach the stop again";
-    case response::Proof::floquet:
+    case response::motion::Proof::floquet:
       return "a periodic orbit that is proven to attract the motion";
-    case response::Proof::floquet_observed:
+    case response::motion::Proof::floquet_observed:
       return "a stable periodic orbit that the motion was seen to approach";
-    case response::Proof::observed:
+    case response::motion::Proof::observed:
       return "what the end of the run shows";
   }
   return "";
@@ -93,20 +93,20 @@ void print_motion(double speed_hz, double whirl_ratio) {
   }
 
   // The defaults are those of a sweep. The workspace keeps what the next run can use again; one per thread.
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   const response::SettledRun run =
-      response::settle(cell, integrate::SolverOptions{}, response::ResponseOptions{}, workspace);
-  if (run.outcome != integrate::Outcome::ok) {  // a run that fails is an answer, not an exception
-    std::printf("the run failed: %s\n", std::string(integrate::to_string(run.outcome)).c_str());
+      response::settle(cell, integrate::run::SolverOptions{}, response::motion::ResponseOptions{}, workspace);
+  if (run.outcome != integrate::run::Outcome::ok) {  // a run that fails is an answer, not an exception
+    std::printf("the run failed: %s\n", std::string(integrate::run::to_string(run.outcome)).c_str());
     return;
   }
 
   std::printf("The rotor at %g Hz, eccentricity %.3g mm: after %ld revolutions %s.\n", speed_hz,
               1e3 * cell.eccentricity_m, run.revolutions, in_words(run.motion).c_str());
-  std::printf("class %s", std::string(response::to_string(run.motion.motion_class)).c_str());
+  std::printf("class %s", std::string(response::motion::to_string(run.motion.motion_class)).c_str());
   if (run.motion.order) std::printf(", order %d", *run.motion.order);
   if (run.proof) {
-    std::printf(", proof %s: %s", std::string(response::to_string(*run.proof)).c_str(),
+    std::printf(", proof %s: %s", std::string(response::motion::to_string(*run.proof)).c_str(),
                 std::string(in_words(*run.proof)).c_str());
   }
   std::printf("\nlargest displacement %.3g mm, in contact %.3g %% of the time\n",

@@ -174,8 +174,9 @@ RandomCell minimised(const RandomCell& cell) {
   };
   shorten([](RandomCell& c) -> double& { return c.speed_hz; });
   shorten([](RandomCell& c) -> double& { return c.whirl_ratio; });
-  shorten([](RandomCell& c) -> double& { return c.machine.rotor.mass_kg; });
-  shorten([](RandomCell& c) -> double& { return c.machine.rotor.damping_ratio; });
+  shorten([](RandomCell& c) -> double& { return std::get<model::JeffcottRotor>(c.machine.rotor).mass_kg; });
+  shorten(
+      [](RandomCell& c) -> double& { return std::get<model::JeffcottRotor>(c.machine.rotor).damping_ratio; });
   shorten([](RandomCell& c) -> double& { return c.machine.kick->force_n; });
   for (std::size_t i = 0; i < best.machine.stops.size(); ++i)
     shorten([i](RandomCell& c) -> double& { return c.machine.stops[i].stiffness_n_per_m; });

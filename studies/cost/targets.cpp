@@ -194,13 +194,11 @@ void annular(const char* name, double speed_hz, double whirl_ratio) {
       "(error %.1e), whole cell, %.2f ms, ratio %.2f\n",
       name, speed_hz, whirl_ratio, dopri5.relative_tolerance, dopri5_error, 1e3 * times[0], error,
       1e3 * times[1], times[0] / times[1]);
-  std::printf("  class %s, orbit %s, proof %s after %ld revolutions\n",
-              std::string(to_string(settled.motion.motion_class)).c_str(),
-              settled.motion.measures.orbit
-                  ? std::string(to_string(*settled.motion.measures.orbit)).c_str()
-                  : "none",
-              settled.proof ? std::string(to_string(*settled.proof)).c_str() : "none",
-              settled.revolutions);
+  std::printf(
+      "  class %s, orbit %s, proof %s after %ld revolutions\n",
+      std::string(to_string(settled.motion.motion_class)).c_str(),
+      settled.motion.measures.orbit ? std::string(to_string(*settled.motion.measures.orbit)).c_str() : "none",
+      settled.proof ? std::string(to_string(*settled.proof)).c_str() : "none", settled.revolutions);
 }
 
 /// Processor time per cell of the same coarse grid for several machines, cell by cell in turn.

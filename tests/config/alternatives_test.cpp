@@ -21,12 +21,12 @@ std::string left_after(std::string_view written) {
   return names;
 }
 
-TEST(Alternatives, a_key_takes_back_what_says_the_same_by_other_means) {
+TEST(Alternatives, AKeyTakesBackWhatSaysTheSameByOtherMeans) {
   EXPECT_EQ(left_after("coefficient"), "from other ");
   EXPECT_EQ(left_after("values"), "stribeck kinetic other ");
 }
 
-TEST(Alternatives, a_key_keeps_its_own_kind_and_what_it_has_nothing_to_do_with) {
+TEST(Alternatives, AKeyKeepsItsOwnKindAndWhatItHasNothingToDoWith) {
   EXPECT_EQ(left_after("static"), "kinetic from other ");
   EXPECT_EQ(left_after("count"), "stribeck kinetic from other ");
   EXPECT_EQ(left_after("anything"), "stribeck kinetic from other ");

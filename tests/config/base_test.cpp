@@ -54,7 +54,7 @@ class Base : public testing::Test {
   fs::path directory;
 };
 
-TEST_F(Base, gives_every_key_that_is_not_overridden) {
+TEST_F(Base, GivesEveryKeyThatIsNotOverridden) {
   write("machine.yaml", test_file("one_side.yaml"));
   write("mine.yaml", "base: machine.yaml\nrotor: {damping_ratio: 0.05}\noutput: {directory: mine}\n");
   RunConfig expected = read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", {});
@@ -64,7 +64,7 @@ TEST_F(Base, gives_every_key_that_is_not_overridden) {
   EXPECT_EQ(merged.output_directory, "mine");
 }
 
-TEST_F(Base, merged_and_single_file_are_the_same_study) {
+TEST_F(Base, MergedAndSingleFileAreTheSameStudy) {
   write("machine.yaml", test_file("one_side.yaml"));
   write("mine.yaml", "base: machine.yaml\nstops: [{base: stop.yaml, angle_deg: 0}]\n");
   write(
@@ -80,7 +80,7 @@ TEST_F(Base, merged_and_single_file_are_the_same_study) {
   EXPECT_NE(study_digest(merged.study), study_digest(read("machine.yaml").study));
 }
 
-TEST_F(Base, may_have_a_base_and_paths_are_relative_to_the_file_that_names_them) {
+TEST_F(Base, MayHaveABaseAndPathsAreRelativeToTheFileThatNamesThem) {
   write("bases/rotors/machine.yaml", test_file("minimal.yaml"));
   write("bases/kicked.yaml", "base: rotors/machine.yaml\nkick: {force_n: 1, duration_s: 0.005}\n");
   write("maps/mine.yaml", "base: ../bases/kicked.yaml\nkick: {force_n: 7}\n");
@@ -92,7 +92,7 @@ TEST_F(Base, may_have_a_base_and_paths_are_relative_to_the_file_that_names_them)
   EXPECT_EQ(read_run_config_text(absolute, "anywhere/text", {}).study.machine.kick->force_n, 1);
 }
 
-TEST_F(Base, any_map_may_have_one) {
+TEST_F(Base, AnyMapMayHaveOne) {
   write("stop.yaml",
         "clearance_m: 1.0e-3\nstiffness_n_per_m: 2.0e6\ncontact_radius_m: 0\nrestitution: 1\n"
         "casing: {mass_kg: 1, stiffness_n_per_m: 5, damping_ratio: 0}\n");
@@ -109,7 +109,7 @@ TEST_F(Base, any_map_may_have_one) {
   EXPECT_TRUE(std::holds_alternative<model::AnnularGeometry>(stops[1].geometry));
 }
 
-TEST_F(Base, that_of_an_inner_map_outranks_that_of_the_file) {
+TEST_F(Base, ThatOfAnInnerMapOutranksThatOfTheFile) {
   write("machine.yaml",
         replaced(test_file("minimal.yaml"), "output:", "kick: {force_n: 1, duration_s: 1}\noutput:"));
   write("kick.yaml", "force_n: 2\n");
@@ -118,7 +118,7 @@ TEST_F(Base, that_of_an_inner_map_outranks_that_of_the_file) {
   EXPECT_EQ(read("mine.yaml").study.machine.kick->duration_s, 1);
 }
 
-TEST_F(Base, overrides_work_on_the_merged_result) {
+TEST_F(Base, OverridesWorkOnTheMergedResult) {
   write("machine.yaml", test_file("one_side.yaml"));
   write("mine.yaml", "base: machine.yaml\nrotor: {mass_kg: 2}\n");
   const auto machine =
@@ -135,7 +135,7 @@ TEST_F(Base, overrides_work_on_the_merged_result) {
       "damping_ratio");
 }
 
-TEST_F(Base, problems_name_the_file_that_wrote_them) {
+TEST_F(Base, ProblemsNameTheFileThatWroteThem) {
   write("machine.yaml", replaced(test_file("minimal.yaml"), "mass_kg: 0.8", "mass_kg: -1"));
   write("mine.yaml", "base: machine.yaml\n\nrotor: {damping_ratio: -2}\nkick: {force_n: 1}\n");
   EXPECT_EQ(message("mine.yaml"),
@@ -144,7 +144,7 @@ TEST_F(Base, problems_name_the_file_that_wrote_them) {
             "mine.yaml:4:7: kick.duration_s: missing, allowed: a number > 0");
 }
 
-TEST_F(Base, a_file_that_cannot_be_had_is_the_problem_of_the_line_that_names_it) {
+TEST_F(Base, AFileThatCannotBeHadIsTheProblemOfTheLineThatNamesIt) {
   write("missing.yaml", "rotor: {mass_kg: -1}\nbase: no/such.yaml\n");
   EXPECT_EQ(
       message("missing.yaml"),
@@ -164,7 +164,7 @@ TEST_F(Base, a_file_that_cannot_be_had_is_the_problem_of_the_line_that_names_it)
   EXPECT_EQ(message("inner.yaml"), message("missing.yaml"));
 }
 
-TEST_F(Base, a_file_that_is_no_map_is_refused_at_its_own_place) {
+TEST_F(Base, AFileThatIsNoMapIsRefusedAtItsOwnPlace) {
   write("mine.yaml", "base: other.yaml\n");
   write("other.yaml", "\n- 1\n");
   EXPECT_EQ(message("mine.yaml"), "other.yaml:2:1: is a list and no base, allowed: a map");
@@ -179,7 +179,7 @@ TEST_F(Base, a_file_that_is_no_map_is_refused_at_its_own_place) {
             "other.yaml:1:4: stops.0: the tag '!tag' is not supported, allowed: values without a tag");
 }
 
-TEST_F(Base, a_file_that_leads_back_to_itself_is_refused_where_it_does) {
+TEST_F(Base, AFileThatLeadsBackToItselfIsRefusedWhereItDoes) {
   write("self.yaml", "base: ./self.yaml\n");
   EXPECT_EQ(message("self.yaml"),
             "self.yaml:1:7: base: './self.yaml' leads back to itself, allowed: a file that is not based on "
@@ -197,7 +197,7 @@ TEST_F(Base, a_file_that_leads_back_to_itself_is_refused_where_it_does) {
   EXPECT_EQ(message("twice.yaml").find("base"), std::string::npos) << message("twice.yaml");
 }
 
-TEST_F(Base, bounds_files_generations_and_values) {
+TEST_F(Base, BoundsFilesGenerationsAndValues) {
   for (int i = 0; i < 20; ++i) {
     write("chain" + std::to_string(i) + ".yaml", "base: chain" + std::to_string(i + 1) + ".yaml\n");
   }
@@ -222,14 +222,14 @@ TEST_F(Base, bounds_files_generations_and_values) {
             "both.yaml:2:14: kick.base: too many values, allowed: at most 100000 in all bases");
 }
 
-TEST_F(Base, a_misspelt_one_is_an_unknown_key) {
+TEST_F(Base, AMisspeltOneIsAnUnknownKey) {
   write("mine.yaml", "bases: machine.yaml\n");
   EXPECT_NE(message("mine.yaml").find("mine.yaml:1:1: bases: unknown key (did you mean 'base'?)"),
             std::string::npos)
       << message("mine.yaml");
 }
 
-TEST_F(Base, serves_ring_configurations_as_well) {
+TEST_F(Base, ServesRingConfigurationsAsWell) {
   const std::string ring =
       "ring: {nodal_diameters: 3, modal_mass_kg: 742, natural_frequency_rad_per_s: 34.4, thickness_ratio: "
       "0.0138}\n"
@@ -248,7 +248,7 @@ TEST_F(Base, serves_ring_configurations_as_well) {
   EXPECT_EQ(ring_study_digest(single.study), ring_study_digest(merged.study));
 }
 
-TEST_F(Base, answers_any_pair_of_files_with_a_configuration_or_a_message) {
+TEST_F(Base, AnswersAnyPairOfFilesWithAConfigurationOrAMessage) {
   const std::string machine = test_file("one_side.yaml");
   const std::string mine =
       "base: machine.yaml\nrotor: {mass_kg: 2}\nsweep: {speed_hz: {values: [50]}}\nkick: {force_n: 100}\n";

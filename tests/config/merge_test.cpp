@@ -44,37 +44,37 @@ std::string merge(const std::string& base, const std::string& over) {
   return written(Merge(base, over).node);
 }
 
-TEST(Merge, overrides_and_adds_keys_at_every_depth) {
+TEST(Merge, OverridesAndAddsKeysAtEveryDepth) {
   EXPECT_EQ(merge("{a: 1, b: {c: 2, d: 3}}", "{b: {d: 4, e: 5}, f: 6}"),
             "{a: 1, b: {c: 2, d: 4, e: 5}, f: 6}");
 }
 
-TEST(Merge, replaces_lists_and_words_whole) {
+TEST(Merge, ReplacesListsAndWordsWhole) {
   EXPECT_EQ(merge("a: [1, 2, 3]", "a: [4]"), "{a: [4]}");
   EXPECT_EQ(merge("casing: {mass_kg: 1}", "casing: rigid"), "{casing: rigid}");
   EXPECT_EQ(merge("casing: rigid", "casing: {mass_kg: 1}"), "{casing: {mass_kg: 1}}");
 }
 
-TEST(Merge, a_key_without_a_value_takes_back_that_of_the_base) {
+TEST(Merge, AKeyWithoutAValueTakesBackThatOfTheBase) {
   EXPECT_EQ(merge("{a: 1, kick: {force_n: 2}}", "kick:"), "{a: 1}");
   EXPECT_EQ(merge("a: 1", "kick:"), "{a: 1, kick: null}");
 }
 
-TEST(Merge, a_key_takes_back_what_the_base_says_by_other_means) {
+TEST(Merge, AKeyTakesBackWhatTheBaseSaysByOtherMeans) {
   EXPECT_EQ(merge("{from: 1, to: 2, count: 3}", "values: [7]"), "{values: [7]}");
   EXPECT_EQ(merge("{from: 1, to: 2, count: 3}", "count: 5"), "{from: 1, to: 2, count: 5}");
   // What one file says twice stays, to be refused.
   EXPECT_EQ(merge("stribeck: [1]", "{coefficient: 1, static: 2}"), "{coefficient: 1, static: 2}");
 }
 
-TEST(Merge, another_kind_shares_nothing) {
+TEST(Merge, AnotherKindSharesNothing) {
   EXPECT_EQ(merge("{kind: jeffcott, mass_kg: 1}", "{kind: rotor_kit, shaft: 2}"),
             "{kind: rotor_kit, shaft: 2}");
   EXPECT_EQ(merge("{kind: jeffcott, mass_kg: 1}", "{kind: jeffcott, a: 2}"),
             "{kind: jeffcott, mass_kg: 1, a: 2}");
 }
 
-TEST(Merge, keeps_the_place_of_what_each_file_wrote) {
+TEST(Merge, KeepsThePlaceOfWhatEachFileWrote) {
   const Node node = Merge("a: 1\nb:\n  c: 2\n", "\n\nb: {d: 3}\n").node;
   EXPECT_EQ(node.place, (Place{-1, 3, 1, 0}));
   EXPECT_EQ(node.items[0].place, (Place{-1, 1, 4, 1}));
@@ -83,7 +83,7 @@ TEST(Merge, keeps_the_place_of_what_each_file_wrote) {
   EXPECT_LT(node.items[0].place, node.place);
 }
 
-TEST(Merge, refuses_repeated_keys_of_either_once) {
+TEST(Merge, RefusesRepeatedKeysOfEitherOnce) {
   const Merge merge("a: 1\na: 2\n", "b: 1\na: 3\nb: 4\n");
   EXPECT_EQ(merge.problems(),
             "base:2:1: top.a: given again, first at line 1, allowed: each key once\n"

@@ -7,7 +7,7 @@
 namespace rubsweep::config {
 namespace {
 
-TEST(RepeatedKeys, each_later_one_is_refused_and_removed) {
+TEST(RepeatedKeys, EachLaterOneIsRefusedAndRemoved) {
   Diagnostics diagnostics("f", {});
   Node map = *parse_document("a: 1\nb: 2\na: 3\na: 4\n", -1, "", diagnostics);
   refuse_repeated_keys(map, "top", diagnostics);
@@ -26,7 +26,7 @@ TEST(RepeatedKeys, each_later_one_is_refused_and_removed) {
   EXPECT_EQ(map.keys[1].text, "b");
 }
 
-TEST(RepeatedKeys, different_keys_are_no_problem) {
+TEST(RepeatedKeys, DifferentKeysAreNoProblem) {
   Diagnostics diagnostics("f", {});
   refuse_repeated_keys(*parse_document("a: 1\nb: 1\n", -1, "", diagnostics), "", diagnostics);
   EXPECT_EQ(diagnostics.count(), 0U);

@@ -49,7 +49,9 @@ inline std::vector<std::uint64_t> bits_of(const RunConfig& config) {
     put(value.value_or(0));
   };
   const model::Machine& machine = config.study.machine;
-  put(machine.rotor.mass_kg), put(machine.rotor.natural_frequency_hz), put(machine.rotor.damping_ratio);
+  put(std::get<model::JeffcottRotor>(machine.rotor).mass_kg),
+      put(std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz),
+      put(std::get<model::JeffcottRotor>(machine.rotor).damping_ratio);
   count(machine.stops.size());
   for (const model::Stop& stop : machine.stops) {
     count(stop.geometry.index());

@@ -34,7 +34,7 @@ void expect_row(const Study& study, const Expected& expected) {
 
 model::Machine undamped_rotor() {
   model::Machine machine = scene::one_side_machine();
-  machine.rotor.damping_ratio = 0;
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
   return machine;
 }
 

@@ -72,11 +72,12 @@ TEST(LinearRun, RunUpFeelsTheAngularAcceleration) {
 
 TEST(LinearRun, AtConstantSpeedAKitStaysOnItsQuietMotion) {
   model::Machine machine = scene::light_shaft_machine();
-  machine.kit->discs[0].position_m = 0.12;
-  machine.kit->shaft[0].density_kg_per_m3 = 7850;
-  machine.kit->modes = 2;
-  machine.kit->bow = model::Bow{.shape = model::BowMode{.mode = 1, .amplitude_m = 1e-4}, .phase_deg = 40};
-  machine.kit->sensors = {{.position_m = 0.1, .angle_deg = 30}};
+  model::kit_of(machine)->discs[0].position_m = 0.12;
+  model::kit_of(machine)->shaft[0].density_kg_per_m3 = 7850;
+  model::kit_of(machine)->modes = 2;
+  model::kit_of(machine)->bow =
+      model::Bow{.shape = model::BowMode{.mode = 1, .amplitude_m = 1e-4}, .phase_deg = 40};
+  model::kit_of(machine)->sensors = {{.position_m = 0.1, .angle_deg = 30}};
   machine.gravity_m_per_s2 = 9.81;
   const scene::PreparedMachine prepared = scene::prepare_machine(machine);
   const LinearRun run{.from_hz = 50, .eccentricity_m = 1e-4, .samples = 60};

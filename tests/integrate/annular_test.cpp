@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "support/annular_scene.hpp"
 #include "support/simple_scenes.hpp"
 
@@ -75,8 +76,7 @@ TEST(RingWithSag, FrictionThrowsTheRotorOutwards) {
 }
 
 TEST(FullAnnularRub, StaysOnItsClosedForm) {
-  for (const run::Stepper stepper : {run::Stepper::dopri5, run::Stepper::cash_karp54, run::Stepper::rkf78,
-                                     run::Stepper::bulirsch_stoer, run::Stepper::rosenbrock4}) {
+  for (const run::Stepper stepper : adaptive::single_steppers()) {
     const FullRub rub;
     run::SolverOptions options;
     options.stepper = stepper;
@@ -146,9 +146,8 @@ TEST(Ring, OffsetMovesTheWall) {
   for (const int sign : {1, -1}) {
     auto scene = test::one_mass_scene(1, 1e-6, 0, 1, 1);
     scene::Contact stop;
-    stop.annular = true;
+    stop.wall = contact::AnnularWall{{0.6, 0}};
     stop.clearance_m = 1;
-    stop.offset_m << 0.6, 0;
     stop.stiffness_n_per_m = 1e4;
     scene.contacts.push_back(stop);
     scene.velocity_m_per_s << sign * 2.0, 0;
@@ -164,7 +163,7 @@ TEST(Ring, OffsetMovesTheWall) {
 TEST(Ring, PassingThroughTheCentreIsHarmless) {
   auto scene = test::one_mass_scene(1, 40, 0, 1, 1);
   scene::Contact stop;
-  stop.annular = true;
+  stop.wall = contact::AnnularWall{};
   stop.clearance_m = 1;
   stop.stiffness_n_per_m = 1e4;
   scene.contacts.push_back(stop);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "batch/message_of.hpp"
+#include "batch/read_csv.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/whole_file.hpp"

@@ -35,7 +35,7 @@ TEST(Explain, MovingCasing) {
 
 TEST(Explain, RotorKitSaysWhatItWasReducedTo) {
   model::Machine machine = light_shaft_machine();
-  machine.kit->shaft[0].density_kg_per_m3 = 7850;
+  model::kit_of(machine)->shaft[0].density_kg_per_m3 = 7850;
   const std::string text = explain_machine(machine, 45);
   EXPECT_TRUE(says(text, "rotor: kit, shaft of 0.4 m in 4 or more Timoshenko elements, 1 discs, 2 supports"));
   EXPECT_TRUE(says(text, "  reduced in x to modes 1 ("));
@@ -44,19 +44,19 @@ TEST(Explain, RotorKitSaysWhatItWasReducedTo) {
   EXPECT_TRUE(says(text, "  at 0.2 m of the shaft; mass behind the contact "));
   EXPECT_TRUE(says(text, "states: 12 (6 coordinates and their rates)\n"));
   EXPECT_FALSE(says(text, "tilting"));
-  machine.kit->modes.reset();
+  model::kit_of(machine)->modes.reset();
   EXPECT_TRUE(says(explain_machine(machine, 45), "number of modes: auto, the smallest within 0.01\n"));
 }
 
 TEST(Explain, FaultyBearingsSayWhatCannotBeProven) {
   model::Machine machine = light_shaft_machine();
   EXPECT_FALSE(says(explain_machine(machine, 45), "impulses"));
-  machine.kit->supports[1].fault = {.impulse_ns = 0.02, .multiple = 2, .angle_deg = 90};
+  model::kit_of(machine)->supports[1].fault = {.impulse_ns = 0.02, .multiple = 2, .angle_deg = 90};
   const std::string text = explain_machine(machine, 45);
   EXPECT_TRUE(says(text, "faulty bearing at 0.4 m: 2 impulses of 0.02 N s per revolution at 90 degrees"));
   EXPECT_TRUE(says(text, "nothing is ever proven to rest"));
   EXPECT_FALSE(says(text, "no proof of a period"));
-  machine.kit->supports[1].fault->multiple = 2.5;
+  model::kit_of(machine)->supports[1].fault->multiple = 2.5;
   EXPECT_TRUE(says(explain_machine(machine, 45), "no proof of a period"));
 }
 

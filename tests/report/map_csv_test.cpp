@@ -12,8 +12,8 @@
 #include <random>
 #include <utility>
 
+#include "batch/read_csv.hpp"
 #include "batch/temporary_directory.hpp"
-#include "rubsweep/batch/csv_table.hpp"
 
 namespace rubsweep::report {
 namespace {

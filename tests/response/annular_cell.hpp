@@ -16,7 +16,7 @@ inline model::Machine annular_machine(double offset_y_m = 0) {
   stop.friction = model::StribeckFriction{{0, 0, 0, 0.02, 100, 0}};
   stop.casing = {.mass_kg = 0.05, .stiffness_n_per_m = 5e5, .damping_ratio = 1};
   model::Machine machine;
-  machine.rotor = {.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.04};
+  machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.04};
   machine.stops = {stop};
   machine.kick = {.force_n = 150, .duration_s = 0.005, .angle_deg = {}};
   return machine;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "response/companion_growth.hpp"
+
 namespace rubsweep::response {
 namespace {
 
@@ -24,7 +26,7 @@ Aperiodic follow(const proof::SectionMap& map, const std::vector<double>& state,
   int turns = 0;
   spectrum::SpectrumWorkspace workspace;
   return classify_aperiodic(
-      companion_growth(map, state), [&] { return ++turns <= contact_ends; }, state, observed, window,
+      test::companion_growth(map, state), [&] { return ++turns <= contact_ends; }, state, observed, window,
       workspace);
 }
 
@@ -136,8 +138,8 @@ TEST(ClassifyAperiodic, AShorterPauseIsContact) {
   observed << 1, 0;
   spectrum::SpectrumWorkspace workspace;
   const auto now_and_then = [&turns] { return ++turns % window == 0; };
-  EXPECT_EQ(name(classify_aperiodic(companion_growth(henon, std::vector{0.1, 0.2}), now_and_then, {0.1, 0.2},
-                                    observed, window, workspace)),
+  EXPECT_EQ(name(classify_aperiodic(test::companion_growth(henon, std::vector{0.1, 0.2}), now_and_then,
+                                    {0.1, 0.2}, observed, window, workspace)),
             "chaotic");
 }
 

@@ -26,7 +26,7 @@ SettledRun run(const model::Machine& machine, double speed_hz, double whirl_rati
 /// Set A in an annular stop, friction of 0.1.
 model::Machine whip_machine() {
   model::Machine machine = annular_machine();
-  machine.rotor.damping_ratio = 0.02;
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0.02;
   machine.stops[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
   machine.stops[0].casing->damping_ratio = 0.1;
   machine.kick->force_n = 200;
@@ -45,7 +45,7 @@ struct Whip {
   double mu = 0.1;
 
   Complex compliance(double w) const {
-    const auto& rotor = machine.rotor;
+    const auto& rotor = std::get<model::JeffcottRotor>(machine.rotor);
     const auto& casing = *machine.stops[0].casing;
     const double w0 = 2 * std::numbers::pi * rotor.natural_frequency_hz;
     return 1.0 / backward_stiffness(rotor.mass_kg, rotor.mass_kg * w0 * w0, rotor.damping_ratio, w) +
@@ -62,10 +62,12 @@ struct Whip {
     const auto& stop = machine.stops[0];
     const double k = stop.stiffness_n_per_m, gain = -((1.0 + i * mu) * compliance(w)).real();
     const double penetration = stop.clearance_m / (k * gain - 1);
-    const double w0 = 2 * std::numbers::pi * machine.rotor.natural_frequency_hz;
+    const double w0 =
+        2 * std::numbers::pi * std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
     return std::abs(k * penetration * (1.0 + i * mu)) /
-           std::abs(backward_stiffness(machine.rotor.mass_kg, machine.rotor.mass_kg * w0 * w0,
-                                       machine.rotor.damping_ratio, w));
+           std::abs(backward_stiffness(std::get<model::JeffcottRotor>(machine.rotor).mass_kg,
+                                       std::get<model::JeffcottRotor>(machine.rotor).mass_kg * w0 * w0,
+                                       std::get<model::JeffcottRotor>(machine.rotor).damping_ratio, w));
   }
 };
 
@@ -133,7 +135,8 @@ TEST(DryWhip, OffTheCentreItTakesAnExponent) {
 TEST(DryWhip, RollsInARigidRingWithTheFrictionOfItsSlip) {
   model::Machine machine = whip_machine();
   auto& stop = machine.stops[0];
-  const double limit = 0.2, steepness = 1e3, speed_hz = 30, zeta = machine.rotor.damping_ratio;
+  const double limit = 0.2, steepness = 1e3, speed_hz = 30,
+               zeta = std::get<model::JeffcottRotor>(machine.rotor).damping_ratio;
   stop.casing.reset();
   stop.contact_radius_m = 3e-3;
   stop.friction = model::StribeckFriction{{0, 0, 0, limit, steepness, 0}};
@@ -143,8 +146,10 @@ TEST(DryWhip, RollsInARigidRingWithTheFrictionOfItsSlip) {
   EXPECT_EQ(m.orbit, spectrum::OrbitKind::circle);
   EXPECT_EQ(m.whirl, spectrum::WhirlKind::backward);
   const double shaft = 2 * std::numbers::pi * speed_hz,
-               natural = 2 * std::numbers::pi * machine.rotor.natural_frequency_hz;
-  const double b = stop.stiffness_n_per_m / (machine.rotor.mass_kg * natural * natural);
+               natural =
+                   2 * std::numbers::pi * std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
+  const double b =
+      stop.stiffness_n_per_m / (std::get<model::JeffcottRotor>(machine.rotor).mass_kg * natural * natural);
   const double w = -m.dominant.value().order * shaft;
   const double slip = stop.contact_radius_m * shaft - m.dominant->amplitude_m * w;
   EXPECT_GT(slip, 0);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "response/companion_growth.hpp"
 #include "rubsweep/response/exponent.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -46,7 +47,7 @@ TEST(Growth, TangentAndCompanionTellTheSameExponent) {
   const auto start = late_section(map, 100);
   auto a = start, b = start;
   const auto tangent = exponent_of(contributions(tangent_growth(map), a, 600));
-  const auto companion = exponent_of(contributions(companion_growth(std::ref(map), b), b, 600));
+  const auto companion = exponent_of(contributions(test::companion_growth(std::ref(map), b), b, 600));
   EXPECT_EQ(a, b);
   EXPECT_NEAR(tangent.per_revolution, companion.per_revolution, 1e-3 + 0.2 * tangent.error_bar);
 }
@@ -73,7 +74,34 @@ TEST(Growth, EndsWhereTheTurnFails) {
   proof::SceneMap map(test::cell_of({}).scene, solver, modes);
   std::vector<double> section(8);
   EXPECT_FALSE(tangent_growth(map)(section));
-  EXPECT_FALSE(companion_growth(std::ref(map), section)(section));
+  EXPECT_FALSE(test::companion_growth(std::ref(map), section)(section));
+}
+
+TEST(FirstDisturbance, HasTheSeparationAndAShareOfEveryCoordinate) {
+  for (std::size_t states = 1; states <= 24; ++states) {
+    const Eigen::VectorXd away = first_disturbance(states);
+    EXPECT_GT(away.cwiseAbs().minCoeff(), 0.1 * separation / std::sqrt(static_cast<double>(states)));
+    EXPECT_NEAR(away.norm(), separation, 1e-15);
+  }
+}
+
+TEST(Companion, IsPulledBackAlongTheLineToTheBase) {
+  const std::vector<double> base{1, 2};
+  test::Companion companion(base);
+  companion.state()[0] = 1 + 3e-3;
+  companion.state()[1] = 2 - 4e-3;
+  EXPECT_NEAR(companion.pull_back(base), std::log(5e-3 / separation), 1e-9);
+  EXPECT_NEAR(companion.state()[0], 1 + 0.6 * separation, 1e-15);
+  EXPECT_NEAR(companion.state()[1], 2 - 0.8 * separation, 1e-15);
+}
+
+TEST(Companion, StartsAnewWhenItFallsOntoTheBase) {
+  const std::vector<double> base{1, 2};
+  test::Companion companion(base);
+  companion.state()[0] = 1;
+  companion.state()[1] = 2;
+  EXPECT_NEAR(companion.pull_back(base), std::log(1e-10), 1e-9);
+  EXPECT_NEAR(std::hypot(companion.state()[0] - 1, companion.state()[1] - 2), separation, 1e-12);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 std::string refusal(const std::function<void(model::RotorKit&)>& change) {
   model::Machine machine = light_shaft_machine();
-  change(*machine.kit);
+  change(*model::kit_of(machine));
   return message_of<ConfigError>([&] { prepare_machine(machine); });
 }
 
@@ -31,7 +31,7 @@ TEST(MakePlan, RefusesNumbersThatNoShaftHas) {
 TEST(MakePlan, TakesOrRefusesEveryAllowedExtreme) {
   const auto with_a_few_of_everything = [] {
     model::Machine machine = light_shaft_machine();
-    model::RotorKit& kit = *machine.kit;
+    model::RotorKit& kit = *model::kit_of(machine);
     kit.shaft[0].density_kg_per_m3 = 7850;
     kit.modes.reset();
     kit.couplings = {
@@ -55,7 +55,7 @@ TEST(MakePlan, TakesOrRefusesEveryAllowedExtreme) {
       const auto visit = [&](auto& part) {
         std::remove_reference_t<decltype(part)>::visit_fields(part, change);
       };
-      model::RotorKit& kit = *machine.kit;
+      model::RotorKit& kit = *model::kit_of(machine);
       visit(kit.shaft[0]);
       visit(kit.discs[0]);
       visit(kit.supports[0]);

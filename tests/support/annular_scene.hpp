@@ -17,7 +17,7 @@ inline scene::Scene annular_scene(double stiffness, double zeta, double speed, d
   scene.harmonic_n << unbalance * speed * speed, std::complex<double>(0, -1) * (unbalance * speed * speed);
   scene.constant_n << load.real(), load.imag();
   scene::Contact stop;
-  stop.annular = true;
+  stop.wall = contact::AnnularWall{};
   stop.clearance_m = 1;
   stop.stiffness_n_per_m = k_c;
   if (mu > 0) stop.friction = model::ConstantFriction{mu};

@@ -30,7 +30,7 @@ inline RollingScene rolling_scene(double steepness_s_per_m) {
   const double radius = b / (1 + b - whirl * whirl), mu = 2 * zeta * whirl * radius / (b * (radius - 1));
   RollingScene rolling{one_mass_scene(1, 1, 2 * zeta, 2 * std::numbers::pi, 1), radius, whirl};
   scene::Contact stop;
-  stop.annular = true;
+  stop.wall = contact::AnnularWall{};
   stop.clearance_m = 1;
   stop.stiffness_n_per_m = b;
   stop.friction = model::StribeckFriction{{0, 0, 0, limit, steepness_s_per_m, 0}};

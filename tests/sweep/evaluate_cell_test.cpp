@@ -128,7 +128,7 @@ TEST(EvaluateCell, WhatCannotBeRunIsNot) {
 
 TEST(EvaluateCell, UnreachableWhirlRatio) {
   Study study = one_side_study({30}, {0.5});
-  study.machine.rotor.damping_ratio = 0;
+  std::get<model::JeffcottRotor>(study.machine.rotor).damping_ratio = 0;
   const Row row = evaluate(study);
   EXPECT_EQ(to_string(row.motion_class), "failed");
   EXPECT_EQ(row.status, "unreachable");
@@ -172,7 +172,7 @@ TEST(EvaluateCell, AKickThatMissesTheWallLeavesNoLastContact) {
 TEST(EvaluateCell, LastContactBeforeRestIsTheLastOneEver) {
   for (const double damping_ratio : {0.05, 0.1}) {
     Study study = one_side_study({50}, {0.2});
-    study.machine.rotor.damping_ratio = damping_ratio;
+    std::get<model::JeffcottRotor>(study.machine.rotor).damping_ratio = damping_ratio;
     const Row row = evaluate(study);
     EXPECT_EQ(to_string(row.motion_class), "non_contact");
     EXPECT_EQ(row.proof, response::motion::Proof::rest);

@@ -16,7 +16,7 @@ namespace {
 Study kit_study(double speed_hz, double whirl_ratio) {
   Study study;
   study.machine = scene::light_shaft_machine();
-  model::RotorKit& kit = *study.machine.kit;
+  model::RotorKit& kit = *model::kit_of(study.machine);
   kit.shaft[0].density_kg_per_m3 = 7850;
   kit.damping_ratio = {0.06};
   kit.modes_up_to_hz = 600;
@@ -52,7 +52,7 @@ TEST(KitModes, SectionsConvergeWithTheNumberOfModes) {
   Study study = kit_study(70, 0.7);
   const int automatic = modes_of(study);
   const auto section = [&](int modes) {
-    study.machine.kit->modes = modes;
+    model::kit_of(study.machine)->modes = modes;
     return settled_section(study);
   };
   const Eigen::Vector2d reference = section(automatic + 5);
@@ -70,7 +70,7 @@ TEST(KitModes, MoreModesChangeNoLabelOfAMap) {
   study.grid.speed_hz = {66, 100};
   study.grid.unbalance = {0.5, 0.8};
   Study more = study;
-  more.machine.kit->modes = modes_of(study) + 3;
+  model::kit_of(more.machine)->modes = modes_of(study) + 3;
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine),
                                finer = scene::prepare_machine(more.machine);
   response::motion::Workspace workspace;

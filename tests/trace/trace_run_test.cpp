@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "batch/read_csv.hpp"
+#include "batch/temporary_directory.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/response/motion/classify.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"

@@ -88,8 +88,7 @@ TEST(StateReader, SmoothedLawDiffersAtTheCornersOnly) {
 scene::Scene annular_scene() {
   scene::Scene scene = test::one_mass_scene(1, 1000, 0, 0.02, 1e-3);
   scene::Contact stop;
-  stop.annular = true;
-  stop.offset_m = {3e-4, 4e-4};
+  stop.wall = contact::AnnularWall{{3e-4, 4e-4}};
   stop.clearance_m = 1e-3;
   stop.stiffness_n_per_m = 1e6;
   stop.damping_ns_per_m = 100;

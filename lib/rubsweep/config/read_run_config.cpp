@@ -22,9 +22,10 @@ constexpr std::string_view root_form = "a map with rotor, stops, sweep, output";
 
 /// In an annular stop the tangent turns, along which the surface of a twisting rotor would move.
 void refuse_torsion_in_annular_stops(const Value& stops, const model::Machine& machine) {
-  if (!machine.kit || !machine.kit->torsion) return;
+  const model::RotorKit* kit = model::kit_of(machine);
+  if (kit == nullptr || !kit->torsion) return;
   for (const model::Stop& stop : machine.stops) {
-    if (!std::holds_alternative<model::AnnularGeometry>(stop.geometry)) continue;
+    if (std::holds_alternative<model::OneSideGeometry>(stop.geometry)) continue;
     refuse(stops, "has an annular stop beside torsion of the rotor", "one_side stops only, or no torsion");
     return;
   }
@@ -36,7 +37,8 @@ RunConfig read_sections(const Value& root) {
   RunConfig config;
   sweep::Study& study = config.study;
   if (const auto value = section.require("rotor", "a map")) read_rotor(*value, study.machine);
-  const auto shaft = study.machine.kit ? std::optional(places(*study.machine.kit)) : std::nullopt;
+  const model::RotorKit* kit = model::kit_of(study.machine);
+  const auto shaft = kit != nullptr ? std::optional(places(*kit)) : std::nullopt;
   if (const auto value = section.require("stops", "a list of maps")) {
     study.machine.stops = read_stops(*value, shaft);
     refuse_torsion_in_annular_stops(*value, study.machine);

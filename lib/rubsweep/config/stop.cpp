@@ -9,6 +9,7 @@
 #include "rubsweep/config/hertz.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/contact/hertz_line.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -44,11 +45,15 @@ model::StopGeometry read_geometry(Section& section) {
 }
 
 void refuse_offset_beyond_clearance(const Section& section, const model::Stop& stop) {
-  const auto* annular = std::get_if<model::AnnularGeometry>(&stop.geometry);
-  if (annular == nullptr || !(std::hypot(annular->offset_m[0], annular->offset_m[1]) >= stop.clearance_m))
-    return;
-  section.refuse_together("offset_m", {"offset_m"}, "the rest position is not inside the annular stop",
-                          "a vector shorter than clearance_m");
+  std::visit(overloaded{[](const model::OneSideGeometry&) {},
+                        [&](const model::AnnularGeometry& annular) {
+                          const double offset_m = std::hypot(annular.offset_m[0], annular.offset_m[1]);
+                          if (!(offset_m >= stop.clearance_m)) return;
+                          section.refuse_together("offset_m", {"offset_m"},
+                                                  "the rest position is not inside the annular stop",
+                                                  "a vector shorter than clearance_m");
+                        }},
+             stop.geometry);
 }
 
 model::ContactDamping read_damping(Section& section) {
@@ -125,13 +130,15 @@ model::Stop read_stop(const Value& value, const std::optional<model::Range>& pla
 
 void print_stop(Printer& printer, const model::Stop& stop) {
   printer.open_item();
-  if (const auto* annular = std::get_if<model::AnnularGeometry>(&stop.geometry)) {
-    printer.word("kind", annular_kind);
-    printer.numbers("offset_m", annular->offset_m);
-  } else {
-    printer.word("kind", one_side_kind);
-    printer.number("angle_deg", std::get<model::OneSideGeometry>(stop.geometry).angle_deg);
-  }
+  std::visit(overloaded{[&](const model::OneSideGeometry& flat) {
+                          printer.word("kind", one_side_kind);
+                          printer.number("angle_deg", flat.angle_deg);
+                        },
+                        [&](const model::AnnularGeometry& annular) {
+                          printer.word("kind", annular_kind);
+                          printer.numbers("offset_m", annular.offset_m);
+                        }},
+             stop.geometry);
   printer.field("position_m", stop.position_m, model::any_finite);
   print_contact(printer, stop);
   print_damping(printer, stop.damping);

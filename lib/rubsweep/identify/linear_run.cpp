@@ -152,7 +152,8 @@ SensorRows sensor_rows(const scene::PreparedMachine& prepared) {
     which.assign(2, prepared.assembly.observed_point);
     sensors.angle_deg = {0, 90};
   } else {
-    for (const auto& sensor : prepared.machine.kit->sensors) sensors.angle_deg.push_back(sensor.angle_deg);
+    for (const auto& sensor : model::kit_of(prepared.machine)->sensors)
+      sensors.angle_deg.push_back(sensor.angle_deg);
   }
   sensors.rows.resize(static_cast<Eigen::Index>(which.size()), prepared.assembly.system.coordinates());
   for (std::size_t i = 0; i < which.size(); ++i) {

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "rubsweep/contact/friction_coefficient.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/contact/hertz_line.hpp"
 #include "rubsweep/contact/restitution.hpp"
+#include "rubsweep/overloaded.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::report {
@@ -42,24 +43,31 @@ std::string explain_damping(const model::Stop& stop, const scene::Contact& conta
 
 std::string explain_friction(const model::Stop& stop, const scene::Contact& contact) {
   const double slip = contact.surface_speed_m_per_s;
-  if (std::holds_alternative<model::NoFriction>(stop.friction)) return "  friction: none\n";
+  const auto name = contact::name_of(stop.friction);
+  if (!contact::acts(stop.friction)) return fmt::format("  friction: {}\n", name);
   const double mu = contact::friction_coefficient(stop.friction, slip);
-  if (std::holds_alternative<model::ConstantFriction>(stop.friction)) {
-    return fmt::format("  friction: constant {}; a run whose slip would reverse says slip_reversal\n", mu);
+  if (!contact::depends_on_slip(stop.friction)) {
+    const bool reverses = !contact::keeps_its_direction(stop.friction);
+    return fmt::format("  friction: {} {}{}\n", name, mu,
+                       reverses ? "" : "; a run whose slip would reverse says slip_reversal");
   }
   const bool saturated = contact::friction_slope(stop.friction, slip) == 0;
-  return fmt::format(
-      "  friction: Stribeck, {:.6g} at the surface speed {:.4g} m/s of the lowest speed ({})\n", mu, slip,
-      saturated ? "saturated: there it does not depend on the slip" : "depends on the slip");
+  return fmt::format("  friction: {}, {:.6g} at the surface speed {:.4g} m/s of the lowest speed ({})\n",
+                     name, mu, slip,
+                     saturated ? "saturated: there it does not depend on the slip" : "depends on the slip");
 }
 
 std::string describe(const model::StopGeometry& geometry) {
-  if (const auto* annular = std::get_if<model::AnnularGeometry>(&geometry)) {
-    const auto& offset_m = annular->offset_m;
-    if (offset_m[0] == 0 && offset_m[1] == 0) return "annular, centred";
-    return fmt::format("annular, rotor offset by ({}, {}) m", offset_m[0], offset_m[1]);
-  }
-  return fmt::format("one side at {} degrees", std::get<model::OneSideGeometry>(geometry).angle_deg);
+  return std::visit(overloaded{[](const model::OneSideGeometry& flat) {
+                                 return fmt::format("one side at {} degrees", flat.angle_deg);
+                               },
+                               [](const model::AnnularGeometry& annular) -> std::string {
+                                 const auto& offset_m = annular.offset_m;
+                                 if (offset_m[0] == 0 && offset_m[1] == 0) return "annular, centred";
+                                 return fmt::format("annular, rotor offset by ({}, {}) m", offset_m[0],
+                                                    offset_m[1]);
+                               }},
+                    geometry);
 }
 
 std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Cell& cell, std::size_t i) {
@@ -68,7 +76,7 @@ std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Ce
   const scene::Contact& contact = cell.scene.contacts[i];
   std::string text = fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
                                  describe(stop.geometry), stop.clearance_m);
-  if (prepared.machine.kit) {
+  if (model::kit_of(prepared.machine) != nullptr) {
     text += fmt::format("  at {} m of the shaft; mass behind the contact {:.4g} kg{}\n", *stop.position_m,
                         stop.contact_mass_kg.value_or(mass_kg),
                         stop.contact_mass_kg ? "" : " (modal mass of the first mode there)");
@@ -85,7 +93,7 @@ std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Ce
 
 bool friction_free(const model::Machine& machine) {
   for (const model::Stop& stop : machine.stops) {
-    if (!std::holds_alternative<model::NoFriction>(stop.friction)) return false;
+    if (contact::acts(stop.friction)) return false;
   }
   return true;
 }
@@ -126,8 +134,7 @@ std::string explain_faults(const model::RotorKit& kit) {
   return text;
 }
 
-std::string explain_kit(const scene::PreparedMachine& prepared) {
-  const model::RotorKit& kit = *prepared.machine.kit;
+std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit) {
   const structure::Reduction& reduction = *prepared.reduction;
   std::string text = fmt::format(
       "rotor: kit, shaft of {:.6g} m in {} or more Timoshenko elements, {} discs, {} supports, {} "
@@ -151,10 +158,14 @@ std::string explain_kit(const scene::PreparedMachine& prepared) {
 }
 
 std::string explain_rotor(const scene::PreparedMachine& prepared) {
-  if (prepared.machine.kit) return explain_kit(prepared);
-  const model::JeffcottRotor& rotor = prepared.machine.rotor;
-  return fmt::format("rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
-                     rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio);
+  return std::visit(
+      overloaded{[](const model::JeffcottRotor& rotor) {
+                   return fmt::format(
+                       "rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
+                       rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio);
+                 },
+                 [&](const model::RotorKit& kit) { return explain_kit(prepared, kit); }},
+      prepared.machine.rotor);
 }
 
 std::string explain_kick(const model::Machine& machine) {
@@ -169,11 +180,17 @@ std::string explain_kick(const model::Machine& machine) {
 }
 
 std::string left_out(const model::Machine& machine) {
-  if (!machine.kit) {
-    return "left out: torsion and drive (the speed is held constant), axial motion, tilting of the disc\n";
-  }
-  return machine.kit->torsion ? "left out: axial motion\n"
-                              : "left out: torsion and drive (the speed is held constant), axial motion\n";
+  return std::visit(
+      overloaded{
+          [](const model::JeffcottRotor&) {
+            return "left out: torsion and drive (the speed is held constant), axial motion, tilting of "
+                   "the disc\n";
+          },
+          [](const model::RotorKit& kit) {
+            return kit.torsion ? "left out: axial motion\n"
+                               : "left out: torsion and drive (the speed is held constant), axial motion\n";
+          }},
+      machine.rotor);
 }
 
 }  // namespace

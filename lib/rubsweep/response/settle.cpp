@@ -25,7 +25,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A hundredth of the companion's separation: the solver's noise must not part the states.
+/// A hundredth of `separation`: the solver's noise must not part the states.
 constexpr double largest_tolerance_of_an_exponent = 1e-7;
 
 double pulse_end_s(const scene::Scene& scene) { return scene.pulse ? scene.pulse->duration_s : 0; }
@@ -123,6 +123,23 @@ void conclude(const motion::ProvenMotion& proven, SettledRun& run) {
   run.floquet_modulus = proven.floquet_modulus;
 }
 
+/// What the end of a whole run shows.
+void conclude(const motion::Motion& seen, const scene::Cell& cell, SettledRun& run) {
+  run.motion = seen;
+  // Two windows without contact do not last where the quiet motion itself touches: the whirl is still
+  // growing.
+  if (run.motion.motion_class == motion::MotionClass::non_contact && cell.start != scene::Start::quiet)
+    run.motion.motion_class = motion::MotionClass::unsettled;
+  if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
+}
+
+void conclude_at_rest(const scene::Cell& cell, const motion::ResponseOptions& options,
+                      motion::Workspace& workspace, SettledRun& run) {
+  run.motion.motion_class = motion::MotionClass::non_contact;
+  run.motion.measures = quiet_measures(cell, options, workspace);
+  run.proof = motion::Proof::rest;
+}
+
 }  // namespace
 
 SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
@@ -158,18 +175,11 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
       return run;
     }
     if (!turn.touching_at_end && rest.proves(turn.section)) {
-      run.motion.motion_class = motion::MotionClass::non_contact;
-      run.motion.measures = quiet_measures(cell, options, workspace);
-      run.proof = motion::Proof::rest;
+      conclude_at_rest(cell, options, workspace, run);
       return run;
     }
   }
-  run.motion = verdict(cell.scene, solver, options, record, turn.section, workspace);
-  // Two windows without contact do not last where the quiet motion itself touches: the whirl is still
-  // growing.
-  if (run.motion.motion_class == motion::MotionClass::non_contact && cell.start != scene::Start::quiet)
-    run.motion.motion_class = motion::MotionClass::unsettled;
-  if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
+  conclude(verdict(cell.scene, solver, options, record, turn.section, workspace), cell, run);
   return run;
 }
 

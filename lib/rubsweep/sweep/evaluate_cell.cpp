@@ -15,11 +15,9 @@ scene::Unbalance unbalance_of(const Grid& grid, std::size_t index) {
   return scene::Eccentricity{value};
 }
 
-bool has_constant_friction(const model::Machine& machine) {
-  for (const model::Stop& stop : machine.stops) {
-    if (std::holds_alternative<model::ConstantFriction>(stop.friction)) return true;
-  }
-  return false;
+bool some_friction_keeps_its_direction(const model::Machine& machine) {
+  return std::ranges::any_of(
+      machine.stops, [](const model::Stop& stop) { return contact::keeps_its_direction(stop.friction); });
 }
 
 void add_status(Row& row, std::string_view word) {
@@ -69,7 +67,7 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, std::si
               : start.scene.pulse                  ? RunStart::kick
                                                    : RunStart::quiet;
   fill(row, response::settle(start, study.solver, study.response, workspace),
-       has_constant_friction(prepared.machine));
+       some_friction_keeps_its_direction(prepared.machine));
   return row;
 }
 

@@ -59,8 +59,7 @@ class Recorder {
   /// What is only known at the end of a whole turn, after its samples.
   void end_turn(const integrate::run::Turn& turn) {
     ++trace_.revolutions;
-    trace_.turns.push_back(
-        {turn.hits, turn.contact_fraction, turn.peak_displacement_m, turn.peak_contact_force_n});
+    trace_.turns.push_back(response::motion::facts_of(turn));
     if (turn.touched) trace_.last_contact_revolution = trace_.revolutions;
     add_section(turn.section);
     const std::size_t kept = samples_of(options_.window_revolutions);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "rubsweep/contact/force_law.hpp"
-#include "rubsweep/contact/friction_coefficient.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
@@ -12,13 +12,6 @@ namespace {
 
 const auto& point(const scene::Scene& scene, int index) {
   return scene.structure.points[static_cast<std::size_t>(index)].map;
-}
-
-/// From the rotor to the wall. The centre of an annular stop has no such direction, but touches nothing
-/// either.
-Eigen::Vector2d normal_at(const scene::Contact& contact, const Eigen::Vector2d& distance_m) {
-  if (!contact.annular || distance_m.isZero(0)) return contact.normal;
-  return distance_m.normalized();
 }
 
 }  // namespace
@@ -50,9 +43,9 @@ TraceState StateReader::read(std::span<const double> scaled) const {
 StopState StateReader::read_stop(std::size_t index, const Eigen::VectorXd& q_m,
                                  const Eigen::VectorXd& rate_m_per_s) const {
   const scene::Contact& contact = scene_.contacts[index];
-  const Eigen::Vector2d distance_m = relative_[index] * q_m + contact.offset_m;
+  const Eigen::Vector2d distance_m = relative_[index] * q_m + contact::offset(contact.wall);
   const Eigen::Vector2d rate = relative_[index] * rate_m_per_s;
-  const Eigen::Vector2d normal = normal_at(contact, distance_m);
+  const Eigen::Vector2d normal = contact::normal_at(contact.wall, distance_m);
   const Eigen::Vector2d tangent(-normal.y(), normal.x());
   const double penetration_m = normal.dot(distance_m) - contact.clearance_m;
   const double closing_speed = normal.dot(rate);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "response/companion_growth.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
@@ -84,7 +85,7 @@ TEST(SceneMap, ExponentOfTheHalfSubharmonicIsTheDecayOfItsTangentialMotion) {
     solver.relative_tolerance = tolerance;
     integrate::exact::ModeCache modes;
     SceneMap map(cell.scene, solver, modes);
-    const auto exponent = largest_exponent(std::ref(map), section_after(cell.scene, 400, solver), 400);
+    const auto exponent = test::largest_exponent(std::ref(map), section_after(cell.scene, 400, solver), 400);
     ASSERT_TRUE(exponent);
     EXPECT_NEAR(exponent->per_revolution, expected, exponent->error_bar) << tolerance;
     EXPECT_LT(exponent->error_bar, 0.002);
@@ -104,7 +105,7 @@ TEST(SceneMap, ExponentIsTheRateAtWhichSectionsApproachTheirOrbit) {
   }
   const auto nearest = closest_return(rows, 8, 8);
   EXPECT_EQ(nearest.order % 2, 0);
-  const auto exponent = largest_exponent(std::ref(map), section, 400);
+  const auto exponent = test::largest_exponent(std::ref(map), section, 400);
   EXPECT_NEAR(nearest.rate, exponent.value().per_revolution, nearest.rate_error_bar + exponent->error_bar);
   EXPECT_LT(nearest.rate_error_bar, 0.005);
 }

@@ -75,7 +75,7 @@ TEST(rotating::RotatingProof, AnOvalThatIsReachedSlowlyIsProvenAtOnce) {
 
 TEST(rotating::RotatingProof, DryWhipHasNoMaximumToReturnToAndStaysObserved) {
   model::Machine machine = annular_machine();
-  machine.rotor.damping_ratio = 0.02;
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0.02;
   machine.stops[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
   machine.stops[0].casing->damping_ratio = 0.1;
   machine.kick->force_n = 200;

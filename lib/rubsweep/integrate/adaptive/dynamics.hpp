@@ -7,8 +7,7 @@
 
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/force_law.hpp"
-#include "rubsweep/contact/friction_coefficient.hpp"
-#include "rubsweep/integrate/run/contact_frame.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 
 namespace rubsweep::integrate::adaptive {
@@ -51,26 +50,19 @@ class Dynamics {
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact(i, u, v, acceleration);
   }
 
-  /// Penetration of contact `i` and its two rates, scaled, from a state and its rate. In an open annular stop
-  /// the penetration is measured as (|d|^2 - C^2) / (2 C): it rises through zero with |d| - C, and stays
-  /// smooth through the centre.
+  /// Penetration of contact `i` and its two rates, scaled, from a state and its rate; as
+  /// contact::open_kinematics while it is open.
   template <class State>
   contact::Kinematics kinematics(std::size_t i, const State& state, const State& rate) const {
     const Eigen::Index n = system_.coordinates();
     const auto& c = system_.contacts[i];
     const ConstMap acceleration(&rate[0] + n, n);
-    const run::RelativeMotion m = relative_motion(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
+    const contact::RelativeMotion m = relative_motion(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
     const double a1 = c.first_row.dot(acceleration.transpose());
-    if (!c.annular) return {m.d1 - c.clearance, m.v1, a1};
     const double a2 = c.second_row.dot(acceleration.transpose());
-    if (!Smoothed && modes_[i] == contact::Mode::open) {
-      return {(m.d1 * m.d1 + m.d2 * m.d2 - c.clearance * c.clearance) / (2 * c.clearance),
-              (m.d1 * m.v1 + m.d2 * m.v2) / c.clearance,
-              (m.v1 * m.v1 + m.v2 * m.v2 + m.d1 * a1 + m.d2 * a2) / c.clearance};
-    }
-    const run::ContactFrame f = run::annular_frame(m, c.clearance);
-    return {f.penetration, f.closing_speed,
-            f.cosine * a1 + f.sine * a2 + f.sliding_speed * f.sliding_speed * f.curvature};
+    return !Smoothed && modes_[i] == contact::Mode::open
+               ? contact::open_kinematics(c.wall, m, a1, a2, c.clearance)
+               : contact::kinematics(c.wall, m, a1, a2, c.clearance);
   }
 
   /// Normal force in newtons by the law this object integrates.
@@ -102,7 +94,7 @@ class Dynamics {
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
       const Contact& c = system_.contacts[i];
       if (!Smoothed && modes_[i] == contact::Mode::open) continue;
-      const run::ContactFrame f = frame(c, u, v);
+      const contact::ContactFrame f = frame(c, u, v);
       const double slope = contact::friction_slope(c.friction, slip(c, f)) * c.slip_scale_m_per_s;
       if (slope <= 0) continue;
       const double spring_n = normal_force(i, f.penetration, f.closing_speed).spring_n;
@@ -165,17 +157,17 @@ class Dynamics {
  private:
   using Contact = run::ScaledContact<N>;
 
-  static run::RelativeMotion relative_motion(const Contact& c, const ConstMap& u, const ConstMap& v) {
+  static contact::RelativeMotion relative_motion(const Contact& c, const ConstMap& u, const ConstMap& v) {
     return {c.first_row.dot(u.transpose()) + c.offset[0], c.second_row.dot(u.transpose()) + c.offset[1],
             c.first_row.dot(v.transpose()), c.second_row.dot(v.transpose())};
   }
 
-  static run::ContactFrame frame(const Contact& c, const ConstMap& u, const ConstMap& v) {
-    const run::RelativeMotion m = relative_motion(c, u, v);
-    return c.annular ? run::annular_frame(m, c.clearance) : run::flat_frame(m, c.clearance);
+  static contact::ContactFrame frame(const Contact& c, const ConstMap& u, const ConstMap& v) {
+    const contact::RelativeMotion m = relative_motion(c, u, v);
+    return contact::frame(c.wall, m, c.clearance);
   }
 
-  static double slip(const Contact& c, const run::ContactFrame& f) {
+  static double slip(const Contact& c, const contact::ContactFrame& f) {
     return c.slip_scale_m_per_s * f.sliding_speed + c.surface_speed_m_per_s;
   }
 
@@ -184,13 +176,13 @@ class Dynamics {
       if (modes_[i] == contact::Mode::open) return;
     }
     const Contact& c = system_.contacts[i];
-    const run::ContactFrame f = frame(c, u, v);
+    const contact::ContactFrame f = frame(c, u, v);
     if constexpr (Smoothed) {
       if (f.penetration <= -smoothing_width_ / 2) return;
     }
     const contact::NormalForce force = normal_force(i, f.penetration, f.closing_speed);
     const double friction = contact::friction_coefficient(c.friction, slip(c, f)) * force.spring_n;
-    if (!c.annular) {
+    if (contact::linear(c.wall)) {
       acceleration += c.first_push * force.total_n + c.second_push * friction;
     } else {
       acceleration += c.first_push * (f.cosine * force.total_n - f.sine * friction) +
@@ -198,32 +190,12 @@ class Dynamics {
     }
   }
 
-  /// Partial derivatives of the normal force: of the spring part by p, of the total by p and by v.
-  struct ForceSlopes {
-    double spring_by_p = 0, total_by_p = 0, total_by_v = 0;
-  };
-
-  ForceSlopes force_slopes(std::size_t i, double p, double v) const {
+  contact::ForceSlopes force_slopes(std::size_t i, double p, double v) const {
     const auto& c = system_.contacts[i];
     if constexpr (Smoothed) {
-      const double width = smoothing_width_, force_width = c.stiffness * width;
-      const double spring = c.stiffness * contact::smooth_ramp(p, width);
-      const double spring_by_p = c.stiffness * contact::smooth_ramp_slope(p, width);
-      const double above = contact::smooth_ramp_slope(c.damping * v - spring, force_width);
-      const double below = contact::smooth_ramp_slope(-c.damping * v - spring, force_width);
-      return {spring_by_p, spring_by_p * (1 + above - below), c.damping * (1 - above - below)};
+      return contact::smoothed_elastogap_slopes(c.stiffness, c.damping, p, v, smoothing_width_);
     } else {
-      switch (modes_[i]) {
-        case contact::Mode::open:
-          return {};
-        case contact::Mode::clamped:
-          return {c.stiffness, 2 * c.stiffness, 0};
-        case contact::Mode::sprung:
-          return {c.stiffness, c.stiffness, c.damping};
-        case contact::Mode::released:
-          return {c.stiffness, 0, 0};
-      }
-      return {};
+      return contact::slopes_in_mode(modes_[i], c.stiffness, c.damping);
     }
   }
 
@@ -231,8 +203,8 @@ class Dynamics {
   void add_contact_slopes(std::size_t i, const ConstMap& u, const ConstMap& v, Matrix& by_u,
                           Matrix& by_v) const {
     const Contact& c = system_.contacts[i];
-    const run::ContactFrame f = frame(c, u, v);
-    const ForceSlopes slopes = force_slopes(i, f.penetration, f.closing_speed);
+    const contact::ContactFrame f = frame(c, u, v);
+    const contact::ForceSlopes slopes = force_slopes(i, f.penetration, f.closing_speed);
     if (slopes.spring_by_p == 0 && slopes.total_by_v == 0) return;
     const contact::NormalForce force = normal_force(i, f.penetration, f.closing_speed);
     const double mu = contact::friction_coefficient(c.friction, slip(c, f));

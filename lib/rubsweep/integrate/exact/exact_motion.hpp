@@ -74,7 +74,7 @@ class ExactMotion {
                        forced_guard(e));
   }
 
-  // An exit is the sum of three parts: the terms of slow pairs of the free vibration, those of fast pairs,
+  // A guard is the sum of three parts: the terms of slow pairs of the free vibration, those of fast pairs,
   // and the part that unbalance and kick force. Most steps can be certified from some of them, so that they
   // can be had one by one.
 

@@ -287,7 +287,7 @@ bool ExactRun<N>::switch_mode(run::Turn& turn, std::size_t e) {
     const auto& c = contacts[i];
     const Mode from = mode.modes[i];
     Mode to = from;
-    if (!c.annular) {
+    if (contact::linear(c.wall)) {
       const auto kinematics = kinematics_of(c, here, motion_.closing_acceleration(i, here));
       if (mode.guards[e].contact == i) to = contact::mode_through(from, mode.guards[e].next, kinematics);
       to = contact::mode_after(to, c.stiffness, c.damping, kinematics);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "rubsweep/contact/saturation.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/exact/exact_motion.hpp"
 #include "rubsweep/integrate/exact/joint_mode.hpp"
 #include "rubsweep/integrate/exact/slip_watch.hpp"

@@ -20,7 +20,7 @@ inline std::complex<double> product(const std::complex<double>& a, const std::co
   return {real_product(a, b), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-/// The harmonic response of one contact mode to one force (unbalance, or the half-sine of a kick):
+/// The response of one contact mode to one harmonic force (unbalance, or the half-sine of a kick):
 /// u = Re(amplitude e^{i rate t}). Whoever follows the motion keeps the phasor e^{i rate t}. The other
 /// members say what this response adds to the guards, forces and sliding speeds of the mode, so that none of
 /// it is computed from u in the time loop.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rubsweep/contact/contact_mode.hpp"
+#include "rubsweep/contact/wall.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -29,7 +30,7 @@ std::size_t joint_mode_of(const std::vector<Contact>& contacts, const State& phy
   std::size_t joint = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& c = contacts[i];
-    if (c.annular) continue;
+    if (!contact::linear(c.wall)) continue;
     const contact::Kinematics k =
         kinematics_of(c, physical, c.first_row.dot(rate.tail(c.first_row.size()).transpose()));
     const contact::Mode now = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);

@@ -52,12 +52,12 @@ class ModeBuilder {
     set_steps();
     for (std::size_t i = 0; i < mode_->modes.size(); ++i) {
       mode_->closing.push_back(by_v(system_.contacts[i].first_row) * mode_->generator);
-      if (system_.contacts[i].annular) {
-        add_annular_guard(i);
-      } else {
-        add_guards(i);
-        if (mode_->modes[i] != Mode::open) add_touch(i);
-      }
+      std::visit(overloaded{[&](const contact::FlatWall&) {
+                              add_guards(i);
+                              if (mode_->modes[i] != Mode::open) add_touch(i);
+                            },
+                            [&](const contact::AnnularWall&) { add_annular_guard(i); }},
+                 system_.contacts[i].wall);
     }
     return std::move(mode_);
   }
@@ -70,10 +70,6 @@ class ModeBuilder {
     return true;
   }
 
-  /// Normal force = stiffness * spring_factor * p + damping * damper_factor * v.
-  static double spring_factor(Mode mode) { return mode == Mode::clamped ? 2 : mode == Mode::sprung ? 1 : 0; }
-  static double damper_factor(Mode mode) { return mode == Mode::sprung ? 1 : 0; }
-
   void assemble() {
     mode_->stiffness = system_.stiffness;
     mode_->damping = system_.damping;
@@ -82,10 +78,11 @@ class ModeBuilder {
       const auto& c = system_.contacts[i];
       const Mode mode = mode_->modes[i];
       if (mode == Mode::open) continue;
+      const contact::LinearLaw law = contact::law_of(mode);
       const Eigen::VectorXd push =
-          c.stiffness * (spring_factor(mode) * c.first_push + friction_[i].coefficient * c.second_push);
+          c.stiffness * (law.spring * c.first_push + law.friction * friction_[i].coefficient * c.second_push);
       mode_->stiffness -= push * c.first_row;
-      mode_->damping -= damper_factor(mode) * c.damping * c.first_push * c.first_row;
+      mode_->damping -= law.damper * c.damping * c.first_push * c.first_row;
       constant_ -= push * c.clearance;
     }
     mode_->generator = numerics::generator_of(mode_->stiffness, mode_->damping);
@@ -170,25 +167,10 @@ class ModeBuilder {
   void add_guards(std::size_t i) {
     const auto& c = system_.contacts[i];
     const Row p = by_u(c.first_row), v = by_v(c.first_row) * (c.damping / c.stiffness);
-    switch (mode_->modes[i]) {
-      case Mode::open:
-        add_guard(i, c.damping > 0 ? Mode::clamped : Mode::sprung, p, -c.clearance);
-        break;
-      case Mode::clamped:
-        add_guard(i, Mode::sprung, p - v, -c.clearance);
-        break;
-      case Mode::sprung:
-        if (c.damping == 0) {
-          add_guard(i, Mode::open, -p, c.clearance);
-        } else {
-          add_guard(i, Mode::clamped, v - p, c.clearance);
-          add_guard(i, Mode::released, -p - v, c.clearance);
-        }
-        break;
-      case Mode::released:
-        add_guard(i, Mode::open, -p, c.clearance);
-        add_guard(i, Mode::sprung, p + v, -c.clearance);
-        break;
+    const contact::GuardForms forms = contact::guard_forms(mode_->modes[i], c.damping > 0);
+    for (int k = 0; k < forms.count; ++k) {
+      const auto [spring, damper, next] = forms.list[static_cast<std::size_t>(k)];
+      add_guard(i, next, damper == 0 ? Row(spring * p) : Row(spring * p + damper * v), -spring * c.clearance);
     }
   }
 
@@ -256,14 +238,14 @@ class ModeBuilder {
 
   void add_touch(std::size_t i) {
     const auto& c = system_.contacts[i];
-    const Mode mode = mode_->modes[i];
     TouchWatch<N> touch;
     touch.contact = i;
-    const Row force = spring_factor(mode) * c.stiffness * by_u(c.first_row) +
-                      damper_factor(mode) * c.damping * by_v(c.first_row);
+    const contact::LinearLaw law = contact::law_of(mode_->modes[i]);
+    const Row force =
+        law.spring * c.stiffness * by_u(c.first_row) + law.damper * c.damping * by_v(c.first_row);
     touch.force = force;
     touch.force_constant =
-        force.head(mode_->rest.size()) * mode_->rest - spring_factor(mode) * c.stiffness * c.clearance;
+        force.head(mode_->rest.size()) * mode_->rest - law.spring * c.stiffness * c.clearance;
     touch.pushes = !force.isZero(0);
     if (touch.pushes) touch.force_of_free = terms_of(force * mode_->basis, all_pairs());
     mode_->pushes = mode_->pushes || touch.pushes;

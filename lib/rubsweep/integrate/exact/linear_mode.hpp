@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rubsweep/contact/contact_mode.hpp"
-#include "rubsweep/contact/saturation.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/exact/modal_terms.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"
@@ -43,8 +43,8 @@ struct LinearGuard {
   /// Where none is split off, all count as fast.
   ModalTerms terms;
   double constant = 0;  ///< value = sum of the `terms` + constant + forced part
-  /// Taylor coefficients in time of the sum of these terms, time in units of 1 / fastest_rad_per_s of the
-  /// mode: column j is what a unit of z_j adds to them.
+  /// Taylor coefficients in time of the sum of the terms, time in units of 1 / fastest_rad_per_s of the mode:
+  /// column j is what a unit of z_j adds to them.
   numerics::SeriesTable<ExactTypes<N>::states> taylor;
   std::vector<Eigen::Index> columns;  ///< those that are not zero
 };

@@ -10,8 +10,8 @@ namespace {
 bool same(const scene::Contact& a, const scene::Contact& b) {
   const auto friction_a = contact::saturated_friction(a.friction),
              friction_b = contact::saturated_friction(b.friction);
-  return a.rotor_point == b.rotor_point && a.casing_point == b.casing_point && a.annular == b.annular &&
-         a.normal == b.normal && a.offset_m == b.offset_m && a.clearance_m == b.clearance_m &&
+  return a.rotor_point == b.rotor_point && a.casing_point == b.casing_point &&
+         contact::same(a.wall, b.wall) && a.clearance_m == b.clearance_m &&
          a.stiffness_n_per_m == b.stiffness_n_per_m && a.damping_ns_per_m == b.damping_ns_per_m &&
          friction_a.has_value() == friction_b.has_value() &&
          (!friction_a || (friction_a->coefficient == friction_b->coefficient &&

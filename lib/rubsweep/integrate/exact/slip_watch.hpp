@@ -12,9 +12,9 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Watches that friction stays saturated, so that its coefficient is the constant that the mode's plan was
-/// made with, over stretches of contact no longer than the mode's longest step. Between two instants T apart
-/// a slip whose rate is at most L stays above (slip at the one + slip at the other - L T) / 2.
+/// Watches that friction stays saturated, so that its coefficient is the constant that the linear mode
+/// was made with, over stretches of contact no longer than the mode's longest step. Between two instants T
+/// apart a slip whose rate is at most L stays above (slip at the one + slip at the other - L T) / 2.
 template <int N>
 class SlipWatch {
  public:
@@ -27,7 +27,8 @@ class SlipWatch {
       contacts_.push_back(
           {.above_m_per_s = saturates ? friction[i].above_m_per_s : std::numeric_limits<double>::infinity(),
            .surface_speed_m_per_s = scene.contacts[i].surface_speed_m_per_s,
-           .constant = constant_friction(scene.contacts[i].friction)});
+           .constant =
+               contact::keeps_its_direction(scene.contacts[i].friction) && friction[i].coefficient != 0});
     }
   }
 
@@ -133,11 +134,6 @@ class SlipWatch {
     double rate_bound = 0, friction_rate = 0;  ///< m/s^2
     double friction_swing = 0;                 ///< m/s^3
   };
-
-  static bool constant_friction(const model::Friction& friction) {
-    const auto* constant = std::get_if<model::ConstantFriction>(&friction);
-    return constant != nullptr && constant->coefficient != 0;
-  }
 
   void note(const ExactMotion<N>& motion, const State& physical) {
     const State rate = motion.rate_of(physical);

@@ -20,7 +20,7 @@ class TangentVectors {
   void begin(const LinearMode<N>& mode, double speed_rad_per_s, const Eigen::MatrixXd& vectors);
   /// The run has gone on in its mode.
   void pass(double duration_s) { lag_s_ += duration_s; }
-  /// The run leaves mode `from` for `to`. The force is continuous there, so that the disturbances go on
+  /// The run leaves mode `from` for `to`. The force is continuous there, so that tangent vectors go on
   /// without a jump (the saltation matrix is the identity); only their coordinates change.
   void change(const LinearMode<N>& from, const LinearMode<N>& to);
   /// One more from here on, (u, u') with time in seconds.

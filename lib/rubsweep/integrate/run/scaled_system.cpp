@@ -17,7 +17,7 @@ ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene
   const double length = scene.length_scale_m;
   const double speed = scene.speed_rad_per_s;
   const auto relative = scene::relative_map(scene.structure, contact);
-  const Eigen::Vector2d first = contact.annular ? Eigen::Vector2d(1, 0) : contact.normal;
+  const Eigen::Vector2d first = contact::first_direction(contact.wall);
   const Eigen::Vector2d second(-first.y(), first.x());
   // A force f on the casing acts on the coordinates as -relative^T f.
   const Eigen::MatrixXd push = -mass.solve(Eigen::MatrixXd(relative.transpose())) / (length * speed * speed);
@@ -26,8 +26,9 @@ ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene
   scaled.second_row = second.transpose() * relative;
   scaled.first_push = push * first;
   scaled.second_push = push * second;
-  scaled.annular = contact.annular;
-  if (contact.annular) scaled.offset = {contact.offset_m.x() / length, contact.offset_m.y() / length};
+  scaled.wall = contact.wall;
+  const Eigen::Vector2d offset_m = contact::offset(contact.wall);
+  scaled.offset = {offset_m.x() / length, offset_m.y() / length};
   scaled.clearance = contact.clearance_m / length;
   scaled.stiffness = contact.stiffness_n_per_m * length;
   scaled.damping = contact.damping_ns_per_m * length * speed;

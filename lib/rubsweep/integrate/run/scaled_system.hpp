@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "rubsweep/contact/wall.hpp"
 #include "rubsweep/model/friction.hpp"
 #include "rubsweep/scene/scene.hpp"
 
@@ -18,8 +19,8 @@ struct ScaledContact {
   /// d = (first_row u + offset[0], second_row u + offset[1])
   Eigen::Matrix<double, 1, N> first_row, second_row;
   Eigen::Matrix<double, N, 1> first_push, second_push;  ///< scaled acceleration per newton on the casing
-  bool annular = false;
-  std::array<double, 2> offset{};  ///< annular only, else zero
+  contact::Wall wall;              ///< its shape; displacements are measured from `offset`
+  std::array<double, 2> offset{};  ///< of the wall, in the two directions
   double clearance = 0;
   double stiffness = 0;  ///< N per scaled penetration
   double damping = 0;    ///< N per scaled closing speed

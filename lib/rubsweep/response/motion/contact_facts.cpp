@@ -4,6 +4,13 @@
 
 namespace rubsweep::response::motion {
 
+ContactFacts facts_of(const integrate::run::Turn& turn) {
+  return {.hits = turn.hits,
+          .contact_fraction = turn.contact_fraction,
+          .peak_displacement_m = turn.peak_displacement_m,
+          .peak_contact_force_n = turn.peak_contact_force_n};
+}
+
 ContactFacts together(std::span<const ContactFacts> turns) {
   ContactFacts all;
   for (const ContactFacts& turn : turns) {

@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include "rubsweep/integrate/run/turn.hpp"
+
 namespace rubsweep::response::motion {
 
 /// What the integrator saw of the contacts over one turn or several.
@@ -11,6 +13,9 @@ struct ContactFacts {
   double peak_displacement_m = 0;  ///< largest |z|
   double peak_contact_force_n = 0;  ///< largest total force at one stop
 };
+
+/// Of one turn that was made.
+ContactFacts facts_of(const integrate::run::Turn& turn);
 
 /// Of several turns together: hits added up, the mean share of time, the largest peaks.
 ContactFacts together(std::span<const ContactFacts> turns);

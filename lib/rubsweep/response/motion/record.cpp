@@ -28,7 +28,7 @@ void Record::add(const integrate::run::Turn& turn) {
     displacement_m_.emplace_back(x, y);
   }
   section_.insert(section_.end(), turn.section.begin(), turn.section.end());
-  facts_.push_back({turn.hits, turn.contact_fraction, turn.peak_displacement_m, turn.peak_contact_force_n});
+  facts_.push_back(facts_of(turn));
 }
 
 Window Record::window(std::size_t which) const {

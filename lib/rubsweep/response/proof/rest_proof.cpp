@@ -28,8 +28,8 @@ RestProof::RestProof(const scene::Cell& cell) {
   quiet_ << cell.quiet.displacement(0) / length, cell.quiet.velocity(0) / length;
   for (const scene::Contact& contact : scene.contacts) {
     const auto [mean, amplitude] = scene::quiet_penetration(cell.quiet, scene.structure, contact);
-    const Eigen::MatrixXd map = scene::relative_map(scene.structure, contact);
-    const Eigen::MatrixXd seen = contact.annular ? map : Eigen::MatrixXd(contact.normal.transpose() * map);
+    const Eigen::MatrixXd seen =
+        contact::rows_against(contact.wall, scene::relative_map(scene.structure, contact));
     const Eigen::VectorXd by_column = (seen * form->basis.topRows(n)).colwise().squaredNorm().transpose();
     bounds_.push_back({(mean + amplitude) / length, (by_column.head(n) + by_column.tail(n)).cwiseSqrt()});
   }

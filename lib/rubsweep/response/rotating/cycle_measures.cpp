@@ -74,18 +74,7 @@ void measure_lines(const spectrum::FullSpectrum& spectrum, double spacing, doubl
   }
   measures.amplitude_1x_forward_m = spectrum.amplitude(0);
   measures.dominant = dominant;
-  const double share = spectrum::whirl_energy_share * (forward + backward);
-  measures.whirl = forward >= share    ? spectrum::WhirlKind::forward
-                   : backward >= share ? spectrum::WhirlKind::backward
-                                       : spectrum::WhirlKind::mixed;
-}
-
-/// About the centre, which is where the mean of such a motion lies.
-spectrum::OrbitKind shape_of(const std::vector<Complex>& w) {
-  const auto [nearest, farthest] = std::minmax_element(
-      w.begin(), w.end(), [](const Complex& a, const Complex& b) { return std::norm(a) < std::norm(b); });
-  return std::abs(*farthest) < spectrum::circle_ratio * std::abs(*nearest) ? spectrum::OrbitKind::circle
-                                                                           : spectrum::OrbitKind::oval;
+  measures.whirl = spectrum::whirl_kind(forward, backward);
 }
 
 }  // namespace
@@ -100,7 +89,8 @@ motion::Measures measure_cycle(const scene::Scene& scene, const RotatingArc& onc
                       .contact_fraction = std::min(1.0, once.contact_fraction),
                       .peak_displacement_m = once.peak_displacement_m,
                       .peak_contact_force_n = once.peak_contact_force_n};
-  measures.orbit = shape_of(w);
+  // The mean of such a motion lies in the centre.
+  measures.orbit = spectrum::is_circle(w, 0) ? spectrum::OrbitKind::circle : spectrum::OrbitKind::oval;
   measures.comb_spacing = spacing;
   measure_lines(spectrum::full_spectrum(w, 1, workspace.spectrum), spacing, 0.5 / options.window_revolutions,
                 measures);

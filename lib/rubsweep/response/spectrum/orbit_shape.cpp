@@ -11,17 +11,9 @@ namespace {
 
 double squared(double value) { return value * value; }
 
-bool is_circle(std::span<const std::complex<double>> displacement_m) {
-  const auto mean = std::accumulate(displacement_m.begin(), displacement_m.end(), std::complex<double>{}) /
-                    static_cast<double>(displacement_m.size());
-  double nearest = std::numeric_limits<double>::infinity();
-  double farthest = 0;
-  for (const auto& z : displacement_m) {
-    const double square = std::norm(z - mean);
-    nearest = std::min(nearest, square);
-    farthest = std::max(farthest, square);
-  }
-  return farthest < circle_ratio * circle_ratio * nearest;
+std::complex<double> mean(std::span<const std::complex<double>> values) {
+  return std::accumulate(values.begin(), values.end(), std::complex<double>{}) /
+         static_cast<double>(values.size());
 }
 
 bool is_oval(const FullSpectrum& spectrum) {
@@ -37,9 +29,27 @@ bool is_oval(const FullSpectrum& spectrum) {
 
 }  // namespace
 
+bool is_circle(std::span<const std::complex<double>> displacement_m, std::complex<double> centre_m) {
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = 0;
+  for (const auto& z : displacement_m) {
+    const double square = std::norm(z - centre_m);
+    nearest = std::min(nearest, square);
+    farthest = std::max(farthest, square);
+  }
+  return !displacement_m.empty() && farthest < circle_ratio * circle_ratio * nearest;
+}
+
 OrbitKind orbit_kind(std::span<const std::complex<double>> displacement_m, const FullSpectrum& spectrum) {
-  if (is_circle(displacement_m)) return OrbitKind::circle;
+  if (is_circle(displacement_m, mean(displacement_m))) return OrbitKind::circle;
   return is_oval(spectrum) ? OrbitKind::oval : OrbitKind::complex;
+}
+
+WhirlKind whirl_kind(double forward, double backward) {
+  const double share = whirl_energy_share * (forward + backward);
+  if (forward >= share && forward > 0) return WhirlKind::forward;
+  if (backward >= share && backward > 0) return WhirlKind::backward;
+  return WhirlKind::mixed;
 }
 
 WhirlKind whirl_kind(const FullSpectrum& spectrum) {
@@ -49,10 +59,7 @@ WhirlKind whirl_kind(const FullSpectrum& spectrum) {
     if (k > 0) forward += squared(spectrum.amplitude(k));
     if (k < 0) backward += squared(spectrum.amplitude(k));
   }
-  const double share = whirl_energy_share * (forward + backward);
-  if (forward >= share && forward > 0) return WhirlKind::forward;
-  if (backward >= share && backward > 0) return WhirlKind::backward;
-  return WhirlKind::mixed;
+  return whirl_kind(forward, backward);
 }
 
 std::string_view to_string(OrbitKind kind) {

@@ -26,6 +26,13 @@ inline constexpr double whirl_energy_share = 0.80;  ///< of the energy without 0
 /// of. A motion without any line but 0X is `complex`: a point has no shape, ask only about motions.
 OrbitKind orbit_kind(std::span<const std::complex<double>> displacement_m, const FullSpectrum& spectrum);
 
+/// The rule of `circle` alone, about a centre that is known: false for no samples.
+bool is_circle(std::span<const std::complex<double>> displacement_m, std::complex<double> centre_m);
+
+/// Whirl direction of a motion whose lines hold so much energy (squared amplitudes) on either side of 0X;
+/// `mixed` when there is none.
+WhirlKind whirl_kind(double forward, double backward);
+
 /// Whirl direction; `mixed` when no line but 0X exists.
 WhirlKind whirl_kind(const FullSpectrum& spectrum);
 
