@@ -42,10 +42,11 @@ inline constexpr std::array<Parameter, 9> parameters{{
     {"kick_duration_s", &Candidate::kick_duration_s, 0.002, 0.005},
 }};
 
-/// Where the search starts: the one good machine of an earlier sample of 400 against one stop, the same with
-/// less friction, the best one of a first run of this search, and two between these, with the softer casing
-/// that lets the annulus have its oval.
-inline constexpr std::array<Candidate, 5> starting_points{{
+/// Where the search starts: the reference machine, the one good machine of an earlier sample of 400 against
+/// one stop and the same with less friction, the best random one of a first run, and two with softer casings,
+/// which let the annulus have its oval.
+inline constexpr std::array<Candidate, 6> starting_points{{
+    {0.01, 0.006, 0.736, 0.05, 600, 0.05, 0.05, 120, 0.005},
     {0.01, 0.006, 0.736, 0.05, 700, 0.1, 0.2, 120, 0.005},
     {0.01, 0.006, 0.736, 0.05, 700, 0.1, 0.05, 120, 0.005},
     {0.009, 0.0055, 0.766, 0.0958, 372, 0.048, 0.03, 220, 0.0023},

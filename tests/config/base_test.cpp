@@ -58,7 +58,7 @@ TEST_F(Base, GivesEveryKeyThatIsNotOverridden) {
   write("machine.yaml", test_file("one_side.yaml"));
   write("mine.yaml", "base: machine.yaml\nrotor: {damping_ratio: 0.05}\noutput: {directory: mine}\n");
   RunConfig expected = read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", {});
-  expected.study.machine.rotor.damping_ratio = 0.05;
+  std::get<model::JeffcottRotor>(expected.study.machine.rotor).damping_ratio = 0.05;
   const RunConfig merged = read("mine.yaml");
   EXPECT_EQ(bits_of(merged), bits_of(expected));
   EXPECT_EQ(merged.output_directory, "mine");
@@ -87,7 +87,7 @@ TEST_F(Base, MayHaveABaseAndPathsAreRelativeToTheFileThatNamesThem) {
   const RunConfig config = read("maps/mine.yaml");
   EXPECT_EQ(config.study.machine.kick->force_n, 7);
   EXPECT_EQ(config.study.machine.kick->duration_s, 0.005);
-  EXPECT_EQ(config.study.machine.rotor.mass_kg, 0.8);
+  EXPECT_EQ(std::get<model::JeffcottRotor>(config.study.machine.rotor).mass_kg, 0.8);
   const std::string absolute = "base: " + (directory / "bases/kicked.yaml").string() + "\n";
   EXPECT_EQ(read_run_config_text(absolute, "anywhere/text", {}).study.machine.kick->force_n, 1);
 }
@@ -124,7 +124,7 @@ TEST_F(Base, OverridesWorkOnTheMergedResult) {
   const auto machine =
       read("mine.yaml", {"rotor.mass_kg=3", "stops.0.casing.mass_kg=4", "stops.0.friction.coefficient=0.2"})
           .study.machine;
-  EXPECT_EQ(machine.rotor.mass_kg, 3);
+  EXPECT_EQ(std::get<model::JeffcottRotor>(machine.rotor).mass_kg, 3);
   EXPECT_EQ(machine.stops[0].casing->mass_kg, 4);
   EXPECT_EQ(std::get<model::ConstantFriction>(machine.stops[0].friction).coefficient, 0.2);
   EXPECT_EQ(
