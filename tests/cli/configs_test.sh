@@ -4,8 +4,9 @@ source "$(dirname "$0")/support.sh"
 
 shopt -s nullglob
 configs=()
-for config in "$top"/configs/*.yaml; do
-  [[ ${config##*/} == ring_* ]] || configs+=("$config")
+# reference/stop.yaml is what the stops of the others share, and no configuration of its own.
+for config in "$top"/configs/*.yaml "$top"/configs/reference/*.yaml; do
+  [[ ${config##*/} == ring_* || ${config##*/} == stop.yaml ]] || configs+=("$config")
 done
 ((${#configs[@]})) || fail "there is no configuration in $top/configs"
 

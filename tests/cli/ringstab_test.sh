@@ -55,6 +55,23 @@ expect_same out/chart_onsets.csv again/chart_onsets.csv
 expect_exit 0 "$config" "${small[@]}" --output out
 expect_missing out/chart.csv
 
+# A file may be written over another one; what is kept stands alone.
+mkdir -p elsewhere
+cp "$config" elsewhere/machine.yaml
+printf 'base: elsewhere/machine.yaml\nfriction_coefficient: 0.25\nspeed_rpm: {from: 0, to: 1500, count: 151}\n' >based.yaml
+expect_exit 0 based.yaml --print-config
+cp stdout merged
+expect_exit 0 "$config" "${small[@]}" --set friction_coefficient=0.25 --print-config
+expect_same stdout merged
+expect_exit 0 based.yaml --output based --quiet
+expect_same based/config.yaml merged
+sed -i 's/^friction_coefficient:.*/friction_coefficient: -1/' elsewhere/machine.yaml
+expect_exit 0 based.yaml --check
+sed -i '/^friction_coefficient/d' based.yaml
+expect_exit 2 based.yaml --check
+expect_matches stderr '^elsewhere/machine\.yaml:[0-9]+:[0-9]+: friction_coefficient: -1 is out of range'
+rm -r elsewhere based based.yaml merged
+
 # Errors: place, path, what is wrong, what is allowed.
 expect_exit 2 "$config" --set ring.nodal_diameter=2
 expect_matches stderr "^--set ring\.nodal_diameter=2: ring\.nodal_diameter: unknown key \(did you mean 'nodal_diameters'\?\)"

@@ -19,6 +19,8 @@ std::vector<std::string> stems(const std::string& extension) {
 class BadFile : public testing::TestWithParam<std::string> {};
 
 TEST_P(BadFile, GivesExactlyTheExpectedMessage) {
+  // Bases are relative to the file, whose name in the message is its own alone.
+  std::filesystem::current_path(std::string(RUBSWEEP_TEST_DATA) + "/bad");
   const std::string name = GetParam() + ".yaml";
   EXPECT_EQ(message_of(test_file("bad/" + name), {}, name) + "\n",
             test_file("bad/" + GetParam() + ".expected"));

@@ -39,8 +39,9 @@ TEST(Hertz, WhatIsPrintedReadsBackTheSame) {
 
 TEST(Hertz, ProblemsHaveTheirPlaces) {
   const auto message = [](const std::string& override) { return message_of(with_hertz(), {override}); };
-  EXPECT_NE(message("stops.0.stiffness_n_per_m=1")
-                .find("stops.0.hertz: given beside stiffness_n_per_m, allowed: one of the two"),
+  const std::string both =
+      replaced(with_hertz(), "    contact_radius_m", "    stiffness_n_per_m: 1\n    contact_radius_m");
+  EXPECT_NE(message_of(both).find("stops.0.hertz: given beside stiffness_n_per_m, allowed: one of the two"),
             std::string::npos);
   EXPECT_NE(message("stops.0.hertz.casing.shape=cylinder").find("stops.0.hertz.casing.radius_m: missing"),
             std::string::npos);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "rubsweep/config/text.hpp"
@@ -10,11 +11,23 @@
 
 namespace rubsweep::config {
 
+std::strong_ordering Place::operator<=>(const Place& other) const {
+  return std::tie(override_index, other.file, line, column) <=>
+         std::tie(other.override_index, file, other.line, other.column);
+}
+
 Diagnostics::Diagnostics(std::string file, std::vector<std::string> overrides)
-    : file_(std::move(file)), overrides_(std::move(overrides)) {}
+    : files_{std::move(file)}, overrides_(std::move(overrides)) {}
+
+int Diagnostics::add_file(std::string name) {
+  files_.push_back(std::move(name));
+  return static_cast<int>(files_.size()) - 1;
+}
 
 std::string Diagnostics::describe(const Place& place) const {
-  if (place.override_index < 0) return fmt::format("{}:{}:{}", file_, place.line, place.column);
+  if (place.override_index < 0) {
+    return fmt::format("{}:{}:{}", files_.at(static_cast<std::size_t>(place.file)), place.line, place.column);
+  }
   return "--set " + shown(overrides_.at(static_cast<std::size_t>(place.override_index)), 200);
 }
 

@@ -8,13 +8,17 @@
 
 namespace rubsweep::config {
 
-/// Where something was written. Ordered as a reader meets it: the file from top to bottom, then every --set.
+/// Where something was written. Ordered by what outranks what: a base before the files that name it, a file
+/// from top to bottom, then every --set. Of two places that contradict each other the greater one was written
+/// over the other.
 struct Place {
-  int override_index = -1;  ///< which --set, from 0; -1: the file
+  int override_index = -1;  ///< which --set, from 0; -1: a file
   int line = 1;             ///< of the file, from 1
   int column = 1;           ///< byte of the line, from 1
+  int file = 0;             ///< which file: 0 is the configuration itself, others are its bases (Diagnostics)
 
-  auto operator<=>(const Place&) const = default;
+  bool operator==(const Place&) const = default;
+  std::strong_ordering operator<=>(const Place& other) const;
 };
 
 /// Collects every problem of one configuration, so that the user meets all of them at once.
@@ -22,6 +26,9 @@ class Diagnostics {
  public:
   /// `file` and `overrides` are the names under which places are reported.
   Diagnostics(std::string file, std::vector<std::string> overrides);
+
+  /// Adds a base and returns what Place::file is in it. A base is added after the file that names it.
+  int add_file(std::string name);
 
   /// `path` may be empty (the whole configuration), `allowed` too (nothing could be advised).
   void add(const Place& place, std::string_view path, std::string_view wrong, std::string_view allowed);
@@ -40,7 +47,7 @@ class Diagnostics {
 
   std::string describe(const Place& place) const;
 
-  std::string file_;
+  std::vector<std::string> files_;
   std::vector<std::string> overrides_;
   std::vector<Problem> problems_;
 };

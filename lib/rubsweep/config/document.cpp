@@ -36,16 +36,23 @@ Extent extent_of(const Node& node) {
   return extent;
 }
 
-Place place_of(const YAML::Mark& mark, int override_index) {
-  return override_index < 0 ? Place{-1, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1}
-                            : Place{override_index, 1, 1};
+/// What a text is part of: a file of the configuration, or an override.
+struct Source {
+  int override_index;
+  int file;
+};
+
+Place place_of(const YAML::Mark& mark, const Source& source) {
+  return source.override_index < 0
+             ? Place{-1, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1, source.file}
+             : Place{source.override_index, 1, 1};
 }
 
 /// Builds the tree from yaml-cpp's events. YAML::Load is of no use here: it shares aliased nodes, so that an
 /// override of one would change the other, hides a second document and has no limits.
 class TreeBuilder : public YAML::EventHandler {
  public:
-  explicit TreeBuilder(int override_index) : override_index_(override_index) {}
+  explicit TreeBuilder(const Source& source) : source_(source) {}
 
   Node take_root() { return std::move(root_); }
 
@@ -84,7 +91,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnMapEnd() override { close(); }
 
  private:
-  Place at(const YAML::Mark& mark) const { return place_of(mark, override_index_); }
+  Place at(const YAML::Mark& mark) const { return place_of(mark, source_); }
 
   [[noreturn]] void refuse(const YAML::Mark& mark, std::string wrong, std::string allowed) const {
     throw Refusal{at(mark), std::move(wrong), std::move(allowed)};
@@ -141,7 +148,7 @@ class TreeBuilder : public YAML::EventHandler {
     parent.items.push_back(std::move(node));
   }
 
-  int override_index_;
+  Source source_;
   int documents_ = 0;
   std::size_t nodes_ = 0;
   Node root_;
@@ -149,10 +156,9 @@ class TreeBuilder : public YAML::EventHandler {
   std::map<YAML::anchor_t, Node> anchors_;
 };
 
-void refuse_unreadable(std::string_view text, int override_index) {
+void refuse_unreadable(std::string_view text, const Source& source) {
   if (text.size() > max_document_bytes) {
-    throw Refusal{place_of({}, override_index), "too large",
-                  fmt::format("at most {} bytes", max_document_bytes)};
+    throw Refusal{place_of({}, source), "too large", fmt::format("at most {} bytes", max_document_bytes)};
   }
   const auto offset = first_unreadable_byte(text);
   if (!offset) return;
@@ -161,18 +167,18 @@ void refuse_unreadable(std::string_view text, int override_index) {
   // npos + 1 is 0: the first line starts at the first byte.
   mark.column = static_cast<int>(*offset - (text.substr(0, *offset).rfind('\n') + 1));
   const char byte = text[*offset];
-  throw Refusal{place_of(mark, override_index),
+  throw Refusal{place_of(mark, source),
                 fmt::format("byte 0x{:02x} is {}", static_cast<unsigned char>(byte),
                             is_control(byte) ? "a control character" : "not UTF-8"),
                 "UTF-8 text"};
 }
 
-Node parse(std::string_view text, int override_index) {
-  refuse_unreadable(text, override_index);
+Node parse(std::string_view text, const Source& source) {
+  refuse_unreadable(text, source);
   // Without an explicit end yaml-cpp takes a quote that is never closed.
   std::istringstream stream(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));
   YAML::Parser parser(stream);
-  TreeBuilder builder(override_index);
+  TreeBuilder builder(source);
   while (parser.HandleNextDocument(builder)) {
   }
   return builder.take_root();
@@ -185,14 +191,17 @@ std::string describe(const YAML::Exception& error) {
 
 }  // namespace
 
+std::size_t count_nodes(const Node& node) { return extent_of(node).nodes; }
+
 std::optional<Node> parse_document(std::string_view text, int override_index, std::string_view path,
-                                   Diagnostics& diagnostics) {
+                                   Diagnostics& diagnostics, int file) {
+  const Source source{override_index, file};
   try {
-    return parse(text, override_index);
+    return parse(text, source);
   } catch (const Refusal& refusal) {
     diagnostics.add(refusal.place, path, refusal.wrong, refusal.allowed);
   } catch (const YAML::Exception& error) {
-    diagnostics.add(place_of(error.mark, override_index), path, describe(error), "");
+    diagnostics.add(place_of(error.mark, source), path, describe(error), "");
   }
   return std::nullopt;
 }

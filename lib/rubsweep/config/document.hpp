@@ -34,9 +34,12 @@ inline constexpr std::size_t max_document_nodes = 100'000;
 
 /// Parses one YAML document; nothing at all is a null node. Everything that is not plain data (tags, several
 /// documents, keys that are not scalars, aliases of an enclosing node, more than the limits above) is
-/// refused: the problem goes to `diagnostics` under `path` and the result is empty. `override_index`: see
-/// Place.
+/// refused: the problem goes to `diagnostics` under `path` and the result is empty. `override_index` and
+/// `file`: see Place.
 std::optional<Node> parse_document(std::string_view text, int override_index, std::string_view path,
-                                   Diagnostics& diagnostics);
+                                   Diagnostics& diagnostics, int file = 0);
+
+/// How many values a node holds, itself included.
+std::size_t count_nodes(const Node& node);
 
 }  // namespace rubsweep::config

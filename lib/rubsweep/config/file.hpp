@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "rubsweep/config/diagnostics.hpp"
@@ -10,13 +11,23 @@
 
 namespace rubsweep::config {
 
-/// The bytes of a configuration file, at most one more than a document may have. Throws IoError.
+/// What was read of a file, and why nothing was.
+struct FileBytes {
+  std::string text;
+  std::error_code error;
+};
+
+/// The bytes of a configuration file, at most one more than a document may have.
+FileBytes read_bytes(const std::filesystem::path& file);
+
+/// The same. Throws IoError when the file cannot be read.
 std::string read_config_bytes(const std::filesystem::path& file);
 
-/// Parses a configuration and applies the overrides (see override.hpp), whose problems `diagnostics`
-/// collects. Throws ConfigError when the text is no YAML document or nothing at all; `form` says what may
-/// stand there.
-Node parse_config(std::string_view text, std::string_view form, const std::vector<std::string>& overrides,
-                  Diagnostics& diagnostics);
+/// Parses a configuration, writes it over its bases (see base.hpp; `file` is where they are looked for from)
+/// and applies the overrides (see override.hpp), whose problems `diagnostics` collects. Throws ConfigError
+/// when the text is no YAML document or nothing at all, `form` says what may stand there, and when a base
+/// cannot be had.
+Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
+                  const std::vector<std::string>& overrides, Diagnostics& diagnostics);
 
 }  // namespace rubsweep::config

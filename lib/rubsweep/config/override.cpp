@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "rubsweep/config/alternatives.hpp"
 #include "rubsweep/config/text.hpp"
 #include "rubsweep/config/value.hpp"
 
@@ -46,34 +46,6 @@ Node* entry_of(Node& map, std::string_view name, const Place& place) {
   map.keys.push_back({std::string(name), place});
   map.items.push_back(Node{Node::Kind::map, place});
   return &map.items.back();
-}
-
-/// Keys that exclude each other: writing one of them takes back what the file said by the other.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> alternatives{{
-    {"stribeck", "coefficient"},
-    {"restitution", "restitution_delivered"},
-    {"restitution", "damping_ns_per_m"},
-    {"restitution_delivered", "damping_ns_per_m"},
-    {"whirl_ratio", "eccentricity_m"},
-    {"modal_stiffness_n_per_m", "natural_frequency_hz"},
-    {"modal_stiffness_n_per_m", "natural_frequency_rad_per_s"},
-    {"natural_frequency_hz", "natural_frequency_rad_per_s"},
-    {"values", "from"},
-    {"values", "to"},
-    {"values", "count"},
-}};
-
-bool exclude_each_other(std::string_view a, std::string_view b) {
-  return std::any_of(alternatives.begin(), alternatives.end(),
-                     [&](const auto& pair) { return pair == std::pair(a, b) || pair == std::pair(b, a); });
-}
-
-void drop_alternatives(Node& map, std::string_view written) {
-  for (std::size_t i = map.keys.size(); i-- > 0;) {
-    if (!exclude_each_other(written, map.keys[i].text)) continue;
-    map.keys.erase(map.keys.begin() + static_cast<std::ptrdiff_t>(i));
-    map.items.erase(map.items.begin() + static_cast<std::ptrdiff_t>(i));
-  }
 }
 
 /// The node at the end of the path, created where maps lack a key; null after a problem was added.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "rubsweep/config/axis.hpp"
+#include "rubsweep/config/base.hpp"
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/output.hpp"
 #include "rubsweep/config/ring.hpp"
@@ -32,6 +33,7 @@ void check_system(const ring::System& system, const Section& section) {
 
 RingConfig read_sections(const Value& root) {
   Section section(root, root_form);
+  section.find(base_key);  // resolved before; still a name that a misspelt key may mean
   const std::size_t problems = section.problem_count();
   RingConfig config;
   ring::Study& study = config.study;
@@ -69,7 +71,7 @@ RingConfig read_ring_config(const std::filesystem::path& file, const std::vector
 RingConfig read_ring_config_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides) {
   Diagnostics diagnostics(name, overrides);
-  const Node root = parse_config(text, root_form, overrides, diagnostics);
+  const Node root = parse_config(text, name, root_form, overrides, diagnostics);
   RingConfig config = read_sections({root, "", diagnostics});
   diagnostics.throw_if_any();
   return config;

@@ -1,5 +1,6 @@
 #include "rubsweep/config/read_run_config.hpp"
 
+#include "rubsweep/config/base.hpp"
 #include "rubsweep/config/diagnostics.hpp"
 #include "rubsweep/config/document.hpp"
 #include "rubsweep/config/file.hpp"
@@ -32,6 +33,7 @@ void refuse_torsion_in_annular_stops(const Value& stops, const model::Machine& m
 
 RunConfig read_sections(const Value& root) {
   Section section(root, root_form);
+  section.find(base_key);  // resolved before; still a name that a misspelt key may mean
   RunConfig config;
   sweep::Study& study = config.study;
   if (const auto value = section.require("rotor", "a map")) read_rotor(*value, study.machine);
@@ -60,7 +62,7 @@ RunConfig read_run_config(const std::filesystem::path& file, const std::vector<s
 RunConfig read_run_config_text(std::string_view text, const std::string& name,
                                const std::vector<std::string>& overrides) {
   Diagnostics diagnostics(name, overrides);
-  const Node root = parse_config(text, root_form, overrides, diagnostics);
+  const Node root = parse_config(text, name, root_form, overrides, diagnostics);
   RunConfig config = read_sections({root, "", diagnostics});
   if (diagnostics.count() == 0) refuse_unit_slips({root, "", diagnostics});
   diagnostics.throw_if_any();

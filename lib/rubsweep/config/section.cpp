@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "rubsweep/config/nearest.hpp"
+#include "rubsweep/config/repeated_keys.hpp"
 #include "rubsweep/config/text.hpp"
 
 namespace rubsweep::config {
@@ -15,21 +15,10 @@ namespace rubsweep::config {
 Section::Section(const Value& value, std::string_view allowed) : value_(value) {
   const Node::Kind kind = value.node.kind;
   if (kind == Node::Kind::map) {
-    refuse_repeated_keys();
+    refuse_repeated_keys(value.node, value.path, value.diagnostics);
   } else {
     refuse(value, kind == Node::Kind::scalar ? describe(value.node) + " is not a map" : describe(value.node),
            allowed);
-  }
-}
-
-void Section::refuse_repeated_keys() const {
-  std::map<std::string_view, Place> first;
-  for (const Node::Key& key : value_.node.keys) {
-    const auto [entry, is_new] = first.emplace(key.text, key.place);
-    if (is_new) continue;
-    const bool in_file = key.place.override_index < 0;
-    const std::string first_line = in_file ? fmt::format(", first at line {}", entry->second.line) : "";
-    value_.diagnostics.add(key.place, path_of(key.text), "given again" + first_line, "each key once");
   }
 }
 

@@ -66,7 +66,6 @@ class Section {
  private:
   const Node* lookup(std::string_view name) const;
   std::string path_of(std::string_view name) const;
-  void refuse_repeated_keys() const;
 
   Value value_;
   std::vector<std::string_view> known_;

@@ -1,0 +1,58 @@
+#include "rubsweep/config/alternatives.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace rubsweep::config {
+namespace {
+
+using Keys = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 1> stribeck{"stribeck"}, coefficient{"coefficient"};
+constexpr std::array<std::string_view, 5> curve{"static", "kinetic", "peak_speed_m_per_s",
+                                                "settle_speed_m_per_s", "viscous_s_per_m"};
+constexpr std::array<std::string_view, 1> stiffness{"stiffness_n_per_m"}, hertz{"hertz"};
+constexpr std::array<std::string_view, 1> nominal{"restitution"}, delivered{"restitution_delivered"},
+    damping{"damping_ns_per_m"};
+constexpr std::array<std::string_view, 1> ratio{"whirl_ratio"}, eccentricity{"eccentricity_m"};
+constexpr std::array<std::string_view, 1> modal_stiffness{"modal_stiffness_n_per_m"},
+    frequency_hz{"natural_frequency_hz"}, frequency_rad_per_s{"natural_frequency_rad_per_s"};
+constexpr std::array<std::string_view, 1> values{"values"};
+constexpr std::array<std::string_view, 3> spaced{"from", "to", "count"};
+
+/// Ways to say the same, each by the keys that belong to it; at most three, the empty ones are no way.
+constexpr std::array<std::array<Keys, 3>, 6> alternatives{{
+    {stribeck, curve, coefficient},
+    {stiffness, hertz},
+    {nominal, delivered, damping},
+    {ratio, eccentricity},
+    {modal_stiffness, frequency_hz, frequency_rad_per_s},
+    {values, spaced},
+}};
+
+bool holds(Keys keys, std::string_view key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); }
+
+bool exclude_each_other(std::string_view a, std::string_view b) {
+  return std::any_of(alternatives.begin(), alternatives.end(), [&](const auto& ways) {
+    const auto of_a = std::find_if(ways.begin(), ways.end(), [&](Keys keys) { return holds(keys, a); });
+    const auto of_b = std::find_if(ways.begin(), ways.end(), [&](Keys keys) { return holds(keys, b); });
+    return of_a != ways.end() && of_b != ways.end() && of_a != of_b;
+  });
+}
+
+}  // namespace
+
+void drop_entry(Node& map, std::size_t index) {
+  map.keys.erase(map.keys.begin() + static_cast<std::ptrdiff_t>(index));
+  map.items.erase(map.items.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void drop_alternatives(Node& map, std::string_view written) {
+  for (std::size_t i = map.keys.size(); i-- > 0;) {
+    if (exclude_each_other(written, map.keys[i].text)) drop_entry(map, i);
+  }
+}
+
+}  // namespace rubsweep::config

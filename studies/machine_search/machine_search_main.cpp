@@ -1,0 +1,96 @@
+// machine_search SEED RANDOM NEARBY [KEPT]: looks for one machine whose five maps show as much as possible of
+// what Ishibashi & Kawai report. Evaluates the starting points, RANDOM machines drawn from the ranges of
+// candidate.hpp, then NEARBY machines near the KEPT (10) best ones. Prints one CSV line a machine as it goes;
+// the last column tells machines that were given up early. One thread; the lines depend on the arguments
+// alone, but for the processor time.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "machine_search/evaluation.hpp"
+
+namespace {
+
+using namespace rubsweep::machine_search;
+
+/// Out of 18: no machine below is of use, and the first ones need a bar too.
+constexpr double least_score = 10;
+
+class Search {
+ public:
+  explicit Search(std::size_t kept) : kept_(kept) {}
+
+  void look_at(const Candidate& candidate, const char* origin) {
+    const double bar = best_.size() < kept_ ? least_score : best_.back().first;
+    const Evaluation evaluation = evaluate(candidate, bar);
+    print(candidate, origin, evaluation);
+    if (!evaluation.complete) return;
+    best_.emplace_back(evaluation.score, candidate);
+    std::stable_sort(best_.begin(), best_.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    if (best_.size() > kept_) best_.resize(kept_);
+  }
+
+  /// One of the best, the better ones more often.
+  const Candidate& one_of_the_best(std::mt19937_64& random) const {
+    const std::size_t first = random() % best_.size(), second = random() % best_.size();
+    return best_[std::min(first, second)].second;
+  }
+
+ private:
+  void print(const Candidate& candidate, const char* origin, const Evaluation& evaluation) {
+    if (tried_ == 0) {
+      std::string header = "machine,origin";
+      for (const Parameter& parameter : parameters) header += fmt::format(",{}", parameter.name);
+      fmt::print("{},score,processor_s,complete,marks\n", header);
+    }
+    std::string line = fmt::format("{},{}", tried_++, origin);
+    for (const Parameter& parameter : parameters) line += fmt::format(",{:.6g}", candidate.*parameter.field);
+    line += fmt::format(",{:.3f},{:.2f},{},", evaluation.score, evaluation.processor_s, evaluation.complete);
+    for (const Mark& mark : evaluation.marks) line += fmt::format("{} {:.2f};", mark.finding, mark.value);
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  }
+
+  std::size_t kept_;
+  std::size_t tried_ = 0;
+  std::vector<std::pair<double, Candidate>> best_;
+};
+
+std::optional<std::size_t> whole_number(const char* text) {
+  std::size_t number = 0;
+  const char* end = text + std::strlen(text);
+  const auto [stop, error] = std::from_chars(text, end, number);
+  return error == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::size_t> numbers;
+  for (int i = 1; i < argc; ++i) {
+    if (const auto number = whole_number(argv[i])) numbers.push_back(*number);
+  }
+  if ((argc != 4 && argc != 5) || numbers.size() + 1 != static_cast<std::size_t>(argc) ||
+      (argc == 5 && numbers[3] == 0)) {
+    fmt::print(stderr, "usage: machine_search SEED RANDOM NEARBY [KEPT]\n");
+    return 1;
+  }
+  std::mt19937_64 random(numbers[0]);
+  Search search(numbers.size() == 4 ? numbers[3] : 10);
+  for (const Candidate& candidate : starting_points) search.look_at(candidate, "start");
+  for (std::size_t i = 0; i < numbers[1]; ++i) search.look_at(random_candidate(random), "random");
+  for (std::size_t i = 0; i < numbers[2]; ++i) {
+    const double spread = i % 2 == 0 ? 0.1 : 0.4;
+    search.look_at(perturbed(search.one_of_the_best(random), spread, random), "nearby");
+  }
+  return 0;
+}
