@@ -21,6 +21,7 @@ declare -A below=(
   [ring]='batch'
   [config]='sweep bench ring'
   [report]='sweep bench ring'
+  [page]='report'
 )
 
 # reachable FOLDER: FOLDER and everything below it, one per line.
