@@ -128,9 +128,9 @@ void add_evidence(const MapTable& map, const Words& words, std::vector<std::stri
   add(proof("floquet_observed"), "In {} the multipliers say that the orbit is stable, without such a ball.");
   add(proof("observed"), "In {} the verdict rests on what the last windows show.");
   add(words.rows_where([&](std::size_t row) { return map.word("robust", row) == "no"; }),
-      "{} change class when the kick changes by a millionth.");
-  add(is("unsettled"), "{} are undecided.");
-  add(is("failed"), "{} failed; their status says why.");
+      "A kick that differs by a millionth leads to another class in {}.");
+  add(is("unsettled"), "Undecided when the run ended: {}.");
+  add(is("failed"), "Failed, for the reason that their status names: {}.");
 }
 
 }  // namespace
