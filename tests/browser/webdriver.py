@@ -18,9 +18,9 @@ def free_port():
 
 
 class Browser:
-    """One window. `downloads` is where files go that the page hands over; `dark`: a reader with a dark screen."""
+    """One window. `downloads` is where files go that the page hands over;"""
 
-    def __init__(self, chromium, chromedriver, downloads, size=(1500, 1100), dark=False):
+    def __init__(self, chromium, chromedriver, downloads, size=(1500, 1100)):
         port = free_port()
         self.base = f"http://127.0.0.1:{port}"
         self.driver = subprocess.Popen(
@@ -28,9 +28,7 @@ class Browser:
         )
         self.session = None
         arguments = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                     "--disable-background-networking", f"--window-size={size[0]},{size[1]}"]
-        if dark:
-            arguments.append("--force-dark-mode")
+                     "--disable-background-networking", "--hide-scrollbars", f"--window-size={size[0]},{size[1]}"]
         options = {
             "binary": chromium,
             "args": arguments,
@@ -41,7 +39,6 @@ class Browser:
             self.wait(self._driver_answers, "chromedriver does not answer")
             answer = self._send("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})
             self.session = answer["sessionId"]
-            self.emulate("prefers-color-scheme", "dark" if dark else "light")
         except BaseException:
             self.close()
             raise
@@ -108,8 +105,8 @@ class Browser:
         parameters = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
         self._ask("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride", "params": parameters})
 
-    def screenshot(self, path):
-        path.write_bytes(base64.b64decode(self._ask("GET", "/screenshot")))
+    def usual_size(self):
+        self._ask("POST", "/goog/cdp/execute", {"cmd": "Emulation.clearDeviceMetricsOverride", "params": {}})
 
     def whole_screenshot(self, path):
         """The page from top to bottom."""

@@ -14,8 +14,8 @@ function clearPanels() {
   for (const id of ["history", "orbit", "spectrum", "section"]) d3.select("#" + id).selectAll("svg").remove();
 }
 
-// Above: x and y of the rotor. Below it, for one stop: how far the rotor is out towards the wall, and where the wall is,
-// clearance and casing together; they touch where the gap closes.
+// x and y of the rotor, and for one stop how far the rotor is out towards the wall, and where the wall is,
+// clearance and casing together: these two touch where the gap closes.
 function drawHistory(data, orbit, speed_hz, stop) {
   const wall = data.index.walls[stop], signals = orbit.stops[stop];
   const time = orbit.steps.map((step) => (1e3 * step) / orbit.steps_per_turn / speed_hz);
@@ -34,12 +34,14 @@ function drawHistory(data, orbit, speed_hz, stop) {
     addLine(plot, plot.y.domain().map((v) => [(1e3 * turn) / speed_hz, v]), themed("line"), 1);
   const clearance = 1e3 * wall.clearance_m;
   addLine(plot, [[time[0], clearance], [time[time.length - 1], clearance]], themed("text"), 1, "5 4");
-  addLine(plot, at(x), themed("faint"), 1, "3 2");
-  if (!wall.around) addLine(plot, at(y), themed("second"), 1);
+  // A wall straight above or beside the rotor is reached along y or x itself.
+  const along = (component) => !wall.around && Math.abs(wall.normal[component]) > 0.999;
+  const others = [[x, "x", "faint", "3 2"], [y, "y", "second", ""]].filter((_, component) => !along(component));
+  for (const [values, , colour, dashes] of others) addLine(plot, at(values), themed(colour), 1, dashes);
   addLine(plot, at(wallAt), themed("wall"), 2.5);
   addLine(plot, at(rotor), themed("rotor"), 1.5);
-  addKey(plot, [["to the wall", themed("rotor")], ["wall", themed("wall")], ["x", themed("faint"), "3 2"],
-    ...(wall.around ? [] : [["y", themed("second")]])]);
+  addKey(plot, [["to the wall", themed("rotor")], ["wall", themed("wall")],
+    ...others.map(([, name, colour, dashes]) => [name, themed(colour), dashes])]);
 }
 
 function drawOrbit(data, orbit) {
