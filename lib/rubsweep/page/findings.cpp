@@ -125,7 +125,7 @@ void add_evidence(const MapTable& map, const Words& words, std::vector<std::stri
   add(is("chaotic"), "Chaos, by a positive Lyapunov exponent, is found in {}.");
   add(proof("rest"), "In {} it is proven that the rotor never touches again.");
   add(proof("floquet"), "In {} the orbit is proven to attract a ball about it that the run has entered.");
-  add(proof("floquet_observed"), "In {} the multipliers say that the orbit is stable, without such a ball.");
+  add(proof("floquet_observed"), "In {} the multipliers say that the orbit is stable, while no ball about it is proven.");
   add(proof("observed"), "In {} the verdict rests on what the last windows show.");
   add(words.rows_where([&](std::size_t row) { return map.word("robust", row) == "no"; }),
       "A kick that differs by a millionth leads to another class in {}.");
