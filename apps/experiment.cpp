@@ -11,7 +11,8 @@
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/report/experiment.hpp"
+#include "rubsweep/identify/experiment.hpp"
+#include "rubsweep/report/experiment_tables.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -20,22 +21,23 @@ namespace {
 constexpr std::array<std::string_view, 4> file_names{"config.yaml", "sensors.csv", "bode.csv",
                                                      "identification.csv"};
 
-report::Experiment perform(const RubtraceArguments& arguments, const scene::Plan& plan) {
-  const report::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
+report::ExperimentTables perform(const RubtraceArguments& arguments, const scene::PreparedMachine& machine) {
+  const identify::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
   if (const auto& ramp = arguments.run_up) {
-    return report::run_up(plan, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s,
-                          std::get<scene::Eccentricity>(arguments.unbalance).value_m, sampling);
+    return report::tables_of(identify::run_up(machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s,
+                                              std::get<scene::Eccentricity>(arguments.unbalance).value_m,
+                                              sampling));
   }
-  if (!plan.machine.kick) throw UsageError("--free-response: the configuration has no kick");
-  return report::free_response(plan, arguments.duration_s, sampling);
+  if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
+  return report::tables_of(identify::free_response(machine, arguments.duration_s, sampling));
 }
 
 }  // namespace
 
 int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& config,
                    const std::filesystem::path& directory) {
-  const scene::Plan plan = scene::make_plan(config.study.machine);
-  const report::Experiment experiment = perform(arguments, plan);
+  const scene::PreparedMachine machine = scene::prepare_machine(config.study.machine);
+  const report::ExperimentTables experiment = perform(arguments, machine);
   make_directory(directory);
   ResultFiles files{{"config.yaml", config::print_config(config)},
                     {"sensors.csv", experiment.sensors_csv},

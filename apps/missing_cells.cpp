@@ -13,8 +13,9 @@
 #include "interrupt.hpp"
 #include "program.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/scene/plan.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
 #include "rubsweep/sweep/untouched_walls.hpp"
@@ -33,7 +34,7 @@ MissingCells::MissingCells(const RubsweepArguments& arguments, const sweep::Stud
                 directory.finished()) {}
 
 bool MissingCells::run() {
-  std::string why = sweep::why_walls_stay_untouched(study_, scene::make_plan(study_.machine));
+  std::string why = sweep::why_walls_stay_untouched(study_, scene::prepare_machine(study_.machine));
   if (!why.empty()) {
     why.pop_back();
     progress_.say(why);
@@ -43,7 +44,8 @@ bool MissingCells::run() {
   std::optional<Watch> watch(
       std::in_place, [this] { refresh(); }, [this] { leave(); });
   // A few cells from all over the map tell how long it will take, where somebody is there to read it.
-  if (say_progress(sweep::describe(study_, {threads})) && cells.size() >= least_cells_to_forecast) {
+  if (say_progress(report::describe_footprint(study_, {threads})) &&
+      cells.size() >= least_cells_to_forecast) {
     const auto pilots = sweep::take_pilot_cells(cells, pilots_per_thread * static_cast<std::size_t>(threads));
     const auto start = std::chrono::steady_clock::now();
     run_cells(pilots);

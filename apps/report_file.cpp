@@ -27,9 +27,10 @@ page::MapTable read_map_of(const sweep::Study& study, const fs::path& path) {
   page::MapTable map = page::read_map_table(path);
   const std::string digest = config::study_digest(study);
   if (map.digest == digest) return map;
-  throw ConfigError(fmt::format("{}: is no map of this configuration (digest {}, this one has {})\n"
-                                "allowed: the map and the config.yaml of one run",
-                                path.string(), map.digest.empty() ? "none" : map.digest, digest));
+  throw ConfigError(
+      fmt::format("{}: is no map of this configuration (digest {}, this one has {})\n"
+                  "allowed: the map and the config.yaml of one run",
+                  path.string(), map.digest.empty() ? "none" : map.digest, digest));
 }
 
 std::string interrupted(std::string_view program) {

@@ -45,7 +45,7 @@ bench::Place central_rub(const std::vector<bench::Place>& places,
                          const std::vector<bench::LabelledCell>& cells, std::size_t columns) {
   if (cells.empty()) throw ConfigError("no cell of the sweep can be kicked: nothing to measure");
   const auto distance = [&](const bench::LabelledCell& cell) {
-    const bool rubs = cell.label.motion_class != response::MotionClass::non_contact;
+    const bool rubs = cell.label.motion_class != response::motion::MotionClass::non_contact;
     const auto off_centre = [](std::size_t i, std::size_t n) {
       return (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5;
     };
@@ -122,42 +122,52 @@ void say(const RubbenchArguments& arguments, const std::string& text) {
   std::fflush(stdout);
 }
 
+/// The cells that were asked for, or the one in the middle of the rub.
+std::vector<bench::Place> places_to_time(const RubbenchArguments& arguments, const sweep::Grid& grid,
+                                         const std::vector<bench::Place>& to_label,
+                                         const std::vector<bench::LabelledCell>& labelled) {
+  std::vector<bench::Place> places;
+  for (const BenchCell& cell : arguments.cells)
+    places.push_back(place_at(grid, cell.speed_hz, cell.unbalance));
+  if (places.empty())
+    places.push_back(central_rub(to_label, labelled, std::min(arguments.label_speeds, grid.speed_hz.size())));
+  return places;
+}
+
+/// Times every variant on one cell. Returns the sentence that says what the errors are measured against.
+std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study& study,
+                         const bench::Place& place, std::vector<report::WorkPrecisionLine>& lines) {
+  const std::string name = report::cell_name(place);
+  const scene::Scene scene = scene_of(study, place);
+  const auto reference = bench::reference_section(scene, arguments.work.error_turns, study.solver);
+  const std::string sentence = report::reference_sentence(name, reference);
+  say(arguments, sentence);
+  const auto variants = bench::variants_of(scene, study.solver, arguments.work.turns, arguments.steppers,
+                                           arguments.relative_tolerances);
+  for (bench::Measurement& measurement :
+       bench::measure(scene, study.solver, variants, reference.section, arguments.work)) {
+    // Closed forms alone are the reference itself: what they are away from the other routes.
+    if (!measurement.variant.stepper && measurement.state_error)
+      measurement.state_error = bench::uncertainty(reference);
+    lines.push_back({name, std::move(measurement), {}, false});
+  }
+  return sentence;
+}
+
 int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
   const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_bench"));
   make_directory(directory);
   const auto to_label = places_to_label(study.grid, arguments);
   const auto labelled = bench::reference_labels(study.machine, to_label, study.solver, study.response);
-  std::vector<bench::Place> places;
-  for (const BenchCell& cell : arguments.cells)
-    places.push_back(place_at(study.grid, cell.speed_hz, cell.unbalance));
-  if (places.empty()) {
-    places.push_back(
-        central_rub(to_label, labelled, std::min(arguments.label_speeds, study.grid.speed_hz.size())));
-  }
+  const auto places = places_to_time(arguments, study.grid, to_label, labelled);
   if (!to_label.empty())
     say(arguments, fmt::format("labels: {} of {} cells can be kicked\n", labelled.size(), to_label.size()));
 
   std::string comments =
       report::work_precision_comments(RUBSWEEP_VERSION, config::study_digest(study), arguments.work);
   std::vector<report::WorkPrecisionLine> lines;
-  for (const bench::Place& place : places) {
-    const std::string name = report::cell_name(place);
-    const scene::Scene scene = scene_of(study, place);
-    const auto reference = bench::reference_section(scene, arguments.work.error_turns, study.solver);
-    const std::string sentence = report::reference_sentence(name, reference);
-    comments += "# " + sentence;
-    say(arguments, sentence);
-    const auto variants = bench::variants_of(scene, study.solver, arguments.work.turns, arguments.steppers,
-                                             arguments.relative_tolerances);
-    for (bench::Measurement& measurement :
-         bench::measure(scene, study.solver, variants, reference.section, arguments.work)) {
-      // Closed forms alone are the reference itself: what they are away from the other routes.
-      if (!measurement.variant.stepper && measurement.state_error)
-        measurement.state_error = bench::uncertainty(reference);
-      lines.push_back({name, std::move(measurement), {}, false});
-    }
-  }
+  for (const bench::Place& place : places) comments += "# " + measure_cell(arguments, study, place, lines);
   Labels labels(study, labelled, arguments.label_seconds);
   for (report::WorkPrecisionLine& line : lines) labels.fill(lines, line);
 
@@ -166,7 +176,7 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   say(arguments, fmt::format("{}\nfiles: {}: config.yaml work_precision.csv\n",
                              report::work_precision_table(lines, arguments.work.turns), directory.string()));
   const bool all_ran = std::all_of(lines.begin(), lines.end(), [](const auto& line) {
-    return line.measurement.outcome == integrate::Outcome::ok;
+    return line.measurement.outcome == integrate::run::Outcome::ok;
   });
   return all_ran ? done : some_cells_failed;
 }

@@ -66,8 +66,8 @@ BenchCell read_cell(const std::string& text) {
   throw UsageError(fmt::format("--cell {}: allowed: SPEED_HZ,UNBALANCE, a number > 0 and one >= 0", text));
 }
 
-std::vector<integrate::Stepper> read_steppers(const std::string& text) {
-  std::vector<integrate::Stepper> steppers;
+std::vector<integrate::run::Stepper> read_steppers(const std::string& text) {
+  std::vector<integrate::run::Stepper> steppers;
   const auto all = bench::all_steppers();
   for (const std::string_view name : split(text, ',')) {
     const auto found =
@@ -84,7 +84,7 @@ std::vector<integrate::Stepper> read_steppers(const std::string& text) {
 }
 
 std::vector<double> read_tolerances(std::string_view text) {
-  constexpr auto range = integrate::SolverOptions::relative_tolerance_range;
+  constexpr auto range = integrate::run::SolverOptions::relative_tolerance_range;
   std::vector<double> tolerances;
   for (const std::string_view part : split(text, ',')) {
     const auto value = number<double>(part);

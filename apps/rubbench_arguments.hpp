@@ -16,7 +16,7 @@ struct BenchCell {
 
 struct RubbenchArguments : StudyArguments {
   std::vector<BenchCell> cells = {};  ///< empty: one is chosen
-  std::vector<integrate::Stepper> steppers = {};
+  std::vector<integrate::run::Stepper> steppers = {};
   std::vector<double> relative_tolerances = {};
   bench::WorkPrecisionOptions work = {};
   std::size_t label_speeds = 12, label_unbalances = 6;  ///< 0 x 0: no labels

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "exit_code.hpp"
-#include "interrupt.hpp"
 #include "forecast.hpp"
+#include "interrupt.hpp"
 #include "map_directory.hpp"
 #include "missing_cells.hpp"
 #include "program.hpp"
@@ -14,10 +14,11 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/describe_footprint.hpp"
+#include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/report/map_summary.hpp"
-#include "rubsweep/scene/plan.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
-#include "rubsweep/sweep/explain_study.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep_arguments.hpp"
 
@@ -48,8 +49,8 @@ int report_map(const RubsweepArguments& arguments, const report::MapSummary& sum
 }
 
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
-  sweep::refuse_more_memory_than(machine_memory_bytes(), config.study,
-                                 {batch::thread_count(arguments.threads)});
+  report::refuse_more_memory_than(machine_memory_bytes(), config.study,
+                                  {batch::thread_count(arguments.threads)});
   batch::require_threads(arguments.threads, 1);
   MapDirectory directory(arguments.output.value_or(config.output_directory), config, arguments.shard,
                          arguments.fresh, own_name(arguments));
@@ -84,10 +85,12 @@ int perform(const RubsweepArguments& arguments) {
       arguments,
       {.size =
            [&] {
-             scene::make_plan(study.machine);  // throws where no structure can be computed of these numbers
+             scene::prepare_machine(
+                 study.machine);  // throws where no structure can be computed of these numbers
              return fmt::format("{} cells", sweep::cell_count(study.grid));
            },
-       .explanation = [&] { return sweep::explain(study) + sweep::describe(study, {threads}) + "\n"; },
+       .explanation =
+           [&] { return report::explain_study(study) + report::describe_footprint(study, {threads}) + "\n"; },
        .configuration = [&] { return config::print_config(config); },
        .run = [&] { return run(arguments, config); }});
 }

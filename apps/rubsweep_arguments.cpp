@@ -23,7 +23,8 @@ po::options_description visible_options() {
       "shard", po::value<std::string>()->value_name("I/N"),
       "compute the I-th of N parts of the map alone; others may run at the same time, on any machine")(
       "merge", "run nothing, put the finished shards of a map together")(
-      "report", "also write DIR/report.html, a page that shows the map and the motion of each cell at a click");
+      "report",
+      "also write DIR/report.html, a page that shows the map and the motion of each cell at a click");
   add_actions(options, "say what is simulated, what is left out and why, run nothing");
   add_progress(options);
   add_last(options);

@@ -28,6 +28,7 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
@@ -68,7 +69,8 @@ ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
-  sweep::refuse_more_memory_than(memory_bytes, config.study, {batch::thread_count(arguments.threads), ranks});
+  report::refuse_more_memory_than(memory_bytes, config.study,
+                                  {batch::thread_count(arguments.threads), ranks});
   config.output_directory = fs::absolute(arguments.output.value_or(config.output_directory));
   job.emplace();
   job->arguments = std::move(arguments);
@@ -105,7 +107,7 @@ class Leader {
     const int threads = batch::thread_count(job.arguments.threads);
     const std::size_t cells = job.directory->missing().size();
     // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
-    if (progress_.say(sweep::describe(job.config.study, {threads, ranks})) &&
+    if (progress_.say(report::describe_footprint(job.config.study, {threads, ranks})) &&
         cells >= least_cells_to_forecast)
       pilots_ = std::min(pilots_per_thread * static_cast<std::size_t>(threads * ranks), cells / 4);
   }

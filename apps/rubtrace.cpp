@@ -19,9 +19,9 @@
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/trace_csv.hpp"
-#include "rubsweep/report/trace_run.hpp"
 #include "rubsweep/report/trace_summary.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/trace/trace_run.hpp"
 #include "rubtrace_arguments.hpp"
 
 namespace rubsweep::apps {
@@ -46,17 +46,18 @@ fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfi
 }
 
 int cannot_start(scene::Start start) {
-  say(fmt::format("rubtrace: {}; no trace, motion.csv only\n",
-                  start == scene::Start::initial_contact
-                      ? "static forces press the rotor on the wall, so that no unbalance gives this whirl ratio; "
-                        "give --eccentricity-m instead"
-                      : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion"));
+  say(fmt::format(
+      "rubtrace: {}; no trace, motion.csv only\n",
+      start == scene::Start::initial_contact
+          ? "static forces press the rotor on the wall, so that no unbalance gives this whirl ratio; "
+            "give --eccentricity-m instead"
+          : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion"));
   return some_cells_failed;
 }
 
 /// Refused before anything is begun, not killed in the middle.
-void refuse_more_memory_than_there_is(const report::TraceOptions& options, std::size_t stops) {
-  const double needed = report::trace_bytes(options, stops),
+void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::size_t stops) {
+  const double needed = trace::trace_bytes(options, stops),
                there = static_cast<double>(machine_memory_bytes());
   if (needed <= there) return;
   throw ConfigError(fmt::format(
@@ -68,7 +69,7 @@ void refuse_more_memory_than_there_is(const report::TraceOptions& options, std::
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
   config.study.grid = one_cell(arguments);
   const sweep::Study& study = config.study;
-  const report::TraceOptions options{
+  const trace::TraceOptions options{
       .speed_hz = arguments.speed_hz,
       .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
       .samples_per_revolution = study.response.samples_per_revolution,
@@ -78,32 +79,34 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const fs::path directory = directory_of(arguments, config);
   make_directory(directory);
 
-  response::Workspace workspace;
-  const scene::Plan plan = scene::make_plan(study.machine);
-  const sweep::Row row = sweep::evaluate_cell(study, plan, 0, workspace);
+  response::motion::Workspace workspace;
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  const sweep::Row row = sweep::evaluate_cell(study, prepared, 0, workspace);
   ResultFiles files{{"config.yaml", config::print_config(config)},
                     {"motion.csv", report::map_comments(RUBSWEEP_VERSION, config::study_digest(study)) +
                                        report::map_header() + "\n" + report::map_line(row) + "\n"}};
   std::string summary = report::motion_summary(row);
 
-  const scene::Cell cell = scene::build_cell(plan, arguments.speed_hz, arguments.unbalance);
-  report::Trace trace;
+  // A second run of the cell: the first one, which classifies, ends where the motion is proven and asks the
+  // solver for other samples, so that its steps are not those of a trace of all revolutions.
+  const scene::Cell cell = scene::build_cell(prepared, arguments.speed_hz, arguments.unbalance);
+  trace::Trace trace;
   if (scene::can_run(cell.start)) {
-    trace = report::trace_run(integrate::start(cell.scene, study.solver, workspace.plans).advance, cell.scene,
-                              study.solver, options);
-    const report::TraceWindow window = report::last_window(trace, options, row.order, workspace.spectrum);
-    files["trajectory.csv"] = std::move(trace.trajectory_csv);
-    files["section.csv"] = std::move(trace.section_csv);
-    files["events.csv"] = std::move(trace.events_csv);
+    trace = trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,
+                             study.solver, options);
+    const trace::TraceWindow window = trace::last_window(trace, options, row.order, workspace.spectrum);
+    files["trajectory.csv"] = report::trajectory_csv(trace);
+    files["section.csv"] = report::section_csv(trace);
+    files["events.csv"] = report::events_csv(trace);
     files["spectrum.csv"] = report::spectrum_csv(window.spectrum, arguments.speed_hz);
     summary += report::trace_summary(trace, window, cell.scene.length_scale_m);
   }
   write_result_files(files, file_names, directory);
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
   if (!scene::can_run(cell.start)) return cannot_start(cell.start);
-  if (trace.outcome == integrate::Outcome::ok) return done;
+  if (trace.outcome == integrate::run::Outcome::ok) return done;
   say(fmt::format("rubtrace: the run failed in revolution {}: {}; the files end there\n",
-                  trace.revolutions + 1, integrate::to_string(trace.outcome)));
+                  trace.revolutions + 1, integrate::run::to_string(trace.outcome)));
   return some_cells_failed;
 }
 

@@ -7,7 +7,7 @@
 
 #include "command_line.hpp"
 #include "program.hpp"
-#include "rubsweep/report/experiment.hpp"
+#include "rubsweep/identify/experiment.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -109,9 +109,9 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
     arguments.unbalance = scene::Eccentricity{*eccentricity_m};
     duration_s = (ramp->to_hz - ramp->from_hz) / ramp->rate_hz_per_s;
   }
-  if (duration_s / arguments.sample_s > report::most_samples) {
+  if (duration_s / arguments.sample_s > identify::most_samples) {
     throw UsageError(
-        fmt::format("--sample-s: allowed: long enough for {} samples or fewer", report::most_samples));
+        fmt::format("--sample-s: allowed: long enough for {} samples or fewer", identify::most_samples));
   }
   return true;
 }

@@ -5,7 +5,7 @@
 # binutils and the release build.
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-program=$top/build/release/tests/support/exact_turns
+program=$top/build/release/studies/cost/exact_turns
 [[ -x $program ]] || { echo "count_operations.sh: no $program; run scripts/test.sh" >&2; exit 1; }
 command -v valgrind >/dev/null || { echo 'count_operations.sh: needs valgrind (Debian package: valgrind)' >&2; exit 1; }
 work=$(mktemp -d)

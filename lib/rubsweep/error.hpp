@@ -10,7 +10,7 @@ class ConfigError : public std::runtime_error {
 };
 
 /// We must act: an internal contract does not hold. Never thrown for a cell that merely fails to integrate;
-/// such a cell is a row with a status (see integrate/outcome.hpp).
+/// such a cell is a row with a status (see integrate/run/outcome.hpp).
 class SolverError : public std::logic_error {
   using std::logic_error::logic_error;
 };

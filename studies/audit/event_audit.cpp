@@ -9,26 +9,26 @@
 #include "audit/fixed_step_turn.hpp"
 #include "audit/section_distance.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/response/section_map.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::audit {
 namespace {
 
-using integrate::ModeSwitch;
-using integrate::Outcome;
-using integrate::Turn;
+using integrate::run::ModeSwitch;
+using integrate::run::Outcome;
+using integrate::run::Turn;
 
 constexpr int free_turns = 3;
 constexpr int reference_steps = 400'000;
 /// The reference must be nearer to one of two sections by this factor to call the other wrong.
 constexpr double clearly = 3;
 
-integrate::SolverOptions options(integrate::Method method) {
-  integrate::SolverOptions solver;
+integrate::run::SolverOptions options(integrate::run::Method method) {
+  integrate::run::SolverOptions solver;
   solver.method = method;
-  if (method == integrate::Method::adaptive) {
-    solver.stepper = integrate::Stepper::rkf78;
+  if (method == integrate::run::Method::adaptive) {
+    solver.stepper = integrate::run::Stepper::rkf78;
     solver.relative_tolerance = 1e-13;
   } else {
     solver.relative_tolerance = 1e-12;  // of turns without closed forms
@@ -62,10 +62,11 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
   const scene::Cell cell =
       scene::build_cell(random.machine, random.speed_hz, scene::WhirlRatio{random.whirl_ratio});
   if (cell.start != scene::Start::quiet) return audit;
-  const scene::Scene free = response::after_the_kick(cell.scene);
-  integrate::ExactPlans plans;
-  const integrate::Run exact = integrate::start(cell.scene, options(integrate::Method::exact), plans);
-  const integrate::Run other = integrate::start(free, options(integrate::Method::adaptive), plans);
+  const scene::Scene free = response::proof::after_the_kick(cell.scene);
+  integrate::exact::ModeCache modes;
+  const integrate::run::Run exact =
+      integrate::start(cell.scene, options(integrate::run::Method::exact), modes);
+  const integrate::run::Run other = integrate::start(free, options(integrate::run::Method::adaptive), modes);
   const double kick_turns = random.machine.kick ? random.machine.kick->duration_s * random.speed_hz : 0;
   Turn turn, again;
   turn.switches_wanted = again.switches_wanted = true;

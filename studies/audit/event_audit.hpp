@@ -4,7 +4,7 @@
 #include <string>
 
 #include "audit/random_machine.hpp"
-#include "rubsweep/integrate/turn.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
 
 namespace rubsweep::audit {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "rubsweep/contact/force_law.hpp"
-#include "rubsweep/contact/friction_coefficient.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
 namespace rubsweep::audit {
@@ -35,12 +35,9 @@ class Equations {
  private:
   static Eigen::Vector2d on_casing(const scene::Contact& contact, Eigen::Vector2d d,
                                    const Eigen::Vector2d& v) {
-    Eigen::Vector2d normal = contact.normal;
-    if (contact.ring) {
-      d += contact.offset_m;
-      if (d.norm() <= contact.clearance_m) return Eigen::Vector2d::Zero();
-      normal = d.normalized();
-    }
+    d += contact::offset(contact.wall);
+    const Eigen::Vector2d normal = contact::normal_at(contact.wall, d);
+    if (d.dot(normal) <= contact.clearance_m) return Eigen::Vector2d::Zero();
     const Eigen::Vector2d tangent(-normal.y(), normal.x());
     const auto force = contact::elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m,
                                           d.dot(normal) - contact.clearance_m, v.dot(normal));

@@ -16,10 +16,10 @@
 namespace rubsweep::audit {
 namespace {
 
-using integrate::Outcome;
-using integrate::Turn;
-using response::MotionClass;
-using response::Proof;
+using integrate::run::Outcome;
+using integrate::run::Turn;
+using response::motion::MotionClass;
+using response::motion::Proof;
 
 constexpr int revolutions_of_a_cell = 1500;
 constexpr long most_turns_exact = 60'000, most_turns_adaptive = 1'500;
@@ -61,7 +61,7 @@ class Sections {
 };
 
 /// Follows a motion without a period of its own in turns; compares what it reaches.
-void follow_whirl(const integrate::Run& run, const response::SettledRun& settled, Turn& turn,
+void follow_whirl(const integrate::run::Run& run, const response::SettledRun& settled, Turn& turn,
                   ProofAudit& audit) {
   double peak = 0;
   for (long k = 1; k <= most_turns_adaptive; ++k) {
@@ -78,8 +78,8 @@ void follow_whirl(const integrate::Run& run, const response::SettledRun& settled
   if (!audit.confirmed) audit.finding = fmt::format("peak {:.6g} m instead of {:.6g} m", peak, proven);
 }
 
-void follow_orbit(const integrate::Run& run, const response::SettledRun& settled, int most_order, Turn& turn,
-                  ProofAudit& audit) {
+void follow_orbit(const integrate::run::Run& run, const response::SettledRun& settled, int most_order,
+                  Turn& turn, ProofAudit& audit) {
   Sections sections(most_order);
   const int proven = *settled.motion.order;
   int steady = 0;  // turns over which the proven period has stood
@@ -123,16 +123,16 @@ ProofAudit audit_proof(const RandomCell& random) {
   const scene::Cell cell =
       scene::build_cell(random.machine, random.speed_hz, scene::WhirlRatio{random.whirl_ratio});
   if (cell.start != scene::Start::quiet) return audit;
-  response::ResponseOptions options;
+  response::motion::ResponseOptions options;
   options.max_revolutions = revolutions_of_a_cell;
-  response::Workspace workspace;
-  const integrate::SolverOptions solver;
+  response::motion::Workspace workspace;
+  const integrate::run::SolverOptions solver;
   const response::SettledRun settled = response::settle(cell, solver, options, workspace);
   audit.simulated = settled.outcome == Outcome::ok;
   audit.proof = settled.proof;
   if (audit.proof != Proof::floquet && audit.proof != Proof::floquet_observed) return audit;
   audit.followed = true;
-  const integrate::Run run = integrate::start(cell.scene, solver, workspace.plans);
+  const integrate::run::Run run = integrate::start(cell.scene, solver, workspace.modes);
   Turn turn;
   for (long k = 0; k < settled.revolutions; ++k) {
     if (run.advance(turn) != Outcome::ok) {
@@ -174,8 +174,9 @@ RandomCell minimised(const RandomCell& cell) {
   };
   shorten([](RandomCell& c) -> double& { return c.speed_hz; });
   shorten([](RandomCell& c) -> double& { return c.whirl_ratio; });
-  shorten([](RandomCell& c) -> double& { return c.machine.rotor.mass_kg; });
-  shorten([](RandomCell& c) -> double& { return c.machine.rotor.damping_ratio; });
+  shorten([](RandomCell& c) -> double& { return std::get<model::JeffcottRotor>(c.machine.rotor).mass_kg; });
+  shorten(
+      [](RandomCell& c) -> double& { return std::get<model::JeffcottRotor>(c.machine.rotor).damping_ratio; });
   shorten([](RandomCell& c) -> double& { return c.machine.kick->force_n; });
   for (std::size_t i = 0; i < best.machine.stops.size(); ++i)
     shorten([i](RandomCell& c) -> double& { return c.machine.stops[i].stiffness_n_per_m; });

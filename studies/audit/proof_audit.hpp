@@ -11,7 +11,7 @@ namespace rubsweep::audit {
 /// What became of a cell whose motion was proven or observed to settle on a periodic orbit.
 struct ProofAudit {
   bool simulated = false;  ///< the kick decided, the run did not fail
-  std::optional<response::Proof> proof;
+  std::optional<response::motion::Proof> proof;
   bool followed = false;   ///< its proof is about an orbit, and the run went on
   bool confirmed = false;  ///< what the proof names is where the run went
   bool undecided = false;  ///< neither confirmed nor left within the turns given
@@ -22,7 +22,7 @@ struct ProofAudit {
 /// Settles a cell, and where its class rests on `floquet` or `floquet_observed` runs the cell again without
 /// any proof, on and on from where it was proven, until its section returns after the proven number of
 /// turns (within 1e-9 clearances by closed forms, 1e-6 otherwise), after no fewer, and with contact. A
-/// motion that is periodic only in the turning frame is confirmed by its peak displacement over 64 turns.
+/// motion that is periodic only in the rotating frame is confirmed by its peak displacement over 64 turns.
 ProofAudit audit_proof(const RandomCell& cell);
 
 /// A machine with as few parts and as short numbers as still give a finding.

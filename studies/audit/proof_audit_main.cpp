@@ -15,7 +15,7 @@
 namespace {
 
 using namespace rubsweep;
-using response::Proof;
+using response::motion::Proof;
 
 struct Total {
   long cells = 0, rest = 0, floquet = 0, floquet_observed = 0, observed = 0, followed_turns = 0,
@@ -52,8 +52,7 @@ int main(int argc, char** argv) {
         const audit::ProofAudit& cell = results[i];
         if (!cell.followed || cell.confirmed || cell.undecided) return;
         const std::string name = fmt::format("false-proof-{}-{}.yaml", asked->seed, i);
-        fmt::print("{}: {} {} after {} turns\n", name, response::to_string(*cell.proof), cell.finding,
-                   cell.turns);
+        fmt::print("{}: {} {} after {} turns\n", name, to_string(*cell.proof), cell.finding, cell.turns);
         std::fflush(stdout);
         audit::write_cell(audit::minimised(audit::cell_of(*asked, i)), name);
       },

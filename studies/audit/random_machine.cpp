@@ -70,28 +70,32 @@ RandomCell random_cell(StopKind kind, std::mt19937_64& random) {
   Draw draw(random);
   RandomCell cell;
   model::Machine& machine = cell.machine;
-  machine.rotor = {draw.log(0.1, 7), draw.even(10, 45), draw.log(0.002, 0.1)};
+  machine.rotor = model::JeffcottRotor{draw.log(0.1, 7), draw.even(10, 45), draw.log(0.002, 0.1)};
   if (kind == StopKind::annular || kind == StopKind::offset_annular) {
-    model::Stop ring = stop(draw, machine.rotor);
+    model::Stop annular = stop(draw, std::get<model::JeffcottRotor>(machine.rotor));
     model::AnnularGeometry geometry;
     if (kind == StopKind::offset_annular) {
       const double share = draw.even(0.02, 0.6), angle = draw.even(0, 2 * std::numbers::pi);
-      geometry.offset_m = {share * ring.clearance_m * std::cos(angle),
-                           share * ring.clearance_m * std::sin(angle)};
+      geometry.offset_m = {share * annular.clearance_m * std::cos(angle),
+                           share * annular.clearance_m * std::sin(angle)};
     }
-    ring.geometry = geometry;
-    machine.stops.push_back(ring);
+    annular.geometry = geometry;
+    machine.stops.push_back(annular);
   } else {
     const int count = kind == StopKind::one_flat ? 1 : draw.whole(2, 4);
-    put_flats(draw, machine.rotor, kind == StopKind::equal_flats, count, machine.stops);
+    put_flats(draw, std::get<model::JeffcottRotor>(machine.rotor), kind == StopKind::equal_flats, count,
+              machine.stops);
   }
-  const double natural_rad_per_s = 2 * std::numbers::pi * machine.rotor.natural_frequency_hz;
-  cell.speed_hz = machine.rotor.natural_frequency_hz * draw.even(0.5, 7);
+  const double natural_rad_per_s =
+      2 * std::numbers::pi * std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
+  cell.speed_hz = std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz * draw.even(0.5, 7);
   cell.whirl_ratio = draw.even(0.03, 0.95);
   // A short pulse of this speed carries the rotor one to six clearances away.
   const double speed_m_per_s = draw.log(1, 6) * machine.stops.front().clearance_m * natural_rad_per_s;
-  const double duration_s = draw.log(0.03, 0.4) / machine.rotor.natural_frequency_hz;
-  machine.kick = model::Kick{machine.rotor.mass_kg * speed_m_per_s * std::numbers::pi / (2 * duration_s),
+  const double duration_s =
+      draw.log(0.03, 0.4) / std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
+  machine.kick = model::Kick{std::get<model::JeffcottRotor>(machine.rotor).mass_kg * speed_m_per_s *
+                                 std::numbers::pi / (2 * duration_s),
                              duration_s, std::nullopt};
   return cell;
 }

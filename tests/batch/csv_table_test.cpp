@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "batch/message_of.hpp"
+#include "batch/read_csv.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
@@ -124,26 +125,35 @@ TEST(ReadCsv, AbsentFileIsAnError) {
             "cannot read /nowhere/map.csv: No such file or directory");
 }
 
-TEST(Column, IsFoundByName) {
-  const auto table = parse("speed_hz,class\n45,chaotic\n");
-  EXPECT_EQ(column(table, "class"), 1u);
-  const auto message = message_of<IoError>([&] { column(table, "order"); });
+TEST(CsvReader, FindsAColumnByItsName) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "table.csv";
+  write_whole_file(path, "speed_hz,class\n45,chaotic\n");
+  const CsvReader reader(path);
+  EXPECT_EQ(reader.column("class"), 1u);
+  const auto message = message_of<IoError>([&] { reader.column("order"); });
   EXPECT_TRUE(message.ends_with("table.csv: no column 'order', there are: speed_hz, class")) << message;
 }
 
-TEST(Number, IsReadExactlyOrRefused) {
+TEST(CsvReader, ReadsANumberExactlyOrRefusesIt) {
   const double value = 0.1 + 0.2;
-  const auto table = parse("a,b\n" + csv_number(value) + ",\n\n1.5x,1e999\n-inf,+1\n");
-  EXPECT_EQ(bits(number(table, 0, 0)), bits(value));
-  EXPECT_TRUE(std::isnan(number(table, 0, 1)));
-  EXPECT_EQ(number(table, 2, 0), -std::numeric_limits<double>::infinity());
-  const auto refused = [&](std::size_t row, std::size_t place) {
-    const auto message = message_of<IoError>([&] { number(table, row, place); });
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "table.csv";
+  write_whole_file(path, "a,b\n" + csv_number(value) + ",\n\n1.5x,1e999\n-inf,+1\n");
+  CsvReader reader(path);
+  const auto refused = [&](std::size_t place) {
+    const auto message = message_of<IoError>([&] { reader.number(place); });
     return message.substr(message.find("table.csv"));
   };
-  EXPECT_EQ(refused(1, 0), "table.csv:4: a: '1.5x' is not a number");
-  EXPECT_EQ(refused(1, 1), "table.csv:4: b: '1e999' is not a number");
-  EXPECT_EQ(refused(2, 1), "table.csv:5: b: '+1' is not a number");
+  ASSERT_TRUE(reader.next());
+  EXPECT_EQ(bits(reader.number(0)), bits(value));
+  EXPECT_TRUE(std::isnan(reader.number(1)));
+  ASSERT_TRUE(reader.next());
+  EXPECT_EQ(refused(0), "table.csv:4: a: '1.5x' is not a number");
+  EXPECT_EQ(refused(1), "table.csv:4: b: '1e999' is not a number");
+  ASSERT_TRUE(reader.next());
+  EXPECT_EQ(reader.number(0), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(refused(1), "table.csv:5: b: '+1' is not a number");
 }
 
 TEST(CsvReader, FindsItsRowsAgain) {

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "batch/message_of.hpp"
+#include "batch/read_whole_file.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"

@@ -8,6 +8,7 @@
 
 #include "batch/failing_stat.hpp"
 #include "batch/message_of.hpp"
+#include "batch/read_whole_file.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"

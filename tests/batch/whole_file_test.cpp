@@ -8,6 +8,7 @@
 
 #include "batch/file_size_limit.hpp"
 #include "batch/message_of.hpp"
+#include "batch/read_whole_file.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/error.hpp"
 
@@ -76,12 +77,6 @@ TEST(WriteWholeFile, LeavesNothingWhenTheNameIsTaken) {
   EXPECT_EQ(message_of<IoError>([&] { write_whole_file(path, "text"); }),
             "cannot write " + path.string() + ": Is a directory");
   EXPECT_EQ(entries(directory.path()), 1);
-}
-
-TEST(ReadWholeFile, SaysWhyItCannot) {
-  const TemporaryDirectory directory;
-  EXPECT_EQ(message_of<IoError>([&] { read_whole_file(directory.path()); }),
-            "cannot read " + directory.path().string() + ": Is a directory");
 }
 
 TEST(WholeFile, IsThereOnlyOnceItIsCommitted) {

@@ -15,7 +15,7 @@ const std::array<Place, 4> places{Place{75, scene::WhirlRatio{0.4}}, Place{75, s
 /// Nothing damps the resonance, so that no eccentricity gives a whirl ratio there.
 TEST(LabelAgreement, CellsThatCannotRunAreLeftOut) {
   model::Machine undamped = test::machine_of({});
-  undamped.rotor.damping_ratio = 0;
+  std::get<model::JeffcottRotor>(undamped.rotor).damping_ratio = 0;
   const std::array<Place, 3> some{Place{75, scene::WhirlRatio{0.4}}, Place{30, scene::WhirlRatio{0.4}},
                                   Place{54, scene::WhirlRatio{0.05}}};
   const auto cells = reference_labels(undamped, some, {}, {});
@@ -26,7 +26,7 @@ TEST(LabelAgreement, CellsThatCannotRunAreLeftOut) {
 TEST(LabelAgreement, CellsThatStartInContactCount) {
   const auto cells = reference_labels(test::machine_of({}), places, {}, {});
   ASSERT_EQ(cells.size(), 4);
-  EXPECT_EQ(cells[2].label.motion_class, response::MotionClass::subharmonic);
+  EXPECT_EQ(cells[2].label.motion_class, response::motion::MotionClass::subharmonic);
   EXPECT_EQ(cells[2].label.order, 2);
 }
 

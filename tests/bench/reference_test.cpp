@@ -34,15 +34,15 @@ TEST(Reference, OfARingIsMadeByAStepper) {
 }
 
 TEST(Reference, TakesAnythingFromTheConfigurationButWhatItStatesItself) {
-  integrate::SolverOptions base;
-  base.contact = integrate::ContactHandling::smoothed;
-  base.method = integrate::Method::adaptive;
+  integrate::run::SolverOptions base;
+  base.contact = integrate::run::ContactHandling::smoothed;
+  base.method = integrate::run::Method::adaptive;
   base.relative_tolerance = 1e-3;
   base.max_steps_per_revolution = 2'000'000;
   const auto options = reference_options(base);
-  EXPECT_EQ(options.method, integrate::Method::automatic);
-  EXPECT_EQ(options.stepper, integrate::Stepper::rkf78);
-  EXPECT_EQ(options.contact, integrate::ContactHandling::located);
+  EXPECT_EQ(options.method, integrate::run::Method::automatic);
+  EXPECT_EQ(options.stepper, integrate::run::Stepper::rkf78);
+  EXPECT_EQ(options.contact, integrate::run::ContactHandling::located);
   EXPECT_EQ(options.relative_tolerance, reference_tolerance);
   EXPECT_EQ(options.max_steps_per_revolution, 2'000'000);
   base.max_steps_per_revolution = 4711;

@@ -14,7 +14,7 @@ constexpr std::array tolerances{1e-4, 1e-6};
 
 std::ptrdiff_t exact_ones(const std::vector<Variant>& variants) {
   return std::count_if(variants.begin(), variants.end(),
-                       [](const Variant& v) { return v.method == integrate::Method::exact; });
+                       [](const Variant& v) { return v.method == integrate::run::Method::exact; });
 }
 
 TEST(Variants, ClosedFormsAreOneLine) {
@@ -33,23 +33,24 @@ TEST(Variants, WithAStepperInsideTheExactSolverHasALineForEach) {
   EXPECT_EQ(variants.size(), 5 * 2 * 3);
   EXPECT_EQ(exact_ones(variants), 5 * 2);
   for (const Variant& v : variants) {
-    EXPECT_TRUE(v.method == integrate::Method::adaptive || v.contact == integrate::ContactHandling::located);
+    EXPECT_TRUE(v.method == integrate::run::Method::adaptive ||
+                v.contact == integrate::run::ContactHandling::located);
   }
 }
 
 TEST(Variants, SayWhatTheyChange) {
-  integrate::SolverOptions base;
+  integrate::run::SolverOptions base;
   base.relative_tolerance = 3e-5;
   base.max_steps_per_revolution = 4711;
   const auto exact =
-      options_of({integrate::Method::exact, {}, integrate::ContactHandling::located, {}}, base);
-  EXPECT_EQ(exact.method, integrate::Method::exact);
+      options_of({integrate::run::Method::exact, {}, integrate::run::ContactHandling::located, {}}, base);
+  EXPECT_EQ(exact.method, integrate::run::Method::exact);
   EXPECT_EQ(exact.relative_tolerance, 3e-5);
-  const auto other = options_of(
-      {integrate::Method::adaptive, integrate::Stepper::rkf78, integrate::ContactHandling::smoothed, 1e-7},
-      base);
-  EXPECT_EQ(other.stepper, integrate::Stepper::rkf78);
-  EXPECT_EQ(other.contact, integrate::ContactHandling::smoothed);
+  const auto other = options_of({integrate::run::Method::adaptive, integrate::run::Stepper::rkf78,
+                                 integrate::run::ContactHandling::smoothed, 1e-7},
+                                base);
+  EXPECT_EQ(other.stepper, integrate::run::Stepper::rkf78);
+  EXPECT_EQ(other.contact, integrate::run::ContactHandling::smoothed);
   EXPECT_EQ(other.relative_tolerance, 1e-7);
   EXPECT_EQ(other.max_steps_per_revolution, 4711);
 }

@@ -10,7 +10,7 @@
 namespace rubsweep::bench {
 namespace {
 
-constexpr std::array steppers{integrate::Stepper::dopri5, integrate::Stepper::rkf78};
+constexpr std::array steppers{integrate::run::Stepper::dopri5, integrate::run::Stepper::rkf78};
 constexpr std::array tolerances{1e-5, 1e-9};
 const WorkPrecisionOptions few{.turns = 8, .error_turns = 6, .repeats = 2, .seconds_per_variant = 10};
 
@@ -20,7 +20,7 @@ TEST(WorkPrecision, TighterIsMoreWorkAndLessError) {
   const auto lines = measure(scene, {}, variants, reference_section(scene, few.error_turns, {}).section, few);
   ASSERT_EQ(lines.size(), 9);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    EXPECT_EQ(lines[i].outcome, integrate::Outcome::ok) << i;
+    EXPECT_EQ(lines[i].outcome, integrate::run::Outcome::ok) << i;
     EXPECT_EQ(lines[i].repeats, 2) << i;
     ASSERT_TRUE(lines[i].microseconds_per_revolution) << i;
     EXPECT_GT(*lines[i].microseconds_per_revolution, 0) << i;
@@ -30,7 +30,7 @@ TEST(WorkPrecision, TighterIsMoreWorkAndLessError) {
   for (std::size_t loose = 1; loose < lines.size(); loose += 2) {
     const auto tight = loose + 1;
     EXPECT_LT(lines[loose].effort.rhs_calls, lines[tight].effort.rhs_calls) << loose;
-    if (lines[loose].variant.contact != integrate::ContactHandling::located) continue;
+    if (lines[loose].variant.contact != integrate::run::ContactHandling::located) continue;
     EXPECT_LT(1e2 * *lines[tight].state_error, *lines[loose].state_error) << loose;
     EXPECT_LT(*lines[loose].state_error, 1e-3) << loose;
     EXPECT_EQ(lines[loose].effort.switches, lines[0].effort.switches) << loose;
@@ -39,12 +39,12 @@ TEST(WorkPrecision, TighterIsMoreWorkAndLessError) {
 
 TEST(WorkPrecision, AFailureIsALineWithoutATime) {
   const auto scene = test::cell_of({}).scene;
-  integrate::SolverOptions base;
+  integrate::run::SolverOptions base;
   base.max_steps_per_revolution = 100;
-  const std::array variants{Variant{integrate::Method::adaptive, integrate::Stepper::dopri5,
-                                    integrate::ContactHandling::located, 1e-12}};
+  const std::array variants{Variant{integrate::run::Method::adaptive, integrate::run::Stepper::dopri5,
+                                    integrate::run::ContactHandling::located, 1e-12}};
   const auto lines = measure(scene, base, variants, std::vector<double>(8), few);
-  EXPECT_EQ(lines[0].outcome, integrate::Outcome::step_limit);
+  EXPECT_EQ(lines[0].outcome, integrate::run::Outcome::step_limit);
   EXPECT_FALSE(lines[0].microseconds_per_revolution);
   EXPECT_FALSE(lines[0].state_error);
   EXPECT_EQ(lines[0].repeats, 1);

@@ -105,6 +105,10 @@ class Browser:
         parameters = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
         self._ask("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride", "params": parameters})
 
+    def screenshot(self, path):
+        """What the window shows."""
+        path.write_bytes(base64.b64decode(self._ask("GET", "/screenshot")))
+
     def usual_size(self):
         self._ask("POST", "/goog/cdp/execute", {"cmd": "Emulation.clearDeviceMetricsOverride", "params": {}})
 

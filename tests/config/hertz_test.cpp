@@ -2,7 +2,7 @@
 
 #include "config/support.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/contact/friction_coefficient.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/contact/hertz_line.hpp"
 
 namespace rubsweep::config {

@@ -27,7 +27,8 @@ double awkward(std::mt19937_64& random) {
 RunConfig awkward_config(std::mt19937_64& random) {
   const auto maybe = [&]() { return random() % 2 == 0 ? std::optional<double>() : awkward(random); };
   RunConfig config;
-  config.study.machine.rotor = {awkward(random), awkward(random), awkward(random)};
+  config.study.machine.rotor =
+      model::JeffcottRotor{awkward(random), awkward(random), std::min(awkward(random), 0.9)};
   for (std::size_t i = 0; i < 1 + random() % 3; ++i) {
     model::Stop stop;
     stop.geometry = model::OneSideGeometry{-awkward(random)};
@@ -51,7 +52,7 @@ RunConfig awkward_config(std::mt19937_64& random) {
     config.study.machine.stops.push_back(stop);
   }
   // No number may look like one in another unit.
-  const double frequency_hz = config.study.machine.rotor.natural_frequency_hz;
+  const double frequency_hz = std::get<model::JeffcottRotor>(config.study.machine.rotor).natural_frequency_hz;
   if (random() % 2 == 0)
     config.study.machine.kick =
         model::Kick{awkward(random), std::min(awkward(random), 90 / frequency_hz), maybe()};
@@ -61,12 +62,12 @@ RunConfig awkward_config(std::mt19937_64& random) {
                                 std::min(awkward(random), 90 * frequency_hz)};
   config.study.grid.measure = sweep::UnbalanceMeasure(random() % 2);
   config.study.grid.unbalance = {std::numeric_limits<double>::max(), 0, awkward(random)};
-  config.study.solver.method = integrate::Method(random() % 3);
-  config.study.solver.stepper = integrate::Stepper(random() % 6);
+  config.study.solver.method = integrate::run::Method(random() % 3);
+  config.study.solver.stepper = integrate::run::Stepper(random() % 6);
   // The exact solver knows no smoothed law.
-  const bool smoothed = config.study.solver.method != integrate::Method::exact && random() % 2 == 1;
+  const bool smoothed = config.study.solver.method != integrate::run::Method::exact && random() % 2 == 1;
   config.study.solver.contact =
-      smoothed ? integrate::ContactHandling::smoothed : integrate::ContactHandling::located;
+      smoothed ? integrate::run::ContactHandling::smoothed : integrate::run::ContactHandling::located;
   config.study.solver.relative_tolerance = 1e-9 * std::numbers::pi;
   config.study.response = {
       .max_revolutions = 1001, .samples_per_revolution = 66, .window_revolutions = 100, .max_order = 16};

@@ -13,9 +13,9 @@ const std::filesystem::path folder = RUBSWEEP_TEST_DATA;
 TEST(ReadRunConfig, reads_every_key) {
   const RunConfig config = read_run_config(folder / "one_side.yaml", {});
   const model::Machine& machine = config.study.machine;
-  EXPECT_EQ(machine.rotor.mass_kg, 0.8);
-  EXPECT_EQ(machine.rotor.natural_frequency_hz, 30);
-  EXPECT_EQ(machine.rotor.damping_ratio, 0.02);
+  EXPECT_EQ(std::get<model::JeffcottRotor>(machine.rotor).mass_kg, 0.8);
+  EXPECT_EQ(std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz, 30);
+  EXPECT_EQ(std::get<model::JeffcottRotor>(machine.rotor).damping_ratio, 0.02);
   ASSERT_EQ(machine.stops.size(), 1U);
   const model::Stop& stop = machine.stops[0];
   EXPECT_EQ(std::get<model::OneSideGeometry>(stop.geometry).angle_deg, 90);
@@ -50,9 +50,9 @@ TEST(ReadRunConfig, reads_every_solver_and_response_key) {
       "  max_order: 7}\n"
       "kick: {force_n: 1, duration_s: 2, angle_deg: -3}\n";
   const RunConfig config = read_run_config_text(text, "text", {});
-  EXPECT_EQ(config.study.solver.method, integrate::Method::adaptive);
-  EXPECT_EQ(config.study.solver.stepper, integrate::Stepper::rkf78);
-  EXPECT_EQ(config.study.solver.contact, integrate::ContactHandling::smoothed);
+  EXPECT_EQ(config.study.solver.method, integrate::run::Method::adaptive);
+  EXPECT_EQ(config.study.solver.stepper, integrate::run::Stepper::rkf78);
+  EXPECT_EQ(config.study.solver.contact, integrate::run::ContactHandling::smoothed);
   EXPECT_EQ(config.study.solver.relative_tolerance, 1e-6);
   EXPECT_EQ(config.study.solver.smoothing_m, 2e-7);
   EXPECT_EQ(config.study.solver.max_steps_per_revolution, 5000);

@@ -12,8 +12,8 @@ model::Machine read_with(const std::vector<std::string>& overrides) {
 
 TEST(RotorKit, reads_every_key) {
   const model::Machine machine = read_with({});
-  ASSERT_TRUE(machine.kit);
-  const model::RotorKit& kit = *machine.kit;
+  ASSERT_TRUE(model::kit_of(machine));
+  const model::RotorKit& kit = *model::kit_of(machine);
   ASSERT_EQ(kit.shaft.size(), 2U);
   EXPECT_EQ(kit.shaft[0].inner_diameter_m, 0);
   EXPECT_EQ(kit.shaft[1].length_m, 0.3);
@@ -50,9 +50,9 @@ TEST(RotorKit, reads_every_key) {
 }
 
 TEST(RotorKit, other_forms) {
-  const model::RotorKit kit =
-      *read_with({"rotor.modes=auto", "rotor.damping_ratio=0.03", "rotor.bow={mode: 2, amplitude_m: 1e-4}"})
-           .kit;
+  const model::Machine machine =
+      read_with({"rotor.modes=auto", "rotor.damping_ratio=0.03", "rotor.bow={mode: 2, amplitude_m: 1e-4}"});
+  const model::RotorKit& kit = *model::kit_of(machine);
   EXPECT_FALSE(kit.modes);
   EXPECT_EQ(kit.damping_ratio, (std::vector<double>{0.03}));
   EXPECT_EQ(std::get<model::BowMode>(kit.bow->shape).mode, 2);

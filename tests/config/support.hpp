@@ -49,7 +49,9 @@ inline std::vector<std::uint64_t> bits_of(const RunConfig& config) {
     put(value.value_or(0));
   };
   const model::Machine& machine = config.study.machine;
-  put(machine.rotor.mass_kg), put(machine.rotor.natural_frequency_hz), put(machine.rotor.damping_ratio);
+  put(std::get<model::JeffcottRotor>(machine.rotor).mass_kg),
+      put(std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz),
+      put(std::get<model::JeffcottRotor>(machine.rotor).damping_ratio);
   count(machine.stops.size());
   for (const model::Stop& stop : machine.stops) {
     count(stop.geometry.index());
@@ -80,10 +82,10 @@ inline std::vector<std::uint64_t> bits_of(const RunConfig& config) {
   for (const double speed : config.study.grid.speed_hz) put(speed);
   count(config.study.grid.measure);
   for (const double unbalance : config.study.grid.unbalance) put(unbalance);
-  const integrate::SolverOptions& solver = config.study.solver;
+  const integrate::run::SolverOptions& solver = config.study.solver;
   count(solver.method), count(solver.stepper), count(solver.contact), put(solver.relative_tolerance);
   put(solver.smoothing_m), count(solver.max_steps_per_revolution);
-  const response::ResponseOptions& response = config.study.response;
+  const response::motion::ResponseOptions& response = config.study.response;
   count(response.max_revolutions), count(response.samples_per_revolution);
   count(response.window_revolutions), count(response.max_order), count(config.study.robustness);
   return bits;

@@ -1,5 +1,5 @@
-# Installs the build tree BUILD to a new prefix, then uses it as others would: builds and runs project/ against it with
-# the same GENERATOR, COMPILER and FLAGS, and asks the installed program for its VERSION.
+# Installs the build tree BUILD to a new prefix, then uses it as others would: builds and runs project/ and EXAMPLES against
+# it with the same GENERATOR, COMPILER and FLAGS, and asks the installed program for its VERSION.
 set(work ${BUILD}/consumer)
 file(REMOVE_RECURSE ${work})
 
@@ -13,14 +13,33 @@ function(run)
 endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${work}/build -G ${GENERATOR}
-  -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
-  -D CMAKE_PREFIX_PATH=${work}/prefix)
-run(${CMAKE_COMMAND} --build ${work}/build)
+# build(SOURCE NAME): SOURCE, a project of its own, built in ${work}/NAME.
+function(build source name)
+  run(${CMAKE_COMMAND} -S ${source} -B ${work}/${name} -G ${GENERATOR}
+    -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
+    -D CMAKE_PREFIX_PATH=${work}/prefix)
+  run(${CMAKE_COMMAND} --build ${work}/${name})
+endfunction()
+build(${CMAKE_CURRENT_LIST_DIR}/project build)
+build(${EXAMPLES} examples)
 
 run(${work}/build/consumer)
 if(NOT output STREQUAL "5 speeds, the last 240 Hz, 8 natural frequencies\n")
   message(FATAL_ERROR "The consumer printed:\n${output}")
+endif()
+
+run(${work}/examples/one_cell)
+string(CONCAT expected
+  "The rotor at 70 Hz, eccentricity 0.163 mm: after 53 revolutions it rubs in a rhythm of 2 revolutions.\n"
+  "class subharmonic, order 2, proof floquet: a periodic orbit that is proven to attract the motion\n"
+  "largest displacement 1.86 mm, in contact 14.1 % of the time\n")
+if(NOT output STREQUAL expected)
+  message(FATAL_ERROR "one_cell printed:\n${output}")
+endif()
+run(${work}/examples/one_cell 50)
+string(FIND "${output}" "class non_contact, proof rest" place)
+if(place EQUAL -1)
+  message(FATAL_ERROR "one_cell 50 printed:\n${output}")
 endif()
 
 run(${work}/prefix/bin/rubsweep --version)

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::array all_modes{Mode::open, Mode::clamped, Mode::sprung, Mode::released};
 
-std::vector<Exit> listed(const Exits& exits) {
-  return {exits.list.begin(), exits.list.begin() + exits.count};
+std::vector<Guard> listed(const Guards& guards) {
+  return {guards.list.begin(), guards.list.begin() + guards.count};
 }
 
 /// Random states: anywhere, exactly at first touch, exactly and nearly on the clamp lines d v = +-K p.
@@ -67,17 +67,17 @@ TEST(ForceInMode, ContinuesThePieceBeyondItsEnd) {
   EXPECT_EQ(force_in_mode(Mode::released, 2, 3, 1, 9).spring_n, 2);
 }
 
-TEST(ExitsOf, AreBelowZeroInsideTheMode) {
+TEST(GuardsOf, AreBelowZeroInsideTheMode) {
   RandomContact random(2);
   for (int trial = 0; trial < 40'000; ++trial) {
     const double stiffness = random.stiffness(), damping = random_damping(random, trial);
     Kinematics k = random_state(random, stiffness, damping, trial % 2 == 0 ? 0 : 4);  // no ties
     const Mode mode = mode_of(stiffness, damping, k.penetration, k.closing_speed);
-    for (const Exit& exit : listed(exits_of(mode, stiffness, damping, k))) EXPECT_LT(exit.value, 0);
+    for (const Guard& guard : listed(guards_of(mode, stiffness, damping, k))) EXPECT_LT(guard.value, 0);
   }
 }
 
-TEST(ExitsOf, RateIsTheDifferenceQuotientAlongAMotion) {
+TEST(GuardsOf, RateIsTheDifferenceQuotientAlongAMotion) {
   RandomContact random(3);
   for (int trial = 0; trial < 4000; ++trial) {
     const double stiffness = random.uniform(0.1, 10), damping = trial % 7 == 0 ? 0 : random.uniform(0.1, 10);
@@ -86,9 +86,9 @@ TEST(ExitsOf, RateIsTheDifferenceQuotientAlongAMotion) {
     for (const Mode mode : all_modes) {
       // Values are of second degree in t, so that a central difference has no error but rounding.
       const double h = 1e-3;
-      const auto before = listed(exits_of(mode, stiffness, damping, along(-h)));
-      const auto now = listed(exits_of(mode, stiffness, damping, along(0)));
-      const auto after = listed(exits_of(mode, stiffness, damping, along(h)));
+      const auto before = listed(guards_of(mode, stiffness, damping, along(-h)));
+      const auto now = listed(guards_of(mode, stiffness, damping, along(0)));
+      const auto after = listed(guards_of(mode, stiffness, damping, along(h)));
       for (std::size_t i = 0; i < now.size(); ++i) {
         EXPECT_NEAR(now[i].rate, (after[i].value - before[i].value) / (2 * h), 1e-11);
       }
@@ -96,11 +96,11 @@ TEST(ExitsOf, RateIsTheDifferenceQuotientAlongAMotion) {
   }
 }
 
-TEST(ExitsOf, OnlyThoseOfTheMode) {
+TEST(GuardsOf, OnlyThoseOfTheMode) {
   const Kinematics k{1, 1, 1};
   const auto next_modes = [&](Mode mode, double damping) {
     std::vector<Mode> next;
-    for (const Exit& exit : listed(exits_of(mode, 1, damping, k))) next.push_back(exit.next);
+    for (const Guard& guard : listed(guards_of(mode, 1, damping, k))) next.push_back(guard.next);
     return next;
   };
   EXPECT_EQ(next_modes(Mode::open, 1), (std::vector{Mode::clamped}));
@@ -112,7 +112,7 @@ TEST(ExitsOf, OnlyThoseOfTheMode) {
 }
 
 TEST(ModeAfter, FollowsAnySmoothMotionThroughTheModes) {
-  // Where a motion sampled finely changes its mode, the exits of the old mode must lead to the new one.
+  // Where a motion sampled finely changes its mode, the guards of the old mode must lead to the new one.
   RandomContact random(4);
   int changes = 0;
   for (int motion = 0; motion < 60; ++motion) {
@@ -190,7 +190,7 @@ TEST(Mode, Names) {
   EXPECT_EQ(to_string(Mode::released), "released");
 }
 
-/// With a damping far below rounding both exits of sprung stand at p = 0: the speed says which one it is.
+/// With a damping far below rounding both guards of sprung stand at p = 0: the speed says which one it is.
 TEST(ModeThrough, OutOfSprungTheClosingSpeedDecides) {
   const Kinematics separating{-1e-16, -1, 0}, closing{1e-17, 1, 0};
   EXPECT_EQ(mode_through(Mode::sprung, Mode::clamped, separating), Mode::released);

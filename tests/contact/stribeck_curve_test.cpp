@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "rubsweep/contact/friction_coefficient.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::contact {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -18,26 +18,26 @@ struct Point {
   double rhs_calls = 0;  ///< per turn
 };
 
-Point measure(const SolverOptions& options) {
+Point measure(const run::SolverOptions& options) {
   const test::OneSideRotor rotor;  // 75 Hz, whirl ratio 0.4: the 1/2 motion, three hits in six turns
   static const auto reference = test::long_double_sections(rotor, turns);
-  const Cursor advance = start_adaptive(test::cell_of(rotor).scene, options);
-  Turn turn;
-  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance(turn), Outcome::ok);
+  const run::Cursor advance = adaptive::start_adaptive(test::cell_of(rotor).scene, options);
+  run::Turn turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok);
   return {test::section_error(turn.section, reference[turns], rotor),
           static_cast<double>(turn.effort.rhs_calls) / turns};
 }
 
-Point located(Stepper stepper, double tolerance) {
-  SolverOptions options;
+Point located(run::Stepper stepper, double tolerance) {
+  run::SolverOptions options;
   options.stepper = stepper;
   options.relative_tolerance = tolerance;
   return measure(options);
 }
 
 Point smoothed(double tolerance, double width_m) {
-  SolverOptions options;
-  options.contact = ContactHandling::smoothed;
+  run::SolverOptions options;
+  options.contact = run::ContactHandling::smoothed;
   options.relative_tolerance = tolerance;
   options.smoothing_m = width_m;
   return measure(options);
@@ -49,19 +49,23 @@ double order_between(const Point& loose, const Point& tight) {
 }
 
 TEST(ContactOrder, LocatedKeepsTheOrderOfTheStepper) {
-  EXPECT_GT(order_between(located(Stepper::dopri5, 1e-7), located(Stepper::dopri5, 1e-11)), 4.7);
-  EXPECT_GT(order_between(located(Stepper::cash_karp54, 1e-7), located(Stepper::cash_karp54, 1e-11)), 4.7);
-  EXPECT_GT(order_between(located(Stepper::rkf78, 1e-7), located(Stepper::rkf78, 1e-11)), 7.5);
-  EXPECT_GT(order_between(located(Stepper::bulirsch_stoer, 1e-7), located(Stepper::bulirsch_stoer, 1e-11)),
+  EXPECT_GT(order_between(located(run::Stepper::dopri5, 1e-7), located(run::Stepper::dopri5, 1e-11)), 4.7);
+  EXPECT_GT(
+      order_between(located(run::Stepper::cash_karp54, 1e-7), located(run::Stepper::cash_karp54, 1e-11)),
+      4.7);
+  EXPECT_GT(order_between(located(run::Stepper::rkf78, 1e-7), located(run::Stepper::rkf78, 1e-11)), 7.5);
+  EXPECT_GT(order_between(located(run::Stepper::bulirsch_stoer, 1e-7),
+                          located(run::Stepper::bulirsch_stoer, 1e-11)),
             7.5);
-  EXPECT_GT(order_between(located(Stepper::rosenbrock4, 1e-6), located(Stepper::rosenbrock4, 1e-9)), 3.6);
+  EXPECT_GT(order_between(located(run::Stepper::rosenbrock4, 1e-6), located(run::Stepper::rosenbrock4, 1e-9)),
+            3.6);
 }
 
 TEST(ContactOrder, SmoothedStopsAtItsOwnError) {
   const Point loose = smoothed(1e-10, 1e-7), tight = smoothed(1e-12, 1e-7);
   EXPECT_GT(tight.error, 1e-8);  // located reaches 1e-12 there
   EXPECT_NEAR(tight.error / loose.error, 1, 0.1);
-  EXPECT_LT(located(Stepper::dopri5, 1e-12).error, 1e-3 * tight.error);
+  EXPECT_LT(located(run::Stepper::dopri5, 1e-12).error, 1e-3 * tight.error);
 }
 
 TEST(ContactOrder, SmoothingErrorGoesWithTheWidth) {
@@ -72,7 +76,7 @@ TEST(ContactOrder, SmoothingErrorGoesWithTheWidth) {
 
 TEST(ContactOrder, LocatedNeedsFewerCallsThanThePlainStepper) {
   // Plain dopri5 without event location takes about 1450 calls a turn at 1e-6, for an error of some 1e-6.
-  const Point point = located(Stepper::dopri5, 1e-6);
+  const Point point = located(run::Stepper::dopri5, 1e-6);
   EXPECT_LT(point.rhs_calls, 1450);
   EXPECT_LT(point.error, 4e-6);
 }

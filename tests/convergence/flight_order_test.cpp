@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive.hpp"
-#include "rubsweep/integrate/dynamics.hpp"
-#include "rubsweep/integrate/steppers.hpp"
+#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/adaptive/steppers.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::integrate {
@@ -42,17 +42,17 @@ double error_of(const State& state, double phase) {
   return std::abs(Complex(state[0], state[1]) - exact(phase));
 }
 
-template <class Method>
+template <class StepMethod>
 struct Fixed {
-  using State = typename Method::State;
-  ScaledSystem<2> system = scale<2>(forced_scene());
-  Dynamics<2, false> dynamics{system, 0};
-  Method method{
-      SolverOptions{.relative_tolerance = 1e30}};  // accepts every step: the size stays what the test says
-  Step<State> step;
+  using State = typename run::Method::State;
+  run::ScaledSystem<2> system = run::scale<2>(forced_scene());
+  adaptive::Dynamics<2, false> dynamics{system, 0};
+  run::Method method{run::SolverOptions{.relative_tolerance =
+                                            1e30}};  // accepts every step: the size stays what the test says
+  adaptive::Step<State> step;
 
   Fixed() {
-    const auto initial = scaled_initial_state(forced_scene());
+    const auto initial = run::scaled_initial_state(forced_scene());
     for (State* s : {&step.start, &step.start_rate, &step.end, &step.end_rate}) *s = State(4);
     std::copy(initial.begin(), initial.end(), step.start.begin());
     dynamics(step.start, step.start_rate, 0.0);
@@ -86,47 +86,47 @@ struct Fixed {
   }
 };
 
-template <class Method>
+template <class StepMethod>
 double global_order(int steps) {
-  const double coarse = Fixed<Method>().error_after_a_turn(steps);
-  const double fine = Fixed<Method>().error_after_a_turn(2 * steps);
+  const double coarse = Fixed<run::Method>().error_after_a_turn(steps);
+  const double fine = Fixed<run::Method>().error_after_a_turn(2 * steps);
   return std::log2(coarse / fine);
 }
 
 /// Order of the local error inside a step: one more than the order of the interpolant.
-template <class Method>
+template <class StepMethod>
 double inner_order(double h) {
-  return std::log2(Fixed<Method>().error_inside_first_step(h) /
-                   Fixed<Method>().error_inside_first_step(h / 2));
+  return std::log2(Fixed<run::Method>().error_inside_first_step(h) /
+                   Fixed<run::Method>().error_inside_first_step(h / 2));
 }
 
 using State = std::vector<double>;
-using CashKarp = ReStepping<odeint::runge_kutta_cash_karp54<State>>;
-using Fehlberg = ReStepping<odeint::runge_kutta_fehlberg78<State>>;
+using CashKarp = adaptive::ReStepping<odeint::runge_kutta_cash_karp54<State>>;
+using Fehlberg = adaptive::ReStepping<odeint::runge_kutta_fehlberg78<State>>;
 
 TEST(FlightOrder, OfWholeSteps) {
-  EXPECT_NEAR(global_order<Dopri5<State>>(128), 5, 0.2);
+  EXPECT_NEAR(global_order<adaptive::Dopri5<State>>(128), 5, 0.2);
   EXPECT_NEAR(global_order<CashKarp>(128), 5, 0.2);
   EXPECT_NEAR(global_order<Fehlberg>(32), 8, 0.4);
-  EXPECT_NEAR(global_order<Rosenbrock4>(256), 4, 0.2);
+  EXPECT_NEAR(global_order<adaptive::Rosenbrock4>(256), 4, 0.2);
 }
 
 TEST(FlightOrder, OfStatesInsideAStep) {
-  EXPECT_NEAR(inner_order<Dopri5<State>>(0.05), 5, 0.3);  // dense output of order 4
-  EXPECT_NEAR(inner_order<CashKarp>(0.05), 6, 0.5);       // the method itself
+  EXPECT_NEAR(inner_order<adaptive::Dopri5<State>>(0.05), 5, 0.3);  // dense output of order 4
+  EXPECT_NEAR(inner_order<CashKarp>(0.05), 6, 0.5);                 // the method itself
   EXPECT_GT(inner_order<Fehlberg>(0.4), 8.4);
-  EXPECT_NEAR(inner_order<Rosenbrock4>(0.05), 4, 0.3);  // dense output of order 3
+  EXPECT_NEAR(inner_order<adaptive::Rosenbrock4>(0.05), 4, 0.3);  // dense output of order 3
 }
 
 TEST(FlightOrder, BulirschStoerFollowsItsTolerance) {
   // No fixed order: what counts is that the error goes with the tolerance and the cost hardly does.
-  SolverOptions options;
-  options.stepper = Stepper::bulirsch_stoer;
+  run::SolverOptions options;
+  options.stepper = run::Stepper::bulirsch_stoer;
   std::vector<double> errors, calls;
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
     options.relative_tolerance = tolerance;
-    Turn turn;
-    ASSERT_EQ(start_adaptive(forced_scene(), options)(turn), Outcome::ok);
+    run::Turn turn;
+    ASSERT_EQ(adaptive::start_adaptive(forced_scene(), options)(turn), run::Outcome::ok);
     errors.push_back(error_of(turn.section, two_pi));
     calls.push_back(static_cast<double>(turn.effort.rhs_calls));
   }

@@ -24,7 +24,7 @@ void check_row(const sweep::Row& row) {
   require(!row.status.empty(), "a row has no status");
   require(line.find("nan") == std::string::npos && line.find("inf") == std::string::npos,
           "a row holds a number that is none");
-  const bool failed = row.motion_class == response::MotionClass::failed;
+  const bool failed = row.motion_class == response::motion::MotionClass::failed;
   require(!failed || row.status != "ok", "a failed cell does not say why");
   report::MapSummary summary;
   summary.add(line);
@@ -42,10 +42,10 @@ Ending check_whole_path(const std::string& text) {
     return Ending::refused;
   }
   try {
-    const scene::Plan plan = scene::make_plan(study.machine);
+    const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
     require(!sweep::explain(study).empty(), "nothing is explained");
-    response::Workspace workspace;
-    check_row(sweep::evaluate_cell(study, plan, 0, workspace));
+    response::motion::Workspace workspace;
+    check_row(sweep::evaluate_cell(study, prepared, 0, workspace));
   } catch (const ConfigError& error) {
     require(std::string_view(error.what()).find("allowed") != std::string_view::npos,
             "a refusal does not say what is allowed");

@@ -8,7 +8,7 @@ namespace rubsweep::fuzz {
 /// What became of a configuration.
 enum class Ending {
   refused,   ///< by the reader, with a place for every problem
-  no_plan,   ///< by the plan: numbers that are allowed each but cannot be computed together
+  no_plan,   ///< by the prepared: numbers that are allowed each but cannot be computed together
   evaluated  ///< to a row, whatever its status
 };
 
@@ -17,9 +17,9 @@ struct BrokenContract : std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// Takes a configuration from its text through plan, explanation and one cell to a line of the map. Bad input
-/// may end in a ConfigError with a message, everything else in a row. Throws BrokenContract where it does
-/// not; any other exception but ConfigError that comes out of the library passes through.
+/// Takes a configuration from its text through preparation, explanation and one cell to a line of the map.
+/// Bad input may end in a ConfigError with a message, everything else in a row. Throws BrokenContract where
+/// it does not; any other exception but ConfigError that comes out of the library passes through.
 Ending check_whole_path(const std::string& text);
 
 }  // namespace rubsweep::fuzz

@@ -26,7 +26,7 @@ struct Expected {
 };
 
 void expect_row(const Study& study, const Expected& expected) {
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   const Row row = evaluate_cell(study, 0, workspace);
   EXPECT_EQ(to_string(row.motion_class), expected.motion_class);
   EXPECT_EQ(row.status, expected.status);
@@ -34,30 +34,30 @@ void expect_row(const Study& study, const Expected& expected) {
 
 model::Machine undamped_rotor() {
   model::Machine machine = scene::one_side_machine();
-  machine.rotor.damping_ratio = 0;
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
   return machine;
 }
 
 TEST(HardCells, AWhirlRatioOfOneAndAboveComesToTheWallWithoutAKick) {
   for (const double whirl_ratio : {1.0 + 1e-9, 1.2, 3.0, 1e6}) {
-    response::Workspace workspace;
+    response::motion::Workspace workspace;
     const Row row = evaluate_cell(study_of(scene::one_side_machine(), 75, whirl_ratio), 0, workspace);
     EXPECT_EQ(row.start, RunStart::contact);
-    EXPECT_NE(row.motion_class, response::MotionClass::initial_contact) << whirl_ratio;
-    EXPECT_NE(row.motion_class, response::MotionClass::non_contact) << whirl_ratio;
-    EXPECT_NE(row.proof, response::Proof::rest) << whirl_ratio;
+    EXPECT_NE(row.motion_class, response::motion::MotionClass::initial_contact) << whirl_ratio;
+    EXPECT_NE(row.motion_class, response::motion::MotionClass::non_contact) << whirl_ratio;
+    EXPECT_NE(row.proof, response::motion::Proof::rest) << whirl_ratio;
     EXPECT_TRUE(row.last_contact_revolution) << whirl_ratio;
   }
 }
 
 TEST(HardCells, AtAWhirlRatioOfExactlyOneRestIsNeverProven) {
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   Study study = study_of(scene::one_side_machine(), 75, 1);
   study.response.max_revolutions = 400;  // long enough for the start to die out
   const Row row = evaluate_cell(study, 0, workspace);
   EXPECT_EQ(row.status, "ok");
-  EXPECT_NE(row.proof, response::Proof::rest);
-  EXPECT_NE(row.motion_class, response::MotionClass::non_contact);
+  EXPECT_NE(row.proof, response::motion::Proof::rest);
+  EXPECT_NE(row.motion_class, response::motion::MotionClass::non_contact);
 }
 
 TEST(HardCells, JustBelowOneItWhirlsWithoutContactUnlessTheSolversErrorGrazes) {
@@ -66,11 +66,11 @@ TEST(HardCells, JustBelowOneItWhirlsWithoutContactUnlessTheSolversErrorGrazes) {
   expect_row(study, {"non_contact", "ok"});
   // Far less than the tolerance away, a graze in every turn is the same circle.
   study.grid.unbalance = {1 - 1e-12};
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   const Row row = evaluate_cell(study, 0, workspace);
   EXPECT_EQ(row.status, "ok");
-  EXPECT_TRUE(row.motion_class == response::MotionClass::non_contact ||
-              row.motion_class == response::MotionClass::synchronous);
+  EXPECT_TRUE(row.motion_class == response::motion::MotionClass::non_contact ||
+              row.motion_class == response::motion::MotionClass::synchronous);
   ASSERT_TRUE(row.measures);
   EXPECT_NEAR(row.measures->amplitude_1x_forward_m, 1e-3, 1e-9);
 }
@@ -81,9 +81,9 @@ TEST(HardCells, NoUnbalanceReachesAWhirlRatioAtAnUndampedResonance) {
 }
 
 TEST(HardCells, AnUndampedRotorJustOffItsResonanceRuns) {
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   EXPECT_NE(evaluate_cell(study_of(undamped_rotor(), 30.0001, 1.5), 0, workspace).motion_class,
-            response::MotionClass::failed);
+            response::motion::MotionClass::failed);
   Study study = study_of(undamped_rotor(), 30.0001, 0.5);
   study.machine.kick.reset();
   expect_row(study, {"non_contact", "ok"});
@@ -97,7 +97,7 @@ TEST(HardCells, ARotorThatSagsOntoItsStopHasNoWhirlRatioButAnEccentricity) {
   // An eccentricity is one all the same: it starts on the wall and stays there.
   Study study = study_of(machine, 75, 1e-5);
   study.grid.measure = UnbalanceMeasure::eccentricity_m;
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   const Row row = evaluate_cell(study, 0, workspace);
   EXPECT_EQ(row.start, RunStart::contact);
   EXPECT_EQ(row.status, "ok");
@@ -109,8 +109,8 @@ TEST(HardCells, WithoutUnbalanceTheKickDiesOut) {
   expect_row(study_of(scene::one_side_machine(), 75, 0), {"non_contact", "ok"});
 }
 
-/// Constant friction does not reverse: it drives the rotor round a rigid ring ever faster. The run ends as
-/// soon as there is no number for it, and says what is wrong with the model.
+/// Constant friction does not reverse: it drives the rotor round a rigid annular stop ever faster. The run
+/// ends as soon as there is no number for it, and says what is wrong with the model.
 TEST(HardCells, FrictionThatNeverReversesRunsAwayAndIsNamed) {
   model::Machine machine = scene::one_side_machine();
   auto& stop = machine.stops[0];
@@ -124,7 +124,7 @@ TEST(HardCells, FrictionThatNeverReversesRunsAwayAndIsNamed) {
 
 TEST(HardCells, ALimitOnStepsEndsWhatWouldTakeTooLong) {
   Study study = study_of(scene::one_side_machine(), 75, 0.4);
-  study.solver.method = integrate::Method::adaptive;
+  study.solver.method = integrate::run::Method::adaptive;
   study.solver.relative_tolerance = 1e-14;
   study.solver.max_steps_per_revolution = 1000;
   expect_row(study, {"failed", "step_limit"});

@@ -13,9 +13,9 @@
 #include "audit/proof_audit.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/response/floquet.hpp"
-#include "rubsweep/response/orbit_ball.hpp"
-#include "rubsweep/response/section_map.hpp"
+#include "rubsweep/response/proof/orbit_ball.hpp"
+#include "rubsweep/response/proof/periodic_orbit.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
@@ -27,11 +27,11 @@ config::RunConfig read(const std::string& name) {
 }
 
 sweep::Row row_of(const std::string& name, double speed_hz, double whirl_ratio,
-                  const integrate::SolverOptions& solver = {}) {
+                  const integrate::run::SolverOptions& solver = {}) {
   sweep::Study study = read(name).study;
   study.grid = {{speed_hz}, sweep::UnbalanceMeasure::whirl_ratio, {whirl_ratio}};
   study.solver = solver;
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   return sweep::evaluate_cell(study, 0, workspace);
 }
 
@@ -102,16 +102,16 @@ TEST(HardMachines, AWhipHasTheSmallestPeriodOfTheTurningFrame) {
 
 TEST(HardMachines, ATurnOfTooManyStepsIsMadeByTheAdaptiveSolver) {
   const auto cell = scene::build_cell(read("stiff_friction").study.machine, 75, scene::WhirlRatio{0.4});
-  integrate::ExactPlans plans;
-  const auto run = integrate::start(cell.scene, {}, plans);
-  integrate::Turn turn;
-  for (int k = 0; k < 4; ++k) ASSERT_EQ(run.advance(turn), integrate::Outcome::ok) << k;
+  integrate::exact::ModeCache modes;
+  const auto run = integrate::start(cell.scene, {}, modes);
+  integrate::run::Turn turn;
+  for (int k = 0; k < 4; ++k) ASSERT_EQ(run.advance(turn), integrate::run::Outcome::ok) << k;
   EXPECT_GT(turn.effort.adaptive_turns, 0);
 }
 
 TEST(HardMachines, ConstantFrictionThatReversesSaysSo) {
-  integrate::SolverOptions adaptive;
-  adaptive.method = integrate::Method::adaptive;
+  integrate::run::SolverOptions adaptive;
+  adaptive.method = integrate::run::Method::adaptive;
   EXPECT_EQ(row_of("slow_shaft", 0.3, 0.4).status, "slip_reversal");
   EXPECT_EQ(row_of("slow_shaft", 0.3, 0.4, adaptive).status, "slip_reversal");
 }
@@ -119,13 +119,13 @@ TEST(HardMachines, ConstantFrictionThatReversesSaysSo) {
 /// The labels that no damping at all gives, and 1e-9 N s/m, too.
 TEST(HardMachines, DampingBelowRoundingIsNone) {
   for (const double damping : {1e-12, 1e-14, 1e-18}) {
-    for (const auto method : {integrate::Method::exact, integrate::Method::adaptive}) {
+    for (const auto method : {integrate::run::Method::exact, integrate::run::Method::adaptive}) {
       sweep::Study study = read("slow_shaft").study;
       study.machine.stops[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
       study.machine.stops[0].damping = model::ExplicitDamping{damping};
       study.grid = {{70}, sweep::UnbalanceMeasure::whirl_ratio, {0.3, 0.8}};
       study.solver.method = method;
-      response::Workspace workspace;
+      response::motion::Workspace workspace;
       SCOPED_TRACE(damping);
       EXPECT_EQ(sweep::evaluate_cell(study, 0, workspace).order, 2);
       EXPECT_EQ(sweep::evaluate_cell(study, 1, workspace).order, 6);
@@ -149,7 +149,7 @@ TEST(HardMachines, AnAuditOfProofsInShort) {
     std::mt19937_64 random(8'000'000 + i);
     const auto kind = i % 4 == 0 ? audit::StopKind::equal_flats : audit::StopKind::one_flat;
     const auto found = audit::audit_proof(audit::random_cell(kind, random));
-    proven += found.proof == response::Proof::floquet;
+    proven += found.proof == response::motion::Proof::floquet;
     EXPECT_TRUE(!found.followed || found.confirmed || found.undecided) << i << ' ' << found.finding;
   }
   EXPECT_GT(proven, 20);
@@ -158,12 +158,12 @@ TEST(HardMachines, AnAuditOfProofsInShort) {
 /// An orbit of a random machine with its ball, if the run comes to one.
 struct Ball {
   scene::Scene scene;
-  integrate::ExactPlans plans;
-  response::StableOrbit orbit;
-  response::AdaptedNorms norms;
+  integrate::exact::ModeCache modes;
+  response::proof::StableOrbit orbit;
+  response::proof::AdaptedNorms norms;
   double radius = 0;
 
-  response::TurnMap turn(response::SceneMap& map) const {
+  response::proof::TurnMap turn(response::proof::SceneMap& map) const {
     return [&map](std::span<double> s, Eigen::MatrixXd* disturbances) {
       return disturbances ? map.carry(s, *disturbances) : map(s);
     };
@@ -173,35 +173,35 @@ struct Ball {
     const auto cell =
         scene::build_cell(random.machine, random.speed_hz, scene::WhirlRatio{random.whirl_ratio});
     if (cell.start != scene::Start::quiet) return false;
-    scene = response::after_the_kick(cell.scene);
-    const auto run = integrate::start(cell.scene, {}, plans);
-    integrate::Turn made;
+    scene = response::proof::after_the_kick(cell.scene);
+    const auto run = integrate::start(cell.scene, {}, modes);
+    integrate::run::Turn made;
     for (int k = 0; k < 800; ++k) {
-      if (run.advance(made) != integrate::Outcome::ok || (k == 20 && made.effort.adaptive_turns > 0))
+      if (run.advance(made) != integrate::run::Outcome::ok || (k == 20 && made.effort.adaptive_turns > 0))
         return false;
     }
     if (!made.touched) return false;
-    response::SceneMap map(scene, {}, plans);
+    response::proof::SceneMap map(scene, {}, modes);
     for (int order = 1; order <= 6; ++order) {
-      const auto found = response::find_orbit(turn(map), made.section, order);
+      const auto found = response::proof::find_orbit(turn(map), made.section, order);
       if (!found) continue;
-      const auto adapted = response::adapted_norms(found->transitions);
+      const auto adapted = response::proof::adapted_norms(found->transitions);
       if (!adapted) return false;
       orbit = *found;
       norms = *adapted;
       const auto& x = orbit.sections[0];
-      radius = response::ball_radius(scene, plans, {x.begin(), x.end()}, norms).value_or(0);
+      radius = response::proof::ball_radius(scene, modes, {x.begin(), x.end()}, norms).value_or(0);
       return radius > 0;
     }
     return false;
   }
 
   std::vector<std::pair<int, contact::Mode>> changes_from(std::vector<double>& section) {
-    const auto run = integrate::start(scene, {}, plans);
+    const auto run = integrate::start(scene, {}, modes);
     run.restart(section);
-    integrate::Turn made;
+    integrate::run::Turn made;
     made.switches_wanted = true;
-    EXPECT_EQ(run.advance(made), integrate::Outcome::ok);
+    EXPECT_EQ(run.advance(made), integrate::run::Outcome::ok);
     section = made.section;
     std::vector<std::pair<int, contact::Mode>> changes;
     for (const auto& at : made.switches) changes.emplace_back(at.contact, at.to);

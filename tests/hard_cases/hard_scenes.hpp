@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/rolling_scene.hpp"
@@ -48,8 +48,8 @@ inline double stored_energy_j(const scene::Scene& scene, const std::vector<doubl
   const Eigen::VectorXd v = scene.length_scale_m * scene.speed_rad_per_s * state.tail(n);
   double energy = (v.dot(scene.structure.mass * v) + q.dot(scene.structure.stiffness * q)) / 2;
   for (const scene::Contact& c : scene.contacts) {
-    const Eigen::Vector2d d = scene::relative_map(scene.structure, c) * q + c.offset_m;
-    const double penetration = (c.ring ? d.norm() : d.dot(c.normal)) - c.clearance_m;
+    const Eigen::Vector2d d = scene::relative_map(scene.structure, c) * q + contact::offset(c.wall);
+    const double penetration = d.dot(contact::normal_at(c.wall, d)) - c.clearance_m;
     if (penetration > 0) energy += c.stiffness_n_per_m * penetration * penetration / 2;
   }
   return energy;
@@ -101,11 +101,12 @@ inline HardScene graze_in_every_turn() {
   return hard;
 }
 
-/// The circle lies on the wall of a ring: contact without penetration, all the time. Below the natural
-/// frequency, where the ring does not push the rotor out of phase, and without friction the circle attracts.
+/// The circle lies on the wall of an annular stop: contact without penetration, all the time. Below the
+/// natural frequency, where the annular stop does not push the rotor out of phase, and without friction the
+/// circle attracts.
 inline HardScene graze_all_along_a_ring() {
   HardScene hard{.name = "graze_all_along_a_ring", .scene = whirl_up_to_a_wall(3)};
-  hard.scene.contacts[0].ring = true;
+  hard.scene.contacts[0].wall = contact::AnnularWall{};
   hard.scene.contacts[0].friction = model::NoFriction{};
   hard.section = section_of(hard.scene, {0, 1}, -3);
   return hard;
@@ -120,7 +121,7 @@ inline HardScene two_stops_at_once() {
   scene.velocity_m_per_s << 1, 0;
   for (const int sign : {1, -1}) {
     scene::Contact wall = wall_across_x(1, 1e-3, stiffness, 0);
-    wall.normal = Eigen::Vector2d(std::sqrt(0.5), sign * std::sqrt(0.5));
+    wall.wall = contact::FlatWall{{std::sqrt(0.5), sign * std::sqrt(0.5)}};
     scene.contacts.push_back(wall);
   }
   HardScene hard{.name = "two_stops_at_once", .scene = scene, .turns = 3};
@@ -139,7 +140,7 @@ inline HardScene two_stops_at_once() {
 /// Two moving casings, nothing damped, no friction, nothing driven: the energy stays.
 inline HardScene nothing_damped() {
   model::Machine machine = machine_of({});
-  machine.rotor.damping_ratio = 0;
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
   machine.kick.reset();
   auto& stop = machine.stops[0];
   stop.damping = model::ExplicitDamping{0};

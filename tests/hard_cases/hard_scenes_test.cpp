@@ -13,8 +13,8 @@
 namespace rubsweep::test {
 namespace {
 
-using integrate::SolverOptions;
-using integrate::Stepper;
+using integrate::run::SolverOptions;
+using integrate::run::Stepper;
 
 struct Solver {
   const char* name;
@@ -23,7 +23,7 @@ struct Solver {
 
 SolverOptions with(Stepper stepper, double tolerance) {
   SolverOptions options;
-  options.method = integrate::Method::adaptive;
+  options.method = integrate::run::Method::adaptive;
   options.stepper = stepper;
   options.relative_tolerance = tolerance;
   return options;
@@ -32,7 +32,7 @@ SolverOptions with(Stepper stepper, double tolerance) {
 /// Another solver takes its place here.
 std::vector<Solver> solvers() {
   SolverOptions exact = with(Stepper::automatic, 1e-10);
-  exact.method = integrate::Method::exact;
+  exact.method = integrate::run::Method::exact;
   return {{"exact", exact},
           {"auto", with(Stepper::automatic, 1e-8)},
           {"auto, loose", with(Stepper::automatic, 1e-6)},
@@ -44,18 +44,18 @@ std::vector<Solver> solvers() {
 }
 
 struct Found {
-  integrate::Outcome outcome = integrate::Outcome::ok;
+  integrate::run::Outcome outcome = integrate::run::Outcome::ok;
   std::vector<double> section;
   int hits = 0;
   bool slip_reversed = false;
 };
 
 Found run(const HardScene& hard, const SolverOptions& options) {
-  integrate::ExactPlans plans;
-  const integrate::Cursor advance = integrate::start(hard.scene, options, plans).advance;
-  integrate::Turn turn;
+  integrate::exact::ModeCache modes;
+  const integrate::run::Cursor advance = integrate::start(hard.scene, options, modes).advance;
+  integrate::run::Turn turn;
   Found result;
-  for (int k = 0; k < hard.turns && result.outcome == integrate::Outcome::ok; ++k) {
+  for (int k = 0; k < hard.turns && result.outcome == integrate::run::Outcome::ok; ++k) {
     result.outcome = advance(turn);
     result.hits += turn.hits;
     result.slip_reversed = result.slip_reversed || turn.slip_reversed;
@@ -84,7 +84,7 @@ TEST_P(HardScenes, AnswerOfEverySolver) {
   for (const Solver& solver : solvers()) {
     SCOPED_TRACE(solver.name);
     const Found found = run(hard, solver.options);
-    ASSERT_EQ(integrate::to_string(found.outcome), "ok");
+    ASSERT_EQ(integrate::run::to_string(found.outcome), "ok");
     const double error = largest_difference(found.section, answer) / solver.options.relative_tolerance;
     EXPECT_LT(error, hard.error_per_tolerance);
     EXPECT_EQ(found.hits, hard.hits.value_or(found.hits));
@@ -96,8 +96,8 @@ TEST_P(HardScenes, AnswerOfEverySolver) {
   }
   // The blended law is another law with another answer; it must end all the same.
   SolverOptions smoothed = with(Stepper::automatic, 1e-6);
-  smoothed.contact = integrate::ContactHandling::smoothed;
-  EXPECT_EQ(integrate::to_string(run(hard, smoothed).outcome), "ok");
+  smoothed.contact = integrate::run::ContactHandling::smoothed;
+  EXPECT_EQ(integrate::run::to_string(run(hard, smoothed).outcome), "ok");
 }
 
 }  // namespace

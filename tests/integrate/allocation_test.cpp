@@ -35,18 +35,18 @@ namespace rubsweep::integrate {
 namespace {
 
 /// By turns, watched in every way, of a run that has made its plans and its room before.
-long allocations_of(const scene::Scene& scene, const SolverOptions& options) {
-  ExactPlans plans;
-  const Run run = start(scene, options, plans);
-  Turn turn;
+long allocations_of(const scene::Scene& scene, const run::SolverOptions& options) {
+  exact::ModeCache modes;
+  const run::Run run = start(scene, options, modes);
+  run::Turn turn;
   turn.peaks = true;
   turn.samples_per_revolution = 32;
   const Eigen::Index states = 2 * scene.structure.coordinates();
-  turn.disturbances.setIdentity(states, states);
+  turn.tangent_vectors.setIdentity(states, states);
   const auto advance = [&](int turns) {
     int hits = 0;
     for (int k = 0; k < turns; ++k) {
-      EXPECT_EQ(run.advance(turn), Outcome::ok);
+      EXPECT_EQ(run.advance(turn), run::Outcome::ok);
       hits += turn.hits;
     }
     return hits;
@@ -72,9 +72,9 @@ TEST(Allocation, NoneInTheTimeLoopOfTheExactSolver) {
 }
 
 TEST(Allocation, NoneInTheTimeLoopOfDopri5) {
-  SolverOptions dopri5;
-  dopri5.method = Method::adaptive;
-  dopri5.stepper = Stepper::dopri5;
+  run::SolverOptions dopri5;
+  dopri5.method = run::Method::adaptive;
+  dopri5.stepper = run::Stepper::dopri5;
   EXPECT_EQ(allocations_of(test::cell_of({}).scene, dopri5), 0);
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::integrate {
@@ -32,11 +32,11 @@ scene::Scene two_free_masses(double m, double m_casing, double stiffness, double
 TEST(ContactHalfPeriod, IsThatOfBothMassesOnTheContactSpring) {
   const double m = 0.8, stiffness = 2e6, gap = 1e-3, speed = 0.5;
   for (const double m_casing : {0.001, 0.05, 0.8, 50.0}) {
-    const Cursor advance =
-        start_adaptive(two_free_masses(m, m_casing, stiffness, gap, speed), {.relative_tolerance = 1e-11});
-    Turn turn;
+    const run::Cursor advance = adaptive::start_adaptive(two_free_masses(m, m_casing, stiffness, gap, speed),
+                                                         {.relative_tolerance = 1e-11});
+    run::Turn turn;
     turn.switches_wanted = turn.peaks = true;
-    ASSERT_EQ(advance(turn), Outcome::ok);
+    ASSERT_EQ(advance(turn), run::Outcome::ok);
     ASSERT_EQ(turn.switches.size(), 2u) << m_casing;
     const double seconds = 1 / (2 * std::numbers::pi);
     const double rate = std::sqrt(stiffness * (1 / m + 1 / m_casing));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::integrate {
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double published_w = 0.409062;
 
-double mean_wear_power(double steepness_s_per_m, Stepper stepper) {
+double mean_wear_power(double steepness_s_per_m, run::Stepper stepper) {
   const double normal_n = 10, stiffness = 1e6;
   auto scene = test::one_mass_scene(1, 0, 0, 1, 1e-2);
   scene.harmonic_n << 0, std::complex<double>(0, -1.5);
@@ -23,14 +23,14 @@ double mean_wear_power(double steepness_s_per_m, Stepper stepper) {
   wall.friction = model::StribeckFriction{{0, 0, 0, 0.1, steepness_s_per_m, 0}};
   scene.contacts.push_back(wall);
   scene.displacement_m << 1e-3 + normal_n / stiffness, 0;
-  SolverOptions options;
+  run::SolverOptions options;
   options.stepper = stepper;
   options.relative_tolerance = 1e-7;
-  const Cursor advance = start_adaptive(scene, options);
-  Turn turn;
+  const run::Cursor advance = adaptive::start_adaptive(scene, options);
+  run::Turn turn;
   constexpr int samples = 2000;
   turn.samples_per_revolution = samples;
-  for (int k = 0; k < 40; ++k) EXPECT_EQ(advance(turn), Outcome::ok);  // the drift dies out
+  for (int k = 0; k < 40; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok);  // the drift dies out
   double sum = 0;
   for (std::size_t j = 0; j < samples; ++j) sum += std::abs(turn.samples[4 * j + 3]);
   return normal_n * sum / samples * scene.length_scale_m * scene.speed_rad_per_s;
@@ -40,7 +40,7 @@ TEST(CoulombSliding, TanhLawApproachesThePublishedWearPower) {
   // Sticking becomes a creep of about 1 / steepness: the excess falls with it.
   double excess = 1;
   for (const double steepness : {1e2, 1e3, 1e4, 1e5}) {
-    const double now = mean_wear_power(steepness, Stepper::rosenbrock4) - published_w;
+    const double now = mean_wear_power(steepness, run::Stepper::rosenbrock4) - published_w;
     EXPECT_GT(now, 0);
     EXPECT_LT(now, 0.2 * excess) << steepness;
     excess = now;
@@ -49,7 +49,8 @@ TEST(CoulombSliding, TanhLawApproachesThePublishedWearPower) {
 }
 
 TEST(CoulombSliding, ExplicitAndImplicitSteppersAgreeWhereTanhIsSteep) {
-  EXPECT_NEAR(mean_wear_power(1e3, Stepper::dopri5), mean_wear_power(1e3, Stepper::rosenbrock4), 1e-5);
+  EXPECT_NEAR(mean_wear_power(1e3, run::Stepper::dopri5), mean_wear_power(1e3, run::Stepper::rosenbrock4),
+              1e-5);
 }
 
 }  // namespace

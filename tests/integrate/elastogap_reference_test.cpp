@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/integrate/adaptive.hpp"
+#include "batch/read_csv.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::integrate {
@@ -26,7 +26,7 @@ struct Deviation {
   double position_m = 0;
 };
 
-Deviation from_reference(const SolverOptions& options) {
+Deviation from_reference(const run::SolverOptions& options) {
   const auto table = batch::read_csv(std::string(RUBSWEEP_SUPPORT_DATA) + "/elastogap_dymola_reference.csv");
   const auto time = batch::column(table, "time");
   const auto speed = batch::column(table, "elastoGap1.v_rel");
@@ -34,13 +34,13 @@ Deviation from_reference(const SolverOptions& options) {
   const scene::Scene scene = elastogap_scene();
   const double unit_speed = scene.length_scale_m * scene.speed_rad_per_s;
   constexpr int per_second = 200;  // the reference has a row every 5 ms
-  const Cursor advance = start_adaptive(scene, options);
-  Turn turn;
+  const run::Cursor advance = adaptive::start_adaptive(scene, options);
+  run::Turn turn;
   turn.samples_per_revolution = per_second;
   Deviation worst;
   std::size_t row = 0;
   for (int second = 0; row < table.rows.size(); ++second) {
-    EXPECT_EQ(advance(turn), Outcome::ok);
+    EXPECT_EQ(advance(turn), run::Outcome::ok);
     for (int k = 0; k < per_second; ++k) {
       const double t = second + double(k) / per_second;
       // Dymola adds rows at events; the grid rows are the ones that fall on multiples of 5 ms.
@@ -62,11 +62,11 @@ Deviation from_reference(const SolverOptions& options) {
 constexpr double reference_error_m_per_s = 3.12e-5;
 
 TEST(ElastoGapReference, EveryStepperMeetsIt) {
-  for (const Stepper stepper : {Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78,
-                                Stepper::bulirsch_stoer, Stepper::rosenbrock4}) {
-    SolverOptions options;
+  for (const run::Stepper stepper : {run::Stepper::dopri5, run::Stepper::cash_karp54, run::Stepper::rkf78,
+                                     run::Stepper::bulirsch_stoer, run::Stepper::rosenbrock4}) {
+    run::SolverOptions options;
     options.stepper = stepper;
-    options.relative_tolerance = stepper == Stepper::rosenbrock4 ? 1e-8 : 1e-10;
+    options.relative_tolerance = stepper == run::Stepper::rosenbrock4 ? 1e-8 : 1e-10;
     const Deviation worst = from_reference(options);
     EXPECT_LT(worst.speed_m_per_s, reference_error_m_per_s) << "stepper " << static_cast<int>(stepper);
     EXPECT_LT(worst.position_m, 1e-5) << "stepper " << static_cast<int>(stepper);
@@ -74,8 +74,8 @@ TEST(ElastoGapReference, EveryStepperMeetsIt) {
 }
 
 TEST(ElastoGapReference, SmoothedMeetsItToo) {
-  SolverOptions options;
-  options.contact = ContactHandling::smoothed;
+  run::SolverOptions options;
+  options.contact = run::ContactHandling::smoothed;
   options.smoothing_m = 1e-5;
   EXPECT_LT(from_reference(options).speed_m_per_s, 1.1 * reference_error_m_per_s);
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/contact/force_law.hpp"
-#include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::integrate {
@@ -49,15 +49,15 @@ struct Balance {
 };
 
 /// Integrates the powers over six turns of the rubbing 1/2 motion from samples, by the trapezoidal rule.
-Balance balance(ContactHandling contact, double smoothing_m, int samples) {
+Balance balance(run::ContactHandling contact, double smoothing_m, int samples) {
   const test::OneSideRotor rotor;
   const OneSideEquations<double> equations(rotor);
-  SolverOptions options;
+  run::SolverOptions options;
   options.relative_tolerance = 1e-10;
   options.contact = contact;
   options.smoothing_m = smoothing_m;
-  const Cursor advance = start_adaptive(test::cell_of(rotor).scene, options);
-  Turn turn;
+  const run::Cursor advance = adaptive::start_adaptive(test::cell_of(rotor).scene, options);
+  run::Turn turn;
   turn.samples_per_revolution = samples;
   const double dt = 1 / (rotor.speed_hz * samples), unit_speed = rotor.clearance_m * equations.omega;
   double sum = 0, first_energy = 0, last_energy = 0;
@@ -65,7 +65,7 @@ Balance balance(ContactHandling contact, double smoothing_m, int samples) {
   Power previous;
   for (int k = 0; k < 6 * samples; ++k) {
     if (k % samples == 0) {
-      EXPECT_EQ(advance(turn), Outcome::ok);
+      EXPECT_EQ(advance(turn), run::Outcome::ok);
     }
     OneSideState<double> s;
     for (std::size_t i = 0; i < 8; ++i) {
@@ -89,8 +89,8 @@ Balance balance(ContactHandling contact, double smoothing_m, int samples) {
 }
 
 TEST(EnergyBalance, ClosesOverARubbingRun) {
-  const Balance coarse = balance(ContactHandling::located, 1e-7, 4096);
-  const Balance fine = balance(ContactHandling::located, 1e-7, 16384);
+  const Balance coarse = balance(run::ContactHandling::located, 1e-7, 4096);
+  const Balance fine = balance(run::ContactHandling::located, 1e-7, 16384);
   EXPECT_GT(fine.throughput, 0.1);  // joules: the run does rub
   EXPECT_LT(fine.defect, 1e-6 * fine.throughput);
   // What is left is the trapezoidal rule's error, not the run's.
@@ -98,14 +98,14 @@ TEST(EnergyBalance, ClosesOverARubbingRun) {
 }
 
 TEST(EnergyBalance, TheNormalForceOnlyDissipates) {
-  EXPECT_GT(balance(ContactHandling::located, 1e-7, 4096).normal_loss, 0);
+  EXPECT_GT(balance(run::ContactHandling::located, 1e-7, 4096).normal_loss, 0);
 }
 
 TEST(EnergyBalance, SmoothingChangesTheForceByItsWidthOnly) {
   // The blended force is not the one the balance is drawn up with: a defect of its own that shrinks with the
   // width.
-  const Balance wide = balance(ContactHandling::smoothed, 1e-5, 16384);
-  const Balance narrow = balance(ContactHandling::smoothed, 1e-6, 16384);
+  const Balance wide = balance(run::ContactHandling::smoothed, 1e-5, 16384);
+  const Balance narrow = balance(run::ContactHandling::smoothed, 1e-6, 16384);
   EXPECT_LT(narrow.defect, 1e-4 * narrow.throughput);
   EXPECT_LT(narrow.defect, wide.defect / 3);
 }

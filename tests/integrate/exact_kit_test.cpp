@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "integrate/rubbing_kit.hpp"
-#include "rubsweep/integrate/adaptive.hpp"
-#include "rubsweep/integrate/exact.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/hybrid_run.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "scene/kit_machine.hpp"
 
@@ -22,14 +22,14 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 TEST(ExactKit, TurnsInContactHaveClosedFormsAndAgreeWithTheAdaptiveSolver) {
   for (const double speed_hz : {70.0, 110.0}) {
     const scene::Scene scene = kit_scene(speed_hz, 0.7);
-    ExactPlans plans;
-    const auto exact = start_exact(scene, {}, plans);
-    const Cursor adaptive = start_adaptive(scene, {.relative_tolerance = 1e-11});
-    Turn a, b;
+    exact::ModeCache modes;
+    const auto exact = start_hybrid(scene, {}, modes);
+    const run::Cursor adaptive = adaptive::start_adaptive(scene, {.relative_tolerance = 1e-11});
+    run::Turn a, b;
     int hits = 0;
     for (int k = 0; k < 6; ++k) {
-      ASSERT_EQ(exact.advance(a), Outcome::ok);
-      ASSERT_EQ(adaptive(b), Outcome::ok);
+      ASSERT_EQ(exact.advance(a), run::Outcome::ok);
+      ASSERT_EQ(adaptive(b), run::Outcome::ok);
       hits += a.hits;
       EXPECT_EQ(a.hits, b.hits);
       EXPECT_LT(largest_difference(a.section, b.section), 1e-7) << speed_hz << ' ' << k;
@@ -43,15 +43,15 @@ TEST(ExactKit, TurnsInContactHaveClosedFormsAndAgreeWithTheAdaptiveSolver) {
 /// Section after one turn from the quiet motion, no kick but what `change` adds.
 std::vector<double> section_with(const std::function<void(model::Machine&)>& change) {
   model::Machine machine = scene::light_shaft_machine();
-  machine.kit->shaft[0].density_kg_per_m3 = 7850;
-  machine.kit->modes = 3;
+  model::kit_of(machine)->shaft[0].density_kg_per_m3 = 7850;
+  model::kit_of(machine)->modes = 3;
   machine.stops[0].position_m = 0.29;
   machine.kick.reset();
   change(machine);
-  ExactPlans plans;
-  const auto run = start_exact(scene::build_cell(machine, 70, scene::WhirlRatio{0.1}).scene, {}, plans);
-  Turn turn;
-  EXPECT_EQ(run.advance(turn), Outcome::ok);
+  exact::ModeCache modes;
+  const auto run = start_hybrid(scene::build_cell(machine, 70, scene::WhirlRatio{0.1}).scene, {}, modes);
+  run::Turn turn;
+  EXPECT_EQ(run.advance(turn), run::Outcome::ok);
   EXPECT_FALSE(turn.touched);
   return turn.section;
 }
@@ -61,7 +61,7 @@ constexpr model::BearingFault one_impulse{.impulse_ns = 0.02, .multiple = 1, .an
 TEST(ExactKit, AFaultOfABearingIsAShortKickThere) {
   constexpr double duration_s = 1e-8;
   const auto struck =
-      section_with([](model::Machine& machine) { machine.kit->supports[1].fault = one_impulse; });
+      section_with([](model::Machine& machine) { model::kit_of(machine)->supports[1].fault = one_impulse; });
   const auto kicked = section_with([&](model::Machine& machine) {
     const double force_n = one_impulse.impulse_ns * std::numbers::pi / (2 * duration_s);
     machine.kick = {.force_n = force_n, .duration_s = duration_s, .angle_deg = 50, .position_m = 0.4};
@@ -74,11 +74,11 @@ TEST(ExactKit, AFaultOfABearingIsAShortKickThere) {
 TEST(ExactKit, AFaultStrikesThePedestalTheOtherWay) {
   const auto held = [](double bearing_n_per_m, bool faulty) {
     return section_with([=](model::Machine& machine) {
-      for (model::Support& support : machine.kit->supports) {
+      for (model::Support& support : model::kit_of(machine)->supports) {
         support.stiffness_x_n_per_m = support.stiffness_y_n_per_m = bearing_n_per_m;
         support.pedestal = {.mass_kg = 0.1, .stiffness_x_n_per_m = 3e4, .stiffness_y_n_per_m = 3e4};
       }
-      if (faulty) machine.kit->supports[1].fault = one_impulse;
+      if (faulty) model::kit_of(machine)->supports[1].fault = one_impulse;
     });
   };
   EXPECT_LT(largest_difference(held(3e10, true), held(3e10, false)), 1e-5);

@@ -9,8 +9,8 @@ namespace rubsweep::integrate {
 /// contact released are as good as dependent.
 inline scene::Scene kit_scene(double speed_hz, double whirl_ratio) {
   model::Machine machine = scene::light_shaft_machine();
-  machine.kit->shaft[0].density_kg_per_m3 = 7850;
-  machine.kit->modes = 3;
+  model::kit_of(machine)->shaft[0].density_kg_per_m3 = 7850;
+  model::kit_of(machine)->modes = 3;
   model::Stop& stop = machine.stops[0];
   stop.position_m = 0.29;
   stop.stiffness_n_per_m = 1.2e8;

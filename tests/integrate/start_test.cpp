@@ -10,38 +10,38 @@ namespace {
 
 TEST(Start, AutoIsExactButForASmoothedLaw) {
   const auto scene = test::cell_of({}).scene;
-  SolverOptions options;
+  run::SolverOptions options;
   EXPECT_EQ(solver_of(scene, options), Solver::exact);
-  options.contact = ContactHandling::smoothed;
+  options.contact = run::ContactHandling::smoothed;
   EXPECT_EQ(solver_of(scene, options), Solver::adaptive);
-  options.contact = ContactHandling::located;
-  options.method = Method::adaptive;
+  options.contact = run::ContactHandling::located;
+  options.method = run::Method::adaptive;
   EXPECT_EQ(solver_of(scene, options), Solver::adaptive);
 }
 
 TEST(Start, TheExactSolverTakesTheLargestKit) {
   auto scene = test::cell_of({}).scene;
-  const Eigen::Index largest = 2 * model::RotorKit::most_modes + 4 * most_exact_contacts + 1;
+  const Eigen::Index largest = 2 * model::RotorKit::most_modes + 4 * exact::most_exact_contacts + 1;
   scene.structure.mass.setIdentity(largest, largest);
   ASSERT_EQ(scene.structure.coordinates(), largest);
-  EXPECT_TRUE(exact_applies(scene));
+  EXPECT_TRUE(exact::exact_applies(scene));
   scene.structure.mass.setIdentity(largest + 1, largest + 1);
-  EXPECT_FALSE(exact_applies(scene));
+  EXPECT_FALSE(exact::exact_applies(scene));
 }
 
 TEST(Start, ARestartedRunHasNoMemory) {
   const auto scene = test::cell_of({}).scene;
-  for (const Method method : {Method::exact, Method::adaptive}) {
-    SolverOptions options;
+  for (const run::Method method : {run::Method::exact, run::Method::adaptive}) {
+    run::SolverOptions options;
     options.method = method;
-    ExactPlans plans;
-    const auto run = start(scene, options, plans);
-    Turn first, second;
-    ASSERT_EQ(run.advance(first), Outcome::ok);
-    ASSERT_EQ(run.advance(second), Outcome::ok);
-    run.restart(scaled_initial_state(scene));
-    Turn again;
-    ASSERT_EQ(run.advance(again), Outcome::ok);
+    exact::ModeCache modes;
+    const auto run = start(scene, options, modes);
+    run::Turn first, second;
+    ASSERT_EQ(run.advance(first), run::Outcome::ok);
+    ASSERT_EQ(run.advance(second), run::Outcome::ok);
+    run.restart(run::scaled_initial_state(scene));
+    run::Turn again;
+    ASSERT_EQ(run.advance(again), run::Outcome::ok);
     EXPECT_EQ(again.section, first.section);  // the kick with it
   }
 }

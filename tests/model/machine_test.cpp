@@ -28,7 +28,7 @@ Stop rigid_stop() {
 /// Two stops: the first on a moving casing, the second rigid.
 Machine valid_machine() {
   Machine machine;
-  machine.rotor = {.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02};
+  machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02};
   machine.stops = {rigid_stop(), rigid_stop()};
   machine.stops[0].casing = {.mass_kg = 0.05, .stiffness_n_per_m = 5e5, .damping_ratio = 0.1};
   machine.kick = {.force_n = 200, .duration_s = 0.005, .angle_deg = {}};
@@ -52,10 +52,11 @@ TEST(Validate, TakesAValidMachine) { EXPECT_NO_THROW(validate(valid_machine()));
 
 TEST(Validate, NamesEveryNumberThatIsMissing) {
   const std::vector<Case> cases{
-      {[](Machine& m) { m.rotor.mass_kg = required; }, "rotor.mass_kg: missing, allowed: a number > 0"},
-      {[](Machine& m) { m.rotor.natural_frequency_hz = required; },
+      {[](Machine& m) { std::get<model::JeffcottRotor>(m.rotor).mass_kg = required; },
+       "rotor.mass_kg: missing, allowed: a number > 0"},
+      {[](Machine& m) { std::get<model::JeffcottRotor>(m.rotor).natural_frequency_hz = required; },
        "rotor.natural_frequency_hz: missing, allowed: a number > 0"},
-      {[](Machine& m) { m.rotor.damping_ratio = required; },
+      {[](Machine& m) { std::get<model::JeffcottRotor>(m.rotor).damping_ratio = required; },
        "rotor.damping_ratio: missing, allowed: a number >= 0"},
       {[](Machine& m) { m.stops[1].geometry = {}; }, "stops.1.angle_deg: missing, allowed: a finite number"},
       {[](Machine& m) { m.stops[1].clearance_m = required; },
@@ -88,10 +89,11 @@ TEST(Validate, NamesEveryNumberThatIsMissing) {
 
 TEST(Validate, NamesEveryNumberOutOfRange) {
   const std::vector<Case> cases{
-      {[](Machine& m) { m.rotor.mass_kg = 0; }, "rotor.mass_kg: 0 is out of range, allowed: a number > 0"},
-      {[](Machine& m) { m.rotor.natural_frequency_hz = -30; },
+      {[](Machine& m) { std::get<model::JeffcottRotor>(m.rotor).mass_kg = 0; },
+       "rotor.mass_kg: 0 is out of range, allowed: a number > 0"},
+      {[](Machine& m) { std::get<model::JeffcottRotor>(m.rotor).natural_frequency_hz = -30; },
        "rotor.natural_frequency_hz: -30 is out of range, allowed: a number > 0"},
-      {[](Machine& m) { m.rotor.damping_ratio = infinity; },
+      {[](Machine& m) { std::get<model::JeffcottRotor>(m.rotor).damping_ratio = infinity; },
        "rotor.damping_ratio: inf is out of range, allowed: a number >= 0"},
       {[](Machine& m) { m.stops[0].geometry = model::OneSideGeometry{-infinity}; },
        "stops.0.angle_deg: -inf is out of range, allowed: a finite number"},
@@ -126,7 +128,7 @@ TEST(Validate, NamesEveryNumberOutOfRange) {
 
 TEST(Validate, TakesTheEndsThatBelongToTheRanges) {
   Machine machine = valid_machine();
-  machine.rotor.damping_ratio = 0;
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
   machine.gravity_m_per_s2 = 0;
   machine.kick->force_n = 0;
   machine.stops[0].damping = NominalRestitution{1};

@@ -21,7 +21,8 @@ TEST(Boundaries, OneLineForEachFamilyAndKind) {
   const auto lines = read(
       "# any comment\n"
       "family,kind,point,speed_hz,unbalance,extra\n"
-      "a,fold,0,50,0.1,x\na,fold,1,60,0.2,x\na,flip,0,60,0.2,x\nb,flip,0,70,0.3,x\nb,flip,1,,,x\nb,flip,2,80,0.4,x\n");
+      "a,fold,0,50,0.1,x\na,fold,1,60,0.2,x\na,flip,0,60,0.2,x\nb,flip,0,70,0.3,x\nb,flip,1,,,x\nb,flip,2,80,"
+      "0.4,x\n");
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[0].family, "a");
   EXPECT_EQ(lines[0].kind, "fold");

@@ -15,7 +15,8 @@ namespace {
 std::uint64_t record(const std::string& planes, std::size_t width, std::size_t i) {
   std::uint64_t value = 0;
   for (std::size_t plane = 0; plane < width; ++plane)
-    value |= std::uint64_t{static_cast<unsigned char>(planes[plane * (planes.size() / width) + i])} << (8 * plane);
+    value |= std::uint64_t{static_cast<unsigned char>(planes[plane * (planes.size() / width) + i])}
+             << (8 * plane);
   return value;
 }
 

@@ -12,7 +12,9 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Two speeds by two whirl ratios: at rest, two motions with contact, and a chaotic one.
 MapTable four_cells() {
-  return {"1", "d", 4,
+  return {"1",
+          "d",
+          4,
           {{"speed_hz", {50, 80, 50, 80}, {}},
            {"whirl_ratio", {0.2, 0.2, 0.6, 0.6}, {}},
            {"class", {}, {"non_contact", "subharmonic", "subharmonic", "chaotic"}},
@@ -34,7 +36,8 @@ TEST(Findings, SayWhatTheMapHolds) {
   const auto said = findings(four_cells(), grid);
   for (const char* sentence :
        {"4 cells: 2 speeds from 50 to 80 Hz, 2 whirl ratios from 0.2 to 0.6.",
-        "Rub lasts in 3 cells (75.0 %), between 50 and 80 Hz; the smallest unbalance with it is whirl ratio 0.2, "
+        "Rub lasts in 3 cells (75.0 %), between 50 and 80 Hz; the smallest unbalance with it is whirl ratio "
+        "0.2, "
         "at 80 Hz.",
         "The most frequent rub is subharmonic 1/2: 2 cells (50.0 %), between 50 and 80 Hz.",
         "The largest contact force is 400 N, at 50 Hz and whirl ratio 0.6 (subharmonic 1/2).",

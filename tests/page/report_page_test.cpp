@@ -26,7 +26,7 @@ MapTable map_of_study() {
   const auto path = directory.path() / "map.csv";
   std::ofstream file(path, std::ios::binary);
   file << report::map_comments("1.2.3", "digest-of-the-study") << report::map_header() << "\n";
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   for (std::size_t cell = 0; cell < sweep::cell_count(study.grid); ++cell)
     file << report::map_line(sweep::evaluate_cell(study, cell, workspace)) << "\n";
   file.close();
@@ -36,7 +36,9 @@ MapTable map_of_study() {
 std::string page_of(const MapTable& map, const std::filesystem::path& directory, int threads = 1,
                     std::size_t most_orbits = usual_orbits) {
   const PageOptions options{"1.2.3", "key: '<value> & more'\n", most_orbits, threads};
-  return report_page(study, map, directory, options, [] {}, go_on).value();
+  return report_page(
+             study, map, directory, options, [] {}, go_on)
+      .value();
 }
 
 /// What the element called `id` holds.
@@ -75,9 +77,10 @@ TEST(ReportPage, NothingOutsideIsAskedFor) {
   EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
   // What remains when the chart library, named by its own address in a comment, is left out.
   page.erase(page.find(library.text), library.text.size());
-  for (const char* pattern : {R"(<script[^>]+src)", R"(<(link|iframe|object|embed|base)\b)", R"(@import|@font-face)",
-                              R"(url\(\s*['"]?(https?:|//))", R"((href|src)\s*=\s*['"]?(https?:|//))",
-                              R"(fetch\(|XMLHttpRequest|WebSocket|EventSource|sendBeacon|importScripts|import\()"})
+  for (const char* pattern :
+       {R"(<script[^>]+src)", R"(<(link|iframe|object|embed|base)\b)", R"(@import|@font-face)",
+        R"(url\(\s*['"]?(https?:|//))", R"((href|src)\s*=\s*['"]?(https?:|//))",
+        R"(fetch\(|XMLHttpRequest|WebSocket|EventSource|sendBeacon|importScripts|import\()"})
     EXPECT_FALSE(std::regex_search(page, std::regex(pattern, std::regex::icase))) << pattern;
 }
 
@@ -110,7 +113,8 @@ TEST(ReportPage, TextsOfOthersAreNoMarkup) {
 }
 
 TEST(ReportPage, EndsWhereItIsToldTo) {
-  EXPECT_FALSE(report_page(study, map_of_study(), "/nowhere", {}, [] {}, at_once));
+  EXPECT_FALSE(report_page(
+      study, map_of_study(), "/nowhere", {}, [] {}, at_once));
 }
 
 TEST(ReportPage, AMapOfAnotherSizeIsRefused) {

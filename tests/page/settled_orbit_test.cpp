@@ -8,8 +8,9 @@
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/report/trace_run.hpp"
+#include "rubsweep/report/trace_csv.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/trace/trace_run.hpp"
 #include "sweep/one_side_study.hpp"
 
 namespace rubsweep::page {
@@ -21,7 +22,7 @@ struct Recorded {
 };
 
 Recorded record(const sweep::Study& study) {
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   const scene::Plan plan = scene::make_plan(study.machine);
   Recorded result;
   result.row = sweep::evaluate_cell(study, plan, 0, workspace);
@@ -32,19 +33,19 @@ Recorded record(const sweep::Study& study) {
 
 /// The trajectory that a trace writes, with as many samples a turn as the orbit has steps.
 batch::CsvTable trajectory(const sweep::Study& study, const SettledOrbit& orbit) {
-  response::Workspace workspace;
-  const scene::Cell cell = scene::build_cell(study.machine, study.grid.speed_hz[0],
-                                             scene::WhirlRatio{study.grid.unbalance[0]});
-  const report::TraceOptions options{.speed_hz = study.grid.speed_hz[0],
-                                     .revolutions = orbit.first_revolution + orbit.turns,
-                                     .samples_per_revolution = orbit.steps_per_turn,
-                                     .window_revolutions = 1,
-                                     .trajectory_revolutions = orbit.turns};
-  const report::Trace trace = report::trace_run(
-      integrate::start(cell.scene, study.solver, workspace.plans).advance, cell.scene, study.solver, options);
+  response::motion::Workspace workspace;
+  const scene::Cell cell =
+      scene::build_cell(study.machine, study.grid.speed_hz[0], scene::WhirlRatio{study.grid.unbalance[0]});
+  const trace::TraceOptions options{.speed_hz = study.grid.speed_hz[0],
+                                    .revolutions = orbit.first_revolution + orbit.turns,
+                                    .samples_per_revolution = orbit.steps_per_turn,
+                                    .window_revolutions = 1,
+                                    .trajectory_revolutions = orbit.turns};
+  const trace::Trace trace = trace::trace_run(
+      integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene, study.solver, options);
   const TemporaryDirectory directory;
   const auto path = directory.path() / "trajectory.csv";
-  std::ofstream(path, std::ios::binary) << trace.trajectory_csv;
+  std::ofstream(path, std::ios::binary) << report::trajectory_csv(trace);
   return batch::read_csv(path);
 }
 
@@ -65,7 +66,7 @@ TEST(SettledOrbit, APeriodicMotionIsTheOneThatATraceShows) {
   sweep::Study study = sweep::one_side_study({70}, {0.2});
   study.response.max_revolutions = 400;
   const Recorded recorded = record(study);
-  ASSERT_EQ(recorded.row.motion_class, response::MotionClass::subharmonic);
+  ASSERT_EQ(recorded.row.motion_class, response::motion::MotionClass::subharmonic);
   ASSERT_TRUE(recorded.orbit);
   const SettledOrbit& orbit = *recorded.orbit;
   EXPECT_EQ(orbit.turns, recorded.row.order);
@@ -74,15 +75,14 @@ TEST(SettledOrbit, APeriodicMotionIsTheOneThatATraceShows) {
   expect_like_the_trace(study, orbit, 1e-15);
   // It closes, as finely as it was asked to.
   for (const auto& signal : orbit.signals) EXPECT_NEAR(signal.front(), signal.back(), 1e-4 * 1e-3);
-  EXPECT_NEAR(orbit.spectrum.amplitude(orbit.spectrum.turns),
-              recorded.row.measures->amplitude_1x_forward_m,
+  EXPECT_NEAR(orbit.spectrum.amplitude(orbit.spectrum.turns), recorded.row.measures->amplitude_1x_forward_m,
               1e-4 * recorded.row.measures->contact.peak_displacement_m);
 }
 
 TEST(SettledOrbit, ARotorAtRestIsItsQuietWhirl) {
   const sweep::Study study = sweep::one_side_study({50}, {0.2});
   const Recorded recorded = record(study);
-  ASSERT_EQ(recorded.row.motion_class, response::MotionClass::non_contact);
+  ASSERT_EQ(recorded.row.motion_class, response::motion::MotionClass::non_contact);
   ASSERT_TRUE(recorded.orbit);
   const double clearance_m = study.machine.stops[0].clearance_m, radius_m = 0.2 * clearance_m;
   for (std::size_t k = 0; k < recorded.orbit->signals[0].size(); ++k) {
@@ -95,7 +95,7 @@ TEST(SettledOrbit, ARotorAtRestIsItsQuietWhirl) {
 TEST(SettledOrbit, AnUndecidedMotionIsTheEndOfItsRun) {
   sweep::Study study = sweep::one_side_study({75}, {0.4});
   study.response.floquet_proof = false;
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   const scene::Plan plan = scene::make_plan(study.machine);
   const auto orbit = settled_orbit(study, plan, 0, {"unsettled", std::nullopt, 40}, workspace);
   ASSERT_TRUE(orbit);
@@ -108,7 +108,7 @@ TEST(SettledOrbit, AnUndecidedMotionIsTheEndOfItsRun) {
 
 TEST(SettledOrbit, ACellWithoutMotionHasNone) {
   const sweep::Study study = sweep::one_side_study({75}, {0.4});
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   const scene::Plan plan = scene::make_plan(study.machine);
   EXPECT_FALSE(settled_orbit(study, plan, 0, {"failed", std::nullopt, 7}, workspace));
   EXPECT_FALSE(settled_orbit(study, plan, 0, {"initial_contact", std::nullopt, 0}, workspace));

@@ -29,7 +29,8 @@ class BothSolvers : public testing::TestWithParam<std::string> {
     return index(study_.grid.unbalance.size(), along_unbalance) * speeds + index(speeds, along_speed);
   }
 
-  std::vector<double> section(std::size_t cell, const integrate::SolverOptions& solver, int turns) const {
+  std::vector<double> section(std::size_t cell, const integrate::run::SolverOptions& solver,
+                              int turns) const {
     const std::size_t speeds = study_.grid.speed_hz.size();
     const double unbalance = study_.grid.unbalance[cell / speeds];
     const auto start = scene::build_cell(study_.machine, study_.grid.speed_hz[cell % speeds],
@@ -37,12 +38,12 @@ class BothSolvers : public testing::TestWithParam<std::string> {
                                              ? scene::Unbalance(scene::WhirlRatio{unbalance})
                                              : scene::Unbalance(scene::Eccentricity{unbalance}));
     EXPECT_EQ(start.start, scene::Start::quiet);
-    integrate::ExactPlans plans;
-    const integrate::Run run = integrate::start(start.scene, solver, plans);
-    integrate::Turn turn;
+    integrate::exact::ModeCache modes;
+    const integrate::run::Run run = integrate::start(start.scene, solver, modes);
+    integrate::run::Turn turn;
     bool touched = false;
     for (int k = 0; k < turns; ++k) {
-      EXPECT_EQ(run.advance(turn), integrate::Outcome::ok);
+      EXPECT_EQ(run.advance(turn), integrate::run::Outcome::ok);
       touched = touched || turn.touched;
     }
     EXPECT_TRUE(touched);
@@ -51,9 +52,9 @@ class BothSolvers : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(BothSolvers, GiveTheSameSection) {
-  integrate::SolverOptions exact = study_.solver, adaptive = study_.solver;
-  exact.method = integrate::Method::exact;
-  adaptive.method = integrate::Method::adaptive;
+  integrate::run::SolverOptions exact = study_.solver, adaptive = study_.solver;
+  exact.method = integrate::run::Method::exact;
+  adaptive.method = integrate::run::Method::adaptive;
   exact.relative_tolerance = adaptive.relative_tolerance = 1e-12;
   for (const double place : {0.15, 0.4, 0.7}) {
     constexpr int turns = 6;
@@ -65,13 +66,13 @@ TEST_P(BothSolvers, GiveTheSameSection) {
 /// But for a cell that a change of the kick by a millionth sends elsewhere: one of three at most.
 TEST_P(BothSolvers, GiveTheSameClass) {
   sweep::Study adaptive = study_;
-  study_.solver.method = integrate::Method::exact;
-  adaptive.solver.method = integrate::Method::adaptive;
+  study_.solver.method = integrate::run::Method::exact;
+  adaptive.solver.method = integrate::run::Method::adaptive;
   adaptive.solver.relative_tolerance = 1e-10;
   adaptive.response.max_revolutions = study_.response.max_revolutions = 400;
   int different = 0;
   for (const double place : {0.1, 0.35, 0.6}) {
-    response::Workspace workspace;
+    response::motion::Workspace workspace;
     const sweep::Row a = evaluate_cell(study_, cell(place, 0.45), workspace),
                      b = evaluate_cell(adaptive, cell(place, 0.45), workspace);
     if (a.motion_class == b.motion_class && a.order == b.order) continue;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "batch/message_of.hpp"
+#include "batch/read_csv.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/whole_file.hpp"
@@ -19,7 +20,8 @@ namespace {
 
 using sweep::Row;
 
-Row row(double speed_hz, double whirl_ratio, response::MotionClass motion_class, std::optional<int> order) {
+Row row(double speed_hz, double whirl_ratio, response::motion::MotionClass motion_class,
+        std::optional<int> order) {
   Row row;
   row.speed_hz = speed_hz;
   row.whirl_ratio = whirl_ratio;
@@ -32,13 +34,13 @@ Row row(double speed_hz, double whirl_ratio, response::MotionClass motion_class,
       .hits = 32, .contact_fraction = 0.1, .peak_displacement_m = 2e-3, .peak_contact_force_n = 500};
   row.measures->amplitude_1x_forward_m = 1e-3;
   row.measures->amplitude_1x_backward_m = 8e-22;
-  row.measures->orbit = response::OrbitKind::oval;
+  row.measures->orbit = response::spectrum::OrbitKind::oval;
   return row;
 }
 
 /// Four cells: two motions that repeat, rest and chaos.
 std::vector<Row> cells() {
-  using enum response::MotionClass;
+  using enum response::motion::MotionClass;
   return {row(50, 0.2, subharmonic, 2), row(60, 0.2, non_contact, {}), row(50, 0.4, chaotic, {}),
           row(60, 0.4, subharmonic, 3)};
 }
@@ -83,7 +85,7 @@ TEST_F(CompareMaps, EqualMapsAreEqual) {
 TEST_F(CompareMaps, ClassAndOrderMustBeTheSame) {
   auto other = cells();
   other[0].order = 4;
-  other[1].motion_class = response::MotionClass::unsettled;
+  other[1].motion_class = response::motion::MotionClass::unsettled;
   const MapComparison comparison = compare(cells(), other);
   EXPECT_FALSE(comparison.equal());
   EXPECT_EQ(verdicts(comparison), (std::vector{classes_differ, classes_differ, equal, equal}));
@@ -124,7 +126,7 @@ TEST_F(CompareMaps, LengthsAreRelativeToThePeakDisplacement) {
 
 TEST_F(CompareMaps, WordsAndEmptyNumbersOfARepeatingMotionMustBeTheSame) {
   auto other = cells();
-  other[0].measures->orbit = response::OrbitKind::complex;
+  other[0].measures->orbit = response::spectrum::OrbitKind::complex;
   other[1].measures->comb_spacing = 0.3;
   const MapComparison comparison = compare(cells(), other);
   EXPECT_EQ(verdicts(comparison), (std::vector{numbers_differ, numbers_differ, equal, equal}));
@@ -146,7 +148,7 @@ TEST_F(CompareMaps, HowLongATransientLastedIsNotCompared) {
   auto other = cells();
   other[0].revolutions = 999;
   other[0].last_contact_revolution = 77;
-  other[0].proof = response::Proof::observed;
+  other[0].proof = response::motion::Proof::observed;
   EXPECT_TRUE(compare(cells(), other).equal());
 }
 
@@ -196,7 +198,7 @@ TEST_F(CompareMaps, CellsOfOneMapOnlyAreADifference) {
 TEST_F(CompareMaps, OfEccentricityMapsTheCellsAreFoundByEccentricity) {
   std::vector<Row> a;
   for (const double speed_hz : {50., 60., 70.}) {
-    a.push_back(row(speed_hz, 0.1 * speed_hz, response::MotionClass::synchronous, 1));
+    a.push_back(row(speed_hz, 0.1 * speed_hz, response::motion::MotionClass::synchronous, 1));
     a.back().eccentricity_m = 1e-4;
   }
   auto b = a;

@@ -12,8 +12,8 @@
 #include <random>
 #include <utility>
 
+#include "batch/read_csv.hpp"
 #include "batch/temporary_directory.hpp"
-#include "rubsweep/batch/csv_table.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -39,7 +39,7 @@ Row full_row() {
   row.speed_hz = 75;
   row.whirl_ratio = 0.4;
   row.eccentricity_m = 3.36e-4;
-  row.motion_class = response::MotionClass::subharmonic;
+  row.motion_class = response::motion::MotionClass::subharmonic;
   row.order = 2;
   row.measures.emplace();
   row.measures->turns = 48;
@@ -48,9 +48,9 @@ Row full_row() {
   row.measures->amplitude_1x_forward_m = 4.56e-4;
   row.measures->amplitude_1x_backward_m = 2e-5;
   row.measures->dominant = {.order = -0.5, .amplitude_m = 1.5e-3};
-  row.measures->orbit = response::OrbitKind::oval;
-  row.measures->whirl = response::WhirlKind::backward;
-  row.proof = response::Proof::observed;
+  row.measures->orbit = response::spectrum::OrbitKind::oval;
+  row.measures->whirl = response::spectrum::WhirlKind::backward;
+  row.proof = response::motion::Proof::observed;
   row.robust = true;
   row.last_contact_revolution = 600;
   row.revolutions = 600;
@@ -124,10 +124,10 @@ TEST(MapLine, WhatDoesNotApplyIsEmpty) {
 
 TEST(MapLine, ARotorAtRestHasNoOrbitWhirlOrDominantLine) {
   Row row;
-  row.motion_class = response::MotionClass::non_contact;
+  row.motion_class = response::motion::MotionClass::non_contact;
   row.measures.emplace();
   row.measures->turns = 1;
-  row.proof = response::Proof::rest;
+  row.proof = response::motion::Proof::rest;
   const auto cells = by_column(map_line(row));
   for (const char* empty :
        {"orbit", "whirl", "dominant_order", "dominant_amplitude_m", "order", "last_contact_revolution"}) {

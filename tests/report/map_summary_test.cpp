@@ -7,7 +7,7 @@
 namespace rubsweep::report {
 namespace {
 
-using response::MotionClass;
+using response::motion::MotionClass;
 using sweep::Row;
 
 Row row(MotionClass motion_class, std::optional<int> order = {}, const std::string& status = "ok") {
@@ -45,7 +45,8 @@ TEST(MapSummary, OnlyTheClassTellsAFailedCell) {
   EXPECT_FALSE(summary_of({row(MotionClass::subharmonic, 2, "slip_reversal")}).has_failed_cells());
 }
 
-Row measured(MotionClass motion_class, response::OrbitKind orbit, response::WhirlKind whirl, bool comb) {
+Row measured(MotionClass motion_class, response::spectrum::OrbitKind orbit,
+             response::spectrum::WhirlKind whirl, bool comb) {
   Row result = row(motion_class);
   result.measures.emplace();
   result.measures->turns = 64;
@@ -56,7 +57,7 @@ Row measured(MotionClass motion_class, response::OrbitKind orbit, response::Whir
 }
 
 TEST(MapSummary, TellsAWhipFromAnOvalAndCirclesByTheirSense) {
-  using response::OrbitKind, response::WhirlKind;
+  using response::spectrum::OrbitKind, response::spectrum::WhirlKind;
   const MapSummary summary =
       summary_of({measured(MotionClass::quasi_periodic, OrbitKind::circle, WhirlKind::backward, true),
                   measured(MotionClass::quasi_periodic, OrbitKind::oval, WhirlKind::backward, true),

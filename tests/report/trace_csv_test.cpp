@@ -5,8 +5,8 @@
 namespace rubsweep::report {
 namespace {
 
-TraceState state_with_two_stops() {
-  TraceState state;
+trace::TraceState state_with_two_stops() {
+  trace::TraceState state;
   state.displacement_m = {1e-3, -2.5e-4};
   state.velocity_m_per_s = {0.5, -0.125};
   state.stops.resize(2);
@@ -17,38 +17,40 @@ TraceState state_with_two_stops() {
 }
 
 TEST(TrajectoryCsv, HasTheRotorThenEveryStop) {
-  EXPECT_EQ(trajectory_header(0), "t_s,x_m,y_m,vx_m_per_s,vy_m_per_s\n");
-  EXPECT_EQ(trajectory_header(2),
+  EXPECT_EQ(trajectory_csv({}), "t_s,x_m,y_m,vx_m_per_s,vy_m_per_s\n");
+  trace::Trace trace;
+  trace.stops = 2;
+  trace.trajectory = {{0.0625, state_with_two_stops()}};
+  // The shortest text that reads back to the same double.
+  EXPECT_EQ(trajectory_csv(trace),
             "t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,"
             "casing_0_x_m,casing_0_y_m,gap_0_m,normal_force_0_n,friction_force_0_n,"
-            "casing_1_x_m,casing_1_y_m,gap_1_m,normal_force_1_n,friction_force_1_n\n");
-  // The shortest text that reads back to the same double.
-  EXPECT_EQ(trajectory_line(0.0625, state_with_two_stops()),
+            "casing_1_x_m,casing_1_y_m,gap_1_m,normal_force_1_n,friction_force_1_n\n"
             "0.0625,0.001,-0.00025,0.5,-0.125,1e-05,2e-05,-3e-06,12.5,1.25,0,0,0.30000000000000004,0,0\n");
 }
 
 TEST(SectionCsv, HasTheRotorThenTheCasings) {
+  trace::Trace trace;
+  trace.stops = 2;
+  trace.section = {{0, {.displacement_m = {0, 0}, .velocity_m_per_s = {0, 0}, .stops = {{}, {}}}},
+                   {1250.5, state_with_two_stops()}};
   EXPECT_EQ(
-      section_header(2),
-      "revolution,t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,casing_0_x_m,casing_0_y_m,casing_1_x_m,casing_1_y_m\n");
-  EXPECT_EQ(section_line(100'000, 1250.5, state_with_two_stops()),
-            "100000,1250.5,0.001,-0.00025,0.5,-0.125,1e-05,2e-05,0,0\n");
+      section_csv(trace),
+      "revolution,t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,casing_0_x_m,casing_0_y_m,casing_1_x_m,casing_1_y_m\n"
+      "0,0,0,0,0,0,0,0,0,0\n"
+      "1,1250.5,0.001,-0.00025,0.5,-0.125,1e-05,2e-05,0,0\n");
 }
 
 TEST(EventsCsv, NamesTheModes) {
-  EXPECT_EQ(events_header(), "t_s,stop,from,to\n");
-  EXPECT_EQ(
-      event_line(0.25,
-                 {.phase_rad = 1, .contact = 1, .from = contact::Mode::open, .to = contact::Mode::clamped}),
-      "0.25,1,open,clamped\n");
-  EXPECT_EQ(
-      event_line(
-          0.5, {.phase_rad = 1, .contact = 0, .from = contact::Mode::sprung, .to = contact::Mode::released}),
-      "0.5,0,sprung,released\n");
+  using contact::Mode;
+  trace::Trace trace;
+  trace.switches = {{0.25, {.phase_rad = 1, .contact = 1, .from = Mode::open, .to = Mode::clamped}},
+                    {0.5, {.phase_rad = 1, .contact = 0, .from = Mode::sprung, .to = Mode::released}}};
+  EXPECT_EQ(events_csv(trace), "t_s,stop,from,to\n0.25,1,open,clamped\n0.5,0,sprung,released\n");
 }
 
 TEST(SpectrumCsv, ListsOrdersUpwardsWithSignedFrequencies) {
-  const response::FullSpectrum spectrum{
+  const response::spectrum::FullSpectrum spectrum{
       .turns = 2, .samples_per_revolution = 2, .amplitude_m = {1e-6, 2e-6, 3e-6, 4e-6}};
   EXPECT_EQ(spectrum_csv(spectrum, 75),
             "order,frequency_hz,amplitude_m\n"

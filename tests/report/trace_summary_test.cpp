@@ -7,11 +7,11 @@
 namespace rubsweep::report {
 namespace {
 
-using response::MotionClass;
+using response::motion::MotionClass;
 
 /// 4 turns of 4 samples: lines at -2X to 1.75X. `amplitude` by line.
-response::FullSpectrum spectrum_of(std::initializer_list<std::pair<int, double>> amplitude) {
-  response::FullSpectrum spectrum{
+response::spectrum::FullSpectrum spectrum_of(std::initializer_list<std::pair<int, double>> amplitude) {
+  response::spectrum::FullSpectrum spectrum{
       .turns = 4, .samples_per_revolution = 4, .amplitude_m = std::vector<double>(16)};
   for (const auto& [k, value] : amplitude) spectrum.amplitude_m[static_cast<std::size_t>(k + 8)] = value;
   return spectrum;
@@ -44,9 +44,9 @@ sweep::Row subharmonic_row() {
   row.motion_class = MotionClass::subharmonic;
   row.order = 2;
   row.measures.emplace();
-  row.measures->orbit = response::OrbitKind::oval;
-  row.measures->whirl = response::WhirlKind::mixed;
-  row.proof = response::Proof::observed;
+  row.measures->orbit = response::spectrum::OrbitKind::oval;
+  row.measures->whirl = response::spectrum::WhirlKind::mixed;
+  row.proof = response::motion::Proof::observed;
   row.revolutions = 600;
   return row;
 }
@@ -65,7 +65,7 @@ TEST(MotionSummary, NamesTheCellAndItsMotion) {
   row.motion_class = MotionClass::non_contact;
   row.eccentricity_m = 1e-5;
   row.status = "ok";
-  row.proof = response::Proof::rest;
+  row.proof = response::motion::Proof::rest;
   row.revolutions = 14;
   EXPECT_EQ(motion_summary(row),
             "cell      30 Hz, whirl ratio 0.5, eccentricity 1e-05 m\n"
@@ -73,7 +73,7 @@ TEST(MotionSummary, NamesTheCellAndItsMotion) {
 }
 
 TEST(TraceSummary, ShowsPeaksHitsLinesAndEffort) {
-  Trace trace;
+  trace::Trace trace;
   trace.revolutions = 10;
   trace.turns.assign(
       10, {.hits = 1, .contact_fraction = 0.2, .peak_displacement_m = 2e-3, .peak_contact_force_n = 50});
@@ -81,9 +81,9 @@ TEST(TraceSummary, ShowsPeaksHitsLinesAndEffort) {
   trace.turns[0].peak_contact_force_n = 400;
   trace.last_contact_revolution = 9;
   trace.effort = {.rhs_calls = 7000, .steps = 1000, .refused = 25, .switches = 40};
-  TraceWindow window;
+  trace::TraceWindow window;
   window.turns = 4;
-  window.contact = facts_of_last(trace, 4);
+  window.contact = trace::facts_of_last(trace, 4);
   window.contact.hits = 2;
   window.spectrum = spectrum_of({{2, 7e-4}, {-4, 3e-4}});
   EXPECT_EQ(

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "response/companion_growth.hpp"
+
 namespace rubsweep::response {
 namespace {
 
@@ -16,14 +18,15 @@ constexpr double golden_angle = 2.39996322972865332;  ///< returns as badly as a
 
 /// Follows a map whose observed x is the first of its coordinates. `contact_ends`: turns after which there is
 /// none.
-Aperiodic follow(const SectionMap& map, const std::vector<double>& state, int contact_ends = 1'000'000) {
+Aperiodic follow(const proof::SectionMap& map, const std::vector<double>& state,
+                 int contact_ends = 1'000'000) {
   Eigen::Matrix<double, 2, Eigen::Dynamic> observed;
   observed.setZero(2, static_cast<Eigen::Index>(state.size() / 2));
   observed(0, 0) = 1;
   int turns = 0;
-  SpectrumWorkspace workspace;
+  spectrum::SpectrumWorkspace workspace;
   return classify_aperiodic(
-      companion_growth(map, state), [&] { return ++turns <= contact_ends; }, state, observed, window,
+      test::companion_growth(map, state), [&] { return ++turns <= contact_ends; }, state, observed, window,
       workspace);
 }
 
@@ -37,7 +40,7 @@ bool henon(std::span<double> s) {
 }
 
 /// Turns by `angle` and is drawn to the unit circle; `stretch` < 1 makes the turning uneven.
-SectionMap circle(double angle, double stretch) {
+proof::SectionMap circle(double angle, double stretch) {
   return [=](std::span<double> s) {
     const double phi = std::atan2(s[1], s[0]), radius = std::hypot(s[0], s[1]);
     const double next = phi + angle + stretch * std::sin(phi);
@@ -48,7 +51,7 @@ SectionMap circle(double angle, double stretch) {
 }
 
 /// A strongly attracting motion of period two, and beside it a modulation that turns and grows at `rate`.
-SectionMap modulated_period_two(double rate) {
+proof::SectionMap modulated_period_two(double rate) {
   return [=](std::span<double> s) {
     s[0] = -s[0] * (1.5 - 0.5 * s[0] * s[0]);
     const double u = s[1], v = s[2], grow = std::exp(rate);
@@ -112,7 +115,7 @@ TEST(ClassifyAperiodic, ALongPeriodIsUnsettledAndNamed) {
 TEST(ClassifyAperiodic, ChaosThatEndsInAPeriodIsNotChaos) {
   // Both companion and base count, so 700 turns of chaos are 1400 calls.
   int calls = 0;
-  const SectionMap map = [&calls](std::span<double> s) {
+  const proof::SectionMap map = [&calls](std::span<double> s) {
     if (++calls <= 1400) return henon(s);
     for (double& x : s) x *= 0.5;
     return true;
@@ -133,17 +136,17 @@ TEST(ClassifyAperiodic, AShorterPauseIsContact) {
   int turns = 0;
   Eigen::Matrix<double, 2, Eigen::Dynamic> observed(2, 1);
   observed << 1, 0;
-  SpectrumWorkspace workspace;
+  spectrum::SpectrumWorkspace workspace;
   const auto now_and_then = [&turns] { return ++turns % window == 0; };
-  EXPECT_EQ(name(classify_aperiodic(companion_growth(henon, std::vector{0.1, 0.2}), now_and_then, {0.1, 0.2},
-                                    observed, window, workspace)),
+  EXPECT_EQ(name(classify_aperiodic(test::companion_growth(henon, std::vector{0.1, 0.2}), now_and_then,
+                                    {0.1, 0.2}, observed, window, workspace)),
             "chaotic");
 }
 
 TEST(ClassifyAperiodic, AMapThatFailsLeavesNoExponent) {
   // After the first look, which does not decide.
   int calls = 0;
-  const SectionMap map = [&calls](std::span<double> s) { return ++calls < 1500 && henon(s); };
+  const proof::SectionMap map = [&calls](std::span<double> s) { return ++calls < 1500 && henon(s); };
   const Aperiodic found = follow(map, {0.1, 0.2});
   EXPECT_EQ(name(found), "unsettled");
   EXPECT_FALSE(found.exponent);
@@ -160,7 +163,7 @@ TEST(ClassifyAperiodic, AModulationTooSmallToTellIsUnsettled) {
 Aperiodic follow_with_growth(const std::function<double(int)>& growth, int& turns) {
   int calls = 0;
   const auto torus = modulated_period_two(0);
-  const SectionMap map = [&](std::span<double> s) {
+  const proof::SectionMap map = [&](std::span<double> s) {
     const double unused = s[3];
     torus(s);
     s[3] = unused * std::exp(growth(calls++ / 2));
@@ -195,7 +198,7 @@ TEST(ClassifyAperiodic, AReturnWhoseTrendIsUnknownIsNotDecided) {
   // knowledge either.
   constexpr double beat = 0.01, cancel = 384;
   int calls = 0;
-  const SectionMap map = [&](std::span<double> s) {
+  const proof::SectionMap map = [&](std::span<double> s) {
     const double turn = calls++ / 2;
     const double size = 0.1 * std::sin(beat * (turn - cancel));
     s[0] = -s[0] * (1.5 - 0.5 * s[0] * s[0]);
@@ -217,7 +220,7 @@ TEST(ClassifyAperiodic, BroadLinesAreNoTorus) {
   unsigned long bits = 1;
   int calls = 0;
   double step = 0;
-  const SectionMap map = [&](std::span<double> s) {
+  const proof::SectionMap map = [&](std::span<double> s) {
     if (++calls % 2 == 1) {
       bits = bits * 6364136223846793005UL + 1442695040888963407UL;
       step = 2 * std::numbers::pi * static_cast<double>(bits >> 11) * 0x1p-53;

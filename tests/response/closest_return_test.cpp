@@ -57,7 +57,7 @@ TEST(ClosestReturn, BarIsThatOfALineThroughEightBlocks) {
   const auto nearest = closest_return(rows, 1, 1);
   const double slope = 8.0 / 42, residual = 2 - 64.0 / 42;
   EXPECT_NEAR(nearest.rate, slope / 8, 1e-12);
-  EXPECT_NEAR(nearest.rate_error_bar, 3.7074 * std::sqrt(residual / 6 / 42) / 8, 1e-12);
+  EXPECT_NEAR(nearest.rate_error_bar, 3.707428 * std::sqrt(residual / 6 / 42) / 8, 1e-8);
 }
 
 TEST(ClosestReturn, OfAnExactPeriodHasNoRate) {

@@ -1,4 +1,4 @@
-// Dry whip: friction drives the rotor backwards round the ring, at a frequency of its own.
+// Dry whip: friction drives the rotor backwards round the annular stop, at a frequency of its own.
 #include <gtest/gtest.h>
 
 #include <boost/math/tools/roots.hpp>
@@ -18,15 +18,15 @@ constexpr Complex i{0, 1};
 
 SettledRun run(const model::Machine& machine, double speed_hz, double whirl_ratio,
                int max_revolutions = 300) {
-  const ResponseOptions options{.max_revolutions = max_revolutions};
-  Workspace workspace;
+  const motion::ResponseOptions options{.max_revolutions = max_revolutions};
+  motion::Workspace workspace;
   return settle(scene::build_cell(machine, speed_hz, scene::WhirlRatio{whirl_ratio}), {}, options, workspace);
 }
 
-/// Set A in a ring, friction of 0.1.
+/// Set A in an annular stop, friction of 0.1.
 model::Machine whip_machine() {
   model::Machine machine = annular_machine();
-  machine.rotor.damping_ratio = 0.02;
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0.02;
   machine.stops[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
   machine.stops[0].casing->damping_ratio = 0.1;
   machine.kick->force_n = 200;
@@ -45,7 +45,7 @@ struct Whip {
   double mu = 0.1;
 
   Complex compliance(double w) const {
-    const auto& rotor = machine.rotor;
+    const auto& rotor = std::get<model::JeffcottRotor>(machine.rotor);
     const auto& casing = *machine.stops[0].casing;
     const double w0 = 2 * std::numbers::pi * rotor.natural_frequency_hz;
     return 1.0 / backward_stiffness(rotor.mass_kg, rotor.mass_kg * w0 * w0, rotor.damping_ratio, w) +
@@ -62,10 +62,12 @@ struct Whip {
     const auto& stop = machine.stops[0];
     const double k = stop.stiffness_n_per_m, gain = -((1.0 + i * mu) * compliance(w)).real();
     const double penetration = stop.clearance_m / (k * gain - 1);
-    const double w0 = 2 * std::numbers::pi * machine.rotor.natural_frequency_hz;
+    const double w0 =
+        2 * std::numbers::pi * std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
     return std::abs(k * penetration * (1.0 + i * mu)) /
-           std::abs(backward_stiffness(machine.rotor.mass_kg, machine.rotor.mass_kg * w0 * w0,
-                                       machine.rotor.damping_ratio, w));
+           std::abs(backward_stiffness(std::get<model::JeffcottRotor>(machine.rotor).mass_kg,
+                                       std::get<model::JeffcottRotor>(machine.rotor).mass_kg * w0 * w0,
+                                       std::get<model::JeffcottRotor>(machine.rotor).damping_ratio, w));
   }
 };
 
@@ -75,10 +77,10 @@ TEST(DryWhip, IsABackwardCircleAtItsClosedFormFrequency) {
   const auto settled = run(whip.machine, speed_hz, 0);
   EXPECT_EQ(std::string(to_string(settled.motion.motion_class)), "quasi_periodic");
   EXPECT_FALSE(settled.motion.order);
-  EXPECT_EQ(settled.proof, Proof::observed);
-  const Measures& m = settled.motion.measures;
-  EXPECT_EQ(m.orbit, OrbitKind::circle);
-  EXPECT_EQ(m.whirl, WhirlKind::backward);
+  EXPECT_EQ(settled.proof, motion::Proof::observed);
+  const motion::Measures& m = settled.motion.measures;
+  EXPECT_EQ(m.orbit, spectrum::OrbitKind::circle);
+  EXPECT_EQ(m.whirl, spectrum::WhirlKind::backward);
   const double order = -w / (2 * std::numbers::pi * speed_hz);
   EXPECT_NEAR(m.dominant.value().order, order, 1e-6);
   EXPECT_NEAR(m.comb_spacing.value(), 1 - order, 1e-6);
@@ -93,8 +95,8 @@ TEST(DryWhip, AtAFractionOfTheShaftSpeedItIsSubharmonicAndStillBackward) {
   const auto settled = run(whip.machine, hz / 1.5, 0);
   EXPECT_EQ(std::string(to_string(settled.motion.motion_class)), "subharmonic");
   EXPECT_EQ(settled.motion.order, 2);
-  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::circle);
-  EXPECT_EQ(settled.motion.measures.whirl, WhirlKind::backward);
+  EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::circle);
+  EXPECT_EQ(settled.motion.measures.whirl, spectrum::WhirlKind::backward);
   EXPECT_NEAR(settled.motion.measures.dominant.value().order, -1.5, 1e-12);
   EXPECT_FALSE(settled.motion.measures.comb_spacing);
 }
@@ -102,8 +104,8 @@ TEST(DryWhip, AtAFractionOfTheShaftSpeedItIsSubharmonicAndStillBackward) {
 TEST(DryWhip, UnbalanceMakesItAnOvalThatTurnsBackwards) {
   const auto settled = run(whip_machine(), 60, 0.5);
   EXPECT_EQ(std::string(to_string(settled.motion.motion_class)), "quasi_periodic");
-  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::oval);
-  EXPECT_EQ(settled.motion.measures.whirl, WhirlKind::backward);
+  EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::oval);
+  EXPECT_EQ(settled.motion.measures.whirl, spectrum::WhirlKind::backward);
   EXPECT_NEAR(settled.motion.measures.dominant.value().order,
               1 - settled.motion.measures.comb_spacing.value(), 1e-12);
 }
@@ -111,8 +113,8 @@ TEST(DryWhip, UnbalanceMakesItAnOvalThatTurnsBackwards) {
 TEST(DryWhip, TheSynchronousCircleOfTheSameMachineTurnsForward) {
   const auto settled = run(whip_machine(), 75, 0.5, 600);
   EXPECT_EQ(std::string(to_string(settled.motion.motion_class)), "synchronous");
-  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::circle);
-  EXPECT_EQ(settled.motion.measures.whirl, WhirlKind::forward);
+  EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::circle);
+  EXPECT_EQ(settled.motion.measures.whirl, spectrum::WhirlKind::forward);
   EXPECT_FALSE(settled.motion.measures.comb_spacing);
 }
 
@@ -122,29 +124,32 @@ TEST(DryWhip, OffTheCentreItTakesAnExponent) {
   const auto settled = run(machine, 60, 0);
   EXPECT_EQ(std::string(to_string(settled.motion.motion_class)), "quasi_periodic");
   EXPECT_FALSE(settled.motion.measures.comb_spacing);
-  EXPECT_EQ(settled.motion.measures.whirl, WhirlKind::backward);
+  EXPECT_EQ(settled.motion.measures.whirl, spectrum::WhirlKind::backward);
   EXPECT_NEAR(settled.motion.exponent.value().per_revolution, 0, 1e-3);
 }
 
-/// In a rigid ring nothing stops the whip but the slip, which it uses up: then it rolls, and friction is what
-/// it has to be. There w = zeta / mu + sqrt((zeta / mu)^2 + 1) and r = 1 / (1 - 2 zeta w / (mu b)), in units
-/// of the natural frequency and the clearance (b: contact over shaft stiffness), hold with the friction
-/// coefficient of the slip left.
+/// In a rigid annular stop nothing stops the whip but the slip, which it uses up: then it rolls, and friction
+/// is what it has to be. There w = zeta / mu + sqrt((zeta / mu)^2 + 1) and r = 1 / (1 - 2 zeta w / (mu b)),
+/// in units of the natural frequency and the clearance (b: contact over shaft stiffness), hold with the
+/// friction coefficient of the slip left.
 TEST(DryWhip, RollsInARigidRingWithTheFrictionOfItsSlip) {
   model::Machine machine = whip_machine();
   auto& stop = machine.stops[0];
-  const double limit = 0.2, steepness = 1e3, speed_hz = 30, zeta = machine.rotor.damping_ratio;
+  const double limit = 0.2, steepness = 1e3, speed_hz = 30,
+               zeta = std::get<model::JeffcottRotor>(machine.rotor).damping_ratio;
   stop.casing.reset();
   stop.contact_radius_m = 3e-3;
   stop.friction = model::StribeckFriction{{0, 0, 0, limit, steepness, 0}};
   const auto settled = run(machine, speed_hz, 0);
   EXPECT_EQ(std::string(to_string(settled.motion.motion_class)), "quasi_periodic");
-  const Measures& m = settled.motion.measures;
-  EXPECT_EQ(m.orbit, OrbitKind::circle);
-  EXPECT_EQ(m.whirl, WhirlKind::backward);
+  const motion::Measures& m = settled.motion.measures;
+  EXPECT_EQ(m.orbit, spectrum::OrbitKind::circle);
+  EXPECT_EQ(m.whirl, spectrum::WhirlKind::backward);
   const double shaft = 2 * std::numbers::pi * speed_hz,
-               natural = 2 * std::numbers::pi * machine.rotor.natural_frequency_hz;
-  const double b = stop.stiffness_n_per_m / (machine.rotor.mass_kg * natural * natural);
+               natural =
+                   2 * std::numbers::pi * std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
+  const double b =
+      stop.stiffness_n_per_m / (std::get<model::JeffcottRotor>(machine.rotor).mass_kg * natural * natural);
   const double w = -m.dominant.value().order * shaft;
   const double slip = stop.contact_radius_m * shaft - m.dominant->amplitude_m * w;
   EXPECT_GT(slip, 0);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "response/synthetic_motion.hpp"
-#include "rubsweep/response/classify.hpp"
+#include "rubsweep/response/motion/classify.hpp"
 
 namespace rubsweep::response::testing {
 
@@ -13,16 +13,16 @@ using TimeFunction = std::function<Complex(double)>;
 inline constexpr int turns = 64;
 inline constexpr int per_turn = 128;
 inline constexpr double clearance_m = 1e-3;
-inline constexpr ContactFacts touching{
+inline constexpr motion::ContactFacts touching{
     .hits = 1, .contact_fraction = 0.1, .peak_displacement_m = 1.1e-3, .peak_contact_force_n = 200};
 
 /// Owns what a Window looks at.
 struct Recording {
   std::vector<Complex> displacement_m;
   std::vector<double> section_rows;
-  std::vector<ContactFacts> contact = std::vector<ContactFacts>(turns, touching);
+  std::vector<motion::ContactFacts> contact = std::vector<motion::ContactFacts>(turns, touching);
 
-  Window window() const {
+  motion::Window window() const {
     return {.turns = turns,
             .samples_per_revolution = per_turn,
             .clearance_m = clearance_m,
@@ -31,9 +31,9 @@ struct Recording {
             .section = section_rows,
             .contact = contact};
   }
-  WindowVerdict verdict() const {
-    SpectrumWorkspace workspace;
-    return classify_window(window(), {}, workspace);
+  motion::WindowVerdict verdict() const {
+    spectrum::SpectrumWorkspace workspace;
+    return motion::classify_window(window(), {}, workspace);
   }
 };
 

@@ -6,33 +6,34 @@
 #include <numbers>
 
 #include "response/annular_cell.hpp"
+#include "rubsweep/integrate/start.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::response {
 namespace {
 
-SettledRun run(const test::OneSideRotor& rotor, const ResponseOptions& options,
-               const integrate::SolverOptions& solver = {}) {
+SettledRun run(const test::OneSideRotor& rotor, const motion::ResponseOptions& options,
+               const integrate::run::SolverOptions& solver = {}) {
   const auto cell = test::cell_of(rotor);
-  Workspace workspace;
+  motion::Workspace workspace;
   return settle(cell, solver, options, workspace);
 }
 
-ResponseOptions without_floquet_proof() {
-  ResponseOptions options;
+motion::ResponseOptions without_floquet_proof() {
+  motion::ResponseOptions options;
   options.floquet_proof = false;
   return options;
 }
 
 TEST(Settle, TheHalfSubharmonicOfSetAIsProven) {
   const auto proven = run({}, {}), observed = run({}, without_floquet_proof());
-  EXPECT_EQ(proven.proof, Proof::floquet);
+  EXPECT_EQ(proven.proof, motion::Proof::floquet);
   EXPECT_EQ(proven.motion.order, 2);
   EXPECT_LT(proven.revolutions, 100);
   // Nothing damps the rotor's tangential motion but its own damper: e^{-zeta w0 2T} over two turns.
   const double decay = 0.02 * 2 * std::numbers::pi * 30 * 2 / 75;
   EXPECT_NEAR(proven.floquet_modulus.value(), std::exp(-decay), 1e-9);
-  const Measures &a = proven.motion.measures, &b = observed.motion.measures;
+  const motion::Measures &a = proven.motion.measures, &b = observed.motion.measures;
   EXPECT_EQ(a.turns, 2);
   EXPECT_EQ(a.contact.hits * b.turns, b.contact.hits * a.turns);
   EXPECT_NEAR(a.amplitude_1x_forward_m, b.amplitude_1x_forward_m, 1e-12);
@@ -42,26 +43,26 @@ TEST(Settle, TheHalfSubharmonicOfSetAIsProven) {
 }
 
 TEST(Settle, BothSolversProveTheSameOrbit) {
-  integrate::SolverOptions adaptive;
-  adaptive.method = integrate::Method::adaptive;
+  integrate::run::SolverOptions adaptive;
+  adaptive.method = integrate::run::Method::adaptive;
   const auto a = run({}, {}), b = run({}, {}, adaptive);
-  EXPECT_EQ(b.proof, Proof::floquet_observed);
+  EXPECT_EQ(b.proof, motion::Proof::floquet_observed);
   EXPECT_EQ(b.motion.order, 2);
   EXPECT_NEAR(a.floquet_modulus.value(), b.floquet_modulus.value(), 1e-4);
   EXPECT_NEAR(a.motion.measures.amplitude_1x_forward_m, b.motion.measures.amplitude_1x_forward_m, 1e-12);
 }
 
-SettledRun run_struck(double multiple, const ResponseOptions& options) {
+SettledRun run_struck(double multiple, const motion::ResponseOptions& options) {
   auto cell = test::cell_of({});
   cell.scene.impulses.push_back({0.005 * Eigen::Vector4d(1, 1, 0, 0), multiple, 0.2});
-  Workspace workspace;
+  motion::Workspace workspace;
   return settle(cell, {}, options, workspace);
 }
 
 TEST(Settle, ImpulsesThatRepeatEveryTurnLeaveTheProof) {
   const auto proven = run_struck(2, {}), observed = run_struck(2, without_floquet_proof());
-  EXPECT_EQ(proven.proof, Proof::floquet_observed);
-  EXPECT_EQ(observed.proof, Proof::observed);
+  EXPECT_EQ(proven.proof, motion::Proof::floquet_observed);
+  EXPECT_EQ(observed.proof, motion::Proof::observed);
   EXPECT_EQ(proven.motion.order, 2);
   EXPECT_EQ(observed.motion.order, 2);
   EXPECT_NEAR(proven.motion.measures.amplitude_1x_forward_m, observed.motion.measures.amplitude_1x_forward_m,
@@ -76,24 +77,24 @@ TEST(Settle, ImpulsesThatRepeatEveryTurnLeaveTheProof) {
 TEST(Settle, OtherImpulsesOnlyLetTheMotionBeObserved) {
   for (const auto& [multiple, order] : {std::pair{2.5, 2}, std::pair{1.0 / 3, 6}}) {
     const auto settled = run_struck(multiple, {});
-    EXPECT_EQ(settled.proof, Proof::observed);
+    EXPECT_EQ(settled.proof, motion::Proof::observed);
     EXPECT_EQ(settled.revolutions, 600);
-    EXPECT_EQ(settled.motion.motion_class, MotionClass::subharmonic);
+    EXPECT_EQ(settled.motion.motion_class, motion::MotionClass::subharmonic);
     EXPECT_EQ(settled.motion.order, order);
   }
   const auto never = run_struck(std::numbers::phi, {});
-  EXPECT_EQ(never.motion.motion_class, MotionClass::unsettled);
+  EXPECT_EQ(never.motion.motion_class, motion::MotionClass::unsettled);
   EXPECT_FALSE(never.motion.exponent);
 }
 
 TEST(Settle, TheHalfSubharmonicOfSetA) {
   const auto settled = run({}, without_floquet_proof());
-  EXPECT_EQ(settled.motion.motion_class, MotionClass::subharmonic);
+  EXPECT_EQ(settled.motion.motion_class, motion::MotionClass::subharmonic);
   EXPECT_EQ(settled.motion.order, 2);
-  EXPECT_EQ(settled.proof, Proof::observed);
+  EXPECT_EQ(settled.proof, motion::Proof::observed);
   EXPECT_EQ(settled.revolutions, 600);
   EXPECT_GE(settled.last_contact_revolution.value_or(0), 599);  // a hit in every other turn, to the end
-  const Measures& measures = settled.motion.measures;
+  const motion::Measures& measures = settled.motion.measures;
   EXPECT_EQ(measures.contact.hits, measures.turns / 2);
   EXPECT_NEAR(std::abs(measures.dominant.value().order), 0.5, 1e-12);
   // Above the wall by its penetration, on the far side free.
@@ -102,11 +103,11 @@ TEST(Settle, TheHalfSubharmonicOfSetA) {
 }
 
 TEST(Settle, LabelDoesNotDependOnTheStepper) {
-  for (const auto stepper : {integrate::Stepper::rkf78, integrate::Stepper::cash_karp54,
-                             integrate::Stepper::bulirsch_stoer, integrate::Stepper::rosenbrock4}) {
-    integrate::SolverOptions solver;
+  for (const auto stepper : {integrate::run::Stepper::rkf78, integrate::run::Stepper::cash_karp54,
+                             integrate::run::Stepper::bulirsch_stoer, integrate::run::Stepper::rosenbrock4}) {
+    integrate::run::SolverOptions solver;
     solver.stepper = stepper;
-    if (stepper == integrate::Stepper::rosenbrock4) solver.relative_tolerance = 1e-6;
+    if (stepper == integrate::run::Stepper::rosenbrock4) solver.relative_tolerance = 1e-6;
     const auto settled = run({}, {}, solver);
     EXPECT_EQ(settled.motion.order, 2) << static_cast<int>(stepper);
   }
@@ -116,13 +117,13 @@ TEST(Settle, AWeakKickIsProvenToRestInTheClosedFormCircle) {
   test::OneSideRotor rotor;
   rotor.kick_n = 1;
   const auto settled = run(rotor, {});
-  EXPECT_EQ(settled.motion.motion_class, MotionClass::non_contact);
-  EXPECT_EQ(settled.proof, Proof::rest);
+  EXPECT_EQ(settled.motion.motion_class, motion::MotionClass::non_contact);
+  EXPECT_EQ(settled.proof, motion::Proof::rest);
   EXPECT_FALSE(settled.last_contact_revolution);
   EXPECT_LT(settled.revolutions, 20);
   EXPECT_NEAR(settled.motion.measures.amplitude_1x_forward_m, rotor.whirl_ratio * rotor.clearance_m, 1e-15);
-  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::circle);
-  EXPECT_EQ(settled.motion.measures.whirl, WhirlKind::forward);
+  EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::circle);
+  EXPECT_EQ(settled.motion.measures.whirl, spectrum::WhirlKind::forward);
   EXPECT_NEAR(settled.motion.measures.contact.peak_displacement_m, rotor.whirl_ratio * rotor.clearance_m,
               1e-15);
 }
@@ -130,12 +131,12 @@ TEST(Settle, AWeakKickIsProvenToRestInTheClosedFormCircle) {
 /// 600 turns of the section without any proof.
 void expect_quiet_long_run(const test::OneSideRotor& rotor) {
   const auto cell = test::cell_of(rotor);
-  Workspace workspace;
-  const auto motion = integrate::start(cell.scene, {}, workspace.plans);
-  integrate::Turn turn;
+  motion::Workspace workspace;
+  const auto motion = integrate::start(cell.scene, {}, workspace.modes);
+  integrate::run::Turn turn;
   int last_touch = 0;
   for (int k = 1; k <= 600; ++k) {
-    ASSERT_EQ(motion.advance(turn), integrate::Outcome::ok);
+    ASSERT_EQ(motion.advance(turn), integrate::run::Outcome::ok);
     if (turn.touched) last_touch = k;
   }
   EXPECT_LT(last_touch, 300);
@@ -146,34 +147,34 @@ TEST(Settle, ProvenRestIsWhatALongRunShows) {
   test::OneSideRotor rotor;
   rotor.whirl_ratio = 0.05;
   const auto proven = run(rotor, {});
-  EXPECT_EQ(proven.proof, Proof::rest);
+  EXPECT_EQ(proven.proof, motion::Proof::rest);
   rotor.casing_damping_ratio = 1;  // a double mode is no obstacle
-  EXPECT_EQ(run(rotor, {}).proof, Proof::rest);
+  EXPECT_EQ(run(rotor, {}).proof, motion::Proof::rest);
   expect_quiet_long_run(rotor);
 }
 
 TEST(Settle, FailuresNameTheirOutcome) {
-  integrate::SolverOptions solver;
+  integrate::run::SolverOptions solver;
   solver.max_steps_per_revolution = 10;
   const auto settled = run({}, {}, solver);
-  EXPECT_EQ(settled.motion.motion_class, MotionClass::failed);
-  EXPECT_EQ(settled.outcome, integrate::Outcome::step_limit);
+  EXPECT_EQ(settled.motion.motion_class, motion::MotionClass::failed);
+  EXPECT_EQ(settled.outcome, integrate::run::Outcome::step_limit);
   EXPECT_FALSE(settled.proof);
 }
 
 TEST(Settle, ShortestRunKeepsExactlyTwoWindows) {
-  ResponseOptions options = without_floquet_proof();
+  motion::ResponseOptions options = without_floquet_proof();
   options.max_revolutions = 128;
   const auto settled = run({}, options);
   EXPECT_EQ(settled.revolutions, 128);
-  EXPECT_NE(settled.motion.motion_class, MotionClass::failed);
+  EXPECT_NE(settled.motion.motion_class, motion::MotionClass::failed);
 }
 
 TEST(Settle, NoUnbalanceRestsWithoutAnyLine) {
   test::OneSideRotor rotor;
   rotor.whirl_ratio = 0;
   const auto settled = run(rotor, {});
-  EXPECT_EQ(settled.motion.motion_class, MotionClass::non_contact);
+  EXPECT_EQ(settled.motion.motion_class, motion::MotionClass::non_contact);
   EXPECT_FALSE(settled.motion.measures.dominant);
   EXPECT_EQ(settled.motion.measures.amplitude_1x_forward_m, 0);
 }
@@ -181,40 +182,40 @@ TEST(Settle, NoUnbalanceRestsWithoutAnyLine) {
 std::string name(const SettledRun& settled) { return std::string(to_string(settled.motion.motion_class)); }
 
 /// By the adaptive solver alone, whose transients lead to the motions that the tests name.
-SettledRun run_annulus(double speed_hz, double whirl_ratio, double offset_y_m = 0,
-                       const ResponseOptions& options = {}) {
-  Workspace workspace;
-  integrate::SolverOptions solver;
-  solver.method = integrate::Method::adaptive;
+SettledRun run_annular(double speed_hz, double whirl_ratio, double offset_y_m = 0,
+                       const motion::ResponseOptions& options = {}) {
+  motion::Workspace workspace;
+  integrate::run::SolverOptions solver;
+  solver.method = integrate::run::Method::adaptive;
   return settle(testing::annular_cell(speed_hz, whirl_ratio, offset_y_m), solver, options, workspace);
 }
 
 TEST(Settle, TheAnnulusCirclesAtLowSpeed) {
-  const auto settled = run_annulus(90, 0.6);
+  const auto settled = run_annular(90, 0.6);
   EXPECT_EQ(name(settled), "synchronous");
-  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::circle);
+  EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::circle);
   EXPECT_NEAR(settled.motion.measures.contact.contact_fraction, 1, 1e-9);
   EXPECT_FALSE(settled.motion.measures.comb_spacing);
   EXPECT_FALSE(settled.motion.exponent);
 }
 
 TEST(Settle, WindowsTooShortForACombAreSearchedForNone) {
-  const ResponseOptions options{.max_revolutions = 24,
-                                .samples_per_revolution = 24,
-                                .window_revolutions = 8,
-                                .floquet_proof = false,
-                                .max_order = 4};
-  const auto settled = run_annulus(165, 0.6, 0, options);
-  EXPECT_EQ(settled.outcome, integrate::Outcome::ok);
+  const motion::ResponseOptions options{.max_revolutions = 24,
+                                        .samples_per_revolution = 24,
+                                        .window_revolutions = 8,
+                                        .floquet_proof = false,
+                                        .max_order = 4};
+  const auto settled = run_annular(165, 0.6, 0, options);
+  EXPECT_EQ(settled.outcome, integrate::run::Outcome::ok);
   EXPECT_FALSE(settled.motion.measures.comb_spacing);
 }
 
 TEST(Settle, TheAnnulusTurnsOvalsAtHighSpeed) {
   for (const double whirl_ratio : {0.3, 0.6, 0.9}) {
-    const auto settled = run_annulus(165, whirl_ratio, 0, without_floquet_proof());
+    const auto settled = run_annular(165, whirl_ratio, 0, without_floquet_proof());
     EXPECT_EQ(name(settled), "quasi_periodic");
-    EXPECT_EQ(settled.proof, Proof::observed);
-    EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::oval);
+    EXPECT_EQ(settled.proof, motion::Proof::observed);
+    EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::oval);
     EXPECT_FALSE(settled.motion.order || settled.motion.exponent);
     // The largest line is 1X or the next of the comb; the window's bins are 1/64 wide.
     const double spacing = settled.motion.measures.comb_spacing.value();
@@ -226,37 +227,37 @@ TEST(Settle, TheAnnulusTurnsOvalsAtHighSpeed) {
 }
 
 TEST(Settle, ACombWhoseLinesOverlapIsAnOvalToo) {
-  const auto settled = run_annulus(120, 0.3231578947368421, 0, without_floquet_proof());
+  const auto settled = run_annular(120, 0.3231578947368421, 0, without_floquet_proof());
   EXPECT_EQ(name(settled), "quasi_periodic");
   EXPECT_NEAR(settled.motion.measures.comb_spacing.value(), 0.0745, 1e-4);
-  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::oval);
+  EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::oval);
 }
 
 /// The same motion: after 600 turns it still comes back best after three periods, in the end after one (a run
 /// of 1200 shows so).
 TEST(Settle, AProofTellsAPeriodFromASlowTransient) {
-  const auto settled = run_annulus(120, 0.3231578947368421);
-  EXPECT_EQ(settled.proof, Proof::floquet_observed);
+  const auto settled = run_annular(120, 0.3231578947368421);
+  EXPECT_EQ(settled.proof, motion::Proof::floquet_observed);
   EXPECT_NEAR(settled.motion.measures.comb_spacing.value(), 0.223451707, 1e-8);
-  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::oval);
+  EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::oval);
 }
 
 TEST(Settle, AnOvalMayBeChaotic) {
-  const auto settled = run_annulus(132, 0.2737);
+  const auto settled = run_annular(132, 0.2737);
   EXPECT_EQ(name(settled), "chaotic");
-  EXPECT_EQ(settled.motion.measures.orbit, OrbitKind::oval);
+  EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::oval);
   EXPECT_FALSE(settled.motion.measures.comb_spacing);
   EXPECT_NEAR(settled.motion.exponent.value().per_revolution, 0.19, 0.03);
-  EXPECT_EQ(settled.proof, Proof::observed);
+  EXPECT_EQ(settled.proof, motion::Proof::observed);
 }
 
 TEST(Settle, WithAnOffsetTheSameMotionsTakeAnExponent) {
-  const auto torus = run_annulus(237, 0.778, 2.5e-4);
+  const auto torus = run_annular(237, 0.778, 2.5e-4);
   EXPECT_EQ(name(torus), "quasi_periodic");
   EXPECT_FALSE(torus.motion.measures.comb_spacing);
   EXPECT_NEAR(torus.motion.exponent.value().per_revolution, 0, 1e-3);
   EXPECT_EQ(torus.revolutions, 600);
-  const auto chaos = run_annulus(108, 0.98, 2.5e-4);
+  const auto chaos = run_annular(108, 0.98, 2.5e-4);
   EXPECT_EQ(name(chaos), "chaotic");
   EXPECT_NEAR(chaos.motion.exponent.value().per_revolution, 0.33, 0.05);
 }
@@ -265,7 +266,7 @@ TEST(Settle, AnOrderAboveTheLargestIsUnsettledAndSaysSo) {
   test::OneSideRotor rotor;
   rotor.speed_hz = 102;
   rotor.whirl_ratio = 0.879;
-  ResponseOptions options = without_floquet_proof();
+  motion::ResponseOptions options = without_floquet_proof();
   const auto settled = run(rotor, options);
   EXPECT_EQ(name(settled), "unsettled");
   EXPECT_EQ(to_string(settled.motion.status), "order_above_max");
@@ -276,13 +277,13 @@ TEST(Settle, AnOrderAboveTheLargestIsUnsettledAndSaysSo) {
   // A proof may name it nevertheless.
   const auto proven = run(rotor, {});
   EXPECT_EQ(proven.motion.order, 14);
-  EXPECT_EQ(proven.proof, Proof::floquet);
+  EXPECT_EQ(proven.proof, motion::Proof::floquet);
   options.max_order = 14;
   EXPECT_EQ(run(rotor, options).motion.order, 14);
 }
 
 TEST(Settle, WhileItSettlesItIsNeverCalledAnythingElse) {
-  ResponseOptions options = without_floquet_proof();
+  motion::ResponseOptions options = without_floquet_proof();
   options.window_revolutions = 32;
   int measured = 0, not_measured = 0;
   for (options.max_revolutions = 64; options.max_revolutions < 400; options.max_revolutions += 16) {

@@ -5,8 +5,8 @@
 #include <boost/multiprecision/cpp_complex.hpp>
 #include <cmath>
 
+#include "ring/routh_hurwitz.hpp"
 #include "rubsweep/ring/assembly.hpp"
-#include "rubsweep/ring/routh_hurwitz.hpp"
 
 namespace rubsweep::ring {
 namespace {

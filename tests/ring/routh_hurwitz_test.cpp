@@ -1,4 +1,4 @@
-#include "rubsweep/ring/routh_hurwitz.hpp"
+#include "ring/routh_hurwitz.hpp"
 
 #include <gtest/gtest.h>
 

@@ -36,7 +36,8 @@ double whirl_amplitude(const model::JeffcottRotor& rotor, double speed_hz, doubl
 /// `normal . z` is largest at the start among all instants of the quiet motion.
 void expect_smallest_gap_at_start(const Cell& cell) {
   const auto& contact = cell.scene.contacts.front();
-  const Eigen::RowVectorXd row = contact.normal.transpose() * relative_map(cell.scene.structure, contact);
+  const Eigen::RowVectorXd row =
+      contact::first_direction(contact.wall).transpose() * relative_map(cell.scene.structure, contact);
   const double at_start = row.dot(cell.scene.displacement_m);
   for (int i = 0; i < 360; ++i) EXPECT_GE(at_start, row.dot(cell.quiet.displacement(i * pi / 180)) - 1e-17);
 }
@@ -82,13 +83,14 @@ TEST(BuildCell, QuietWhirlIsTheClosedFormAndStartsAtTheStopWhateverItsAngle) {
   };
   for (int trial = 0; trial < 500; ++trial) {
     model::Machine machine = one_side_machine();
-    machine.rotor = {uniform(0.1, 10), uniform(5, 200), uniform(0.005, 1.5)};
+    machine.rotor = model::JeffcottRotor{uniform(0.1, 10), uniform(5, 200), uniform(0.005, 1.5)};
     const double angle_deg = trial % 9 == 0 ? 90 : uniform(-720, 720);
     machine.stops[0].geometry = model::OneSideGeometry{angle_deg};
     if (trial % 2 == 0) machine.stops[0].casing.reset();
     const double speed_hz = uniform(1, 500), e = uniform(1e-9, 1e-7);
     const Cell cell = build_cell(machine, speed_hz, Eccentricity{e});
-    const double a = whirl_amplitude(machine.rotor, speed_hz, e), w = 2 * pi * speed_hz;
+    const double a = whirl_amplitude(std::get<model::JeffcottRotor>(machine.rotor), speed_hz, e),
+                 w = 2 * pi * speed_hz;
     const Complex position = std::polar(a, angle_deg * pi / 180);
     EXPECT_LE(std::abs(start_position(cell) - position), 1e-12 * a);
     EXPECT_LE(std::abs(start_velocity(cell) - Complex(0, w) * position), 1e-12 * a * w);
@@ -111,7 +113,7 @@ TEST(BuildCell, WhirlRatioAndEccentricitySayTheSame) {
   };
   for (int trial = 0; trial < 200; ++trial) {
     model::Machine machine = one_side_machine();
-    machine.rotor.damping_ratio = uniform(0.01, 1);
+    std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = uniform(0.01, 1);
     machine.gravity_m_per_s2 = trial % 2 == 0 ? 0 : 9.81;
     const double speed_hz = uniform(1, 300), ratio = uniform(0, 0.99);
     const Cell by_ratio = build_cell(machine, speed_hz, WhirlRatio{ratio});
@@ -133,7 +135,8 @@ TEST(BuildCell, GravityShiftsTheMeanAndTheRemainingClearance) {
   const double remaining = 1e-3 + rotor_sag - casing_sag;
   EXPECT_NEAR(cell.quiet.mean(1), -rotor_sag, 1e-18);
   EXPECT_NEAR(cell.quiet.mean(3), -casing_sag, 1e-18);
-  EXPECT_NEAR(cell.eccentricity_m, 0.5 * remaining / whirl_amplitude(machine.rotor, 75, 1), 1e-17);
+  EXPECT_NEAR(cell.eccentricity_m,
+              0.5 * remaining / whirl_amplitude(std::get<model::JeffcottRotor>(machine.rotor), 75, 1), 1e-17);
   EXPECT_NEAR(cell.scene.displacement_m(1), 0.5 * remaining - rotor_sag, 1e-17);
   EXPECT_NEAR(cell.scene.displacement_m(0), 0, 1e-17);
 
@@ -190,9 +193,9 @@ TEST(BuildCell, ARingHoldsASaggingRotorAtItsWall) {
     machine.stops[0].geometry = model::AnnularGeometry{offset_m};
     const Cell cell = build_cell(machine, 75, Eccentricity{1e-4});
     EXPECT_EQ(cell.start, Start::contact);
-    const Contact& ring = cell.scene.contacts[0];
+    const Contact& stop = cell.scene.contacts[0];
     const Eigen::Vector2d apart =
-        relative_map(cell.scene.structure, ring) * cell.scene.displacement_m + ring.offset_m;
+        relative_map(cell.scene.structure, stop) * cell.scene.displacement_m + contact::offset(stop.wall);
     EXPECT_NEAR(apart.norm(), 1e-3, 1e-17);
     EXPECT_LT(cell.scene.displacement_m(1), 0);
   }
@@ -219,12 +222,13 @@ TEST(BuildCell, ContactAtAnyStop) {
 TEST(BuildCell, UnreachableAtAnUndampedResonance) {
   std::mt19937_64 random(4);
   model::Machine machine = one_side_machine();
-  machine.rotor.damping_ratio = 0;
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
   for (int trial = 0; trial < 200; ++trial) {
     // Whatever the rounding of K and w^2 M.
-    machine.rotor.mass_kg = std::uniform_real_distribution(0.1, 5.0)(random);
-    machine.rotor.natural_frequency_hz = std::uniform_real_distribution(5.0, 100.0)(random);
-    const double speed_hz = machine.rotor.natural_frequency_hz;
+    std::get<model::JeffcottRotor>(machine.rotor).mass_kg = std::uniform_real_distribution(0.1, 5.0)(random);
+    std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz =
+        std::uniform_real_distribution(5.0, 100.0)(random);
+    const double speed_hz = std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
     const Cell by_ratio = build_cell(machine, speed_hz, WhirlRatio{0.5});
     EXPECT_EQ(by_ratio.start, Start::unreachable);
     EXPECT_TRUE(std::isnan(by_ratio.eccentricity_m));

@@ -26,7 +26,7 @@ inline model::Machine light_shaft_machine() {
   kit.damping_ratio = {0.02};
   kit.modes = 1;
   kit.elements = 4;
-  machine.kit = kit;
+  machine.rotor = kit;
   machine.stops.front().position_m = 0.2;
   return machine;
 }

@@ -33,7 +33,8 @@ void expect_near(const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected, 
 TEST(KitScene, LightShaftIsTheJeffcottRotor) {
   const model::Machine kit = light_shaft_machine();
   model::Machine jeffcott = one_side_machine();
-  jeffcott.rotor.natural_frequency_hz = std::sqrt(middle_stiffness(*kit.kit) / 0.8) / (2 * pi);
+  std::get<model::JeffcottRotor>(jeffcott.rotor).natural_frequency_hz =
+      std::sqrt(middle_stiffness(*model::kit_of(kit)) / 0.8) / (2 * pi);
   for (const double speed_hz : {20.0, 75.0, 190.0}) {
     const Cell found = build_cell(kit, speed_hz, WhirlRatio{0.4});
     const Cell expected = build_cell(jeffcott, speed_hz, WhirlRatio{0.4});
@@ -58,17 +59,17 @@ TEST(KitScene, GravitySagsAsTheJeffcottRotor) {
   kit.gravity_m_per_s2 = 9.81;
   const Cell cell = build_cell(kit, 60, WhirlRatio{0.2});
   const Eigen::Vector2d mean = cell.scene.structure.points[0].map * cell.quiet.mean;
-  EXPECT_NEAR(mean.y(), -0.8 * 9.81 / middle_stiffness(*kit.kit), 1e-10);
+  EXPECT_NEAR(mean.y(), -0.8 * 9.81 / middle_stiffness(*model::kit_of(kit)), 1e-10);
   EXPECT_EQ(mean.x(), 0);
 }
 
 TEST(KitScene, GyroscopicTermGrowsWithTheSpeed) {
   model::Machine machine = light_shaft_machine();
-  machine.kit->discs[0].position_m = 0.1;
-  machine.kit->modes = 2;
-  const Plan plan = make_plan(machine);
+  model::kit_of(machine)->discs[0].position_m = 0.1;
+  model::kit_of(machine)->modes = 2;
+  const PreparedMachine prepared = prepare_machine(machine);
   const auto skew = [&](double speed_hz) {
-    const Eigen::MatrixXd c = build_cell(plan, speed_hz, WhirlRatio{0.4}).scene.structure.damping;
+    const Eigen::MatrixXd c = build_cell(prepared, speed_hz, WhirlRatio{0.4}).scene.structure.damping;
     return Eigen::MatrixXd(c - c.transpose());
   };
   EXPECT_GT(skew(50).norm(), 0);
@@ -80,7 +81,7 @@ TEST(KitScene, BowIsFixedAndTheUnbalanceMakesUpTheWhirlRatio) {
   model::Bow bow;
   bow.shape = model::BowMode{.mode = 1, .amplitude_m = 1e-4};
   bow.phase_deg = 150;
-  machine.kit->bow = bow;
+  model::kit_of(machine)->bow = bow;
   for (const double speed_hz : {12.0, 70.0}) {
     const Cell cell = build_cell(machine, speed_hz, WhirlRatio{0.5});
     ASSERT_EQ(cell.start, Start::quiet);
@@ -100,8 +101,9 @@ TEST(KitScene, BowIsFixedAndTheUnbalanceMakesUpTheWhirlRatio) {
 
 TEST(KitScene, SlowlyTurningBowedShaftFollowsItsBowOnItsSupports) {
   model::Machine machine = light_shaft_machine();
-  for (auto& support : machine.kit->supports) support.stiffness_x_n_per_m = support.stiffness_y_n_per_m = 1e9;
-  machine.kit->bow = model::Bow{
+  for (auto& support : model::kit_of(machine)->supports)
+    support.stiffness_x_n_per_m = support.stiffness_y_n_per_m = 1e9;
+  model::kit_of(machine)->bow = model::Bow{
       .shape = model::BowPoints{.position_m = {0, 0.2, 0.4}, .deflection_m = {0, 2e-4, 0}}, .phase_deg = 0};
   const Cell cell = build_cell(machine, 0.01, Eccentricity{0});
   const Eigen::Vector2cd amplitude = cell.scene.structure.points[0].map * cell.quiet.amplitude;
@@ -112,10 +114,11 @@ TEST(KitScene, SlowlyTurningBowedShaftFollowsItsBowOnItsSupports) {
 
 TEST(KitScene, ABowAcrossTheUnbalanceCannotBeMadeSmaller) {
   model::Machine machine = light_shaft_machine();
-  machine.kit->bow = model::Bow{.shape = model::BowMode{.mode = 1, .amplitude_m = 4e-4}, .phase_deg = 90};
+  model::kit_of(machine)->bow =
+      model::Bow{.shape = model::BowMode{.mode = 1, .amplitude_m = 4e-4}, .phase_deg = 90};
   EXPECT_EQ(build_cell(machine, 10, WhirlRatio{0.1}).start, Start::unreachable);
   // Against the unbalance it can: then two eccentricities do it, and the larger is taken.
-  machine.kit->bow->phase_deg = 180;
+  model::kit_of(machine)->bow->phase_deg = 180;
   const Cell cell = build_cell(machine, 10, WhirlRatio{0.1});
   EXPECT_EQ(cell.start, Start::quiet);
   EXPECT_GT(build_cell(machine, 10, Eccentricity{1.001 * cell.eccentricity_m}).whirl_ratio, 0.1);
@@ -123,7 +126,8 @@ TEST(KitScene, ABowAcrossTheUnbalanceCannotBeMadeSmaller) {
 
 TEST(KitScene, FrictionTurnsATorsionalRotorBack) {
   model::Machine machine = light_shaft_machine();
-  machine.kit->torsion = model::Torsion{.drive_stiffness_nm_per_rad = 50, .drive_damping_nms_per_rad = 0.01};
+  model::kit_of(machine)->torsion =
+      model::Torsion{.drive_stiffness_nm_per_rad = 50, .drive_damping_nms_per_rad = 0.01};
   const Cell cell = build_cell(machine, 60, WhirlRatio{0.3});
   const auto& scene = cell.scene;
   ASSERT_EQ(scene.structure.coordinates(), 5);  // x, y, angle, casing x, y
@@ -142,7 +146,7 @@ TEST(KitScene, FrictionTurnsATorsionalRotorBack) {
 
 TEST(KitScene, KickActsWhereItIsSaid) {
   model::Machine machine = light_shaft_machine();
-  machine.kit->modes = 2;
+  model::kit_of(machine)->modes = 2;
   const Cell middle = build_cell(machine, 60, WhirlRatio{0.3});
   machine.kick->position_m = 0.1;
   const Cell beside = build_cell(machine, 60, WhirlRatio{0.3});

@@ -16,7 +16,7 @@ inline model::Machine one_side_machine() {
   stop.friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
   stop.casing = {.mass_kg = 0.05, .stiffness_n_per_m = 5e5, .damping_ratio = 0.1};
   model::Machine machine;
-  machine.rotor = {.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02};
+  machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02};
   machine.stops = {stop};
   machine.kick = {.force_n = 200, .duration_s = 0.005, .angle_deg = {}};
   return machine;

@@ -111,7 +111,8 @@ TEST(QuietPenetration, IsTheLargestOfTheSampledMotion) {
   const QuietMotion motion = quiet_motion(system, 1.3, Eigen::Vector4cd(1, Complex(0, 1), 0.3, -2),
                                           Eigen::Vector4d(0.1, 0.2, -0.3, 0.4));
   Contact contact;
-  contact.normal = Eigen::Vector2d(std::cos(0.4), std::sin(0.4));
+  const Eigen::Vector2d normal(std::cos(0.4), std::sin(0.4));
+  contact.wall = contact::FlatWall{normal};
   contact.clearance_m = 0.25;
   for (const bool moving_casing : {false, true}) {
     if (moving_casing) contact.casing_point = 1;
@@ -120,7 +121,7 @@ TEST(QuietPenetration, IsTheLargestOfTheSampledMotion) {
       const Eigen::VectorXd q = motion.displacement(2 * pi * i / 20'000);
       Eigen::Vector2d d = system.points[0].map * q;
       if (moving_casing) d -= system.points[1].map * q;
-      const double p = d.dot(contact.normal) - 0.25;
+      const double p = d.dot(normal) - 0.25;
       largest = std::max(largest, p);
       smallest = std::min(smallest, p);
     }
@@ -131,14 +132,14 @@ TEST(QuietPenetration, IsTheLargestOfTheSampledMotion) {
   }
 }
 
-/// A ring around a point that moves freely in the plane, as q itself.
-struct InARing {
+/// An annular stop around a point that moves freely in the plane, as q itself.
+struct InsideAnnularStop {
   structure::LinearSystem structure;
   Contact contact;
 
-  InARing() {
+  InsideAnnularStop() {
     structure.points = {{Eigen::MatrixXd::Identity(2, 2)}};
-    contact.ring = true;
+    contact.wall = contact::AnnularWall{};
     contact.clearance_m = 2;
   }
 
@@ -146,19 +147,19 @@ struct InARing {
   double largest_sampled(const QuietMotion& motion) const {
     double largest = -1e9;
     for (int i = 0; i < 20'000; ++i) {
-      const Eigen::Vector2d d = motion.displacement(2 * pi * i / 20'000) + contact.offset_m;
+      const Eigen::Vector2d d = motion.displacement(2 * pi * i / 20'000) + contact::offset(contact.wall);
       largest = std::max(largest, d.norm() - contact.clearance_m);
     }
     return largest;
   }
 };
 
-TEST(QuietPenetration, OfACircleInARingIsTheLargestOfTheSampledMotion) {
-  InARing in;
+TEST(QuietPenetration, OfACircleInAnAnnularStopIsTheLargestOfTheSampledMotion) {
+  InsideAnnularStop in;
   for (const double turn : {1.0, -1.0}) {
     const QuietMotion circle{Eigen::Vector2d(0.3, 0.2), Eigen::Vector2cd(0.7, Complex(0, -0.7 * turn))};
     for (const Eigen::Vector2d& offset : {Eigen::Vector2d(0, 0), Eigen::Vector2d(-0.1, 0.6)}) {
-      in.contact.offset_m = offset;
+      in.contact.wall = contact::AnnularWall{offset};
       const auto [mean, amplitude] = quiet_penetration(circle, in.structure, in.contact);
       EXPECT_NEAR(amplitude, 0.7, 1e-15);
       EXPECT_NEAR(mean + amplitude, in.largest_sampled(circle), 1e-7);
@@ -166,29 +167,28 @@ TEST(QuietPenetration, OfACircleInARingIsTheLargestOfTheSampledMotion) {
   }
 }
 
-TEST(QuietPenetration, OfAnEllipseInARingIsExactAboutTheCentreAndABoundElsewhere) {
-  InARing in;
+TEST(QuietPenetration, OfAnEllipseInAnAnnularStopIsExactAboutTheCentreAndABoundElsewhere) {
+  InsideAnnularStop in;
   QuietMotion ellipse{Eigen::Vector2d(0, 0), Eigen::Vector2cd(Complex(0.5, 0.2), Complex(-0.1, 0.4))};
   const auto [mean, amplitude] = quiet_penetration(ellipse, in.structure, in.contact);
   EXPECT_EQ(mean, -2);
   EXPECT_NEAR(mean + amplitude, in.largest_sampled(ellipse), 1e-7);
   for (int i = 0; i < 12; ++i) {
-    in.contact.offset_m = Eigen::Vector2d(std::cos(i * pi / 6), std::sin(i * pi / 6));
+    in.contact.wall = contact::AnnularWall{{std::cos(i * pi / 6), std::sin(i * pi / 6)}};
     const auto bound = quiet_penetration(ellipse, in.structure, in.contact);
-    EXPECT_GE(bound.mean_m + bound.amplitude_m, in.largest_sampled(ellipse));
+    EXPECT_GE(bound.mean + bound.amplitude, in.largest_sampled(ellipse));
   }
 }
 
 TEST(NearestWall, IsTheNormalOrTheDirectionOfTheMeanOffset) {
-  InARing in;
+  InsideAnnularStop in;
   QuietMotion motion{Eigen::Vector2d(0, 0), Eigen::Vector2cd(0, 0)};
   EXPECT_EQ(nearest_wall(motion, in.structure, in.contact), Eigen::Vector2d(0, 1));
-  in.contact.offset_m = Eigen::Vector2d(3, 0);
+  in.contact.wall = contact::AnnularWall{{3, 0}};
   EXPECT_EQ(nearest_wall(motion, in.structure, in.contact), Eigen::Vector2d(1, 0));
   motion.mean = Eigen::Vector2d(0, -4);
   EXPECT_LE((nearest_wall(motion, in.structure, in.contact) - Eigen::Vector2d(0.6, -0.8)).norm(), 1e-15);
-  in.contact.ring = false;
-  in.contact.normal = Eigen::Vector2d(-1, 0);
+  in.contact.wall = contact::FlatWall{{-1, 0}};
   EXPECT_EQ(nearest_wall(motion, in.structure, in.contact), Eigen::Vector2d(-1, 0));
 }
 

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -17,6 +20,24 @@ namespace rubsweep::structure {
 namespace {
 
 using std::numbers::pi;
+
+/// Whirl frequencies in rad/s at a shaft speed, ascending: imaginary parts of the eigenvalues of the damped
+/// gyroscopic system that are positive. One per pair of conjugates.
+Eigen::VectorXd whirl_rad_per_s(const LateralSystem& system, double speed_rad_per_s) {
+  const Eigen::Index n = system.coordinates();
+  const Eigen::LLT<Eigen::MatrixXd> mass(system.mass);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  a.topRightCorner(n, n).setIdentity();
+  a.bottomLeftCorner(n, n) = -mass.solve(system.stiffness);
+  a.bottomRightCorner(n, n) = -mass.solve(system.damping + speed_rad_per_s * system.gyroscopic);
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(a, false);
+  std::vector<double> found;
+  for (const auto& value : solver.eigenvalues()) {
+    if (value.imag() > 0) found.push_back(value.imag());
+  }
+  std::sort(found.begin(), found.end());
+  return Eigen::Map<Eigen::VectorXd>(found.data(), static_cast<Eigen::Index>(found.size()));
+}
 
 LateralSystem full(const BeamShaft& shaft) {
   const auto identity = Eigen::MatrixXd::Identity(shaft.coordinates(), shaft.coordinates());

@@ -8,10 +8,10 @@
 
 namespace rubsweep::test {
 
-/// Backward rolling in a rigid ring, on its closed form. Friction gives what damping takes, and the tanh lets
-/// the surfaces creep: z = r e^{-i w t} with (1 + b - w^2) r = b, mu b (r - 1) = 2 zeta w r and a slip R W -
-/// r w = atanh(mu / limit) / steepness (b: contact over shaft stiffness; units of the mass, the shaft's
-/// spring and the ring; a revolution lasts 2 pi). It attracts: a faster whirl slips less.
+/// Backward rolling in a rigid annular stop, on its closed form. Friction gives what damping takes, and the
+/// tanh lets the surfaces creep: z = r e^{-i w t} with (1 + b - w^2) r = b, mu b (r - 1) = 2 zeta w r and a
+/// slip R W - r w = atanh(mu / limit) / steepness (b: contact over shaft stiffness; units of the mass, the
+/// shaft's spring and the annular stop; a revolution lasts 2 pi). It attracts: a faster whirl slips less.
 struct RollingScene {
   scene::Scene scene;
   double radius = 0, whirl = 0;
@@ -29,13 +29,13 @@ inline RollingScene rolling_scene(double steepness_s_per_m) {
   const double zeta = 0.04, b = 76, whirl = 1.5, limit = 0.2;
   const double radius = b / (1 + b - whirl * whirl), mu = 2 * zeta * whirl * radius / (b * (radius - 1));
   RollingScene rolling{one_mass_scene(1, 1, 2 * zeta, 2 * std::numbers::pi, 1), radius, whirl};
-  scene::Contact ring;
-  ring.ring = true;
-  ring.clearance_m = 1;
-  ring.stiffness_n_per_m = b;
-  ring.friction = model::StribeckFriction{{0, 0, 0, limit, steepness_s_per_m, 0}};
-  ring.surface_speed_m_per_s = radius * whirl + std::atanh(mu / limit) / steepness_s_per_m;
-  rolling.scene.contacts.push_back(ring);
+  scene::Contact stop;
+  stop.wall = contact::AnnularWall{};
+  stop.clearance_m = 1;
+  stop.stiffness_n_per_m = b;
+  stop.friction = model::StribeckFriction{{0, 0, 0, limit, steepness_s_per_m, 0}};
+  stop.surface_speed_m_per_s = radius * whirl + std::atanh(mu / limit) / steepness_s_per_m;
+  rolling.scene.contacts.push_back(stop);
   rolling.scene.displacement_m << radius, 0;
   rolling.scene.velocity_m_per_s << 0, -whirl * radius;
   return rolling;

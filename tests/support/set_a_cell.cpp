@@ -14,7 +14,7 @@ model::Machine machine_of(const OneSideRotor& rotor) {
   stop.casing =
       model::Casing{rotor.casing_mass_kg, rotor.casing_stiffness_n_per_m, rotor.casing_damping_ratio};
   model::Machine machine;
-  machine.rotor = {rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio};
+  machine.rotor = model::JeffcottRotor{rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio};
   machine.stops.push_back(stop);
   machine.kick = model::Kick{rotor.kick_n, rotor.kick_s, {}};
   return machine;

@@ -31,7 +31,7 @@ inline scene::Scene one_mass_scene(double mass_kg, double stiffness_n_per_m, dou
 inline scene::Contact wall_across_x(double sign, double clearance_m, double stiffness_n_per_m,
                                     double damping_ns_per_m) {
   scene::Contact wall;
-  wall.normal = Eigen::Vector2d(sign, 0);
+  wall.wall = contact::FlatWall{{sign, 0}};
   wall.clearance_m = clearance_m;
   wall.stiffness_n_per_m = stiffness_n_per_m;
   wall.damping_ns_per_m = damping_ns_per_m;

@@ -16,7 +16,7 @@ namespace rubsweep::sweep {
 namespace {
 
 Row evaluate(const Study& study, std::size_t cell = 0) {
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   return evaluate_cell(study, cell, workspace);
 }
 
@@ -98,7 +98,7 @@ TEST(EvaluateCell, AboveAWhirlRatioOfOneTheRotorRubsWithoutAKick) {
   EXPECT_EQ(row.status, "ok");
   EXPECT_GT(row.revolutions, 0);
   EXPECT_TRUE(row.last_contact_revolution);
-  EXPECT_NE(row.proof, response::Proof::rest);
+  EXPECT_NE(row.proof, response::motion::Proof::rest);
   // The kick has no part in it.
   study.machine.kick->force_n = 1e4;
   EXPECT_EQ(report::map_line(evaluate(study)), report::map_line(row));
@@ -128,7 +128,7 @@ TEST(EvaluateCell, WhatCannotBeRunIsNot) {
 
 TEST(EvaluateCell, UnreachableWhirlRatio) {
   Study study = one_side_study({30}, {0.5});
-  study.machine.rotor.damping_ratio = 0;
+  std::get<model::JeffcottRotor>(study.machine.rotor).damping_ratio = 0;
   const Row row = evaluate(study);
   EXPECT_EQ(to_string(row.motion_class), "failed");
   EXPECT_EQ(row.status, "unreachable");
@@ -142,7 +142,7 @@ TEST(EvaluateCell, WithoutAKickTheQuietWhirlIsProvenAtOnce) {
   study.machine.kick.reset();
   const Row row = evaluate(study);
   EXPECT_EQ(to_string(row.motion_class), "non_contact");
-  EXPECT_EQ(row.proof, response::Proof::rest);
+  EXPECT_EQ(row.proof, response::motion::Proof::rest);
   EXPECT_EQ(row.status, "ok");
   EXPECT_EQ(row.revolutions, 1);
   EXPECT_FALSE(row.last_contact_revolution);
@@ -157,25 +157,25 @@ TEST(EvaluateCell, WithoutAKickTheQuietWhirlIsProvenAtOnce) {
   EXPECT_EQ(row.measures->contact.hits, 0);
   EXPECT_EQ(row.measures->contact.peak_contact_force_n, 0);
   EXPECT_EQ(row.measures->dominant.value().order, 1);
-  EXPECT_EQ(row.measures->orbit, response::OrbitKind::circle);
-  EXPECT_EQ(row.measures->whirl, response::WhirlKind::forward);
+  EXPECT_EQ(row.measures->orbit, response::spectrum::OrbitKind::circle);
+  EXPECT_EQ(row.measures->whirl, response::spectrum::WhirlKind::forward);
 }
 
 TEST(EvaluateCell, AKickThatMissesTheWallLeavesNoLastContact) {
   Study study = one_side_study({75}, {0.4});
   study.machine.kick->force_n = 20;
   const Row row = evaluate(study);
-  EXPECT_EQ(row.proof, response::Proof::rest);
+  EXPECT_EQ(row.proof, response::motion::Proof::rest);
   EXPECT_FALSE(row.last_contact_revolution);
 }
 
 TEST(EvaluateCell, LastContactBeforeRestIsTheLastOneEver) {
   for (const double damping_ratio : {0.05, 0.1}) {
     Study study = one_side_study({50}, {0.2});
-    study.machine.rotor.damping_ratio = damping_ratio;
+    std::get<model::JeffcottRotor>(study.machine.rotor).damping_ratio = damping_ratio;
     const Row row = evaluate(study);
     EXPECT_EQ(to_string(row.motion_class), "non_contact");
-    EXPECT_EQ(row.proof, response::Proof::rest);
+    EXPECT_EQ(row.proof, response::motion::Proof::rest);
 
     test::OneSideRotor rotor;
     rotor.speed_hz = 50;
@@ -203,7 +203,7 @@ TEST(EvaluateCell, SubharmonicRowHoldsTheNumbersOfTheMotionByHand) {
   const Row row = evaluate(study);
   EXPECT_EQ(to_string(row.motion_class), "subharmonic");
   EXPECT_EQ(row.order, 2);
-  EXPECT_EQ(row.proof, response::Proof::observed);
+  EXPECT_EQ(row.proof, response::motion::Proof::observed);
   EXPECT_EQ(row.status, "ok");
   EXPECT_EQ(row.revolutions, 300);
   ASSERT_TRUE(row.measures && row.measures->dominant);
@@ -232,7 +232,7 @@ TEST(EvaluateCell, SubharmonicRowHoldsTheNumbersOfTheMotionByHand) {
     hits += !touched && by_hand.touches();
   }
   EXPECT_LT(std::abs(by_hand.displacement_m() - section), 1e-9);
-  const response::Measures& m = *row.measures;
+  const response::motion::Measures& m = *row.measures;
   EXPECT_EQ(m.dominant->order, 0.5);
   EXPECT_NEAR(m.dominant->amplitude_m, std::abs(half), 1e-7 * std::abs(half));
   EXPECT_NEAR(m.amplitude_1x_forward_m, std::abs(forward), 1e-7 * std::abs(half));
@@ -291,7 +291,7 @@ TEST(EvaluateCell, DependsOnItsArgumentsAlone) {
   Study other = study;
   other.response.samples_per_revolution = 64;
   const std::string fresh = report::map_line(evaluate(study));
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   evaluate_cell(other, 0, workspace);
   EXPECT_EQ(report::map_line(evaluate_cell(study, 0, workspace)), fresh);
 }

@@ -4,8 +4,6 @@
 
 #include <numeric>
 
-#include "batch/message_of.hpp"
-#include "rubsweep/error.hpp"
 #include "sweep/one_side_study.hpp"
 
 namespace rubsweep::sweep {
@@ -25,35 +23,10 @@ TEST(Footprint, GrowsWithThreadsWindowsAndCells) {
   EXPECT_EQ(footprint(study, {1}).disk_bytes, 1000 * one.disk_bytes);
 }
 
-TEST(Footprint, OfTheLargestGridStaysSmallAndIsSaidInWords) {
-  Study study = one_side_study({50}, {0.1});
-  study.grid.speed_hz.resize(2000);
-  study.grid.unbalance.resize(2000);
-  EXPECT_EQ(describe(study, {2}), "4000000 cells on 2 threads: up to 110 MB of memory, 4.08 GB of disk");
-}
-
 TEST(Footprint, OfRanksIsThatOfEach) {
   const Study study = one_side_study({50, 60}, {0.1});
   EXPECT_EQ(footprint(study, {2, 1}).memory_bytes - footprint(study, {2}).memory_bytes, 30'000'000u);
   EXPECT_EQ(footprint(study, {2, 9}).memory_bytes, footprint(study, {2, 1}).memory_bytes);
-  EXPECT_EQ(describe(study, {2, 9}),
-            "2 cells on 9 ranks of 2 threads: up to 44 MB of memory each, 0.1 MB of disk");
-}
-
-TEST(Footprint, WhatDoesNotFitIsRefused) {
-  const Study study = one_side_study({50, 60}, {0.1});
-  const std::size_t needed = footprint(study, {2}).memory_bytes;
-  refuse_more_memory_than(needed, study, {2});
-  EXPECT_EQ(message_of<ConfigError>([&] { refuse_more_memory_than(needed - 1, study, {2}); }),
-            "2 cells on 2 threads: up to 14 MB of memory, 0.1 MB of disk, this machine has 14 MB, allowed: "
-            "fewer --threads, response.window_revolutions or response.samples_per_revolution");
-  EXPECT_EQ(
-      message_of<ConfigError>([&] {
-        refuse_more_memory_than(10'000'000, study, {2, 3});
-      }),
-      "2 cells on 3 ranks of 2 threads: up to 44 MB of memory each, 0.1 MB of disk, this machine has 10 "
-      "MB for each, allowed: fewer ranks, --threads, response.window_revolutions or "
-      "response.samples_per_revolution");
 }
 
 TEST(TakePilotCells, SpreadsThemEvenlyAndLeavesTheOthers) {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "scene/kit_machine.hpp"
@@ -16,7 +16,7 @@ namespace {
 Study kit_study(double speed_hz, double whirl_ratio) {
   Study study;
   study.machine = scene::light_shaft_machine();
-  model::RotorKit& kit = *study.machine.kit;
+  model::RotorKit& kit = *model::kit_of(study.machine);
   kit.shaft[0].density_kg_per_m3 = 7850;
   kit.damping_ratio = {0.06};
   kit.modes_up_to_hz = 600;
@@ -33,17 +33,17 @@ Study kit_study(double speed_hz, double whirl_ratio) {
 }
 
 int modes_of(const Study& study) {
-  return static_cast<int>(scene::make_plan(study.machine).reduction->mode_number[0].size());
+  return static_cast<int>(scene::prepare_machine(study.machine).reduction->mode_number[0].size());
 }
 
 /// Observed displacement once the motion has settled, by its 1/2 motion's section.
 Eigen::Vector2d settled_section(const Study& study) {
   const scene::Cell cell =
       scene::build_cell(study.machine, study.grid.speed_hz[0], scene::WhirlRatio{study.grid.unbalance[0]});
-  integrate::ExactPlans plans;
-  const integrate::Run run = integrate::start(cell.scene, study.solver, plans);
-  integrate::Turn turn;
-  for (int i = 0; i < 80; ++i) EXPECT_EQ(run.advance(turn), integrate::Outcome::ok);
+  integrate::exact::ModeCache modes;
+  const integrate::run::Run run = integrate::start(cell.scene, study.solver, modes);
+  integrate::run::Turn turn;
+  for (int i = 0; i < 80; ++i) EXPECT_EQ(run.advance(turn), integrate::run::Outcome::ok);
   const auto& map = cell.scene.structure.points[static_cast<std::size_t>(cell.scene.observed_point)].map;
   return map * Eigen::Map<const Eigen::VectorXd>(turn.section.data(), cell.scene.structure.coordinates());
 }
@@ -52,7 +52,7 @@ TEST(KitModes, SectionsConvergeWithTheNumberOfModes) {
   Study study = kit_study(70, 0.7);
   const int automatic = modes_of(study);
   const auto section = [&](int modes) {
-    study.machine.kit->modes = modes;
+    model::kit_of(study.machine)->modes = modes;
     return settled_section(study);
   };
   const Eigen::Vector2d reference = section(automatic + 5);
@@ -70,12 +70,13 @@ TEST(KitModes, MoreModesChangeNoLabelOfAMap) {
   study.grid.speed_hz = {66, 100};
   study.grid.unbalance = {0.5, 0.8};
   Study more = study;
-  more.machine.kit->modes = modes_of(study) + 3;
-  const scene::Plan plan = scene::make_plan(study.machine), finer = scene::make_plan(more.machine);
-  response::Workspace workspace;
-  std::set<std::pair<response::MotionClass, int>> labels;
+  model::kit_of(more.machine)->modes = modes_of(study) + 3;
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine),
+                               finer = scene::prepare_machine(more.machine);
+  response::motion::Workspace workspace;
+  std::set<std::pair<response::motion::MotionClass, int>> labels;
   for (std::size_t i = 0; i < cell_count(study.grid); ++i) {
-    const Row a = evaluate_cell(study, plan, i, workspace), b = evaluate_cell(more, finer, i, workspace);
+    const Row a = evaluate_cell(study, prepared, i, workspace), b = evaluate_cell(more, finer, i, workspace);
     EXPECT_EQ(a.motion_class, b.motion_class) << a.speed_hz;
     EXPECT_EQ(a.order, b.order) << a.speed_hz;
     EXPECT_NEAR(
@@ -83,21 +84,21 @@ TEST(KitModes, MoreModesChangeNoLabelOfAMap) {
         1e-4);
     labels.emplace(a.motion_class, a.order.value_or(0));
   }
-  using enum response::MotionClass;
+  using enum response::motion::MotionClass;
   EXPECT_EQ(labels, (decltype(labels){{non_contact, 0}, {subharmonic, 2}, {subharmonic, 3}}));
 }
 
 TEST(KitModes, ProvenRestIsRest) {
   const Study study = kit_study(70, 0.1);
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   const Row row = evaluate_cell(study, 0, workspace);
-  ASSERT_EQ(row.proof, response::Proof::rest);
+  ASSERT_EQ(row.proof, response::motion::Proof::rest);
   ASSERT_TRUE(row.last_contact_revolution);
   const scene::Cell cell = scene::build_cell(study.machine, 70, scene::WhirlRatio{0.1});
-  const integrate::Cursor cursor = integrate::start_adaptive(cell.scene, study.solver);
-  integrate::Turn turn;
+  const integrate::run::Cursor cursor = integrate::adaptive::start_adaptive(cell.scene, study.solver);
+  integrate::run::Turn turn;
   for (long i = 1; i <= row.revolutions + 60; ++i) {
-    ASSERT_EQ(cursor(turn), integrate::Outcome::ok);
+    ASSERT_EQ(cursor(turn), integrate::run::Outcome::ok);
     EXPECT_TRUE(i <= *row.last_contact_revolution || !turn.touched) << i;
   }
 }

@@ -12,7 +12,7 @@
 namespace rubsweep::sweep {
 namespace {
 
-using response::MotionClass;
+using response::motion::MotionClass;
 
 Row row(MotionClass motion_class, std::optional<int> order = {}) {
   Row row;
@@ -67,7 +67,7 @@ TEST(IsRobust, SaysNothingWhereNoKickWasSimulated) {
 
 std::optional<bool> robust(Study study) {
   study.robustness = Robustness::on;
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   return evaluate_cell(study, 0, workspace).robust;
 }
 
@@ -76,14 +76,14 @@ TEST(EvaluateCell, SaysWhetherItIsRobustWhenAsked) {
   EXPECT_EQ(robust(one_side_study({50}, {0.1})), true);
   EXPECT_EQ(robust(one_side_study({75}, {0.4})), true);
   EXPECT_EQ(robust(one_side_study({75}, {1.2})), std::nullopt);
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   EXPECT_EQ(evaluate_cell(one_side_study({50}, {0.1}), 0, workspace).robust, std::nullopt)
       << "off by default";
 }
 
 TEST(EvaluateCell, TheVerdictIsThatOfTheKickAsItIs) {
   Study study = one_side_study({75}, {0.4});
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   Row plain = evaluate_cell(study, 0, workspace);
   study.robustness = Robustness::on;
   const Row asked = evaluate_cell(study, 0, workspace);

@@ -33,7 +33,7 @@ std::vector<std::size_t> all_cells(const Study& study) {
 Lines expected_lines(const Study& study, const std::vector<std::size_t>& cells) {
   Lines lines;
   for (const std::size_t cell : cells) {
-    response::Workspace workspace;
+    response::motion::Workspace workspace;
     lines[cell] = report::map_line(evaluate_cell(study, cell, workspace));
   }
   return lines;

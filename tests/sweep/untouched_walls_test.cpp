@@ -10,7 +10,7 @@ namespace rubsweep::sweep {
 namespace {
 
 std::string why(const Study& study) {
-  return why_walls_stay_untouched(study, scene::make_plan(study.machine));
+  return why_walls_stay_untouched(study, scene::prepare_machine(study.machine));
 }
 
 TEST(UntouchedWalls, AKickThatReachesTheWallIsNoReason) {
@@ -31,7 +31,7 @@ TEST(UntouchedWalls, AWeakKickIsNamedAndReallyTouchesNothing) {
   Study study = one_side_study({60, 75}, {0.4, 1.2, 0.1});
   study.machine.kick->force_n = 20;
   EXPECT_TRUE(why(study).starts_with("weak kick: 20 N for 0.005 s reach no wall"));
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   for (const std::size_t cell : {0U, 1U, 4U, 5U}) {
     EXPECT_FALSE(evaluate_cell(study, cell, workspace).last_contact_revolution) << cell;
   }
@@ -44,9 +44,10 @@ TEST(UntouchedWalls, FaultyBearingsMayMoveTheRotorAllTheSame) {
   Study study = one_side_study({75}, {0.4});
   study.machine.kick.reset();
   study.machine.stops.front().clearance_m = 1e-3;
-  scene::Plan plan = scene::make_plan(study.machine);
-  plan.assembly.impulses.push_back({Eigen::VectorXd::Unit(plan.assembly.system.coordinates(), 1), 1, 0});
-  EXPECT_EQ(why_walls_stay_untouched(study, plan), "");
+  scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  prepared.assembly.impulses.push_back(
+      {Eigen::VectorXd::Unit(prepared.assembly.system.coordinates(), 1), 1, 0});
+  EXPECT_EQ(why_walls_stay_untouched(study, prepared), "");
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ inline std::vector<double> evenly_spaced(double from, double to, int count) {
   const auto [low, high] = std::minmax(from, to);
   const double intervals = count - 1;
   for (int i = 1; i + 1 < count; ++i) {
-    // Weighted ends rather than from + i step: whole numbers stay whole where the grid allows it.
-    const double value = (from * (intervals - i) + to * i) / intervals;
+    // Multiplied before divided: whole numbers stay whole where the grid allows it.
+    const double value = from + (to - from) * i / intervals;
     values[static_cast<std::size_t>(i)] = std::clamp(value, low, high);
   }
   if (count > 1) values.back() = to;

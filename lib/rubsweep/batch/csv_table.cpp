@@ -201,23 +201,4 @@ double CsvReader::number(std::size_t column) const {
   return number_of(path_, place_.line, header_.at(column), cells_.at(column));
 }
 
-CsvTable read_csv(const std::filesystem::path& path) {
-  CsvReader reader(path);
-  CsvTable table{.path = path, .comments = {}, .header = reader.header(), .rows = {}, .lines = {}};
-  while (reader.next()) {
-    table.rows.push_back(reader.cells());
-    table.lines.push_back(reader.place().line);
-  }
-  table.comments = reader.comments();
-  return table;
-}
-
-std::size_t column(const CsvTable& table, std::string_view name) {
-  return column_of(table.path, table.header, name);
-}
-
-double number(const CsvTable& table, std::size_t row, std::size_t column) {
-  return number_of(table.path, table.lines.at(row), table.header.at(column), table.rows.at(row).at(column));
-}
-
 }  // namespace rubsweep::batch

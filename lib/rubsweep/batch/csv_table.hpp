@@ -29,7 +29,9 @@ class CsvReader {
   explicit CsvReader(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
-  const std::vector<std::string>& comments() const { return comments_; }  ///< so far, as in CsvTable
+  const std::vector<std::string>& comments() const {
+    return comments_;
+  }  ///< so far, without '#' and one blank after it
   const std::vector<std::string>& header() const { return header_; }
 
   /// Where a row starts.
@@ -69,23 +71,5 @@ class CsvReader {
   std::string record_;  ///< one line, or more where a quoted cell goes on
   std::vector<std::string> comments_, header_, cells_;
 };
-
-/// A table as read from a file: every row has as many cells as the header.
-struct CsvTable {
-  std::filesystem::path path;
-  std::vector<std::string> comments;  ///< lines that start with '#', without it and one blank after it
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
-  std::vector<std::size_t> lines;  ///< line of the file where each row starts, from 1
-};
-
-/// Reads a whole file as CsvReader does, and throws as it does.
-CsvTable read_csv(const std::filesystem::path& path);
-
-/// Place of the column called `name`. Throws IoError naming the file and its columns when there is none.
-std::size_t column(const CsvTable& table, std::string_view name);
-
-/// The number in one cell; NaN when it is empty. Throws IoError with file:line when it is no number.
-double number(const CsvTable& table, std::size_t row, std::size_t column);
 
 }  // namespace rubsweep::batch

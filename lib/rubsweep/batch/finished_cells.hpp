@@ -38,8 +38,8 @@ class FinishedCells {
   };
 
   std::vector<File> files_;
-  std::vector<std::uint64_t>
-      places_;  ///< of each cell: index of the file in the upper 16 bits, offset of the text
+  /// Of each cell: the index of the file in the upper 16 bits, below it the offset of the text.
+  std::vector<std::uint64_t> places_;
   std::size_t count_ = 0;
 };
 

@@ -115,7 +115,7 @@ JournalHeader read_header(LineReader& lines, const std::filesystem::path& path) 
   const auto next = [&] {
     ++number;
     if (!lines.next(line, offset)) refuse();
-    const std::string content(content_of(line).value_or(""));
+    std::string content(content_of(line).value_or(""));
     if (content.empty() && header.damaged_lines++ == 0) first_damaged = number;
     return content;
   };

@@ -23,19 +23,6 @@ std::filesystem::path beside(std::filesystem::path path) {
 
 }  // namespace
 
-std::string read_whole_file(const std::filesystem::path& path) {
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (!file) throw_io_error("read", path, errno);
-  std::string text;
-  std::array<char, buffer_bytes> piece;
-  std::size_t length = 0;
-  while ((length = std::fread(piece.data(), 1, piece.size(), file)) > 0) text.append(piece.data(), length);
-  const int error = std::ferror(file) ? errno : 0;
-  std::fclose(file);
-  if (error != 0) throw_io_error("read", path, error);
-  return text;
-}
-
 WholeFile::WholeFile(std::filesystem::path path)
     : path_(std::move(path)),
       temporary_(beside(path_)),

@@ -8,9 +8,6 @@
 
 namespace rubsweep::batch {
 
-/// The whole content of a file. Throws IoError with the path and the system's reason.
-std::string read_whole_file(const std::filesystem::path& path);
-
 /// A file that appears under its name whole or not at all: what is written goes to a temporary beside it,
 /// which takes the name at the end. Not for two threads and one path. Every function throws IoError with the
 /// path and the system's reason, and then an older file of that name is as it was.

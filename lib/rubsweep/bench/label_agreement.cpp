@@ -8,8 +8,8 @@
 namespace rubsweep::bench {
 namespace {
 
-Label label_of(const scene::Cell& cell, const integrate::SolverOptions& solver,
-               const response::ResponseOptions& response, response::Workspace& workspace) {
+Label label_of(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
+               const response::motion::ResponseOptions& response, response::motion::Workspace& workspace) {
   const response::SettledRun run = response::settle(cell, solver, response, workspace);
   return {run.motion.motion_class, run.motion.order};
 }
@@ -24,10 +24,10 @@ std::size_t stride(std::size_t count) {
 }  // namespace
 
 std::vector<LabelledCell> reference_labels(const model::Machine& machine, std::span<const Place> places,
-                                           const integrate::SolverOptions& base,
-                                           const response::ResponseOptions& response) {
-  const integrate::SolverOptions solver = reference_options(base, label_tolerance);
-  response::Workspace workspace;
+                                           const integrate::run::SolverOptions& base,
+                                           const response::motion::ResponseOptions& response) {
+  const integrate::run::SolverOptions solver = reference_options(base, label_tolerance);
+  response::motion::Workspace workspace;
   std::vector<LabelledCell> cells;
   for (std::size_t i = 0; i < places.size(); ++i) {
     scene::Cell cell = scene::build_cell(machine, places[i].speed_hz, places[i].unbalance);
@@ -38,11 +38,12 @@ std::vector<LabelledCell> reference_labels(const model::Machine& machine, std::s
   return cells;
 }
 
-LabelAgreement label_agreement(std::span<const LabelledCell> cells, const integrate::SolverOptions& solver,
-                               const response::ResponseOptions& response, double seconds) {
+LabelAgreement label_agreement(std::span<const LabelledCell> cells,
+                               const integrate::run::SolverOptions& solver,
+                               const response::motion::ResponseOptions& response, double seconds) {
   const double start = processor_time_s();
   LabelAgreement agreement;
-  response::Workspace workspace;
+  response::motion::Workspace workspace;
   if (cells.empty()) return agreement;
   const std::size_t step = stride(cells.size());
   for (std::size_t k = 0, i = 0; k < cells.size(); ++k, i = (i + step) % cells.size()) {

@@ -17,7 +17,7 @@ struct Place {
 
 /// What a map calls the motion of one cell.
 struct Label {
-  response::MotionClass motion_class = response::MotionClass::failed;
+  response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
   std::optional<int> order;
   bool operator==(const Label&) const = default;
 };
@@ -34,8 +34,8 @@ inline constexpr double label_tolerance = 1e-11;
 /// The cells at `places` that can be run (neither initial contact nor unreachable) with the label that the
 /// reference solver gives them (reference_options at label_tolerance).
 std::vector<LabelledCell> reference_labels(const model::Machine& machine, std::span<const Place> places,
-                                           const integrate::SolverOptions& base,
-                                           const response::ResponseOptions& response);
+                                           const integrate::run::SolverOptions& base,
+                                           const response::motion::ResponseOptions& response);
 
 struct LabelAgreement {
   int compared = 0;
@@ -45,8 +45,9 @@ struct LabelAgreement {
 
 /// Runs the cells with `solver` until all are compared or `seconds` of processor time are up, in an order
 /// that spreads any part of them over the whole.
-LabelAgreement label_agreement(std::span<const LabelledCell> cells, const integrate::SolverOptions& solver,
-                               const response::ResponseOptions& response, double seconds);
+LabelAgreement label_agreement(std::span<const LabelledCell> cells,
+                               const integrate::run::SolverOptions& solver,
+                               const response::motion::ResponseOptions& response, double seconds);
 
 /// `wanted` indices spread evenly over 0 ... count - 1, the first and the last among them, all where there
 /// are no more; the middle one where one is wanted.

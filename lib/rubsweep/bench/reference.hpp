@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/integrate/options.hpp"
+#include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::bench {
@@ -27,11 +27,11 @@ inline constexpr double reference_tolerance = 1e-13;
 
 /// `base` as references are computed: the exact solver wherever it applies, its turns without a closed form,
 /// and scenes it does not take at all, by rkf78 at `relative_tolerance`, every contact located.
-integrate::SolverOptions reference_options(integrate::SolverOptions base,
-                                           double relative_tolerance = reference_tolerance);
+integrate::run::SolverOptions reference_options(integrate::run::SolverOptions base,
+                                                double relative_tolerance = reference_tolerance);
 
 /// Section of `scene` after `turns` revolutions. Throws ConfigError where a solver does not get there.
-Reference reference_section(const scene::Scene& scene, int turns, const integrate::SolverOptions& base);
+Reference reference_section(const scene::Scene& scene, int turns, const integrate::run::SolverOptions& base);
 
 /// Largest difference of a component; NaN where one is.
 double section_difference(std::span<const double> a, std::span<const double> b);

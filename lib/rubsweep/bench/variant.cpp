@@ -8,18 +8,18 @@
 namespace rubsweep::bench {
 namespace {
 
-using integrate::ContactHandling;
-using integrate::Method;
-using integrate::Stepper;
+using integrate::run::ContactHandling;
+using integrate::run::Method;
+using integrate::run::Stepper;
 
-bool closed_forms_do(const scene::Scene& scene, integrate::SolverOptions base, int turns) {
+bool closed_forms_do(const scene::Scene& scene, integrate::run::SolverOptions base, int turns) {
   base.method = Method::exact;
   base.contact = ContactHandling::located;
-  integrate::ExactPlans plans;
-  const integrate::Run run = integrate::start(scene, base, plans);
-  integrate::Turn turn;
+  integrate::exact::ModeCache modes;
+  const integrate::run::Run run = integrate::start(scene, base, modes);
+  integrate::run::Turn turn;
   for (int k = 0; k < turns; ++k) {
-    if (run.advance(turn) != integrate::Outcome::ok) return false;
+    if (run.advance(turn) != integrate::run::Outcome::ok) return false;
   }
   return turn.effort.adaptive_turns == 0;
 }
@@ -32,8 +32,8 @@ std::span<const Stepper> all_steppers() {
   return steppers;
 }
 
-std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::SolverOptions& base, int turns,
-                                 std::span<const Stepper> steppers,
+std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::run::SolverOptions& base,
+                                 int turns, std::span<const Stepper> steppers,
                                  std::span<const double> relative_tolerances) {
   std::vector<Variant> variants;
   const auto add = [&](Method method, ContactHandling contact) {
@@ -42,7 +42,7 @@ std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::Sol
         variants.push_back({method, stepper, contact, tolerance});
     }
   };
-  if (integrate::exact_applies(scene)) {
+  if (integrate::exact::exact_applies(scene)) {
     if (closed_forms_do(scene, base, turns)) {
       variants.push_back({Method::exact, {}, ContactHandling::located, {}});
     } else {
@@ -54,7 +54,7 @@ std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::Sol
   return variants;
 }
 
-integrate::SolverOptions options_of(const Variant& variant, integrate::SolverOptions base) {
+integrate::run::SolverOptions options_of(const Variant& variant, integrate::run::SolverOptions base) {
   base.method = variant.method;
   base.contact = variant.contact;
   if (variant.stepper) base.stepper = *variant.stepper;

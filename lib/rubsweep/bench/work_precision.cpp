@@ -11,15 +11,15 @@ namespace rubsweep::bench {
 namespace {
 
 /// One run of one variant; returns its processor time in seconds.
-double run_once(const scene::Scene& scene, const integrate::SolverOptions& solver,
+double run_once(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                 std::span<const double> reference, const WorkPrecisionOptions& options,
-                integrate::ExactPlans& plans, Measurement& measurement) {
-  integrate::Turn turn;
+                integrate::exact::ModeCache& modes, Measurement& measurement) {
+  integrate::run::Turn turn;
   const double start = processor_time_s();
-  const integrate::Run run = integrate::start(scene, solver, plans);
+  const integrate::run::Run run = integrate::start(scene, solver, modes);
   for (int k = 1; k <= options.turns; ++k) {
     measurement.outcome = run.advance(turn);
-    if (measurement.outcome != integrate::Outcome::ok) break;
+    if (measurement.outcome != integrate::run::Outcome::ok) break;
     if (k == options.error_turns) measurement.state_error = section_difference(turn.section, reference);
   }
   const double elapsed = processor_time_s() - start;
@@ -30,24 +30,24 @@ double run_once(const scene::Scene& scene, const integrate::SolverOptions& solve
 
 }  // namespace
 
-std::vector<Measurement> measure(const scene::Scene& scene, const integrate::SolverOptions& base,
+std::vector<Measurement> measure(const scene::Scene& scene, const integrate::run::SolverOptions& base,
                                  std::span<const Variant> variants, std::span<const double> reference,
                                  const WorkPrecisionOptions& options) {
   std::vector<Measurement> measurements(variants.size());
   std::vector<std::vector<double>> seconds(variants.size());
-  integrate::ExactPlans plans;
+  integrate::exact::ModeCache modes;
   for (int repeat = 0; repeat < options.repeats; ++repeat) {
     for (std::size_t i = 0; i < variants.size(); ++i) {
       Measurement& measurement = measurements[i];
       measurement.variant = variants[i];
       const double used = std::accumulate(seconds[i].begin(), seconds[i].end(), 0.0);
-      if (used > options.seconds_per_variant || measurement.outcome != integrate::Outcome::ok) continue;
+      if (used > options.seconds_per_variant || measurement.outcome != integrate::run::Outcome::ok) continue;
       seconds[i].push_back(
-          run_once(scene, options_of(variants[i], base), reference, options, plans, measurement));
+          run_once(scene, options_of(variants[i], base), reference, options, modes, measurement));
     }
   }
   for (std::size_t i = 0; i < variants.size(); ++i) {
-    if (measurements[i].outcome != integrate::Outcome::ok) continue;
+    if (measurements[i].outcome != integrate::run::Outcome::ok) continue;
     measurements[i].microseconds_per_revolution = 1e6 * median(seconds[i]) / options.turns;
   }
   return measurements;

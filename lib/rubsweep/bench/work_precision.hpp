@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/bench/variant.hpp"
-#include "rubsweep/integrate/turn.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::bench {
@@ -20,18 +20,18 @@ struct WorkPrecisionOptions {
 /// Work and precision of one variant on one scene.
 struct Measurement {
   Variant variant;
-  integrate::Outcome outcome = integrate::Outcome::ok;
+  integrate::run::Outcome outcome = integrate::run::Outcome::ok;
   std::optional<double> microseconds_per_revolution;  ///< median of the repeats; empty when the run failed
   std::optional<double> state_error;  ///< largest component, in (clearance, clearance omega); empty when the
                                       ///< run failed before
   int repeats = 0;
-  integrate::Effort effort;  ///< of one run of `turns` revolutions, or up to its failure
+  integrate::run::Effort effort;  ///< of one run of `turns` revolutions, or up to its failure
 };
 
 /// Runs every variant on `scene`, all of them once, then all of them again, so that what slows the machine
 /// down for a while slows all of them. Processor time counts; that of a run includes its start, but no
 /// factorisation that an earlier run left behind. `reference`: the section after `error_turns`.
-std::vector<Measurement> measure(const scene::Scene& scene, const integrate::SolverOptions& base,
+std::vector<Measurement> measure(const scene::Scene& scene, const integrate::run::SolverOptions& base,
                                  std::span<const Variant> variants, std::span<const double> reference,
                                  const WorkPrecisionOptions& options);
 

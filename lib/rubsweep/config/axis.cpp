@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "rubsweep/batch/axis.hpp"
 #include "rubsweep/config/section.hpp"
 
 namespace rubsweep::config {
@@ -23,17 +24,6 @@ std::vector<double> read_values(const Value& value, const model::Range& range) {
     }
     values.push_back(*number);
   }
-  return values;
-}
-
-/// Multiplied before divided: whole numbers then stay whole.
-std::vector<double> spaced(double from, double to, long count) {
-  std::vector<double> values(static_cast<std::size_t>(count), from);
-  const double intervals = static_cast<double>(count - 1);
-  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    values[i] = from + (to - from) * static_cast<double>(i) / intervals;
-  }
-  if (count > 1) values.back() = to;
   return values;
 }
 
@@ -59,7 +49,7 @@ std::vector<double> read_spaced(Section& section, const model::Range& range) {
     section.refuse_together("count", {"count", "to"}, "1 value cannot be both from and to",
                             "a count of 2 or more, or no to");
   }
-  const std::vector<double> values = spaced(from, *to, count);
+  std::vector<double> values = batch::evenly_spaced(from, *to, static_cast<int>(count));
   if (!all_different_and_allowed(values, range)) {
     section.refuse_together("count", {"from", "to", "count"},
                             fmt::format("from {} to {} there are no {} different values", from, *to, count),

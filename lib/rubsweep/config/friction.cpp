@@ -5,6 +5,7 @@
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/contact/stribeck_curve.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -65,21 +66,22 @@ model::Friction read_friction(const Value& value) {
 }
 
 void print_friction(Printer& printer, const model::Friction& friction) {
-  if (std::holds_alternative<model::NoFriction>(friction)) {
-    printer.word("friction", none);
-    return;
-  }
-  printer.open("friction");
-  if (const auto* stribeck = std::get_if<model::StribeckFriction>(&friction)) {
-    if (stribeck->curve) {
-      print_fields(printer, *stribeck->curve);
-    } else {
-      printer.numbers("stribeck", stribeck->gamma);
-    }
-  } else {
-    printer.number("coefficient", std::get<model::ConstantFriction>(friction).coefficient);
-  }
-  printer.close();
+  const auto map = [&](const auto& print) {
+    printer.open("friction");
+    print();
+    printer.close();
+  };
+  std::visit(overloaded{[&](const model::NoFriction&) { printer.word("friction", none); },
+                        [&](const model::ConstantFriction& constant) {
+                          map([&] { printer.number("coefficient", constant.coefficient); });
+                        },
+                        [&](const model::StribeckFriction& stribeck) {
+                          map([&] {
+                            if (stribeck.curve) return print_fields(printer, *stribeck.curve);
+                            printer.numbers("stribeck", stribeck.gamma);
+                          });
+                        }},
+             friction);
 }
 
 }  // namespace rubsweep::config

@@ -12,7 +12,9 @@
 
 namespace rubsweep::config {
 
-/// Writes YAML in block style, two spaces a level, shortest doubles that read back the same.
+/// Writes YAML in block style, two spaces a level, shortest doubles that read back the same. Not yaml-cpp's
+/// emitter: it lays out the same lines, but leaves the byte 0x7f bare, which no YAML file may hold, and puts
+/// U+FFFD for bytes that are not UTF-8 instead of an error.
 class Printer {
  public:
   void number(std::string_view name, double value);

@@ -19,9 +19,10 @@ namespace {
 
 constexpr std::string_view root_form = "a map with rotor, stops, sweep, output";
 
-/// In a ring the tangent turns, along which the surface of a twisting rotor would move.
-void refuse_torsion_in_rings(const Value& stops, const model::Machine& machine) {
-  if (!machine.kit || !machine.kit->torsion) return;
+/// In an annular stop the tangent turns, along which the surface of a twisting rotor would move.
+void refuse_torsion_in_annular_stops(const Value& stops, const model::Machine& machine) {
+  const model::RotorKit* kit = model::kit_of(machine);
+  if (kit == nullptr || !kit->torsion) return;
   for (const model::Stop& stop : machine.stops) {
     if (!std::holds_alternative<model::AnnularGeometry>(stop.geometry)) continue;
     refuse(stops, "has an annular stop beside torsion of the rotor", "one_side stops only, or no torsion");
@@ -34,10 +35,11 @@ RunConfig read_sections(const Value& root) {
   RunConfig config;
   sweep::Study& study = config.study;
   if (const auto value = section.require("rotor", "a map")) read_rotor(*value, study.machine);
-  const auto shaft = study.machine.kit ? std::optional(places(*study.machine.kit)) : std::nullopt;
+  const model::RotorKit* kit = model::kit_of(study.machine);
+  const auto shaft = kit != nullptr ? std::optional(places(*kit)) : std::nullopt;
   if (const auto value = section.require("stops", "a list of maps")) {
     study.machine.stops = read_stops(*value, shaft);
-    refuse_torsion_in_rings(*value, study.machine);
+    refuse_torsion_in_annular_stops(*value, study.machine);
   }
   if (const auto value = section.find("kick")) study.machine.kick = read_kick(*value, shaft);
   section.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);

@@ -27,7 +27,7 @@ void visit_fields(auto& study, auto&& visit) {
   visit("robustness", study.robustness, switches);
 }
 
-void refuse_contradictions(const Section& section, const response::ResponseOptions& options) {
+void refuse_contradictions(const Section& section, const response::motion::ResponseOptions& options) {
   if (options.max_revolutions < 2 * options.window_revolutions) {
     section.refuse_together("max_revolutions", {"max_revolutions", "window_revolutions"},
                             fmt::format("{} is less than two windows", options.max_revolutions),

@@ -5,11 +5,13 @@
 
 #include "rubsweep/config/rotor_kit.hpp"
 #include "rubsweep/config/section.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::config {
 namespace {
 
-constexpr std::array<std::string_view, 2> kinds{"jeffcott", "rotor_kit"};
+/// In the order of model::Rotor.
+constexpr std::array<std::string_view, std::variant_size_v<model::Rotor>> kinds{"jeffcott", "rotor_kit"};
 
 }  // namespace
 
@@ -17,21 +19,19 @@ void read_rotor(const Value& value, model::Machine& machine) {
   Section section(value);
   const auto kind = section.require_kind("kind", kinds);
   if (kind && kinds[*kind] == "rotor_kit") {
-    machine.kit = read_rotor_kit(section);
+    machine.rotor = read_rotor_kit(section);
   } else {
-    read_fields(section, machine.rotor);
+    read_fields(section, machine.rotor.emplace<model::JeffcottRotor>());
   }
   section.refuse_unknown_keys();
 }
 
 void print_rotor(Printer& printer, const model::Machine& machine) {
   printer.open("rotor");
-  printer.word("kind", machine.kit ? "rotor_kit" : "jeffcott");
-  if (machine.kit) {
-    print_rotor_kit(printer, *machine.kit);
-  } else {
-    print_fields(printer, machine.rotor);
-  }
+  printer.word("kind", kinds[machine.rotor.index()]);
+  std::visit(overloaded{[&](const model::JeffcottRotor& rotor) { print_fields(printer, rotor); },
+                        [&](const model::RotorKit& kit) { print_rotor_kit(printer, kit); }},
+             machine.rotor);
   printer.close();
 }
 

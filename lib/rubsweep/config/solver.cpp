@@ -5,10 +5,10 @@
 namespace rubsweep::config {
 namespace {
 
-using integrate::ContactHandling;
-using integrate::Method;
-using integrate::SolverOptions;
-using integrate::Stepper;
+using integrate::run::ContactHandling;
+using integrate::run::Method;
+using integrate::run::SolverOptions;
+using integrate::run::Stepper;
 
 constexpr Words<Method, 3> methods{{"auto", "exact", "adaptive"},
                                    {Method::automatic, Method::exact, Method::adaptive}};

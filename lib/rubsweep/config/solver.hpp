@@ -2,12 +2,12 @@
 
 #include "rubsweep/config/printer.hpp"
 #include "rubsweep/config/value.hpp"
-#include "rubsweep/integrate/options.hpp"
+#include "rubsweep/integrate/run/options.hpp"
 
 namespace rubsweep::config {
 
 /// `solver`: every key is optional, the defaults are those of integrate::SolverOptions.
-integrate::SolverOptions read_solver(const Value& value);
-void print_solver(Printer& printer, const integrate::SolverOptions& solver);
+integrate::run::SolverOptions read_solver(const Value& value);
+void print_solver(Printer& printer, const integrate::run::SolverOptions& solver);
 
 }  // namespace rubsweep::config

@@ -9,6 +9,7 @@
 #include "rubsweep/config/hertz.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/contact/hertz_line.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -23,10 +24,10 @@ constexpr std::string_view one_side_kind = "one_side";
 constexpr std::string_view annular_kind = "annular";
 constexpr std::array kinds{one_side_kind, annular_kind};
 
-model::AnnularGeometry read_ring(Section& section) {
-  model::AnnularGeometry ring;
-  if (const auto offset = section.find("offset_m")) read_numbers(*offset, ring.offset_m);
-  return ring;
+model::AnnularGeometry read_annular(Section& section) {
+  model::AnnularGeometry annular;
+  if (const auto offset = section.find("offset_m")) read_numbers(*offset, annular.offset_m);
+  return annular;
 }
 
 model::StopGeometry read_geometry(Section& section) {
@@ -37,17 +38,22 @@ model::StopGeometry read_geometry(Section& section) {
     section.find("offset_m");
     return {};
   }
-  if (kinds[*kind] == annular_kind) return read_ring(section);
+  if (kinds[*kind] == annular_kind) return read_annular(section);
   model::OneSideGeometry wall;
   section.field("angle_deg", wall.angle_deg, model::any_finite);
   return wall;
 }
 
 void refuse_offset_beyond_clearance(const Section& section, const model::Stop& stop) {
-  const auto* ring = std::get_if<model::AnnularGeometry>(&stop.geometry);
-  if (ring == nullptr || !(std::hypot(ring->offset_m[0], ring->offset_m[1]) >= stop.clearance_m)) return;
-  section.refuse_together("offset_m", {"offset_m"}, "the rest position is not inside the ring",
-                          "a vector shorter than clearance_m");
+  std::visit(overloaded{[](const model::OneSideGeometry&) {},
+                        [&](const model::AnnularGeometry& annular) {
+                          const double offset_m = std::hypot(annular.offset_m[0], annular.offset_m[1]);
+                          if (!(offset_m >= stop.clearance_m)) return;
+                          section.refuse_together("offset_m", {"offset_m"},
+                                                  "the rest position is not inside the annular stop",
+                                                  "a vector shorter than clearance_m");
+                        }},
+             stop.geometry);
 }
 
 model::ContactDamping read_damping(Section& section) {
@@ -124,13 +130,15 @@ model::Stop read_stop(const Value& value, const std::optional<model::Range>& pla
 
 void print_stop(Printer& printer, const model::Stop& stop) {
   printer.open_item();
-  if (const auto* ring = std::get_if<model::AnnularGeometry>(&stop.geometry)) {
-    printer.word("kind", annular_kind);
-    printer.numbers("offset_m", ring->offset_m);
-  } else {
-    printer.word("kind", one_side_kind);
-    printer.number("angle_deg", std::get<model::OneSideGeometry>(stop.geometry).angle_deg);
-  }
+  std::visit(overloaded{[&](const model::OneSideGeometry& flat) {
+                          printer.word("kind", one_side_kind);
+                          printer.number("angle_deg", flat.angle_deg);
+                        },
+                        [&](const model::AnnularGeometry& annular) {
+                          printer.word("kind", annular_kind);
+                          printer.numbers("offset_m", annular.offset_m);
+                        }},
+             stop.geometry);
   printer.field("position_m", stop.position_m, model::any_finite);
   print_contact(printer, stop);
   print_damping(printer, stop.damping);

@@ -3,39 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <boost/locale/utf.hpp>
 
 namespace rubsweep::config {
-namespace {
-
-struct Lead {
-  std::size_t length;  // of the sequence, 0 for a byte that cannot start one
-  std::uint32_t bits;  // of the code point
-  std::uint32_t low;   // smallest code point that needs this length
-};
-
-Lead lead_of(unsigned char byte) {
-  if (byte < 0x80) return {1, byte, 0};
-  if ((byte & 0xe0) == 0xc0) return {2, byte & 0x1fU, 0x80};
-  if ((byte & 0xf0) == 0xe0) return {3, byte & 0x0fU, 0x800};
-  if ((byte & 0xf8) == 0xf0) return {4, byte & 0x07U, 0x10000};
-  return {0, 0, 0};
-}
-
-}  // namespace
-
 std::size_t utf8_length(std::string_view text) {
-  if (text.empty()) return 0;
-  const Lead lead = lead_of(static_cast<unsigned char>(text[0]));
-  if (lead.length > text.size()) return 0;
-  std::uint32_t code = lead.bits;
-  for (std::size_t i = 1; i < lead.length; ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if ((byte & 0xc0) != 0x80) return 0;
-    code = (code << 6) | (byte & 0x3fU);
-  }
-  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-  return code < lead.low || code > 0x10ffff || surrogate ? 0 : lead.length;
+  namespace utf = boost::locale::utf;
+  const char* end = text.data();
+  const auto code = utf::utf_traits<char>::decode(end, text.data() + text.size());
+  if (code == utf::illegal || code == utf::incomplete) return 0;
+  return static_cast<std::size_t>(end - text.data());
 }
 
 bool is_control(char byte) {

@@ -17,7 +17,7 @@ bool is_control(char byte);
 /// tab and line ends. Empty when there is none.
 std::optional<std::size_t> first_unreadable_byte(std::string_view text);
 
-/// `text` fit for one line of a message: control characters and stray bytes as \xNN, cut after about
+/// `text` fit for one line of a message: control characters and stray bytes as `\xNN`, cut after about
 /// `longest` bytes.
 std::string shown(std::string_view text, std::size_t longest = 60);
 

@@ -12,6 +12,7 @@ namespace rubsweep::config {
 namespace {
 
 constexpr double most_kick_periods = 100, most_speed_ratio = 100, most_gravity = 100, most_radius_m = 10;
+constexpr double critical_damping = 1;
 
 std::optional<Value> child(const std::optional<Value>& parent, std::string_view name) {
   if (!parent || parent->node.kind != Node::Kind::map) return std::nullopt;
@@ -62,6 +63,13 @@ void check_speeds(const std::optional<Value>& axis, double natural_frequency_hz)
   }
 }
 
+void check_damping(const Value& ratio) {
+  const double value = number(ratio).value_or(0);
+  if (value < critical_damping) return;
+  refuse(ratio, fmt::format("{} of critical damping leaves the rotor no vibration (per cent?)", value),
+         fmt::format("less than {}", critical_damping));
+}
+
 void check_kick(const Value& duration, double natural_frequency_hz) {
   const double periods = number(duration).value_or(0) * natural_frequency_hz;
   if (periods <= most_kick_periods) return;
@@ -78,7 +86,10 @@ void refuse_unit_slips(const Value& root) {
       check_stop({stops->node.items[i], fmt::format("stops.{}", i), stops->diagnostics});
     }
   }
-  if (const auto frequency_hz = number(child(child(whole, "rotor"), "natural_frequency_hz"))) {
+  const auto rotor = child(whole, "rotor");
+  // A Jeffcott rotor alone has one.
+  if (const auto frequency_hz = number(child(rotor, "natural_frequency_hz"))) {
+    if (const auto ratio = child(rotor, "damping_ratio")) check_damping(*ratio);
     if (const auto duration = child(child(whole, "kick"), "duration_s")) check_kick(*duration, *frequency_hz);
     check_speeds(child(child(whole, "sweep"), "speed_hz"), *frequency_hz);
   }

@@ -7,8 +7,8 @@
 
 namespace rubsweep::contact {
 
-/// The four smooth pieces of the clamped ElastoGap law. p penetration, v closing speed, K stiffness, d
-/// damping.
+/// The four pieces on each of which the clamped ElastoGap law is smooth. p is the penetration, v the closing
+/// speed dp/dt, K the stiffness, d the damping.
 enum class Mode : unsigned char {
   open,      ///< p <= 0: no force
   clamped,   ///< p > 0, d v >= K p: normal force 2 K p
@@ -38,83 +38,113 @@ constexpr Mode mode_of(double stiffness, double damping, double penetration, dou
   return spring + damper <= 0 ? Mode::released : Mode::sprung;
 }
 
+/// The law inside one mode, which is linear: normal force = spring K p + damper d v, friction = mu times
+/// `friction` K p.
+struct LinearLaw {
+  double spring = 0, damper = 0, friction = 0;
+};
+
+/// Stated here alone: every solver reads it, so that a change of the law is made once.
+constexpr LinearLaw law_of(Mode mode) {
+  constexpr std::array<LinearLaw, mode_count> laws{{{0, 0, 0}, {2, 0, 1}, {1, 1, 1}, {0, 0, 1}}};
+  return laws[static_cast<std::size_t>(mode)];
+}
+
 /// Law of one mode, continued smoothly beyond the mode's own region so that a step may overshoot its end.
 constexpr NormalForce force_in_mode(Mode mode, double stiffness, double damping, double penetration,
                                     double closing_speed) {
+  if (mode == Mode::open) return {};
+  const LinearLaw law = law_of(mode);
   const double spring = stiffness * penetration;
+  return {law.friction * spring, law.spring * spring + law.damper * (damping * closing_speed)};
+}
+
+/// Its derivatives.
+constexpr ForceSlopes slopes_in_mode(Mode mode, double stiffness, double damping) {
+  const LinearLaw law = law_of(mode);
+  return {law.friction * stiffness, law.spring * stiffness, law.damper * damping};
+}
+
+/// One way out of a mode: the guard is spring K p + damper d v or, where it does not depend on the damper,
+/// spring p. It is negative inside the mode, which ends towards `next` when the guard rises through zero.
+struct GuardForm {
+  double spring = 0, damper = 0;
+  Mode next = Mode::open;
+};
+
+struct GuardForms {
+  std::array<GuardForm, 2> list{};
+  int count = 0;
+};
+
+/// The guards armed in `mode`, at most two:
+/// open: p; clamped: K p - d v; sprung: d v - K p and -(K p + d v); released: -p and K p + d v.
+/// Without damping sprung is the only touching mode and ends as p falls through zero. As `law_of`, stated
+/// here alone.
+constexpr GuardForms guard_forms(Mode mode, bool damped) {
   switch (mode) {
     case Mode::open:
-      return {0, 0};
+      return {{{{1, 0, damped ? Mode::clamped : Mode::sprung}, {}}}, 1};
     case Mode::clamped:
-      return {spring, 2 * spring};
+      return {{{{1, -1, Mode::sprung}, {}}}, 1};
     case Mode::sprung:
-      return {spring, spring + damping * closing_speed};
+      if (!damped) return {{{{-1, 0, Mode::open}, {}}}, 1};
+      return {{{{-1, 1, Mode::clamped}, {-1, -1, Mode::released}}}, 2};
     case Mode::released:
-      return {spring, 0};
+      return {{{{-1, 0, Mode::open}, {1, 1, Mode::sprung}}}, 2};
   }
   return {};
 }
 
-/// One way out of a mode: `value` < 0 inside, the mode ends when it rises through zero. `rate` = d value /
-/// dt.
-struct Exit {
+/// Value and time derivative of a guard or event function at one state.
+struct Guard {
   double value = 0;
   double rate = 0;
   Mode next = Mode::open;
 };
 
-struct Exits {
-  std::array<Exit, 2> list{};
+struct Guards {
+  std::array<Guard, 2> list{};
   int count = 0;
 };
 
-/// The exits armed in `mode`, at most two:
-/// open: p; clamped: K p - d v; sprung: d v - K p and -(K p + d v); released: -p and K p + d v.
-/// Without damping sprung is the only touching mode and ends as p falls through zero.
-constexpr Exits exits_of(Mode mode, double stiffness, double damping, const Kinematics& k) {
-  const double spring = stiffness * k.penetration;
-  const double spring_rate = stiffness * k.closing_speed;
-  const double damper = damping * k.closing_speed;
-  const double damper_rate = damping * k.closing_acceleration;
-  switch (mode) {
-    case Mode::open: {
-      const Mode touching = damping > 0 ? Mode::clamped : Mode::sprung;
-      return {{{{k.penetration, k.closing_speed, touching}, {}}}, 1};
+/// The guards armed in `mode` at a state.
+constexpr Guards guards_of(Mode mode, double stiffness, double damping, const Kinematics& k) {
+  const GuardForms forms = guard_forms(mode, damping > 0);
+  Guards guards{{}, forms.count};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(forms.count); ++i) {
+    const auto [spring, damper, next] = forms.list[i];
+    if (damper == 0) {
+      guards.list[i] = {spring * k.penetration, spring * k.closing_speed, next};
+    } else {
+      guards.list[i] = {spring * (stiffness * k.penetration) + damper * (damping * k.closing_speed),
+                        spring * (stiffness * k.closing_speed) + damper * (damping * k.closing_acceleration),
+                        next};
     }
-    case Mode::clamped:
-      return {{{{spring - damper, spring_rate - damper_rate, Mode::sprung}, {}}}, 1};
-    case Mode::sprung:
-      if (damping == 0) return {{{{-k.penetration, -k.closing_speed, Mode::open}, {}}}, 1};
-      return {{{{damper - spring, damper_rate - spring_rate, Mode::clamped},
-                {-spring - damper, -spring_rate - damper_rate, Mode::released}}},
-              2};
-    case Mode::released:
-      return {{{{-k.penetration, -k.closing_speed, Mode::open},
-                {spring + damper, spring_rate + damper_rate, Mode::sprung}}},
-              2};
   }
-  return {};
+  return guards;
 }
 
-/// Where an exit from `mode` towards `next` really leads. Out of sprung the way to clamped (d v = K p) is one
-/// of rising penetration, that to released (d v = -K p) one of falling penetration. With little damping both
-/// lie within rounding of p = 0, and which of the two a solver meets there is chance: v tells.
+/// Where a guard from `mode` towards `next` really leads. A sprung contact becomes clamped (at d v = K p)
+/// while its penetration rises, and released (at d v = -K p) while it falls. With little damping both happen
+/// within rounding of p = 0, and which of the two a solver meets first there is chance: the sign of v
+/// decides.
 constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) {
   if (mode != Mode::sprung || next == Mode::open) return next;
   return kinematics.closing_speed > 0 ? Mode::clamped : Mode::released;
 }
 
-/// Mode just after an instant at which `mode` may have ended: follows every exit that is at or past zero and
-/// still rising, until none is. An exit past zero but falling is a return from a graze, not an event.
-/// Bounded: a state with all exits at zero and rising cannot exist, and four hops visit every mode.
+/// Mode just after an instant at which `mode` may have ended: follows every guard that is at or past zero and
+/// still rising, until none is. A guard past zero but falling is a return from a graze, not an event.
+/// Bounded: a state with all guards at zero and rising cannot exist, and four hops visit every mode.
 constexpr Mode mode_after(Mode mode, double stiffness, double damping, const Kinematics& kinematics) {
   for (int hop = 0; hop < mode_count; ++hop) {
-    const Exits exits = exits_of(mode, stiffness, damping, kinematics);
+    const Guards guards = guards_of(mode, stiffness, damping, kinematics);
     Mode next = mode;
-    for (int i = 0; i < exits.count; ++i) {
-      const Exit& exit = exits.list[static_cast<std::size_t>(i)];
-      if (exit.value >= 0 && exit.rate > 0) {
-        next = mode_through(mode, exit.next, kinematics);
+    for (int i = 0; i < guards.count; ++i) {
+      const Guard& guard = guards.list[static_cast<std::size_t>(i)];
+      if (guard.value >= 0 && guard.rate > 0) {
+        next = mode_through(mode, guard.next, kinematics);
         break;
       }
     }

@@ -10,6 +10,11 @@ struct NormalForce {
   double total_n = 0;   ///< F_s + F_d, never negative: a contact does not pull
 };
 
+/// Partial derivatives of the normal force by penetration p and closing speed v.
+struct ForceSlopes {
+  double spring_by_p = 0, total_by_p = 0, total_by_v = 0;
+};
+
 /// The clamped ElastoGap law (Modelica.Mechanics.Translational.Components.ElastoGap; Ishibashi & Kawai eq.
 /// 1-2 with the clamp that the text names and the print leaves out): F_s = K p, F_d = clamp(d v, -F_s, F_s)
 /// for penetration p > 0, nothing otherwise. Continuous in p and v. stiffness [N per unit of p], damping [N
@@ -43,6 +48,17 @@ inline NormalForce smoothed_elastogap(double stiffness, double damping, double p
       damper - smooth_ramp(damper - spring, force_width) + smooth_ramp(-damper - spring, force_width);
   // `clamped` is within +-spring already, but for rounding, and not even rounding may pull.
   return {spring, spring + std::clamp(clamped, -spring, spring)};
+}
+
+/// Derivatives of `smoothed_elastogap`.
+inline ForceSlopes smoothed_elastogap_slopes(double stiffness, double damping, double penetration,
+                                             double closing_speed, double width) {
+  const double force_width = stiffness * width;
+  const double spring = stiffness * smooth_ramp(penetration, width);
+  const double spring_by_p = stiffness * smooth_ramp_slope(penetration, width);
+  const double above = smooth_ramp_slope(damping * closing_speed - spring, force_width);
+  const double below = smooth_ramp_slope(-damping * closing_speed - spring, force_width);
+  return {spring_by_p, spring_by_p * (1 + above - below), damping * (1 - above - below)};
 }
 
 }  // namespace rubsweep::contact

@@ -5,7 +5,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <cstdint>
 
-#include "rubsweep/contact/friction_coefficient.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::contact {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "rubsweep/integrate/exact.hpp"
-#include "rubsweep/integrate/options.hpp"
-#include "rubsweep/integrate/turn.hpp"
+#include "rubsweep/integrate/hybrid_run.hpp"
+#include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::integrate {
@@ -11,9 +11,9 @@ namespace rubsweep::integrate {
 enum class Solver { adaptive, exact };
 
 /// `automatic`: exact wherever it applies, but for a smoothed contact law, which only the adaptive one knows.
-Solver solver_of(const scene::Scene& scene, const SolverOptions& options);
+Solver solver_of(const scene::Scene& scene, const run::SolverOptions& options);
 
 /// Starts a run with the solver that `options` ask for.
-Run start(const scene::Scene& scene, const SolverOptions& options, ExactPlans& plans);
+run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::ModeCache& modes);
 
 }  // namespace rubsweep::integrate

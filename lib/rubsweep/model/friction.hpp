@@ -2,23 +2,35 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 #include <variant>
 
 #include "rubsweep/model/range.hpp"
 
 namespace rubsweep::model {
 
-struct NoFriction {};
+struct NoFriction {
+  static constexpr std::string_view name = "none";
 
-/// mu(v) = coefficient for every slip speed: never reverses. A run whose slip would reverse says so in its
-/// status.
-struct ConstantFriction {
-  double coefficient = required;
-  static constexpr Range coefficient_range{.low = 0, .high = 10};
+  static void visit_fields(auto&, auto&&) {}
 };
 
-/// What can be measured of a friction curve: the peak, the speeds where it is reached and where the fall from
-/// it has settled, the level there, and how it grows beyond.
+/// mu(v) = coefficient whatever the slip speed v, even where v < 0: this friction never changes its
+/// direction. A run whose slip would reverse says so in its status.
+struct ConstantFriction {
+  static constexpr std::string_view name = "constant";
+
+  double coefficient = required;
+  static constexpr Range coefficient_range{.low = 0, .high = 10};
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("coefficient", self.coefficient, coefficient_range);
+  }
+};
+
+/// A friction curve by numbers that can be measured: the largest coefficient and the slip speed where it is
+/// reached, the slip speed where the fall behind this peak has ended and the coefficient there (kinetic), and
+/// the slope beyond (viscous).
 struct StribeckCurve {
   double static_coefficient = required;
   double kinetic = required;
@@ -38,9 +50,15 @@ struct StribeckCurve {
 /// mu(v) = g1 (tanh g2 v - tanh g3 v) + g4 tanh g5 v + g6 v (Ishibashi & Kawai eq. 17; Makkar et al. 2005).
 /// gamma[0..5] = g1 [-], g2 [s/m], g3 [s/m], g4 [-], g5 [s/m], g6 [s/m]; v slip speed in m/s.
 struct StribeckFriction {
+  static constexpr std::string_view name = "Stribeck";
+
   std::array<double, 6> gamma{};
-  std::optional<StribeckCurve> curve =
-      std::nullopt;  ///< where gamma came from (contact::stribeck_of); changes no force
+  /// Where gamma came from (contact::stribeck_of); changes no force.
+  std::optional<StribeckCurve> curve = std::nullopt;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    for (auto& value : self.gamma) visit("stribeck", value, any_finite);
+  }
 };
 
 using Friction = std::variant<NoFriction, ConstantFriction, StribeckFriction>;

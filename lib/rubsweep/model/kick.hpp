@@ -12,8 +12,8 @@ struct Kick {
   double force_n = required;
   double duration_s = required;
   std::optional<double> angle_deg;  ///< direction, from +x towards +y; empty: towards the first stop's wall
-  std::optional<double> position_m =
-      std::nullopt;  ///< along the shaft of a rotor kit; empty: the first stop's
+  /// Along the shaft of a rotor kit; empty: at the first stop.
+  std::optional<double> position_m = std::nullopt;
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("force_n", self.force_n, not_negative);

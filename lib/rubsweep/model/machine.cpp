@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::model {
 namespace {
@@ -23,39 +25,39 @@ auto requiring(std::string prefix) {
 }
 
 void validate(const Friction& friction, const std::string& path) {
-  if (const auto* constant = std::get_if<ConstantFriction>(&friction)) {
-    require(path + "coefficient", constant->coefficient, ConstantFriction::coefficient_range);
-  } else if (const auto* stribeck = std::get_if<StribeckFriction>(&friction)) {
-    for (const double gamma : stribeck->gamma) require(path + "stribeck", gamma, any_finite);
-  }
+  std::visit([&](const auto& law) { std::decay_t<decltype(law)>::visit_fields(law, requiring(path)); },
+             friction);
 }
 
 void validate(const ContactDamping& damping, const std::string& path) {
-  if (const auto* nominal = std::get_if<NominalRestitution>(&damping)) {
-    require(path + "restitution", nominal->value, Stop::restitution_range);
-  } else if (const auto* delivered = std::get_if<DeliveredRestitution>(&damping)) {
-    require(path + "restitution_delivered", delivered->value, Stop::restitution_delivered_range);
-  } else {
-    require(path + "damping_ns_per_m", std::get<ExplicitDamping>(damping).damping_ns_per_m, not_negative);
-  }
+  std::visit(overloaded{[&](const NominalRestitution& nominal) {
+                          require(path + "restitution", nominal.value, Stop::restitution_range);
+                        },
+                        [&](const DeliveredRestitution& delivered) {
+                          require(path + "restitution_delivered", delivered.value,
+                                  Stop::restitution_delivered_range);
+                        },
+                        [&](const ExplicitDamping& given) {
+                          require(path + "damping_ns_per_m", given.damping_ns_per_m, not_negative);
+                        }},
+             damping);
 }
 
-void validate(const StopGeometry& geometry, double clearance_m, const std::string& path) {
-  if (const auto* one_side = std::get_if<OneSideGeometry>(&geometry)) {
-    require(path + "angle_deg", one_side->angle_deg, any_finite);
-    return;
-  }
-  const auto& offset_m = std::get<AnnularGeometry>(geometry).offset_m;
-  for (const double component : offset_m) require(path + "offset_m", component, any_finite);
-  if (std::hypot(offset_m[0], offset_m[1]) >= clearance_m) {
+void validate(const OneSideGeometry& flat, double, const std::string& path) {
+  require(path + "angle_deg", flat.angle_deg, any_finite);
+}
+
+void validate(const AnnularGeometry& annular, double clearance_m, const std::string& path) {
+  for (const double component : annular.offset_m) require(path + "offset_m", component, any_finite);
+  if (std::hypot(annular.offset_m[0], annular.offset_m[1]) >= clearance_m) {
     throw ConfigError(fmt::format(
-        "{}offset_m: the rest position is not inside the ring, allowed: shorter than {}clearance_m", path,
-        path));
+        "{}offset_m: the rest position is not inside the annular stop, allowed: shorter than {}clearance_m",
+        path, path));
   }
 }
 
 void validate(const Stop& stop, const std::string& path) {
-  validate(stop.geometry, stop.clearance_m, path);
+  std::visit([&](const auto& geometry) { validate(geometry, stop.clearance_m, path); }, stop.geometry);
   Stop::visit_fields(stop, requiring(path));
   if (stop.contact_mass_kg) require(path + "contact_mass_kg", *stop.contact_mass_kg, positive);
   validate(stop.damping, path);
@@ -66,28 +68,29 @@ void validate(const Stop& stop, const std::string& path) {
 /// Places along the shaft: a rotor kit has them, a Jeffcott rotor has none.
 void validate_position(const Machine& machine, const std::optional<double>& position_m, bool needed,
                        const std::string& path) {
-  if (!machine.kit) {
+  const RotorKit* kit = kit_of(machine);
+  if (kit == nullptr) {
     if (position_m)
       throw ConfigError(path + ": a Jeffcott rotor has no places along its shaft, allowed: nothing");
   } else if (position_m || needed) {
-    require(path, position_m.value_or(required), Range{.low = 0, .high = shaft_length_m(*machine.kit)});
+    require(path, position_m.value_or(required), Range{.low = 0, .high = shaft_length_m(*kit)});
   }
 }
 
 }  // namespace
 
 void validate(const Machine& machine) {
-  if (machine.kit) {
-    validate(*machine.kit, "rotor.");
-  } else {
-    JeffcottRotor::visit_fields(machine.rotor, requiring("rotor."));
-  }
+  std::visit(
+      overloaded{[](const JeffcottRotor& rotor) { JeffcottRotor::visit_fields(rotor, requiring("rotor.")); },
+                 [](const RotorKit& kit) { validate(kit, "rotor."); }},
+      machine.rotor);
+  const RotorKit* kit = kit_of(machine);
   if (machine.stops.empty()) throw ConfigError("stops: at least one stop is needed");
   for (std::size_t i = 0; i < machine.stops.size(); ++i) {
     const Stop& stop = machine.stops[i];
     validate(stop, fmt::format("stops.{}.", i));
     validate_position(machine, stop.position_m, true, fmt::format("stops.{}.position_m", i));
-    if (machine.kit && machine.kit->torsion && std::holds_alternative<AnnularGeometry>(stop.geometry)) {
+    if (kit != nullptr && kit->torsion && std::holds_alternative<AnnularGeometry>(stop.geometry)) {
       throw ConfigError(fmt::format("stops.{}.kind: torsion needs flat walls, allowed: one_side", i));
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "rubsweep/model/kick.hpp"
@@ -10,14 +11,20 @@
 
 namespace rubsweep::model {
 
+/// A rotor of either kind.
+using Rotor = std::variant<JeffcottRotor, RotorKit>;
+
 /// Everything physical that does not change over a sweep. The first stop listed is the one kicked.
 struct Machine {
-  JeffcottRotor rotor;
+  Rotor rotor;
   std::vector<Stop> stops;
   std::optional<Kick> kick;
-  double gravity_m_per_s2 = 0;                 ///< acceleration along -y, on rotor and moving casings; >= 0
-  std::optional<RotorKit> kit = std::nullopt;  ///< a beam rotor that takes the place of `rotor`
+  double gravity_m_per_s2 = 0;  ///< acceleration along -y, on rotor and moving casings; >= 0
 };
+
+/// Its rotor kit; null where the rotor is of another kind.
+inline const RotorKit* kit_of(const Machine& machine) { return std::get_if<RotorKit>(&machine.rotor); }
+inline RotorKit* kit_of(Machine& machine) { return std::get_if<RotorKit>(&machine.rotor); }
 
 /// Throws ConfigError naming the first number that is missing or out of range. The YAML reader reports the
 /// same limits with their place in the file; this guards direct users of the library.

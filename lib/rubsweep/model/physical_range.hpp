@@ -2,11 +2,9 @@
 
 #include "rubsweep/model/range.hpp"
 
-namespace rubsweep::model {
-
 /// What the numbers of a shaft line may be. Far wider than any machine that was ever built, yet narrow enough
 /// that products of them (bending stiffness E d^4 / l^3, and its inverse) stay ordinary numbers.
-namespace physical {
+namespace rubsweep::model::physical {
 
 inline constexpr Range length_m{.low = 1e-6, .high = 1e4};
 inline constexpr Range diameter_m{.low = 1e-6, .high = 1e2};
@@ -27,6 +25,4 @@ inline constexpr Range cross_damping{.low = -1e12, .high = 1e12};
 inline constexpr Range impulse_ns{.low = 0, .high = 1e9};
 inline constexpr Range frequency_hz{.low = 1e-3, .high = 1e6};
 
-}  // namespace physical
-
-}  // namespace rubsweep::model
+}  // namespace rubsweep::model::physical

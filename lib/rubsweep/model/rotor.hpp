@@ -4,8 +4,9 @@
 
 namespace rubsweep::model {
 
-/// Jeffcott rotor: one disc in the middle of a massless isotropic shaft, m z'' + c z' + k z = forces, z = x +
-/// iy. (Ishibashi & Kawai, section 3; the lowest bending frequency is their epsilon_L.)
+/// Jeffcott rotor: one disc in the middle of a massless isotropic shaft, with the displacement z = x + iy and
+/// m z'' + c z' + k z = forces. (Ishibashi & Kawai, section 3; the lowest bending frequency is their
+/// epsilon_L.)
 struct JeffcottRotor {
   double mass_kg = required;
   double natural_frequency_hz = required;  ///< undamped, sqrt(k/m)/(2 pi)

@@ -17,7 +17,8 @@ struct OneSideGeometry {
   double angle_deg = required;
 };
 
-/// Ring around the rotor. `offset_m` is that of the rotor's rest position against the ring's centre, (x, y).
+/// Annular stop, a round hole around the rotor. `offset_m` leads from the centre of the hole to the rotor's
+/// rest position, (x, y).
 struct AnnularGeometry {
   std::array<double, 2> offset_m{0, 0};
 };
@@ -40,7 +41,8 @@ using ContactDamping = std::variant<NominalRestitution, DeliveredRestitution, Ex
 struct Stop {
   StopGeometry geometry;
   std::optional<double> position_m;  ///< along the shaft of a rotor kit; a Jeffcott rotor has none
-  double clearance_m = required;  ///< C_R: rotor travel to first touch from rest, in a ring from its centre
+  double clearance_m =
+      required;  ///< C_R: rotor travel to first touch from rest, in an annular stop from its centre
   double stiffness_n_per_m = required;  ///< K of the contact spring
   ContactDamping damping = NominalRestitution{};
   std::optional<double> contact_mass_kg;  ///< mass behind a restitution, before reduction with the casing's;

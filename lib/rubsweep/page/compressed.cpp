@@ -24,8 +24,8 @@ std::string compressed(std::string_view bytes) {
   uLongf size = ::compressBound(static_cast<uLong>(bytes.size()));
   std::string result(size, '\0');
   const int code = ::compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                               reinterpret_cast<const Bytef*>(bytes.data()),
-                               static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION);
+                               reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()),
+                               Z_BEST_COMPRESSION);
   if (code != Z_OK) throw std::bad_alloc();  // the buffer is large enough: memory is all that can fail
   result.resize(size);
   return base64(result);

@@ -38,8 +38,7 @@ void append_gaps(std::string& bytes, std::span<const std::size_t> places) {
 
 void append_signals(std::string& bytes, const SettledOrbit& orbit) {
   const double tolerance = drawing_tolerance * std::max(extent(orbit.signals[0]), extent(orbit.signals[1]));
-  const std::vector<std::size_t> places =
-      needed_samples(orbit.signals, tolerance, changes_of_contact(orbit));
+  const std::vector<std::size_t> places = needed_samples(orbit.signals, tolerance, changes_of_contact(orbit));
   append(bytes, static_cast<std::uint16_t>(places.size()));
   append(bytes, static_cast<std::uint16_t>(orbit.signals.size()));
   append_gaps(bytes, places);
@@ -61,7 +60,7 @@ void append_section(std::string& bytes, const SettledOrbit& orbit) {
   append_levels(bytes, y);
 }
 
-void append_spectrum(std::string& bytes, const response::FullSpectrum& spectrum) {
+void append_spectrum(std::string& bytes, const response::spectrum::FullSpectrum& spectrum) {
   const int reach = static_cast<int>(highest_order * spectrum.turns);
   const int first = std::max(spectrum.first_line(), -reach), last = std::min(spectrum.last_line(), reach);
   double largest = 0;
@@ -92,7 +91,8 @@ void append_levels(std::string& bytes, std::span<const double> values) {
   std::string differences;
   long before = 0;
   for (const double value : values) {
-    const long level = width > 0 ? std::lround((value - static_cast<double>(base)) / static_cast<double>(width)) : 0;
+    const long level =
+        width > 0 ? std::lround((value - static_cast<double>(base)) / static_cast<double>(width)) : 0;
     append(differences, static_cast<std::uint16_t>(level - before));
     before = level;
   }

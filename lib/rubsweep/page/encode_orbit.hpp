@@ -29,8 +29,8 @@ void append_levels(std::string& bytes, std::span<const double> values);
 ///   u16 x kept samples: steps since the sample before (byte planes);
 ///   for each signal its kept samples, as append_levels writes them, in metres;
 ///   u16 points of the section; their x, then their y, as append_levels writes them;
-///   u16 turns of the spectrum; u16 lines; f32 largest amplitude in metres; i16 x lines: the line's place k, at
-///   order k / turns; u16 x lines: amplitude in 65535ths of the largest.
+///   u16 turns of the spectrum; u16 lines; f32 largest amplitude in metres; i16 x lines: the line's place k,
+///   at order k / turns; u16 x lines: amplitude in 65535ths of the largest.
 /// The samples kept are those that a drawing needs (needed_samples), and those on either side of each change
 /// between gap and contact.
 std::string encode_orbit(std::size_t cell, const SettledOrbit& orbit);

@@ -41,9 +41,8 @@ class Words {
     return fmt::format("{:.4g} Hz and {}", speed(row), amount(unbalance(row)));
   }
   std::string speeds(const Rows& rows) const {
-    const auto [low, high] = std::minmax_element(rows.begin(), rows.end(), [&](auto a, auto b) {
-      return speed(a) < speed(b);
-    });
+    const auto [low, high] =
+        std::minmax_element(rows.begin(), rows.end(), [&](auto a, auto b) { return speed(a) < speed(b); });
     if (speed(*low) == speed(*high)) return fmt::format("at {:.4g} Hz", speed(*low));
     return fmt::format("between {:.4g} and {:.4g} Hz", speed(*low), speed(*high));
   }
@@ -64,7 +63,8 @@ class Words {
 std::string axis(std::vector<double> values, const std::string& name, const std::string& unit, double scale) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   if (values.size() == 1) return fmt::format("{} {:.4g}{}", name, scale * *low, unit);
-  return fmt::format("{} {}s from {:.4g} to {:.4g}{}", values.size(), name, scale * *low, scale * *high, unit);
+  return fmt::format("{} {}s from {:.4g} to {:.4g}{}", values.size(), name, scale * *low, scale * *high,
+                     unit);
 }
 
 std::string size_of(const MapTable& map, const sweep::Grid& grid) {
@@ -90,9 +90,8 @@ void add_rub(const MapTable& map, const Words& words, const Rows& rub, std::vect
     said.push_back("Rub lasts in no cell.");
     return;
   }
-  const auto lowest = *std::min_element(rub.begin(), rub.end(), [&](auto a, auto b) {
-    return words.unbalance(a) < words.unbalance(b);
-  });
+  const auto lowest = *std::min_element(
+      rub.begin(), rub.end(), [&](auto a, auto b) { return words.unbalance(a) < words.unbalance(b); });
   said.push_back(fmt::format("Rub lasts in {}, {}; the smallest unbalance with it is {}, at {:.4g} Hz.",
                              words.share(rub), words.speeds(rub), words.amount(words.unbalance(lowest)),
                              words.speed(lowest)));
@@ -105,7 +104,8 @@ void add_rub(const MapTable& map, const Words& words, const Rows& rub, std::vect
                              words.speeds(most->second)));
   if (const auto row = largest(map, rub, "peak_contact_force_n"))
     said.push_back(fmt::format("The largest contact force is {:.4g} N, at {} ({}).",
-                               *map.number("peak_contact_force_n", *row), words.place(*row), words.motion(*row)));
+                               *map.number("peak_contact_force_n", *row), words.place(*row),
+                               words.motion(*row)));
   if (const auto row = largest(map, rub, "peak_displacement_m"))
     said.push_back(fmt::format("The largest displacement is {:.4g} mm, at {} ({}).",
                                1e3 * *map.number("peak_displacement_m", *row), words.place(*row),
@@ -125,7 +125,8 @@ void add_evidence(const MapTable& map, const Words& words, std::vector<std::stri
   add(is("chaotic"), "Chaos, by a positive Lyapunov exponent, is found in {}.");
   add(proof("rest"), "In {} it is proven that the rotor never touches again.");
   add(proof("floquet"), "In {} the orbit is proven to attract a ball about it that the run has entered.");
-  add(proof("floquet_observed"), "In {} the multipliers say that the orbit is stable, while no ball about it is proven.");
+  add(proof("floquet_observed"),
+      "In {} the multipliers say that the orbit is stable, while no ball about it is proven.");
   add(proof("observed"), "In {} the verdict rests on what the last windows show.");
   add(words.rows_where([&](std::size_t row) { return map.word("robust", row) == "no"; }),
       "A kick that differs by a millionth leads to another class in {}.");
@@ -139,8 +140,8 @@ std::vector<std::string> findings(const MapTable& map, const sweep::Grid& grid) 
   const Words words(map, grid);
   std::vector<std::string> said{size_of(map, grid)};
   add_rub(map, words, words.rows_where([&](std::size_t row) {
-            return map.word("class", row) != "non_contact" && map.number("contact_fraction", row).value_or(0) > 0;
-          }),
+    return map.word("class", row) != "non_contact" && map.number("contact_fraction", row).value_or(0) > 0;
+  }),
           said);
   add_evidence(map, words, said);
   return said;

@@ -46,8 +46,8 @@ MapColumn read_column(const batch::CsvTable& table, std::size_t column) {
 }  // namespace
 
 const MapColumn* MapTable::find(std::string_view name) const {
-  const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const MapColumn& column) { return column.name == name; });
+  const auto found = std::find_if(columns.begin(), columns.end(),
+                                  [&](const MapColumn& column) { return column.name == name; });
   return found == columns.end() ? nullptr : &*found;
 }
 

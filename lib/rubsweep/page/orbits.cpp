@@ -10,7 +10,7 @@
 namespace rubsweep::page {
 namespace {
 
-thread_local response::Workspace workspace;
+thread_local response::motion::Workspace workspace;
 
 KnownMotion known_motion(const MapTable& map, std::size_t row) {
   KnownMotion known{map.word("class", row), std::nullopt, 0};

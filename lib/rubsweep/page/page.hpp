@@ -13,8 +13,8 @@ namespace rubsweep::page {
 
 /// A wall as it is drawn with an orbit, in metres from the rotor's rest position.
 struct Wall {
-  bool around = false;                 ///< around the rotor, else flat
-  std::array<double, 2> normal{0, 1};  ///< of a flat wall: from the rest position towards it
+  bool around = false;                   ///< around the rotor, else flat
+  std::array<double, 2> normal{0, 1};    ///< of a flat wall: from the rest position towards it
   std::array<double, 2> centre_m{0, 0};  ///< of one around the rotor
   double clearance_m = 0;
   bool at_orbit = true;  ///< it stands at the point of the shaft whose orbit is drawn
@@ -34,8 +34,8 @@ struct PageContents {
 };
 
 /// The page as one file of HTML without any other: style, script and data are in it, and its content security
-/// policy allows nothing else to be loaded or run. Equal contents give equal bytes. Characters of the contents
-/// that mean something in HTML are shown as they are.
+/// policy allows nothing else to be loaded or run. Equal contents give equal bytes. Characters of the
+/// contents that mean something in HTML are shown as they are.
 std::string page_text(const PageContents& contents);
 
 }  // namespace rubsweep::page

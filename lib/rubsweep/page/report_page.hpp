@@ -17,15 +17,16 @@ inline constexpr std::size_t usual_orbits = 4000;
 
 /// How a page is made.
 struct PageOptions {
-  std::string version;                     ///< of the program
-  std::string configuration;               ///< of the study, as YAML
-  std::size_t most_orbits = usual_orbits;  ///< >= 1; of a larger map a thinned grid of cells keeps its motions
-  int threads = 0;                         ///< 0: one per processor
+  std::string version;        ///< of the program
+  std::string configuration;  ///< of the study, as YAML
+  std::size_t most_orbits =
+      usual_orbits;  ///< >= 1; of a larger map a thinned grid of cells keeps its motions
+  int threads = 0;   ///< 0: one per processor
 };
 
-/// The page of the finished map `map` of `study`, with the lines of boundaries.csv in `directory` where there is
-/// such a file. `on_cell` follows each recorded cell. Empty when `stop` became true before. Throws IoError where
-/// the map has not as many rows as the study has cells, or boundaries.csv is at fault.
+/// The page of the finished map `map` of `study`, with the lines of boundaries.csv in `directory` where there
+/// is such a file. `on_cell` follows each recorded cell. Empty when `stop` became true before. Throws IoError
+/// where the map has not as many rows as the study has cells, or boundaries.csv is at fault.
 std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
                                        const std::filesystem::path& directory, const PageOptions& options,
                                        const std::function<void()>& on_cell, const std::atomic<bool>& stop);

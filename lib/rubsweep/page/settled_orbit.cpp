@@ -5,17 +5,16 @@
 #include <numbers>
 #include <span>
 
-#include "rubsweep/integrate/scaled_system.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/report/trace_state.hpp"
-#include "rubsweep/response/motion.hpp"
-#include "rubsweep/response/section.hpp"
+#include "rubsweep/response/motion/motion.hpp"
+#include "rubsweep/response/motion/section.hpp"
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/trace/trace_state.hpp"
 
 namespace rubsweep::page {
 namespace {
 
-using response::MotionClass;
+using response::motion::MotionClass;
 
 /// How many of the last turns go where.
 struct Lengths {
@@ -37,7 +36,7 @@ bool is(const KnownMotion& known, MotionClass motion_class) {
 }
 
 /// A multiple of the map's own sampling, so that the spectrum is that of the map.
-int steps_of_turn(const response::ResponseOptions& options) {
+int steps_of_turn(const response::motion::ResponseOptions& options) {
   const int n = options.samples_per_revolution;
   return n * ((fewest_steps_per_turn + n - 1) / n);
 }
@@ -60,7 +59,7 @@ class Recorder {
   void add(std::span<const double> samples, int left) {
     const std::size_t stride = static_cast<std::size_t>(orbit_.steps_per_turn / samples_per_turn_);
     for (std::size_t k = 0; k * reader_.size() < samples.size(); ++k) {
-      const report::TraceState state = reader_.read(samples.subspan(k * reader_.size(), reader_.size()));
+      const trace::TraceState state = reader_.read(samples.subspan(k * reader_.size(), reader_.size()));
       const std::complex<double> z(state.displacement_m.x(), state.displacement_m.y());
       if (k == 0 && left <= lengths_.section) orbit_.section_m.push_back(z);
       if (k % stride == 0 && left <= lengths_.spectrum) displacement_m_.push_back(z);
@@ -68,22 +67,23 @@ class Recorder {
     }
   }
 
-  SettledOrbit finish(std::span<const double> end, response::SpectrumWorkspace& workspace) {
+  SettledOrbit finish(std::span<const double> end, response::spectrum::SpectrumWorkspace& workspace) {
     add_to_signals(reader_.read(end));
-    orbit_.spectrum = response::full_spectrum(displacement_m_, lengths_.spectrum, workspace);
+    orbit_.spectrum = response::spectrum::full_spectrum(displacement_m_, lengths_.spectrum, workspace);
     return std::move(orbit_);
   }
 
  private:
-  void add_to_signals(const report::TraceState& state) {
+  void add_to_signals(const trace::TraceState& state) {
     auto signal = orbit_.signals.begin();
     for (const double value : {state.displacement_m.x(), state.displacement_m.y()})
       (signal++)->push_back(value);
-    for (const report::StopState& stop : state.stops)
-      for (const double value : {stop.casing_m.x(), stop.casing_m.y(), stop.gap_m}) (signal++)->push_back(value);
+    for (const trace::StopState& stop : state.stops)
+      for (const double value : {stop.casing_m.x(), stop.casing_m.y(), stop.gap_m})
+        (signal++)->push_back(value);
   }
 
-  report::StateReader reader_;
+  trace::StateReader reader_;
   Lengths lengths_;
   int samples_per_turn_;
   SettledOrbit orbit_;
@@ -92,7 +92,7 @@ class Recorder {
 
 /// The quiet whirl of a rotor that touches nothing, which is what is left when the kick has died away.
 SettledOrbit quiet_orbit(const scene::Cell& cell, const sweep::Study& study, long revolutions,
-                         response::Workspace& workspace) {
+                         response::motion::Workspace& workspace) {
   Recorder recorder(cell.scene, study, {}, revolutions);
   const Eigen::Index n = cell.scene.structure.coordinates();
   const auto state = [&](int step) {
@@ -121,9 +121,10 @@ class Returns {
     if (sections_.size() <= order_) return false;
     const std::vector<double>& before = sections_[sections_.size() - 1 - order_];
     double error = 0;
-    for (std::size_t i = 0; i < section.size(); ++i) error = std::max(error, std::abs(section[i] - before[i]));
+    for (std::size_t i = 0; i < section.size(); ++i)
+      error = std::max(error, std::abs(section[i] - before[i]));
     sections_[sections_.size() - 1 - order_].clear();
-    return error <= response::section_tolerance;
+    return error <= response::motion::section_tolerance;
   }
 
  private:
@@ -132,14 +133,14 @@ class Returns {
 };
 
 /// Advances to the revolution from which on the motion is recorded; empty when the run fails.
-std::optional<long> settle(const integrate::Run& run, const KnownMotion& known,
-                           const response::ResponseOptions& options, const Lengths& lengths,
-                           integrate::Turn& turn) {
+std::optional<long> settle(const integrate::run::Run& run, const KnownMotion& known,
+                           const response::motion::ResponseOptions& options, const Lengths& lengths,
+                           integrate::run::Turn& turn) {
   long limit = options.max_revolutions, done = 0;
   if (!known.order) limit = std::max<long>(0, limit - lengths.all());
   Returns returns(known.order.value_or(1));
   for (; done < limit; ++done) {
-    if (run.advance(turn) != integrate::Outcome::ok) return std::nullopt;
+    if (run.advance(turn) != integrate::run::Outcome::ok) return std::nullopt;
     if (known.order && returns.returned(turn.section) && done + 1 >= known.revolutions) return done + 1;
   }
   return done;
@@ -147,8 +148,9 @@ std::optional<long> settle(const integrate::Run& run, const KnownMotion& known,
 
 }  // namespace
 
-std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::Plan& plan, std::size_t cell,
-                                          const KnownMotion& known, response::Workspace& workspace) {
+std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::Plan& plan,
+                                          std::size_t cell, const KnownMotion& known,
+                                          response::motion::Workspace& workspace) {
   if (is(known, MotionClass::failed) || is(known, MotionClass::initial_contact)) return std::nullopt;
   const scene::Cell start = start_of(study, plan, cell);
   if (!scene::can_run(start.start)) return std::nullopt;
@@ -158,14 +160,14 @@ std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene
   const int window = study.response.window_revolutions;
   Lengths lengths{2 * window, window, std::min(window, longest_aperiodic_history)};
   if (known.order) lengths = {*known.order, *known.order, *known.order};
-  const integrate::Run run = integrate::start(start.scene, study.solver, workspace.plans);
-  integrate::Turn turn;
+  const integrate::run::Run run = integrate::start(start.scene, study.solver, workspace.modes);
+  integrate::run::Turn turn;
   const std::optional<long> begin = settle(run, known, study.response, lengths, turn);
   if (!begin) return std::nullopt;
   Recorder recorder(start.scene, study, lengths, *begin);
   turn.samples_per_revolution = recorder.steps_per_turn();
   for (int left = lengths.all(); left > 0; --left) {
-    if (run.advance(turn) != integrate::Outcome::ok) return std::nullopt;
+    if (run.advance(turn) != integrate::run::Outcome::ok) return std::nullopt;
     recorder.add(turn.samples, left);
   }
   return recorder.finish(turn.section, workspace.spectrum);

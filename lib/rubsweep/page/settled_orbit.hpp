@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/response/full_spectrum.hpp"
-#include "rubsweep/response/workspace.hpp"
+#include "rubsweep/response/motion/workspace.hpp"
+#include "rubsweep/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/scene/plan.hpp"
 #include "rubsweep/sweep/study.hpp"
 
@@ -28,7 +28,7 @@ struct SettledOrbit {
   /// turns x steps_per_turn + 1 samples at equal distances, both ends included.
   std::vector<std::vector<double>> signals;
   std::vector<std::complex<double>> section_m;  ///< once per turn; of an aperiodic motion over more turns
-  response::FullSpectrum spectrum;              ///< over the window that the map takes
+  response::spectrum::FullSpectrum spectrum;    ///< over the window that the map takes
 };
 
 /// Most turns of a motion without a period that are drawn.
@@ -37,12 +37,13 @@ inline constexpr int longest_aperiodic_history = 6;
 /// Fewest samples of a turn before those that a drawing can do without are left out.
 inline constexpr int fewest_steps_per_turn = 256;
 
-/// Runs a cell of `study` again until its motion has settled and records it: a periodic motion for one period,
-/// as soon as its section returns within 1e-5 clearances; a rotor at rest from its closed form for one turn;
-/// any other motion at the end of response.max_revolutions, its section over both windows that decided. The
-/// instants and the solver are those of the map, so that rubtrace shows the same. Empty where the cell has no
-/// motion: it failed, could not start, or failed when run on.
-std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::Plan& plan, std::size_t cell,
-                                          const KnownMotion& known, response::Workspace& workspace);
+/// Runs a cell of `study` again until its motion has settled and records it: a periodic motion for one
+/// period, as soon as its section returns within 1e-5 clearances; a rotor at rest from its closed form for
+/// one turn; any other motion at the end of response.max_revolutions, its section over both windows that
+/// decided. The instants and the solver are those of the map, so that rubtrace shows the same. Empty where
+/// the cell has no motion: it failed, could not start, or failed when run on.
+std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::Plan& plan,
+                                          std::size_t cell, const KnownMotion& known,
+                                          response::motion::Workspace& workspace);
 
 }  // namespace rubsweep::page

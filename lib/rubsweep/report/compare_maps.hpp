@@ -21,8 +21,8 @@ struct ComparedCell {
   double speed_hz = 0;
   double unbalance = 0;  ///< in the unit of the maps' second axis
   CellVerdict verdict = CellVerdict::equal;
-  std::string label_a,
-      label_b;  ///< class and order, such as "subharmonic 1/2"; empty where there is no such cell
+  /// Class and order, such as "subharmonic 1/2"; empty where there is no such cell.
+  std::string label_a, label_b;
 };
 
 /// The worst difference of one column.

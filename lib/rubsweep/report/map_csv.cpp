@@ -31,7 +31,7 @@ std::string measured(const Row& row, Get get) {
   return row.measures ? get(*row.measures) : std::string();
 }
 
-using response::Measures;
+using response::motion::Measures;
 
 std::string hits_per_revolution(const Measures& m) {
   return csv_number(static_cast<double>(m.contact.hits) / m.turns);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/response/motion.hpp"
+#include "rubsweep/response/motion/motion.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -52,13 +52,13 @@ void MapSummary::add(std::string_view map_line) {
   ++by_name_[name_of(map_line)];
   const std::string_view status = cell(map_line, status_column);
   if (status != "ok") ++by_status_[std::string(status)];
-  if (cell(map_line, class_column) == to_string(response::MotionClass::non_contact)) ++non_contact_;
+  if (cell(map_line, class_column) == to_string(response::motion::MotionClass::non_contact)) ++non_contact_;
   if (cell(map_line, start_column) == to_string(sweep::RunStart::kick)) ++kicked_;
   if (!cell(map_line, last_column).empty()) ++touched_;
 }
 
 bool MapSummary::has_failed_cells() const {
-  return by_name_.contains(std::string(to_string(response::MotionClass::failed)));
+  return by_name_.contains(std::string(to_string(response::motion::MotionClass::failed)));
 }
 
 std::string MapSummary::text() const {

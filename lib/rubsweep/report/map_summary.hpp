@@ -7,7 +7,9 @@
 
 namespace rubsweep::report {
 
-/// Counts the rows of a map, given as lines of map.csv, without keeping them.
+/// Counts the rows of a map without keeping them. They come as lines of map.csv because that is all there is
+/// of them: a row that was computed by another process or before a break lives on as text in a journal or a
+/// map.
 class MapSummary {
  public:
   void add(std::string_view map_line);

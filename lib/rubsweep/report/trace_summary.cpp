@@ -5,29 +5,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/response/classify.hpp"
+#include "rubsweep/response/motion/classify.hpp"
 
 namespace rubsweep::report {
 namespace {
 
-using response::SpectralLine;
+using response::spectrum::SpectralLine;
 
 std::string number(double value) { return std::isnan(value) ? "none" : fmt::format("{:.6g}", value); }
 
 std::string motion_text(const sweep::Row& row) {
-  std::string text(response::to_string(row.motion_class));
+  std::string text(to_string(row.motion_class));
   if (row.order && *row.order > 1) text += fmt::format(" 1/{}", *row.order);
   if (row.measures && row.measures->orbit) text += fmt::format(", {} orbit", to_string(*row.measures->orbit));
   if (row.measures && row.measures->whirl) text += fmt::format(", {} whirl", to_string(*row.measures->whirl));
-  if (row.proof == response::Proof::rest)
+  if (row.proof == response::motion::Proof::rest)
     text += fmt::format(", rest proven after {} revolutions", row.revolutions);
-  if (row.proof == response::Proof::observed)
+  if (row.proof == response::motion::Proof::observed)
     text += fmt::format(", observed after {} revolutions", row.revolutions);
   if (row.status != "ok") text += ", status " + row.status;
   return text;
 }
 
-std::string peaks(const response::ContactFacts& facts, double clearance_m) {
+std::string peaks(const response::motion::ContactFacts& facts, double clearance_m) {
   return fmt::format("{:.4g} clearances, {:.4g} N", facts.peak_displacement_m / clearance_m,
                      facts.peak_contact_force_n);
 }
@@ -40,7 +40,7 @@ std::string lines_text(const std::vector<SpectralLine>& lines) {
   return text.empty() ? "none" : text;
 }
 
-std::string effort_text(const integrate::Effort& effort, long revolutions) {
+std::string effort_text(const integrate::run::Effort& effort, long revolutions) {
   const auto per_turn = [&](long count) {
     return static_cast<double>(count) / static_cast<double>(revolutions);
   };
@@ -57,14 +57,14 @@ std::string motion_summary(const sweep::Row& row) {
                      number(row.whirl_ratio), number(row.eccentricity_m), motion_text(row));
 }
 
-std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m) {
+std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& window, double clearance_m) {
   const std::string run =
       fmt::format("run       {} revolutions, {}\n", trace.revolutions,
                   trace.last_contact_revolution
                       ? fmt::format("last contact in revolution {}", *trace.last_contact_revolution)
                       : "no contact");
   if (window.turns == 0) return run;
-  const response::ContactFacts whole = facts_of_last(trace, trace.turns.size());
+  const response::motion::ContactFacts whole = trace::facts_of_last(trace, trace.turns.size());
   return run + fmt::format(
                    "peak      {}; {} in the last {} revolutions\n"
                    "contact   {:.4g} hits per revolution, {:.3g} % of the time, in the last {} revolutions\n"
@@ -77,7 +77,7 @@ std::string trace_summary(const Trace& trace, const TraceWindow& window, double 
                    effort_text(trace.effort, trace.revolutions));
 }
 
-std::vector<SpectralLine> largest_lines(const response::FullSpectrum& spectrum, std::size_t count,
+std::vector<SpectralLine> largest_lines(const response::spectrum::FullSpectrum& spectrum, std::size_t count,
                                         double clearance_m) {
   const int first = spectrum.first_line(), last = spectrum.last_line();
   const auto amplitude = [&](int k) { return k < first || k > last || k == 0 ? 0.0 : spectrum.amplitude(k); };
@@ -92,8 +92,8 @@ std::vector<SpectralLine> largest_lines(const response::FullSpectrum& spectrum, 
     return a.amplitude_m > b.amplitude_m;
   });
   if (lines.empty()) return lines;
-  const double floor_m = std::max(response::significant_share_of_largest * lines.front().amplitude_m,
-                                  response::significant_share_of_clearance * clearance_m);
+  const double floor_m = std::max(response::motion::significant_share_of_largest * lines.front().amplitude_m,
+                                  response::motion::significant_share_of_clearance * clearance_m);
   while (!lines.empty() && lines.back().amplitude_m <= floor_m) lines.pop_back();
   if (lines.size() > count) lines.resize(count);
   return lines;

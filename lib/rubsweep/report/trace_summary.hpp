@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/report/trace_run.hpp"
-#include "rubsweep/response/motion.hpp"
+#include "rubsweep/response/motion/motion.hpp"
 #include "rubsweep/sweep/row.hpp"
+#include "rubsweep/trace/trace_run.hpp"
 
 namespace rubsweep::report {
 
@@ -15,12 +15,12 @@ std::string motion_summary(const sweep::Row& row);
 
 /// What a trace shows, for a terminal: peaks, hits, the largest lines and the effort.
 /// `clearance_m` is that of the kicked stop.
-std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m);
+std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& window, double clearance_m);
 
 /// The `count` largest lines but 0X, largest first; only those above both neighbours (one line spread over
 /// several by an incomplete period is one line) and above the floor of significance (1e-3 of the largest,
 /// 1e-6 of the clearance).
-std::vector<response::SpectralLine> largest_lines(const response::FullSpectrum& spectrum, std::size_t count,
-                                                  double clearance_m);
+std::vector<response::spectrum::SpectralLine> largest_lines(const response::spectrum::FullSpectrum& spectrum,
+                                                            std::size_t count, double clearance_m);
 
 }  // namespace rubsweep::report

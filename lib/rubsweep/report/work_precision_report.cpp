@@ -69,7 +69,7 @@ std::string work_precision_comments(const std::string& version, const std::strin
 std::string status_of(const WorkPrecisionLine& line) {
   std::string words;
   const auto add = [&words](std::string_view word) { words.append(words.empty() ? "" : ";").append(word); };
-  if (line.measurement.outcome != integrate::Outcome::ok) add(to_string(line.measurement.outcome));
+  if (line.measurement.outcome != integrate::run::Outcome::ok) add(to_string(line.measurement.outcome));
   if (line.labels && line.labels->cut) add("labels_cut");
   if (line.labels_too_slow) add("labels_too_slow");
   return words.empty() ? "ok" : words;

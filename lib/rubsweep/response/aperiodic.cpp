@@ -7,15 +7,15 @@
 #include <span>
 
 #include "rubsweep/response/closest_return.hpp"
-#include "rubsweep/response/discrete_lines.hpp"
-#include "rubsweep/response/section.hpp"
+#include "rubsweep/response/motion/section.hpp"
+#include "rubsweep/response/spectrum/discrete_lines.hpp"
 
 namespace rubsweep::response {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// Of the undecided cells of the one-side, two-sides and annulus maps the first look decides five of six, all
+/// Of the undecided cells of the one-side, two-sides and annular maps the first look decides five of six, all
 /// three together nineteen of twenty. A transient that outlasts them may last for ever.
 constexpr std::size_t looks[] = {640, 1280, 2560};
 constexpr std::size_t shortest_chaos = 1280;
@@ -49,21 +49,21 @@ bool stays_away(const ClosestReturn& nearest) {
 }
 
 bool is_torus(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
-              SpectrumWorkspace& workspace) {
+              spectrum::SpectrumWorkspace& workspace) {
   const std::size_t half = 2 * motion.turns() / 5;
   const auto rows = motion.last_rows(2 * half);
   if (!stays_away(closest_return(rows, static_cast<int>(motion.states), window / 2))) return false;
   const std::vector<Complex> z = displacements(rows, motion.states, observed);
-  return same_discrete_lines(std::span(z).first(half), std::span(z).last(half), workspace);
+  return spectrum::same_discrete_lines(std::span(z).first(half), std::span(z).last(half), workspace);
 }
 
 /// Fills class and evidence; false when the turns so far do not decide.
 bool decide(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
-            SpectrumWorkspace& workspace, Aperiodic& result) {
+            spectrum::SpectrumWorkspace& workspace, Aperiodic& result) {
   result.exponent = exponent_of(motion.contributions);
   const std::size_t half = 2 * motion.turns() / 5;
-  const auto period =
-      period_of_section(motion.last_rows(half), static_cast<int>(motion.states), static_cast<int>(half) / 2);
+  const auto period = motion::period_of_section(motion.last_rows(half), static_cast<int>(motion.states),
+                                                static_cast<int>(half) / 2);
   if (period) {
     result.returns_after = period->order;
     return true;
@@ -71,13 +71,13 @@ bool decide(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynami
   const auto [exponent, bar] = *result.exponent;
   if (exponent < -std::max(bar, chaos_floor)) return true;
   if (exponent > std::max(bar, chaos_floor) && motion.turns() >= shortest_chaos) {
-    result.motion_class = MotionClass::chaotic;
+    result.motion_class = motion::MotionClass::chaotic;
     return true;
   }
   const bool zero =
       std::abs(exponent) <= std::max(bar, zero_exponent) && std::abs(exponent) + bar <= chaos_floor;
   if (!zero || !is_torus(motion, observed, window, workspace)) return false;
-  result.motion_class = MotionClass::quasi_periodic;
+  result.motion_class = motion::MotionClass::quasi_periodic;
   return true;
 }
 
@@ -86,7 +86,7 @@ bool decide(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynami
 Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
                              std::vector<double> section,
                              const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
-                             SpectrumWorkspace& workspace) {
+                             spectrum::SpectrumWorkspace& workspace) {
   Followed motion{.states = section.size(), .rows = {}, .contributions = {}};
   Aperiodic result;
   for (const std::size_t look : looks) {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "rubsweep/response/exponent.hpp"
-#include "rubsweep/response/full_spectrum.hpp"
 #include "rubsweep/response/growth.hpp"
-#include "rubsweep/response/motion.hpp"
+#include "rubsweep/response/motion/motion.hpp"
+#include "rubsweep/response/spectrum/full_spectrum.hpp"
 
 namespace rubsweep::response {
 
@@ -26,8 +26,9 @@ inline constexpr double zero_rate = 2e-5;
 
 /// What a motion without a period turned out to be.
 struct Aperiodic {
-  MotionClass motion_class = MotionClass::unsettled;  ///< quasi_periodic, chaotic or unsettled
-  std::optional<Exponent> exponent;                   ///< empty when a turn failed or contact ended
+  motion::MotionClass motion_class =
+      motion::MotionClass::unsettled;        ///< quasi_periodic, chaotic or unsettled
+  std::optional<motion::Exponent> exponent;  ///< empty when a turn failed or contact ended
   std::optional<int> returns_after;  ///< turns after which the section returns; the class is then unsettled
 };
 
@@ -37,16 +38,15 @@ struct Aperiodic {
 /// - Unsettled at once when a turn fails, or when `window` turns pass without contact.
 /// - Unsettled when the section returns, after any number of turns that fits twice into the last two fifths
 ///   (`returns_after`), or when the exponent is below -chaos_floor beyond its bar: still settling.
-/// - Chaotic when the exponent is positive beyond its bar and above chaos_floor, and 1280 turns have not
-/// ended it.
+/// - Chaotic when the exponent is positive beyond its bar and above chaos_floor, and still is after 1280
+/// turns.
 /// - Quasi-periodic when the exponent is zero within its bar, which lies within +-chaos_floor; the closest
-/// return within
-///   window / 2 turns is significant and neither grows nor shrinks; and both halves of the last four fifths
-///   of the turns hold the same discrete lines.
+///   return within window / 2 turns is significant and neither grows nor shrinks; and both halves of the last
+///   four fifths of the turns hold the same discrete lines.
 /// - Else unsettled.
 Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
                              std::vector<double> section,
                              const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
-                             SpectrumWorkspace& workspace);
+                             spectrum::SpectrumWorkspace& workspace);
 
 }  // namespace rubsweep::response

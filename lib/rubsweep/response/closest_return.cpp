@@ -2,18 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/response/student_quantile.hpp"
 
 namespace rubsweep::response {
 namespace {
 
 constexpr std::size_t blocks = 8;
-constexpr double student_quantile = 3.7074;  ///< 99 %, two-sided, blocks - 2 degrees of freedom
 
 /// Squared distance of every row from the one `order` turns later.
 void square_distances(std::span<const double> rows, std::size_t width, std::size_t order,
@@ -39,24 +40,21 @@ double mean(std::span<const double> values) {
 void fit_rate(std::span<const double> squares, ClosestReturn& result) {
   const std::size_t length = squares.size() / blocks;
   const auto kept = squares.last(blocks * length);
-  std::vector<double> logs;
-  for (std::size_t b = 0; b < blocks; ++b)
+  std::vector<double> places, logs;
+  for (std::size_t b = 0; b < blocks; ++b) {
+    places.push_back(static_cast<double>(b) - (blocks - 1) / 2.0);
     logs.push_back(std::log(mean(kept.subspan(b * length, length))) / 2);
-  const double centre = (blocks - 1) / 2.0, level = mean(logs);
-  double moment = 0, spread = 0;
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const double x = static_cast<double>(b) - centre;
-    moment += x * (logs[b] - level);
-    spread += x * x;
   }
-  const double slope = moment / spread;
-  double residual = 0;
+  const auto [level, slope] = boost::math::statistics::simple_ordinary_least_squares(places, logs);
+  double residual = 0, spread = 0;
   for (std::size_t b = 0; b < blocks; ++b) {
-    const double error = logs[b] - level - slope * (static_cast<double>(b) - centre);
+    const double error = logs[b] - level - slope * places[b];
     residual += error * error / (blocks - 2);
+    spread += places[b] * places[b];
   }
   result.rate = slope / static_cast<double>(length);
-  result.rate_error_bar = student_quantile * std::sqrt(residual / spread) / static_cast<double>(length);
+  result.rate_error_bar =
+      student_quantile(blocks - 2) * std::sqrt(residual / spread) / static_cast<double>(length);
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ struct ClosestReturn {
 
 /// Nearest return over all orders 1..max_order. `rows` as `period_of_section` takes them. On a torus the
 /// distance stays, towards a periodic motion it decays at the rate of the slowest multiplier, whatever else
-/// moves: it shows a weak modulation that dies out long before the exponent does. The rate is the slope of ln
-/// distance over 8 successive blocks by least squares, its bar t s(slope) with t = 3.7074 (Student, 6 degrees
-/// of freedom); both are NaN when a block returns exactly. SolverError when `rows` has no such shape or fewer
-/// than max_order + 16 turns.
+/// moves: it shows a weak modulation that dies out long before the exponent does. The rate is the slope of
+/// ln(distance) over 8 successive blocks by least squares, its bar t s(slope) with t = 3.7074 (Student, 6
+/// degrees of freedom); both are NaN when a block returns exactly. SolverError when `rows` has no such shape
+/// or fewer than max_order + 16 turns.
 ClosestReturn closest_return(std::span<const double> rows, int states, int max_order);
 
 }  // namespace rubsweep::response

@@ -1,11 +1,8 @@
 #include "rubsweep/response/growth.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <memory>
-
-#include "rubsweep/response/exponent.hpp"
+#include <numbers>
 
 namespace rubsweep::response {
 namespace {
@@ -14,7 +11,7 @@ namespace {
 constexpr double lost = 1e-10;
 
 struct Tangent {
-  SceneMap& map;
+  proof::SceneMap& map;
   Eigen::MatrixXd direction{};  ///< one column
   std::vector<double> before{};
 
@@ -23,7 +20,7 @@ struct Tangent {
     before.assign(section.begin(), section.end());
     bool exact = false;
     if (!map.carry_exactly(section, direction, exact)) return std::nullopt;
-    if (!exact && !by_companion(before, section)) return std::nullopt;
+    if (!exact && !by_second_run(before, section)) return std::nullopt;
     const double factor = direction.norm();
     if (!(factor > lost)) {
       start(section.size());
@@ -33,34 +30,32 @@ struct Tangent {
     return std::log(factor);
   }
 
-  bool by_companion(std::span<double> section, std::span<const double> after) {
+  bool by_second_run(std::span<double> section, std::span<const double> after) {
     for (std::size_t i = 0; i < section.size(); ++i)
-      section[i] += Companion::separation * direction(static_cast<Eigen::Index>(i), 0);
+      section[i] += separation * direction(static_cast<Eigen::Index>(i), 0);
     if (!map(section)) return false;
     for (std::size_t i = 0; i < section.size(); ++i)
-      direction(static_cast<Eigen::Index>(i), 0) = (section[i] - after[i]) / Companion::separation;
+      direction(static_cast<Eigen::Index>(i), 0) = (section[i] - after[i]) / separation;
     return true;
   }
 
-  void start(std::size_t states) {
-    std::vector<double> origin(states, 0.0);
-    Companion companion(origin);
-    const auto state = companion.state();
-    direction =
-        Eigen::Map<const Eigen::VectorXd>(state.data(), static_cast<Eigen::Index>(states)).normalized();
-  }
+  void start(std::size_t states) { direction = first_disturbance(states).normalized(); }
 };
 
 }  // namespace
 
-Growth companion_growth(SectionMap map, std::span<const double> section) {
-  return [map = std::move(map),
-          companion = Companion(section)](std::span<double> base) mutable -> std::optional<double> {
-    if (!map(companion.state()) || !map(base)) return std::nullopt;
-    return companion.pull_back(base);
-  };
+Eigen::VectorXd first_disturbance(std::size_t states) {
+  Eigen::VectorXd shares(static_cast<Eigen::Index>(states));
+  double square = 0;
+  for (std::size_t i = 0; i < states; ++i) {
+    // Multiples of the golden ratio, folded: no two coordinates get equal shares, none gets nothing.
+    const double share = 0.5 + std::fmod(std::numbers::phi * static_cast<double>(i + 1), 1.0);
+    shares(static_cast<Eigen::Index>(i)) = i % 3 == 1 ? -share : share;
+    square += share * share;
+  }
+  return separation * shares / std::sqrt(square);
 }
 
-Growth tangent_growth(SceneMap& map) { return Tangent{map}; }
+Growth tangent_growth(proof::SceneMap& map) { return Tangent{map}; }
 
 }  // namespace rubsweep::response

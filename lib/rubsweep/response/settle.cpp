@@ -8,24 +8,24 @@
 #include <variant>
 #include <vector>
 
-#include "rubsweep/integrate/impulses.hpp"
-#include "rubsweep/integrate/scaled_system.hpp"
+#include "rubsweep/integrate/run/impulses.hpp"
+#include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/response/aperiodic.hpp"
-#include "rubsweep/response/comb.hpp"
-#include "rubsweep/response/comb_line.hpp"
-#include "rubsweep/response/orbit_proof.hpp"
-#include "rubsweep/response/record.hpp"
-#include "rubsweep/response/rest_proof.hpp"
-#include "rubsweep/response/section_map.hpp"
-#include "rubsweep/response/symmetry.hpp"
-#include "rubsweep/response/turning_proof.hpp"
+#include "rubsweep/response/motion/record.hpp"
+#include "rubsweep/response/proof/orbit_proof.hpp"
+#include "rubsweep/response/proof/rest_proof.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
+#include "rubsweep/response/rotating/rotating_proof.hpp"
+#include "rubsweep/response/rotating/symmetry.hpp"
+#include "rubsweep/response/spectrum/comb.hpp"
+#include "rubsweep/response/spectrum/comb_line.hpp"
 
 namespace rubsweep::response {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// A hundredth of the companion's separation: the solver's noise must not part the states.
+/// A hundredth of `separation`: the solver's noise must not part the states.
 constexpr double largest_tolerance_of_an_exponent = 1e-7;
 
 double pulse_end_s(const scene::Scene& scene) { return scene.pulse ? scene.pulse->duration_s : 0; }
@@ -34,49 +34,54 @@ const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const scene::Scene& sce
   return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
 }
 
-void look_for_comb(const Record& record, const ResponseOptions& options, Workspace& workspace,
-                   Motion& motion) {
-  if (2 * options.window_revolutions < fewest_comb_turns) return;
-  const auto comb = find_comb(record.displacement_m(), options.samples_per_revolution, workspace.spectrum);
+void look_for_comb(const motion::Record& record, const motion::ResponseOptions& options,
+                   motion::Workspace& workspace, motion::Motion& motion) {
+  if (2 * options.window_revolutions < spectrum::fewest_comb_turns) return;
+  const auto comb =
+      spectrum::find_comb(record.displacement_m(), options.samples_per_revolution, workspace.spectrum);
   if (!comb) return;
-  const bool holds_the_energy = comb->closed || comb->energy_share >= oval_energy_share;
-  if (motion.measures.orbit == OrbitKind::complex && holds_the_energy)
-    motion.measures.orbit = OrbitKind::oval;
+  const bool holds_the_energy = comb->closed || comb->energy_share >= spectrum::oval_energy_share;
+  if (motion.measures.orbit == spectrum::OrbitKind::complex && holds_the_energy)
+    motion.measures.orbit = spectrum::OrbitKind::oval;
   if (!comb->closed) return;
-  motion.motion_class = MotionClass::quasi_periodic;
+  motion.motion_class = motion::MotionClass::quasi_periodic;
   motion.measures.comb_spacing = comb->spacing;
   if (!motion.measures.dominant) return;
   motion.measures.dominant =
-      largest_comb_line(record.displacement_m(), options.samples_per_revolution, comb->spacing);
+      spectrum::largest_comb_line(record.displacement_m(), options.samples_per_revolution, comb->spacing);
 }
 
-void follow_on(const scene::Scene& scene, integrate::SolverOptions solver, const ResponseOptions& options,
-               std::span<const double> section, Workspace& workspace, Motion& motion) {
+void follow_on(const scene::Scene& scene, integrate::run::SolverOptions solver,
+               const motion::ResponseOptions& options, std::span<const double> section,
+               motion::Workspace& workspace, motion::Motion& motion) {
   solver.relative_tolerance = std::min(solver.relative_tolerance, largest_tolerance_of_an_exponent);
-  SceneMap map(scene, solver, workspace.plans);
+  proof::SceneMap map(scene, solver, workspace.modes);
   const Aperiodic found = classify_aperiodic(
       tangent_growth(map), [&map] { return map.touched(); }, {section.begin(), section.end()},
       observed(scene), options.window_revolutions, workspace.spectrum);
   motion.motion_class = found.motion_class;
   motion.exponent = found.exponent;
-  if (found.returns_after.value_or(0) > options.max_order) motion.status = MotionStatus::order_above_max;
+  if (found.returns_after.value_or(0) > options.max_order)
+    motion.status = motion::MotionStatus::order_above_max;
 }
 
 /// Neither a period nor rest: what the end of the run shows may have none.
-bool may_be_aperiodic(const WindowVerdict& verdict) {
-  return verdict.motion_class == MotionClass::unsettled && !verdict.period;
+bool may_be_aperiodic(const motion::WindowVerdict& verdict) {
+  return verdict.motion_class == motion::MotionClass::unsettled && !verdict.period;
 }
 
 /// Verdict at the end of the run; `section` is that of its last turn.
-Motion verdict(const scene::Scene& scene, const integrate::SolverOptions& solver,
-               const ResponseOptions& options, const Record& record, std::span<const double> section,
-               Workspace& workspace) {
-  const WindowVerdict previous = classify_window(record.window(0), options, workspace.spectrum);
-  const WindowVerdict last = classify_window(record.window(1), options, workspace.spectrum);
-  Motion motion = settle_verdict(previous, last);
+motion::Motion verdict(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                       const motion::ResponseOptions& options, const motion::Record& record,
+                       std::span<const double> section, motion::Workspace& workspace) {
+  const motion::WindowVerdict previous =
+      motion::classify_window(record.window(0), options, workspace.spectrum);
+  const motion::WindowVerdict last = motion::classify_window(record.window(1), options, workspace.spectrum);
+  motion::Motion motion = motion::settle_verdict(previous, last);
   if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return motion;
-  if (rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
-  if (motion.motion_class == MotionClass::unsettled && integrate::same_every_turn(scene.impulses))
+  if (rotating::rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
+  if (motion.motion_class == motion::MotionClass::unsettled &&
+      integrate::run::same_every_turn(scene.impulses))
     follow_on(scene, solver, options, section, workspace, motion);
   return motion;
 }
@@ -85,32 +90,32 @@ Motion verdict(const scene::Scene& scene, const integrate::SolverOptions& solver
 /// frame that turns with the shaft.
 class MotionProof {
  public:
-  MotionProof(const scene::Scene& scene, const integrate::SolverOptions& solver,
-              const ResponseOptions& options, Workspace& workspace) {
-    if (!options.floquet_proof || !integrate::same_every_turn(scene.impulses)) return;
-    if (rotationally_symmetric(scene)) {
-      proof_.emplace<TurningProof>(scene, solver, options, workspace);
+  MotionProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+              const motion::ResponseOptions& options, motion::Workspace& workspace) {
+    if (!options.floquet_proof || !integrate::run::same_every_turn(scene.impulses)) return;
+    if (rotating::rotationally_symmetric(scene)) {
+      proof_.emplace<rotating::RotatingProof>(scene, solver, options, workspace);
     } else {
-      proof_.emplace<OrbitProof>(scene, solver, options, workspace);
+      proof_.emplace<proof::OrbitProof>(scene, solver, options, workspace);
     }
   }
 
   int samples_wanted() const {
-    const auto* turning = std::get_if<TurningProof>(&proof_);
+    const auto* turning = std::get_if<rotating::RotatingProof>(&proof_);
     return turning ? turning->samples_wanted() : 0;
   }
 
-  std::optional<ProvenMotion> look(const integrate::Turn& turn) {
-    if (auto* turning = std::get_if<TurningProof>(&proof_)) return turning->look(turn);
-    if (auto* section = std::get_if<OrbitProof>(&proof_)) return section->look(turn);
+  std::optional<motion::ProvenMotion> look(const integrate::run::Turn& turn) {
+    if (auto* turning = std::get_if<rotating::RotatingProof>(&proof_)) return turning->look(turn);
+    if (auto* section = std::get_if<proof::OrbitProof>(&proof_)) return section->look(turn);
     return std::nullopt;
   }
 
  private:
-  std::variant<std::monostate, OrbitProof, TurningProof> proof_;
+  std::variant<std::monostate, proof::OrbitProof, rotating::RotatingProof> proof_;
 };
 
-void conclude(const ProvenMotion& proven, SettledRun& run) {
+void conclude(const motion::ProvenMotion& proven, SettledRun& run) {
   run.motion.motion_class = proven.motion_class;
   run.motion.order = proven.order;
   run.motion.measures = proven.measures;
@@ -118,29 +123,46 @@ void conclude(const ProvenMotion& proven, SettledRun& run) {
   run.floquet_modulus = proven.floquet_modulus;
 }
 
+/// What the end of a whole run shows.
+void conclude(const motion::Motion& seen, const scene::Cell& cell, SettledRun& run) {
+  run.motion = seen;
+  // Two windows without contact do not last where the quiet motion itself touches: the whirl is still
+  // growing.
+  if (run.motion.motion_class == motion::MotionClass::non_contact && cell.start != scene::Start::quiet)
+    run.motion.motion_class = motion::MotionClass::unsettled;
+  if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
+}
+
+void conclude_at_rest(const scene::Cell& cell, const motion::ResponseOptions& options,
+                      motion::Workspace& workspace, SettledRun& run) {
+  run.motion.motion_class = motion::MotionClass::non_contact;
+  run.motion.measures = quiet_measures(cell, options, workspace);
+  run.proof = motion::Proof::rest;
+}
+
 }  // namespace
 
-SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solver,
-                  const ResponseOptions& options, Workspace& workspace) {
+SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
+                  const motion::ResponseOptions& options, motion::Workspace& workspace) {
   SettledRun run;
-  const integrate::Run motion = integrate::start(cell.scene, solver, workspace.plans);
-  RestProof rest(cell);
+  const integrate::run::Run motion = integrate::start(cell.scene, solver, workspace.modes);
+  proof::RestProof rest(cell);
   MotionProof proof(cell.scene, solver, options, workspace);
-  Record record(cell.scene, options);
+  motion::Record record(cell.scene, options);
   const long first_recorded = options.max_revolutions - 2L * options.window_revolutions;
   const double kick_turns = pulse_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
-  integrate::Turn turn;
+  integrate::run::Turn turn;
   while (run.revolutions < options.max_revolutions) {
     turn.samples_per_revolution = proof.samples_wanted();
     if (run.revolutions >= first_recorded) turn.samples_per_revolution = options.samples_per_revolution;
     if (run.revolutions == first_recorded) {
       turn.peaks = true;
-      record.begin(first_recorded == 0 ? integrate::scaled_initial_state(cell.scene) : turn.section);
+      record.begin(first_recorded == 0 ? integrate::run::scaled_initial_state(cell.scene) : turn.section);
     }
     run.outcome = motion.advance(turn);
     run.effort = turn.effort;
-    if (run.outcome != integrate::Outcome::ok) {
-      run.motion.motion_class = MotionClass::failed;
+    if (run.outcome != integrate::run::Outcome::ok) {
+      run.motion.motion_class = motion::MotionClass::failed;
       return run;
     }
     ++run.revolutions;
@@ -153,22 +175,16 @@ SettledRun settle(const scene::Cell& cell, const integrate::SolverOptions& solve
       return run;
     }
     if (!turn.touching_at_end && rest.proves(turn.section)) {
-      run.motion.motion_class = MotionClass::non_contact;
-      run.motion.measures = quiet_measures(cell, options, workspace);
-      run.proof = Proof::rest;
+      conclude_at_rest(cell, options, workspace, run);
       return run;
     }
   }
-  run.motion = verdict(cell.scene, solver, options, record, turn.section, workspace);
-  // Two windows without contact do not last where the quiet motion itself touches: the whirl is still
-  // growing.
-  if (run.motion.motion_class == MotionClass::non_contact && cell.start != scene::Start::quiet)
-    run.motion.motion_class = MotionClass::unsettled;
-  if (run.motion.motion_class != MotionClass::unsettled) run.proof = Proof::observed;
+  conclude(verdict(cell.scene, solver, options, record, turn.section, workspace), cell, run);
   return run;
 }
 
-Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options, Workspace& workspace) {
+motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseOptions& options,
+                                motion::Workspace& workspace) {
   const auto& map = observed(cell.scene);
   std::vector<Complex> displacement_m;
   double peak = 0;
@@ -179,16 +195,16 @@ Measures quiet_measures(const scene::Cell& cell, const ResponseOptions& options,
     peak = std::max(peak, z.norm());
   }
   const std::array<double, 2> rest{0, 0};
-  Window window;
+  motion::Window window;
   window.turns = 1;
   window.samples_per_revolution = options.samples_per_revolution;
   window.clearance_m = cell.scene.length_scale_m;
   window.displacement_m = displacement_m;
   window.states = 1;
   window.section = rest;
-  const std::array<ContactFacts, 1> facts{{{.peak_displacement_m = peak}}};
+  const std::array<motion::ContactFacts, 1> facts{{{.peak_displacement_m = peak}}};
   window.contact = facts;
-  return classify_window(window, options, workspace.spectrum).measures;
+  return motion::classify_window(window, options, workspace.spectrum).measures;
 }
 
 }  // namespace rubsweep::response

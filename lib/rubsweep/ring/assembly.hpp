@@ -33,7 +33,8 @@ LoadMaps load_maps(const Ring& ring, const Load& load, Eigen::Index coordinate, 
 std::vector<Eigen::Index> load_coordinates(const System& system);
 
 /// Regular at every inclination: with q instead of the beam's own flexure v no tan(alpha) appears; the
-/// eigenvalues are those of Appendix A (as corrected, see results/ring_findings.txt) for |alpha| < 90 degrees.
+/// eigenvalues are those of Appendix A (as corrected, see results/ring_findings.txt) for |alpha| < 90
+/// degrees.
 Matrices assemble(const System& system);
 
 }  // namespace rubsweep::ring

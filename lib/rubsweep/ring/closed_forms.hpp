@@ -10,28 +10,36 @@ namespace rubsweep::ring {
 
 /// Speeds below in rad/s, ascending. Ring quantities: see system.hpp.
 
-/// Divergence speeds of L identical radial loads without inclination: Omega^2 = (a Omega_c^2 + l k_r) / (a +
-/// l m_r), l the roots of l^2 - L l + (1 + (mu eta / n)^2) l1 l2 = 0, l1 and l2 the eigenvalues of sum e e^T,
-/// e = (-sin n phi, cos n phi). One load: Omega_c and Omega_c2. Complex l (the paper's condition (3) is l1 =
-/// l2): no divergence, empty.
+/// Divergence speeds of L identical radial loads without inclination:
+///
+///     Omega^2 = (a Omega_c^2 + l k_r) / (a + l m_r),
+///     l the roots of l^2 - L l + (1 + (mu eta / n)^2) l1 l2 = 0,
+///
+/// with l1 and l2 the eigenvalues of the sum of e e^T over the loads, e = (-sin n phi, cos n phi). For one
+/// load these are Omega_c and Omega_c2. Empty where l is complex, since there is no divergence then (the
+/// paper's condition (3) is l1 = l2).
 std::vector<double> radial_divergence_speeds(const System& system);
 
-/// Omega_cs1 and Omega_cs2 of one radial load: |sqrt((n^2 + 1) w_r^2 - n^2 Omega_c^2) -+ n^2 Omega_c| / (n^2
-/// + 1). With friction a light load is stable exactly between them, except between Omega_c and Omega_c2.
-/// Empty when w_r^2 < Omega_c^2 n^2 / (n^2 + 1). (The paper prints Omega_c^2 in the prefactor of the root for
-/// Omega_c.)
+/// Omega_cs1 and Omega_cs2 of one radial load:
+///
+///     |sqrt((n^2 + 1) w_r^2 - n^2 Omega_c^2) -+ n^2 Omega_c| / (n^2 + 1).
+///
+/// With friction a light load is stable exactly between them, except between Omega_c and Omega_c2. Empty when
+/// w_r^2 < Omega_c^2 n^2 / (n^2 + 1). (Before the root, where Omega_c belongs, the paper prints Omega_c^2.)
 std::optional<std::pair<double, double>> radial_stability_window(const Ring& ring, const Load& load);
 
 /// sqrt(k_t / m_s), m_s = m_t - J_b: a tangential load diverges above it.
 double tangential_divergence_speed(const Load& load);
 
-/// Above it a tangential load moves aperiodically: m_t s^2 + 2 mu g Omega s + k_t - m_s Omega^2 has real
-/// roots.
+/// Above it a tangential load no longer oscillates: the roots of m_t s^2 + 2 mu g Omega s + k_t - m_s Omega^2
+/// are real.
 double aperiodic_speed(const Load& load, double friction_coefficient);
 
-/// A speed at which a ring mode of frequency n (Omega_c -+ Omega) leaves the contact force zero, whatever the
-/// friction: (m_r (s^2 - Omega^2) + k_r)(m_t s^2 - m_s Omega^2 + k_t) + 4 g^2 Omega^2 s^2 = 0, s = i n
-/// (Omega_c -+ Omega).
+/// A speed at which the load follows a mode of the ring, of frequency n (Omega_c -+ Omega), without any force
+/// at the contact, so that friction neither feeds nor damps it. With s = i n (Omega_c -+ Omega),
+///
+///     (m_r (s^2 - Omega^2) + k_r) (m_t s^2 - m_s Omega^2 + k_t) + 4 g^2 Omega^2 s^2 = 0.
+///
 struct NeutralSpeed {
   double speed_rad_per_s;
   double frequency_rad_per_s;  ///< in the rotating frame
@@ -39,9 +47,11 @@ struct NeutralSpeed {
 };
 std::vector<NeutralSpeed> neutral_speeds(const Ring& ring, const Load& load);
 
-/// Divergence speeds of one load of inclination alpha that has both motions: Omega_c, and the roots of a
-/// (Omega_c^2 - Omega^2) [k_u s (s - mu c) + k_v c (c + mu s)] + k_u k_v = 0, s = sin alpha, c = cos alpha,
-/// k_u = k_r - m_r Omega^2, k_v = k_t - m_s Omega^2.
+/// Divergence speeds of one load of inclination alpha that has both motions: Omega_c, and the roots of
+///
+///     a (Omega_c^2 - Omega^2) [k_u s (s - mu c) + k_v c (c + mu s)] + k_u k_v = 0
+///
+/// with s = sin alpha, c = cos alpha, k_u = k_r - m_r Omega^2 and k_v = k_t - m_s Omega^2.
 std::vector<double> inclined_divergence_speeds(const Ring& ring, const Load& load,
                                                double friction_coefficient);
 

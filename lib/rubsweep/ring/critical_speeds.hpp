@@ -13,8 +13,8 @@ namespace rubsweep::ring {
 struct CriticalSpeed {
   std::string name;
   double closed_form_rad_per_s = 0;
-  std::optional<double>
-      numeric_rad_per_s;  ///< empty: outside of the range of speeds, or nothing happens there
+  /// Empty: outside of the range of speeds, or nothing happens there.
+  std::optional<double> numeric_rad_per_s;
 };
 
 /// Every closed form that holds for this system (see closed_forms.hpp), each with the nearest speed of its

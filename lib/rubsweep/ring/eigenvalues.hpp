@@ -13,8 +13,8 @@ Eigen::VectorXcd eigenvalues(const NormalForm& form, double speed_rad_per_s);
 /// Eigenvalues with what tells one mode from another.
 struct Spectrum {
   Eigen::VectorXcd values;  ///< 1/s
-  Eigen::VectorXcd
-      slopes;  ///< d lambda / d Omega, by left and right eigenvectors; 0 where they are defective
+  /// d lambda / d Omega, by left and right eigenvectors; 0 where they are defective.
+  Eigen::VectorXcd slopes;
   Eigen::MatrixXcd vectors;  ///< columns (Y, Y') of the normal form, of unit length
 };
 Spectrum spectrum(const NormalForm& form, double speed_rad_per_s);

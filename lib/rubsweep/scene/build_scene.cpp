@@ -1,6 +1,6 @@
 #include "rubsweep/scene/build_scene.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -11,19 +11,6 @@
 
 namespace rubsweep::scene {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-/// Exact at the quarter turns, so that a wall at 90 degrees does not couple x into y by rounding.
-Eigen::Vector2d direction(double angle_deg) {
-  const double quarter_turns = angle_deg / 90;
-  if (quarter_turns == std::floor(quarter_turns)) {
-    constexpr std::array<std::array<double, 2>, 4> exact{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-    const auto index = static_cast<std::size_t>(std::fmod(std::fmod(quarter_turns, 4) + 4, 4));
-    return {exact[index][0], exact[index][1]};
-  }
-  return {std::cos(angle_deg * degree), std::sin(angle_deg * degree)};
-}
 
 double damping_of(const model::Stop& stop, double rotor_mass_kg) {
   if (const auto* explicit_damping = std::get_if<model::ExplicitDamping>(&stop.damping)) {
@@ -43,12 +30,7 @@ Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly,
   Contact contact;
   contact.rotor_point = assembly.rotor_points[index];
   contact.casing_point = assembly.casing_points[index];
-  if (const auto* annular = std::get_if<model::AnnularGeometry>(&stop.geometry)) {
-    contact.ring = true;
-    contact.offset_m = {annular->offset_m[0], annular->offset_m[1]};
-  } else {
-    contact.normal = direction(std::get<model::OneSideGeometry>(stop.geometry).angle_deg);
-  }
+  contact.wall = contact::wall_of(stop.geometry);
   contact.clearance_m = stop.clearance_m;
   contact.stiffness_n_per_m = stop.stiffness_n_per_m;
   contact.damping_ns_per_m = damping_of(stop, assembly.contact_mass_kg[index]);
@@ -58,7 +40,7 @@ Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly,
 }
 
 Pulse pulse_of(const model::Kick& kick, const Eigen::Vector2d& wall, const structure::Assembly& assembly) {
-  const Eigen::Vector2d towards = kick.angle_deg ? direction(*kick.angle_deg) : wall;
+  const Eigen::Vector2d towards = kick.angle_deg ? contact::direction(*kick.angle_deg) : wall;
   const auto& rotor = assembly.system.points[static_cast<std::size_t>(assembly.kick_point)];
   return {rotor.map.transpose() * towards, kick.force_n, kick.duration_s};
 }
@@ -92,9 +74,9 @@ void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaini
   const structure::LinearSystem& structure = cell.scene.structure;
   const Contact& contact = cell.scene.contacts.front();
   const auto excursion = [&](double e) {
-    return quiet_penetration({bow.mean, bow.amplitude + e * unit.amplitude}, structure, contact).amplitude_m;
+    return quiet_penetration({bow.mean, bow.amplitude + e * unit.amplitude}, structure, contact).amplitude;
   };
-  const double slope = quiet_penetration(unit, structure, contact).amplitude_m;
+  const double slope = quiet_penetration(unit, structure, contact).amplitude;
   const double none = std::numeric_limits<double>::quiet_NaN();
   const bool related = remaining_m > 0 && std::isfinite(slope) && slope > 0;
   if (const auto* ratio = std::get_if<WhirlRatio>(&unbalance)) {
@@ -109,23 +91,12 @@ void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaini
   }
 }
 
-/// Smallest share s in (0, 1] of the way to the static position at which a wall is met: flat s r.q =
-/// clearance, in a ring |s r q + offset| = clearance, its rest position being inside. 1 where none is.
+/// Smallest share in (0, 1] of the way to the static position at which a wall is met; 1 where none is.
 double share_before_contact(const Cell& cell) {
   double share = 1;
   for (const Contact& contact : cell.scene.contacts) {
     const Eigen::Vector2d way = relative_map(cell.scene.structure, contact) * cell.quiet.mean;
-    double met = std::numeric_limits<double>::infinity();
-    if (contact.ring) {
-      const double a = way.squaredNorm(), b = way.dot(contact.offset_m);
-      const double c = contact.clearance_m * contact.clearance_m - contact.offset_m.squaredNorm();
-      // a s^2 + 2 b s = c with c > 0, in the form that does not cancel.
-      const double root = std::sqrt(b * b + a * c);
-      if (a > 0) met = b > 0 ? c / (b + root) : (root - b) / a;
-    } else if (contact.normal.dot(way) > 0) {
-      met = contact.clearance_m / contact.normal.dot(way);
-    }
-    if (met < share) share = met;
+    share = std::min(share, contact::share_of_way_to(contact.wall, contact.clearance_m, way));
   }
   return share;
 }
@@ -147,31 +118,52 @@ bool touches_anywhere(const Cell& cell) {
   return false;
 }
 
-}  // namespace
-
-Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
-  const model::Machine& machine = plan.machine;
-  const structure::Assembly& assembly = plan.assembly;
-  Cell cell;
-  Scene& scene = cell.scene;
+/// Structure, walls and constant force at a speed: what no unbalance and no kick changes.
+Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
+  const structure::Assembly& assembly = prepared.assembly;
+  Scene scene;
   scene.speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
-  for (std::size_t i = 0; i < machine.stops.size(); ++i) {
-    scene.contacts.push_back(contact_of(machine.stops[i], assembly, i, scene.speed_rad_per_s));
-  }
-  const Contact& first = scene.contacts.front();
-  scene.constant_n = machine.gravity_m_per_s2 * assembly.system.weight_kg;
+  for (std::size_t i = 0; i < prepared.machine.stops.size(); ++i)
+    scene.contacts.push_back(contact_of(prepared.machine.stops[i], assembly, i, scene.speed_rad_per_s));
+  scene.constant_n = prepared.machine.gravity_m_per_s2 * assembly.system.weight_kg;
   scene.observed_point = assembly.observed_point;
-  scene.length_scale_m = first.clearance_m;
+  scene.length_scale_m = scene.contacts.front().clearance_m;
   scene.structure = assembly.system;
   scene.impulses = assembly.impulses;
-  const double w = scene.speed_rad_per_s;
-  if (assembly.gyroscopic.size() > 0) scene.structure.damping += w * assembly.gyroscopic;
+  if (assembly.gyroscopic.size() > 0) scene.structure.damping += scene.speed_rad_per_s * assembly.gyroscopic;
+  return scene;
+}
 
+/// What overflows is no number that says the unbalance the other way.
+void forget_what_overflows(Cell& cell) {
+  for (double* said : {&cell.whirl_ratio, &cell.eccentricity_m}) {
+    if (!std::isfinite(*said)) *said = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+void start_on_quiet_motion(Cell& cell) {
+  Scene& scene = cell.scene;
+  const double w = scene.speed_rad_per_s;
+  cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
+  scene.displacement_m = cell.quiet.displacement(0);
+  scene.velocity_m_per_s = w * cell.quiet.velocity(0);
+  if (touches_anywhere(cell)) start_at_rest(cell);
+}
+
+}  // namespace
+
+Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance) {
+  const structure::Assembly& assembly = prepared.assembly;
+  Cell cell;
+  cell.scene = scene_at(prepared, speed_hz);
+  Scene& scene = cell.scene;
+  const Contact& first = scene.contacts.front();
+  const double w = scene.speed_rad_per_s;
   const Eigen::VectorXcd unit_force = w * w * scene.structure.unbalance_kg;
   const QuietMotion unit = quiet_motion(scene.structure, w, unit_force, scene.constant_n);
   const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
   const Eigen::Vector2d wall = nearest_wall(unit, scene.structure, first);
-  if (machine.kick) scene.pulse = pulse_of(*machine.kick, wall, assembly);
+  if (prepared.machine.kick) scene.pulse = pulse_of(*prepared.machine.kick, wall, assembly);
   const bool bowed = assembly.bow_n.size() > 0;
   QuietMotion bow;
   if (bowed) {
@@ -180,10 +172,7 @@ Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
   } else {
     set_unbalance(cell, unbalance, -mean, amplitude_per_m);
   }
-  // What overflows is no number that says it the other way.
-  for (double* said : {&cell.whirl_ratio, &cell.eccentricity_m}) {
-    if (!std::isfinite(*said)) *said = std::numeric_limits<double>::quiet_NaN();
-  }
+  forget_what_overflows(cell);
   const bool has_quiet_motion = std::isfinite(amplitude_per_m) && std::isfinite(mean);
   if (!has_quiet_motion || !std::isfinite(cell.eccentricity_m)) {
     cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;
@@ -197,15 +186,12 @@ Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance) {
     scene.harmonic_n =
         cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first, wall) * unit_force;
   }
-  cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
-  scene.displacement_m = cell.quiet.displacement(0);
-  scene.velocity_m_per_s = w * cell.quiet.velocity(0);
-  if (touches_anywhere(cell)) start_at_rest(cell);
+  start_on_quiet_motion(cell);
   return cell;
 }
 
 Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance) {
-  return build_cell(make_plan(machine), speed_hz, unbalance);
+  return build_cell(prepare_machine(machine), speed_hz, unbalance);
 }
 
 }  // namespace rubsweep::scene

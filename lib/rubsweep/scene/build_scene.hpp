@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "rubsweep/model/machine.hpp"
-#include "rubsweep/scene/plan.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 #include "rubsweep/scene/scene.hpp"
 
@@ -34,20 +34,20 @@ constexpr bool can_run(Start start) { return start == Start::quiet || start == S
 struct Cell {
   Scene scene;
   QuietMotion quiet;
-  double eccentricity_m =
-      0;  ///< one of these two was given; the other is NaN where none matches it: at an undamped
-  double whirl_ratio = 0;  ///< resonance, or where static forces leave no clearance at the first stop
+  /// One of the two was given, the other belongs to it. NaN where there is none: at an undamped resonance, or
+  /// where static forces leave no clearance at the first stop.
+  double eccentricity_m = 0, whirl_ratio = 0;
   Start start = Start::quiet;
 };
 
-/// Scene of the plan's machine at one speed and unbalance: starts on the closed-form quiet whirl with t = 0
+/// Scene of a prepared machine at one speed and unbalance: starts on the closed-form quiet whirl with t = 0
 /// at the instant of smallest gap at the first stop; the kick points at that stop's wall unless it has an
 /// angle of its own. Where the quiet motion itself reaches a wall, the rotor starts at rest in its static
 /// position instead, or as far on the way to it as the walls let it, with the same phase of the unbalance and
 /// without the kick: that motion is what a machine does that is switched on. A bow of the shaft stays what it
 /// is whatever the unbalance; where two eccentricities give the whirl ratio, the larger one is taken.
 /// speed_hz > 0.
-Cell build_cell(const Plan& plan, double speed_hz, const Unbalance& unbalance);
+Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance);
 
 /// The same for a single cell. Throws ConfigError where `machine` is not valid.
 Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance);

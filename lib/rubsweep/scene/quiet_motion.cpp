@@ -41,48 +41,23 @@ QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_
   return motion;
 }
 
-Eigen::Matrix<double, 2, Eigen::Dynamic> relative_map(const structure::LinearSystem& structure,
-                                                      const Contact& contact) {
-  Eigen::Matrix<double, 2, Eigen::Dynamic> map =
-      structure.points[static_cast<std::size_t>(contact.rotor_point)].map;
+contact::RelativeMap relative_map(const structure::LinearSystem& structure, const Contact& contact) {
+  contact::RelativeMap map = structure.points[static_cast<std::size_t>(contact.rotor_point)].map;
   if (contact.casing_point) map -= structure.points[static_cast<std::size_t>(*contact.casing_point)].map;
   return map;
 }
 
-namespace {
-
-Eigen::Vector2d mean_offset_m(const QuietMotion& motion, const structure::LinearSystem& structure,
-                              const Contact& contact) {
-  return relative_map(structure, contact) * motion.mean + contact.offset_m;
-}
-
-/// Largest distance from its mean of a point that moves as Re(amplitude e^{i phase}): the long half-axis of
-/// the ellipse.
-double long_half_axis(const Eigen::Vector2cd& amplitude) {
-  const std::complex<double> i(0, 1);
-  return (std::abs(amplitude.x() + i * amplitude.y()) + std::abs(amplitude.x() - i * amplitude.y())) / 2;
-}
-
-}  // namespace
-
-QuietPenetration quiet_penetration(const QuietMotion& motion, const structure::LinearSystem& structure,
-                                   const Contact& contact) {
-  const auto map = relative_map(structure, contact);
-  if (contact.ring) {
-    const Eigen::Vector2cd amplitude = map.cast<std::complex<double>>() * motion.amplitude;
-    return {mean_offset_m(motion, structure, contact).norm() - contact.clearance_m,
-            long_half_axis(amplitude)};
-  }
-  const Eigen::RowVectorXd row = contact.normal.transpose() * map;
-  const std::complex<double> amplitude = row.cast<std::complex<double>>() * motion.amplitude;
-  return {row.dot(motion.mean) - contact.clearance_m, std::abs(amplitude)};
+contact::Excursion quiet_penetration(const QuietMotion& motion, const structure::LinearSystem& structure,
+                                     const Contact& contact) {
+  return contact::excursion(contact.wall, contact.clearance_m, relative_map(structure, contact), motion.mean,
+                            motion.amplitude);
 }
 
 Eigen::Vector2d nearest_wall(const QuietMotion& motion, const structure::LinearSystem& structure,
                              const Contact& contact) {
-  if (!contact.ring) return contact.normal;
-  const Eigen::Vector2d mean = mean_offset_m(motion, structure, contact);
-  return mean.isZero(0) ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(mean.normalized());
+  const Eigen::Vector2d mean_m =
+      relative_map(structure, contact) * motion.mean + contact::offset(contact.wall);
+  return contact::normal_at(contact.wall, mean_m);
 }
 
 }  // namespace rubsweep::scene

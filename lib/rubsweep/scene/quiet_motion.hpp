@@ -21,23 +21,16 @@ struct QuietMotion {
 QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_rad_per_s,
                          const Eigen::VectorXcd& harmonic_n, const Eigen::VectorXd& constant_n);
 
-/// Static part and largest excursion about it of the penetration of one contact under a quiet motion. In a
-/// ring the static part is that of the mean position, and the excursion counts as if it pointed outwards
-/// there, which it does at some time when the whirl is a circle.
-struct QuietPenetration {
-  double mean_m = 0;       ///< below 0: a gap
-  double amplitude_m = 0;  ///< >= 0
-};
-QuietPenetration quiet_penetration(const QuietMotion& motion, const structure::LinearSystem& structure,
-                                   const Contact& contact);
+/// Penetration of one contact under a quiet motion, in metres.
+contact::Excursion quiet_penetration(const QuietMotion& motion, const structure::LinearSystem& structure,
+                                     const Contact& contact);
 
-/// Direction in which the rotor's mean position is nearest to the wall: the normal of a flat wall; in a ring
-/// the direction of the mean offset, +y when centred.
+/// Direction in which the rotor's mean position is nearest to the wall: the normal of a flat wall; in an
+/// annular stop the direction of the mean offset, +y when centred.
 Eigen::Vector2d nearest_wall(const QuietMotion& motion, const structure::LinearSystem& structure,
                              const Contact& contact);
 
 /// Rows that map q to the displacement of the rotor relative to the casing, 2 x n.
-Eigen::Matrix<double, 2, Eigen::Dynamic> relative_map(const structure::LinearSystem& structure,
-                                                      const Contact& contact);
+contact::RelativeMap relative_map(const structure::LinearSystem& structure, const Contact& contact);
 
 }  // namespace rubsweep::scene

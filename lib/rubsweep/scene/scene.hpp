@@ -5,30 +5,28 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/contact/wall.hpp"
 #include "rubsweep/model/friction.hpp"
 #include "rubsweep/structure/impulse_train.hpp"
 #include "rubsweep/structure/linear_system.hpp"
 
 namespace rubsweep::scene {
 
-/// A wall between two points of the structure: flat with a normal that does not turn, or a ring around the
-/// rotor. d = rotor point - casing point + offset; penetration p = d . n - clearance with n = normal (flat)
-/// or d / |d| (ring); tangent t = (-n_y, n_x); slip = d' . t + surface speed.
+/// A wall between two points of the structure. The slip is d' . t + surface speed, with d and t as at
+/// contact::Wall.
 struct Contact {
   int rotor_point = 0;
   std::optional<int> casing_point;  ///< empty: the casing does not move
-  bool ring = false;
-  Eigen::Vector2d normal{0, 1};    ///< flat: unit vector from the rest position towards the wall
-  Eigen::Vector2d offset_m{0, 0};  ///< ring: of the rotor's rest position against the ring's centre
-  double clearance_m = 0;          ///< >= 0
+  contact::Wall wall;               ///< in metres
+  double clearance_m = 0;           ///< >= 0
   double stiffness_n_per_m = 0;
   double damping_ns_per_m = 0;
   model::Friction friction;
   double surface_speed_m_per_s = 0;  ///< R omega
 };
 
-/// Half-sine pulse F(t) = force_n sin(pi (t + elapsed_s) / duration_s) while 0 <= t + elapsed_s <=
-/// duration_s.
+/// Half-sine pulse: F(t) = force_n sin(pi (t + elapsed_s) / duration_s) as long as t + elapsed_s is between 0
+/// and duration_s, nothing before and after.
 struct Pulse {
   Eigen::VectorXd direction;  ///< n: generalised force per newton
   double force_n = 0;

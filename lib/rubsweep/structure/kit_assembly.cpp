@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -14,7 +15,8 @@ constexpr double node_of_mode = 1e-6;  ///< share of the largest deflection, squ
 
 class KitBuilder {
  public:
-  explicit KitBuilder(const model::Machine& machine) : machine_(machine), kit_(*machine.kit) {
+  explicit KitBuilder(const model::Machine& machine)
+      : machine_(machine), kit_(std::get<model::RotorKit>(machine.rotor)) {
     for (const auto& stop : machine.stops) stops_.push_back(*stop.position_m);
     for (const auto& sensor : kit_.sensors) sensors_.push_back(sensor.position_m);
     kick_ = machine.kick && machine.kick->position_m ? *machine.kick->position_m : stops_.front();
@@ -149,18 +151,26 @@ class KitBuilder {
 
   /// The surface moves along the tangent by radius * angle; flat walls only, where the tangent does not turn.
   void add_twist(const model::Stop& stop) {
-    const double angle = std::get<model::OneSideGeometry>(stop.geometry).angle_deg * std::numbers::pi / 180;
-    const Eigen::Vector2d tangent(-std::sin(angle), std::cos(angle));
-    system().points.back().map.col(lateral()) = stop.contact_radius_m * tangent;
+    std::visit(overloaded{[&](const model::OneSideGeometry& flat) {
+                            const double angle = flat.angle_deg * std::numbers::pi / 180;
+                            const Eigen::Vector2d tangent(-std::sin(angle), std::cos(angle));
+                            system().points.back().map.col(lateral()) = stop.contact_radius_m * tangent;
+                          },
+                          [](const model::AnnularGeometry&) {
+                            throw ConfigError("stops: torsion needs flat walls, allowed: one_side");
+                          }},
+               stop.geometry);
   }
 
-  /// Along the normal of a flat stop; in a ring the mean of both planes.
+  /// Along the normal of a flat stop; in an annular stop the mean of both planes.
   double contact_mass_kg(std::size_t i) const {
     const model::Stop& stop = machine_.stops[i];
-    double share_x = 0.5;
-    if (const auto* wall = std::get_if<model::OneSideGeometry>(&stop.geometry)) {
-      share_x = std::pow(std::cos(wall->angle_deg * std::numbers::pi / 180), 2);
-    }
+    const double share_x =
+        std::visit(overloaded{[](const model::OneSideGeometry& flat) {
+                                return std::pow(std::cos(flat.angle_deg * std::numbers::pi / 180), 2);
+                              },
+                              [](const model::AnnularGeometry&) { return 0.5; }},
+                   stop.geometry);
     const double inverse = share_x / modal_mass_kg(shaft_, result_.reduction, 0, 0, stops_[i]) +
                            (1 - share_x) / modal_mass_kg(shaft_, result_.reduction, 1, 0, stops_[i]);
     const double largest = 1 / basis(0).col(0).dot(shaft_.mass * basis(0).col(0));

@@ -16,7 +16,7 @@ struct KitAssembly {
   Reduction reduction;
 };
 
-/// Rotor kit of `machine` (machine.kit must be there) and its moving casings. Coordinates: shapes of the
+/// Rotor kit of `machine` (whose rotor must be one) and its moving casings. Coordinates: shapes of the
 /// shaft, pairs of x and y; then the angle of torsion where asked for; then x and y of every moving casing in
 /// the order of the stops. With torsion the tangential displacement at a flat stop includes radius * angle,
 /// so that slip and friction torque follow from the point's map. A rotor mass behind a restitution is the

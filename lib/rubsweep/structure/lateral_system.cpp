@@ -108,20 +108,4 @@ PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiff
   return modes;
 }
 
-Eigen::VectorXd whirl_rad_per_s(const LateralSystem& system, double speed_rad_per_s) {
-  const Eigen::Index n = system.coordinates();
-  const Eigen::LLT<Eigen::MatrixXd> mass(system.mass);
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  a.topRightCorner(n, n).setIdentity();
-  a.bottomLeftCorner(n, n) = -mass.solve(system.stiffness);
-  a.bottomRightCorner(n, n) = -mass.solve(system.damping + speed_rad_per_s * system.gyroscopic);
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(a, false);
-  std::vector<double> found;
-  for (const auto& value : solver.eigenvalues()) {
-    if (value.imag() > 0) found.push_back(value.imag());
-  }
-  std::sort(found.begin(), found.end());
-  return Eigen::Map<Eigen::VectorXd>(found.data(), static_cast<Eigen::Index>(found.size()));
-}
-
 }  // namespace rubsweep::structure

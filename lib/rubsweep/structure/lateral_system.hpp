@@ -39,8 +39,4 @@ struct PlaneModes {
 /// ConfigError when the stiffness is not positive definite, or no mode can be computed.
 PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, Eigen::Index count);
 
-/// Whirl frequencies in rad/s at a shaft speed, ascending: imaginary parts of the eigenvalues of the damped
-/// gyroscopic system that are positive. One per pair of conjugates.
-Eigen::VectorXd whirl_rad_per_s(const LateralSystem& system, double speed_rad_per_s);
-
 }  // namespace rubsweep::structure

@@ -26,8 +26,8 @@ inline constexpr double receptance_tolerance = 0.01;
 
 /// Reduces to kit.modes modes in each plane, or to the smallest number whose receptance error at the stops
 /// and sensors, under forces at the stops and faulty bearings, is within the tolerance (at most
-/// RotorKit::most_modes). Stations must be nodes; at least one
-/// stop. Throws ConfigError where numbers are too far apart for any mode to be seen or computed.
+/// RotorKit::most_modes). Stations must be nodes, and there must be at least one stop. Throws ConfigError
+/// where numbers are too far apart for any mode to be seen or computed.
 Reduction reduce(const BeamShaft& shaft, const model::RotorKit& kit, const std::vector<double>& stops_m,
                  const std::vector<double>& sensors_m);
 

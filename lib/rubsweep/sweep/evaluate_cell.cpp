@@ -15,11 +15,9 @@ scene::Unbalance unbalance_of(const Grid& grid, std::size_t index) {
   return scene::Eccentricity{value};
 }
 
-bool has_constant_friction(const model::Machine& machine) {
-  for (const model::Stop& stop : machine.stops) {
-    if (std::holds_alternative<model::ConstantFriction>(stop.friction)) return true;
-  }
-  return false;
+bool some_friction_keeps_its_direction(const model::Machine& machine) {
+  return std::ranges::any_of(
+      machine.stops, [](const model::Stop& stop) { return contact::keeps_its_direction(stop.friction); });
 }
 
 void add_status(Row& row, std::string_view word) {
@@ -38,22 +36,23 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
   if (run.motion.exponent) row.lyapunov_per_revolution = run.motion.exponent->per_revolution;
   row.revolutions = run.revolutions;
   row.last_contact_revolution = run.last_contact_revolution;
-  if (run.outcome == integrate::Outcome::ok) {
+  if (run.outcome == integrate::run::Outcome::ok) {
     row.measures = run.motion.measures;
   } else {
-    add_status(row, integrate::to_string(run.outcome));
+    add_status(row, integrate::run::to_string(run.outcome));
   }
-  if (run.motion.status != response::MotionStatus::ok)
-    add_status(row, response::to_string(run.motion.status));
+  if (run.motion.status != response::motion::MotionStatus::ok) add_status(row, to_string(run.motion.status));
   if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
 }
 
-/// The cell of a plan whose machine may differ from the study's.
-Row evaluate(const Study& study, const scene::Plan& plan, std::size_t cell, response::Workspace& workspace) {
+/// The cell of a prepared machine that may differ from the study's.
+Row evaluate(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
+             response::motion::Workspace& workspace) {
   const std::size_t speeds = study.grid.speed_hz.size();
   Row row;
   row.speed_hz = study.grid.speed_hz[cell % speeds];
-  const scene::Cell start = scene::build_cell(plan, row.speed_hz, unbalance_of(study.grid, cell / speeds));
+  const scene::Cell start =
+      scene::build_cell(prepared, row.speed_hz, unbalance_of(study.grid, cell / speeds));
   row.whirl_ratio = start.whirl_ratio;
   row.eccentricity_m = start.eccentricity_m;
   if (start.start == scene::Start::unreachable) {
@@ -61,14 +60,14 @@ Row evaluate(const Study& study, const scene::Plan& plan, std::size_t cell, resp
     return row;
   }
   if (start.start == scene::Start::initial_contact) {
-    row.motion_class = response::MotionClass::initial_contact;
+    row.motion_class = response::motion::MotionClass::initial_contact;
     return row;
   }
   row.start = start.start == scene::Start::contact ? RunStart::contact
               : start.scene.pulse                  ? RunStart::kick
                                                    : RunStart::quiet;
   fill(row, response::settle(start, study.solver, study.response, workspace),
-       has_constant_friction(plan.machine));
+       some_friction_keeps_its_direction(prepared.machine));
   return row;
 }
 
@@ -76,17 +75,18 @@ Row evaluate(const Study& study, const scene::Plan& plan, std::size_t cell, resp
 
 std::size_t cell_count(const Grid& grid) { return grid.speed_hz.size() * grid.unbalance.size(); }
 
-Row evaluate_cell(const Study& study, std::size_t cell, response::Workspace& workspace) {
-  return evaluate_cell(study, scene::make_plan(study.machine), cell, workspace);
+Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Workspace& workspace) {
+  return evaluate_cell(study, scene::prepare_machine(study.machine), cell, workspace);
 }
 
-Row evaluate_cell(const Study& study, const scene::Plan& plan, std::size_t cell,
-                  response::Workspace& workspace) {
-  Row row = evaluate(study, plan, cell, workspace);
+Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
+                  response::motion::Workspace& workspace) {
+  Row row = evaluate(study, prepared, cell, workspace);
   if (study.robustness == Robustness::on) {
     row.robust = is_robust(row, study.machine, [&](const model::Machine& machine) {
       // Only the kick differs: the structure stays.
-      return evaluate(study, scene::Plan{machine, plan.assembly, plan.reduction}, cell, workspace);
+      return evaluate(study, scene::PreparedMachine{machine, prepared.assembly, prepared.reduction}, cell,
+                      workspace);
     });
   }
   return row;

@@ -1,11 +1,8 @@
 #include "rubsweep/sweep/footprint.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
-#include "rubsweep/error.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::sweep {
@@ -13,12 +10,6 @@ namespace {
 
 constexpr std::size_t program_bytes = 12'000'000, mpi_bytes = 30'000'000, thread_bytes = 1'000'000,
                       sample_bytes = 192, cell_bytes = 24, row_bytes = 3 * 340;
-
-std::string shown(std::size_t bytes) {
-  const double value = static_cast<double>(bytes);
-  return value < 1e9 ? fmt::format("{:.{}f} MB", std::max(value, 1e5) / 1e6, value < 1e7 ? 1 : 0)
-                     : fmt::format("{:.3g} GB", value / 1e9);
-}
 
 }  // namespace
 
@@ -30,23 +21,6 @@ Footprint footprint(const Study& study, const Workers& workers) {
               static_cast<std::size_t>(workers.threads) * (thread_bytes + sample_bytes * samples) +
               cell_bytes * cells,
           row_bytes * cells};
-}
-
-std::string describe(const Study& study, const Workers& workers) {
-  const Footprint needed = footprint(study, workers);
-  const bool mpi = workers.ranks > 0;
-  return fmt::format("{} cells on {}{} threads: up to {} of memory{}, {} of disk", cell_count(study.grid),
-                     mpi ? fmt::format("{} ranks of ", workers.ranks) : "", workers.threads,
-                     shown(needed.memory_bytes), mpi ? " each" : "", shown(needed.disk_bytes));
-}
-
-void refuse_more_memory_than(std::size_t bytes, const Study& study, const Workers& workers) {
-  if (footprint(study, workers).memory_bytes <= bytes) return;
-  const bool mpi = workers.ranks > 0;
-  throw ConfigError(
-      fmt::format("{}, this machine has {} MB{}, allowed: fewer {}--threads, response.window_revolutions or "
-                  "response.samples_per_revolution",
-                  describe(study, workers), bytes / 1'000'000, mpi ? " for each" : "", mpi ? "ranks, " : ""));
 }
 
 std::vector<std::size_t> take_pilot_cells(std::vector<std::size_t>& cells, std::size_t count) {

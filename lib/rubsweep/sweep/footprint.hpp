@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "rubsweep/sweep/study.hpp"
@@ -21,18 +20,10 @@ struct Footprint {
   std::size_t disk_bytes = 0;  ///< while it runs: journals, map.partial.csv and in the end map.csv
 };
 
-/// Of all cells of a study. Measured: 72 bytes of memory a window sample for a single wall, 175 where a ring
-/// is searched for a comb; 24 bytes a cell; 9 MB for MPI among ranks of one machine, of which networks take
-/// more; 340 bytes of disk a row, three times.
+/// Of all cells of a study. Measured: 72 bytes of memory a window sample for a single wall, 175 where an
+/// annular stop is searched for a comb; 24 bytes a cell; 9 MB for MPI among ranks of one machine, of which
+/// networks take more; 340 bytes of disk a row, three times.
 Footprint footprint(const Study& study, const Workers& workers);
-
-/// "1320 cells on 2 threads: up to 21 MB of memory, 1.4 MB of disk", or "1320 cells on 8 ranks of 2 threads:
-/// up to 51 MB of memory each, 1.4 MB of disk".
-std::string describe(const Study& study, const Workers& workers);
-
-/// Throws ConfigError where a process needs more than `bytes` of memory: refused before anything begins, not
-/// killed in the middle.
-void refuse_more_memory_than(std::size_t bytes, const Study& study, const Workers& workers);
 
 /// `count` cells spread evenly over `cells`, which lose them: run first, they tell how long the others will
 /// take.

@@ -4,7 +4,7 @@ namespace rubsweep::sweep {
 
 std::optional<bool> is_robust(const Row& row, const model::Machine& machine,
                               const std::function<Row(const model::Machine&)>& evaluate) {
-  using response::MotionClass;
+  using response::motion::MotionClass;
   if (!machine.kick || row.start == RunStart::contact || row.motion_class == MotionClass::initial_contact ||
       row.motion_class == MotionClass::failed) {
     return std::nullopt;

@@ -24,11 +24,11 @@ struct Row {
   double speed_hz = 0;
   double whirl_ratio = 0;
   double eccentricity_m = 0;
-  response::MotionClass motion_class = response::MotionClass::failed;
+  response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
   std::optional<int> order;
-  std::optional<response::Measures>
-      measures;  ///< of the settled window; empty where nothing settled can be measured
-  std::optional<response::Proof> proof;
+  /// Of the settled window; empty where nothing settled can be measured.
+  std::optional<response::motion::Measures> measures;
+  std::optional<response::motion::Proof> proof;
   std::optional<bool> robust;                     ///< see is_robust; empty unless asked for
   std::optional<double> floquet_modulus;          ///< of a proven orbit, over its period
   std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found

@@ -6,7 +6,7 @@
 namespace rubsweep::sweep {
 namespace {
 
-thread_local response::Workspace workspace;
+thread_local response::motion::Workspace workspace;
 thread_local Row latest;  ///< handed on by the thread that made it, before it takes another cell
 
 }  // namespace
@@ -14,9 +14,10 @@ thread_local Row latest;  ///< handed on by the thread that made it, before it t
 std::size_t run_cells(const Study& study, std::span<const std::size_t> cells, int threads,
                       const std::function<void(std::size_t cell, const Row&)>& on_row,
                       const std::atomic<bool>& stop) {
-  const scene::Plan plan = scene::make_plan(study.machine);
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   return batch::parallel_run(
-      cells.size(), threads, [&](std::size_t i) { latest = evaluate_cell(study, plan, cells[i], workspace); },
+      cells.size(), threads,
+      [&](std::size_t i) { latest = evaluate_cell(study, prepared, cells[i], workspace); },
       [&](std::size_t i) { on_row(cells[i], latest); }, stop);
 }
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "rubsweep/integrate/options.hpp"
+#include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/model/machine.hpp"
-#include "rubsweep/response/options.hpp"
+#include "rubsweep/response/motion/options.hpp"
 
 namespace rubsweep::sweep {
 
@@ -28,8 +28,8 @@ enum class Robustness { off, on };
 struct Study {
   model::Machine machine;
   Grid grid;
-  integrate::SolverOptions solver;
-  response::ResponseOptions response;
+  integrate::run::SolverOptions solver;
+  response::motion::ResponseOptions response;
   Robustness robustness = Robustness::off;
 };
 

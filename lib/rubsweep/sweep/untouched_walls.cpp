@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/integrate/scaled_system.hpp"
-#include "rubsweep/response/rest_proof.hpp"
+#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/response/proof/rest_proof.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::sweep {
@@ -25,10 +25,10 @@ scene::Unbalance unbalance_of(const Grid& grid, double value) {
 
 /// The quiet cell nearest to the wall at one speed; empty where all touch without a kick. `descending`: all
 /// unbalances.
-std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::Plan& plan, double speed_hz,
-                                              const std::vector<double>& descending) {
+std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::PreparedMachine& prepared,
+                                              double speed_hz, const std::vector<double>& descending) {
   for (const double unbalance : descending) {
-    scene::Cell cell = scene::build_cell(plan, speed_hz, unbalance_of(study.grid, unbalance));
+    scene::Cell cell = scene::build_cell(prepared, speed_hz, unbalance_of(study.grid, unbalance));
     if (cell.start == scene::Start::quiet) return cell;
   }
   return std::nullopt;
@@ -38,7 +38,7 @@ std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::P
 /// time.
 bool never_touches(const scene::Cell& cell) {
   const scene::Scene& scene = cell.scene;
-  std::vector<double> section = integrate::scaled_initial_state(scene);
+  std::vector<double> section = integrate::run::scaled_initial_state(scene);
   if (scene.pulse) {
     const double impulse_ns = 2 / std::numbers::pi * scene.pulse->force_n * scene.pulse->duration_s;
     const Eigen::VectorXd jump = scene.structure.mass.llt().solve(impulse_ns * scene.pulse->direction) /
@@ -46,12 +46,12 @@ bool never_touches(const scene::Cell& cell) {
     const auto n = static_cast<std::size_t>(jump.size());
     for (std::size_t i = 0; i < n; ++i) section[n + i] += jump(static_cast<Eigen::Index>(i));
   }
-  return response::RestProof(cell).proves(section);
+  return response::proof::RestProof(cell).proves(section);
 }
 
 }  // namespace
 
-std::string why_walls_stay_untouched(const Study& study, const scene::Plan& plan) {
+std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMachine& prepared) {
   std::vector<double> descending = study.grid.unbalance;
   std::sort(descending.begin(), descending.end(), std::greater<>());
   const std::vector<double>& speeds = study.grid.speed_hz;
@@ -59,13 +59,13 @@ std::string why_walls_stay_untouched(const Study& study, const scene::Plan& plan
   bool any = false;
   for (std::size_t i = 0; i < looked_at; ++i) {
     const double speed_hz = speeds[i * speeds.size() / looked_at];
-    const auto cell = nearest_quiet_cell(study, plan, speed_hz, descending);
+    const auto cell = nearest_quiet_cell(study, prepared, speed_hz, descending);
     if (!cell) continue;
     if (!never_touches(*cell)) return "";
     any = true;
   }
   if (!any) return "";
-  const auto& kick = plan.machine.kick;
+  const auto& kick = prepared.machine.kick;
   if (!kick) {
     return "no kick: the cells whose quiet whirl leaves a clearance (whirl ratio below 1) touch nothing and "
            "are all "

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rubsweep/scene/plan.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::sweep {
@@ -12,6 +12,6 @@ namespace rubsweep::sweep {
 /// whole impulse at once and the free vibration by the sizes of its modes, so that a kick much longer than
 /// the rotor's period may be too weak without being named. Looks at every speed of a small grid and at speeds
 /// all over a large one, and at the largest unbalance that leaves a clearance there.
-std::string why_walls_stay_untouched(const Study& study, const scene::Plan& plan);
+std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMachine& prepared);
 
 }  // namespace rubsweep::sweep

@@ -9,7 +9,8 @@
 
 int main() {
   rubsweep::model::Machine machine{
-      .rotor = {.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02},
+      .rotor =
+          rubsweep::model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02},
       .stops = {{.geometry = rubsweep::model::OneSideGeometry{90},
                  .clearance_m = 1e-3,
                  .stiffness_n_per_m = 2e6,
@@ -26,12 +27,15 @@ int main() {
   const std::atomic<bool> stop = false;
   rubsweep::batch::parallel_run(
       speed_hz.size(), 2,
-      [&](std::size_t cell) { ratio[cell] = speed_hz[cell] / machine.rotor.natural_frequency_hz; },
+      [&](std::size_t cell) {
+        ratio[cell] =
+            speed_hz[cell] / std::get<rubsweep::model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
+      },
       [](std::size_t) {}, stop);
   std::printf("%zu speeds, the last %g Hz, %g natural frequencies\n", speed_hz.size(), speed_hz.back(),
               ratio.back());
 
-  machine.rotor.mass_kg = -1;
+  std::get<rubsweep::model::JeffcottRotor>(machine.rotor).mass_kg = -1;
   try {
     rubsweep::model::validate(machine);
   } catch (const rubsweep::ConfigError&) {

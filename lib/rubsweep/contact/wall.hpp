@@ -1,0 +1,113 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <variant>
+
+#include "rubsweep/contact/contact_frame.hpp"
+#include "rubsweep/contact/contact_mode.hpp"
+#include "rubsweep/model/stop.hpp"
+#include "rubsweep/overloaded.hpp"
+
+namespace rubsweep::contact {
+
+/// A wall whose normal, a unit vector from the rest position towards it, does not turn.
+struct FlatWall {
+  Eigen::Vector2d normal{0, 1};
+};
+
+/// A round hole around the rotor. `offset` leads from its centre to the rotor's rest position, in the unit of
+/// displacements.
+struct AnnularWall {
+  Eigen::Vector2d offset{0, 0};
+};
+
+/// The shape of a stop, and all that follows from it alone. d = rotor point - casing point + offset; the
+/// penetration is d . n - clearance with the normal n = FlatWall::normal, or d / |d| in an annular stop; the
+/// tangent is t = (-n_y, n_x).
+using Wall = std::variant<FlatWall, AnnularWall>;
+
+/// Unit vector at an angle from +x towards +y; exact at the quarter turns, so that a wall at 90 degrees does
+/// not couple x into y by rounding.
+Eigen::Vector2d direction(double angle_deg);
+
+/// In metres, as the configuration says it.
+Wall wall_of(const model::StopGeometry& geometry);
+
+bool same(const Wall& a, const Wall& b);
+
+/// Whether the penetration is linear in the displacements, so that the exact solver has closed forms for it.
+constexpr bool linear(const Wall& wall) { return std::holds_alternative<FlatWall>(wall); }
+
+/// Whether the wall looks the same from every direction of the rotor's rest position.
+bool centred(const Wall& wall);
+
+/// Zero for a flat wall.
+Eigen::Vector2d offset(const Wall& wall);
+
+/// First of the two fixed directions that vectors at the contact are written in: the normal of a flat wall,
+/// else x. The second one is a quarter turn ahead of it.
+Eigen::Vector2d first_direction(const Wall& wall);
+
+/// From the rotor to the wall where the rotor is at `distance` = d. The centre of an annular stop has no such
+/// direction and touches nothing: +y there.
+Eigen::Vector2d normal_at(const Wall& wall, const Eigen::Vector2d& distance);
+
+/// Map from the displacements q to rotor point - casing point.
+using RelativeMap = Eigen::Matrix<double, 2, Eigen::Dynamic>;
+
+/// Rows on q whose lengths bound what moves the rotor against the wall.
+Eigen::MatrixXd rows_against(const Wall& wall, const RelativeMap& relative);
+
+/// Penetration under the motion q = mean + Re(amplitude e^{i phase}): that of the mean position, and the most
+/// that it rises above it. In an annular stop the excursion counts as if it pointed outwards there, which it
+/// does at some time when the whirl is a circle.
+struct Excursion {
+  double mean = 0;       ///< below 0: a gap
+  double amplitude = 0;  ///< >= 0
+};
+Excursion excursion(const Wall& wall, double clearance, const RelativeMap& relative,
+                    const Eigen::VectorXd& mean, const Eigen::VectorXcd& amplitude);
+
+/// Smallest share s > 0 of the displacement `way` at which a rotor from its rest position, inside, meets the
+/// wall; infinity where it never does.
+double share_of_way_to(const Wall& wall, double clearance, const Eigen::Vector2d& way);
+
+/// The motion as it is seen from the wall.
+inline ContactFrame frame(const Wall& wall, const RelativeMotion& motion, double clearance) {
+  return std::visit(overloaded{[&](const FlatWall&) { return flat_frame(motion, clearance); },
+                               [&](const AnnularWall&) { return annular_frame(motion, clearance); }},
+                    wall);
+}
+
+/// Penetration and its two rates, with the second derivatives `a1` and `a2` of d in the fixed directions.
+inline Kinematics kinematics(const Wall& wall, const RelativeMotion& m, double a1, double a2,
+                             double clearance) {
+  return std::visit(
+      overloaded{[&](const FlatWall&) -> Kinematics {
+                   return {m.d1 - clearance, m.v1, a1};
+                 },
+                 [&](const AnnularWall&) -> Kinematics {
+                   const ContactFrame f = annular_frame(m, clearance);
+                   return {f.penetration, f.closing_speed,
+                           f.cosine * a1 + f.sine * a2 + f.sliding_speed * f.sliding_speed * f.curvature};
+                 }},
+      wall);
+}
+
+/// The same for a contact that is open. In an annular stop (|d|^2 - C^2) / (2 C) stands for the penetration:
+/// it rises through zero with |d| - C, and stays smooth through the centre.
+inline Kinematics open_kinematics(const Wall& wall, const RelativeMotion& m, double a1, double a2,
+                                  double clearance) {
+  return std::visit(overloaded{[&](const FlatWall&) -> Kinematics {
+                                 return {m.d1 - clearance, m.v1, a1};
+                               },
+                               [&](const AnnularWall&) -> Kinematics {
+                                 return {
+                                     (m.d1 * m.d1 + m.d2 * m.d2 - clearance * clearance) / (2 * clearance),
+                                     (m.d1 * m.v1 + m.d2 * m.v2) / clearance,
+                                     (m.v1 * m.v1 + m.v2 * m.v2 + m.d1 * a1 + m.d2 * a2) / clearance};
+                               }},
+                    wall);
+}
+
+}  // namespace rubsweep::contact

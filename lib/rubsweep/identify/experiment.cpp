@@ -1,0 +1,95 @@
+#include "rubsweep/identify/experiment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <span>
+
+namespace rubsweep::identify {
+namespace {
+
+constexpr std::uint64_t seed = 1;
+
+void add_noise(Eigen::MatrixXd& signal, double noise_m) {
+  if (noise_m == 0) return;
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> noise(0, noise_m);
+  for (Eigen::Index i = 0; i < signal.cols(); ++i) {
+    for (double& value : signal.col(i)) value += noise(random);
+  }
+}
+
+std::span<const double> column(const Eigen::MatrixXd& signal, Eigen::Index i) {
+  return {signal.col(i).data(), static_cast<std::size_t>(signal.rows())};
+}
+
+int samples_in(double duration_s, double sample_s) {
+  return static_cast<int>(std::floor(duration_s / sample_s)) + 1;
+}
+
+/// A sensor across the kick sees rounding only, or what the noise hides.
+std::vector<bool> sees_something(const Eigen::MatrixXd& signal, double noise_m) {
+  const double floor_m = std::max(noise_m, 1e-9 * signal.cwiseAbs().maxCoeff());
+  std::vector<bool> sees;
+  for (Eigen::Index i = 0; i < signal.cols(); ++i)
+    sees.push_back(signal.col(i).cwiseAbs().maxCoeff() > floor_m);
+  return sees;
+}
+
+}  // namespace
+
+FreeResponse free_response(const scene::PreparedMachine& machine, double duration_s,
+                           const Sampling& sampling) {
+  const SensorRows sensors = sensor_rows(machine);
+  FreeResponse response{.run = {.kick = true,
+                                .sample_s = sampling.sample_s,
+                                .samples = samples_in(duration_s, sampling.sample_s)},
+                        .signal_m = {},
+                        .angle_deg = sensors.angle_deg,
+                        .decay = {}};
+  response.signal_m = run_linear(machine, response.run, sensors.rows);
+  const std::vector<bool> sees = sees_something(response.signal_m, sampling.noise_m);
+  add_noise(response.signal_m, sampling.noise_m);
+  for (Eigen::Index i = 0; i < response.signal_m.cols(); ++i) {
+    response.decay.emplace_back();
+    if (!sees[static_cast<std::size_t>(i)]) continue;
+    const auto later =
+        column(response.signal_m, i).subspan(static_cast<std::size_t>(response.signal_m.rows() / 4));
+    response.decay.back() = fit_free_decay(later, sampling.sample_s);
+  }
+  return response;
+}
+
+RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz, double rate_hz_per_s,
+             double eccentricity_m, const Sampling& sampling) {
+  const SensorRows sensors = sensor_rows(machine);
+  RunUp run_up{.run = {.from_hz = from_hz,
+                       .rate_hz_per_s = rate_hz_per_s,
+                       .eccentricity_m = eccentricity_m,
+                       .sample_s = sampling.sample_s,
+                       .samples = samples_in((to_hz - from_hz) / rate_hz_per_s, sampling.sample_s)},
+               .signal_m = {},
+               .angle_deg = sensors.angle_deg,
+               .bode = {},
+               .critical_speed_hz = {},
+               .largest_amplitude_m = {}};
+  run_up.signal_m = run_linear(machine, run_up.run, sensors.rows);
+  add_noise(run_up.signal_m, sampling.noise_m);
+  std::vector<double> angle_rad, speed_hz;
+  for (int k = 0; k < run_up.run.samples; ++k) {
+    angle_rad.push_back(shaft_angle_rad(run_up.run, k * run_up.run.sample_s));
+    speed_hz.push_back(shaft_speed_hz(run_up.run, k * run_up.run.sample_s));
+  }
+  for (Eigen::Index i = 0; i < run_up.signal_m.cols(); ++i) {
+    const double direction_deg = sensors.angle_deg[static_cast<std::size_t>(i)];
+    run_up.bode.push_back(
+        bode_plot(column(run_up.signal_m, i), angle_rad, speed_hz, direction_deg, bode_revolutions));
+    run_up.critical_speed_hz.push_back(critical_speed_hz(run_up.bode.back()));
+    double largest_m = 0;
+    for (const BodePoint& point : run_up.bode.back()) largest_m = std::max(largest_m, point.amplitude_m);
+    run_up.largest_amplitude_m.push_back(largest_m);
+  }
+  return run_up;
+}
+
+}  // namespace rubsweep::identify

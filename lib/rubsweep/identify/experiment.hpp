@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/identify/bode.hpp"
+#include "rubsweep/identify/free_decay.hpp"
+#include "rubsweep/identify/linear_run.hpp"
+
+namespace rubsweep::identify {
+
+/// How the sensors read.
+struct Sampling {
+  double sample_s = 1e-3;
+  double noise_m = 0;  ///< standard deviation of white noise on every sample; the same numbers in every run
+};
+
+/// Most samples of one experiment.
+inline constexpr double most_samples = 1e6;
+
+/// Response to the machine's kick at standstill, without its stops. A damped oscillation is fitted to each
+/// sensor's signal after the first quarter, when faster modes are gone.
+struct FreeResponse {
+  LinearRun run;
+  Eigen::MatrixXd signal_m;                     ///< samples x sensors
+  std::vector<double> angle_deg;                ///< per sensor
+  std::vector<std::optional<FreeDecay>> decay;  ///< per sensor; empty where it does not see the kick
+};
+
+/// The machine needs a kick.
+FreeResponse free_response(const scene::PreparedMachine& machine, double duration_s,
+                           const Sampling& sampling);
+
+/// Speed ramp with an unbalance, without stops: 1X amplitude and phase over speed, and the critical speed.
+struct RunUp {
+  LinearRun run;
+  Eigen::MatrixXd signal_m;                  ///< samples x sensors
+  std::vector<double> angle_deg;             ///< per sensor
+  std::vector<std::vector<BodePoint>> bode;  ///< per sensor
+  std::vector<double> critical_speed_hz;     ///< per sensor
+  std::vector<double> largest_amplitude_m;   ///< per sensor, of 1X
+};
+
+/// Windows of `bode_revolutions`; rate_hz_per_s has the sign of to - from. Throws ConfigError where a sensor
+/// sees nothing.
+RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz, double rate_hz_per_s,
+             double eccentricity_m, const Sampling& sampling);
+inline constexpr int bode_revolutions = 10;
+
+}  // namespace rubsweep::identify

@@ -1,0 +1,205 @@
+#include "rubsweep/identify/linear_run.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::identify {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using std::numbers::pi;
+using State = std::vector<double>;
+
+/// Below a millionth of a sample no progress is made that anyone could wait for.
+constexpr double shortest_step = 1e-6;
+constexpr double relative_tolerance = 1e-8;
+
+class Structure {
+ public:
+  Structure(const scene::PreparedMachine& prepared, const LinearRun& run, const Eigen::VectorXd& constant_n)
+      : run_(run), mass_(prepared.assembly.system.mass) {
+    const auto& system = prepared.assembly.system;
+    stiffness_ = mass_.solve(system.stiffness);
+    damping_ = mass_.solve(system.damping);
+    gyroscopic_ = prepared.assembly.gyroscopic.size() > 0
+                      ? Eigen::MatrixXd(mass_.solve(prepared.assembly.gyroscopic))
+                      : Eigen::MatrixXd::Zero(damping_.rows(), damping_.cols());
+    unbalance_ = run.eccentricity_m * solve(system.unbalance_kg);
+    bow_ = prepared.assembly.bow_n.size() > 0 ? solve(prepared.assembly.bow_n)
+                                              : Eigen::VectorXcd(Eigen::VectorXcd::Zero(unbalance_.size()));
+    constant_ = mass_.solve(constant_n);
+    pulse_ = Eigen::VectorXd::Zero(unbalance_.size());
+  }
+
+  void kick_with(const scene::Pulse& pulse) {
+    pulse_ = mass_.solve(pulse.direction) * pulse.force_n;
+    pulse_s_ = pulse.duration_s;
+  }
+
+  void operator()(const State& state, State& rate, double t) const {
+    const Eigen::Index n = pulse_.size();
+    const Eigen::Map<const Eigen::VectorXd> q(state.data(), n), v(state.data() + n, n);
+    Eigen::Map<Eigen::VectorXd> velocity(rate.data(), n), acceleration(rate.data() + n, n);
+    velocity = v;
+    const double speed = 2 * pi * shaft_speed_hz(run_, t), gain = 2 * pi * run_.rate_hz_per_s;
+    const std::complex<double> turn = std::polar(1.0, shaft_angle_rad(run_, t));
+    const std::complex<double> centrifugal = std::complex<double>(speed * speed, -gain) * turn;
+    acceleration = constant_ + (unbalance_ * centrifugal + bow_ * turn).real();
+    acceleration.noalias() -= stiffness_ * q;
+    acceleration.noalias() -= damping_ * v;
+    acceleration.noalias() -= speed * (gyroscopic_ * v);
+    if (t < pulse_s_) acceleration += pulse_ * std::sin(pi * t / pulse_s_);
+  }
+
+ private:
+  Eigen::VectorXcd solve(const Eigen::VectorXcd& force) const {
+    const Eigen::VectorXd real = mass_.solve(Eigen::VectorXd(force.real()));
+    const Eigen::VectorXd imaginary = mass_.solve(Eigen::VectorXd(force.imag()));
+    return real.cast<std::complex<double>>() +
+           std::complex<double>(0, 1) * imaginary.cast<std::complex<double>>();
+  }
+
+  LinearRun run_;
+  Eigen::LDLT<Eigen::MatrixXd> mass_;
+  Eigen::MatrixXd stiffness_, damping_, gyroscopic_;
+  Eigen::VectorXcd unbalance_, bow_;
+  Eigen::VectorXd constant_, pulse_;
+  double pulse_s_ = 0;
+};
+
+/// On the quiet motion of the first speed, its unbalance at angle 0; at standstill where static forces leave
+/// it.
+State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run,
+                    const Eigen::VectorXd& constant_n) {
+  structure::LinearSystem system = prepared.assembly.system;
+  const double w = 2 * pi * run.from_hz;
+  if (prepared.assembly.gyroscopic.size() > 0) system.damping += w * prepared.assembly.gyroscopic;
+  Eigen::VectorXcd force = run.eccentricity_m * w * w * system.unbalance_kg;
+  if (prepared.assembly.bow_n.size() > 0) force += prepared.assembly.bow_n;
+  const scene::QuietMotion quiet = scene::quiet_motion(system, w, force, constant_n);
+  const Eigen::VectorXd q = quiet.displacement(0), v = w * quiet.velocity(0);
+  State state(q.begin(), q.end());
+  state.insert(state.end(), v.begin(), v.end());
+  return state;
+}
+
+/// Impulses by the shaft's angle.
+class Strikes {
+ public:
+  Strikes(const scene::PreparedMachine& prepared, const LinearRun& run) : run_(run) {
+    const Eigen::LDLT<Eigen::MatrixXd> mass(prepared.assembly.system.mass);
+    for (const auto& train : prepared.assembly.impulses)
+      trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});
+  }
+
+  double next_s() const {
+    double next = std::numeric_limits<double>::infinity();
+    for (const Train& train : trains_) next = std::min(next, instant_s(train));
+    return next;
+  }
+
+  /// Adds to the velocities what strikes up to `t_s`.
+  void strike(double t_s, State& state) {
+    for (Train& train : trains_) {
+      for (; instant_s(train) <= t_s; ++train.count) {
+        const Eigen::Index n = train.jump_m_per_s.size();
+        Eigen::Map<Eigen::VectorXd>(state.data() + n, n) += train.jump_m_per_s;
+      }
+    }
+  }
+
+ private:
+  struct Train {
+    Eigen::VectorXd jump_m_per_s;
+    double multiple = 0, phase_periods = 0, count = 0;
+  };
+
+  /// When from t + rate t^2 / 2 reaches the turns at which the train's next impulse is due; never on a ramp
+  /// that stops before.
+  double instant_s(const Train& train) const {
+    const double turns = (train.count + train.phase_periods) / train.multiple;
+    const double square = run_.from_hz * run_.from_hz + 2 * run_.rate_hz_per_s * turns;
+    const double sum = square < 0 ? 0 : run_.from_hz + std::sqrt(square);
+    return sum > 0 ? 2 * turns / sum : std::numeric_limits<double>::infinity();
+  }
+
+  LinearRun run_;
+  std::vector<Train> trains_;
+};
+
+}  // namespace
+
+double shaft_angle_rad(const LinearRun& run, double t_s) {
+  return 2 * pi * (run.from_hz * t_s + run.rate_hz_per_s * t_s * t_s / 2);
+}
+
+double shaft_speed_hz(const LinearRun& run, double t_s) { return run.from_hz + run.rate_hz_per_s * t_s; }
+
+SensorRows sensor_rows(const scene::PreparedMachine& prepared) {
+  const auto& points = prepared.assembly.system.points;
+  SensorRows sensors;
+  std::vector<int> which = prepared.assembly.sensor_points;
+  if (which.empty()) {
+    which.assign(2, prepared.assembly.observed_point);
+    sensors.angle_deg = {0, 90};
+  } else {
+    for (const auto& sensor : model::kit_of(prepared.machine)->sensors)
+      sensors.angle_deg.push_back(sensor.angle_deg);
+  }
+  sensors.rows.resize(static_cast<Eigen::Index>(which.size()), prepared.assembly.system.coordinates());
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    const auto& map = points[static_cast<std::size_t>(which[i])].map;
+    const double angle = sensors.angle_deg[i] * pi / 180;
+    sensors.rows.row(static_cast<Eigen::Index>(i)) =
+        std::cos(angle) * map.row(0) + std::sin(angle) * map.row(1);
+  }
+  return sensors;
+}
+
+Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearRun& run,
+                           const Eigen::MatrixXd& sensor_rows) {
+  const Eigen::VectorXd constant_n = prepared.machine.gravity_m_per_s2 * prepared.assembly.system.weight_kg;
+  Structure structure(prepared, run, constant_n);
+  if (run.kick && prepared.machine.kick) {
+    // The pulse of any cell: neither its place nor its direction depends on the speed.
+    structure.kick_with(*scene::build_cell(prepared, 1, scene::Eccentricity{0}).scene.pulse);
+  }
+  State state = initial_state(prepared, run, constant_n);
+  const Eigen::Index n = prepared.assembly.system.coordinates();
+  const double length = prepared.machine.stops.front().clearance_m;
+  auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<State>>(relative_tolerance * length,
+                                                                            relative_tolerance);
+  Eigen::MatrixXd signal(run.samples, sensor_rows.rows());
+  Strikes strikes(prepared, run);
+  double t = 0, step = run.sample_s / 100;
+  for (int k = 0; k < run.samples; ++k) {
+    const double sample_at = k * run.sample_s;
+    for (double target = 0; t < sample_at;) {
+      strikes.strike(t, state);
+      target = std::min(sample_at, strikes.next_s());
+      const double rest = target - t;
+      double trial = std::min(step, rest);
+      const bool whole = trial == rest;
+      if (stepper.try_step(std::ref(structure), state, t, trial) == odeint::success) {
+        if (whole) t = target;
+        if (!whole || trial > step) step = trial;
+      } else {
+        step = trial;
+        if (step < shortest_step * run.sample_s) throw SolverError("linear run: the steps collapse");
+      }
+    }
+    signal.row(k) = (sensor_rows * Eigen::Map<const Eigen::VectorXd>(state.data(), n)).transpose();
+  }
+  return signal;
+}
+
+}  // namespace rubsweep::identify

@@ -1,0 +1,321 @@
+#pragma once
+
+#include <algorithm>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/adaptive/step_observer.hpp"
+#include "rubsweep/integrate/adaptive/steppers.hpp"
+#include "rubsweep/integrate/run/impulses.hpp"
+#include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/numerics/bernstein_root.hpp"
+
+namespace rubsweep::integrate::adaptive {
+
+/// A run by one of Odeint's steppers. Located (Smoothed = false): a step that crosses a mode's guard is cut
+/// there and the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper
+/// keeps its order. `Law` is the right-hand side: Dynamics, or what adds further numbers behind its state.
+template <class StepMethod, int N, bool Smoothed, class Law = Dynamics<N, Smoothed>>
+class AdaptiveRun {
+ public:
+  using State = typename StepMethod::State;
+
+  AdaptiveRun(const scene::Scene& scene, const run::SolverOptions& options)
+      : system_(run::scale<N>(scene)),
+        dynamics_(system_, options.smoothing_m / scene.length_scale_m),
+        method_(options),
+        impulses_(scene),
+        max_steps_(options.max_steps_per_revolution),
+        start_kinematics_(system_.contacts.size()),
+        end_kinematics_(system_.contacts.size()) {
+    const std::vector<double> initial = dynamics_.whole_state(run::scaled_initial_state(scene));
+    for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_})
+      resize(*state, initial.size());
+    std::copy(initial.begin(), initial.end(), step_.start.begin());
+    remembered_sizes_.resize(std::size_t{1} << (2 * std::min<std::size_t>(system_.contacts.size(), 4)), 0.0);
+    size_ = 1e-3;
+    begin();
+  }
+
+  // The dynamics refer to the system.
+  AdaptiveRun(const AdaptiveRun&) = delete;
+  AdaptiveRun& operator=(const AdaptiveRun&) = delete;
+
+  /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
+  run::Outcome advance(run::Turn& turn, double end_phase = full_turn) {
+    end_phase_ = end_phase;
+    StepObserver observer(turn);
+    const long limit = steps_ + refused_ + max_steps_;
+    step_.start_phase = 0;
+    if (!impulses_.none()) impulses_.begin_turn(revolution_);
+    // The pulse counts its time from the start of the turn: it goes first.
+    set_pulse(0);
+    dynamics_(step_.start, step_.start_rate, 0.0);
+    while (step_.start_phase < end_phase_) {
+      if (steps_ + refused_ >= limit) return finish(turn, run::Outcome::step_limit);
+      if (step_.start_phase >= impulses_.next_phase_rad()) strike(observer);
+      const run::Outcome outcome = advance_one_step(observer);
+      if (outcome != run::Outcome::ok) return finish(turn, outcome);
+    }
+    ++revolution_;
+    observer.end_turn(step_.start, dynamics_);
+    return finish(turn, run::Outcome::ok);
+  }
+
+ private:
+  static constexpr double full_turn = 2 * std::numbers::pi;
+  static constexpr double smallest_size = 1e-14;
+
+  struct Crossing {
+    double phase = 0;
+    std::size_t contact = 0;
+    contact::Mode next = contact::Mode::open;
+  };
+
+  static void resize(State& state, std::size_t size) {
+    if constexpr (requires { state.resize(size); }) state.resize(size);
+  }
+
+  void begin() {
+    set_pulse(0);
+    dynamics_(step_.start, step_.start_rate, 0.0);
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) enter_by_state(i);
+    look_again(0);
+  }
+
+  void enter_by_state(std::size_t i) {
+    const auto& c = system_.contacts[i];
+    contact::Kinematics k = dynamics_.kinematics(i, step_.start, step_.start_rate);
+    if (k.penetration > 0) {
+      // An open annular stop measures by squares; what tells the modes apart is the penetration itself.
+      dynamics_.modes()[i] = contact::Mode::sprung;
+      k = dynamics_.kinematics(i, step_.start, step_.start_rate);
+    }
+    const contact::Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
+    // A start exactly at the wall and moving into it is in contact from the first instant.
+    dynamics_.modes()[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
+  }
+
+  /// Rate and kinematics at the start of a step, by the law now in force.
+  void look_again(double phase) {
+    dynamics_(step_.start, step_.start_rate, phase);
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+      start_kinematics_[i] = dynamics_.kinematics(i, step_.start, step_.start_rate);
+  }
+
+  /// Switches the pulse for the stretch that starts at `phase`; returns where that stretch ends.
+  double set_pulse(double phase) {
+    const double elapsed = full_turn * static_cast<double>(revolution_) + system_.pulse_elapsed_rad;
+    const double pulse_end = system_.pulse_end_rad - elapsed;
+    const bool on = pulse_end > phase;
+    dynamics_.set_pulse(on, elapsed);
+    return on ? std::min(pulse_end, end_phase_) : end_phase_;
+  }
+
+  /// All impulses of this instant.
+  void strike(StepObserver& observer) {
+    const Eigen::Index n = system_.coordinates();
+    while (step_.start_phase >= impulses_.next_phase_rad()) {
+      const Eigen::VectorXd& jump_m_per_s = impulses_.take();
+      for (Eigen::Index j = 0; j < n; ++j)
+        step_.start[static_cast<std::size_t>(n + j)] +=
+            jump_m_per_s(j) / (system_.length_m * system_.speed_rad_per_s);
+    }
+    dynamics_(step_.start, step_.start_rate, step_.start_phase);
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+      const contact::Mode from = dynamics_.modes()[i];
+      enter_by_state(i);
+      if (Smoothed || dynamics_.modes()[i] == from) continue;
+      ++switches_;
+      observer.mode_switch({step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i]});
+    }
+    look_again(step_.start_phase);
+    method_.restart();
+  }
+
+  run::Outcome advance_one_step(StepObserver& observer) {
+    const double boundary = std::min(set_pulse(step_.start_phase), impulses_.next_phase_rad());
+    const double wanted = size_;
+    // A remainder too small to step over is taken along.
+    const bool limited = step_.start_phase + 1.000001 * wanted >= boundary;
+    double size = limited ? boundary - step_.start_phase : wanted;
+    const double taken = size;
+    if (!method_.try_step(dynamics_, step_, size)) {
+      ++refused_;
+      size_ = size;
+      return size_ < smallest_size ? run::Outcome::step_too_small : run::Outcome::ok;
+    }
+    if (!finite(step_.end)) {
+      ++refused_;
+      size_ = taken / 10;
+      return size_ < smallest_size ? run::Outcome::non_finite : run::Outcome::ok;
+    }
+    ++steps_;
+    size_ = limited ? std::max(size, wanted) : size;
+    if (limited) step_.end_phase = boundary;
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+      end_kinematics_[i] = dynamics_.kinematics(i, step_.end, step_.end_rate);
+    }
+    accept(observer);
+    return run::Outcome::ok;
+  }
+
+  /// Cuts the accepted step at the first mode switch in it, reports it, and makes its end the next start.
+  void accept(StepObserver& observer) {
+    std::optional<Crossing> crossing;
+    if constexpr (!Smoothed) crossing = first_crossing();
+    const auto state_at = [this](double phase) -> const State& {
+      method_.state_at(dynamics_, step_, phase, probe_);
+      return probe_;
+    };
+    const double end_phase = crossing ? crossing->phase : step_.end_phase;
+    observer.sample(step_.start_phase, step_.start, end_phase, state_at);
+    if (crossing) cut_step(end_phase);
+    observer.watch(step_, dynamics_, start_kinematics_, end_kinematics_);
+    if constexpr (!Smoothed) switch_modes(crossing, observer);
+    std::swap(step_.start, step_.end);
+    std::swap(step_.start_rate, step_.end_rate);
+    std::swap(start_kinematics_, end_kinematics_);
+    step_.start_phase = end_phase;
+  }
+
+  void cut_step(double phase) {
+    method_.state_at(dynamics_, step_, phase, probe_);
+    step_.end = probe_;
+    step_.end_phase = phase;
+    // The force is continuous across the switch: this rate holds on both sides of it.
+    dynamics_(step_.end, step_.end_rate, phase);
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+      end_kinematics_[i] = dynamics_.kinematics(i, step_.end, step_.end_rate);
+    }
+  }
+
+  contact::Guards guards(std::size_t i, const contact::Kinematics& kinematics) const {
+    const auto& c = system_.contacts[i];
+    return contact::guards_of(dynamics_.modes()[i], c.stiffness, c.damping, kinematics);
+  }
+
+  /// Value of one guard function of contact `i` inside the step.
+  double guard_value(std::size_t i, int guard, double phase) {
+    method_.state_at(dynamics_, step_, phase, probe_);
+    // Values need no acceleration, so any rate will do for the third number.
+    return guards(i, dynamics_.kinematics(i, probe_, step_.end_rate))
+        .list[static_cast<std::size_t>(guard)]
+        .value;
+  }
+
+  std::optional<Crossing> first_crossing() {
+    std::optional<Crossing> first;
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+      const contact::Guards at_start = guards(i, start_kinematics_[i]);
+      const contact::Guards at_end = guards(i, end_kinematics_[i]);
+      for (int e = 0; e < at_start.count; ++e) {
+        const auto k = static_cast<std::size_t>(e);
+        const auto candidate = locate(i, e, at_start.list[k], at_end.list[k]);
+        if (candidate && (!first || candidate->phase < first->phase)) first = candidate;
+      }
+    }
+    return first;
+  }
+
+  std::optional<Crossing> locate(std::size_t i, int guard, const contact::Guard& at_start,
+                                 const contact::Guard& at_end) {
+    const double h = step_.end_phase - step_.start_phase;
+    if (numerics::clearly_below_zero(at_start.value, h * at_start.rate, at_end.value, h * at_end.rate))
+      return std::nullopt;
+    const double middle = guard_value(i, guard, step_.start_phase + h / 2);
+    const auto rise = numerics::bernstein_root(
+        numerics::quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
+    if (!rise) return std::nullopt;
+    const auto phase = refine(i, guard, *rise);
+    if (!phase) return std::nullopt;
+    return Crossing{*phase, i, at_start.next};
+  }
+
+  /// Root of the true guard function near the root of its interpolant; `rise` in units of the step. Empty
+  /// when the function stays on one side: a graze shallower than the interpolation error, which no tolerance
+  /// sees.
+  std::optional<double> refine(std::size_t i, int guard, double rise) {
+    const double h = step_.end_phase - step_.start_phase;
+    const auto value = [&](double x) { return guard_value(i, guard, step_.start_phase + x * h); };
+    for (double reach = 1e-7; reach < 30; reach *= 30) {
+      const double low = std::max(0.0, rise - reach), high = std::min(1.0, rise + reach);
+      const double at_low = value(low), at_high = value(high);
+      if (!(at_low < 0 && at_high >= 0)) continue;
+      if (at_high == 0) return step_.start_phase + high * h;
+      std::uintmax_t iterations = 60;
+      const auto close_enough = [](double a, double b) { return std::abs(b - a) < 1e-15; };
+      const auto bracket =
+          boost::math::tools::toms748_solve(value, low, high, at_low, at_high, close_enough, iterations);
+      return step_.start_phase + bracket.second * h;  // the side that is past zero
+    }
+    return std::nullopt;
+  }
+
+  void switch_modes(const std::optional<Crossing>& crossing, StepObserver& observer) {
+    bool switched = false;
+    const std::size_t before = joint_mode();
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+      const auto& c = system_.contacts[i];
+      contact::Mode& mode = dynamics_.modes()[i];
+      const contact::Mode from = mode;
+      if (crossing && crossing->contact == i)
+        mode = contact::mode_through(from, crossing->next, end_kinematics_[i]);
+      mode = contact::mode_after(mode, c.stiffness, c.damping, end_kinematics_[i]);
+      if (mode == from) continue;
+      switched = true;
+      ++switches_;
+      observer.mode_switch({step_.end_phase, static_cast<int>(i), from, mode});
+    }
+    if (!switched) return;
+    method_.restart();
+    // Contact and flight want steps of different size: go on with what this mode last used.
+    remembered_sizes_[before] = size_;
+    if (const double remembered = remembered_sizes_[joint_mode()]; remembered > 0) size_ = remembered;
+  }
+
+  std::size_t joint_mode() const {
+    std::size_t joint = 0;
+    const auto& modes = dynamics_.modes();
+    for (std::size_t i = 0; i < std::min<std::size_t>(modes.size(), 4); ++i) {
+      joint = joint * contact::mode_count + static_cast<std::size_t>(modes[i]);
+    }
+    return joint;
+  }
+
+  static bool finite(const State& state) {
+    return std::all_of(state.begin(), state.end(), [](double value) { return std::isfinite(value); });
+  }
+
+  run::Outcome finish(run::Turn& turn, run::Outcome outcome) const {
+    turn.effort = {.rhs_calls = dynamics_.rhs_calls(),
+                   .steps = steps_,
+                   .refused = refused_,
+                   .switches = switches_,
+                   .implicit_steps = 0};
+    if constexpr (requires { method_.implicit_steps(); })
+      turn.effort.implicit_steps = method_.implicit_steps();
+    return outcome;
+  }
+
+  run::ScaledSystem<N> system_;
+  Law dynamics_;
+  StepMethod method_;
+  run::Impulses impulses_;
+  long max_steps_;
+  Step<State> step_;
+  State probe_;
+  double size_ = 0;                       ///< next step to try, in radians of rotation
+  std::vector<double> remembered_sizes_;  ///< per joint mode of the first four contacts; 0: none yet
+  std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
+  double end_phase_ = full_turn;
+  long revolution_ = 0;
+  long steps_ = 0, refused_ = 0, switches_ = 0;
+};
+
+}  // namespace rubsweep::integrate::adaptive

@@ -1,0 +1,237 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "rubsweep/contact/contact_mode.hpp"
+#include "rubsweep/contact/force_law.hpp"
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/integrate/run/scaled_system.hpp"
+
+namespace rubsweep::integrate::adaptive {
+
+/// Right-hand side of a scaled system as Odeint wants it, u then u' in one state. Located: every contact
+/// obeys the law of its current mode, continued smoothly past the mode's end. Smoothed: the blended law,
+/// whatever the mode. Any state with contiguous doubles behind operator[] will do.
+template <int N, bool Smoothed>
+class Dynamics {
+ public:
+  static constexpr bool smoothed = Smoothed;
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using Matrix = Eigen::Matrix<double, N, N>;
+  using ConstMap = Eigen::Map<const Vector>;
+  using Map = Eigen::Map<Vector>;
+
+  Dynamics(const run::ScaledSystem<N>& system, double smoothing_width)
+      : system_(system),
+        smoothing_width_(smoothing_width),
+        modes_(system.contacts.size(), contact::Mode::open) {}
+
+  /// `phase` in [0, 2 pi]: the revolution is an integer kept elsewhere, so that phases stay exact for ever.
+  template <class State>
+  void operator()(const State& state, State& rate, double phase) const {
+    ++rhs_calls_;
+    const Eigen::Index n = system_.coordinates();
+    const ConstMap u(&state[0], n), v(&state[0] + n, n);
+    Map velocity(&rate[0], n), acceleration(&rate[0] + n, n);
+    velocity = v;
+    if (system_.diagonal) {
+      acceleration = system_.constant - system_.stiffness_diagonal.cwiseProduct(u) -
+                     system_.damping_diagonal.cwiseProduct(v);
+    } else {
+      acceleration = system_.constant;
+      acceleration.noalias() -= system_.stiffness * u;
+      acceleration.noalias() -= system_.damping * v;
+    }
+    acceleration += system_.cosine * std::cos(phase) + system_.sine * std::sin(phase);
+    if (pulse_on_) acceleration += system_.pulse * std::sin(system_.pulse_rate * (pulse_elapsed_ + phase));
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact(i, u, v, acceleration);
+  }
+
+  /// Penetration of contact `i` and its two rates, scaled, from a state and its rate; as
+  /// contact::open_kinematics while it is open.
+  template <class State>
+  contact::Kinematics kinematics(std::size_t i, const State& state, const State& rate) const {
+    const Eigen::Index n = system_.coordinates();
+    const auto& c = system_.contacts[i];
+    const ConstMap acceleration(&rate[0] + n, n);
+    const contact::RelativeMotion m = relative_motion(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
+    const double a1 = c.first_row.dot(acceleration.transpose());
+    const double a2 = c.second_row.dot(acceleration.transpose());
+    return !Smoothed && modes_[i] == contact::Mode::open
+               ? contact::open_kinematics(c.wall, m, a1, a2, c.clearance)
+               : contact::kinematics(c.wall, m, a1, a2, c.clearance);
+  }
+
+  /// Normal force in newtons by the law this object integrates.
+  contact::NormalForce normal_force(std::size_t i, double penetration, double closing_speed) const {
+    const auto& c = system_.contacts[i];
+    if constexpr (Smoothed) {
+      return contact::smoothed_elastogap(c.stiffness, c.damping, penetration, closing_speed,
+                                         smoothing_width_);
+    } else {
+      return contact::force_in_mode(modes_[i], c.stiffness, c.damping, penetration, closing_speed);
+    }
+  }
+
+  template <class State>
+  double slip_m_per_s(std::size_t i, const State& state) const {
+    const Eigen::Index n = system_.coordinates();
+    const auto& c = system_.contacts[i];
+    return slip(c, frame(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n)));
+  }
+
+  /// Rate at which friction alone changes the slip at a contact, over the angular frequency of that contact's
+  /// spring between the masses it joins; the largest of all contacts that touch. Zero where friction does not
+  /// depend on the slip.
+  template <class State>
+  double friction_ratio(const State& state) const {
+    const Eigen::Index n = system_.coordinates();
+    const ConstMap u(&state[0], n), v(&state[0] + n, n);
+    double largest = 0;
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+      const Contact& c = system_.contacts[i];
+      if (!Smoothed && modes_[i] == contact::Mode::open) continue;
+      const contact::ContactFrame f = frame(c, u, v);
+      const double slope = contact::friction_slope(c.friction, slip(c, f)) * c.slip_scale_m_per_s;
+      if (slope <= 0) continue;
+      const double spring_n = normal_force(i, f.penetration, f.closing_speed).spring_n;
+      largest = std::max(largest, slope * spring_n * std::sqrt(c.mobility() / c.stiffness));
+    }
+    return largest;
+  }
+
+  /// Derivatives of the acceleration by u and by u', n x n, by the law in force.
+  template <class State>
+  void slopes(const State& state, Matrix& by_u, Matrix& by_v) const {
+    const Eigen::Index n = system_.coordinates();
+    const ConstMap u(&state[0], n), v(&state[0] + n, n);
+    by_u = -system_.stiffness;
+    by_v = -system_.damping;
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact_slopes(i, u, v, by_u, by_v);
+  }
+
+  /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to
+  /// one entry.
+  template <class State, class Jacobian>
+  void jacobian(const State& state, Jacobian&& j, double phase, State& phase_rate) const {
+    const Eigen::Index n = system_.coordinates();
+    Matrix by_u, by_v;
+    slopes(state, by_u, by_v);
+    for (Eigen::Index r = 0; r < n; ++r) {
+      for (Eigen::Index c = 0; c < n; ++c) {
+        const auto row = static_cast<std::size_t>(r), column = static_cast<std::size_t>(c);
+        const auto offset = static_cast<std::size_t>(n);
+        j(row, column) = 0;
+        j(row, column + offset) = r == c ? 1 : 0;
+        j(row + offset, column) = by_u(r, c);
+        j(row + offset, column + offset) = by_v(r, c);
+      }
+    }
+    Map velocity_rate(&phase_rate[0], n), force_rate(&phase_rate[0] + n, n);
+    velocity_rate.setZero();
+    force_rate = system_.sine * std::cos(phase) - system_.cosine * std::sin(phase);
+    if (pulse_on_) {
+      const double angle = system_.pulse_rate * (pulse_elapsed_ + phase);
+      force_rate += system_.pulse * (system_.pulse_rate * std::cos(angle));
+    }
+  }
+
+  /// State that a run starts with at `section`.
+  std::vector<double> whole_state(std::vector<double> section) const { return section; }
+
+  const run::ScaledSystem<N>& system() const { return system_; }
+  std::vector<contact::Mode>& modes() { return modes_; }
+  const std::vector<contact::Mode>& modes() const { return modes_; }
+  double smoothing_width() const { return smoothing_width_; }
+  long rhs_calls() const { return rhs_calls_; }
+
+  /// `elapsed_rad`: rotation since the start of the pulse at phase 0 of this revolution.
+  void set_pulse(bool on, double elapsed_rad) {
+    pulse_on_ = on;
+    pulse_elapsed_ = elapsed_rad;
+  }
+
+ private:
+  using Contact = run::ScaledContact<N>;
+
+  static contact::RelativeMotion relative_motion(const Contact& c, const ConstMap& u, const ConstMap& v) {
+    return {c.first_row.dot(u.transpose()) + c.offset[0], c.second_row.dot(u.transpose()) + c.offset[1],
+            c.first_row.dot(v.transpose()), c.second_row.dot(v.transpose())};
+  }
+
+  static contact::ContactFrame frame(const Contact& c, const ConstMap& u, const ConstMap& v) {
+    const contact::RelativeMotion m = relative_motion(c, u, v);
+    return contact::frame(c.wall, m, c.clearance);
+  }
+
+  static double slip(const Contact& c, const contact::ContactFrame& f) {
+    return c.slip_scale_m_per_s * f.sliding_speed + c.surface_speed_m_per_s;
+  }
+
+  void add_contact(std::size_t i, const ConstMap& u, const ConstMap& v, Map& acceleration) const {
+    if constexpr (!Smoothed) {
+      if (modes_[i] == contact::Mode::open) return;
+    }
+    const Contact& c = system_.contacts[i];
+    const contact::ContactFrame f = frame(c, u, v);
+    if constexpr (Smoothed) {
+      if (f.penetration <= -smoothing_width_ / 2) return;
+    }
+    const contact::NormalForce force = normal_force(i, f.penetration, f.closing_speed);
+    const double friction = contact::friction_coefficient(c.friction, slip(c, f)) * force.spring_n;
+    if (contact::linear(c.wall)) {
+      acceleration += c.first_push * force.total_n + c.second_push * friction;
+    } else {
+      acceleration += c.first_push * (f.cosine * force.total_n - f.sine * friction) +
+                      c.second_push * (f.sine * force.total_n + f.cosine * friction);
+    }
+  }
+
+  contact::ForceSlopes force_slopes(std::size_t i, double p, double v) const {
+    const auto& c = system_.contacts[i];
+    if constexpr (Smoothed) {
+      return contact::smoothed_elastogap_slopes(c.stiffness, c.damping, p, v, smoothing_width_);
+    } else {
+      return contact::slopes_in_mode(modes_[i], c.stiffness, c.damping);
+    }
+  }
+
+  /// f = F(p, v) n + mu(s) S(p) t with n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
+  void add_contact_slopes(std::size_t i, const ConstMap& u, const ConstMap& v, Matrix& by_u,
+                          Matrix& by_v) const {
+    const Contact& c = system_.contacts[i];
+    const contact::ContactFrame f = frame(c, u, v);
+    const contact::ForceSlopes slopes = force_slopes(i, f.penetration, f.closing_speed);
+    if (slopes.spring_by_p == 0 && slopes.total_by_v == 0) return;
+    const contact::NormalForce force = normal_force(i, f.penetration, f.closing_speed);
+    const double mu = contact::friction_coefficient(c.friction, slip(c, f));
+    const double mu_by_v = contact::friction_slope(c.friction, slip(c, f)) * c.slip_scale_m_per_s;
+    const Eigen::Vector2d n(f.cosine, f.sine), t(-f.sine, f.cosine);
+    Eigen::Matrix2d by_d =
+        n * (slopes.total_by_p * n + slopes.total_by_v * f.sliding_speed * f.curvature * t).transpose();
+    by_d += t * (mu * slopes.spring_by_p * n).transpose();
+    by_d += f.curvature *
+            (force.total_n * t - mu * force.spring_n * n - mu_by_v * force.spring_n * f.closing_speed * t) *
+            t.transpose();
+    const Eigen::Matrix2d by_rate =
+        slopes.total_by_v * n * n.transpose() + mu_by_v * force.spring_n * t * t.transpose();
+    Eigen::Matrix<double, N, 2> push(by_u.rows(), 2);
+    Eigen::Matrix<double, 2, N> rows(2, by_u.cols());
+    push << c.first_push, c.second_push;
+    rows << c.first_row, c.second_row;
+    by_u += push * by_d * rows;
+    by_v += push * by_rate * rows;
+  }
+
+  const run::ScaledSystem<N>& system_;
+  double smoothing_width_;
+  std::vector<contact::Mode> modes_;
+  bool pulse_on_ = false;
+  double pulse_elapsed_ = 0;
+  mutable long rhs_calls_ = 0;
+};
+
+}  // namespace rubsweep::integrate::adaptive

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "rubsweep/contact/contact_mode.hpp"
+#include "rubsweep/integrate/adaptive/step.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/numerics/cubic_maximum.hpp"
+
+namespace rubsweep::integrate::adaptive {
+
+/// Turns steps into what a Turn reports.
+class StepObserver {
+ public:
+  explicit StepObserver(run::Turn& turn) : turn_(turn) { turn.clear_answers(); }
+
+  /// Samples the grid phases in [start_phase, end_phase). `state_at(phase)` gives a state inside the step.
+  template <class State, class StateAt>
+  void sample(double start_phase, const State& start, double end_phase, const StateAt& state_at) {
+    const int count = turn_.samples_per_revolution;
+    if (next_sample_ >= count) return;
+    turn_.samples.resize(static_cast<std::size_t>(count) * start.size());
+    for (; next_sample_ < count; ++next_sample_) {
+      const double phase = 2 * std::numbers::pi * next_sample_ / count;
+      if (phase >= end_phase) return;
+      const State& state = phase <= start_phase ? start : state_at(phase);
+      std::copy(state.begin(), state.end(),
+                turn_.samples.begin() + next_sample_ * static_cast<std::ptrdiff_t>(start.size()));
+    }
+  }
+
+  /// Contact time, slip sign and, when asked for, peaks over the step that ends here, before any mode switch.
+  template <class State, class Dynamics>
+  void watch(const Step<State>& step, const Dynamics& dynamics, const std::vector<contact::Kinematics>& start,
+             const std::vector<contact::Kinematics>& end) {
+    const double h = step.end_phase - step.start_phase;
+    double touching = 0;
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      const double share = touching_share(dynamics, i, start[i], end[i]);
+      if (share == 0) continue;
+      touching = std::max(touching, share);
+      if (dynamics.slip_m_per_s(i, step.end) <= 0) turn_.slip_reversed = true;
+      if (turn_.peaks) watch_force(dynamics, i, h, start[i], end[i]);
+    }
+    if (touching > 0) turn_.touched = true;
+    turn_.contact_fraction += touching * h / (2 * std::numbers::pi);
+    if (turn_.peaks) watch_displacement(step, dynamics, h);
+  }
+
+  void mode_switch(const run::ModeSwitch& change) { turn_.add(change); }
+
+  template <class State, class Dynamics>
+  void end_turn(const State& state, const Dynamics& dynamics) {
+    turn_.section.assign(state.begin(), state.end());
+    // The steps of a turn add up to it but for rounding.
+    turn_.contact_fraction = std::min(1.0, turn_.contact_fraction);
+    for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
+      if (touching_now(dynamics, i, dynamics.kinematics(i, state, state).penetration))
+        turn_.touching_at_end = true;
+    }
+  }
+
+ private:
+  template <class Dynamics>
+  static bool touching_now(const Dynamics& dynamics, std::size_t i, double penetration) {
+    if constexpr (Dynamics::smoothed) return penetration > 0;
+    return dynamics.modes()[i] != contact::Mode::open;
+  }
+
+  /// Share of the step in contact. A located step is in one mode throughout; a smoothed one may begin or end
+  /// contact anywhere, taken linear in the penetration.
+  template <class Dynamics>
+  double touching_share(const Dynamics& dynamics, std::size_t i, const contact::Kinematics& start,
+                        const contact::Kinematics& end) {
+    if constexpr (Dynamics::smoothed) {
+      const double p0 = start.penetration, p1 = end.penetration;
+      if (p0 <= 0 && p1 > 0) ++turn_.hits;
+      if (p0 <= 0 && p1 <= 0) return 0;
+      if (p0 > 0 && p1 > 0) return 1;
+      return std::max(p0, p1) / std::abs(p1 - p0);
+    }
+    return dynamics.modes()[i] == contact::Mode::open ? 0 : 1;
+  }
+
+  template <class Dynamics>
+  void watch_force(const Dynamics& dynamics, std::size_t i, double h, const contact::Kinematics& start,
+                   const contact::Kinematics& end) {
+    const auto total = [&](double p, double v) { return dynamics.normal_force(i, p, v).total_n; };
+    const auto rate = [&](const contact::Kinematics& k) {
+      // One step of the law is linear in (p, v) when located; a small difference serves the smoothed law too.
+      constexpr double nudge = 1e-6;
+      return (total(k.penetration + nudge * k.closing_speed,
+                    k.closing_speed + nudge * k.closing_acceleration) -
+              total(k.penetration - nudge * k.closing_speed,
+                    k.closing_speed - nudge * k.closing_acceleration)) /
+             (2 * nudge);
+    };
+    const double peak =
+        numerics::cubic_maximum(total(start.penetration, start.closing_speed), h * rate(start),
+                                total(end.penetration, end.closing_speed), h * rate(end));
+    turn_.peak_contact_force_n = std::max(turn_.peak_contact_force_n, peak);
+  }
+
+  template <class State, class Dynamics>
+  void watch_displacement(const Step<State>& step, const Dynamics& dynamics, double h) {
+    const auto square_and_slope = [&](const State& state) {
+      const auto& map = dynamics.system().observed;
+      const Eigen::Index n = map.cols();
+      const Eigen::Vector2d z = map * Eigen::Map<const Eigen::VectorXd>(&state[0], n);
+      const Eigen::Vector2d v = map * Eigen::Map<const Eigen::VectorXd>(&state[0] + n, n);
+      return std::pair{z.squaredNorm(), 2 * z.dot(v)};
+    };
+    const auto [start, start_slope] = square_and_slope(step.start);
+    const auto [end, end_slope] = square_and_slope(step.end);
+    const double peak = std::sqrt(numerics::cubic_maximum(start, h * start_slope, end, h * end_slope));
+    turn_.peak_displacement_m = std::max(turn_.peak_displacement_m, peak * dynamics.system().length_m);
+  }
+
+  run::Turn& turn_;
+  int next_sample_ = 0;
+};
+
+}  // namespace rubsweep::integrate::adaptive

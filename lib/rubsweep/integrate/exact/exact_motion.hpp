@@ -1,0 +1,261 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "rubsweep/integrate/exact/harmonic_response.hpp"
+#include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/integrate/exact/mode_flow.hpp"
+#include "rubsweep/integrate/exact/tangent_vectors.hpp"
+#include "rubsweep/numerics/exponential_series.hpp"
+#include "rubsweep/numerics/step_table.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// State of an exact run: the free vibration in the present contact mode and the phases of what drives it.
+/// Propagation has no truncation error; it knows nothing of when a mode ends. Time in seconds, lengths
+/// scaled.
+template <int N>
+class ExactMotion {
+ public:
+  using State = typename ExactTypes<N>::State;
+
+  /// A guard function (or what stands for it), its rate, and a bound on its second derivative within the
+  /// mode's longest step.
+  struct GuardValue {
+    double value = 0, rate = 0, curvature = 0;
+  };
+
+  ExactMotion(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes);
+
+  /// Puts a state (u, u') into a joint mode. False where the mode has no closed form here: no equilibrium, or
+  /// a harmonic force at an undamped resonance.
+  bool enter(std::size_t joint, const State& physical);
+  /// Times that a mode was entered.
+  long visits() const { return visits_; }
+
+  /// Sets the phases: `phase_rad` of the shaft, `kick_rad` of the kick's half-sine, negative when there is
+  /// none.
+  void set_phases(double phase_rad, double kick_rad);
+
+  /// What changes while the mode does not: the free vibration, and the phasors e^{i rate t} of unbalance and
+  /// kick.
+  struct Instant {
+    State free;
+    std::complex<double> phasor, kick_phasor;
+  };
+  Instant here() const { return {free_, phasor_, kick_phasor_}; }
+  /// Moves an instant of the present mode, which must have a modal form; the motion stays where it is.
+  void ahead(Instant& instant, double duration_s) const;
+  /// The same by a step of the mode's table.
+  void ahead_by_table(Instant& instant, int k) const;
+  /// The same over one interval, whose flow is kept.
+  void ahead_by_interval(Instant& instant, double interval_s);
+
+  State physical() const { return physical(here()); }
+  State physical(const Instant& instant) const {
+    return forced(*mode_, *cell_, instant) + mode_->from_free(instant.free);
+  }
+  State rate_of(const State& physical) const;
+  /// p'' of flat contact `i`, by the law of the present mode.
+  double closing_acceleration(std::size_t i, const State& physical) const;
+
+  /// What bounds are multiplied by: with a modal form the length of every pair of the free vibration (n
+  /// numbers, then n zeros), else the size of each of its 2n components.
+  State sizes() const;
+  GuardValue guard(std::size_t e) const {
+    const LinearGuard<N>& guard = mode_->guards[e];
+    return whole_guard(guard,
+                       guard.terms.slow_count > 0 ? with_fast(guard, slow_sum(guard)) : fast_sum(guard),
+                       forced_guard(e));
+  }
+
+  // A guard is the sum of three parts: the terms of slow pairs of the free vibration, those of fast pairs,
+  // and the part that unbalance and kick force. Most steps can be certified from some of them, so that they
+  // can be had one by one.
+
+  /// The forced part.
+  struct Forced {
+    GuardValue shaft, kick;
+    bool kicked = false;
+
+    GuardValue with(double value, const ModalSum& free) const {
+      GuardValue guard{value, free.rate(), free.curvature()};
+      add(shaft, guard);
+      if (kicked) add(kick, guard);
+      return guard;
+    }
+
+    static void add(const GuardValue& part, GuardValue& guard) {
+      guard.value += part.value;
+      guard.rate += part.rate;
+      guard.curvature += part.curvature;
+    }
+  };
+  Forced forced_guard(std::size_t e) const;
+  /// The terms of slow pairs alone; those of slow and fast pairs, from the former; those of fast pairs alone.
+  /// The first two are for guards that have slow pairs (`guard.terms.slow_count` > 0); in all others every
+  /// pair counts as fast. Only a mode with a modal form tells slow from fast.
+  ModalSum slow_sum(const LinearGuard<N>& guard) const {
+    return sum_of(guard.terms.slow(), free_.data(), true);
+  }
+  ModalSum with_fast(const LinearGuard<N>& guard, ModalSum slow) const;
+  ModalSum fast_sum(const LinearGuard<N>& guard) const {
+    return sum_of(guard.terms.fast(), free_.data(), mode_->paired);
+  }
+  /// The guard with every fast pair at the top of its envelope instead of at its present value: never below
+  /// the guard itself, and it moves as slowly as the slow pairs do. A step over which this stays negative is
+  /// certified without a look at the fast pairs, however often they oscillate in it.
+  GuardValue slow_guard(const LinearGuard<N>& guard, const ModalSum& slow, const Forced& forced) const;
+  GuardValue whole_guard(const LinearGuard<N>& guard, const ModalSum& all, const Forced& forced) const {
+    return forced.with(guard.constant + all.value(), all);
+  }
+
+  /// What stands for the guard of an open annular stop: (|d|^2 - C^2) / (2 C), with d the offset of the rotor
+  /// and C the clearance. It passes through zero with |d| - C and is smooth in the centre, where |d| is not.
+  GuardValue annular(std::size_t r, const State& sizes) const;
+
+  /// Normal force in newtons of the touching contact `t`, one that pushes, at an instant of the present mode.
+  GuardValue force(std::size_t t, const Instant& instant) const;
+
+  void step_by_table(int k);
+  /// Any duration up to the mode's longest step.
+  void step_by(double duration_s);
+
+  /// Longest duration that `land` reaches over.
+  double reach_s() const { return numerics::longest_series / fastest_rad_per_s(); }
+  /// Moves to where guard `e`, monotone up to there, rises through zero, at most `within_s` <= reach_s()
+  /// ahead. Returns the duration.
+  double land(std::size_t e, double within_s);
+
+  /// Bound on |d slip / dt| / length scale of a touching contact within the mode's longest step from
+  /// `physical`, the present state. Where the touch has a `friction_rate`, what friction adds is not in it.
+  double sliding_rate_bound(const TouchWatch<N>& touch, const State& physical) const;
+
+  void carry_no_tangents() { tangents_.clear(); }
+  /// Carries tangent vectors of the state along from here on.
+  void carry_tangents(const Eigen::MatrixXd& vectors) { tangents_.begin(*mode_, speed_, vectors); }
+  /// Replaces them by where they are now.
+  void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, speed_, vectors); }
+
+  /// Carries one more, given as a change of (u, u').
+  void carry_tangent_too(const State& vector) { tangents_.add(*mode_, vector); }
+  /// Where they are now, as `free()`.
+  std::span<const State> tangents() { return tangents_.now(*mode_); }
+
+  const LinearMode<N>& mode() const { return *mode_; }
+  std::size_t joint() const { return joint_; }
+  MachineModes<N>& machine() const { return *machine_; }
+  const State& free() const { return free_; }
+
+ private:
+  using Complex = std::complex<double>;
+
+  /// Flow of a mode of pairs over some duration.
+  struct Stretch {
+    double duration_s = -1;
+    typename ExactTypes<N>::Pairs pairs;
+    Complex turn, kick_turn;
+  };
+
+  struct ModeResponse {
+    bool made = false, usable = false;
+    HarmonicResponse<N> response;
+  };
+
+  struct ModeCell {
+    ModeResponse shaft;
+    ModeResponse pulse;  ///< made where a kick meets the mode
+    Stretch interval;
+  };
+
+  /// Of what vibrates and what drives it now.
+  double fastest_rad_per_s() const {
+    const double unkicked = std::max(mode_->fastest_rad_per_s, speed_);
+    return kick_on_ ? std::max(unkicked, kick_rate_) : unkicked;
+  }
+  bool prepare(ModeCell& cell) const;
+  bool prepare(ModeResponse& response, const Eigen::VectorXcd& force, double rate_rad_per_s) const;
+  State forced(const LinearMode<N>& mode, const ModeCell& cell, const Instant& instant) const;
+  double sliding_rate_bound_without_contact(const TouchWatch<N>& touch, const State& physical) const;
+  Stretch stretch(double duration_s) const;
+  static void move(Instant& instant, const Stretch& stretch);
+  void turn_phasors(double duration_s);
+  void step_by_series(double duration_s);
+
+  std::shared_ptr<MachineModes<N>> machine_;
+  Eigen::VectorXcd unbalance_, kick_;                      ///< acceleration per s^2 is Re(. e^{i rate t})
+  std::vector<Complex> unbalance_closing_, kick_closing_;  ///< the same along each contact's normal
+  double speed_ = 0, kick_rate_ = 0;
+  std::vector<ModeCell> cells_;
+  const LinearMode<N>* mode_ = nullptr;
+  ModeCell* cell_ = nullptr;
+  std::size_t joint_ = 0;
+  long visits_ = 0;
+  State free_;
+  Complex phasor_{1}, kick_phasor_{1};
+  bool kick_on_ = false;
+  TangentVectors<N> tangents_;
+};
+
+template <int N>
+inline typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
+  if (!mode_->paired) return free_.cwiseAbs();
+  const Eigen::Index n = unbalance_.size();
+  State sizes = State::Zero(2 * n);
+  for (Eigen::Index j = 0; j < n; ++j) sizes(j) = pair_size(free_(j), free_(n + j));
+  return sizes;
+}
+
+template <int N>
+inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_guard(std::size_t e) const {
+  const auto of = [e](const HarmonicResponse<N>& response, Complex phasor) -> GuardValue {
+    const Complex z = product(response.at_guard[e], phasor);
+    return {z.real(), -response.rate * z.imag(), response.curvature[e]};
+  };
+  Forced forced{.shaft = of(cell_->shaft.response, phasor_), .kick = {}, .kicked = kick_on_};
+  if (kick_on_) forced.kick = of(cell_->pulse.response, kick_phasor_);
+  return forced;
+}
+
+template <int N>
+inline ModalSum ExactMotion<N>::with_fast(const LinearGuard<N>& guard, ModalSum slow) const {
+  for (const ModalTerm& pair : guard.terms.fast()) slow += ModalSum(pair, free_.data(), true);
+  return slow;
+}
+
+template <int N>
+inline typename ExactMotion<N>::GuardValue ExactMotion<N>::slow_guard(const LinearGuard<N>& guard,
+                                                                      const ModalSum& slow,
+                                                                      const Forced& forced) const {
+  double value = guard.constant + slow.value();
+  for (const ModalTerm& pair : guard.terms.fast())
+    value += pair.envelope * pair_size(free_(pair.u), free_(pair.v));
+  return forced.with(value, slow);
+}
+
+template <int N>
+inline void ExactMotion<N>::step_by_table(int k) {
+  const auto index = static_cast<std::size_t>(k);
+  if (mode_->paired) {
+    move_pairs(mode_->pair_steps[index], free_);
+  } else {
+    const State next = mode_->steps[index].lazyProduct(free_);
+    free_ = next;
+  }
+  tangents_.pass(mode_->longest_step_s * numerics::exact_step_sizes[index]);
+  phasor_ = product(phasor_, cell_->shaft.response.turned_by(index, mode_->longest_step_s));
+  if (kick_on_)
+    kick_phasor_ = product(kick_phasor_, cell_->pulse.response.turned_by(index, mode_->longest_step_s));
+}
+
+extern template class ExactMotion<2>;
+extern template class ExactMotion<4>;
+extern template class ExactMotion<6>;
+extern template class ExactMotion<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::exact

@@ -1,0 +1,325 @@
+#include "rubsweep/integrate/exact/exact_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "rubsweep/integrate/exact/joint_mode.hpp"
+#include "rubsweep/integrate/exact/step_choice.hpp"
+#include "rubsweep/numerics/step_table.hpp"
+
+namespace rubsweep::integrate::exact {
+namespace {
+
+using contact::Mode;
+
+constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
+constexpr double same_instant = 1e-13;   ///< of a turn: crossings nearer to each other happen at once
+constexpr int longest_standstill = 16;   ///< mode switches without progress before a graze is stepped over
+constexpr double shortest_to_annular =
+    1e-7;  ///< of a turn: steps towards an annular stop before it counts as touched
+/// More steps in a turn than this show bounds that do not fit the motion, as with a friction so strong that
+/// closed forms are small differences of large numbers: the adaptive solver makes such a turn.
+constexpr long most_steps = 100'000;
+constexpr double steps_per_turn_when_watched = 64;
+
+}  // namespace
+
+template <int N>
+ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps)
+    : motion_(scene, modes),
+      speed_(scene.speed_rad_per_s),
+      period_s_(2 * std::numbers::pi / scene.speed_rad_per_s),
+      turns_per_s_(1 / period_s_),
+      length_m_(scene.length_scale_m),
+      impulses_(scene),
+      slip_(scene, modes->friction()),
+      peaks_(*modes, scene.length_scale_m),
+      max_steps_(max_steps) {
+  if (scene.pulse && scene.pulse->force_n != 0) {
+    kick_s_ = scene.pulse->duration_s;
+    kick_elapsed_s_ = scene.pulse->elapsed_s;
+  }
+  const Eigen::Index n = scene.structure.coordinates();
+  turn_start_.resize(2 * n);
+  turn_start_ << scene.displacement_m / length_m_, scene.velocity_m_per_s / length_m_;
+}
+
+template <int N>
+std::vector<double> ExactRun<N>::section() const {
+  std::vector<double> section;
+  put_section(section);
+  return section;
+}
+
+template <int N>
+void ExactRun<N>::put_section(std::vector<double>& section) const {
+  section.assign(turn_start_.data(), turn_start_.data() + turn_start_.size());
+  for (std::size_t i = section.size() / 2; i < section.size(); ++i) section[i] /= speed_;
+}
+
+template <int N>
+void ExactRun<N>::resume(std::span<const double> section) {
+  std::copy(section.begin(), section.end(), turn_start_.data());
+  turn_start_.tail(turn_start_.size() / 2) *= speed_;
+  ++revolution_;
+  goes_on_ = false;
+}
+
+template <int N>
+void ExactRun<N>::restart(std::span<const double> section) {
+  resume(section);
+  revolution_ = 0;
+}
+
+template <int N>
+ExactEnding ExactRun<N>::advance(run::Turn& turn) {
+  if (!begin_turn(turn)) return ExactEnding::beyond;
+  step_limit_ = effort_.steps + std::min(max_steps_, most_steps);
+  ExactEnding ending = ExactEnding::ok;
+  while (ending == ExactEnding::ok && time_s_ < period_s_) {
+    ending = effort_.steps < step_limit_ ? go_on(turn)
+             : max_steps_ > most_steps   ? ExactEnding::beyond
+                                         : ExactEnding::step_limit;
+  }
+  if (ending == ExactEnding::ok) ending = end_turn(turn);
+  turn.effort = effort_;
+  return ending;
+}
+
+template <int N>
+bool ExactRun<N>::begin_turn(run::Turn& turn) {
+  turn.clear_answers();
+  samples_.begin(turn, period_s_, turn_start_.size());
+  time_s_ = 0;
+  standstill_ = 0;
+  motion_.carry_no_tangents();
+  if (!impulses_.none()) impulses_.begin_turn(revolution_);
+  if (!start_motion() || !slip_.begin(motion_, turn_start_)) return false;
+  motion_.carry_tangents(turn.tangent_vectors);
+  peaks_wanted_ = turn.peaks;
+  if (turn.peaks) peaks_.begin(motion_);
+  return impulses_.next_phase_rad() > 0 || strike(turn);
+}
+
+/// Longest landing.
+template <int N>
+double ExactRun<N>::reach_s() const {
+  return force_by_steps() ? peak_reach_s(motion_) : motion_.reach_s();
+}
+
+/// Peaks of a contact force are to be looked for between the ends of short steps.
+template <int N>
+bool ExactRun<N>::force_by_steps() const {
+  return peaks_wanted_ && motion_.mode().pushes && !motion_.mode().paired;
+}
+
+/// Where the motion stands at the end of the last turn only its phase starts again, from exactly zero.
+template <int N>
+bool ExactRun<N>::start_motion() {
+  const bool stands = std::exchange(goes_on_, false), was_kicked = kicked_;
+  set_phases();
+  if (!stands) return enter_by_state(turn_start_);
+  return kicked_ == was_kicked || motion_.enter(motion_.joint(), turn_start_);
+}
+
+template <int N>
+void ExactRun<N>::set_phases() {
+  const double kick_time = kick_elapsed_s_ + static_cast<double>(revolution_) * period_s_;
+  kicked_ = kick_time < kick_s_;
+  motion_.set_phases(0, kicked_ ? std::numbers::pi * kick_time / kick_s_ : -1);
+}
+
+template <int N>
+bool ExactRun<N>::enter_by_state(const State& physical) {
+  if (!motion_.enter(0, physical)) return false;
+  const std::size_t joint =
+      joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));
+  return joint == 0 || motion_.enter(joint, physical);
+}
+
+template <int N>
+ExactEnding ExactRun<N>::end_turn(run::Turn& turn) {
+  const State end = motion_.physical();
+  if (!slip_held(turn, end)) return ExactEnding::beyond;
+  if (!end.allFinite()) return ExactEnding::non_finite;
+  turn_start_ = end;
+  ++revolution_;
+  goes_on_ = true;
+  put_section(turn.section);
+  // A landing may go back by rounding.
+  turn.contact_fraction = std::clamp(turn.contact_fraction, 0.0, 1.0);
+  turn.touching_at_end = motion_.joint() != 0;
+  motion_.put_tangents(turn.tangent_vectors);
+  return ExactEnding::ok;
+}
+
+/// Steps as they follow each other, only one where something is watched, and what ends them.
+template <int N>
+ExactEnding ExactRun<N>::go_on(run::Turn& turn) {
+  samples_.start(motion_, time_s_, turn, speed_);
+  const bool watched = turn.peaks || samples_.wanted();
+  const double boundary = std::min(next_boundary(), samples_.boundary_s(motion_)), reach = reach_s();
+  for (;;) {
+    const double until = boundary - time_s_;
+    StepChoice choice = choose_step(motion_, {.until_s = until,
+                                              .reach_s = reach,
+                                              .shortest_to_annular_s = shortest_to_annular * period_s_,
+                                              .same_instant_s = same_instant * period_s_});
+    ++effort_.steps;
+    if (choice.annular || !renew_slip_watch(turn, choice.step_s)) return ExactEnding::beyond;
+    if (choice.crossing != StepChoice::none && standstill_ < longest_standstill) {
+      land(turn, choice.crossing, choice.step_s);
+      return switch_mode(turn, choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
+    }
+    if (turn.peaks) choice.step_s = shorten_for_peaks(choice.step_s);
+    const double step = std::max(choice.step_s, shortest_step * period_s_);
+    if (!(step < until)) return reach_boundary(turn, boundary);
+    const int k = numerics::exact_step_below(step * motion_.mode().longest_steps_per_s);
+    if (k < numerics::exact_step_count) {
+      motion_.step_by_table(k);
+      passed(turn, motion_.mode().longest_step_s * numerics::exact_step_size(k));
+    } else {
+      motion_.step_by(step);
+      passed(turn, step);
+    }
+    standstill_ = 0;
+    if (!std::isfinite(motion_.free()(0))) return ExactEnding::non_finite;
+    if (watched || effort_.steps >= step_limit_ || !(time_s_ < boundary)) return ExactEnding::ok;
+  }
+}
+
+template <int N>
+double ExactRun<N>::shorten_for_peaks(double step_s) const {
+  if (!samples_.ahead(motion_)) step_s = std::min(step_s, period_s_ / steps_per_turn_when_watched);
+  return force_by_steps() ? std::min(step_s, reach_s()) : step_s;
+}
+
+template <int N>
+ExactEnding ExactRun<N>::reach_boundary(run::Turn& turn, double boundary_s) {
+  const double until = boundary_s - time_s_;
+  motion_.step_by(until);
+  passed(turn, until);
+  time_s_ = boundary_s;
+  if (boundary_s < period_s_ && !pass_boundary(turn)) return ExactEnding::beyond;
+  return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
+}
+
+template <int N>
+double ExactRun<N>::kick_end_s() const {
+  return kick_s_ - kick_elapsed_s_ - static_cast<double>(revolution_) * period_s_;
+}
+
+/// End of the turn or of the kick, or the next impulse, whichever is soonest.
+template <int N>
+double ExactRun<N>::next_boundary() const {
+  const double end = std::min(period_s_, next_impulse_s());
+  return kicked_ ? std::min(end, kick_end_s()) : end;
+}
+
+/// What happens inside a turn at an instant that was steered for: the kick ends, impulses strike.
+template <int N>
+bool ExactRun<N>::pass_boundary(run::Turn& turn) {
+  if (kicked_ && time_s_ >= kick_end_s()) {
+    const State here = motion_.physical();
+    kicked_ = false;
+    motion_.set_phases(speed_ * time_s_, -1);
+    if (!motion_.enter(motion_.joint(), here)) return false;
+    if (turn.peaks) peaks_.begin(motion_);
+  }
+  return time_s_ < next_impulse_s() || strike(turn);
+}
+
+/// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
+template <int N>
+bool ExactRun<N>::strike(run::Turn& turn) {
+  State here = motion_.physical();
+  if (!slip_held(turn, here)) return false;
+  const std::vector<Mode>& from = motion_.mode().modes;
+  while (time_s_ >= next_impulse_s()) here.tail(here.size() / 2) += impulses_.take() / length_m_;
+  if (!enter_by_state(here)) return false;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Mode to = motion_.mode().modes[i];
+    if (to == from[i]) continue;
+    ++effort_.switches;
+    turn.add({speed_ * time_s_, static_cast<int>(i), from[i], to});
+  }
+  if (!slip_.begin(motion_, here)) return false;
+  if (turn.peaks) peaks_.begin(motion_);
+  return true;
+}
+
+template <int N>
+void ExactRun<N>::passed(run::Turn& turn, double duration_s) {
+  time_s_ += duration_s;
+  if (motion_.joint() != 0) {
+    slip_.advance(duration_s);
+    if (slip_.may_reverse()) turn.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
+    turn.contact_fraction += duration_s * turns_per_s_;
+  }
+  if (turn.peaks || samples_.wanted()) watch(turn, duration_s);
+}
+
+template <int N>
+void ExactRun<N>::watch(run::Turn& turn, double duration_s) {
+  const double rest_s = samples_.end(motion_, time_s_, turn, speed_, [&](const State& here, double passed_s) {
+    if (turn.peaks) peaks_.pass(here, passed_s, turn);
+  });
+  if (turn.peaks) peaks_.step(motion_, duration_s, rest_s, turn);
+}
+
+template <int N>
+void ExactRun<N>::land(run::Turn& turn, std::size_t e, double latest_s) {
+  const double duration_s = motion_.land(e, latest_s);
+  passed(turn, duration_s);
+  standstill_ = duration_s > shortest_step * period_s_ ? 0 : standstill_ + 1;
+}
+
+template <int N>
+bool ExactRun<N>::switch_mode(run::Turn& turn, std::size_t e) {
+  const auto& mode = motion_.mode();
+  const auto& contacts = motion_.machine().system().contacts;
+  const State here = motion_.physical();
+  if (!slip_held(turn, here)) return false;
+  std::size_t joint = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& c = contacts[i];
+    const Mode from = mode.modes[i];
+    Mode to = from;
+    if (contact::linear(c.wall)) {
+      const auto kinematics = kinematics_of(c, here, motion_.closing_acceleration(i, here));
+      if (mode.guards[e].contact == i) to = contact::mode_through(from, mode.guards[e].next, kinematics);
+      to = contact::mode_after(to, c.stiffness, c.damping, kinematics);
+    }
+    joint += in_joint_mode(to, i);
+    if (to == from) continue;
+    ++effort_.switches;
+    turn.add({speed_ * time_s_, static_cast<int>(i), from, to});
+  }
+  if (!motion_.enter(joint, here) || !slip_.begin(motion_, here)) return false;
+  if (turn.peaks) peaks_.begin(motion_);
+  return true;
+}
+
+template <int N>
+bool ExactRun<N>::slip_held(run::Turn& turn, const State& here) {
+  if (motion_.joint() == 0) return true;
+  turn.touched = true;
+  return slip_.held(motion_, here, turn.slip_reversed);
+}
+
+/// The bounds of the watch hold over one longest step.
+template <int N>
+bool ExactRun<N>::renew_slip_watch(run::Turn& turn, double step_s) {
+  if (motion_.joint() == 0 || slip_.duration_s() + step_s <= motion_.mode().longest_step_s) return true;
+  const State here = motion_.physical();
+  return slip_held(turn, here) && slip_.begin(motion_, here);
+}
+
+template class ExactRun<2>;
+template class ExactRun<4>;
+template class ExactRun<6>;
+template class ExactRun<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::exact

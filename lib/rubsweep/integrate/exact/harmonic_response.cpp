@@ -1,0 +1,88 @@
+#include "rubsweep/integrate/exact/harmonic_response.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "rubsweep/numerics/exponential_series.hpp"
+
+namespace rubsweep::integrate::exact {
+namespace {
+
+/// A forced amplitude beyond this many clearances comes from a resonance that nothing damps: the cancellation
+/// against the free part would cost digits.
+constexpr double largest_amplitude = 1e4;
+
+using Complex = std::complex<double>;
+
+/// Length of (Re(a e^{it}), Re(b e^{it})) at its largest.
+double longest(const Complex& a, const Complex& b) {
+  const Complex i(0, 1);
+  return (std::abs(a + i * b) + std::abs(a - i * b)) / 2;
+}
+
+template <class Row>
+Complex row_on(const Row& row, const Eigen::VectorXcd& amplitude, double rate) {
+  const Eigen::Index n = amplitude.size();
+  Complex sum = 0;
+  for (Eigen::Index j = 0; j < n; ++j) sum += product({row(j), rate * row(n + j)}, amplitude(j));
+  return sum;
+}
+
+/// Re(amplitude e^{i rate t} phasor) by the parts of the phasor.
+numerics::SeriesTable<2> taylor_of(Complex amplitude, double rate) {
+  numerics::SeriesTable<2> terms = numerics::SeriesTable<2>::Zero();
+  for (std::size_t k = 0; k < numerics::most_series_terms; ++k) {
+    terms.row(static_cast<Eigen::Index>(k)) << amplitude.real(), -amplitude.imag();
+    const double by_i = rate * numerics::reciprocals[k + 1];
+    amplitude = {-by_i * amplitude.imag(), by_i * amplitude.real()};
+  }
+  return terms;
+}
+
+}  // namespace
+
+template <int N>
+bool make_harmonic_response(const LinearMode<N>& mode, const Eigen::VectorXcd& force, double rate,
+                            HarmonicResponse<N>& response) {
+  using ComplexVector = Eigen::Matrix<Complex, N, 1>;
+  const Eigen::Index n = force.size();
+  response.rate = rate;
+  response.amplitude = ComplexVector::Zero(n);
+  if (!force.isZero(0)) {
+    Eigen::Matrix<Complex, N, N> dynamic = mode.stiffness.template cast<Complex>();
+    dynamic.diagonal().array() -= rate * rate;
+    dynamic += Complex(0, rate) * mode.damping.template cast<Complex>();
+    response.amplitude = dynamic.partialPivLu().solve(ComplexVector(force));
+    if (!response.amplitude.allFinite() || response.amplitude.cwiseAbs().maxCoeff() > largest_amplitude)
+      return false;
+  }
+  for (const auto& guard : mode.guards) {
+    response.at_guard.push_back(row_on(guard.physical, response.amplitude, rate));
+    response.curvature.push_back(std::abs(response.at_guard.back()) * rate * rate);
+    response.taylor.push_back(taylor_of(response.at_guard.back(), rate / mode.fastest_rad_per_s));
+  }
+  for (const auto& guard : mode.annular_guards) {
+    response.at_annular_guard.push_back({row_on(guard.physical[0], response.amplitude, rate),
+                                         row_on(guard.physical[1], response.amplitude, rate)});
+    response.annular_length.push_back(
+        longest(response.at_annular_guard.back()[0], response.at_annular_guard.back()[1]));
+  }
+  for (const auto& touch : mode.touches) {
+    response.at_force.push_back(row_on(touch.force, response.amplitude, rate));
+    response.force_curvature.push_back(std::abs(response.at_force.back()) * rate * rate);
+    response.sliding.push_back(std::abs(row_on(touch.sliding, response.amplitude, rate)) * rate);
+  }
+  return true;
+}
+
+template bool make_harmonic_response<2>(const LinearMode<2>&, const Eigen::VectorXcd&, double,
+                                        HarmonicResponse<2>&);
+template bool make_harmonic_response<4>(const LinearMode<4>&, const Eigen::VectorXcd&, double,
+                                        HarmonicResponse<4>&);
+template bool make_harmonic_response<6>(const LinearMode<6>&, const Eigen::VectorXcd&, double,
+                                        HarmonicResponse<6>&);
+template bool make_harmonic_response<Eigen::Dynamic>(const LinearMode<Eigen::Dynamic>&,
+                                                     const Eigen::VectorXcd&, double,
+                                                     HarmonicResponse<Eigen::Dynamic>&);
+
+}  // namespace rubsweep::integrate::exact

@@ -1,0 +1,85 @@
+#include "rubsweep/integrate/exact/machine_modes.hpp"
+
+#include <Eigen/Cholesky>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::integrate::exact {
+namespace {
+
+bool same(const scene::Contact& a, const scene::Contact& b) {
+  const auto friction_a = contact::saturated_friction(a.friction),
+             friction_b = contact::saturated_friction(b.friction);
+  return a.rotor_point == b.rotor_point && a.casing_point == b.casing_point &&
+         contact::same(a.wall, b.wall) && a.clearance_m == b.clearance_m &&
+         a.stiffness_n_per_m == b.stiffness_n_per_m && a.damping_ns_per_m == b.damping_ns_per_m &&
+         friction_a.has_value() == friction_b.has_value() &&
+         (!friction_a || (friction_a->coefficient == friction_b->coefficient &&
+                          friction_a->above_m_per_s == friction_b->above_m_per_s));
+}
+
+bool same(const structure::LinearSystem& a, const structure::LinearSystem& b) {
+  if (a.coordinates() != b.coordinates() || a.points.size() != b.points.size()) return false;
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    if (a.points[i].map != b.points[i].map) return false;
+  }
+  return a.mass == b.mass && a.damping == b.damping && a.stiffness == b.stiffness;
+}
+
+scene::Scene in_seconds(scene::Scene scene) {
+  scene.speed_rad_per_s = 1;
+  return scene;
+}
+
+}  // namespace
+
+template <int N>
+MachineModes<N>::MachineModes(const scene::Scene& scene)
+    : scene_(in_seconds(scene)), system_(run::scale<Eigen::Dynamic>(scene_)) {
+  const Eigen::Index n = system_.coordinates();
+  if (N != Eigen::Dynamic && n != N) throw SolverError("MachineModes: wrong coordinate count");
+  if (n > most_exact_coordinates) throw SolverError("MachineModes: too many coordinates");
+  if (scene.contacts.size() > most_exact_contacts) throw SolverError("MachineModes: too many contacts");
+  inverse_mass_ = scene.structure.mass.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+  for (const scene::Contact& c : scene.contacts) {
+    // Without a limit the contact is only ever planned as open.
+    friction_.push_back(contact::saturated_friction(c.friction).value_or(contact::SaturatedFriction{}));
+  }
+  modes_.resize(std::size_t{1} << (2 * scene.contacts.size()));
+  made_.resize(modes_.size());
+}
+
+template <int N>
+bool MachineModes<N>::fits(const scene::Scene& scene) const {
+  if (scene.contacts.size() != scene_.contacts.size() || scene.length_scale_m != scene_.length_scale_m)
+    return false;
+  for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+    if (!same(scene.contacts[i], scene_.contacts[i])) return false;
+  }
+  return same(scene.structure, scene_.structure) && scene.constant_n == scene_.constant_n;
+}
+
+template <int N>
+const LinearMode<N>* MachineModes<N>::mode(std::size_t joint) {
+  if (!made_[joint]) {
+    std::vector<contact::Mode> modes;
+    for (std::size_t i = 0, rest = joint; i < scene_.contacts.size(); ++i, rest /= contact::mode_count)
+      modes.push_back(static_cast<contact::Mode>(rest % contact::mode_count));
+    modes_[joint] = make_linear_mode<N>(system_, friction_, std::move(modes));
+    if (modes_[joint]) modes_[joint]->index = count_++;
+    made_[joint] = true;
+  }
+  return modes_[joint].get();
+}
+
+bool exact_applies(const scene::Scene& scene) {
+  return scene.contacts.size() <= most_exact_contacts &&
+         scene.structure.coordinates() <= most_exact_coordinates;
+}
+
+template class MachineModes<2>;
+template class MachineModes<4>;
+template class MachineModes<6>;
+template class MachineModes<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::exact

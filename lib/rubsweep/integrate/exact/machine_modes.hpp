@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "rubsweep/integrate/exact/linear_mode.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// Everything about a structure and its stops that no speed, unbalance or kick changes: the exact flows of
+/// its contact modes, with friction saturated. Modes are made when first met; one thread uses them at a
+/// time.
+template <int N>
+class MachineModes {
+ public:
+  explicit MachineModes(const scene::Scene& scene);
+
+  /// Whether these were made for the same structure, stops and constant forces.
+  bool fits(const scene::Scene& scene) const;
+
+  /// Linear mode of a joint contact mode, numbered mode of contact i times 4^i. Null where the mode has no
+  /// equilibrium, as in a structure without springs.
+  const LinearMode<N>* mode(std::size_t joint);
+
+  /// Scaled with time in seconds.
+  const run::ScaledSystem<Eigen::Dynamic>& system() const { return system_; }
+  const Eigen::MatrixXd& inverse_mass() const { return inverse_mass_; }
+  const std::vector<contact::SaturatedFriction>& friction() const { return friction_; }
+
+ private:
+  scene::Scene scene_;
+  run::ScaledSystem<Eigen::Dynamic> system_;
+  Eigen::MatrixXd inverse_mass_;
+  std::vector<contact::SaturatedFriction> friction_;
+  std::vector<std::unique_ptr<LinearMode<N>>> modes_;
+  std::vector<bool> made_;
+  std::size_t count_ = 0;
+};
+
+/// Stops whose joint contact modes can be numbered.
+inline constexpr std::size_t most_exact_contacts = 6;
+
+/// Whether some turn of the scene may have a closed form: not more stops than joint modes are numbered for,
+/// nor more coordinates than it holds (all that a configuration can ask for).
+bool exact_applies(const scene::Scene& scene);
+
+extern template class MachineModes<2>;
+extern template class MachineModes<4>;
+extern template class MachineModes<6>;
+extern template class MachineModes<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::exact

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rubsweep/integrate/exact/exact_motion.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/numerics/certified_step.hpp"
+#include "rubsweep/numerics/cubic_maximum.hpp"
+#include "rubsweep/numerics/step_table.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// Between states no farther apart than this a cubic through values and rates has the maximum of a contact
+/// force. Its error is at most h^4 / 384 times the largest fourth derivative, which for a vibration of
+/// amplitude F at the angular frequency w is F w^4. No rate w of the motion is faster than 1 / reach_s(), so
+/// that h = reach_s() / 4 makes the error (1 / 4)^4 / 384 = 1e-5 of the amplitude.
+template <int N>
+double peak_reach_s(const ExactMotion<N>& motion) {
+  return 0.25 * motion.reach_s();
+}
+
+/// Largest displacement and contact force of an exact run: of the displacement from values and rates at the
+/// ends of its steps, of a force by certified steps towards the instants where it may exceed what is known.
+template <int N>
+class PeakWatch {
+ public:
+  using State = typename ExactTypes<N>::State;
+
+  explicit PeakWatch(const MachineModes<N>& modes, double length_m)
+      : observed_(modes.system().observed), length_m_(length_m) {}
+
+  /// From here on, in the motion's present mode.
+  void begin(const ExactMotion<N>& motion) {
+    now_ = square_of_displacement(motion.physical());
+    start_ = motion.here();
+  }
+
+  /// A step of `duration_s` in one mode ends here, `since_look_s` after the last state that was passed or the
+  /// step's start.
+  void step(const ExactMotion<N>& motion, double duration_s, double since_look_s, run::Turn& turn) {
+    pass(motion.physical(), since_look_s, turn);
+    const auto here = motion.here();
+    for (std::size_t t = 0; t < motion.mode().touches.size(); ++t) {
+      if (motion.mode().touches[t].pushes)
+        raise_force(motion, t, here, duration_s, turn.peak_contact_force_n);
+    }
+    start_ = here;
+  }
+
+  /// The same at a state between the ends of steps, for the displacement alone.
+  void pass(const State& here, double duration_s, run::Turn& turn) {
+    const ValueAndRate last = std::exchange(now_, square_of_displacement(here));
+    const double known = turn.peak_displacement_m / length_m_;
+    if (ceiling(last, now_, duration_s) <= known * known) return;
+    const double square = std::max(0.0, largest(last, now_, duration_s));
+    turn.peak_displacement_m = std::max(turn.peak_displacement_m, length_m_ * std::sqrt(square));
+  }
+
+ private:
+  using Instant = typename ExactMotion<N>::Instant;
+  struct ValueAndRate {
+    double value = 0, rate = 0;
+  };
+
+  template <class Value>
+  static double largest(const Value& a, const Value& b, double duration_s) {
+    return numerics::cubic_maximum(a.value, duration_s * a.rate, b.value, duration_s * b.rate);
+  }
+
+  /// No cubic through values and rates of both ends rises higher: the largest weight of a rate is 4 / 27.
+  static double ceiling(const ValueAndRate& a, const ValueAndRate& b, double duration_s) {
+    return std::max(a.value, b.value) + 0.1482 * duration_s * (std::abs(a.rate) + std::abs(b.rate));
+  }
+
+  ValueAndRate square_of_displacement(const State& here) const {
+    const Eigen::Index n = here.size() / 2;
+    const Eigen::Vector2d z = observed_ * here.template head<N>(n),
+                          v = observed_ * here.template segment<N>(n, n);
+    return {z.squaredNorm(), 2 * z.dot(v)};
+  }
+
+  /// From the step's start to its end `here`. Where the force may exceed what is known the steps are so short
+  /// that a cubic through values and rates of both ends has its maximum; in a mode without pairs the run's
+  /// own steps are.
+  void raise_force(const ExactMotion<N>& motion, std::size_t t, const Instant& here, double left_s,
+                   double& known_n) const {
+    const double reach_s = peak_reach_s(motion);
+    Instant at = start_;
+    auto from = motion.force(t, at);
+    known_n = std::max(known_n, from.value);
+    while (motion.mode().paired && left_s > reach_s) {
+      const double safe_s = numerics::safe_step(from.value - known_n, from.rate, from.curvature);
+      if (safe_s >= left_s) return;
+      const int k = numerics::exact_step_below(std::max(safe_s, reach_s) * motion.mode().longest_steps_per_s);
+      if (k == numerics::exact_step_count) break;
+      const double size_s = motion.mode().longest_step_s * numerics::exact_step_size(k);
+      motion.ahead_by_table(at, k);
+      const auto to = motion.force(t, at);
+      known_n = std::max(known_n, size_s > reach_s ? to.value : largest(from, to, size_s));
+      left_s -= size_s;
+      from = to;
+    }
+    known_n = std::max(known_n, largest(from, motion.force(t, here), left_s));
+  }
+
+  Eigen::Matrix<double, 2, N> observed_;
+  double length_m_;
+  ValueAndRate now_;  ///< square of the observed displacement
+  Instant start_;     ///< of the step
+};
+
+}  // namespace rubsweep::integrate::exact

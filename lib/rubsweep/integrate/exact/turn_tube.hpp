@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rubsweep::integrate::exact {
+
+/// What holds for all motions that start a turn near one motion, its reference: x(0) = reference + W y with
+/// |y| <= radius (Euclidean). For every radius it is asked for, the tube answers whether all of them go
+/// through the same changes of contact mode in the same order, and by how much their ends can differ from the
+/// linear map about the reference. Up to rounding. `turn_tube` fills it in.
+///
+/// Lemma. Inside a mode the law is linear, and at a change of mode it goes on without a jump: the two right
+/// hand sides differ by b g, g the guard that rises through zero there. So a motion near the reference
+/// differs from what the linear flow makes of its disturbance by b g integrated over the time in which one of
+/// the two is still in the old mode and the other in the new. With |g| <= D at the reference's own crossing
+/// and a rate of at least s / 2 all around it, that time is below 2 D / s and the integral below D^2 / s.
+/// `holds` asks for what makes this true: in a window of 4 D / s about each crossing the guard rises for the
+/// whole tube (its rate s, less what the tube's width, the bound of its second derivative and the jump of the
+/// law can take, stays above s / 2); no other guard of either mode comes to zero in the window, and no
+/// friction leaves its saturation; outside the windows every armed guard and every slip stays away from its
+/// limit by more than the tube's width there; windows neither overlap nor reach the ends of the turn.
+struct TurnTube {
+  /// How far something linear in the state can be from its value on the reference: `width` per unit of
+  /// radius, and two numbers for each change of mode before: per unit of the kick that it gave the
+  /// disturbance, and per unit of that kick and second of its window.
+  struct Spread {
+    double width = 0;
+    std::vector<double> kicks{};
+  };
+
+  /// A quantity that must keep `margin` > 0 from its limit.
+  struct Margin {
+    double margin = 0;
+    Spread spread;
+  };
+
+  /// A guard, or what is left of a slip, that must not come to zero in the window of a change of mode.
+  struct Other {
+    double value = 0;  ///< < 0 at the change
+    double rate = 0, curvature = 0;
+    Spread spread, rate_spread, curvature_spread;
+    double own_kick = 0;  ///< what a unit of the change's own kick does to it
+  };
+
+  struct Switch {
+    double time_s = 0;
+    double rate = 0, curvature = 0;
+    double lowest_rate = 0;  ///< over the landing step
+    Spread spread, rate_spread, curvature_spread;
+    double own_kick = 0;
+    double longest_window_s = 0;  ///< for which the bounds hold
+    std::vector<Other> others;
+    std::size_t margins_before = 0;  ///< how many of `margins` lie before it
+  };
+
+  /// A kick at the end of the turn: |end_norm b|, and the same of the rate of b.
+  struct Kick {
+    double at_end = 0, rate_at_end = 0;
+  };
+
+  double period_s = 0;
+  std::vector<Margin> margins;  ///< in the order of time
+  std::vector<Switch> switches;
+  std::vector<Kick> kicks;  ///< of each switch
+  double contraction = 0;   ///< largest |end_norm DF W y| for |y| = 1
+
+  /// Whether the tube of this radius holds. Then for every |y| <= r <= radius
+  ///   |end_norm (F(reference + W y) - F(reference) - DF W y)| <= deviation(radius) (r / radius)^2.
+  /// What holds for a radius holds for every smaller one.
+  bool holds(double radius) const;
+
+  /// Bound of the deviation at the end of the turn; infinite for a radius that does not hold.
+  double deviation(double radius) const;
+
+ private:
+  /// About one change of mode, for a radius.
+  struct Window {
+    double distance = 0, window_s = 0, kick = 0;
+  };
+  std::optional<std::vector<Window>> windows(double radius) const;
+  static std::optional<Window> window_of(const Switch& change, double radius, std::span<const Window> before);
+  static double width(const Spread& spread, double radius, std::span<const Window> before);
+};
+
+}  // namespace rubsweep::integrate::exact

@@ -1,0 +1,57 @@
+#include "rubsweep/integrate/run/impulses.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rubsweep::integrate::run {
+
+namespace {
+
+constexpr double full_turn = 2 * std::numbers::pi;
+const double last_phase = std::nextafter(full_turn, 0.0);
+
+}  // namespace
+
+/// Number of the first impulse not before the start of a revolution: no rounding can make one fall between
+/// two revolutions, or into both.
+Impulses::Place Impulses::place(const Train& train, long revolution) {
+  const double periods = static_cast<double>(revolution) * train.multiple, whole = std::floor(periods);
+  const double rest = periods - whole;
+  return {whole, rest, train.phase_periods >= rest ? whole : whole + 1};
+}
+
+Impulses::Impulses(const scene::Scene& scene) : elapsed_revolutions_(scene.elapsed_revolutions) {
+  if (scene.impulses.empty()) return;
+  const Eigen::LDLT<Eigen::MatrixXd> mass(scene.structure.mass);
+  std::size_t most = 0;
+  for (const auto& train : scene.impulses) {
+    trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});
+    most += static_cast<std::size_t>(std::ceil(train.multiple)) + 1;
+  }
+  strikes_.reserve(most);
+}
+
+void Impulses::begin_turn(long revolution) {
+  strikes_.clear();
+  next_ = 0;
+  for (std::size_t i = 0; i < trains_.size(); ++i) {
+    const Train& train = trains_[i];
+    const Place begin = place(train, elapsed_revolutions_ + revolution),
+                end = place(train, elapsed_revolutions_ + revolution + 1);
+    for (double k = begin.next; k < end.next; ++k) {
+      const double periods = k - begin.whole + train.phase_periods - begin.rest;
+      strikes_.push_back({std::clamp(full_turn * (periods / train.multiple), 0.0, last_phase), i});
+    }
+  }
+  if (trains_.size() > 1)
+    std::ranges::sort(strikes_, [](const Strike& a, const Strike& b) { return a.phase_rad < b.phase_rad; });
+}
+
+bool same_every_turn(const std::vector<structure::ImpulseTrain>& impulses) {
+  return std::ranges::all_of(impulses,
+                             [](const auto& train) { return train.multiple == std::floor(train.multiple); });
+}
+
+}  // namespace rubsweep::integrate::run

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::integrate::run {
+
+/// The impulses of a scene, turn by turn. Instants repeat to the last bit where a whole number of impulses
+/// fits into a turn.
+class Impulses {
+ public:
+  explicit Impulses(const scene::Scene& scene);
+
+  bool none() const { return trains_.empty(); }
+
+  /// Lists the instants of a revolution of the run. One at phase 0 belongs to the revolution that begins.
+  void begin_turn(long revolution);
+
+  /// Phase of the next impulse, in [0, 2 pi); infinity when this revolution has no more.
+  double next_phase_rad() const {
+    return next_ < strikes_.size() ? strikes_[next_].phase_rad : std::numeric_limits<double>::infinity();
+  }
+
+  /// What the next impulse adds to the velocities q', in m/s; goes on to the one after it.
+  const Eigen::VectorXd& take() { return trains_[strikes_[next_++].train].jump_m_per_s; }
+
+ private:
+  struct Train {
+    Eigen::VectorXd jump_m_per_s;  ///< mass^-1 impulse
+    double multiple = 0, phase_periods = 0;
+  };
+  /// Where a train stands at the start of a revolution, in periods, and its next impulse there.
+  struct Place {
+    double whole = 0, rest = 0, next = 0;
+  };
+  struct Strike {
+    double phase_rad = 0;
+    std::size_t train = 0;
+  };
+
+  static Place place(const Train& train, long revolution);
+
+  std::vector<Train> trains_;
+  long elapsed_revolutions_ = 0;
+  std::vector<Strike> strikes_;  ///< of this revolution, ascending; never grows after the first
+  std::size_t next_ = 0;
+};
+
+/// True when every revolution gets its impulses at the same phases.
+bool same_every_turn(const std::vector<structure::ImpulseTrain>& impulses);
+
+}  // namespace rubsweep::integrate::run

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+namespace rubsweep::integrate::run {
+
+/// How a stretch of integration ended. A cell that cannot be integrated is a result like any other, so that
+/// this is a value and not an exception.
+enum class Outcome {
+  ok,
+  step_limit,      ///< more steps in one revolution than allowed
+  step_too_small,  ///< the step control asked for a step below rounding of the phase
+  non_finite,      ///< the state left the finite numbers
+};
+
+constexpr std::string_view to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::ok:
+      return "ok";
+    case Outcome::step_limit:
+      return "step_limit";
+    case Outcome::step_too_small:
+      return "step_too_small";
+    case Outcome::non_finite:
+      return "non_finite";
+  }
+  return "";
+}
+
+}  // namespace rubsweep::integrate::run

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "rubsweep/contact/wall.hpp"
+#include "rubsweep/model/friction.hpp"
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::integrate::run {
+
+/// One contact in scaled units. Forces stay in newtons, so that peaks and `push` need no second scale.
+/// Vectors at the contact are written in two fixed directions: normal and tangent of a flat wall, x and y in
+/// an annular stop.
+template <int N>
+struct ScaledContact {
+  /// d = (first_row u + offset[0], second_row u + offset[1])
+  Eigen::Matrix<double, 1, N> first_row, second_row;
+  Eigen::Matrix<double, N, 1> first_push, second_push;  ///< scaled acceleration per newton on the casing
+  contact::Wall wall;              ///< its shape; displacements are measured from `offset`
+  std::array<double, 2> offset{};  ///< of the wall, in the two directions
+  double clearance = 0;
+  double stiffness = 0;  ///< N per scaled penetration
+  double damping = 0;    ///< N per scaled closing speed
+  model::Friction friction;
+  double slip_scale_m_per_s = 0;  ///< slip = slip_scale * (d' . tangent) + surface speed
+  double surface_speed_m_per_s = 0;
+
+  /// Scaled relative acceleration of rotor and casing along the first direction per newton between them.
+  double mobility() const { return -first_row.dot(first_push.transpose()); }
+};
+
+/// A scene in the units that make every tolerance a pure number: length in L = scene.length_scale_m, time in
+/// radians of shaft rotation. With the mass matrix already divided out, its equations of motion are
+///
+///     u'' = -stiffness u - damping u' + cosine cos(phase) + sine sin(phase) + constant + pulse + contacts.
+///
+/// N coordinates, or Eigen::Dynamic.
+template <int N>
+struct ScaledSystem {
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using Matrix = Eigen::Matrix<double, N, N>;
+
+  bool diagonal = false;  ///< stiffness and damping are diagonal: the diagonals below suffice
+  Vector stiffness_diagonal, damping_diagonal;
+  Matrix stiffness, damping;
+  Vector cosine, sine, constant;
+  Vector pulse;                          ///< acceleration at the top of the half-sine
+  double pulse_rate = 0;                 ///< phase of the half-sine per radian of rotation
+  double pulse_end_rad = 0;              ///< rotation over which it lasts; 0: no pulse
+  double pulse_elapsed_rad = 0;          ///< rotation since its start at phase 0 of revolution 0
+  Eigen::Matrix<double, 2, N> observed;  ///< (x, y) of the observed point in units of L
+  std::vector<ScaledContact<N>> contacts;
+  double length_m = 0;
+  double speed_rad_per_s = 0;
+
+  Eigen::Index coordinates() const { return stiffness_diagonal.size(); }
+};
+
+/// Divides out mass and units. Throws SolverError when the scene's coordinates are not N.
+template <int N>
+ScaledSystem<N> scale(const scene::Scene& scene);
+
+/// Initial state of the scene, scaled: u then u', 2n numbers.
+std::vector<double> scaled_initial_state(const scene::Scene& scene);
+
+extern template ScaledSystem<2> scale<2>(const scene::Scene&);
+extern template ScaledSystem<4> scale<4>(const scene::Scene&);
+extern template ScaledSystem<6> scale<6>(const scene::Scene&);
+extern template ScaledSystem<Eigen::Dynamic> scale<Eigen::Dynamic>(const scene::Scene&);
+
+}  // namespace rubsweep::integrate::run

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <span>
+
+namespace rubsweep::numerics {
+
+/// Size |A| t of a step up to which the series of e^{A t} is used.
+inline constexpr double longest_series = 1;
+
+/// Size of a step up to which the series, of 12 terms then, costs no more than two steps by the table of
+/// flows.
+inline constexpr double short_series = 0.14;
+
+/// Highest term of the series of e^x, |x| = `size` <= longest_series, that double rounding does not hide:
+/// size^(n + 1) / (n + 1)! < 2e-17.
+inline int series_terms(double size) {
+  if (size > 0.74) return 18;
+  if (size > 0.49) return 16;
+  if (size > 0.29) return 14;
+  if (size > 0.14) return 12;
+  if (size > 0.057) return 10;
+  if (size > 0.013) return 8;
+  if (size > 1.1e-3) return 6;
+  return size > 1.4e-4 ? 4 : 3;
+}
+
+inline constexpr std::size_t most_series_terms = 19;  ///< the one of order zero counted
+
+/// Rows of a column of Taylor coefficients: two are taken at a time, zeros after the last.
+inline constexpr std::size_t series_rows = 20;
+template <int columns>
+using SeriesTable = Eigen::Matrix<double, static_cast<int>(series_rows), columns>;
+
+/// 1 / k.
+inline constexpr auto reciprocals = [] {
+  std::array<double, most_series_terms + 1> values{};
+  for (std::size_t k = 1; k < values.size(); ++k) values[k] = 1.0 / static_cast<double>(k);
+  return values;
+}();
+
+/// A column of a SeriesTable, to be multiplied by a factor.
+struct SeriesColumn {
+  const double* terms;
+  double factor;
+};
+
+/// terms[k] += factor column[k], one column after the other, for an even number of terms.
+template <class... Column>
+inline void add_terms(std::span<double> terms, const Column&... columns) {
+  using Two = Eigen::Array2d;
+  assert(terms.size() % 2 == 0);
+  for (std::size_t k = 0; k < terms.size(); k += 2) {
+    Two sum = Eigen::Map<const Two>(terms.data() + k);
+    ((sum += columns.factor * Eigen::Map<const Two>(columns.terms + k)), ...);
+    Eigen::Map<Two>(terms.data() + k) = sum;
+  }
+}
+
+/// terms[k] *= size^k
+inline void scale_terms(double size, std::span<double> terms) {
+  double power = 1;
+  for (double& term : terms) {
+    term *= power;
+    power *= size;
+  }
+}
+
+}  // namespace rubsweep::numerics

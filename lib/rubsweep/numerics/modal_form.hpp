@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/numerics/pair_flow.hpp"
+
+namespace rubsweep::numerics {
+
+/// w' = A w as n pairs that do not see each other: w = basis z, and (z_j, z_{n+j})' = pairs[j] (z_j,
+/// z_{n+j}).
+struct ModalForm {
+  Eigen::MatrixXd basis, inverse;  ///< 2n x 2n
+  std::vector<Pair> pairs;         ///< n generators
+  /// Largest growth rate. The length of a pair (z_j, z_{n+j}) grows by at most e^{growth t}.
+  double growth = 0;
+};
+
+/// Modal form of u'' = -stiffness u - damping u' with w = (u, u'). Diagonal matrices with positive stiffness
+/// keep their coordinates as u and u' / sqrt(stiffness), whose length is an energy and never grows without
+/// negative damping, critical damping included. Otherwise the eigenvectors, computed in long double; empty
+/// where they are so close to dependent (componentwise condition above 1e4) that the change of basis would
+/// cost digits.
+std::optional<ModalForm> modal_form(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping);
+
+/// Rate of row . z, again as a row on z.
+Eigen::RowVectorXd rate_of_row(const ModalForm& form, const Eigen::RowVectorXd& row);
+
+/// Bound of |row . z(t)| over 0 <= t <= `horizon_s` per size (length) of each pair, in the first half of 2n
+/// numbers; the second half is zero.
+Eigen::RowVectorXd bound_of_row(const ModalForm& form, const Eigen::RowVectorXd& row, double horizon_s);
+
+}  // namespace rubsweep::numerics

@@ -1,0 +1,91 @@
+#include "rubsweep/report/experiment_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "rubsweep/batch/csv_table.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+using batch::csv_number;
+
+std::string sensors_csv(const identify::LinearRun& run, const Eigen::MatrixXd& signal_m) {
+  std::string text = "t_s,speed_hz,shaft_angle_rad";
+  for (Eigen::Index i = 0; i < signal_m.cols(); ++i) text += fmt::format(",sensor_{}_m", i);
+  text += '\n';
+  for (Eigen::Index k = 0; k < signal_m.rows(); ++k) {
+    const double t = static_cast<double>(k) * run.sample_s;
+    text += csv_number(t);
+    for (const double value : {identify::shaft_speed_hz(run, t), identify::shaft_angle_rad(run, t)}) {
+      text.append(",").append(csv_number(value));
+    }
+    for (Eigen::Index i = 0; i < signal_m.cols(); ++i) text.append(",").append(csv_number(signal_m(k, i)));
+    text += '\n';
+  }
+  return text;
+}
+
+std::string bode_csv(const std::vector<std::vector<identify::BodePoint>>& plots) {
+  std::string text = "speed_hz";
+  for (std::size_t i = 0; i < plots.size(); ++i)
+    text += fmt::format(",sensor_{0}_amplitude_m,sensor_{0}_phase_deg", i);
+  text += '\n';
+  for (std::size_t k = 0; k < plots.front().size(); ++k) {
+    text += csv_number(plots.front()[k].speed_hz);
+    for (const auto& plot : plots) {
+      text.append(",").append(csv_number(plot[k].amplitude_m));
+      text.append(",").append(csv_number(plot[k].phase_deg));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+void add(std::string& identification, const char* quantity, std::size_t sensor, double value) {
+  identification += fmt::format("{},{},{}\n", quantity, sensor, csv_number(value));
+}
+
+ExperimentTables begun(const identify::LinearRun& run, const Eigen::MatrixXd& signal_m) {
+  return {.sensors_csv = sensors_csv(run, signal_m),
+          .bode_csv = {},
+          .identification_csv = "quantity,sensor,value\n",
+          .summary = {}};
+}
+
+}  // namespace
+
+ExperimentTables tables_of(const identify::FreeResponse& response) {
+  ExperimentTables tables = begun(response.run, response.signal_m);
+  for (std::size_t i = 0; i < response.decay.size(); ++i) {
+    const double angle_deg = response.angle_deg[i];
+    if (!response.decay[i]) {
+      tables.summary += fmt::format("sensor {} ({} deg)  does not see the kick\n", i, angle_deg);
+      continue;
+    }
+    const identify::FreeDecay& fit = *response.decay[i];
+    add(tables.identification_csv, "natural_frequency_hz", i, fit.natural_frequency_hz);
+    add(tables.identification_csv, "damping_ratio", i, fit.damping_ratio);
+    add(tables.identification_csv, "misfit", i, fit.misfit);
+    tables.summary +=
+        fmt::format("sensor {} ({} deg)  natural frequency {:.5g} Hz, damping ratio {:.4g}, misfit {:.2g}\n",
+                    i, angle_deg, fit.natural_frequency_hz, fit.damping_ratio, fit.misfit);
+  }
+  return tables;
+}
+
+ExperimentTables tables_of(const identify::RunUp& run_up) {
+  ExperimentTables tables = begun(run_up.run, run_up.signal_m);
+  for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
+    add(tables.identification_csv, "critical_speed_hz", i, run_up.critical_speed_hz[i]);
+    add(tables.identification_csv, "largest_amplitude_m", i, run_up.largest_amplitude_m[i]);
+    tables.summary +=
+        fmt::format("sensor {} ({} deg)  critical speed {:.5g} Hz, 1X amplitude there {:.4g} m\n", i,
+                    run_up.angle_deg[i], run_up.critical_speed_hz[i], run_up.largest_amplitude_m[i]);
+  }
+  tables.bode_csv = bode_csv(run_up.bode);
+  return tables;
+}
+
+}  // namespace rubsweep::report

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "rubsweep/identify/experiment.hpp"
+
+namespace rubsweep::report {
+
+/// The preliminary experiments on a rotor as texts: what the sensors read, and what follows from it.
+struct ExperimentTables {
+  std::string sensors_csv;         ///< t_s, speed_hz, shaft_angle_rad, then sensor_i_m
+  std::string bode_csv;            ///< run-up only: speed_hz, then sensor_i_amplitude_m, sensor_i_phase_deg
+  std::string identification_csv;  ///< quantity, sensor, value
+  std::string summary;             ///< for a terminal
+};
+
+ExperimentTables tables_of(const identify::FreeResponse& response);
+ExperimentTables tables_of(const identify::RunUp& run_up);
+
+}  // namespace rubsweep::report

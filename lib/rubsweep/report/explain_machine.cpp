@@ -1,0 +1,212 @@
+#include "rubsweep/report/explain_machine.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/contact/hertz_line.hpp"
+#include "rubsweep/contact/restitution.hpp"
+#include "rubsweep/overloaded.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+std::string explain_casing(const model::Stop& stop, double rotor_mass_kg) {
+  if (!stop.casing) {
+    return "  casing: rigid, no state; contact half-period " +
+           fmt::format("{:.3g} ms\n",
+                       1e3 * std::numbers::pi * std::sqrt(rotor_mass_kg / stop.stiffness_n_per_m));
+  }
+  const double hz = std::sqrt(stop.casing->stiffness_n_per_m / stop.casing->mass_kg) / (2 * std::numbers::pi);
+  const double mass = contact::reduced_mass(rotor_mass_kg, stop.casing->mass_kg);
+  return fmt::format(
+      "  casing: moves in x and y (2 coordinates), {} kg, {:.4g} Hz, damping ratio {}; contact half-period "
+      "{:.3g} ms\n",
+      stop.casing->mass_kg, hz, stop.casing->damping_ratio,
+      1e3 * std::numbers::pi * std::sqrt(mass / stop.stiffness_n_per_m));
+}
+
+std::string explain_damping(const model::Stop& stop, const scene::Contact& contact, double rotor_mass_kg) {
+  double mass = stop.contact_mass_kg.value_or(rotor_mass_kg);
+  if (stop.casing) mass = contact::reduced_mass(mass, stop.casing->mass_kg);
+  const double ratio = contact.damping_ns_per_m / (2 * std::sqrt(mass * stop.stiffness_n_per_m));
+  std::string text = fmt::format("  force law: clamped ElastoGap, {} N/m, {:.6g} N s/m (damping ratio {:.4g}",
+                                 stop.stiffness_n_per_m, contact.damping_ns_per_m, ratio);
+  if (ratio < 1) {
+    text += fmt::format("; a free impact returns {:.4g} of its speed", contact::delivered_restitution(ratio));
+  }
+  return text + ")\n";
+}
+
+std::string explain_friction(const model::Stop& stop, const scene::Contact& contact) {
+  const double slip = contact.surface_speed_m_per_s;
+  const auto name = contact::name_of(stop.friction);
+  if (!contact::acts(stop.friction)) return fmt::format("  friction: {}\n", name);
+  const double mu = contact::friction_coefficient(stop.friction, slip);
+  if (!contact::depends_on_slip(stop.friction)) {
+    const bool reverses = !contact::keeps_its_direction(stop.friction);
+    return fmt::format("  friction: {} {}{}\n", name, mu,
+                       reverses ? "" : "; a run whose slip would reverse says slip_reversal");
+  }
+  const bool saturated = contact::friction_slope(stop.friction, slip) == 0;
+  return fmt::format("  friction: {}, {:.6g} at the surface speed {:.4g} m/s of the lowest speed ({})\n",
+                     name, mu, slip,
+                     saturated ? "saturated: there it does not depend on the slip" : "depends on the slip");
+}
+
+std::string describe(const model::StopGeometry& geometry) {
+  return std::visit(overloaded{[](const model::OneSideGeometry& flat) {
+                                 return fmt::format("one side at {} degrees", flat.angle_deg);
+                               },
+                               [](const model::AnnularGeometry& annular) -> std::string {
+                                 const auto& offset_m = annular.offset_m;
+                                 if (offset_m[0] == 0 && offset_m[1] == 0) return "annular, centred";
+                                 return fmt::format("annular, rotor offset by ({}, {}) m", offset_m[0],
+                                                    offset_m[1]);
+                               }},
+                    geometry);
+}
+
+std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Cell& cell, std::size_t i) {
+  const model::Stop& stop = prepared.machine.stops[i];
+  const double mass_kg = prepared.assembly.contact_mass_kg[i];
+  const scene::Contact& contact = cell.scene.contacts[i];
+  std::string text = fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
+                                 describe(stop.geometry), stop.clearance_m);
+  if (model::kit_of(prepared.machine) != nullptr) {
+    text += fmt::format("  at {} m of the shaft; mass behind the contact {:.4g} kg{}\n", *stop.position_m,
+                        stop.contact_mass_kg.value_or(mass_kg),
+                        stop.contact_mass_kg ? "" : " (modal mass of the first mode there)");
+  }
+  if (stop.hertz) {
+    text += fmt::format(
+        "  stiffness: secant of the Hertz line contact at {} N, half-width {:.4g} m, approach {:.4g} m\n",
+        stop.hertz->design_force_n, contact::hertz_half_width_m(*stop.hertz, stop.hertz->design_force_n),
+        contact::hertz_approach_m(*stop.hertz, stop.hertz->design_force_n));
+  }
+  return text + explain_damping(stop, contact, mass_kg) + explain_friction(stop, contact) +
+         explain_casing(stop, mass_kg);
+}
+
+bool friction_free(const model::Machine& machine) {
+  for (const model::Stop& stop : machine.stops) {
+    if (contact::acts(stop.friction)) return false;
+  }
+  return true;
+}
+
+std::string explain_plane(const structure::Reduction& reduction, std::size_t plane) {
+  const auto& numbers = reduction.mode_number[plane];
+  const auto& hz = reduction.frequency_hz[plane];
+  std::string modes, attachments;
+  for (Eigen::Index j = 0; j < hz.size(); ++j) {
+    const auto column = static_cast<std::size_t>(j);
+    if (column < numbers.size()) {
+      modes += fmt::format("{}{} ({:.5g} Hz)", modes.empty() ? "" : ", ", numbers[column], hz(j));
+    } else {
+      attachments += fmt::format("{}{:.5g} Hz", attachments.empty() ? "" : ", ", hz(j));
+    }
+  }
+  return fmt::format("modes {}; attachment modes of the stops {}\n", modes,
+                     attachments.empty() ? "none" : attachments);
+}
+
+std::string explain_faults(const model::RotorKit& kit) {
+  std::string text;
+  bool turns_differ = false;
+  for (const model::Support& support : kit.supports) {
+    if (!support.fault || support.fault->impulse_ns == 0) continue;
+    const model::BearingFault& fault = *support.fault;
+    text += fmt::format(
+        "  faulty bearing at {} m: {} impulses of {} N s per revolution at {} degrees, from the kick on\n",
+        support.position_m, fault.multiple, fault.impulse_ns, fault.angle_deg);
+    turns_differ = turns_differ || fault.multiple != std::floor(fault.multiple);
+  }
+  if (text.empty()) return text;
+  text +=
+      "    with impulses nothing is ever proven to rest, and the whirl ratio is that of the motion without "
+      "them\n";
+  if (turns_differ)
+    text += "    revolutions get different impulses: no proof of a period, no exponent, two windows decide\n";
+  return text;
+}
+
+std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit) {
+  const structure::Reduction& reduction = *prepared.reduction;
+  std::string text = fmt::format(
+      "rotor: kit, shaft of {:.6g} m in {} or more Timoshenko elements, {} discs, {} supports, {} "
+      "couplings{}{}\n",
+      model::shaft_length_m(kit), kit.elements, kit.discs.size(), kit.supports.size(), kit.couplings.size(),
+      kit.bow ? ", residual bow" : "", kit.torsion ? ", torsion against the drive (1 coordinate)" : "");
+  const std::string faults = explain_faults(kit);
+  text += faults;
+  text += "  reduced in x to " + explain_plane(reduction, 0);
+  text += "  reduced in y to " + explain_plane(reduction, 1);
+  text += "  the attachment modes make the static compliance between the stops exact\n";
+  text += fmt::format(
+      "  receptance from the stops{} to stops and sensors, at rest and turning with the force: within {:.2g} "
+      "of that of all "
+      "modes up to {} Hz\n",
+      faults.empty() ? "" : " and faulty bearings", reduction.receptance_error, kit.modes_up_to_hz);
+  text += reduction.automatic ? fmt::format("  number of modes: auto, the smallest within {}\n",
+                                            structure::receptance_tolerance)
+                              : std::string("  number of modes: as configured\n");
+  return text + "left out: modes that no stop and no sensor sees, and those above the last one listed\n";
+}
+
+std::string explain_rotor(const scene::PreparedMachine& prepared) {
+  return std::visit(
+      overloaded{[](const model::JeffcottRotor& rotor) {
+                   return fmt::format(
+                       "rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
+                       rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio);
+                 },
+                 [&](const model::RotorKit& kit) { return explain_kit(prepared, kit); }},
+      prepared.machine.rotor);
+}
+
+std::string explain_kick(const model::Machine& machine) {
+  if (!machine.kick) return "kick: none\n";
+  const std::string direction =
+      machine.kick->angle_deg ? fmt::format(" at {} degrees", *machine.kick->angle_deg) : "";
+  return fmt::format(
+      "kick: half-sine, {} N for {} s{}\n"
+      "  none where the quiet whirl itself reaches a wall (whirl ratio 1 and above): the rotor starts at "
+      "rest there\n",
+      machine.kick->force_n, machine.kick->duration_s, direction);
+}
+
+std::string left_out(const model::Machine& machine) {
+  return std::visit(
+      overloaded{
+          [](const model::JeffcottRotor&) {
+            return "left out: torsion and drive (the speed is held constant), axial motion, tilting of "
+                   "the disc\n";
+          },
+          [](const model::RotorKit& kit) {
+            return kit.torsion ? "left out: axial motion\n"
+                               : "left out: torsion and drive (the speed is held constant), axial motion\n";
+          }},
+      machine.rotor);
+}
+
+}  // namespace
+
+std::string explain_machine(const model::Machine& machine, double speed_hz) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+  const scene::Cell cell = scene::build_cell(prepared, speed_hz, scene::WhirlRatio{0});
+  const auto coordinates = cell.scene.structure.coordinates();
+  std::string text = explain_rotor(prepared);
+  for (std::size_t i = 0; i < machine.stops.size(); ++i) text += explain_stop(prepared, cell, i);
+  text += explain_kick(machine);
+  text += fmt::format("states: {} ({} coordinates and their rates)\n", 2 * coordinates, coordinates);
+  text += left_out(machine);
+  if (machine.gravity_m_per_s2 == 0) text += "left out: gravity (gravity_m_per_s2 is 0)\n";
+  if (friction_free(machine)) text += "left out: friction (no stop has any)\n";
+  return text;
+}
+
+}  // namespace rubsweep::report

@@ -1,0 +1,116 @@
+#include "rubsweep/report/explain_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <variant>
+
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/contact/wall.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/report/explain_machine.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/sweep/untouched_walls.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+std::string_view describe(integrate::run::Stepper stepper) {
+  switch (stepper) {
+    case integrate::run::Stepper::automatic:
+    case integrate::run::Stepper::dopri5:
+      return "dopri5 (Dormand-Prince 5(4), dense output of order 4)";
+    case integrate::run::Stepper::cash_karp54:
+      return "cash_karp54 (order 5(4), states inside a step by re-stepping)";
+    case integrate::run::Stepper::rkf78:
+      return "rkf78 (order 8(7), states inside a step by re-stepping)";
+    case integrate::run::Stepper::bulirsch_stoer:
+      return "bulirsch_stoer (variable order, states inside a step by re-stepping)";
+    case integrate::run::Stepper::rosenbrock4:
+      return "rosenbrock4 (implicit, order 4(3), dense output)";
+  }
+  return "";
+}
+
+bool friction_depends_on_slip(const model::Machine& machine) {
+  return std::ranges::any_of(machine.stops,
+                             [](const model::Stop& stop) { return contact::depends_on_slip(stop.friction); });
+}
+
+/// What `stepper: auto` comes to for this machine, and why.
+std::string explain_automatic(const sweep::Study& study) {
+  if (!friction_depends_on_slip(study.machine))
+    return "stepper auto: dopri5 throughout, as no friction depends on the slip\n";
+  return fmt::format(
+      "stepper auto: rosenbrock4 (implicit, order 4(3), dense output) for steps that start in stiff "
+      "friction, "
+      "where friction alone would change the slip {:.3g} times faster than the contact spring does: slip "
+      "near "
+      "zero (backward rolling, sticking) under a steep tanh; dopri5 elsewhere, being several times faster "
+      "per step there\n",
+      integrate::run::stiff_friction_ratio(study.solver.relative_tolerance));
+}
+
+/// Where the exact solver has no closed form.
+std::string explain_beyond(const model::Machine& machine) {
+  bool annular = false, unsaturated = false;
+  for (const model::Stop& stop : machine.stops) {
+    annular = annular || !contact::linear(contact::wall_of(stop.geometry));
+    unsaturated = unsaturated || !contact::saturated_friction(stop.friction);
+  }
+  if (annular) return "turns that touch the annular stop";
+  if (unsaturated) return "turns with contact (friction has a viscous part or never saturates)";
+  return "turns whose friction is not saturated";
+}
+
+bool exact(const sweep::Study& study) {
+  const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
+  const auto cell = scene::build_cell(study.machine, *slowest, scene::Eccentricity{0});
+  return integrate::solver_of(cell.scene, study.solver) == integrate::Solver::exact;
+}
+
+std::string explain_solver(const sweep::Study& study) {
+  const integrate::run::SolverOptions& solver = study.solver;
+  const bool chosen = solver.method == integrate::run::Method::automatic;
+  std::string text;
+  if (exact(study)) {
+    text = fmt::format(
+        "solver: exact{}, closed forms between mode switches, which certified steps find; {} by the\n  "
+        "adaptive one: ",
+        chosen ? " (auto: wherever it applies)" : "", explain_beyond(study.machine));
+  } else {
+    text =
+        fmt::format("solver: adaptive{}, ",
+                    chosen ? " (auto: the exact one takes no smoothed contact and at most six stops)" : "");
+  }
+  text += fmt::format("{}, relative tolerance {}\n", describe(solver.stepper), solver.relative_tolerance);
+  if (solver.stepper == integrate::run::Stepper::automatic) text += explain_automatic(study);
+  if (solver.contact == integrate::run::ContactHandling::smoothed) {
+    return text +
+           fmt::format("contact: smoothed over {} m of penetration, no event location\n", solver.smoothing_m);
+  }
+  return text + "contact: located, every change of contact mode is found to rounding\n";
+}
+
+}  // namespace
+
+std::string explain_study(const sweep::Study& study) {
+  const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
+  std::string text = explain_machine(study.machine, *slowest);
+  text +=
+      sweep::why_walls_stay_untouched(study, scene::prepare_machine(study.machine)) + explain_solver(study);
+  text += fmt::format(
+      "a cell ends when rest {}is proven, else after {} revolutions, by its last two windows of {}\n",
+      study.response.floquet_proof ? "or a stable orbit " : "", study.response.max_revolutions,
+      study.response.window_revolutions);
+  const bool by_ratio = study.grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
+  const auto [least, most] = std::minmax_element(study.grid.unbalance.begin(), study.grid.unbalance.end());
+  return text + fmt::format("sweep: {} cells, {} speeds from {} to {} Hz, {} {} from {} to {}\n",
+                            sweep::cell_count(study.grid), study.grid.speed_hz.size(), *slowest, *fastest,
+                            study.grid.unbalance.size(), by_ratio ? "whirl ratios" : "eccentricities (m)",
+                            *least, *most);
+}
+
+}  // namespace rubsweep::report

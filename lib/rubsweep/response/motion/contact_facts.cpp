@@ -1,0 +1,26 @@
+#include "rubsweep/response/motion/contact_facts.hpp"
+
+#include <algorithm>
+
+namespace rubsweep::response::motion {
+
+ContactFacts facts_of(const integrate::run::Turn& turn) {
+  return {.hits = turn.hits,
+          .contact_fraction = turn.contact_fraction,
+          .peak_displacement_m = turn.peak_displacement_m,
+          .peak_contact_force_n = turn.peak_contact_force_n};
+}
+
+ContactFacts together(std::span<const ContactFacts> turns) {
+  ContactFacts all;
+  for (const ContactFacts& turn : turns) {
+    all.hits += turn.hits;
+    all.contact_fraction += turn.contact_fraction;
+    all.peak_displacement_m = std::max(all.peak_displacement_m, turn.peak_displacement_m);
+    all.peak_contact_force_n = std::max(all.peak_contact_force_n, turn.peak_contact_force_n);
+  }
+  if (!turns.empty()) all.contact_fraction /= static_cast<double>(turns.size());
+  return all;
+}
+
+}  // namespace rubsweep::response::motion

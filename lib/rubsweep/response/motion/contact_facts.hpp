@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+#include "rubsweep/integrate/run/turn.hpp"
+
+namespace rubsweep::response::motion {
+
+/// What the integrator saw of the contacts over one turn or several.
+struct ContactFacts {
+  int hits = 0;                    ///< contacts that began
+  double contact_fraction = 0;     ///< time in contact / time; 1 with 0 hits is a rotor that slides all along
+  double peak_displacement_m = 0;  ///< largest |z|
+  double peak_contact_force_n = 0;  ///< largest total force at one stop
+};
+
+/// Of one turn that was made.
+ContactFacts facts_of(const integrate::run::Turn& turn);
+
+/// Of several turns together: hits added up, the mean share of time, the largest peaks.
+ContactFacts together(std::span<const ContactFacts> turns);
+
+}  // namespace rubsweep::response::motion

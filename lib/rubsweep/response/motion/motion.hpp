@@ -1,0 +1,101 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/response/motion/contact_facts.hpp"
+#include "rubsweep/response/spectrum/full_spectrum.hpp"
+#include "rubsweep/response/spectrum/orbit_shape.hpp"
+
+namespace rubsweep::response::motion {
+
+/// What a motion is called.
+enum class MotionClass {
+  non_contact,      ///< no contact after the kick's transient
+  synchronous,      ///< the section returns after one turn
+  subharmonic,      ///< the section returns after n >= 2 turns and no fewer
+  quasi_periodic,   ///< discrete lines without a common period; in symmetric scenes a comb
+  chaotic,          ///< largest Lyapunov exponent positive beyond its error bar
+  unsettled,        ///< not decided when the run ended
+  initial_contact,  ///< static forces press the rotor on the wall, so that no unbalance gives the whirl ratio
+                    ///< asked for
+  failed,           ///< the integration did not finish
+};
+
+constexpr std::string_view to_string(MotionClass motion_class) {
+  switch (motion_class) {
+    case MotionClass::non_contact:
+      return "non_contact";
+    case MotionClass::synchronous:
+      return "synchronous";
+    case MotionClass::subharmonic:
+      return "subharmonic";
+    case MotionClass::quasi_periodic:
+      return "quasi_periodic";
+    case MotionClass::chaotic:
+      return "chaotic";
+    case MotionClass::unsettled:
+      return "unsettled";
+    case MotionClass::initial_contact:
+      return "initial_contact";
+    case MotionClass::failed:
+      return "failed";
+  }
+  throw SolverError("motion class without a name");
+}
+
+/// What the evidence itself has to say beside the class.
+enum class MotionStatus {
+  ok,
+  spectrum_disagrees,  ///< the section returned after n turns, the spectrum holds lines off the multiples of
+                       ///< 1/n
+  order_above_max,  ///< unsettled, and on the way to or on a section that returns after more than max_order
+                    ///< turns
+};
+
+constexpr std::string_view to_string(MotionStatus status) {
+  switch (status) {
+    case MotionStatus::ok:
+      return "ok";
+    case MotionStatus::spectrum_disagrees:
+      return "spectrum_disagrees";
+    case MotionStatus::order_above_max:
+      return "order_above_max";
+  }
+  throw SolverError("motion status without a name");
+}
+
+/// What can be measured in one window whatever the motion is called.
+struct Measures {
+  /// The last turns of the window, whole periods where there is one: what all that follows is taken from.
+  int turns = 0;
+  ContactFacts contact;
+  double amplitude_1x_forward_m = 0;
+  double amplitude_1x_backward_m = 0;
+  std::optional<spectrum::SpectralLine> dominant;  ///< largest line but 0X, of a closed comb at its exact
+                                                   ///< order; empty, as orbit and whirl, when the rotor rests
+  std::optional<spectrum::OrbitKind> orbit;
+  std::optional<spectrum::WhirlKind> whirl;
+  std::optional<double>
+      comb_spacing;  ///< of a closed orbit in the rotating frame of a rotationally symmetric
+                     ///< scene: lines at orders 1 + k comb_spacing, over both windows
+};
+
+/// Largest Lyapunov exponent: mean rate at which nearby motions part, per iteration of the map (for a
+/// section: per revolution). Positive: chaos; zero: a torus; negative: a periodic motion that attracts.
+struct Exponent {
+  double per_revolution = 0;
+  double error_bar = 0;  ///< half-width of the 99 % confidence interval, > 0
+};
+
+/// The settled verdict on one run.
+struct Motion {
+  MotionClass motion_class = MotionClass::unsettled;
+  std::optional<int> order;  ///< n of synchronous (1) and subharmonic motion, else empty
+  MotionStatus status = MotionStatus::ok;
+  Measures measures;
+  std::optional<Exponent> exponent;  ///< measured where two windows and a comb did not decide
+};
+
+}  // namespace rubsweep::response::motion

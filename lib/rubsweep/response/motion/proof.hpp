@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string_view>
+
+namespace rubsweep::response::motion {
+
+/// What the class of a motion rests on; each word says what is shown, up to rounding.
+enum class Proof {
+  rest,     ///< a bound on the free vibration: no contact can ever come again
+  floquet,  ///< the run is inside a ball about a periodic orbit from which every motion converges to it
+  /// Newton's iteration finds a periodic orbit (in a rotationally symmetric scene: a circle or a closed orbit
+  /// in the frame that turns with the shaft) with all its multipliers inside the unit circle, and the run has
+  /// been followed towards it over orders of magnitude; no ball about it is known.
+  floquet_observed,
+  observed,  ///< what the end of the run shows: windows that agree, a comb that closes, an exponent
+};
+
+constexpr std::string_view to_string(Proof proof) {
+  switch (proof) {
+    case Proof::rest:
+      return "rest";
+    case Proof::floquet:
+      return "floquet";
+    case Proof::floquet_observed:
+      return "floquet_observed";
+    case Proof::observed:
+      return "observed";
+  }
+  return "";
+}
+
+}  // namespace rubsweep::response::motion

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace rubsweep::response::motion {
+
+/// A section that returns within this, in units of (clearance, clearance x omega), is periodic.
+inline constexpr double section_tolerance = 1e-5;
+
+/// Turns in the window of order n: n floor(turns / n), the whole periods that fit.
+constexpr int window_turns(int turns, int order) { return order * (turns / order); }
+
+struct SectionPeriod {
+  int order = 0;        ///< the section returns after this many turns
+  double residual = 0;  ///< largest return error over the window, in the unit of the rows
+};
+
+/// Period of the once-per-turn section. `rows` holds (turns + 1) x `states` numbers, row-major: row k is the
+/// state k turns after the start of the window, displacements divided by the clearance, velocities by
+/// clearance x omega.
+///
+/// Returns the smallest n <= `max_order` for which |row(k + n) - row(k)| <= section_tolerance in the maximum
+/// norm for all k with both rows in the last window_turns(turns, n) turns. Orders whose window holds fewer
+/// than two periods are not looked for. Empty when no n returns, when a number is not finite, and when a
+/// smaller order returns over the rows that decided for n: then the window began in a transient, which the
+/// shorter window of n just misses, and n says nothing about the motion behind it. SolverError when `rows`
+/// has no such shape.
+std::optional<SectionPeriod> period_of_section(std::span<const double> rows, int states, int max_order);
+
+}  // namespace rubsweep::response::motion

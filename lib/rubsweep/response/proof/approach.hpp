@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include "rubsweep/response/proof/adapted_norm.hpp"
+#include "rubsweep/response/proof/periodic_orbit.hpp"
+
+namespace rubsweep::response::proof {
+
+/// What counts as near an orbit: either of the two distances is enough.
+struct Nearness {
+  double adapted = 0;  ///< distance in the adapted norm of the turn
+  double largest = 0;  ///< or this largest component of it, in (clearance, clearance omega)
+};
+
+/// Follows a transient, which is at `section` where the orbit is at its first section, turn by turn until it
+/// is near the orbit. False when a turn fails, when it gets four times as far from the orbit as it was, and
+/// after `most_turns` turns.
+bool comes_near(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
+                const AdaptedNorms& norms, const Nearness& wanted, long most_turns);
+
+/// Distance of a section from the orbit's first one in the adapted norm there.
+double adapted_distance(std::span<const double> section, const StableOrbit& orbit, const AdaptedNorms& norms);
+
+}  // namespace rubsweep::response::proof

@@ -1,0 +1,104 @@
+#include "rubsweep/response/proof/orbit_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/response/motion/record.hpp"
+#include "rubsweep/response/proof/adapted_norm.hpp"
+#include "rubsweep/response/proof/approach.hpp"
+#include "rubsweep/response/proof/orbit_ball.hpp"
+#include "rubsweep/response/proof/periodic_orbit.hpp"
+
+namespace rubsweep::response::proof {
+namespace {
+
+/// Tight enough for derivatives by differences.
+constexpr double tolerance_of_a_proof = 1e-11;
+
+/// Where no ball about the orbit is known, the transient is followed until this share of its distance is
+/// left.
+constexpr double followed_down = 1e-4;
+
+/// Turns that following a transient may take: three times what the norms promise near the orbit, and some
+/// periods for where it is not yet near. Turns without closed forms cost a hundred times more.
+long patience(const StableOrbit& orbit, const AdaptedNorms& norms, double ratio, bool closed_forms) {
+  constexpr double periods = 64, times = 3;
+  const double most = closed_forms ? 200'000 : 1'000;
+  const double promised = std::log(std::max(1.0, ratio)) / -std::log(norms.contraction);
+  return static_cast<long>(std::min(most, periods * orbit.order + times * promised));
+}
+
+}  // namespace
+
+OrbitProof::OrbitProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                       const motion::ResponseOptions& options, motion::Workspace& workspace)
+    : scene_(after_the_kick(scene)),
+      run_solver_(solver),
+      solver_(solver),
+      options_(options),
+      workspace_(workspace),
+      search_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 2 * options.max_order) {
+  solver_.relative_tolerance = std::min(solver.relative_tolerance, tolerance_of_a_proof);
+}
+
+std::optional<motion::ProvenMotion> OrbitProof::look(const integrate::run::Turn& turn) {
+  search_.add(turn.section, turn.touched);
+  const auto order = search_.candidate();
+  if (!order) return std::nullopt;
+  auto proven = prove(turn.section, *order);
+  if (!proven) search_.refuse(*order);
+  return proven;
+}
+
+/// Turns at the run's own tolerance.
+TurnMap OrbitProof::as_it_runs() {
+  if (!run_map_) run_map_.emplace(scene_, run_solver_, workspace_.modes);
+  return [this](std::span<double> state, Eigen::MatrixXd*) { return (*run_map_)(state); };
+}
+
+std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> section, int order) {
+  if (!map_) map_.emplace(scene_, solver_, workspace_.modes);
+  const TurnMap map = [this](std::span<double> state, Eigen::MatrixXd* disturbances) {
+    return disturbances ? map_->carry(state, *disturbances) : (*map_)(state);
+  };
+  const auto orbit = find_orbit(map, section, order);
+  if (!orbit) return std::nullopt;
+  const auto norms = adapted_norms(orbit->transitions);
+  if (!norms) return std::nullopt;
+  const std::vector<double> start(orbit->sections.front().begin(), orbit->sections.front().end());
+  const auto radius = map_->exact() ? ball_radius(scene_, workspace_.modes, start, *norms) : std::nullopt;
+  const double distance = adapted_distance(section, *orbit, *norms);
+  const Nearness wanted = radius ? Nearness{*radius, 0} : Nearness{followed_down * distance, on_the_orbit};
+  const long most_turns = patience(*orbit, *norms, distance / wanted.adapted, radius.has_value());
+  if (!comes_near(radius ? map : as_it_runs(), section, *orbit, *norms, wanted, most_turns))
+    return std::nullopt;
+  const auto measures = measure(start, orbit->order);
+  if (!measures) return std::nullopt;
+  return motion::ProvenMotion{
+      orbit->order == 1 ? motion::MotionClass::synchronous : motion::MotionClass::subharmonic, orbit->order,
+      *measures, orbit->floquet_modulus, radius ? motion::Proof::floquet : motion::Proof::floquet_observed};
+}
+
+/// Over exactly one period; empty when the orbit touches nothing.
+std::optional<motion::Measures> OrbitProof::measure(const std::vector<double>& section, int order) {
+  motion::ResponseOptions window = options_;
+  window.window_revolutions = order;
+  motion::Record record(scene_, window);
+  record.begin(section);
+  const integrate::run::Run run = integrate::start(scene_, solver_, workspace_.modes);
+  run.restart(section);
+  integrate::run::Turn turn;
+  turn.samples_per_revolution = options_.samples_per_revolution;
+  turn.peaks = true;
+  bool touched = false;
+  for (int k = 0; k < order; ++k) {
+    if (run.advance(turn) != integrate::run::Outcome::ok) return std::nullopt;
+    record.add(turn);
+    touched = touched || turn.touched;
+  }
+  if (!touched) return std::nullopt;
+  return motion::measure_window(record.window(0), workspace_.spectrum);
+}
+
+}  // namespace rubsweep::response::proof

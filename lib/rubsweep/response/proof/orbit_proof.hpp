@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/response/motion/options.hpp"
+#include "rubsweep/response/motion/proven_motion.hpp"
+#include "rubsweep/response/motion/workspace.hpp"
+#include "rubsweep/response/proof/period_search.hpp"
+#include "rubsweep/response/proof/periodic_orbit.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::response::proof {
+
+/// Looks for a stable orbit of up to twice max_order turns that a transient is on its way to: proven
+/// (`floquet`) once the transient, followed on, is inside a ball about the orbit from which every motion
+/// converges to it; where no such ball can be had, observed (`floquet_observed`) once it has come down to a
+/// ten-thousandth of its distance in the adapted norm, or to 1e-6 clearances.
+class OrbitProof {
+ public:
+  /// `options` and `workspace` must outlive the proof.
+  OrbitProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+             const motion::ResponseOptions& options, motion::Workspace& workspace);
+
+  /// After one more turn. Empty most of the time; an orbit that touches nothing is not reported.
+  std::optional<motion::ProvenMotion> look(const integrate::run::Turn& turn);
+
+ private:
+  std::optional<motion::ProvenMotion> prove(std::span<const double> section, int order);
+  TurnMap as_it_runs();
+  std::optional<motion::Measures> measure(const std::vector<double>& section, int order);
+
+  scene::Scene scene_;
+  integrate::run::SolverOptions run_solver_, solver_;
+  const motion::ResponseOptions& options_;
+  motion::Workspace& workspace_;
+  PeriodSearch search_;
+  std::optional<SceneMap> map_, run_map_;
+};
+
+}  // namespace rubsweep::response::proof

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::response::proof {
+
+/// One iteration of a map, in place. False: it could not be made, and the state means nothing any more.
+using SectionMap = std::function<bool(std::span<double> state)>;
+
+/// One revolution of a scene as a map of its scaled section (as Turn::section): from phase 0 to phase 0, the
+/// pulse left out. Every call starts afresh, so that the map has no memory: equal sections give equal
+/// sections to the last bit, near ones go through nearly the same steps.
+class SceneMap {
+ public:
+  SceneMap(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+           integrate::exact::ModeCache& modes);
+
+  /// `section`: 2n numbers. False when the solver fails.
+  bool operator()(std::span<double> section);
+
+  /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes what the turn makes
+  /// of it, by the derivative of the new section by the old: from the exact solver where the turn has closed
+  /// forms, else by central differences.
+  bool carry(std::span<double> section, Eigen::MatrixXd& disturbances);
+
+  /// The same only where the turn has closed forms: `exact` says so, else `disturbances` stays.
+  bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& exact);
+
+  /// The exact solver makes the turns, as far as they have closed forms.
+  bool exact() const { return exact_; }
+
+  /// Some contact was touching at some time in the revolution made last.
+  bool touched() const { return turn_.touched; }
+
+ private:
+  bool advance(std::span<double> section);
+
+  std::size_t states_;
+  bool exact_;
+  integrate::run::Run run_;
+  integrate::run::Turn turn_;
+  std::vector<double> before_;
+};
+
+/// The scene without its pulse.
+scene::Scene after_the_kick(scene::Scene scene);
+
+}  // namespace rubsweep::response::proof

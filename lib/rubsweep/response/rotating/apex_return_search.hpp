@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/response/proof/period_search.hpp"
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::response::rotating {
+
+/// Watches a transient of a rotationally symmetric scene for signs of a closed orbit in the frame that turns
+/// with the shaft: states at successive maxima of |z| of the observed point, as seen there, that come back.
+class ApexReturnSearch {
+ public:
+  explicit ApexReturnSearch(const scene::Scene& scene);
+
+  /// One more turn, with samples.
+  void add(const integrate::run::Turn& turn);
+
+  struct Return {
+    int maxima = 0;                   ///< after so many maxima the last one came back
+    std::vector<double> periods_rad;  ///< ascending: its time, before it those fractions after which the
+                                      ///< transient is within `farthest_orbit`; by linear interpolation
+  };
+
+  /// What the last turn makes worth a proof; empty most of the time.
+  std::optional<Return> candidate() const;
+
+  /// That one could not be proven.
+  void refuse(const Return& candidate);
+
+ private:
+  struct Maximum {
+    double phase_rad = 0;  ///< since the first turn
+    Eigen::VectorXd state;
+  };
+
+  void add_maximum(const double* before, const double* here, double share, double phase_before_rad,
+                   double spacing_rad, bool touched);
+  const Maximum& maximum(int ago) const {
+    return maxima_[maxima_.size() - 1 - static_cast<std::size_t>(ago)];
+  }
+
+  Eigen::Matrix<double, 2, Eigen::Dynamic> map_;
+  Eigen::Index states_;
+  proof::PeriodSearch returns_;
+  long turns_ = 0;
+  bool new_maximum_ = false;
+  std::vector<double> last_;  ///< sample before the turn; empty at the start
+  std::vector<Maximum> maxima_;
+};
+
+}  // namespace rubsweep::response::rotating

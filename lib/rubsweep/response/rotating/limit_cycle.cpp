@@ -1,0 +1,152 @@
+#include "rubsweep/response/rotating/limit_cycle.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "rubsweep/response/proof/adapted_norm.hpp"
+#include "rubsweep/response/proof/periodic_orbit.hpp"
+
+namespace rubsweep::response::rotating {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int newton_iterations = 8;
+constexpr double period_changes = 0.2;  ///< share of its first guess by which the period may change
+constexpr int most_periods = 64;        ///< looked for in a cycle that closes
+constexpr double returns_early = 1e-4;  ///< return error that makes a fraction the period
+constexpr double stands_still = 1e-5;   ///< rate below which a cycle is no cycle but a point
+constexpr double followed_down = 1e-3;  ///< share of its distance that a transient is followed down to
+constexpr double near_by = 1e-5;        ///< or this distance: what it does next is the rough flow's noise
+constexpr double most_periods_followed = 3000;
+
+/// In (clearance, clearance omega).
+struct Accuracy {
+  double closed = 0;   ///< return error of a cycle found
+  double trivial = 0;  ///< how far from 1 the trivial multiplier may be
+};
+constexpr Accuracy rough{.closed = 1e-5, .trivial = 1e-2};
+constexpr Accuracy exact{.closed = 1e-9, .trivial = 1e-5};
+
+double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
+
+struct Closed {
+  VectorXd x;
+  RotatingArc once;
+};
+
+/// Newton step of (state, period), the state staying across `across`.
+VectorXd newton_step(const VectorXd& x, const RotatingArc& arc, const VectorXd& rate_at_end,
+                     const VectorXd& across) {
+  const Eigen::Index n = x.size();
+  MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
+  bordered.topLeftCorner(n, n) = arc.transition - MatrixXd::Identity(n, n);
+  bordered.topRightCorner(n, 1) = rate_at_end;
+  bordered.bottomLeftCorner(1, n) = across.transpose();
+  VectorXd defect = VectorXd::Zero(n + 1);
+  defect.head(n) = arc.end - x;
+  return bordered.partialPivLu().solve(-defect);
+}
+
+std::optional<Closed> close(const RotatingMotion& motion, const RotatingMotion::Flow& flow,
+                            const VectorXd& start, double guess_rad, double closed) {
+  const VectorXd across = motion.rate(start);
+  VectorXd x = start;
+  double period = guess_rad, last = 0;
+  for (int i = 0; i < newton_iterations; ++i) {
+    const auto arc = flow(x, period);
+    if (!arc || !arc->end.allFinite()) return std::nullopt;
+    const double error = largest(arc->end - x);
+    if (error < closed) return Closed{x, *arc};
+    if (error > proof::farthest_orbit || (i > 2 && error > last / 2)) return std::nullopt;
+    last = error;
+    const VectorXd step = newton_step(x, *arc, motion.rate(arc->end), across);
+    x += step.head(x.size());
+    period += step(x.size());
+    if (!x.allFinite() || largest(x - start) > proof::farthest_orbit ||
+        !(std::abs(period - guess_rad) <= period_changes * guess_rad))
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// Largest modulus of all multipliers but the trivial one; empty when that is not where it must be or another
+/// is too large. How far the trivial one is off 1 shows how well they are known.
+std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_within) {
+  const Eigen::VectorXcd multipliers = monodromy.eigenvalues();
+  Eigen::Index trivial = 0;
+  const double off = (multipliers.array() - 1.0).abs().minCoeff(&trivial);
+  if (!(off < trivial_within)) return std::nullopt;
+  double modulus = 0;
+  for (Eigen::Index k = 0; k < multipliers.size(); ++k) {
+    if (k != trivial) modulus = std::max(modulus, std::abs(multipliers(k)));
+  }
+  if (!(modulus < std::min(proof::largest_floquet_modulus, 1 - off))) return std::nullopt;
+  return modulus;
+}
+
+/// Follows the transient period by period until a thousandth of its distance from the cycle is left, in the
+/// adapted norm of the return map across the cycle, or `near_by`. Being early or late is no distance: each
+/// period is cut or prolonged by as much as the one before was off along the motion.
+bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Closed& cycle) {
+  const Eigen::Index n = start.size();
+  const VectorXd rate = motion.rate(cycle.x), along = rate.normalized();
+  const MatrixXd across = MatrixXd::Identity(n, n) - along * along.transpose();
+  const auto norms = proof::adapted_norms({across * cycle.once.transition * across});
+  if (!norms) return false;
+  VectorXd image = start;
+  double first = 0;
+  const double promised = std::log(followed_down) / std::log(norms->contraction);
+  const double patience = std::min(most_periods_followed, 64 + 3 * promised);
+  for (int k = 0; k <= patience; ++k) {
+    const VectorXd off = across * (image - cycle.x);
+    const double distance = (norms->norm.front() * off).norm();
+    if (k == 0) first = distance;
+    if (largest(off) < near_by || distance < followed_down * first) return true;
+    if (!(distance < 4 * first)) return false;
+    const double late_rad = along.dot(image - cycle.x) / rate.norm();
+    const auto end = motion.end(image, cycle.once.angle_rad - late_rad);
+    if (!end || !end->allFinite()) return false;
+    image = *end;
+  }
+  return false;
+}
+
+std::optional<LimitCycle> exact_cycle(const RotatingMotion& motion, const VectorXd& x, double period_rad) {
+  auto cycle = close(motion, motion.exactly, x, period_rad, exact.closed);
+  if (!cycle) return std::nullopt;
+  const auto modulus = stable_modulus(cycle->once.transition, exact.trivial);
+  if (!modulus) return std::nullopt;
+  return LimitCycle{cycle->x, std::move(cycle->once), *modulus};
+}
+
+/// Newton's iteration may have closed several periods at once, of a whip dozens: the smallest one that
+/// closes.
+std::optional<LimitCycle> smallest_cycle(const RotatingMotion& motion, const Closed& cycle) {
+  for (int k = most_periods; k > 1; --k) {
+    const double period_rad = cycle.once.angle_rad / k;
+    const auto end = motion.end(cycle.x, period_rad);
+    if (!end || !(largest(*end - cycle.x) < returns_early)) continue;
+    if (auto found = exact_cycle(motion, cycle.x, period_rad)) return found;
+  }
+  return exact_cycle(motion, cycle.x, cycle.once.angle_rad);
+}
+
+}  // namespace
+
+std::optional<LimitCycle> prove_limit_cycle(const RotatingMotion& motion, const VectorXd& start,
+                                            const std::vector<double>& periods_rad) {
+  for (const double period : periods_rad) {
+    const auto nearly = close(motion, motion.roughly, start, period, rough.closed);
+    if (!nearly || largest(motion.rate(nearly->x)) < stands_still) continue;
+    if (!stable_modulus(nearly->once.transition, rough.trivial)) continue;
+    if (!comes_near(motion, start, *nearly)) return std::nullopt;
+    return smallest_cycle(motion, *nearly);
+  }
+  return std::nullopt;
+}
+
+}  // namespace rubsweep::response::rotating

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::response::rotating {
+
+/// A stretch of a motion of a rotationally symmetric scene.
+struct RotatingArc {
+  Eigen::VectorXd end;         ///< state at its end, seen in the frame that turns with the shaft, 2n
+  Eigen::MatrixXd transition;  ///< 2n x 2n: d(end) / d(start)
+  double angle_rad = 0;        ///< its length, in rotation of the shaft
+  int hits = 0;
+  double contact_fraction = 0;
+  double peak_displacement_m = 0;  ///< this and what follows only where samples are asked for
+  double peak_contact_force_n = 0;
+  Eigen::MatrixXd samples;  ///< 2n x count: states in the fixed frame at phases 2 pi k / N before the end
+};
+
+/// Follows a rotationally symmetric scene, its pulse left out, and the derivative of the motion by its start,
+/// from any state over any angle, with located (or smoothed) contacts, by dopri5. In the frame that turns
+/// with the shaft such a scene does not depend on time, so that every start is one at phase 0, where the two
+/// frames coincide.
+class RotatingFlow {
+ public:
+  /// `samples_per_revolution`: N of RotatingArc::samples; 0: none.
+  RotatingFlow(const scene::Scene& scene, const integrate::run::SolverOptions& options,
+               int samples_per_revolution);
+
+  /// Empty when the solver fails. `state`: 2n scaled numbers; `angle_rad` > 0.
+  std::optional<RotatingArc> from(const Eigen::VectorXd& state, double angle_rad) const;
+
+  /// The end alone, without its derivative: several times cheaper.
+  std::optional<Eigen::VectorXd> end_from(const Eigen::VectorXd& state, double angle_rad) const;
+
+ private:
+  scene::Scene scene_at(const Eigen::VectorXd& state) const;
+
+  scene::Scene scene_;
+  integrate::run::SolverOptions options_;
+  int samples_per_revolution_;
+};
+
+}  // namespace rubsweep::response::rotating

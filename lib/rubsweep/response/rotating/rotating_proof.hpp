@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+
+#include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/response/motion/options.hpp"
+#include "rubsweep/response/motion/proven_motion.hpp"
+#include "rubsweep/response/motion/workspace.hpp"
+#include "rubsweep/response/proof/period_search.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
+#include "rubsweep/response/rotating/apex_return_search.hpp"
+#include "rubsweep/response/rotating/limit_cycle.hpp"
+#include "rubsweep/response/rotating/rotating_equilibrium.hpp"
+#include "rubsweep/response/rotating/rotating_flow.hpp"
+#include "rubsweep/response/rotating/rotating_frame.hpp"
+
+namespace rubsweep::response::rotating {
+
+/// Looks for the stable motion that a transient of a rotationally symmetric scene is on its way to, in the
+/// frame that turns with the shaft: a synchronous circle is a fixed point there, the quasi-periodic oval a
+/// closed orbit. (A section once per turn can prove no other: every shift along an orbit that moves in that
+/// frame is a multiplier of 1.)
+class RotatingProof {
+ public:
+  /// `options` and `workspace` must outlive the proof.
+  RotatingProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                const motion::ResponseOptions& options, motion::Workspace& workspace);
+
+  /// Samples that the next turn should have; 0 while the rotor has been free for long.
+  int samples_wanted() const;
+
+  /// After one more turn. Empty most of the time; a motion that touches nothing is not reported.
+  std::optional<motion::ProvenMotion> look(const integrate::run::Turn& turn);
+
+ private:
+  std::optional<motion::ProvenMotion> look_for_circle(const Eigen::VectorXd& section,
+                                                      const integrate::run::Turn& turn);
+  std::optional<motion::ProvenMotion> look_for_cycle(const Eigen::VectorXd& section,
+                                                     const integrate::run::Turn& turn);
+  bool comes_near_to(const RotatingEquilibrium& circle, std::span<const double> section);
+  motion::ProvenMotion measured(const RotatingEquilibrium& circle);
+  bool returns_with_the_shaft(const LimitCycle& cycle) const;
+
+  scene::Scene scene_;
+  integrate::run::SolverOptions solver_;
+  const motion::ResponseOptions& options_;
+  motion::Workspace& workspace_;
+  RotatingField field_;
+  RotatingFlow rough_flow_, flow_;
+  proof::PeriodSearch turns_;
+  std::optional<ApexReturnSearch> maxima_;  ///< empty after a turn without samples
+  std::optional<proof::SceneMap> turn_map_;
+  int free_turns_ = 0;
+  long looked_at_ = 0;              ///< turns
+  double spent_on_cycles_rad_ = 0;  ///< rotation that Newton's iteration followed
+};
+
+}  // namespace rubsweep::response::rotating

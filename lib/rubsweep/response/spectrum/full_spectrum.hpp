@@ -1,0 +1,81 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace rubsweep::response::spectrum {
+
+/// Two-sided amplitude spectrum of z = x + iy over a whole number of turns. Forward whirl (from +x to +y) has
+/// positive orders, backward whirl negative ones. No doubling: a forward circle of radius a is a line a at
+/// +1X, x = a cos(omega t) is a line a/2 at +1X and one at -1X.
+struct FullSpectrum {
+  int turns = 0;
+  int samples_per_revolution = 0;
+  /// N = turns x samples_per_revolution lines, from k = first_line() upwards.
+  std::vector<double> amplitude_m;
+
+  /// Smallest k: -N/2, rounded towards zero.
+  int first_line() const { return -(static_cast<int>(amplitude_m.size()) / 2); }
+
+  /// Largest k: N/2 - 1 for even N.
+  int last_line() const { return first_line() + static_cast<int>(amplitude_m.size()) - 1; }
+
+  /// Amplitude of line k in metres; the line stands at order k / turns. SolverError when there is no such
+  /// line.
+  double amplitude(int k) const {
+    if (k < first_line() || k > last_line()) refuse(k);
+    return amplitude_m[static_cast<std::size_t>(k - first_line())];
+  }
+
+  /// Order of line k in multiples of the shaft speed, negative for backward whirl.
+  double order(int k) const { return static_cast<double>(k) / turns; }
+
+  /// Sum of the squared amplitudes of all lines but 0X, in m^2: the mean of |z - mean z|^2 (Parseval).
+  double energy_without_mean() const;
+
+ private:
+  [[noreturn]] void refuse(int k) const;
+};
+
+/// One line of a spectrum.
+struct SpectralLine {
+  double order = 0;  ///< in multiples of the shaft speed, negative for backward whirl
+  double amplitude_m = 0;
+};
+
+/// k of the largest line, 0X excluded; 0 when there is no other line. Of a pair +-k that is equal to 1e-9 (a
+/// straight orbit) the forward one, so that rounding never picks the sign.
+int dominant_line(const FullSpectrum& spectrum);
+
+/// Buffers that one thread lends to `full_spectrum`, aligned for FFTW's vector code. They grow to the longest
+/// window seen.
+class SpectrumWorkspace {
+  friend FullSpectrum full_spectrum(std::span<const std::complex<double>>, int, SpectrumWorkspace&);
+
+  struct Free {
+    void operator()(std::complex<double>* buffer) const noexcept;
+  };
+  using Buffer = std::unique_ptr<std::complex<double>[], Free>;
+
+  void reserve(std::size_t length);
+
+  std::size_t capacity_ = 0;
+  Buffer samples_;
+  Buffer lines_;
+};
+
+/// Full spectrum A_k = |1/N sum_j z_j exp(-2 pi i k j / N)| of `displacement_m`: N equidistant samples of
+/// x + iy in metres over `turns` turns, the end point left out. SolverError when N is zero or no multiple of
+/// `turns`.
+///
+/// May run in many threads at once, each with its own workspace: FFTW plans are made once per length and
+/// shared, only looking one up takes a lock. The bits depend on samples, processor and FFTW build alone, not
+/// on history: plans are estimated, never measured. To that end any wisdom of the process is forgotten
+/// whenever a new length is planned.
+FullSpectrum full_spectrum(std::span<const std::complex<double>> displacement_m, int turns,
+                           SpectrumWorkspace& workspace);
+
+}  // namespace rubsweep::response::spectrum

@@ -1,0 +1,29 @@
+#include "rubsweep/scene/prepared_machine.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "rubsweep/overloaded.hpp"
+#include "rubsweep/structure/jeffcott.hpp"
+#include "rubsweep/structure/kit_assembly.hpp"
+
+namespace rubsweep::scene {
+
+PreparedMachine prepare_machine(const model::Machine& machine) {
+  model::validate(machine);
+  PreparedMachine prepared =
+      std::visit(overloaded{[&](const model::JeffcottRotor& rotor) -> PreparedMachine {
+                              std::vector<std::optional<model::Casing>> casings;
+                              for (const model::Stop& stop : machine.stops) casings.push_back(stop.casing);
+                              return {machine, structure::assemble_jeffcott(rotor, casings), {}};
+                            },
+                            [&](const model::RotorKit&) -> PreparedMachine {
+                              structure::KitAssembly kit = structure::assemble_rotor_kit(machine);
+                              return {machine, std::move(kit.assembly), std::move(kit.reduction)};
+                            }},
+                 machine.rotor);
+  structure::refuse_unusable(prepared.assembly);
+  return prepared;
+}
+
+}  // namespace rubsweep::scene

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "rubsweep/model/machine.hpp"
+#include "rubsweep/structure/assembly.hpp"
+#include "rubsweep/structure/reduction.hpp"
+
+namespace rubsweep::scene {
+
+/// What all cells of one machine share, whatever their speed: never changed, so that threads may share it.
+struct PreparedMachine {
+  model::Machine machine;
+  structure::Assembly assembly;
+  std::optional<structure::Reduction> reduction;  ///< of a rotor kit
+};
+
+/// Validates the machine, builds its structure and reduces it. Throws ConfigError, also where the numbers are
+/// each allowed but too far apart for the structure to be computed.
+PreparedMachine prepare_machine(const model::Machine& machine);
+
+}  // namespace rubsweep::scene

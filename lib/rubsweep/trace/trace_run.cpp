@@ -1,0 +1,150 @@
+#include "rubsweep/trace/trace_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/response/motion/section.hpp"
+#include "rubsweep/trace/trace_state.hpp"
+
+namespace rubsweep::trace {
+namespace {
+
+/// Fills a Trace turn by turn.
+class Recorder {
+ public:
+  Recorder(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+           const TraceOptions& options, Trace& trace)
+      : reader_(scene, solver), options_(options), trace_(trace) {
+    trace.stops = reader_.stops();
+    add_section(integrate::run::scaled_initial_state(scene));
+  }
+
+  /// Asks for everything. Samples that a failing turn does not reach stay NaN.
+  void prepare(integrate::run::Turn& turn) const {
+    turn.samples_per_revolution = options_.samples_per_revolution;
+    turn.peaks = turn.switches_wanted = true;
+    const std::size_t numbers = static_cast<std::size_t>(options_.samples_per_revolution) * reader_.size();
+    turn.samples.assign(numbers, std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// The part of a turn before its failure, or a whole turn's samples and events.
+  void add_samples(const integrate::run::Turn& turn) {
+    std::vector<TracedState> states;
+    for (int k = 0; k < options_.samples_per_revolution; ++k) {
+      const auto scaled =
+          std::span(turn.samples).subspan(static_cast<std::size_t>(k) * reader_.size(), reader_.size());
+      if (std::any_of(scaled.begin(), scaled.end(), [](double value) { return std::isnan(value); })) break;
+      states.push_back({sample_time_s(k), reader_.read(scaled)});
+      const Eigen::Vector2d& z = states.back().state.displacement_m;
+      trace_.displacement_m.emplace_back(z.x(), z.y());
+    }
+    trajectory_.push_back(std::move(states));
+    if (options_.trajectory_revolutions &&
+        static_cast<long>(trajectory_.size()) > *options_.trajectory_revolutions) {
+      trajectory_.pop_front();
+    }
+    for (const integrate::run::ModeSwitch& change : turn.switches) {
+      const double turns =
+          static_cast<double>(trace_.revolutions) + change.phase_rad / (2 * std::numbers::pi);
+      trace_.switches.push_back({turns / options_.speed_hz, change});
+    }
+  }
+
+  /// What is only known at the end of a whole turn, after its samples.
+  void end_turn(const integrate::run::Turn& turn) {
+    ++trace_.revolutions;
+    trace_.turns.push_back(response::motion::facts_of(turn));
+    if (turn.touched) trace_.last_contact_revolution = trace_.revolutions;
+    add_section(turn.section);
+    const std::size_t kept = samples_of(options_.window_revolutions);
+    auto& z = trace_.displacement_m;
+    if (z.size() > kept) z.erase(z.begin(), z.end() - static_cast<std::ptrdiff_t>(kept));
+  }
+
+  void finish() {
+    // Samples of a turn that failed make no whole revolution.
+    const long whole = std::min<long>(trace_.revolutions, options_.window_revolutions);
+    trace_.displacement_m.resize(std::min(trace_.displacement_m.size(), samples_of(whole)));
+    for (; !trajectory_.empty(); trajectory_.pop_front())
+      std::ranges::move(trajectory_.front(), std::back_inserter(trace_.trajectory));
+  }
+
+ private:
+  std::size_t samples_of(long turns) const {
+    return static_cast<std::size_t>(turns) * static_cast<std::size_t>(options_.samples_per_revolution);
+  }
+
+  /// Sample k of the turn that is being added.
+  double sample_time_s(int k) const {
+    const long sample = trace_.revolutions * options_.samples_per_revolution + k;
+    return static_cast<double>(sample) / (options_.samples_per_revolution * options_.speed_hz);
+  }
+
+  void add_section(std::span<const double> scaled) {
+    trace_.section.push_back({sample_time_s(0), reader_.read(scaled)});
+  }
+
+  StateReader reader_;
+  const TraceOptions& options_;
+  Trace& trace_;
+  std::deque<std::vector<TracedState>> trajectory_;  ///< one turn each
+};
+
+}  // namespace
+
+double trace_bytes(const TraceOptions& options, std::size_t stops) {
+  // A state, and its line of a table: numbers of all digits and their commas. A list or a text that grows may
+  // take twice what it holds.
+  constexpr double number_bytes = 21, copies = 2;
+  const double state_bytes = sizeof(TracedState) + sizeof(StopState) * static_cast<double>(stops),
+               section_bytes = state_bytes + number_bytes * static_cast<double>(6 + 2 * stops),
+               sample_bytes = state_bytes + number_bytes * static_cast<double>(5 + 5 * stops);
+  const long kept =
+      std::min(options.revolutions, options.trajectory_revolutions.value_or(options.revolutions));
+  return copies * section_bytes * static_cast<double>(options.revolutions) +
+         copies * sample_bytes * static_cast<double>(kept) * options.samples_per_revolution +
+         sizeof(response::motion::ContactFacts) * static_cast<double>(options.revolutions);
+}
+
+Trace trace_run(const integrate::run::Cursor& cursor, const scene::Scene& scene,
+                const integrate::run::SolverOptions& solver, const TraceOptions& options) {
+  Trace trace;
+  Recorder recorder(scene, solver, options, trace);
+  integrate::run::Turn turn;
+  while (trace.revolutions < options.revolutions) {
+    recorder.prepare(turn);
+    trace.outcome = cursor(turn);
+    trace.effort = turn.effort;
+    recorder.add_samples(turn);
+    if (trace.outcome != integrate::run::Outcome::ok) break;
+    recorder.end_turn(turn);
+  }
+  recorder.finish();
+  return trace;
+}
+
+response::motion::ContactFacts facts_of_last(const Trace& trace, std::size_t turns) {
+  return response::motion::together(std::span(trace.turns).last(std::min(turns, trace.turns.size())));
+}
+
+TraceWindow last_window(const Trace& trace, const TraceOptions& options, std::optional<int> order,
+                        response::spectrum::SpectrumWorkspace& workspace) {
+  TraceWindow window;
+  window.turns = static_cast<int>(std::min<long>(trace.revolutions, options.window_revolutions));
+  if (window.turns == 0) return window;
+  if (order && *order <= window.turns) window.turns = response::motion::window_turns(window.turns, *order);
+  const std::size_t samples =
+      static_cast<std::size_t>(window.turns) * static_cast<std::size_t>(options.samples_per_revolution);
+  window.contact = facts_of_last(trace, static_cast<std::size_t>(window.turns));
+  window.spectrum = response::spectrum::full_spectrum(std::span(trace.displacement_m).last(samples),
+                                                      window.turns, workspace);
+  return window;
+}
+
+}  // namespace rubsweep::trace

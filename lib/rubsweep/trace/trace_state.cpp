@@ -1,0 +1,67 @@
+#include "rubsweep/trace/trace_state.hpp"
+
+#include <fmt/format.h>
+
+#include "rubsweep/contact/force_law.hpp"
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/scene/quiet_motion.hpp"
+
+namespace rubsweep::trace {
+namespace {
+
+const auto& point(const scene::Scene& scene, int index) {
+  return scene.structure.points[static_cast<std::size_t>(index)].map;
+}
+
+}  // namespace
+
+StateReader::StateReader(const scene::Scene& scene, const integrate::run::SolverOptions& options)
+    : scene_(scene),
+      smoothing_m_(options.contact == integrate::run::ContactHandling::smoothed ? options.smoothing_m : 0) {
+  for (const scene::Contact& contact : scene.contacts) {
+    relative_.push_back(scene::relative_map(scene.structure, contact));
+  }
+}
+
+TraceState StateReader::read(std::span<const double> scaled) const {
+  if (scaled.size() != size()) {
+    throw SolverError(fmt::format("a state of this scene has {} numbers, got {}", size(), scaled.size()));
+  }
+  const Eigen::Index n = scene_.structure.coordinates();
+  const double length_m = scene_.length_scale_m;
+  const Eigen::VectorXd q_m = length_m * Eigen::Map<const Eigen::VectorXd>(scaled.data(), n);
+  const Eigen::VectorXd rate_m_per_s =
+      length_m * scene_.speed_rad_per_s * Eigen::Map<const Eigen::VectorXd>(scaled.data() + n, n);
+  const auto& observed = point(scene_, scene_.observed_point);
+  TraceState state{
+      .displacement_m = observed * q_m, .velocity_m_per_s = observed * rate_m_per_s, .stops = {}};
+  for (std::size_t i = 0; i < stops(); ++i) state.stops.push_back(read_stop(i, q_m, rate_m_per_s));
+  return state;
+}
+
+StopState StateReader::read_stop(std::size_t index, const Eigen::VectorXd& q_m,
+                                 const Eigen::VectorXd& rate_m_per_s) const {
+  const scene::Contact& contact = scene_.contacts[index];
+  const Eigen::Vector2d distance_m = relative_[index] * q_m + contact::offset(contact.wall);
+  const Eigen::Vector2d rate = relative_[index] * rate_m_per_s;
+  const Eigen::Vector2d normal = contact::normal_at(contact.wall, distance_m);
+  const Eigen::Vector2d tangent(-normal.y(), normal.x());
+  const double penetration_m = normal.dot(distance_m) - contact.clearance_m;
+  const double closing_speed = normal.dot(rate);
+  const double slip = tangent.dot(rate) + contact.surface_speed_m_per_s;
+
+  const contact::NormalForce force =
+      smoothing_m_ > 0 ? contact::smoothed_elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m,
+                                                     penetration_m, closing_speed, smoothing_m_)
+                       : contact::elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m,
+                                            penetration_m, closing_speed);
+  StopState stop;
+  if (contact.casing_point) stop.casing_m = point(scene_, *contact.casing_point) * q_m;
+  stop.gap_m = -penetration_m;
+  stop.normal_force_n = force.total_n;
+  stop.friction_force_n = contact::friction_coefficient(contact.friction, slip) * force.spring_n;
+  return stop;
+}
+
+}  // namespace rubsweep::trace

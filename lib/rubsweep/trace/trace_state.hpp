@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::trace {
+
+/// What one stop shows at one instant. Forces are those on the casing.
+struct StopState {
+  Eigen::Vector2d casing_m{0, 0};  ///< displacement of the casing; 0 where it is rigid
+  double gap_m = 0;                ///< distance still open between rotor and wall; < 0: penetration
+  double normal_force_n = 0;       ///< along the normal from the rotor to the wall, >= 0
+  double friction_force_n = 0;     ///< along the tangent (-n_y, n_x)
+};
+
+/// What is traced of one state of a run.
+struct TraceState {
+  Eigen::Vector2d displacement_m{0, 0};  ///< of the observed point, the rotor
+  Eigen::Vector2d velocity_m_per_s{0, 0};
+  std::vector<StopState> stops;
+};
+
+/// Reads states of a run of `scene`, scaled as integrate::Turn holds them (q then q', 2n numbers), back to
+/// SI. Contact forces are those of the law that a run with these options integrates, as it follows from the
+/// state alone. The scene must outlive the reader.
+class StateReader {
+ public:
+  StateReader(const scene::Scene& scene, const integrate::run::SolverOptions& options);
+
+  /// Numbers per state, 2n.
+  std::size_t size() const { return 2 * static_cast<std::size_t>(scene_.structure.coordinates()); }
+  std::size_t stops() const { return scene_.contacts.size(); }
+
+  /// Throws SolverError when `scaled` has another size.
+  TraceState read(std::span<const double> scaled) const;
+
+ private:
+  StopState read_stop(std::size_t index, const Eigen::VectorXd& q_m,
+                      const Eigen::VectorXd& rate_m_per_s) const;
+
+  const scene::Scene& scene_;
+  double smoothing_m_;  ///< width of the blended law; 0: the law with its corners
+  std::vector<Eigen::Matrix<double, 2, Eigen::Dynamic>> relative_;  ///< per stop: rotor minus casing
+};
+
+}  // namespace rubsweep::trace

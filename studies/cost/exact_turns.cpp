@@ -1,0 +1,22 @@
+// exact_turns N: N turns of set A's cell (75 Hz, whirl ratio 0.4) by the exact solver and nothing else, for
+// scripts/count_operations.sh.
+#include <cstdio>
+#include <cstdlib>
+
+#include "rubsweep/integrate/start.hpp"
+#include "support/set_a_cell.hpp"
+
+int main(int argc, char** argv) {
+  using namespace rubsweep;
+  if (argc != 2) {
+    std::printf("usage: exact_turns N\n");
+    return 1;
+  }
+  integrate::exact::ModeCache modes;
+  const integrate::run::Run run = integrate::start(test::cell_of({}).scene, {}, modes);
+  integrate::run::Turn turn;
+  for (long k = std::atol(argv[1]); k > 0; --k) {
+    if (run.advance(turn) != integrate::run::Outcome::ok) return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,78 @@
+// Times of the hot kernels by Google Benchmark: `kernels --help`. Not a test.
+#include <benchmark/benchmark.h>
+
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "rubsweep/integrate/exact/exact_run.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/response/spectrum/full_spectrum.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace {
+
+using namespace rubsweep;
+
+/// Set A, one side, 75 Hz, whirl ratio 0.4, on its way: turn after turn of the same run.
+void turn(benchmark::State& state, integrate::run::Method method, double tolerance) {
+  integrate::run::SolverOptions options;
+  options.method = method;
+  options.relative_tolerance = tolerance;
+  integrate::exact::ModeCache modes;
+  const integrate::run::Run run = integrate::start(test::cell_of({}).scene, options, modes);
+  integrate::run::Turn turn;
+  for (int k = 0; k < 300; ++k) run.advance(turn);
+  const long before = turn.effort.steps;
+  for (auto _ : state) run.advance(turn);
+  state.counters["steps"] =
+      benchmark::Counter(static_cast<double>(turn.effort.steps - before), benchmark::Counter::kAvgIterations);
+  // The share of one step, whatever a turn holds besides.
+  state.counters["time_per_step"] =
+      benchmark::Counter(static_cast<double>(turn.effort.steps - before),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void exact_turn(benchmark::State& state) { turn(state, integrate::run::Method::exact, 1e-8); }
+BENCHMARK(exact_turn);
+
+void dopri5_turn(benchmark::State& state) { turn(state, integrate::run::Method::adaptive, 1e-6); }
+BENCHMARK(dopri5_turn);
+
+/// One certified step: the guards' values, rates and bounds, then the move by the table of precomputed steps.
+void certified_step(benchmark::State& state) {
+  const scene::Scene scene = test::cell_of({}).scene;
+  const auto prepared = std::make_shared<integrate::exact::MachineModes<4>>(scene);
+  integrate::exact::ExactMotion<4> motion(scene, prepared);
+  motion.set_phases(0, -1);
+  Eigen::Matrix<double, 8, 1> physical;
+  physical << 0, 0.4, 0, 0, -0.4, 0, 0, 0;
+  physical.tail(4) *= scene.speed_rad_per_s;
+  constexpr int steps = 256;  // then from the start again: free vibration dies out
+  for (auto _ : state) {
+    if (!motion.enter(0, physical)) state.SkipWithError("no closed form");
+    for (int i = 0; i < steps; ++i) {
+      benchmark::DoNotOptimize(motion.guard(0));
+      motion.step_by_table(8);
+    }
+  }
+  state.counters["time_per_step"] =
+      benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(certified_step);
+
+/// 64 revolutions of 128 samples, the window of every verdict.
+void spectrum(benchmark::State& state) {
+  std::vector<std::complex<double>> z;
+  for (int i = 0; i < 64 * 128; ++i) {
+    const double phase = 2 * std::numbers::pi * i / 128;
+    z.push_back(std::polar(1e-3, phase) + std::polar(3e-4, -phase / 2));
+  }
+  response::spectrum::SpectrumWorkspace workspace;
+  for (auto _ : state) benchmark::DoNotOptimize(response::spectrum::full_spectrum(z, 64, workspace));
+}
+BENCHMARK(spectrum);
+
+}  // namespace
+
+BENCHMARK_MAIN();

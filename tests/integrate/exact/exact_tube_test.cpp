@@ -1,0 +1,140 @@
+#include "rubsweep/integrate/exact/exact_tube.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/SVD>
+#include <random>
+
+#include "rubsweep/integrate/start.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::integrate::exact {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A turn of parameter set A with contact, well after the kick.
+struct RubbingTurn {
+  scene::Scene scene = test::cell_of({}).scene;
+  ModeCache modes;
+  std::vector<double> start, end;
+  MatrixXd transition;
+
+  RubbingTurn() {
+    const run::Run kicked = start(scene, {}, modes);
+    run::Turn turn;
+    do {
+      EXPECT_EQ(kicked.advance(turn), run::Outcome::ok);
+      start = turn.section;
+      scene.pulse.reset();
+      turn_from(start, turn);
+    } while (turn.effort.steps < 10'000 && (!turn.touched || turn.touching_at_end));
+    EXPECT_TRUE(turn.touched);
+    end = turn.section;
+    transition = turn.tangent_vectors;
+  }
+
+  void turn_from(const std::vector<double>& section, run::Turn& turn) {
+    const auto run = start(scene, {}, modes);
+    const auto states = static_cast<Eigen::Index>(section.size());
+    turn.tangent_vectors = MatrixXd::Identity(states, states);
+    run.restart(section);
+    EXPECT_EQ(run.advance(turn), run::Outcome::ok);
+  }
+};
+
+VectorXd vector_of(const std::vector<double>& x) {
+  return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+
+TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
+  RubbingTurn turn;
+  const MatrixXd identity = MatrixXd::Identity(8, 8);
+  std::vector<double> section = turn.start;
+  const auto tube = turn_tube(turn.scene, turn.plans, section, identity, identity);
+  ASSERT_TRUE(tube);
+  EXPECT_NEAR((vector_of(section) - vector_of(turn.end)).cwiseAbs().maxCoeff(), 0, 1e-12);
+  double radius = 0.1;
+  while (!tube->holds(radius)) radius /= 2;
+  ASSERT_GT(radius, 1e-7);
+  EXPECT_FALSE(tube->holds(10));
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  double largest_share = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    VectorXd y(8);
+    for (double& x : y) x = normal(random);
+    const double share = trial % 2 == 0 ? 1 : 0.25;
+    y *= share * radius / y.norm();
+    VectorXd from = vector_of(turn.start) + y;
+    run::Turn made;
+    turn.turn_from({from.begin(), from.end()}, made);
+    const double deviation = (vector_of(made.section) - vector_of(turn.end) - turn.transition * y).norm();
+    EXPECT_LE(deviation, tube->deviation(radius) * share * share + 1e-12);
+    largest_share = std::max(largest_share, deviation / tube->deviation(radius));
+  }
+  // The bound is no more than some orders of magnitude too large.
+  EXPECT_GT(largest_share, 1e-4);
+}
+
+TEST(ExactTube, AFlightHasNoDeviation) {
+  scene::Scene scene = test::cell_of({}).scene;
+  scene.pulse.reset();
+  ModeCache modes;
+  std::vector<double> section(8, 0.0);
+  const MatrixXd identity = MatrixXd::Identity(8, 8);
+  const auto tube = turn_tube(scene, modes, section, identity, identity);
+  ASSERT_TRUE(tube);
+  EXPECT_TRUE(tube->holds(1e-2));
+  EXPECT_EQ(tube->deviation(1e-2), 0);
+  EXPECT_FALSE(tube->holds(5));
+  EXPECT_EQ(tube->deviation(5), std::numeric_limits<double>::infinity());
+}
+
+TEST(ExactTube, ContractionIsThatOfTheLinearMap) {
+  RubbingTurn turn;
+  std::vector<double> section = turn.start;
+  const MatrixXd identity = MatrixXd::Identity(8, 8);
+  const auto tube = turn_tube(turn.scene, turn.plans, section, identity, identity);
+  ASSERT_TRUE(tube);
+  EXPECT_NEAR(tube->contraction, Eigen::JacobiSVD<MatrixXd>(turn.transition).singularValues()(0),
+              1e-9 * tube->contraction);
+}
+
+/// A viscous part, however small, is not what the closed forms move by.
+TEST(ExactTube, NoneWhereFrictionNeverSaturates) {
+  RubbingTurn turn;
+  std::vector<double> section = turn.start;
+  turn.scene.contacts.front().friction = model::StribeckFriction{{0, 0, 0, 0, 0, 1e-9}};
+  ModeCache modes;
+  const MatrixXd identity = MatrixXd::Identity(8, 8);
+  EXPECT_FALSE(turn_tube(turn.scene, modes, section, identity, identity));
+}
+
+/// The motion does not depend on how fast the surface slides as long as friction is saturated; the tube does.
+TEST(ExactTube, SlipsMustStaySaturated) {
+  RubbingTurn turn;
+  const MatrixXd identity = MatrixXd::Identity(8, 8);
+  const auto radius_at = [&](double surface_speed_m_per_s) {
+    turn.scene.contacts.front().surface_speed_m_per_s = surface_speed_m_per_s;
+    ModeCache modes;
+    std::vector<double> section = turn.start;
+    const auto tube = turn_tube(turn.scene, modes, section, identity, identity);
+    double radius = tube ? 0.1 : 0;
+    while (radius > 1e-12 && !tube->holds(radius)) radius /= 2;
+    return radius;
+  };
+  const double usual = turn.scene.contacts.front().surface_speed_m_per_s, free = radius_at(usual);
+  EXPECT_GT(free, 1e-7);
+  double none = 0, some = usual;
+  EXPECT_EQ(radius_at(none), 0);
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (none + some) / 2;
+    (radius_at(middle) > 0 ? some : none) = middle;
+  }
+  EXPECT_LT(radius_at(some), 0.1 * free);
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate::exact

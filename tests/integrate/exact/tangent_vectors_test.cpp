@@ -1,0 +1,79 @@
+#include "rubsweep/integrate/exact/tangent_vectors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/numerics/matrix_flow.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::integrate::exact {
+namespace {
+
+constexpr double speed_rad_per_s = 470;
+
+/// Sections are scaled by the speed.
+Eigen::MatrixXd as_sections(const Eigen::MatrixXd& flow) {
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(8);
+  scale.tail(4).setConstant(speed_rad_per_s);
+  return scale.cwiseInverse().asDiagonal() * flow * scale.asDiagonal();
+}
+
+/// A flight, then two modes of contact, one of which has no modal form: the product of three exponentials.
+TEST(TangentVectors, FollowEveryModeByItsFlow) {
+  MachineModes<4> plan(test::cell_of({}).scene);
+  TangentVectors<4> carried;
+  Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 8);
+  carried.begin(*plan.mode(0), speed_rad_per_s, disturbances);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Identity(8, 8);
+  std::size_t last = 0;
+  for (const auto& [joint, duration_s] : {std::pair{0u, 0.011}, {2u, 0.0004}, {3u, 0.0017}}) {
+    const LinearMode<4>& mode = *plan.mode(joint);
+    if (joint != last) carried.change(*plan.mode(last), mode);
+    last = joint;
+    carried.pass(0.25 * duration_s);
+    carried.pass(0.75 * duration_s);
+    expected = numerics::matrix_flow(mode.generator, duration_s) * expected;
+  }
+  ASSERT_FALSE(plan.mode(3)->paired);
+  carried.put(*plan.mode(3), speed_rad_per_s, disturbances);
+  const Eigen::MatrixXd wanted = as_sections(expected);
+  EXPECT_LT((disturbances - wanted).cwiseAbs().maxCoeff(), 1e-12 * wanted.cwiseAbs().maxCoeff());
+}
+
+TEST(TangentVectors, NoneAreCarriedWhereNoneAreAskedFor) {
+  MachineModes<4> plan(test::cell_of({}).scene);
+  TangentVectors<4> carried;
+  Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 2);
+  carried.begin(*plan.mode(0), speed_rad_per_s, disturbances);
+  carried.carry_nothing();
+  carried.pass(0.01);
+  carried.put(*plan.mode(0), speed_rad_per_s, disturbances);
+  EXPECT_EQ(disturbances, Eigen::MatrixXd(Eigen::MatrixXd::Identity(8, 2)));
+}
+
+/// One that joins later goes on from there, and does not come back in the matrix of those at the start.
+TEST(TangentVectors, OneMayJoinOnTheWay) {
+  MachineModes<4> plan(test::cell_of({}).scene);
+  for (const std::size_t joint : {0u, 3u}) {
+    const LinearMode<4>& mode = *plan.mode(joint);
+    TangentVectors<4> carried;
+    Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 8);
+    carried.begin(mode, speed_rad_per_s, disturbances);
+    carried.pass(0.001);
+    ExactTypes<4>::State joins;
+    joins << 0.3, -0.2, 0.1, 0.5, 10, -20, 30, 5;
+    carried.add(mode, joins);
+    carried.pass(0.0005);
+    const auto now = carried.now(mode);
+    ASSERT_EQ(now.size(), 9);
+    const Eigen::VectorXd wanted = numerics::matrix_flow(mode.generator, 0.0005) * joins;
+    EXPECT_LT((mode.from_free(now[8]) - wanted).cwiseAbs().maxCoeff(), 1e-11 * wanted.cwiseAbs().maxCoeff());
+    carried.put(mode, speed_rad_per_s, disturbances);
+    ASSERT_EQ(disturbances.cols(), 8);
+    const Eigen::MatrixXd whole = as_sections(numerics::matrix_flow(mode.generator, 0.0015));
+    EXPECT_LT((disturbances - whole).cwiseAbs().maxCoeff(), 1e-11 * whole.cwiseAbs().maxCoeff());
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate::exact

@@ -1,0 +1,343 @@
+#include "rubsweep/integrate/hybrid_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "support/long_double_reference.hpp"
+#include "support/set_a_cell.hpp"
+#include "support/simple_scenes.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+run::Turn run_exact(const scene::Scene& scene, int turns, const run::SolverOptions& options = {}) {
+  exact::ModeCache modes;
+  const auto run = start_hybrid(scene, options, modes);
+  run::Turn turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(run.advance(turn), run::Outcome::ok) << k;
+  return turn;
+}
+
+run::Turn run_adaptive(const scene::Scene& scene, int turns, double tolerance) {
+  run::SolverOptions options;
+  options.relative_tolerance = tolerance;
+  options.stepper = run::Stepper::rkf78;
+  const run::Cursor advance = adaptive::start_adaptive(scene, options);
+  run::Turn turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok) << k;
+  return turn;
+}
+
+double difference(const run::Turn& a, const run::Turn& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.section.size(); ++i)
+    largest = std::max(largest, std::abs(a.section[i] - b.section[i]));
+  return largest;
+}
+
+void expect_reference(const test::OneSideRotor& rotor, int turns, int steps, double bound) {
+  const auto reference = test::long_double_sections(rotor, turns, steps);
+  exact::ModeCache modes;
+  const auto run = start_hybrid(test::cell_of(rotor).scene, {}, modes);
+  run::Turn turn;
+  for (int k = 1; k <= turns; ++k) {
+    ASSERT_EQ(run.advance(turn), run::Outcome::ok);
+    EXPECT_LT(test::section_error(turn.section, reference[static_cast<std::size_t>(k)], rotor), bound) << k;
+  }
+  EXPECT_GT(turn.effort.switches, 4);
+  EXPECT_EQ(turn.effort.adaptive_turns, 0);
+}
+
+TEST(Exact, SetAToRounding) { expect_reference({}, 20, 1000, 1e-12); }
+
+TEST(Exact, SetBToRounding) { expect_reference(test::set_b_rotor(), 6, 6000, 5e-12); }
+
+TEST(Exact, AnUndampedStopAndAnUndampedRotor) {
+  test::OneSideRotor rotor;
+  rotor.damping_ratio = 0;
+  rotor.casing_damping_ratio = 0;
+  expect_reference(rotor, 6, 1500, 1e-11);
+}
+
+TEST(Exact, ACriticallyDampedCasing) {
+  test::OneSideRotor rotor;
+  rotor.casing_damping_ratio = 1;
+  expect_reference(rotor, 6, 1500, 5e-12);
+  rotor.casing_damping_ratio = 1 + 1e-9;
+  expect_reference(rotor, 3, 1500, 5e-12);
+}
+
+TEST(Exact, ACasingTunedToTheRotor) {
+  test::OneSideRotor rotor;  // 30 Hz, and the same damping: every mode of the free structure is double
+  rotor.casing_mass_kg = 0.8;
+  rotor.casing_stiffness_n_per_m = 0.8 * std::pow(2 * std::numbers::pi * 30, 2);
+  rotor.casing_damping_ratio = 0.02;
+  expect_reference(rotor, 6, 1500, 1e-12);
+}
+
+/// The kick's end falls on the end of a turn, where the run goes on without finding its mode anew.
+TEST(Exact, AKickThatEndsWithATurn) {
+  for (const int turns : {1, 2}) {
+    model::Machine machine = test::machine_of({});
+    machine.kick = model::Kick{.force_n = 20, .duration_s = turns / 80.0, .angle_deg = {}};
+    const auto cell = scene::build_cell(machine, 80, scene::WhirlRatio{0.4});
+    const run::Turn exact = run_exact(cell.scene, 5), reference = run_adaptive(cell.scene, 5, 1e-13);
+    EXPECT_LT(difference(exact, reference), 1e-9) << turns;
+    EXPECT_EQ(exact.effort.adaptive_turns, 0);
+  }
+}
+
+/// Any number of stops at any angle, with gravity: against rkf78 at a tight tolerance.
+TEST(Exact, StopsAllAround) {
+  model::Machine machine = test::machine_of({});
+  machine.gravity_m_per_s2 = 9.81;
+  machine.stops[0].geometry = model::OneSideGeometry{90};
+  model::Stop second = machine.stops[0];
+  second.geometry = model::OneSideGeometry{215};
+  second.casing = {};
+  model::Stop third = machine.stops[0];
+  third.geometry = model::OneSideGeometry{-20};
+  machine.stops.push_back(second);
+  machine.stops.push_back(third);
+  const auto cell = scene::build_cell(machine, 95, scene::WhirlRatio{0.6});
+  const run::Turn exact = run_exact(cell.scene, 5), reference = run_adaptive(cell.scene, 5, 1e-13);
+  EXPECT_LT(difference(exact, reference), 1e-9);
+  EXPECT_GT(exact.effort.switches, 8);
+  EXPECT_EQ(exact.effort.switches, reference.effort.switches);
+  EXPECT_EQ(exact.effort.adaptive_turns, 0);
+}
+
+TEST(Exact, TransitionIsTheDerivativeOfTheSection) {
+  auto scene = test::cell_of({}).scene;
+  exact::ModeCache modes;
+  const auto run = start_hybrid(scene, {}, modes);
+  run::Turn turn;
+  run.advance(turn);
+  run.advance(turn);
+  const std::vector<double> start = turn.section;
+  scene.pulse.reset();
+  const auto undriven = start_hybrid(scene, {}, modes);
+  undriven.restart(start);
+  turn.tangent_vectors.setIdentity(8, 8);
+  ASSERT_EQ(undriven.advance(turn), run::Outcome::ok);
+  ASSERT_GT(turn.hits, 0);
+  const Eigen::MatrixXd transition = turn.tangent_vectors;
+  turn.tangent_vectors.resize(0, 0);
+  constexpr double h = 1e-6;
+  for (std::size_t j = 0; j < start.size(); ++j) {
+    std::vector<double> shifted = start;
+    shifted[j] += h;
+    undriven.restart(shifted);
+    undriven.advance(turn);
+    const std::vector<double> above = turn.section;
+    shifted[j] -= 2 * h;
+    undriven.restart(shifted);
+    undriven.advance(turn);
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      EXPECT_NEAR(transition(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)),
+                  (above[i] - turn.section[i]) / (2 * h), 2e-4)
+          << i << ' ' << j;
+    }
+  }
+}
+
+TEST(Exact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
+  const auto scene = test::cell_of({}).scene;
+  run::SolverOptions options;
+  options.relative_tolerance = 1e-12;
+  exact::ModeCache modes;
+  const auto exact = start_hybrid(scene, options, modes);
+  const run::Cursor adaptive = adaptive::start_adaptive(scene, options);
+  run::Turn a, b;
+  for (run::Turn* turn : {&a, &b}) {
+    turn->samples_per_revolution = 64;
+    turn->peaks = turn->switches_wanted = true;
+  }
+  for (int k = 0; k < 4; ++k) {
+    ASSERT_EQ(exact.advance(a), run::Outcome::ok);
+    ASSERT_EQ(adaptive(b), run::Outcome::ok);
+    ASSERT_EQ(a.samples.size(), b.samples.size());
+    for (std::size_t i = 0; i < a.samples.size(); ++i) EXPECT_NEAR(a.samples[i], b.samples[i], 1e-9);
+    EXPECT_NEAR(a.peak_displacement_m, b.peak_displacement_m, 1e-5 * b.peak_displacement_m);
+    EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-5 * b.peak_contact_force_n);
+    EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 1e-9);
+    EXPECT_EQ(a.hits, b.hits);
+    EXPECT_EQ(a.touching_at_end, b.touching_at_end);
+    ASSERT_EQ(a.switches.size(), b.switches.size());
+    for (std::size_t i = 0; i < a.switches.size(); ++i) {
+      EXPECT_NEAR(a.switches[i].phase_rad, b.switches[i].phase_rad, 1e-9);
+      EXPECT_EQ(a.switches[i].to, b.switches[i].to);
+    }
+  }
+}
+
+/// Looking closer must not change the motion.
+TEST(Exact, WatchingDoesNotMoveTheRotor) {
+  const auto scene = test::cell_of({}).scene;
+  exact::ModeCache modes;
+  const auto plain = start_hybrid(scene, {}, modes), watched = start_hybrid(scene, {}, modes);
+  run::Turn a, b;
+  b.samples_per_revolution = 128;
+  b.peaks = true;
+  for (int k = 0; k < 20; ++k) {
+    plain.advance(a);
+    watched.advance(b);
+  }
+  EXPECT_LT(difference(a, b), 1e-12);
+}
+
+/// The force may be falling from the first instant on, and largest there.
+TEST(Exact, PeakForceOfATurnThatStartsInContact) {
+  const auto scene = [] {
+    auto without_kick = test::cell_of({}).scene;
+    without_kick.pulse.reset();
+    return without_kick;
+  }();
+  exact::ModeCache modes;
+  run::SolverOptions options;
+  options.relative_tolerance = 1e-12;
+  const auto exact = start_hybrid(scene, options, modes);
+  options.method = run::Method::adaptive;
+  const auto adaptive = start(scene, options, modes);
+  run::Turn a, b;
+  a.peaks = b.peaks = true;
+  for (const double closing_speed : {-0.4, -0.1, -0.01, 0.0, 0.1}) {
+    const std::vector<double> section{0, 1.02, 0, 0, 0, closing_speed, 0, 0};
+    exact.restart(section);
+    adaptive.restart(section);
+    ASSERT_EQ(exact.advance(a), run::Outcome::ok);
+    ASSERT_EQ(adaptive.advance(b), run::Outcome::ok);
+    EXPECT_GT(b.peak_contact_force_n, 1) << closing_speed;
+    EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-4 * b.peak_contact_force_n)
+        << closing_speed;
+  }
+}
+
+TEST(Exact, PeaksDoNotDependOnSamples) {
+  const auto scene = test::cell_of({}).scene;
+  exact::ModeCache modes;
+  const auto bare = start_hybrid(scene, {}, modes), sampled = start_hybrid(scene, {}, modes);
+  run::Turn a, b;
+  a.peaks = b.peaks = true;
+  b.samples_per_revolution = 256;
+  int touched = 0;
+  for (int k = 0; k < 20; ++k) {
+    bare.advance(a);
+    sampled.advance(b);
+    touched += a.touched;
+    EXPECT_NEAR(a.peak_displacement_m, b.peak_displacement_m, 1e-5 * b.peak_displacement_m) << k;
+    EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-6 * b.peak_contact_force_n) << k;
+  }
+  EXPECT_GT(touched, 5);
+}
+
+TEST(Exact, FrictionThatIsNotSaturatedGoesToTheAdaptiveSolverAndBack) {
+  test::OneSideRotor rotor;
+  rotor.contact_radius_m = 1e-3;  // slip of 0.5 m/s, tanh of 100 s/m times less where the rotor moves back
+  rotor.friction_steepness_s_per_m = 5;
+  const auto scene = test::cell_of(rotor).scene;
+  run::SolverOptions options;
+  options.relative_tolerance = 1e-11;
+  const run::Turn exact = run_exact(scene, 12, options), adaptive = run_adaptive(scene, 12, 1e-12);
+  EXPECT_GT(exact.effort.adaptive_turns, 2);
+  EXPECT_LT(difference(exact, adaptive), 1e-7);
+}
+
+/// No cliff: whether a slip bound just holds or just fails changes the section by no more than the tolerance.
+TEST(Exact, NearlySaturatedFrictionChangesTheSectionByTheTolerance) {
+  test::OneSideRotor rotor;
+  run::SolverOptions options;
+  options.relative_tolerance = 1e-11;
+  long fewest = 1000, most = 0;
+  for (const double steepness : {0.5, 1.0, 1.5, 2.0, 3.0, 6.0, 20.0}) {
+    rotor.friction_steepness_s_per_m = steepness;
+    const auto scene = test::cell_of(rotor).scene;
+    const run::Turn exact = run_exact(scene, 6, options);
+    EXPECT_LT(difference(exact, run_adaptive(scene, 6, 1e-12)), 1e-8) << steepness;
+    fewest = std::min(fewest, exact.effort.adaptive_turns);
+    most = std::max(most, exact.effort.adaptive_turns);
+  }
+  EXPECT_EQ(fewest, 0);
+  EXPECT_GT(most, 0);
+}
+
+/// The rotor bounces for ever between undamped walls, and its energy stays.
+TEST(Exact, EnergyStaysOverTenThousandTurns) {
+  auto scene = test::one_mass_scene(1, 400, 0, 0.25, 1);
+  scene.displacement_m << -1.5, 0.2;
+  scene.contacts.push_back(test::wall_across_x(1, 1, 1e4, 0));
+  scene.contacts.push_back(test::wall_across_x(-1, 1, 1e4, 0));
+  const run::Turn turn = run_exact(scene, 10000);
+  const double x = turn.section[0], y = turn.section[1], w = scene.speed_rad_per_s;
+  const double beyond = std::max(0.0, std::abs(x) - 1);
+  const double energy = (std::pow(w * turn.section[2], 2) + std::pow(w * turn.section[3], 2)) / 2 +
+                        200 * (x * x + y * y) + 5e3 * beyond * beyond;
+  EXPECT_NEAR(energy, 200 * (1.5 * 1.5 + 0.04) + 5e3 * 0.25, 1e-7);
+}
+
+/// A half subharmonic: an even number of turns apart.
+TEST(Exact, APeriodicMotionStaysOnItsSectionForAHundredThousandTurns) {
+  const auto scene = test::cell_of({}).scene;
+  exact::ModeCache modes;
+  const auto run = start_hybrid(scene, {}, modes);
+  run::Turn turn;
+  for (int k = 0; k < 1000; ++k) ASSERT_EQ(run.advance(turn), run::Outcome::ok);
+  const std::vector<double> early = turn.section;
+  for (int k = 0; k < 100000; ++k) ASSERT_EQ(run.advance(turn), run::Outcome::ok);
+  for (std::size_t i = 0; i < early.size(); ++i) EXPECT_NEAR(turn.section[i], early[i], 1e-12);
+}
+
+TEST(Exact, AStructureWithoutSpringsIsLeftToTheAdaptiveSolver) {
+  auto scene = test::one_mass_scene(1, 0, 0, 1, 1);
+  scene.velocity_m_per_s << 1, 0;
+  scene.contacts.push_back(test::wall_across_x(1, 0.5, 1e3, 1));
+  const run::Turn exact = run_exact(scene, 2), adaptive = run_adaptive(scene, 2, 1e-12);
+  EXPECT_EQ(exact.effort.adaptive_turns, 2);
+  EXPECT_LT(difference(exact, adaptive), 1e-6);
+}
+
+TEST(Exact, PlansAreSharedOnlyWhereTheyFit) {
+  exact::ModeCache modes;
+  test::OneSideRotor rotor;
+  const auto first = test::cell_of(rotor).scene;
+  const auto prepared = modes.modes_of<4>(first);
+  rotor.speed_hz = 90;
+  rotor.whirl_ratio = 0.2;
+  EXPECT_EQ(modes.modes_of<4>(test::cell_of(rotor).scene), prepared);
+  rotor.stiffness_n_per_m *= 2;
+  EXPECT_NE(modes.modes_of<4>(test::cell_of(rotor).scene), prepared);
+}
+
+TEST(Exact, TooFewStepsAreSaid) {
+  run::SolverOptions options;
+  options.max_steps_per_revolution = 3;
+  exact::ModeCache modes;
+  run::Turn turn;
+  EXPECT_EQ(start_hybrid(test::cell_of({}).scene, options, modes).advance(turn), run::Outcome::step_limit);
+  EXPECT_EQ(turn.effort.steps, 3);
+}
+
+/// A kick as long as half a free oscillation that nothing damps has no closed form; the turns after it have.
+TEST(Exact, AKickAtAResonanceHasNoClosedFormWhileItLasts) {
+  const auto scene =
+      test::cell_of({.damping_ratio = 0, .kick_n = 20, .kick_s = 1 / 60.0, .speed_hz = 75}).scene;
+  run::SolverOptions options;
+  options.relative_tolerance = 1e-12;
+  exact::ModeCache modes;
+  const run::Run exact = start_hybrid(scene, options, modes);
+  const run::Cursor adaptive = adaptive::start_adaptive(scene, options);
+  run::Turn turn, expected;
+  for (int k = 0; k < 6; ++k) {
+    ASSERT_EQ(exact.advance(turn), run::Outcome::ok);
+    ASSERT_EQ(adaptive(expected), run::Outcome::ok);
+    for (std::size_t i = 0; i < turn.section.size(); ++i)
+      EXPECT_NEAR(turn.section[i], expected.section[i], 1e-8) << k << ' ' << i;
+  }
+  EXPECT_EQ(turn.effort.adaptive_turns, 2);
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate

@@ -1,0 +1,78 @@
+#include "rubsweep/report/explain_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "rubsweep/report/explain_machine.hpp"
+#include "sweep/one_side_study.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+testing::AssertionResult says(const std::string& text, const std::string& part) {
+  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "no \"" << part << "\" in\n" << text;
+}
+
+TEST(ExplainStudy, BeginsWithTheSceneAtTheLowestSpeed) {
+  const sweep::Study study = sweep::one_side_study({75, 50, 90}, {0.4});
+  EXPECT_TRUE(explain_study(study).starts_with(explain_machine(study.machine, 50)));
+}
+
+TEST(ExplainStudy, GridWhateverItsOrder) {
+  sweep::Study study = sweep::one_side_study({75, 50, 90}, {0.6, 0.1});
+  EXPECT_TRUE(says(explain_study(study),
+                   "sweep: 6 cells, 3 speeds from 50 to 90 Hz, 2 whirl ratios from 0.1 to 0.6\n"));
+  study.grid.measure = sweep::UnbalanceMeasure::eccentricity_m;
+  EXPECT_TRUE(says(explain_study(study), "2 eccentricities (m) from 0.1 to 0.6\n"));
+}
+
+TEST(ExplainStudy, SolverAndHowACellEnds) {
+  sweep::Study study = sweep::one_side_study({50}, {0.4});
+  EXPECT_TRUE(says(explain_study(study), "solver: exact (auto: wherever it applies), closed forms"));
+  EXPECT_TRUE(
+      says(explain_study(study), "turns whose friction is not saturated by the\n  adaptive one: dopri5"));
+  EXPECT_TRUE(says(explain_study(study), "relative tolerance 1e-08\n"));
+  EXPECT_TRUE(says(explain_study(study), "contact: located"));
+  EXPECT_TRUE(says(explain_study(study),
+                   "a cell ends when rest or a stable orbit is proven, else after 40 revolutions, by its "
+                   "last two windows of 12\n"));
+  study.solver.method = integrate::run::Method::adaptive;
+  study.solver.contact = integrate::run::ContactHandling::smoothed;
+  study.solver.smoothing_m = 2e-7;
+  EXPECT_TRUE(says(explain_study(study), "solver: adaptive, dopri5"));
+  EXPECT_TRUE(
+      says(explain_study(study), "contact: smoothed over 2e-07 m of penetration, no event location\n"));
+}
+
+TEST(ExplainStudy, SaysWhichStepperAutoTakesAndWhy) {
+  sweep::Study study = sweep::one_side_study({50}, {0.4});
+  EXPECT_TRUE(says(explain_study(study), "stepper auto: rosenbrock4 (implicit"));
+  // 4 tolerance^(-1/4)
+  EXPECT_TRUE(says(explain_study(study), "change the slip 400 times faster than the contact spring"));
+  study.solver.relative_tolerance = 1e-4;
+  EXPECT_TRUE(says(explain_study(study), "change the slip 40 times faster"));
+  study.machine.stops[0].friction = model::ConstantFriction{0.1};
+  EXPECT_TRUE(
+      says(explain_study(study), "stepper auto: dopri5 throughout, as no friction depends on the slip\n"));
+  study.solver.stepper = integrate::run::Stepper::dopri5;
+  EXPECT_FALSE(says(explain_study(study), "stepper auto"));
+}
+
+TEST(ExplainStudy, NamesEveryStepper) {
+  using integrate::run::Stepper;
+  const std::pair<Stepper, const char*> steppers[] = {{Stepper::dopri5, "dopri5 ("},
+                                                      {Stepper::cash_karp54, "cash_karp54 ("},
+                                                      {Stepper::rkf78, "rkf78 ("},
+                                                      {Stepper::bulirsch_stoer, "bulirsch_stoer ("},
+                                                      {Stepper::rosenbrock4, "rosenbrock4 ("}};
+  sweep::Study study = sweep::one_side_study({50}, {0.4});
+  for (const auto& [stepper, name] : steppers) {
+    study.solver.stepper = stepper;
+    EXPECT_TRUE(says(explain_study(study), name));
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::report

@@ -1,0 +1,123 @@
+#include "rubsweep/response/motion/section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::response::motion {
+namespace {
+
+constexpr int states = 3;
+constexpr int turns = 64;
+
+/// Rows that repeat after exactly n turns and no fewer: the first state steps through 0.1, 0.2, ... 0.1 n.
+std::vector<double> periodic_rows(int n) {
+  std::vector<double> rows;
+  for (int k = 0; k <= turns; ++k) {
+    const int phase = k % n;
+    rows.insert(rows.end(), {0.1 * (phase + 1), -0.5, std::cos(1.0 + phase)});
+  }
+  return rows;
+}
+
+double& at(std::vector<double>& rows, int row, int state) {
+  return rows[static_cast<std::size_t>(row * states + state)];
+}
+
+TEST(Section, FindsEveryPeriodUpToTheLargestOrder) {
+  for (int n = 1; n <= 12; ++n) {
+    const auto period = period_of_section(periodic_rows(n), states, 12);
+    ASSERT_TRUE(period) << n;
+    EXPECT_EQ(period->order, n);
+    EXPECT_EQ(period->residual, 0);
+  }
+}
+
+TEST(Section, LooksNoFurtherThanTheLargestOrder) {
+  EXPECT_FALSE(period_of_section(periodic_rows(12), states, 11));
+  EXPECT_FALSE(period_of_section(periodic_rows(13), states, 12));
+  EXPECT_EQ(period_of_section(periodic_rows(13), states, 13)->order, 13);
+}
+
+TEST(Section, WindowOfAnOrderIsTheWholePeriodsThatFit) {
+  EXPECT_EQ(window_turns(64, 1), 64);
+  EXPECT_EQ(window_turns(64, 7), 63);
+  EXPECT_EQ(window_turns(64, 11), 55);
+  EXPECT_EQ(window_turns(6, 7), 0);
+}
+
+TEST(Section, ToleranceIsTenToTheMinusFiveAndTheResidualIsReported) {
+  for (const int n : {1, 2, 7, 9, 11, 12}) {
+    auto rows = periodic_rows(n);
+    at(rows, 40, 2) += 5e-6;
+    const auto period = period_of_section(rows, states, 12);
+    ASSERT_TRUE(period) << n;
+    EXPECT_EQ(period->order, n);
+    EXPECT_NEAR(period->residual, 5e-6, 1e-15);
+
+    at(rows, 40, 2) += 1.5e-5;
+    EXPECT_FALSE(period_of_section(rows, states, 12)) << n;
+  }
+}
+
+TEST(Section, OneRowAtEitherEndOfTheWindowIsEnoughToDenyAPeriod) {
+  for (const int n : {2, 7, 12}) {
+    for (const int row : {turns - window_turns(turns, n), turns}) {
+      auto rows = periodic_rows(n);
+      at(rows, row, 0) += 1e-3;
+      EXPECT_FALSE(period_of_section(rows, states, 12)) << n << " row " << row;
+    }
+  }
+}
+
+TEST(Section, RowsBeforeTheWindowOfTheOrderDoNotCount) {
+  for (const int n : {7, 9, 11, 12}) {
+    auto rows = periodic_rows(n);
+    for (int row = 0; row < turns - window_turns(turns, n); ++row) at(rows, row, 0) += 1e-3;
+    const auto period = period_of_section(rows, states, 12);
+    ASSERT_TRUE(period) << n;
+    EXPECT_EQ(period->order, n);
+  }
+}
+
+TEST(Section, ATransientThatOnlyAShorterWindowMissesGivesNoPeriod) {
+  // Synchronous but for its first row: order 3 looks at 63 turns only and would return.
+  auto synchronous = periodic_rows(1);
+  at(synchronous, 0, 0) += 1e-3;
+  EXPECT_FALSE(period_of_section(synchronous, states, 12));
+  auto half = periodic_rows(2);
+  at(half, 0, 0) += 1e-3;
+  EXPECT_FALSE(period_of_section(half, states, 12));
+}
+
+TEST(Section, APeriodMustBeSeenTwice) {
+  std::vector<double> rows;
+  for (int k = 0; k <= 9; ++k) rows.push_back(k % 5);
+  EXPECT_FALSE(period_of_section(rows, 1, 12));
+  rows.push_back(0);
+  EXPECT_EQ(period_of_section(rows, 1, 12)->order, 5);
+}
+
+TEST(Section, NumbersThatAreNotFiniteNeverReturn) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    auto rows = periodic_rows(1);
+    at(rows, 50, 1) = bad;
+    EXPECT_FALSE(period_of_section(rows, states, 12));
+    EXPECT_FALSE(period_of_section(std::vector<double>(65, bad), 1, 12));
+  }
+}
+
+TEST(Section, RefusesRowsThatHaveNoShape) {
+  const std::vector<double> rows(10);
+  EXPECT_THROW(period_of_section(rows, 3, 12), SolverError);
+  EXPECT_THROW(period_of_section(rows, 0, 12), SolverError);
+  EXPECT_THROW(period_of_section({}, 1, 12), SolverError);
+}
+
+}  // namespace
+}  // namespace rubsweep::response::motion

@@ -1,0 +1,63 @@
+#include "rubsweep/response/proof/approach.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace rubsweep::response::proof {
+namespace {
+
+constexpr double shrinks = 0.98;
+
+/// A spiral into the origin, with an edge in its way, below x = -0.03, that leads far away.
+bool spiral(std::span<double> s, Eigen::MatrixXd* disturbances) {
+  constexpr double angle = std::numbers::pi / 3;
+  Eigen::Matrix2d turn;
+  turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  turn *= shrinks;
+  if (disturbances) *disturbances = turn * *disturbances;
+  const Eigen::Vector2d next = turn * Eigen::Vector2d(s[0], s[1]);
+  s[0] = next.x() < -0.03 ? 5 : next.x();
+  s[1] = next.y();
+  return true;
+}
+
+struct Found {
+  StableOrbit orbit;
+  AdaptedNorms norms;
+};
+
+Found orbit_near(std::span<const double> section) {
+  const auto orbit = find_orbit(spiral, section, 1);
+  EXPECT_TRUE(orbit);
+  return {*orbit, *adapted_norms(orbit->transitions)};
+}
+
+TEST(ComesNear, FollowsAllTheWay) {
+  const std::array<double, 2> near{0.02, 0};
+  const Found at = orbit_near(near);
+  const double distance = adapted_distance(near, at.orbit, at.norms);
+  EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {1e-4 * distance, 0}, 10'000));
+  const long needed = std::lround(std::ceil(std::log(1e-4) / std::log(shrinks)));
+  EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {1e-4 * distance, 0}, needed + 1));
+  EXPECT_FALSE(comes_near(spiral, near, at.orbit, at.norms, {1e-4 * distance, 0}, needed - 2));
+}
+
+/// The distance in x halves after one sixth of a rotation, in which the spiral has shrunk by 2 %.
+TEST(ComesNear, ATransientThatMeetsAnEdgeLaterDoesNot) {
+  const std::array<double, 2> far{0.04, 0};
+  const Found at = orbit_near(far);
+  EXPECT_FALSE(comes_near(spiral, far, at.orbit, at.norms, {1e-6, 0}, 10'000));
+}
+
+TEST(ComesNear, EitherMeasureWillDo) {
+  const std::array<double, 2> near{0.02, 0};
+  const Found at = orbit_near(near);
+  EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {0, 0.021}, 0));
+  EXPECT_FALSE(comes_near(spiral, near, at.orbit, at.norms, {0, 0.019}, 0));
+}
+
+}  // namespace
+}  // namespace rubsweep::response::proof

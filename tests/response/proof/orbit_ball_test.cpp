@@ -1,0 +1,119 @@
+#include "rubsweep/response/proof/orbit_ball.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <random>
+
+#include "rubsweep/response/proof/approach.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::response::proof {
+namespace {
+
+/// The 1/2 motion of parameter set A at 75 Hz and whirl ratio 0.4.
+struct HalfMotion {
+  scene::Scene scene = after_the_kick(test::cell_of({}).scene);
+  integrate::exact::ModeCache modes;
+  SceneMap map{scene, {}, plans};
+  StableOrbit orbit;
+  AdaptedNorms norms;
+  std::vector<double> section;
+
+  TurnMap turn() {
+    return [this](std::span<double> s, Eigen::MatrixXd* disturbances) {
+      return disturbances ? map.carry(s, *disturbances) : map(s);
+    };
+  }
+
+  HalfMotion() {
+    const auto start = test::cell_of({}).scene;
+    const auto run = integrate::start(start, {}, modes);
+    integrate::run::Turn turn_made;
+    for (int k = 0; k < 400; ++k) EXPECT_EQ(run.advance(turn_made), integrate::run::Outcome::ok);
+    const auto found = find_orbit(turn(), turn_made.section, 2);
+    EXPECT_TRUE(found);
+    orbit = *found;
+    EXPECT_EQ(orbit.order, 2);
+    norms = *adapted_norms(orbit.transitions);
+    section.assign(orbit.sections[0].begin(), orbit.sections[0].end());
+  }
+
+  /// On the rim of the ball of this radius.
+  std::vector<double> on_the_rim(double radius, std::mt19937_64& random) const {
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd y(orbit.sections[0].size());
+    for (double& x : y) x = normal(random);
+    const Eigen::VectorXd off = norms.norm[0].triangularView<Eigen::Upper>().solve(radius * y.normalized());
+    const Eigen::VectorXd state = orbit.sections[0] + off;
+    return {state.begin(), state.end()};
+  }
+};
+
+std::vector<integrate::run::ModeSwitch> switches_of(const HalfMotion& motion,
+                                                    integrate::exact::ModeCache& modes,
+                                                    std::span<const double> section) {
+  const auto run = integrate::start(motion.scene, {}, modes);
+  run.restart(section);
+  std::vector<integrate::run::ModeSwitch> all;
+  integrate::run::Turn turn;
+  turn.switches_wanted = true;
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(run.advance(turn), integrate::run::Outcome::ok);
+    all.insert(all.end(), turn.switches.begin(), turn.switches.end());
+  }
+  return all;
+}
+
+TEST(OrbitBall, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
+  HalfMotion motion;
+  const auto radius = ball_radius(motion.scene, motion.plans, motion.section, motion.norms);
+  ASSERT_TRUE(radius);
+  EXPECT_GT(*radius, 1e-6);
+  const auto own = switches_of(motion, motion.plans, motion.section);
+  ASSERT_FALSE(own.empty());
+  std::mt19937_64 random(3);
+  for (int trial = 0; trial < 200; ++trial) {
+    auto state = motion.on_the_rim(*radius, random);
+    const auto switches = switches_of(motion, motion.plans, state);
+    ASSERT_EQ(switches.size(), own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      EXPECT_EQ(switches[i].contact, own[i].contact);
+      EXPECT_EQ(switches[i].to, own[i].to);
+    }
+    double last = *radius;
+    for (std::size_t k = 1; k <= 4; ++k) {
+      ASSERT_TRUE(motion.map(state));
+      const Eigen::Map<const Eigen::VectorXd> x(state.data(), static_cast<Eigen::Index>(state.size()));
+      const double now = (motion.norms.norm[k % 2] * (x - motion.orbit.sections[k % 2])).norm();
+      EXPECT_LT(now, last);
+      last = now;
+    }
+  }
+}
+
+/// The ball could not be so much larger: a hundred times farther out other modes do occur.
+TEST(OrbitBall, FartherOutOtherModesOccur) {
+  HalfMotion motion;
+  const auto radius = ball_radius(motion.scene, motion.plans, motion.section, motion.norms);
+  ASSERT_TRUE(radius);
+  const auto own = switches_of(motion, motion.plans, motion.section);
+  std::mt19937_64 random(4);
+  int others = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto rim = motion.on_the_rim(std::max(2.0, 100 * *radius), random);
+    others += switches_of(motion, motion.plans, rim).size() != own.size();
+  }
+  EXPECT_GT(others, 0);
+}
+
+TEST(OrbitBall, NoneWhereTurnsHaveNoClosedForm) {
+  HalfMotion motion;
+  motion.scene.contacts.front().friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0.01}};
+  integrate::exact::ModeCache modes;
+  EXPECT_FALSE(ball_radius(motion.scene, modes, motion.section, motion.norms));
+}
+
+}  // namespace
+}  // namespace rubsweep::response::proof

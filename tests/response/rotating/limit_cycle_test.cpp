@@ -1,0 +1,101 @@
+#include "rubsweep/response/rotating/limit_cycle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace rubsweep::response::rotating {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+constexpr double full_turn = 2 * std::numbers::pi;
+
+/// r' = a r (1 - r^2), angle' = w, s' = -b s: in closed form a cycle r = 1, s = 0 of period 2 pi / w with the
+/// multipliers 1, e^{-2 a T} and e^{-b T}.
+struct NormalForm {
+  double a = 0.1, w = 0.6, b = 0.3;
+  double push_out = 0;  ///< at r < 0.95, where no derivative shows it
+
+  double period() const { return full_turn / w; }
+  VectorXd rate(const VectorXd& y) const {
+    const double growth = a * (1 - y.head(2).squaredNorm());
+    return VectorXd{{growth * y(0) - w * y(1), growth * y(1) + w * y(0), -b * y(2)}};
+  }
+  VectorXd after(const VectorXd& y, double t) const {
+    const double r = std::hypot(y(0), y(1)), decay = std::exp(-2 * a * t);
+    const double grown = 1 / std::sqrt(r * r + (1 - r * r) * decay) + (r < 0.95 ? push_out / r : 0);
+    const double c = std::cos(w * t), s = std::sin(w * t);
+    return VectorXd{{grown * (c * y(0) - s * y(1)), grown * (s * y(0) + c * y(1)), std::exp(-b * t) * y(2)}};
+  }
+  RotatingArc arc(const VectorXd& y, double t) const {
+    RotatingArc arc;
+    arc.end = after(y, t);
+    arc.angle_rad = t;
+    arc.transition.resize(3, 3);
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      const VectorXd step = 1e-5 * VectorXd::Unit(3, j);
+      arc.transition.col(j) = (after(y + step, t) - after(y - step, t)) / 2e-5;
+    }
+    return arc;
+  }
+  RotatingMotion motion() const {
+    const auto flow = [*this](const VectorXd& y, double t) { return std::optional(arc(y, t)); };
+    return {[*this](const VectorXd& y) { return rate(y); }, flow, flow,
+            [*this](const VectorXd& y, double t) { return std::optional(after(y, t)); }};
+  }
+};
+
+const VectorXd near_the_cycle{{0.6 * 0.97, 0.8 * 0.97, 0.01}};
+
+TEST(ProveCycle, FindsPeriodStateAndModulus) {
+  const NormalForm form;
+  const auto cycle = prove_limit_cycle(form.motion(), near_the_cycle, {1.005 * form.period()});
+  ASSERT_TRUE(cycle);
+  EXPECT_NEAR(cycle->once.angle_rad, form.period(), 1e-8);
+  EXPECT_NEAR(cycle->state.head(2).norm(), 1, 1e-9);
+  EXPECT_NEAR(cycle->state(2), 0, 1e-9);
+  const double slower = std::max(std::exp(-2 * form.a * form.period()), std::exp(-form.b * form.period()));
+  EXPECT_NEAR(cycle->floquet_modulus, slower, 1e-8);
+}
+
+TEST(ProveCycle, TakesTheFirstPeriodThatCloses) {
+  const NormalForm form;
+  const double once = form.period();
+  const auto cycle =
+      prove_limit_cycle(form.motion(), near_the_cycle, {0.6 * once, 1.005 * once, 2.01 * once});
+  ASSERT_TRUE(cycle);
+  EXPECT_NEAR(cycle->once.angle_rad, once, 1e-8);
+}
+
+TEST(ProveCycle, RefusesAnUnstableOne) {
+  for (const auto& [a, b] : {std::pair{-0.01, 0.3}, std::pair{0.1, -0.01}, std::pair{0.1, 1e-9}}) {
+    NormalForm form;
+    form.a = a;
+    form.b = b;
+    EXPECT_FALSE(prove_limit_cycle(form.motion(), near_the_cycle, {form.period()})) << a << ' ' << b;
+  }
+}
+
+TEST(ProveCycle, RefusesATransientThatGoesElsewhere) {
+  NormalForm form;
+  form.push_out = 1;
+  const VectorXd start{{0.9, 0, 0}};
+  EXPECT_FALSE(prove_limit_cycle(form.motion(), start, {form.period()}));
+  form.push_out = 0;
+  EXPECT_TRUE(prove_limit_cycle(form.motion(), start, {form.period()}));
+}
+
+TEST(ProveCycle, RefusesWhatIsFarAwayAFixedPointAndAFailure) {
+  const NormalForm form;
+  EXPECT_FALSE(prove_limit_cycle(form.motion(), VectorXd{{0.5, 0, 0}}, {form.period()}));
+  EXPECT_FALSE(prove_limit_cycle(form.motion(), VectorXd{{1e-9, 0, 0}}, {form.period()}));
+  EXPECT_FALSE(prove_limit_cycle(form.motion(), near_the_cycle, {1.4 * form.period()}));
+  RotatingMotion broken = form.motion();
+  broken.roughly = [](const VectorXd&, double) { return std::optional<RotatingArc>(); };
+  EXPECT_FALSE(prove_limit_cycle(broken, near_the_cycle, {form.period()}));
+}
+
+}  // namespace
+}  // namespace rubsweep::response::rotating

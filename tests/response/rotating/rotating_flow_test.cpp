@@ -1,0 +1,123 @@
+#include "rubsweep/response/rotating/rotating_flow.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <numbers>
+#include <vector>
+
+#include "response/annular_cell.hpp"
+#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/response/rotating/rotating_frame.hpp"
+#include "support/annular_scene.hpp"
+
+namespace rubsweep::response::rotating {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+constexpr double full_turn = 2 * std::numbers::pi;
+
+integrate::run::SolverOptions tight() {
+  integrate::run::SolverOptions options;
+  options.relative_tolerance = 1e-11;
+  return options;
+}
+
+/// Bouncing round the annular stop: every mode occurs within a turn.
+scene::Scene bouncing() {
+  auto scene = response::testing::annular_cell(120, 0.6).scene;
+  scene.pulse.reset();
+  scene.displacement_m << 0.9e-3, 0, 2e-5, 0;
+  scene.velocity_m_per_s << 0.3, 0.5, 0.01, 0;
+  return scene;
+}
+
+VectorXd initial(const scene::Scene& scene) {
+  const auto state = integrate::run::scaled_initial_state(scene);
+  return Eigen::Map<const VectorXd>(state.data(), static_cast<Eigen::Index>(state.size()));
+}
+
+TEST(RotatingFlow, OneTurnIsThatOfTheAdaptiveSolver) {
+  const auto scene = bouncing();
+  integrate::run::Turn turn;
+  turn.peaks = true;
+  turn.samples_per_revolution = 16;
+  ASSERT_EQ(integrate::adaptive::start_adaptive(scene, tight())(turn), integrate::run::Outcome::ok);
+  const auto arc = RotatingFlow(scene, tight(), 16).from(initial(scene), full_turn);
+  ASSERT_TRUE(arc);
+  EXPECT_GT(turn.hits, 0);
+  EXPECT_EQ(arc->hits, turn.hits);
+  EXPECT_NEAR(arc->contact_fraction, turn.contact_fraction, 1e-8);
+  EXPECT_NEAR(arc->peak_displacement_m, turn.peak_displacement_m, 1e-11);
+  EXPECT_NEAR(arc->peak_contact_force_n, turn.peak_contact_force_n, 1e-3);
+  const VectorXd section = Eigen::Map<const VectorXd>(turn.section.data(), 8);
+  EXPECT_LT((arc->end - section).cwiseAbs().maxCoeff(), 1e-8);
+  const MatrixXd samples = Eigen::Map<const MatrixXd>(turn.samples.data(), 8, 16);
+  ASSERT_EQ(arc->samples.cols(), 16);
+  EXPECT_LT((arc->samples - samples).cwiseAbs().maxCoeff(), 1e-7);
+}
+
+/// For the fixed size, any size and the smoothed law: the derivative is what differences of the solver say.
+TEST(RotatingFlow, TransitionIsWhatDifferencesSay) {
+  const auto two_rings = [] {
+    auto scene = test::FullRub{}.scene();
+    scene.displacement_m *= 1.1;
+    return scene;
+  };
+  integrate::run::SolverOptions smoothed = tight();
+  smoothed.contact = integrate::run::ContactHandling::smoothed;
+  smoothed.smoothing_m = 1e-5;
+  for (const auto& [scene, options] :
+       {std::pair{bouncing(), tight()}, std::pair{two_rings(), tight()}, std::pair{bouncing(), smoothed}}) {
+    const RotatingFlow flow(scene, options, 0);
+    const VectorXd start = initial(scene);
+    const double angle = 4.4;
+    const auto arc = flow.from(start, angle);
+    ASSERT_TRUE(arc);
+    for (Eigen::Index j = 0; j < start.size(); ++j) {
+      const VectorXd step = 1e-5 * VectorXd::Unit(start.size(), j);
+      const VectorXd column =
+          (flow.from(start + step, angle)->end - flow.from(start - step, angle)->end) / 2e-5;
+      EXPECT_LT((column - arc->transition.col(j)).cwiseAbs().maxCoeff(),
+                2e-4 * (1 + column.cwiseAbs().maxCoeff()))
+          << j;
+    }
+  }
+}
+
+TEST(RotatingFlow, TwoStretchesAreOne) {
+  const auto scene = bouncing();
+  const RotatingFlow flow(scene, tight(), 32);
+  const double a = 1.7, b = 9.1;
+  const auto first = flow.from(initial(scene), a), whole = flow.from(initial(scene), a + b);
+  ASSERT_TRUE(first && whole);
+  const auto second = flow.from(first->end, b);
+  ASSERT_TRUE(second);
+  EXPECT_LT((second->end - whole->end).cwiseAbs().maxCoeff(), 1e-7);
+  EXPECT_LT((second->transition * first->transition - whole->transition).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_EQ(first->hits + second->hits, whole->hits);
+  EXPECT_NEAR((a * first->contact_fraction + b * second->contact_fraction) / (a + b), whole->contact_fraction,
+              1e-8);
+  EXPECT_EQ(whole->samples.cols(), static_cast<Eigen::Index>(32 * (a + b) / full_turn) + 1);
+}
+
+TEST(RotatingFlow, StandsStillOnFullAnnularRub) {
+  const auto scene = test::FullRub{}.scene();
+  const auto arc = RotatingFlow(scene, tight(), 0).from(initial(scene), 20.0);
+  ASSERT_TRUE(arc);
+  EXPECT_LT((arc->end - initial(scene)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_EQ(arc->hits, 0);
+  EXPECT_NEAR(arc->contact_fraction, 1, 1e-12);
+}
+
+TEST(RotatingFlow, SaysWhenTheSolverFails) {
+  integrate::run::SolverOptions options = tight();
+  options.max_steps_per_revolution = 10;
+  const auto scene = bouncing();
+  EXPECT_FALSE(RotatingFlow(scene, options, 0).from(initial(scene), full_turn));
+}
+
+}  // namespace
+}  // namespace rubsweep::response::rotating

@@ -1,0 +1,104 @@
+#include "rubsweep/response/rotating/rotating_proof.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "response/annular_cell.hpp"
+#include "rubsweep/response/settle.hpp"
+
+namespace rubsweep::response::testing {
+namespace {
+
+SettledRun run(const scene::Cell& cell, bool proof, int max_revolutions = 600) {
+  motion::ResponseOptions options;
+  options.floquet_proof = proof;
+  options.max_revolutions = max_revolutions;
+  motion::Workspace workspace;
+  return settle(cell, {}, options, workspace);
+}
+
+std::string name(const SettledRun& settled) { return std::string(to_string(settled.motion.motion_class)); }
+
+/// Proven within so many turns to be what a run of `observed_turns` without any proof shows.
+struct ProvenAndObserved {
+  SettledRun proven, observed;
+
+  ProvenAndObserved(const scene::Cell& cell, const char* motion_class, int within_turns, int observed_turns)
+      : proven(run(cell, true)), observed(run(cell, false, observed_turns)) {
+    EXPECT_EQ(proven.proof, motion::Proof::floquet_observed);
+    EXPECT_LT(proven.revolutions, within_turns);
+    EXPECT_EQ(name(proven), motion_class);
+    EXPECT_EQ(name(observed), motion_class);
+  }
+};
+
+TEST(rotating::RotatingProof, TheCircleIsWhatALongRunShows) {
+  const auto [proven, observed] = ProvenAndObserved(annular_cell(80, 0.6), "synchronous", 20, 200);
+  EXPECT_EQ(proven.motion.order, 1);
+  const motion::Measures &a = proven.motion.measures, &b = observed.motion.measures;
+  EXPECT_EQ(a.orbit, spectrum::OrbitKind::circle);
+  EXPECT_EQ(a.whirl, b.whirl);
+  EXPECT_EQ(a.contact.hits, 0);
+  EXPECT_EQ(b.contact.hits, 0);
+  EXPECT_NEAR(a.amplitude_1x_forward_m, b.amplitude_1x_forward_m, 1e-10);
+  EXPECT_NEAR(a.contact.peak_displacement_m, b.contact.peak_displacement_m, 1e-10);
+  EXPECT_NEAR(a.contact.contact_fraction, b.contact.contact_fraction, 1e-12);
+  EXPECT_FALSE(a.comb_spacing);
+}
+
+TEST(rotating::RotatingProof, TheOvalIsWhatALongRunShows) {
+  const auto [proven, observed] = ProvenAndObserved(annular_cell(165, 0.6), "quasi_periodic", 40, 400);
+  const motion::Measures &a = proven.motion.measures, &b = observed.motion.measures;
+  EXPECT_NEAR(a.comb_spacing.value(), b.comb_spacing.value(), 1e-8);
+  EXPECT_EQ(a.orbit, b.orbit);
+  EXPECT_EQ(a.whirl, b.whirl);
+  EXPECT_NEAR(a.dominant.value().order, b.dominant.value().order, 1e-8);
+  EXPECT_NEAR(a.dominant->amplitude_m, b.dominant->amplitude_m, 1e-6 * b.dominant->amplitude_m);
+  // What the observed window's bins make of lines between them is worth a per cent.
+  EXPECT_NEAR(a.amplitude_1x_forward_m, b.amplitude_1x_forward_m, 2e-2 * b.amplitude_1x_forward_m);
+  EXPECT_NEAR(a.contact.contact_fraction, b.contact.contact_fraction, 1e-2);
+  EXPECT_NEAR(a.contact.hits, b.contact.hits, 1);
+  EXPECT_NEAR(a.contact.peak_displacement_m, b.contact.peak_displacement_m, 1e-9);
+  EXPECT_NEAR(a.contact.peak_contact_force_n, b.contact.peak_contact_force_n, 1e-3);
+}
+
+/// Multiplier -0.9915: the transient alternates for a thousand turns, and a run of 600 takes it for the
+/// double period.
+TEST(rotating::RotatingProof, AnOvalThatIsReachedSlowlyIsProvenAtOnce) {
+  const auto proven = run(annular_cell(120, 0.6), true);
+  EXPECT_EQ(proven.proof, motion::Proof::floquet_observed);
+  EXPECT_LT(proven.revolutions, 400);
+  EXPECT_NEAR(proven.motion.measures.comb_spacing.value(), 0.40854734, 1e-7);
+  EXPECT_NEAR(proven.floquet_modulus.value(), 0.991531, 1e-5);
+}
+
+TEST(rotating::RotatingProof, DryWhipHasNoMaximumToReturnToAndStaysObserved) {
+  model::Machine machine = annular_machine();
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0.02;
+  machine.stops[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
+  machine.stops[0].casing->damping_ratio = 0.1;
+  machine.kick->force_n = 200;
+  const auto whip = run(scene::build_cell(machine, 60, scene::WhirlRatio{0}), true, 300);
+  EXPECT_EQ(whip.proof, motion::Proof::observed);
+  EXPECT_EQ(whip.motion.measures.orbit, spectrum::OrbitKind::circle);
+}
+
+/// A coarse map: every label is that of long runs without any proof.
+TEST(rotating::RotatingProof, LabelsAreThoseOfLongRuns) {
+  for (const double speed_hz : {75.0, 100.0, 150.0, 210.0}) {
+    for (const double whirl_ratio : {0.3, 0.8}) {
+      const auto cell = annular_cell(speed_hz, whirl_ratio);
+      if (cell.start != scene::Start::quiet) continue;
+      const auto proven = run(cell, true), observed = run(cell, false, 400);
+      SCOPED_TRACE(std::to_string(speed_hz) + " " + std::to_string(whirl_ratio));
+      EXPECT_EQ(name(proven), name(observed));
+      EXPECT_EQ(proven.motion.order, observed.motion.order);
+      EXPECT_EQ(proven.motion.measures.orbit, observed.motion.measures.orbit);
+      EXPECT_NE(proven.proof, motion::Proof::observed);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::response::testing

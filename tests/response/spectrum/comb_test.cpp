@@ -1,0 +1,147 @@
+#include "rubsweep/response/spectrum/comb.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "response/synthetic_motion.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::response::testing {
+namespace {
+
+constexpr int turns = 128;
+constexpr int per_turn = 64;
+
+using TimeFunction = std::function<Complex(double)>;
+
+std::optional<spectrum::Comb> comb_of(const TimeFunction& z) {
+  spectrum::SpectrumWorkspace workspace;
+  return spectrum::find_comb(sample(z, 0, turns, per_turn), per_turn, workspace);
+}
+
+/// Lines at 1 + k spacing with the given amplitudes for k = first, first + 1, ...
+TimeFunction comb(double spacing, int first, std::vector<double> amplitudes) {
+  return [=](double turn) {
+    Complex sum = 0;
+    for (std::size_t i = 0; i < amplitudes.size(); ++i) {
+      sum += amplitudes[i] * phasor(1 + (first + static_cast<int>(i)) * spacing, turn);
+    }
+    return sum;
+  };
+}
+
+void expect_closed(const TimeFunction& z, double spacing) {
+  const auto found = comb_of(z);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->closed);
+  EXPECT_NEAR(found->spacing, spacing, 1e-8);
+}
+
+TEST(FindComb, ReadsTheSpacingOfACombToEightDigits) {
+  for (const double spacing : {0.1813, 0.3333, 0.515, 0.6871, 0.94, 1.6180339887, 2.3}) {
+    SCOPED_TRACE(spacing);
+    expect_closed(comb(spacing, -3, {0.05, 0.2, 0.5, 0.8, 0.1, 0.03}), spacing);
+  }
+}
+
+TEST(FindComb, HoldsAllTheEnergyOfACombThatIsWideEnough) {
+  EXPECT_NEAR(comb_of(comb(0.515, -2, {0.2, 0.5, 0.8, 0.1}))->energy_share, 1, 1e-3);
+  // 0.0745 turns of 128 are 9.5 bins: its lines overlap.
+  const auto narrow = comb_of(comb(0.0745, -2, {0.2, 0.5, 0.8, 0.1}));
+  EXPECT_TRUE(narrow->closed);
+  EXPECT_EQ(narrow->energy_share, 0);
+}
+
+TEST(FindComb, IsNotMisledByTheLargestLine) {
+  // The largest lines off 1X are the second and the third of the comb.
+  expect_closed(comb(0.2317, -2, {0.9, 0.3, 0.8}), 0.2317);
+  expect_closed(comb(0.2317, -3, {0.9, 0, 0.3, 0.8}), 0.2317);
+  // 1X itself may be missing.
+  expect_closed(comb(0.4, -1, {0.9, 0, 0.5}), 0.4);
+}
+
+TEST(FindComb, OfADoubledPeriodIsHalf) {
+  const double spacing = 0.6793;
+  const auto main = comb(spacing, -2, {0.2, 0.8, 0.3});
+  const auto with_halves = [&](double amplitude) {
+    return [=](double turn) { return main(turn) + amplitude * phasor(1 - spacing / 2, turn); };
+  };
+  expect_closed(with_halves(0.02), spacing / 2);
+  expect_closed(with_halves(0.002), spacing / 2);
+  // Below a thousandth of the orbit's size it is not significant.
+  expect_closed(with_halves(0.0005), spacing);
+}
+
+TEST(FindComb, OfAWhirlAtOneFrequencyIsItsDistanceFromTheShafts) {
+  expect_closed([](double turn) { return 0.7 * phasor(-0.83, turn); }, 1.83);
+  expect_closed([](double turn) { return 0.7 * phasor(-0.83, turn) + 0.2 * phasor(1, turn); }, 1.83);
+}
+
+TEST(FindComb, DoesNotCloseWithAThirdFrequency) {
+  const auto found = comb_of([](double turn) {
+    return 0.8 * phasor(1, turn) + 0.6 * phasor(0.3819660113, turn) + 0.1 * phasor(0.7071067812, turn);
+  });
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->closed);
+  // The comb of the largest line misses one per cent: 0.1^2 of 0.8^2 + 0.6^2 + 0.1^2.
+  EXPECT_NEAR(found->spacing, 0.6180339887, 1e-3);
+  EXPECT_NEAR(found->energy_share, 1 / 1.01, 1e-3);
+}
+
+TEST(FindComb, DoesNotCloseWhileItStillGrowsOrShrinks) {
+  const auto settling = [](double rate) {
+    return comb_of([rate](double turn) {
+      return 0.8 * phasor(1, turn) + 0.3 * std::exp(rate * turn) * phasor(0.4, turn);
+    });
+  };
+  EXPECT_FALSE(settling(-1e-3)->closed);
+  EXPECT_FALSE(settling(1e-4)->closed);
+  EXPECT_TRUE(settling(-1e-5)->closed);
+  EXPECT_NEAR(settling(-1e-3)->spacing, 0.6, 1e-3);
+}
+
+TEST(FindComb, DoesNotCloseInNoiseNorChaos) {
+  std::mt19937 bits(1);
+  std::normal_distribution<double> normal;
+  std::vector<Complex> z(turns * per_turn);
+  for (auto& value : z) value = {normal(bits), normal(bits)};
+  spectrum::SpectrumWorkspace workspace;
+  const auto noise = spectrum::find_comb(z, per_turn, workspace);
+  EXPECT_FALSE(noise->closed);
+  EXPECT_LT(noise->energy_share, 0.9);
+
+  std::vector<double> henon{0.1, 0.2};
+  for (int k = 0; k < turns; ++k)
+    henon.push_back(1 - 1.4 * henon.back() * henon.back() + 0.3 * henon[henon.size() - 2]);
+  const auto chaos = comb_of([&henon](double turn) {
+    const auto k = static_cast<std::size_t>(turn);
+    const double blend = turn - static_cast<double>(k);
+    return phasor(1, turn) + 0.4 * (henon[k] + blend * (henon[k + 1] - henon[k])) * phasor(0.4, turn);
+  });
+  EXPECT_FALSE(chaos->closed);
+}
+
+TEST(FindComb, DoesNotLookForPeriodsAboveAQuarterOfTheSamples) {
+  EXPECT_FALSE(comb_of(comb(1.0 / 33, -1, {0.3, 0.8}))->closed);
+  EXPECT_TRUE(comb_of(comb(1.0 / 31, -1, {0.3, 0.8}))->closed);
+}
+
+TEST(FindComb, NeedsAMotionThatMovesInTheTurningFrame) {
+  EXPECT_FALSE(comb_of([](double) { return Complex(0); }));
+  const auto circle = comb_of([](double turn) { return 0.8 * phasor(1, turn); });
+  // Rounding alone moves, and does not return.
+  EXPECT_FALSE(circle && circle->closed);
+}
+
+TEST(FindComb, RefusesSamplesThatDoNotFillThirtyTwoTurns) {
+  spectrum::SpectrumWorkspace workspace;
+  EXPECT_THROW(spectrum::find_comb(std::vector<Complex>(31 * 64), 64, workspace), SolverError);
+  EXPECT_THROW(spectrum::find_comb(std::vector<Complex>(64 * 64 + 1), 64, workspace), SolverError);
+  EXPECT_THROW(spectrum::find_comb(std::vector<Complex>(300), 3, workspace), SolverError);
+}
+
+}  // namespace
+}  // namespace rubsweep::response::testing

@@ -1,0 +1,99 @@
+#include "rubsweep/scene/prepared_machine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <vector>
+
+#include "batch/message_of.hpp"
+#include "rubsweep/error.hpp"
+#include "scene/kit_machine.hpp"
+
+namespace rubsweep::scene {
+namespace {
+
+std::string refusal(const std::function<void(model::RotorKit&)>& change) {
+  model::Machine machine = light_shaft_machine();
+  change(*model::kit_of(machine));
+  return message_of<ConfigError>([&] { prepare_machine(machine); });
+}
+
+TEST(MakePlan, RefusesNumbersThatNoShaftHas) {
+  EXPECT_NE(refusal([](auto& kit) { kit.shaft[0].outer_diameter_m = 1e-300; })
+                .find("rotor.shaft.0.outer_diameter_m: 1e-300 is out of range, allowed: a number >= 1e-06 "
+                      "and <= 100"),
+            std::string::npos);
+  EXPECT_NE(refusal([](auto& kit) { kit.shaft[0].outer_diameter_m = 1e100; }).find("is out of range"),
+            std::string::npos);
+}
+
+/// Every number at either end of what is allowed, one at a time: a prepared machine or a refusal.
+TEST(MakePlan, TakesOrRefusesEveryAllowedExtreme) {
+  const auto with_a_few_of_everything = [] {
+    model::Machine machine = light_shaft_machine();
+    model::RotorKit& kit = *model::kit_of(machine);
+    kit.shaft[0].density_kg_per_m3 = 7850;
+    kit.modes.reset();
+    kit.couplings = {
+        {.position_m = 0.3, .lateral_stiffness_n_per_m = 1e7, .angular_stiffness_nm_per_rad = 1e3}};
+    kit.supports[0].pedestal =
+        model::Pedestal{.mass_kg = 2, .stiffness_x_n_per_m = 1e5, .stiffness_y_n_per_m = 1e5};
+    kit.bow = model::Bow{.shape = model::BowMode{.mode = 2, .amplitude_m = 1e-5}, .phase_deg = 0};
+    return machine;
+  };
+  int numbers = 0, plans = 0;
+  for (int target = 0;; ++target) {
+    bool reached = false;
+    for (const bool high : {false, true}) {
+      model::Machine machine = with_a_few_of_everything();
+      int count = 0;
+      const auto change = [&](const char* name, double& value, const model::Range& range) {
+        if (count++ != target || std::string(name) == "position_m") return;
+        reached = true;
+        value = high ? range.high : range.low;
+      };
+      const auto visit = [&](auto& part) {
+        std::remove_reference_t<decltype(part)>::visit_fields(part, change);
+      };
+      model::RotorKit& kit = *model::kit_of(machine);
+      visit(kit.shaft[0]);
+      visit(kit.discs[0]);
+      visit(kit.supports[0]);
+      visit(*kit.supports[0].pedestal);
+      visit(kit.couplings[0]);
+      reached = reached || target < count;
+      if (!reached) break;
+      try {
+        prepare_machine(machine);
+        ++plans;
+      } catch (const ConfigError&) {
+      }
+      ++numbers;
+    }
+    if (!reached) break;
+  }
+  EXPECT_GT(numbers, 50);
+  EXPECT_GT(plans, 20);
+}
+
+TEST(MakePlan, ABowInAModeThatTheShaftHasNotIsRefused) {
+  EXPECT_NE(refusal([](auto& kit) {
+              kit.elements = 1;
+              kit.bow = model::Bow{.shape = model::BowMode{.mode = 40, .amplitude_m = 1e-5}, .phase_deg = 0};
+            }).find("rotor.bow.mode: the shaft has fewer modes"),
+            std::string::npos);
+}
+
+TEST(MakePlan, ACouplingNeedsShaftOnBothSides) {
+  for (const double place : {1e-12, 0.4 - 1e-12}) {
+    EXPECT_NE(
+        refusal([&](auto& kit) {
+          kit.couplings = {
+              {.position_m = place, .lateral_stiffness_n_per_m = 1e7, .angular_stiffness_nm_per_rad = 1e3}};
+        }).find("rotor.couplings.0.position_m: "),
+        std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::scene

@@ -1,0 +1,129 @@
+#include "rubsweep/trace/trace_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "rubsweep/error.hpp"
+#include "support/set_a_cell.hpp"
+#include "support/simple_scenes.hpp"
+
+namespace rubsweep::trace {
+namespace {
+
+using test::OneSideEquations;
+using test::OneSideRotor;
+using test::OneSideState;
+
+constexpr integrate::run::SolverOptions located{};
+constexpr integrate::run::SolverOptions smoothed{.contact = integrate::run::ContactHandling::smoothed,
+                                                 .smoothing_m = 1e-6};
+
+/// SI state as a run holds it.
+std::vector<double> scaled(const OneSideState<double>& state, const OneSideRotor& rotor) {
+  const double speed = 2 * std::numbers::pi * rotor.speed_hz;
+  std::vector<double> result;
+  for (std::size_t i = 0; i < 8; ++i) result.push_back(state[i] / rotor.clearance_m / (i < 4 ? 1 : speed));
+  return result;
+}
+
+/// A rotor about to touch, touching or just released, at any speed.
+OneSideState<double> near_the_wall(std::mt19937& random) {
+  std::normal_distribution<double> place(0, 2e-4), speed(0, 0.5);
+  OneSideState<double> state{place(random), 1.1e-3 + place(random), place(random), place(random)};
+  for (std::size_t i = 4; i < 8; ++i) state[i] = speed(random);
+  return state;
+}
+
+TEST(StateReader, GivesTheForcesThatTheEquationsOfMotionNeed) {
+  // Slip of either sign, and a friction that tells one slip from another.
+  const OneSideRotor rotor{.contact_radius_m = 0.0005, .friction_steepness_s_per_m = 2};
+  const OneSideEquations<double> equations(rotor);
+  const scene::Cell cell = test::cell_of(rotor);
+  const StateReader reader(cell.scene, located);
+  std::mt19937 random(1);
+  int touching = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const OneSideState<double> s = near_the_wall(random);
+    OneSideState<double> rate;
+    equations(s, rate, 1.0);
+    // What the casing feels beside its own spring and damper; the tangent is (-1, 0).
+    const double normal_n = equations.mc * rate[7] + equations.kc * s[3] + equations.cc * s[7];
+    const double friction_n = -(equations.mc * rate[6] + equations.kc * s[2] + equations.cc * s[6]);
+
+    const TraceState state = reader.read(scaled(s, rotor));
+    ASSERT_EQ(state.stops.size(), 1u);
+    EXPECT_NEAR(state.displacement_m.x(), s[0], 1e-18);
+    EXPECT_NEAR(state.displacement_m.y(), s[1], 1e-18);
+    EXPECT_NEAR(state.velocity_m_per_s.x(), s[4], 1e-15);
+    EXPECT_NEAR(state.velocity_m_per_s.y(), s[5], 1e-15);
+    EXPECT_NEAR(state.stops[0].casing_m.x(), s[2], 1e-18);
+    EXPECT_NEAR(state.stops[0].casing_m.y(), s[3], 1e-18);
+    EXPECT_NEAR(state.stops[0].gap_m, -equations.penetration(s), 1e-17);
+    EXPECT_NEAR(state.stops[0].normal_force_n, normal_n, 1e-9);
+    EXPECT_NEAR(state.stops[0].friction_force_n, friction_n, 1e-9);
+    touching += state.stops[0].normal_force_n > 0 ? 1 : 0;
+  }
+  EXPECT_GT(touching, 500);
+  EXPECT_LT(touching, 1500);
+}
+
+TEST(StateReader, SmoothedLawDiffersAtTheCornersOnly) {
+  const OneSideRotor rotor;
+  const scene::Cell cell = test::cell_of(rotor);
+  const StateReader sharp(cell.scene, located), soft(cell.scene, smoothed);
+  OneSideState<double> state{};
+  const auto force_at = [&](const StateReader& reader, double penetration_m) {
+    state[1] = rotor.clearance_m + penetration_m;
+    return reader.read(scaled(state, rotor)).stops[0].normal_force_n;
+  };
+  EXPECT_EQ(force_at(sharp, 0), 0);
+  EXPECT_NEAR(force_at(soft, 0), rotor.stiffness_n_per_m * 1e-6 / 8, 1e-9);  // a parabola over the width
+  EXPECT_NEAR(force_at(soft, 1e-4), force_at(sharp, 1e-4), 1e-9);
+  EXPECT_EQ(force_at(soft, -1e-4), 0);
+}
+
+/// One mass at rest in a rigid annular stop whose centre is at (-3e-4, -4e-4).
+scene::Scene annular_scene() {
+  scene::Scene scene = test::one_mass_scene(1, 1000, 0, 0.02, 1e-3);
+  scene::Contact stop;
+  stop.wall = contact::AnnularWall{{3e-4, 4e-4}};
+  stop.clearance_m = 1e-3;
+  stop.stiffness_n_per_m = 1e6;
+  stop.damping_ns_per_m = 100;
+  stop.friction = model::ConstantFriction{0.2};
+  stop.surface_speed_m_per_s = 2;
+  scene.contacts.push_back(stop);
+  return scene;
+}
+
+TEST(StateReader, ReadsARingAlongTheOffsetDisplacement) {
+  const scene::Scene scene = annular_scene();
+  const StateReader reader(scene, located);
+  const double speed = scene.speed_rad_per_s;
+  // d = (6, 8)e-4 + (3, 4)e-4 = 1.5e-3 along n = (0.6, 0.8); closing at 1 m/s, sliding at 0.5 m/s along
+  // (-0.8, 0.6).
+  const std::vector<double> touching{0.6, 0.8, (0.6 - 0.4) / (1e-3 * speed), (0.8 + 0.3) / (1e-3 * speed)};
+  const StopState stop = reader.read(touching).stops.at(0);
+  EXPECT_NEAR(stop.gap_m, -5e-4, 1e-17);
+  EXPECT_NEAR(stop.normal_force_n, 500 + 100, 1e-9);
+  EXPECT_NEAR(stop.friction_force_n, 0.2 * 500, 1e-9);
+  EXPECT_EQ(stop.casing_m, Eigen::Vector2d(0, 0));  // rigid
+
+  // In the very centre there is no normal, and nothing touches.
+  const StopState centred = reader.read(std::vector<double>{-0.3, -0.4, 0, 0}).stops.at(0);
+  EXPECT_NEAR(centred.gap_m, 1e-3, 1e-18);
+  EXPECT_EQ(centred.normal_force_n, 0);
+  EXPECT_EQ(centred.friction_force_n, 0);
+}
+
+TEST(StateReader, RefusesAStateOfAnotherSize) {
+  const scene::Scene scene = annular_scene();
+  const StateReader reader(scene, located);
+  EXPECT_EQ(reader.size(), 4u);
+  EXPECT_THROW(reader.read(std::vector<double>(3)), SolverError);
+}
+
+}  // namespace
+}  // namespace rubsweep::trace
