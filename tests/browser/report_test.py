@@ -289,11 +289,19 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(refused, "connect-src")
         self.browser.log()  # that refusal is no complaint
 
-    def test_dark_screens_and_phones(self):
+    def test_dark_screens_paper_and_phones(self):
         self.picture("report_light.png")
         self.browser.emulate("prefers-color-scheme", "dark")
         self.browser.wait(lambda: self.colour_of(self.cell(60, 0.1)) == "#2B2F36", "the map does not get dark")
         self.picture("report_dark.png")
+        # On paper the page is light whatever the screen is.
+        self.browser.emulate("prefers-color-scheme", "dark", medium="print")
+        self.browser.run('window.dispatchEvent(new Event("beforeprint"))')
+        self.assertEqual(self.colour_of(self.cell(60, 0.1)), COLOURS["non_contact"])
+        ground = "return getComputedStyle(document.body).backgroundColor"
+        self.assertEqual(self.browser.run(ground), "rgb(255, 255, 255)")
+        self.picture("report_paper.png")
+        self.browser.run('window.dispatchEvent(new Event("afterprint"))')
         self.browser.emulate("prefers-color-scheme", "light")
         try:
             self.browser.resize(375, 800)

@@ -95,9 +95,9 @@ class Browser:
         """What the page wrote since the last call."""
         return self._ask("POST", "/se/log", {"type": kind})
 
-    def emulate(self, feature, value):
-        """A media feature such as prefers-color-scheme."""
-        parameters = {"features": [{"name": feature, "value": value}]}
+    def emulate(self, feature, value, medium=""):
+        """A media feature such as prefers-color-scheme; `medium`: print, as on paper."""
+        parameters = {"media": medium, "features": [{"name": feature, "value": value}]}
         self._ask("POST", "/goog/cdp/execute", {"cmd": "Emulation.setEmulatedMedia", "params": parameters})
 
     def resize(self, width, height):

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "batch/read_csv.hpp"
 #include "batch/temporary_directory.hpp"
-#include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/trace_csv.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
@@ -23,11 +23,11 @@ struct Recorded {
 
 Recorded record(const sweep::Study& study) {
   response::motion::Workspace workspace;
-  const scene::Plan plan = scene::make_plan(study.machine);
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   Recorded result;
-  result.row = sweep::evaluate_cell(study, plan, 0, workspace);
+  result.row = sweep::evaluate_cell(study, prepared, 0, workspace);
   const KnownMotion known{to_string(result.row.motion_class), result.row.order, result.row.revolutions};
-  result.orbit = settled_orbit(study, plan, 0, known, workspace);
+  result.orbit = settled_orbit(study, prepared, 0, known, workspace);
   return result;
 }
 
@@ -96,8 +96,8 @@ TEST(SettledOrbit, AnUndecidedMotionIsTheEndOfItsRun) {
   sweep::Study study = sweep::one_side_study({75}, {0.4});
   study.response.floquet_proof = false;
   response::motion::Workspace workspace;
-  const scene::Plan plan = scene::make_plan(study.machine);
-  const auto orbit = settled_orbit(study, plan, 0, {"unsettled", std::nullopt, 40}, workspace);
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  const auto orbit = settled_orbit(study, prepared, 0, {"unsettled", std::nullopt, 40}, workspace);
   ASSERT_TRUE(orbit);
   EXPECT_EQ(orbit->turns, longest_aperiodic_history);
   EXPECT_EQ(orbit->first_revolution + orbit->turns, study.response.max_revolutions);
@@ -109,9 +109,9 @@ TEST(SettledOrbit, AnUndecidedMotionIsTheEndOfItsRun) {
 TEST(SettledOrbit, ACellWithoutMotionHasNone) {
   const sweep::Study study = sweep::one_side_study({75}, {0.4});
   response::motion::Workspace workspace;
-  const scene::Plan plan = scene::make_plan(study.machine);
-  EXPECT_FALSE(settled_orbit(study, plan, 0, {"failed", std::nullopt, 7}, workspace));
-  EXPECT_FALSE(settled_orbit(study, plan, 0, {"initial_contact", std::nullopt, 0}, workspace));
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  EXPECT_FALSE(settled_orbit(study, prepared, 0, {"failed", std::nullopt, 7}, workspace));
+  EXPECT_FALSE(settled_orbit(study, prepared, 0, {"initial_contact", std::nullopt, 0}, workspace));
 }
 
 }  // namespace

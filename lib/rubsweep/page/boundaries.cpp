@@ -14,34 +14,33 @@ namespace rubsweep::page {
 namespace {
 
 /// The first column that is called `name`, or that begins with it.
-std::optional<std::size_t> column_called(const batch::CsvTable& table, std::string_view name,
+std::optional<std::size_t> column_called(const batch::CsvReader& file, std::string_view name,
                                          bool or_begins = false) {
-  const auto found = std::find_if(table.header.begin(), table.header.end(), [&](const std::string& header) {
+  const auto found = std::find_if(file.header().begin(), file.header().end(), [&](const std::string& header) {
     return header == name || (or_begins && header.starts_with(name));
   });
-  if (found == table.header.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - table.header.begin());
+  if (found == file.header().end()) return std::nullopt;
+  return static_cast<std::size_t>(found - file.header().begin());
 }
 
-std::size_t unbalance_column(const batch::CsvTable& table, const std::string& measure) {
-  if (const auto exact = column_called(table, measure)) return *exact;
-  const auto other = column_called(table, "unbalance", true);
+std::size_t unbalance_column(const batch::CsvReader& file, const std::string& measure) {
+  if (const auto exact = column_called(file, measure)) return *exact;
+  const auto other = column_called(file, "unbalance", true);
   if (other) return *other;
-  throw IoError(fmt::format("{}: no column {} or unbalance", table.path.string(), measure));
+  throw IoError(fmt::format("{}: no column {} or unbalance", file.path().string(), measure));
 }
 
 }  // namespace
 
 std::vector<Boundary> read_boundaries(const std::filesystem::path& path, const std::string& measure) {
   if (!std::filesystem::exists(path)) return {};
-  const batch::CsvTable table = batch::read_csv(path);
-  const std::size_t speed = batch::column(table, "speed_hz"), unbalance = unbalance_column(table, measure);
-  const auto family = column_called(table, "family"), kind = column_called(table, "kind");
+  batch::CsvReader file(path);
+  const std::size_t speed = file.column("speed_hz"), unbalance = unbalance_column(file, measure);
+  const auto family = column_called(file, "family"), kind = column_called(file, "kind");
   std::vector<Boundary> boundaries;
-  bool ended = true;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const double x = batch::number(table, row, speed), y = batch::number(table, row, unbalance);
-    const Boundary here{family ? table.rows[row][*family] : "", kind ? table.rows[row][*kind] : "", {}};
+  for (bool ended = true; file.next();) {
+    const double x = file.number(speed), y = file.number(unbalance);
+    const Boundary here{family ? file.cells()[*family] : "", kind ? file.cells()[*kind] : "", {}};
     if (!std::isfinite(x) || !std::isfinite(y)) {
       ended = true;
       continue;

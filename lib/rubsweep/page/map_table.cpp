@@ -10,37 +10,32 @@ namespace rubsweep::page {
 namespace {
 
 /// The comment that begins with `mark`, without it.
-std::string comment(const batch::CsvTable& table, std::string_view mark) {
-  for (const std::string& line : table.comments)
+std::string comment(const batch::CsvReader& file, std::string_view mark) {
+  for (const std::string& line : file.comments())
     if (line.starts_with(mark)) return line.substr(mark.size());
   return {};
 }
 
-bool is_number(const batch::CsvTable& table, std::size_t row, std::size_t column) {
+bool is_number(const batch::CsvReader& file, std::size_t column) {
   try {
-    batch::number(table, row, column);
+    file.number(column);
     return true;
   } catch (const IoError&) {
     return false;
   }
 }
 
-MapColumn read_column(const batch::CsvTable& table, std::size_t column) {
-  MapColumn read{table.header[column], {}, {}};
-  bool numbers = false;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    if (table.rows[row][column].empty()) continue;
-    numbers = is_number(table, row, column);
-    if (!numbers) break;
-  }
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    if (numbers) {
-      read.numbers.push_back(batch::number(table, row, column));
-    } else {
-      read.words.push_back(table.rows[row][column]);
+/// For each column, whether its cells are numbers or empty, and some of them numbers.
+std::vector<bool> columns_of_numbers(const std::filesystem::path& path) {
+  batch::CsvReader file(path);
+  std::vector<bool> some(file.header().size(), false), all(file.header().size(), true);
+  while (file.next()) {
+    for (std::size_t column = 0; column < all.size(); ++column) {
+      if (!all[column] || file.cells()[column].empty()) continue;
+      some[column] = all[column] = is_number(file, column);
     }
   }
-  return read;
+  return some;
 }
 
 }  // namespace
@@ -63,10 +58,21 @@ std::string_view MapTable::word(std::string_view name, std::size_t row) const {
 }
 
 MapTable read_map_table(const std::filesystem::path& path) {
-  const batch::CsvTable table = batch::read_csv(path);
-  MapTable map{comment(table, "rubsweep "), comment(table, "digest "), table.rows.size(), {}};
-  for (std::size_t column = 0; column < table.header.size(); ++column)
-    map.columns.push_back(read_column(table, column));
+  const std::vector<bool> numbers = columns_of_numbers(path);
+  batch::CsvReader file(path);
+  MapTable map;
+  for (const std::string& name : file.header()) map.columns.push_back({name, {}, {}});
+  for (; file.next(); ++map.rows) {
+    for (std::size_t column = 0; column < map.columns.size(); ++column) {
+      if (numbers[column]) {
+        map.columns[column].numbers.push_back(file.number(column));
+      } else {
+        map.columns[column].words.push_back(file.cells()[column]);
+      }
+    }
+  }
+  map.version = comment(file, "rubsweep ");
+  map.digest = comment(file, "digest ");
   return map;
 }
 

@@ -24,13 +24,13 @@ KnownMotion known_motion(const MapTable& map, std::size_t row) {
 std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& map, const ThinnedGrid& grid,
                                     int threads, const std::function<void()>& on_cell,
                                     const std::atomic<bool>& stop) {
-  const scene::Plan plan = scene::make_plan(study.machine);
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   const std::vector<std::size_t> cells = grid.cells();
   std::vector<std::string> records(cells.size());
   const std::size_t finished = batch::parallel_run(
       cells.size(), threads,
       [&](std::size_t i) {
-        const auto orbit = settled_orbit(study, plan, cells[i], known_motion(map, cells[i]), workspace);
+        const auto orbit = settled_orbit(study, prepared, cells[i], known_motion(map, cells[i]), workspace);
         if (orbit) records[i] = encode_orbit(cells[i], *orbit);
       },
       [&](std::size_t) { on_cell(); }, stop);

@@ -22,13 +22,13 @@ struct Lengths {
   int all() const { return std::max({section, spectrum, drawn}); }
 };
 
-scene::Cell start_of(const sweep::Study& study, const scene::Plan& plan, std::size_t cell) {
+scene::Cell start_of(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell) {
   const sweep::Grid& grid = study.grid;
   const double speed_hz = grid.speed_hz[cell % grid.speed_hz.size()];
   const double value = grid.unbalance[cell / grid.speed_hz.size()];
   if (grid.measure == sweep::UnbalanceMeasure::whirl_ratio)
-    return scene::build_cell(plan, speed_hz, scene::WhirlRatio{value});
-  return scene::build_cell(plan, speed_hz, scene::Eccentricity{value});
+    return scene::build_cell(prepared, speed_hz, scene::WhirlRatio{value});
+  return scene::build_cell(prepared, speed_hz, scene::Eccentricity{value});
 }
 
 bool is(const KnownMotion& known, MotionClass motion_class) {
@@ -148,11 +148,11 @@ std::optional<long> settle(const integrate::run::Run& run, const KnownMotion& kn
 
 }  // namespace
 
-std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::Plan& plan,
+std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
                                           std::size_t cell, const KnownMotion& known,
                                           response::motion::Workspace& workspace) {
   if (is(known, MotionClass::failed) || is(known, MotionClass::initial_contact)) return std::nullopt;
-  const scene::Cell start = start_of(study, plan, cell);
+  const scene::Cell start = start_of(study, prepared, cell);
   if (!scene::can_run(start.start)) return std::nullopt;
   if (is(known, MotionClass::non_contact) && start.scene.impulses.empty())
     return quiet_orbit(start, study, known.revolutions, workspace);

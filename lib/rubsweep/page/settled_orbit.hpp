@@ -7,7 +7,7 @@
 
 #include "rubsweep/response/motion/workspace.hpp"
 #include "rubsweep/response/spectrum/full_spectrum.hpp"
-#include "rubsweep/scene/plan.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::page {
@@ -42,7 +42,7 @@ inline constexpr int fewest_steps_per_turn = 256;
 /// one turn; any other motion at the end of response.max_revolutions, its section over both windows that
 /// decided. The instants and the solver are those of the map, so that rubtrace shows the same. Empty where
 /// the cell has no motion: it failed, could not start, or failed when run on.
-std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::Plan& plan,
+std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
                                           std::size_t cell, const KnownMotion& known,
                                           response::motion::Workspace& workspace);
 
