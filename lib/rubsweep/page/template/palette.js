@@ -13,7 +13,7 @@ const kinds = [
   { name: "subharmonic_6", label: "subharmonic 1/6", colour: "#882255" },
   { name: "subharmonic_7", label: "subharmonic 1/7", colour: "#44AA99" },
   { name: "subharmonic_8", label: "subharmonic ≤ 1/8", colour: "#999933" },
-  { name: "quasi_periodic_oval", label: "“synchronous oval”", colour: "#EE8866" },
+  { name: "quasi_periodic_oval", label: "quasi-periodic oval", colour: "#EE8866" },
   { name: "quasi_periodic_whip", label: "backward dry whip", colour: "#7A4F20" },
   { name: "quasi_periodic", label: "quasi-periodic", colour: "#AA4499" },
   { name: "chaotic", label: "chaotic", colour: "#000000", dark: "#FFFFFF" },

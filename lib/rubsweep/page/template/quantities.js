@@ -36,7 +36,7 @@ function placeText(data, cell) {
     quantity(measure, data.value(measure, cell));
 }
 
-// "subharmonic 1/3", "quasi-periodic, “synchronous oval”"
+// "subharmonic 1/3", "quasi-periodic oval"
 function motionText(data, cell) {
   const order = data.value("order", cell), kind = kinds[data.kinds[cell]];
   if (data.value("class", cell) === "subharmonic") return "subharmonic 1/" + order;
