@@ -45,7 +45,7 @@ bench::Place central_rub(const std::vector<bench::Place>& places,
                          const std::vector<bench::LabelledCell>& cells, std::size_t columns) {
   if (cells.empty()) throw ConfigError("no cell of the sweep can be kicked: nothing to measure");
   const auto distance = [&](const bench::LabelledCell& cell) {
-    const bool rubs = cell.label.motion_class != response::motion::MotionClass::non_contact;
+    const bool rubs = row_of(cell.label.motion_class).rubs;
     const auto off_centre = [](std::size_t i, std::size_t n) {
       return (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5;
     };

@@ -9,6 +9,7 @@
 
 #include "command_line.hpp"
 #include "program.hpp"
+#include "rubsweep/integrate/adaptive/stepper_table.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -67,15 +68,14 @@ BenchCell read_cell(const std::string& text) {
 }
 
 std::vector<integrate::run::Stepper> read_steppers(const std::string& text) {
+  using integrate::adaptive::row_of;
   std::vector<integrate::run::Stepper> steppers;
-  const auto all = bench::all_steppers();
+  const auto all = integrate::adaptive::single_steppers();
   for (const std::string_view name : split(text, ',')) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](auto stepper) { return bench::to_string(stepper) == name; });
+    const auto found = std::ranges::find_if(all, [&](auto stepper) { return row_of(stepper).word == name; });
     if (found == all.end()) {
       std::string allowed;
-      for (const auto stepper : all)
-        allowed.append(allowed.empty() ? "" : ", ").append(bench::to_string(stepper));
+      for (const auto stepper : all) allowed.append(allowed.empty() ? "" : ", ").append(row_of(stepper).word);
       throw UsageError(fmt::format("--steppers: '{}', allowed: {}", name, allowed));
     }
     steppers.push_back(*found);
@@ -127,7 +127,8 @@ RubbenchArguments parse_rubbench_arguments(int argc, const char* const* argv) {
     for (const std::string& text : given["cell"].as<std::vector<std::string>>())
       arguments.cells.push_back(read_cell(text));
   }
-  arguments.steppers = {bench::all_steppers().begin(), bench::all_steppers().end()};
+  const auto every_stepper = integrate::adaptive::single_steppers();
+  arguments.steppers = {every_stepper.begin(), every_stepper.end()};
   if (given.count("steppers") != 0) arguments.steppers = read_steppers(given["steppers"].as<std::string>());
   arguments.relative_tolerances = read_tolerances(
       given.count("tolerances") != 0 ? given["tolerances"].as<std::string>() : default_tolerances);

@@ -6,6 +6,7 @@
 
 #include "command_line.hpp"
 #include "program.hpp"
+#include "rubsweep/report/map_columns.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -94,13 +95,14 @@ std::string rubsweep_help() {
       "(from +x towards +y) says otherwise. From a whirl ratio of 1, where the quiet whirl itself reaches "
       "the wall, the rotor starts\n"
       "at rest and is not kicked; the column `start` says so.\n\n"
+      "{}\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration, or DIR holds cells or a map of another one; 3 "
       "input/output;\n"
       "4 done, but some cells failed; 6 another process is at work in DIR; 70 out of memory or a fault of "
       "the "
       "program;\n"
       "128+signal when interrupted.\n",
-      text_of(visible_options()));
+      text_of(visible_options()), report::describe_map_columns());
 }
 
 }  // namespace rubsweep::apps

@@ -21,6 +21,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/compare_maps.hpp"
 #include "rubsweep/report/comparison_figure.hpp"
+#include "rubsweep/report/map_columns.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -49,12 +50,16 @@ std::string help() {
       "Compares two maps cell by cell: class and order exactly, numbers of motions that repeat to a "
       "tolerance.\n\n"
       "{}\n"
+      "Compared exactly: {} and, of motions that repeat, {}.\n"
+      "Compared to the tolerance, of motions that repeat: {}.\n\n"
       "Examples:\n"
       "  rubsweep-compare results/golden/figure06_small.csv /tmp/new/map.csv --figure "
       "/tmp/new/difference.png\n"
       "  rubsweep-compare gcc/map.csv clang/map.csv --tolerance 1e-9\n\n"
       "Exit codes: 0 the maps are equal on robust cells; 1 usage; 3 input/output; 5 they differ.\n",
-      text_of(visible_options()));
+      text_of(visible_options()), report::columns_compared(report::Comparison::label),
+      report::columns_compared(report::Comparison::text),
+      report::columns_compared(report::Comparison::number));
 }
 
 po::variables_map parse(int argc, char** argv) {

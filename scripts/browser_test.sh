@@ -3,7 +3,7 @@
 # clicks through it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-scripts/bootstrap.sh chromium chromium-driver python3
+scripts/bootstrap.sh chromium chromium-driver
 cmake --preset release
 cmake --build --preset release --target rubsweep rubtrace
 ctest --preset release -L browser --no-tests=error

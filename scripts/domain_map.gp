@@ -1,4 +1,4 @@
-# Draws the cells that domain_map.awk lays out, one colour per class and order.
+# Draws the cells that analysis/domain_map.py lays out, one colour per class and order.
 # gnuplot -c domain_map.gp CELLS OUTPUT_BASENAME HEADING PRESENT LABELS SPEED_LABEL UNBALANCE_LABEL
 # PRESENT: the kinds in CELLS, a blank around each; LABELS: x y text x y text ...; the other two stand at the axes.
 
@@ -20,7 +20,7 @@ array kind[kinds] = ["non_contact", "synchronous_circle", "synchronous_circle_ba
   "quasi_periodic_oval", "quasi_periodic_whip", "quasi_periodic", "chaotic", "unsettled", "initial_contact", "failed"]
 array legend[kinds] = ["no contact", "synchronous circle", "backward circle", "synchronous", "subharmonic 1/2", \
   "subharmonic 1/3", "subharmonic 1/4", "subharmonic 1/5", "subharmonic 1/6", "subharmonic 1/7", "subharmonic ≤ 1/8", \
-  "“synchronous oval”", "backward dry whip", "quasi-periodic", "chaotic", "unsettled", "pressed on the wall", "failed"]
+  "quasi-periodic oval", "backward dry whip", "quasi-periodic", "chaotic", "unsettled", "pressed on the wall", "failed"]
 array colour[kinds] = ["#F4F4F4", "#4F9BD0", "#F4A6B8", "#88CCEE", "#CC6677", \
   "#332288", "#DDCC77", "#117733", "#882255", "#44AA99", "#999933", \
   "#EE8866", "#7A4F20", "#AA4499", "#000000", "#555555", "#999999", "#CC0000"]
@@ -60,6 +60,9 @@ if (in_hz) { set xtics autofreq out nomirror } else { set xtics 1 out nomirror; 
 set ytics out nomirror
 set key at screen 0.775, graph 1 left top Left reverse samplen 1.5 spacing 1.4
 set rmargin at screen 0.76
+if (strstrt(present, " quasi_periodic_oval ")) {
+  set label "quasi-periodic oval: whirl that\nis closed in the rotating frame" at screen 0.78, screen 0.16 left font ",15"
+}
 at(list, k) = k > words(list) ? kinds : int(word(list, k))  # gnuplot reads the body of an empty loop, too
 x_if(i) = strcol(7) eq kind[i] ? $1 : NaN
 

@@ -3,7 +3,9 @@
 # one thread, three times each, alternating: medians on the wall clock and of processor time, and the efficiency, which
 # means something on an idle machine only. Default: the map of figure 9, twelve times as fine.
 set -euo pipefail
-top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+top=$(dirname "$here")
 ranks=${1:-2}
 shift || true
 (($# > 0)) || set -- "$top/configs/figure09_both_sides.yaml" --set sweep.speed_hz.count=264 --set sweep.whirl_ratio.count=60
@@ -11,13 +13,14 @@ programs=$top/build/release/apps
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+exec 3>&2 # what the programs say is no time
 
-# measure NAME COMMAND...: appends its times, "wall processor" in seconds, to $work/NAME.
+# measure NAME COMMAND...: appends its times, "real user system" in seconds, to $work/NAME.
 measure() {
   local name=$1 TIMEFORMAT='%R %U %S'
   shift
   rm -rf "$work/map"
-  { time "$@" --quiet --threads 1 --output "$work/map"; } 2>&1 | awk '{ print $1, $2 + $3 }' >>"$work/$name"
+  { time "$@" --quiet --threads 1 --output "$work/map" 2>&3; } 2>>"$work/$name"
   cmp "$work/map/map.csv" "${first:-$work/map/map.csv}"
   [[ -n ${first:-} ]] || { first=$work/first.csv && cp "$work/map/map.csv" "$first"; }
 }
@@ -26,8 +29,4 @@ for _ in 1 2 3; do
   measure ranks mpirun -n "$ranks" --bind-to none "$programs/rubsweep-mpi" "$@"
 done
 
-median() { sort -n -k "$2,$2" "$work/$1" | awk -v column="$2" 'NR == 2 { print $column }'; }
-awk -v n="$ranks" -v a="$(median one 1)" -v b="$(median ranks 1)" -v c="$(median one 2)" -v d="$(median ranks 2)" 'BEGIN {
-  printf "one process: %.2f s, %.2f s of processor time\n%d ranks: %.2f s, %.2f s of processor time\n", a, c, n, b, d
-  printf "efficiency: %.0f %% on the wall clock, %.0f %% in processor time\n", 100 * a / (n * b), 100 * c / d
-}'
+python3 "$here/analysis/mpi_efficiency.py" "$work/one" "$work/ranks" "$ranks"

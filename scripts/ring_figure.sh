@@ -2,6 +2,7 @@
 # ring_figure.sh FIGURE [OUTPUT_BASENAME]: computes the panels of one published ring figure (03-07, 09-21) with ringstab
 # and draws them as OUTPUT_BASENAME.png, by default results/figures/ring_figureNN.png. Without arguments draws all.
 set -euo pipefail
+export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(dirname "$here")
 program=${RINGSTAB:-$top/build/release/apps/ringstab}
@@ -11,7 +12,7 @@ if (($# == 0)); then
   exit
 fi
 figure=$1
-# Absolute names: to gnuplot and awk others may be commands or assignments.
+# Absolute names: to gnuplot others may be commands.
 output=$(realpath -ms -- "${2:-$top/results/figures/ring_figure$figure}")
 program=$(realpath -s -- "$program")
 work=$(mktemp -d)
@@ -28,10 +29,7 @@ panel() {
   directory=$work/$panels
   "$program" "$top/configs/$stem.yaml" --output "$directory" --quiet "$@" \
     --set "speed_rpm={from: 0, to: $to, count: $((from > 0 ? 4001 : 2001))}"
-  awk -F, -v directory="$directory" -v from="$from" '/^#/ || /^speed_rpm/ || $1 < from { next } { print $1, $3, $4 > directory "/" $2 ".curve" }' \
-    "$directory/eigenvalues.csv"
-  # Onsets by kind: what drives it, or couples without friction.
-  awk -F, -v from="$from" '/^(divergence|flutter|coupling|real_merger)/ && $2 >= from { print $2, $1 }' "$directory/onsets.csv" >"$directory/onsets"
+  python3 "$here/analysis/ring_layout.py" panel "$directory" "$from"
   printf 'title[%d] = "%s"\nfrom[%d] = %s\nto[%d] = %s\nlimit[%d] = %s\n' \
     "$panels" "$title" "$panels" "$from" "$panels" "$to" "$panels" "$limit" >>"$work/panels.gp"
 }
@@ -40,14 +38,12 @@ panel() {
 draw_with() { (cd "$work" && gnuplot -c "$here/$1" . "$output" "${@:2}"); }
 draw() { draw_with ring_panels.gp "$1" "$panels"; }
 
-# chart CONFIG_STEM [--set KEY=VALUE]...: the onsets of its chart, as "parameter speed kind", in $work/NAME.
+# chart NAME CONFIG_STEM [--set KEY=VALUE]...: lays the onsets of its chart out as $work/NAME.KIND and $work/NAME.couplings.
 chart() {
   local name=$1 stem=$2
   shift 2
   "$program" "$top/configs/$stem.yaml" --output "$work/run" --quiet "$@"
-  awk -F, '/^#/ || !/^[-0-9]/ { next } { print $1, $3, $2, $4 }' "$work/run/chart_onsets.csv" >"$work/$name"
-  awk -F, '/^#/ || !/^[-0-9]/ { next } { print $1, $2, ($3 == "stable" ? 0 : $3 == "flutter" ? 1 : $3 == "divergence" ? 2 : 3) }' \
-    "$work/run/chart.csv" | awk 'NR > 1 && $1 != last { print "" } { last = $1; print }' >"$work/$name.states"
+  python3 "$here/analysis/ring_layout.py" chart "$work/run" "$work/$name"
 }
 
 mu() { echo "friction_coefficient=$1"; }

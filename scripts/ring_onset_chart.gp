@@ -1,6 +1,6 @@
 # Draws onsets over the inclination: gnuplot -c ring_onset_chart.gp DIRECTORY OUTPUT_BASENAME FIGURE
-# DIRECTORY holds alpha (inclination in deg, speed in rpm, kind) and alpha.states. Figure 20 shows everything, figure 21 the
-# range where the forward mode and the beam couple and diverge.
+# DIRECTORY holds alpha.KIND for each kind of onset (inclination in deg, speed in rpm). Figure 20 shows everything, figure
+# 21 the range where the forward mode and the beam couple and diverge.
 
 directory = ARG1
 output = ARG2
@@ -17,10 +17,10 @@ set yrange [0:figure == 20 ? 6000 : 3000]
 set xtics 10 out nomirror
 set ytics out nomirror
 set key outside right top Left reverse samplen 1
-onsets(kind) = "< awk '$3 ~ /" . kind . "/ { print $1, $2 }' '" . directory . "/alpha'"
-plot onsets("^coupling_begin") using 1:2 with points pointtype 7 pointsize 0.7 linecolor rgb "#44AA99" title "coupling begins (µ = 0)", \
-  onsets("^coupling_end") using 1:2 with points pointtype 6 pointsize 0.8 linecolor rgb "#44AA99" title "coupling ends (µ = 0)", \
-  onsets("^divergence_begin") using 1:2 with points pointtype 7 pointsize 0.7 linecolor rgb "#AA4499" title "divergence begins", \
-  onsets("^divergence_end") using 1:2 with points pointtype 6 pointsize 0.8 linecolor rgb "#AA4499" title "divergence ends", \
-  onsets("^flutter_begin") using 1:2 with points pointtype 7 pointsize 0.5 linecolor rgb "#CC6677" title "flutter begins", \
-  onsets("^flutter_end") using 1:2 with points pointtype 6 pointsize 0.6 linecolor rgb "#CC6677" title "flutter ends"
+onsets(kind) = directory . "/alpha." . kind
+plot onsets("coupling_begin") using 1:2 with points pointtype 7 pointsize 0.7 linecolor rgb "#44AA99" title "coupling begins (µ = 0)", \
+  onsets("coupling_end") using 1:2 with points pointtype 6 pointsize 0.8 linecolor rgb "#44AA99" title "coupling ends (µ = 0)", \
+  onsets("divergence_begin") using 1:2 with points pointtype 7 pointsize 0.7 linecolor rgb "#AA4499" title "divergence begins", \
+  onsets("divergence_end") using 1:2 with points pointtype 6 pointsize 0.8 linecolor rgb "#AA4499" title "divergence ends", \
+  onsets("flutter_begin") using 1:2 with points pointtype 7 pointsize 0.5 linecolor rgb "#CC6677" title "flutter begins", \
+  onsets("flutter_end") using 1:2 with points pointtype 6 pointsize 0.6 linecolor rgb "#CC6677" title "flutter ends"

@@ -14,7 +14,7 @@ load directory . "/panels.gp"
 
 # Colours: Paul Tol's "muted" scheme, made for colour-blind readers.
 array name[7] = ["ring forward", "ring backward", "load 0 flexural", "load 1 flexural", "load 2 flexural", "load 0 radial", ""]
-array colour[6] = ["#CC6677", "#332288", "#117733", "#DDAA33", "#88CCEE", "#117733"]
+array colour[6] = ["#CC6677", "#332288", "#117733", "#DDAA33", "#88CCEE", "#999933"]
 divergence = "#AA4499"
 flutter = "#999999"
 coupling = "#44AA99"

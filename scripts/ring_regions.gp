@@ -1,5 +1,5 @@
 # Draws where on the ring a second load couples with the first: gnuplot -c ring_regions.gp DIRECTORY OUTPUT_BASENAME HEADING
-# DIRECTORY holds n2 and n3: angle (deg), speed (rpm), kind of every onset; a growing real_merger is a coupling.
+# DIRECTORY holds n2.couplings and n3.couplings: the angles (deg) of the second load at which the two couple.
 
 directory = ARG1
 output = ARG2
@@ -15,7 +15,6 @@ unset border
 unset tics
 unset key
 do for [n = 2:3] {
-  file = directory . "/n" . n
   set angles degrees
   set rrange [0:1.35]
   set xrange [-1.35:1.35]
@@ -26,7 +25,7 @@ do for [n = 2:3] {
   set object circle at 0, 0 size 1 fillstyle empty border linecolor rgb "black" linewidth 2
   set label 1 "first load" at 1.14 * cos(60), 1.14 * sin(60) left
   do for [a = 0:330:30] { if (a != 60) { set label sprintf("%d°", a) at 1.22 * cos(a), 1.22 * sin(a) center font ",14" } }
-  plot "< awk '$3 == \"real_merger\" && /growing/ { print $1 }' '" . file . "' | sort -un" using 1:(0.92) with points pointtype 7 pointsize 1.0 linecolor rgb "#AA4499", \
+  plot directory . "/n" . n . ".couplings" using 1:(0.92) with points pointtype 7 pointsize 1.0 linecolor rgb "#AA4499", \
     "< printf '60 0\\n60 1\\n'" using 1:2 with lines linecolor rgb "#332288" linewidth 3
 }
 unset multiplot

@@ -4,10 +4,10 @@
 # results/figures/rotor_kit_{identification,rub,map}.png and .svg and writes the reports reduction.txt and
 # identification.txt into DIR (default results/rotor_kit). A map that is there is not computed again.
 set -euo pipefail
-export LC_ALL=C.UTF-8
+export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(dirname "$here")
-# Absolute names: to gnuplot and awk others may be commands or assignments.
+# Absolute names: to gnuplot others may be commands.
 directory=$(realpath -ms -- "${1:-$top/results/rotor_kit}")
 figures=$top/results/figures
 config=$top/configs/rotor_kit.yaml
@@ -29,10 +29,11 @@ noise_m=2e-6
 echo '-- rub at 70 rev/s'
 "$rubtrace" "$config" --speed-hz 70 --whirl-ratio 0.6 --last-revolutions 128 --output "$directory/rub"
 
-natural_frequency_hz=$(awk -F, '$1 == "natural_frequency_hz" { print $3; exit }' "$directory/free_response/identification.csv")
-damping_ratio=$(awk -F, '$1 == "damping_ratio" { print $3; exit }' "$directory/free_response/identification.csv")
-sensor=$(awk -F, '$1 == "damping_ratio" { print $2; exit }' "$directory/free_response/identification.csv")
-critical_speed_hz=$(awk -F, '$1 == "critical_speed_hz" { print $3; exit }' "$directory/run_up/identification.csv")
+# found EXPERIMENT QUANTITY: its value and sensor.
+found() { python3 "$here/analysis/identification.py" "$directory/$1/identification.csv" "$2"; }
+read -r natural_frequency_hz _ < <(found free_response natural_frequency_hz)
+read -r damping_ratio sensor < <(found free_response damping_ratio)
+read -r critical_speed_hz _ < <(found run_up critical_speed_hz)
 mkdir -p "$figures"
 gnuplot -c "$here/rotor_kit.gp" "$directory" "$figures/rotor_kit_identification" "$sensor" "$natural_frequency_hz" \
   "$damping_ratio" "$critical_speed_hz"

@@ -47,8 +47,8 @@ expect_contains out/kit.svg 'shaft speed / natural frequency'
 mkdir motions
 cp ratio/config.yaml motions
 {
-  echo "$header"
-  row() { echo "$1,$2,1e-4,$3,$4,$5,$6,,,$7,0,0,0,0,0,0,1,0,,,1,1,ok,kick"; }
+  echo speed_hz,whirl_ratio,class,order,orbit,whirl,comb_spacing
+  row() { (IFS=, && echo "$*"); }
   row 60 0.2 quasi_periodic '' oval forward 2.5
   row 75 0.2 quasi_periodic '' circle backward 3.5
   row 90 0.2 quasi_periodic '' complex mixed ''
@@ -57,6 +57,6 @@ cp ratio/config.yaml motions
   row 90 0.4 synchronous 1 oval mixed ''
 } >motions/map.csv
 draw 0 domain_map.sh motions/map.csv out/motions Heading
-for text in '“synchronous oval”' 'backward dry whip' '>quasi-periodic<' '>synchronous circle<' 'backward circle' '>synchronous<'; do
+for text in 'quasi-periodic oval' 'backward dry whip' '>quasi-periodic<' '>synchronous circle<' 'backward circle' '>synchronous<'; do
   expect_contains out/motions.svg "$text"
 done

@@ -18,9 +18,7 @@ output: {directory: out}
 YAML
 
 # column NAME: of the only row of out/map.csv.
-column() {
-  awk -F, -v name="$1" '/^speed_hz,/ { for (i = 1; i <= NF; ++i) at[$i] = i; next } !/^#/ { print $at[name] }' out/map.csv
-}
+column() { cells out/map.csv "$1"; }
 
 # expect_motion SPEED WHIRL_RATIO 'CLASS ORDER ORBIT WHIRL PROOF STATUS' [ARGUMENT]...
 expect_motion() {
@@ -29,13 +27,13 @@ expect_motion() {
   expect_exit 0 ring.yaml --output out --fresh --quiet \
     --set "sweep={speed_hz: {values: [$speed]}, whirl_ratio: {values: [$ratio]}}" "$@"
   local found
-  found="$(column class) $(column order) $(column orbit) $(column whirl) $(column proof) $(column status)"
+  found=$(cells out/map.csv class order orbit whirl proof status | tr ',' ' ')
   [[ $found == "$expected" ]] || fail "$speed Hz, whirl ratio $ratio: $found, expected $expected"
 }
 
 # expect_between COLUMN LOW HIGH
 expect_between() {
-  awk -v x="$(column "$1")" -v low="$2" -v high="$3" 'BEGIN { exit !(x != "" && x >= low && x <= high) }' ||
+  [[ $(count_rows out/map.csv "$1 != '' and $2 <= $1 <= $3") == 1 ]] ||
     fail "$1 is '$(column "$1")', expected $2 to $3"
 }
 

@@ -9,8 +9,7 @@ small=(--set rotor.modes=2 --set response.max_revolutions=200 --set rotor.dampin
 
 # identified FILE QUANTITY SENSOR FROM TO: the value lies between.
 identified() {
-  awk -F, -v quantity="$2" -v sensor="$3" -v from="$4" -v to="$5" \
-    '$1 == quantity && $2 == sensor && $3 > from && $3 < to { found = 1 } END { exit !found }' "$1" ||
+  [[ $(count_rows "$1" "quantity == '$2' and sensor == $3 and $4 < value < $5") == 1 ]] ||
     fail "$1: $2 of sensor $3 is not between $4 and $5: $(<"$1")"
 }
 
@@ -31,7 +30,7 @@ expect_contains stdout 'motion    subharmonic 1/2'
 rubsweep=$sweep
 expect_exit 0 "$kit" "${small[@]}" --set sweep.speed_hz='{values: [70, 100]}' --set sweep.whirl_ratio='{values: [0.7]}' \
   --output map --quiet
-[[ $(rows map/map.csv | cut -d, -f4,5 | head -n 1) == subharmonic,2 ]] || fail "another label: $(rows map/map.csv)"
+[[ $(cells map/map.csv class order | head -n 1) == subharmonic,2 ]] || fail "another label: $(rows map/map.csv)"
 
 # Command line of the experiments.
 rubsweep=$trace

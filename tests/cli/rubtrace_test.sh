@@ -76,9 +76,9 @@ grep -qxF -f row map/map.csv || fail 'the map has another row for this cell'
 rubsweep=$rubtrace
 
 # The two lines of the rub are in the spectrum, with the amplitude of the row.
-IFS=, read -ra cells <row
-awk -F, -v order="${cells[16]}" -v amplitude="${cells[17]}" '$1 == order && ($3 - amplitude) ^ 2 < (1e-9 * amplitude) ^ 2 { found = 1 }
-  END { exit !found }' trace/spectrum.csv || fail 'the dominant line is not in spectrum.csv'
+IFS=, read -r order amplitude_m eccentricity_m < <(cells trace/motion.csv dominant_order dominant_amplitude_m eccentricity_m)
+[[ $(count_rows trace/spectrum.csv "order == $order and abs(amplitude_m - $amplitude_m) < 1e-9 * $amplitude_m") == 1 ]] ||
+  fail 'the dominant line is not in spectrum.csv'
 
 # Fewer revolutions, fewer of them in the trajectory, nothing said; the row stays that of the map.
 expect_exit 0 "$minimal" "${rub[@]}" --revolutions 20 --last-revolutions 5 --quiet --output short
@@ -91,14 +91,14 @@ expect_files short "${files[@]}"
 expect_same short/motion.csv trace/motion.csv
 
 # The unbalance said the other way.
-expect_exit 0 "$minimal" --speed-hz 90 --eccentricity-m "${cells[2]}" --revolutions 20 --output other
-[[ $(rows other/motion.csv | cut -d, -f4,5) == subharmonic,2 ]] || fail 'another motion by eccentricity'
-expect_contains other/config.yaml "values: [${cells[2]}]"
+expect_exit 0 "$minimal" --speed-hz 90 --eccentricity-m "$eccentricity_m" --revolutions 20 --output other
+[[ $(cells other/motion.csv class order) == subharmonic,2 ]] || fail 'another motion by eccentricity'
+expect_contains other/config.yaml "values: [$eccentricity_m]"
 
 # Where the quiet whirl itself touches the trace starts at rest, and what the kick is does not matter.
 expect_exit 0 "$minimal" --speed-hz 90 --whirl-ratio 1.2 --revolutions 20 --output above
 expect_files above "${files[@]}"
-[[ $(rows above/motion.csv | cut -d, -f23,24) == ok,contact ]] || fail 'the row does not say that it started without a kick'
+[[ $(cells above/motion.csv status start) == ok,contact ]] || fail 'the row does not say that it started without a kick'
 [[ $(sed -n 2p above/section.csv) =~ ^0,0,0,0,0,0,0,0$ ]] || fail "the trace does not start at rest: $(sed -n 2p above/section.csv)"
 expect_exit 0 "$minimal" --speed-hz 90 --whirl-ratio 1.2 --revolutions 20 --set kick.force_n=9999 --output harder
 expect_same above/trajectory.csv harder/trajectory.csv
@@ -107,10 +107,10 @@ expect_same above/trajectory.csv harder/trajectory.csv
 expect_exit 4 "$minimal" --speed-hz 90 --whirl-ratio 1.2 --set gravity_m_per_s2=99 --set stops.0.angle_deg=-90 --output short
 expect_matches stderr '^rubtrace: static forces press the rotor on the wall'
 expect_files short config.yaml motion.csv
-[[ $(rows short/motion.csv | cut -d, -f4,23) == initial_contact,ok ]] || fail 'the row is not that of initial contact'
+[[ $(cells short/motion.csv class status) == initial_contact,ok ]] || fail 'the row is not that of initial contact'
 expect_exit 4 "$minimal" --speed-hz 30 --whirl-ratio 0.5 --set rotor.damping_ratio=0 --output short
 expect_matches stderr '^rubtrace: no eccentricity gives this whirl ratio'
-[[ $(rows short/motion.csv | cut -d, -f4,23) == failed,unreachable ]] || fail 'the row is not that of a failure'
+[[ $(cells short/motion.csv class status) == failed,unreachable ]] || fail 'the row is not that of a failure'
 
 # A run that fails is written up to its failure.
 expect_exit 4 "$minimal" "${rub[@]}" --set solver.method=adaptive --set solver.max_steps_per_revolution=1000 --set solver.relative_tolerance=1e-13 \
@@ -121,4 +121,4 @@ expect_files failed "${files[@]}"
 [[ $(wc -l <failed/section.csv) == $((failed_in + 1)) ]] || fail 'section.csv does not end before the failure'
 samples=$(($(wc -l <failed/trajectory.csv) - 1))
 ((samples > (failed_in - 1) * 128 && samples < failed_in * 128)) || fail 'trajectory.csv does not end at the failure'
-[[ $(rows failed/motion.csv | cut -d, -f4,23) == failed,step_limit ]] || fail 'the row does not name the failure'
+[[ $(cells failed/motion.csv class status) == failed,step_limit ]] || fail 'the row does not name the failure'

@@ -24,7 +24,7 @@ sed -i 's/non_contact/"; system("touch pwned-by-class"); "/' map/map.csv
 "$top/scripts/domain_map.sh" map/map.csv evil_map Map >stdout 2>stderr || true
 expect_no_commands
 
-# A trace, and cells of it that would be code in awk, in the shell's arithmetic and in gnuplot.
+# A trace, and cells of it that would be code in the shell's arithmetic and in gnuplot.
 "$rubtrace" "$minimal" --speed-hz 50 --whirl-ratio 0.2 --revolutions 80 --output trace --quiet
 for name in "${names[@]}"; do
   cp -r trace "$name"

@@ -82,6 +82,12 @@ expect_same() { diff "$1" "$2" >&2 || fail "$1 and $2 differ"; }
 # rows MAP: the rows of a map, without comments and header.
 rows() { grep -v -e '^#' -e '^speed_hz,' "$1" || true; }
 
+# cells FILE.csv NAME...: the cells of these columns, a line per row, parted by commas.
+cells() { python3 -B "$top/scripts/analysis/csv_columns.py" "$@"; }
+
+# count_rows FILE.csv CONDITION: how many rows make the condition true, see count_rows.py.
+count_rows() { python3 -B "$top/tests/cli/count_rows.py" "$@"; }
+
 # expect_whole_rows MAP: comments, header, then rows with every column, each ended.
 expect_whole_rows() {
   sed -n 1p "$1" | grep -q '^# rubsweep ' || fail "$1 does not begin with its version"

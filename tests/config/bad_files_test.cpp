@@ -18,7 +18,7 @@ std::vector<std::string> stems(const std::string& extension) {
 
 class BadFile : public testing::TestWithParam<std::string> {};
 
-TEST_P(BadFile, gives_exactly_the_expected_message) {
+TEST_P(BadFile, GivesExactlyTheExpectedMessage) {
   const std::string name = GetParam() + ".yaml";
   EXPECT_EQ(message_of(test_file("bad/" + name), {}, name) + "\n",
             test_file("bad/" + GetParam() + ".expected"));
@@ -27,7 +27,7 @@ TEST_P(BadFile, gives_exactly_the_expected_message) {
 INSTANTIATE_TEST_SUITE_P(Folder, BadFile, testing::ValuesIn(stems(".yaml")),
                          [](const auto& parameter) { return parameter.param; });
 
-TEST(BadFiles, all_have_their_message_and_none_is_left_over) {
+TEST(BadFiles, AllHaveTheirMessageAndNoneIsLeftOver) {
   EXPECT_GE(stems(".yaml").size(), 25U);
   EXPECT_EQ(stems(".yaml"), stems(".expected"));
 }

@@ -7,11 +7,9 @@
 namespace rubsweep::config {
 namespace {
 
-TEST(Diagnostics, throws_nothing_without_a_problem) {
-  EXPECT_NO_THROW(Diagnostics("a.yaml", {}).throw_if_any());
-}
+TEST(Diagnostics, ThrowsNothingWithoutAProblem) { EXPECT_NO_THROW(Diagnostics("a.yaml", {}).throw_if_any()); }
 
-TEST(Diagnostics, lists_the_file_by_place_then_the_overrides_in_order) {
+TEST(Diagnostics, ListsTheFileByPlaceThenTheOverridesInOrder) {
   Diagnostics diagnostics("a.yaml", {"x=1", "y=2"});
   diagnostics.add({1, 1, 1}, "y", "fifth", "");
   diagnostics.add({0, 1, 1}, "x", "fourth", "");

@@ -23,7 +23,7 @@ std::string problem_of(const std::string& text) {
   return "no problem";
 }
 
-TEST(Document, keeps_kinds_quotes_and_places) {
+TEST(Document, KeepsKindsQuotesAndPlaces) {
   const Node root = parsed("a: 1\nb:\n  - 'x'\n  - {c: }\n");
   ASSERT_EQ(root.kind, Node::Kind::map);
   ASSERT_EQ(root.keys.size(), 2U);
@@ -39,19 +39,19 @@ TEST(Document, keeps_kinds_quotes_and_places) {
   EXPECT_EQ(list.items[1].items[0].kind, Node::Kind::null);
 }
 
-TEST(Document, places_a_missing_value_at_its_key) {
+TEST(Document, PlacesAMissingValueAtItsKey) {
   EXPECT_EQ(parsed("a:\n\n\nb: 1\n").items[0].place, (Place{-1, 1, 1}));
 }
 
-TEST(Document, keeps_repeated_keys) { EXPECT_EQ(parsed("a: 1\na: 2\n").items.size(), 2U); }
+TEST(Document, KeepsRepeatedKeys) { EXPECT_EQ(parsed("a: 1\na: 2\n").items.size(), 2U); }
 
-TEST(Document, is_null_when_there_is_nothing) {
+TEST(Document, IsNullWhenThereIsNothing) {
   for (const char* text : {"", "\n", "# only this", "---", "~"}) {
     EXPECT_EQ(parsed(text).kind, Node::Kind::null) << text;
   }
 }
 
-TEST(Document, takes_what_editors_add) {
+TEST(Document, TakesWhatEditorsAdd) {
   for (const char* text : {"\xEF\xBB\xBF"
                            "a: 1\n",
                            "a: 1\r\n", "%YAML 1.2\n---\na: 1\n...\n", "a: 1 # \xC3\xA9"}) {
@@ -62,21 +62,21 @@ TEST(Document, takes_what_editors_add) {
   }
 }
 
-TEST(Document, copies_aliases) {
+TEST(Document, CopiesAliases) {
   Node root = parsed("a: &x {b: 1}\nc: *x\n");
   EXPECT_EQ(root.items[1].items[0].text, "1");
   root.items[1].items[0].text = "2";
   EXPECT_EQ(root.items[0].items[0].text, "1");
 }
 
-TEST(Document, places_an_override_at_its_index) {
+TEST(Document, PlacesAnOverrideAtItsIndex) {
   Diagnostics diagnostics("f", {"x=1", "y={a: 1}"});
   const auto node = parse_document("{a: 1}", 1, "y", diagnostics);
   ASSERT_TRUE(node);
   EXPECT_EQ(node->items[0].place, (Place{1, 1, 1}));
 }
 
-TEST(Document, bounds_depth_also_through_aliases) {
+TEST(Document, BoundsDepthAlsoThroughAliases) {
   const std::string open(32, '[');
   const std::string close(32, ']');
   EXPECT_EQ(problem_of(open + close), "no problem");
@@ -86,7 +86,7 @@ TEST(Document, bounds_depth_also_through_aliases) {
             "f:2:5: nested too deep, allowed: at most 32 levels");
 }
 
-TEST(Document, bounds_the_number_of_values) {
+TEST(Document, BoundsTheNumberOfValues) {
   std::string bomb = "- &a0 [x, x, x, x, x, x, x, x, x, x]\n";
   for (int i = 1; i < 10; ++i) {
     const std::string alias = "*a" + std::to_string(i - 1);
@@ -97,13 +97,13 @@ TEST(Document, bounds_the_number_of_values) {
   EXPECT_NE(problem_of(bomb).find("too many values, allowed: at most 100000"), std::string::npos);
 }
 
-TEST(Document, bounds_the_size) {
+TEST(Document, BoundsTheSize) {
   EXPECT_EQ(problem_of("#" + std::string(max_document_bytes - 1, ' ')), "no problem");
   EXPECT_EQ(problem_of("#" + std::string(max_document_bytes, ' ')),
             "f:1:1: too large, allowed: at most 1000000 bytes");
 }
 
-TEST(Document, survives_runs_of_every_indicator) {
+TEST(Document, SurvivesRunsOfEveryIndicator) {
   for (const char indicator : {'[', '{', '-', '?', ':', '&', '*', '!', '|', '>', '\'', '"', '%', ',', ']'}) {
     for (const char* separator : {"", " ", "\n"}) {
       std::string text;
@@ -113,7 +113,7 @@ TEST(Document, survives_runs_of_every_indicator) {
   }
 }
 
-TEST(Document, escapes_what_a_syntax_message_quotes) {
+TEST(Document, EscapesWhatASyntaxMessageQuotes) {
   const std::string problem = problem_of("a: \"\\\xC3\xA9\"\n");
   EXPECT_NE(problem.find("not valid YAML"), std::string::npos) << problem;
   EXPECT_NE(problem.find("\\xc3"), std::string::npos) << problem;

@@ -17,7 +17,7 @@ std::string with_hertz() {
   return replaced(test_file("minimal.yaml"), "stiffness_n_per_m: 2.0e6", "hertz: " + brass);
 }
 
-TEST(Hertz, gives_the_stiffness) {
+TEST(Hertz, GivesTheStiffness) {
   const RunConfig config = read_run_config_text(with_hertz(), "test.yaml", {});
   const model::Stop& stop = config.study.machine.stops.at(0);
   ASSERT_TRUE(stop.hertz);
@@ -25,7 +25,7 @@ TEST(Hertz, gives_the_stiffness) {
   EXPECT_EQ(stop.stiffness_n_per_m, contact::hertz_stiffness_n_per_m(*stop.hertz));
 }
 
-TEST(Hertz, what_is_printed_reads_back_the_same) {
+TEST(Hertz, WhatIsPrintedReadsBackTheSame) {
   for (const std::vector<std::string>& overrides :
        {std::vector<std::string>{},
         {"stops.0.hertz.half_width=paper"},
@@ -37,7 +37,7 @@ TEST(Hertz, what_is_printed_reads_back_the_same) {
   }
 }
 
-TEST(Hertz, problems_have_their_places) {
+TEST(Hertz, ProblemsHaveTheirPlaces) {
   const auto message = [](const std::string& override) { return message_of(with_hertz(), {override}); };
   EXPECT_NE(message("stops.0.stiffness_n_per_m=1")
                 .find("stops.0.hertz: given beside stiffness_n_per_m, allowed: one of the two"),
@@ -55,7 +55,7 @@ TEST(Hertz, problems_have_their_places) {
             std::string::npos);
 }
 
-TEST(FrictionCurve, is_solved_for_and_printed_as_it_was_given) {
+TEST(FrictionCurve, IsSolvedForAndPrintedAsItWasGiven) {
   const std::string curve =
       "stops.0.friction={static: 0.3, kinetic: 0.2, peak_speed_m_per_s: 0.01, settle_speed_m_per_s: 0.2}";
   const RunConfig config = read_run_config_text(test_file("minimal.yaml"), "test.yaml", {curve});
@@ -66,7 +66,7 @@ TEST(FrictionCurve, is_solved_for_and_printed_as_it_was_given) {
   EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
 }
 
-TEST(FrictionCurve, problems_have_their_places) {
+TEST(FrictionCurve, ProblemsHaveTheirPlaces) {
   const auto message = [](const std::string& text) {
     return message_of(test_file("minimal.yaml"), {"stops.0.friction=" + text});
   };

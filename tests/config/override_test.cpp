@@ -13,18 +13,18 @@ std::string problems_with(const std::vector<std::string>& overrides) {
   return message_of(test_file("minimal.yaml"), overrides, "minimal.yaml");
 }
 
-TEST(Override, replaces_a_value) {
-  EXPECT_EQ(read_with({"rotor.mass_kg=1.5"}) std::get<model::JeffcottRotor>(.study.machine.rotor).mass_kg,
+TEST(Override, ReplacesAValue) {
+  EXPECT_EQ(std::get<model::JeffcottRotor>(read_with({"rotor.mass_kg=1.5"}).study.machine.rotor).mass_kg,
             1.5);
 }
 
-TEST(Override, indexes_lists_by_number) {
+TEST(Override, IndexesListsByNumber) {
   const auto stops = read_with({"stops.0.angle_deg=-90"}).study.machine.stops;
   EXPECT_EQ(std::get<model::OneSideGeometry>(stops[0].geometry).angle_deg, -90);
   EXPECT_EQ(read_with({"sweep.whirl_ratio.values.0=0.25"}).study.grid.unbalance, std::vector<double>{0.25});
 }
 
-TEST(Override, creates_missing_keys_and_the_maps_above_them) {
+TEST(Override, CreatesMissingKeysAndTheMapsAboveThem) {
   EXPECT_EQ(read_with({"gravity_m_per_s2=9.81"}).study.machine.gravity_m_per_s2, 9.81);
   EXPECT_EQ(read_with({"stops.0.contact_mass_kg=0.3"}).study.machine.stops[0].contact_mass_kg, 0.3);
   EXPECT_EQ(read_with({"solver.max_steps_per_revolution=2000"}).study.solver.max_steps_per_revolution, 2000);
@@ -32,7 +32,7 @@ TEST(Override, creates_missing_keys_and_the_maps_above_them) {
   EXPECT_EQ(std::get<model::ConstantFriction>(config.study.machine.stops[0].friction).coefficient, 0.2);
 }
 
-TEST(Override, takes_back_what_excludes_it) {
+TEST(Override, TakesBackWhatExcludesIt) {
   const auto file = [](const std::vector<std::string>& overrides) {
     return read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", overrides).study;
   };
@@ -46,7 +46,7 @@ TEST(Override, takes_back_what_excludes_it) {
   EXPECT_EQ(file({"sweep.speed_hz.count=3"}).grid.speed_hz.size(), 3u);
 }
 
-TEST(Override, takes_any_yaml_as_value) {
+TEST(Override, TakesAnyYamlAsValue) {
   const RunConfig config = read_with({"kick={force_n: 200, duration_s: 0.005}",
                                       "sweep.speed_hz={values: [70, 80]}", "output.directory=results/a=b"});
   ASSERT_TRUE(config.study.machine.kick);
@@ -55,21 +55,21 @@ TEST(Override, takes_any_yaml_as_value) {
   EXPECT_EQ(config.output_directory, "results/a=b");
 }
 
-TEST(Override, applies_in_order) {
-  EXPECT_EQ(read_with({"rotor.mass_kg=2", "rotor.mass_kg=3"})
-                std::get<model::JeffcottRotor>(.study.machine.rotor)
-                    .mass_kg,
-            3);
+TEST(Override, AppliesInOrder) {
+  EXPECT_EQ(
+      std::get<model::JeffcottRotor>(read_with({"rotor.mass_kg=2", "rotor.mass_kg=3"}).study.machine.rotor)
+          .mass_kg,
+      3);
   EXPECT_EQ(read_with({"kick={force_n: 1, duration_s: 1}", "kick.force_n=5"}).study.machine.kick->force_n, 5);
 }
 
-TEST(Override, repairs_a_bad_value_of_the_file) {
+TEST(Override, RepairsABadValueOfTheFile) {
   const std::string text = replaced(test_file("minimal.yaml"), "mass_kg: 0.8", "mass_kg: -1");
   EXPECT_NE(message_of(text), "no error");
   EXPECT_EQ(message_of(text, {"rotor.mass_kg=1"}), "no error");
 }
 
-TEST(Override, changes_one_of_two_aliased_casings) {
+TEST(Override, ChangesOneOfTwoAliasedCasings) {
   const std::string stop =
       "kind: one_side, angle_deg: 90, clearance_m: 0.001, stiffness_n_per_m: 1, restitution: 1, "
       "contact_radius_m: 0, casing: ";
@@ -85,7 +85,7 @@ TEST(Override, changes_one_of_two_aliased_casings) {
   EXPECT_EQ(stops[1].casing->mass_kg, 2);
 }
 
-TEST(Override, names_itself_as_the_place_of_a_bad_value) {
+TEST(Override, NamesItselfAsThePlaceOfABadValue) {
   EXPECT_EQ(problems_with({"rotor.mass_kg=heavy"}),
             "--set rotor.mass_kg=heavy: rotor.mass_kg: 'heavy' is not a number, allowed: a number > 0");
   EXPECT_EQ(problems_with({"stops.0.friction={coefficient: -1}"}),
@@ -101,12 +101,12 @@ TEST(Override, names_itself_as_the_place_of_a_bad_value) {
             "key once");
 }
 
-TEST(Override, names_itself_as_the_place_of_what_its_map_lacks) {
+TEST(Override, NamesItselfAsThePlaceOfWhatItsMapLacks) {
   EXPECT_EQ(problems_with({"kick.force_n=1"}),
             "--set kick.force_n=1: kick.duration_s: missing, allowed: a number > 0");
 }
 
-TEST(Override, refuses_a_path_that_leads_nowhere) {
+TEST(Override, RefusesAPathThatLeadsNowhere) {
   EXPECT_EQ(
       problems_with({"solvr.method=auto"}),
       "--set solvr.method=auto: solvr: unknown key (did you mean 'solver'?), allowed: rotor, stops, kick, "
@@ -121,7 +121,7 @@ TEST(Override, refuses_a_path_that_leads_nowhere) {
   }
 }
 
-TEST(Override, refuses_what_is_not_key_and_value) {
+TEST(Override, RefusesWhatIsNotKeyAndValue) {
   EXPECT_EQ(problems_with({"rotor.mass_kg"}),
             "--set rotor.mass_kg: there is no '=', allowed: key.path=value");
   const std::string form = " is not a path, allowed: 1 to 32 names or indices joined by dots";
@@ -133,7 +133,7 @@ TEST(Override, refuses_what_is_not_key_and_value) {
   EXPECT_NE(problems_with({deep + "=1"}).find(form), std::string::npos);
 }
 
-TEST(Override, refuses_a_value_that_is_not_yaml) {
+TEST(Override, RefusesAValueThatIsNotYaml) {
   EXPECT_EQ(problems_with({"kick={force_n: 1"}),
             "--set kick={force_n: 1: kick: not valid YAML: end of map flow not found");
   EXPECT_EQ(problems_with({"output.directory='a"}),
@@ -142,7 +142,7 @@ TEST(Override, refuses_a_value_that_is_not_yaml) {
             "--set rotor.kind=\\xff: rotor.kind: byte 0xff is not UTF-8, allowed: UTF-8 text");
 }
 
-TEST(Override, reports_all_overrides_after_the_file) {
+TEST(Override, ReportsAllOverridesAfterTheFile) {
   const std::string text = replaced(test_file("minimal.yaml"), "mass_kg: 0.8", "mass_kg: -1");
   EXPECT_EQ(message_of(text, {"rotor.damping_ratio=-1", "sweep", "rotor.natural_frequency_hz=0"}),
             "test.yaml:2:34: rotor.mass_kg: -1 is out of range, allowed: a number > 0\n"

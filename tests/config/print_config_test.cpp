@@ -76,14 +76,14 @@ RunConfig awkward_config(std::mt19937_64& random) {
   return config;
 }
 
-TEST(PrintConfig, reads_back_equal_and_prints_the_same_again) {
+TEST(PrintConfig, ReadsBackEqualAndPrintsTheSameAgain) {
   expect_round_trip(read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", {}));
   expect_round_trip(read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {}));
   std::mt19937_64 random(20240607);
   for (int i = 0; i < 200; ++i) expect_round_trip(awkward_config(random));
 }
 
-TEST(PrintConfig, keeps_every_directory) {
+TEST(PrintConfig, KeepsEveryDirectory) {
   RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
   for (const char* directory : {"results/a-b_c.d",
                                 "/tmp/x",
@@ -122,26 +122,26 @@ TEST(PrintConfig, keeps_every_directory) {
   }
 }
 
-TEST(PrintConfig, refuses_a_directory_that_no_yaml_file_can_hold) {
+TEST(PrintConfig, RefusesADirectoryThatNoYamlFileCanHold) {
   RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
   config.output_directory = "a\xff";
   EXPECT_THROW(print_config(config), ConfigError);
 }
 
-TEST(PrintConfig, fits_the_reader_at_its_largest) {
+TEST(PrintConfig, FitsTheReaderAtItsLargest) {
   std::string text = test_file("minimal.yaml");
   text = replaced(text, "{from: 60, count: 1}", "{from: 10.1, to: 999.7, count: 10000}");
   text = replaced(text, "{values: [0.5]}", "{from: 0.11, to: 0.97, count: 400}");
   expect_round_trip(read_run_config_text(text, "large.yaml", {}));
 }
 
-TEST(PrintStudy, is_the_configuration_without_its_output) {
+TEST(PrintStudy, IsTheConfigurationWithoutItsOutput) {
   RunConfig config = read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", {});
   const std::string study = print_study(config.study);
   EXPECT_EQ(print_config(config), study + "output:\n  directory: results/one_side\n");
 }
 
-TEST(PrintConfig, shows_every_default) {
+TEST(PrintConfig, ShowsEveryDefault) {
   const RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
   EXPECT_EQ(print_config(config), test_file("minimal_printed.yaml"));
 }

@@ -9,7 +9,7 @@
 namespace rubsweep::config {
 namespace {
 
-TEST(Printer, indents_maps_and_lists_of_maps) {
+TEST(Printer, IndentsMapsAndListsOfMaps) {
   Printer printer;
   printer.open("a");
   printer.integer("b", -3);
@@ -38,7 +38,7 @@ TEST(Printer, indents_maps_and_lists_of_maps) {
             "d: [1, 2e-08, -0]\n");
 }
 
-TEST(Printer, quotes_text_only_where_needed) {
+TEST(Printer, QuotesTextOnlyWhereNeeded) {
   const auto printed = [](std::string_view text) {
     Printer printer;
     printer.text("t", text);
@@ -52,7 +52,7 @@ TEST(Printer, quotes_text_only_where_needed) {
   EXPECT_THROW(printed("\xC3("), ConfigError);
 }
 
-TEST(Printer, leaves_out_optional_numbers_without_value) {
+TEST(Printer, LeavesOutOptionalNumbersWithoutValue) {
   Printer printer;
   printer.field("absent", std::optional<double>(), model::any_finite);
   printer.field("present", std::optional<double>(2), model::any_finite);

@@ -10,7 +10,7 @@ namespace {
 
 const std::filesystem::path folder = RUBSWEEP_TEST_DATA;
 
-TEST(ReadRunConfig, reads_every_key) {
+TEST(ReadRunConfig, ReadsEveryKey) {
   const RunConfig config = read_run_config(folder / "one_side.yaml", {});
   const model::Machine& machine = config.study.machine;
   EXPECT_EQ(std::get<model::JeffcottRotor>(machine.rotor).mass_kg, 0.8);
@@ -41,7 +41,7 @@ TEST(ReadRunConfig, reads_every_key) {
   EXPECT_EQ(config.output_directory, "results/one_side");
 }
 
-TEST(ReadRunConfig, reads_every_solver_and_response_key) {
+TEST(ReadRunConfig, ReadsEverySolverAndResponseKey) {
   const std::string text =
       test_file("minimal.yaml") +
       "solver: {method: adaptive, stepper: rkf78, contact: smoothed, relative_tolerance: 1e-6,\n"
@@ -63,7 +63,7 @@ TEST(ReadRunConfig, reads_every_solver_and_response_key) {
   EXPECT_EQ(config.study.machine.kick->angle_deg, -3);
 }
 
-TEST(ReadRunConfig, gives_defaults_to_what_is_left_out) {
+TEST(ReadRunConfig, GivesDefaultsToWhatIsLeftOut) {
   const RunConfig config = read_run_config(folder / "minimal.yaml", {});
   const model::Stop& stop = config.study.machine.stops.at(0);
   EXPECT_EQ(stop.contact_mass_kg, std::nullopt);
@@ -77,13 +77,13 @@ TEST(ReadRunConfig, gives_defaults_to_what_is_left_out) {
   EXPECT_EQ(bits_of(config), bits_of(defaults));
 }
 
-TEST(ReadRunConfig, takes_each_stepper) {
+TEST(ReadRunConfig, TakesEachStepper) {
   for (const std::string word : {"auto", "dopri5", "cash_karp54", "rkf78", "bulirsch_stoer", "rosenbrock4"}) {
     EXPECT_EQ(message_of(test_file("minimal.yaml"), {"solver.stepper=" + word}), "no error");
   }
 }
 
-TEST(ReadRunConfig, names_the_file_as_it_was_given) {
+TEST(ReadRunConfig, NamesTheFileAsItWasGiven) {
   const std::filesystem::path file = folder / "bad" / "rotor_word.yaml";
   try {
     read_run_config(file, {});
@@ -93,7 +93,7 @@ TEST(ReadRunConfig, names_the_file_as_it_was_given) {
   }
 }
 
-TEST(ReadRunConfig, reports_a_file_that_cannot_be_read) {
+TEST(ReadRunConfig, ReportsAFileThatCannotBeRead) {
   try {
     read_run_config(folder / "no_such_file.yaml", {});
     FAIL();
@@ -104,7 +104,7 @@ TEST(ReadRunConfig, reports_a_file_that_cannot_be_read) {
   EXPECT_THROW(read_run_config(folder, {}), IoError);
 }
 
-TEST(ReadRunConfig, reports_all_problems_of_a_file_at_once) {
+TEST(ReadRunConfig, ReportsAllProblemsOfAFileAtOnce) {
   std::string text = test_file("one_side.yaml");
   text = replaced(text, "mass_kg: 0.8", "mass_kg: 0");
   text = replaced(text, "angle_deg: 90", "angle_deg: up");
@@ -161,7 +161,7 @@ std::string mutated(std::string text, std::mt19937_64& random) {
   return text;
 }
 
-TEST(ReadRunConfig, answers_any_file_with_a_configuration_or_a_message) {
+TEST(ReadRunConfig, AnswersAnyFileWithAConfigurationOrAMessage) {
   const std::string good = test_file("one_side.yaml");
   std::mt19937_64 random(7);
   int taken = 0;

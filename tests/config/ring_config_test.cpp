@@ -33,7 +33,7 @@ std::string problems_of(const std::string& changed, const std::vector<std::strin
   return "no error";
 }
 
-TEST(RingConfig, reads_every_kind_of_load) {
+TEST(RingConfig, ReadsEveryKindOfLoad) {
   const RingConfig config = read_ring_config_text(text, "ring.yaml", {});
   const ring::System& system = config.study.system;
   EXPECT_NEAR(3 * ring::critical_speed(system.ring), 34.4, 1e-12);
@@ -48,13 +48,13 @@ TEST(RingConfig, reads_every_kind_of_load) {
   EXPECT_EQ(config.output_directory, "results/x");
 }
 
-TEST(RingConfig, printed_reads_back_as_itself) {
+TEST(RingConfig, PrintedReadsBackAsItself) {
   const std::string printed = print_ring_config(read_ring_config_text(text, "ring.yaml", {}));
   EXPECT_EQ(print_ring_config(read_ring_config_text(printed, "printed.yaml", {})), printed);
   EXPECT_NE(printed.find("rotary_mass_kg"), std::string::npos);
 }
 
-TEST(RingConfig, geometry_becomes_modal_data) {
+TEST(RingConfig, GeometryBecomesModalData) {
   const std::string geometry = R"(ring:
   nodal_diameters: 2
   geometry: {radius_m: 1.2, thickness_m: 0.05, width_m: 0.3, density_kg_per_m3: 7800, youngs_modulus_pa: 2.1e11}
@@ -73,7 +73,7 @@ output: {directory: x}
   EXPECT_EQ(print_ring_config(read_ring_config_text(printed, "printed.yaml", {})), printed);
 }
 
-TEST(RingConfig, digest_knows_the_physics_only) {
+TEST(RingConfig, DigestKnowsThePhysicsOnly) {
   const auto digest = [](const std::vector<std::string>& overrides) {
     return ring_study_digest(read_ring_config_text(text, "ring.yaml", overrides).study);
   };
@@ -81,7 +81,7 @@ TEST(RingConfig, digest_knows_the_physics_only) {
   EXPECT_NE(digest({}), digest({"preload_n=1"}));
 }
 
-TEST(RingConfig, an_override_takes_back_the_other_way_to_say_it) {
+TEST(RingConfig, AnOverrideTakesBackTheOtherWayToSayIt) {
   EXPECT_EQ(problems_of(text, {"ring.natural_frequency_hz=30"}), "no error");
 }
 
@@ -91,7 +91,7 @@ struct Problem {
 
 class RingProblem : public testing::TestWithParam<Problem> {};
 
-TEST_P(RingProblem, is_said_with_place_and_what_is_allowed) {
+TEST_P(RingProblem, IsSaidWithPlaceAndWhatIsAllowed) {
   EXPECT_EQ(problems_of(replaced(text, GetParam().from, GetParam().to)), GetParam().message);
 }
 

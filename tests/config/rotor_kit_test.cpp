@@ -10,7 +10,7 @@ model::Machine read_with(const std::vector<std::string>& overrides) {
   return read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml", overrides).study.machine;
 }
 
-TEST(RotorKit, reads_every_key) {
+TEST(RotorKit, ReadsEveryKey) {
   const model::Machine machine = read_with({});
   ASSERT_TRUE(model::kit_of(machine));
   const model::RotorKit& kit = *model::kit_of(machine);
@@ -49,7 +49,7 @@ TEST(RotorKit, reads_every_key) {
   EXPECT_EQ(machine.kick->position_m, 0.25);
 }
 
-TEST(RotorKit, other_forms) {
+TEST(RotorKit, OtherForms) {
   const model::Machine machine =
       read_with({"rotor.modes=auto", "rotor.damping_ratio=0.03", "rotor.bow={mode: 2, amplitude_m: 1e-4}"});
   const model::RotorKit& kit = *model::kit_of(machine);
@@ -59,7 +59,7 @@ TEST(RotorKit, other_forms) {
   EXPECT_EQ(std::get<model::BowMode>(kit.bow->shape).amplitude_m, 1e-4);
 }
 
-TEST(RotorKit, what_is_printed_reads_back_the_same) {
+TEST(RotorKit, WhatIsPrintedReadsBackTheSame) {
   for (const std::vector<std::string>& overrides :
        {std::vector<std::string>{}, {"rotor.modes=auto", "rotor.bow={mode: 2, amplitude_m: 1e-4}"}}) {
     const RunConfig config = read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml", overrides);
@@ -73,7 +73,7 @@ TEST(RotorKit, what_is_printed_reads_back_the_same) {
   }
 }
 
-TEST(RotorKit, problems_have_their_places) {
+TEST(RotorKit, ProblemsHaveTheirPlaces) {
   const auto message = [](const std::string& override) {
     return message_of(test_file("rotor_kit.yaml"), {override}, "kit.yaml");
   };
@@ -112,7 +112,7 @@ TEST(RotorKit, problems_have_their_places) {
             std::string::npos);
 }
 
-TEST(RotorKit, numbers_that_no_machine_has_are_refused_in_their_place) {
+TEST(RotorKit, NumbersThatNoMachineHasAreRefusedInTheirPlace) {
   for (const std::string override :
        {"rotor.shaft.0.outer_diameter_m=1e-300", "rotor.shaft.0.outer_diameter_m=1e100",
         "rotor.shaft.1.length_m=1e-9", "rotor.shaft.0.youngs_modulus_pa=1e200",
@@ -128,7 +128,7 @@ TEST(RotorKit, numbers_that_no_machine_has_are_refused_in_their_place) {
   }
 }
 
-TEST(RotorKit, a_jeffcott_rotor_has_no_places) {
+TEST(RotorKit, AJeffcottRotorHasNoPlaces) {
   EXPECT_NE(message_of(test_file("minimal.yaml"), {"stops.0.position_m=0.1"})
                 .find("stops.0.position_m: unknown key"),
             std::string::npos);

@@ -23,7 +23,7 @@ struct Fixture {
   Value value() { return {node, "top", diagnostics}; }
 };
 
-TEST(Section, gives_values_and_keeps_defaults) {
+TEST(Section, GivesValuesAndKeepsDefaults) {
   Fixture file("{a: 1, n: 3}");
   Section section(file.value());
   double a = model::required;
@@ -39,7 +39,7 @@ TEST(Section, gives_values_and_keeps_defaults) {
   EXPECT_EQ(problems(file.diagnostics), "");
 }
 
-TEST(Section, misses_only_what_has_no_default) {
+TEST(Section, MissesOnlyWhatHasNoDefault) {
   Fixture file("{}");
   Section section(file.value());
   double a = model::required;
@@ -51,7 +51,7 @@ TEST(Section, misses_only_what_has_no_default) {
   EXPECT_EQ(problems(file.diagnostics), "f:1:1: top.a: missing, allowed: a number > 0");
 }
 
-TEST(Section, that_is_no_map_has_one_problem) {
+TEST(Section, ThatIsNoMapHasOneProblem) {
   Fixture file("[1]");
   Section section(file.value());
   double a = model::required;
@@ -62,7 +62,7 @@ TEST(Section, that_is_no_map_has_one_problem) {
   EXPECT_EQ(problems(file.diagnostics), "f:1:1: top: is a list, allowed: a map");
 }
 
-TEST(Section, refuses_an_unknown_key_once_and_never_a_known_one) {
+TEST(Section, RefusesAnUnknownKeyOnceAndNeverAKnownOne) {
   Fixture file("{a: 1, zz: 1, zz: 2}");
   Section section(file.value());
   section.find("a");
@@ -73,14 +73,14 @@ TEST(Section, refuses_an_unknown_key_once_and_never_a_known_one) {
             "f:1:15: top.zz: given again, first at line 1, allowed: each key once");
 }
 
-TEST(Section, names_the_last_of_too_many_alternatives) {
+TEST(Section, NamesTheLastOfTooManyAlternatives) {
   Fixture file("{c: 1, a: 1, b: 1}");
   Section section(file.value());
   section.require_exactly_one({"a", "b", "c"});
   EXPECT_EQ(problems(file.diagnostics), "f:1:17: top.b: given beside c, a, allowed: exactly one of a, b, c");
 }
 
-TEST(Section, takes_integers_however_they_are_written) {
+TEST(Section, TakesIntegersHoweverTheyAreWritten) {
   const struct {
     const char* text;
     const char* problem;
@@ -104,7 +104,7 @@ TEST(Section, takes_integers_however_they_are_written) {
   }
 }
 
-TEST(Section, places_a_joint_problem_at_the_last_key_given) {
+TEST(Section, PlacesAJointProblemAtTheLastKeyGiven) {
   Fixture file("{b: 1,\n a: 2}");
   const Section section(file.value());
   section.refuse_together("b", {"a", "b", "c"}, "too small for a", "more");

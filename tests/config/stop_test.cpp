@@ -10,7 +10,7 @@ model::Stop read_stop_with(const std::vector<std::string>& overrides) {
   return read_run_config_text(text, "test.yaml", overrides).study.machine.stops.at(0);
 }
 
-TEST(Stop, takes_each_source_of_damping) {
+TEST(Stop, TakesEachSourceOfDamping) {
   const model::Stop nominal = read_stop_with({"stops.0.restitution=0.7"});
   EXPECT_EQ(std::get<model::NominalRestitution>(nominal.damping).value, 0.7);
   const model::Stop delivered = read_stop_with({"stops.0.restitution_delivered=0.6"});
@@ -20,7 +20,7 @@ TEST(Stop, takes_each_source_of_damping) {
   EXPECT_THROW(read_stop_with({}), ConfigError);
 }
 
-TEST(Stop, takes_each_friction) {
+TEST(Stop, TakesEachFriction) {
   const std::string elastic = "stops.0.restitution=1";
   const auto friction = [&](const std::string& text) {
     return read_stop_with({elastic, "stops.0.friction=" + text}).friction;
@@ -31,7 +31,7 @@ TEST(Stop, takes_each_friction) {
             (std::array<double, 6>{1, 2, 3, 4, 5, -6}));
 }
 
-TEST(Stop, takes_each_casing) {
+TEST(Stop, TakesEachCasing) {
   const std::string elastic = "stops.0.restitution=1";
   EXPECT_FALSE(read_stop_with({elastic, "stops.0.casing=rigid"}).casing);
   const auto casing =
@@ -42,7 +42,7 @@ TEST(Stop, takes_each_casing) {
   EXPECT_EQ(casing->damping_ratio, 3);
 }
 
-TEST(Stop, keeps_the_order_of_the_list) {
+TEST(Stop, KeepsTheOrderOfTheList) {
   const std::string minimal = test_file("minimal.yaml");
   const std::size_t begin = minimal.find("  - kind");
   const std::size_t end = minimal.find("sweep:");
@@ -54,7 +54,7 @@ TEST(Stop, keeps_the_order_of_the_list) {
   EXPECT_EQ(std::get<model::OneSideGeometry>(stops[1].geometry).angle_deg, 270);
 }
 
-TEST(Stop, annular_with_and_without_offset) {
+TEST(Stop, AnnularWithAndWithoutOffset) {
   const std::string annular = replaced(test_file("minimal.yaml"), "kind: one_side", "kind: annular");
   const std::string centred = replaced(annular, "angle_deg: 90", "offset_m: [0, 0]");
   const auto ring_of = [](const std::string& text) {

@@ -9,13 +9,13 @@ sweep::Grid grid_with(const std::vector<std::string>& overrides) {
   return read_run_config_text(test_file("minimal.yaml"), "test.yaml", overrides).study.grid;
 }
 
-TEST(Sweep, spaces_whole_numbers_exactly) {
+TEST(Sweep, SpacesWholeNumbersExactly) {
   const std::vector<double> speeds = grid_with({"sweep.speed_hz={from: 45, to: 240, count: 66}"}).speed_hz;
   ASSERT_EQ(speeds.size(), 66U);
   for (std::size_t i = 0; i < speeds.size(); ++i) EXPECT_EQ(speeds[i], 45 + 3 * static_cast<double>(i));
 }
 
-TEST(Sweep, ends_exactly_where_asked) {
+TEST(Sweep, EndsExactlyWhereAsked) {
   const std::vector<double> ratios =
       grid_with({"sweep.whirl_ratio={from: 0.02, to: 0.98, count: 20}"}).unbalance;
   ASSERT_EQ(ratios.size(), 20U);
@@ -27,24 +27,24 @@ TEST(Sweep, ends_exactly_where_asked) {
   }
 }
 
-TEST(Sweep, runs_downwards_too) {
+TEST(Sweep, RunsDownwardsToo) {
   EXPECT_EQ(grid_with({"sweep.speed_hz={from: 90, to: 60, count: 4}"}).speed_hz,
             (std::vector<double>{90, 80, 70, 60}));
 }
 
-TEST(Sweep, takes_a_single_value) {
+TEST(Sweep, TakesASingleValue) {
   const std::vector<double> one{60};
   EXPECT_EQ(grid_with({"sweep.speed_hz={from: 60, count: 1}"}).speed_hz, one);
   EXPECT_EQ(grid_with({"sweep.speed_hz={from: 60, to: 60, count: 1}"}).speed_hz, one);
   EXPECT_EQ(grid_with({"sweep.speed_hz={values: [60]}"}).speed_hz, one);
 }
 
-TEST(Sweep, keeps_listed_values_in_their_order) {
+TEST(Sweep, KeepsListedValuesInTheirOrder) {
   EXPECT_EQ(grid_with({"sweep.speed_hz={values: [70, 60.5, 1e2]}"}).speed_hz,
             (std::vector<double>{70, 60.5, 100}));
 }
 
-TEST(Sweep, takes_either_measure_of_unbalance) {
+TEST(Sweep, TakesEitherMeasureOfUnbalance) {
   const sweep::Grid ratio = grid_with({"sweep.whirl_ratio={values: [0, 1.5]}"});
   EXPECT_EQ(ratio.measure, sweep::UnbalanceMeasure::whirl_ratio);
   EXPECT_EQ(ratio.unbalance, (std::vector<double>{0, 1.5}));
@@ -54,14 +54,14 @@ TEST(Sweep, takes_either_measure_of_unbalance) {
   EXPECT_EQ(eccentricity.unbalance, std::vector<double>{1e-5});
 }
 
-TEST(Sweep, refuses_zero_as_one_value_twice) {
+TEST(Sweep, RefusesZeroAsOneValueTwice) {
   EXPECT_EQ(
       message_of(test_file("minimal.yaml"), {"sweep.whirl_ratio={values: [0, -0]}"}),
       "--set sweep.whirl_ratio={values: [0, -0]}: sweep.whirl_ratio.values.1: -0 is listed twice, allowed: "
       "different values");
 }
 
-TEST(Sweep, takes_up_to_four_million_cells) {
+TEST(Sweep, TakesUpToFourMillionCells) {
   const std::string speeds = "sweep.speed_hz={from: 1, to: 2999, count: 2000}";
   EXPECT_EQ(
       message_of(test_file("minimal.yaml"), {speeds, "sweep.whirl_ratio={from: 0, to: 1, count: 2000}"}),
@@ -71,7 +71,7 @@ TEST(Sweep, takes_up_to_four_million_cells) {
       "no error");
 }
 
-TEST(Sweep, refuses_a_spacing_that_overflows) {
+TEST(Sweep, RefusesASpacingThatOverflows) {
   EXPECT_NE(message_of(test_file("minimal.yaml"), {"sweep.speed_hz={from: 1, to: 1e308, count: 5}"}),
             "no error");
 }

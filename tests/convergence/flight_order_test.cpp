@@ -15,6 +15,7 @@
 namespace rubsweep::integrate {
 namespace {
 
+namespace odeint = boost::numeric::odeint;
 using Complex = std::complex<double>;
 constexpr double two_pi = 2 * std::numbers::pi;
 
@@ -44,11 +45,11 @@ double error_of(const State& state, double phase) {
 
 template <class StepMethod>
 struct Fixed {
-  using State = typename run::Method::State;
+  using State = typename StepMethod::State;
   run::ScaledSystem<2> system = run::scale<2>(forced_scene());
   adaptive::Dynamics<2, false> dynamics{system, 0};
-  run::Method method{run::SolverOptions{.relative_tolerance =
-                                            1e30}};  // accepts every step: the size stays what the test says
+  StepMethod method{run::SolverOptions{.relative_tolerance =
+                                           1e30}};  // accepts every step: the size stays what the test says
   adaptive::Step<State> step;
 
   Fixed() {
@@ -88,16 +89,16 @@ struct Fixed {
 
 template <class StepMethod>
 double global_order(int steps) {
-  const double coarse = Fixed<run::Method>().error_after_a_turn(steps);
-  const double fine = Fixed<run::Method>().error_after_a_turn(2 * steps);
+  const double coarse = Fixed<StepMethod>().error_after_a_turn(steps);
+  const double fine = Fixed<StepMethod>().error_after_a_turn(2 * steps);
   return std::log2(coarse / fine);
 }
 
 /// Order of the local error inside a step: one more than the order of the interpolant.
 template <class StepMethod>
 double inner_order(double h) {
-  return std::log2(Fixed<run::Method>().error_inside_first_step(h) /
-                   Fixed<run::Method>().error_inside_first_step(h / 2));
+  return std::log2(Fixed<StepMethod>().error_inside_first_step(h) /
+                   Fixed<StepMethod>().error_inside_first_step(h / 2));
 }
 
 using State = std::vector<double>;

@@ -6,6 +6,7 @@
 
 #include "integrate/rubbing_kit.hpp"
 #include "rubsweep/integrate/start.hpp"
+#include "support/annular_scene.hpp"
 #include "support/set_a_cell.hpp"
 
 #if defined(__has_feature)
@@ -35,7 +36,7 @@ namespace rubsweep::integrate {
 namespace {
 
 /// By turns, watched in every way, of a run that has made its plans and its room before.
-long allocations_of(const scene::Scene& scene, const run::SolverOptions& options) {
+long allocations_of(const scene::Scene& scene, const run::SolverOptions& options, bool by_series = false) {
   exact::ModeCache modes;
   const run::Run run = start(scene, options, modes);
   run::Turn turn;
@@ -55,6 +56,7 @@ long allocations_of(const scene::Scene& scene, const run::SolverOptions& options
   const long before = allocations;
   EXPECT_GT(advance(30), 2);
   EXPECT_EQ(turn.effort.adaptive_turns, 0);
+  EXPECT_EQ(turn.effort.taylor_turns > 0, by_series);
   return allocations - before;
 }
 
@@ -69,6 +71,16 @@ TEST(Allocation, CountsWhatIsAllocated) {
 TEST(Allocation, NoneInTheTimeLoopOfTheExactSolver) {
   EXPECT_EQ(allocations_of(test::cell_of({}).scene, {}), 0);
   EXPECT_EQ(allocations_of(kit_scene(70, 0.7), {}), 0);
+}
+
+TEST(Allocation, NoneInTaylorPieces) {
+  // Elastic, so that the rotor goes on touching: an annular stop; a flat one whose friction never saturates.
+  scene::Scene annular = test::annular_scene(1, 0, 1.3, 0.4, 0, 40, 0);
+  test::start_at(annular, 0.5, {0.3, 0.8});
+  EXPECT_EQ(allocations_of(annular, {}, true), 0);
+  scene::Scene viscous = test::cell_of({}).scene;
+  viscous.contacts[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 1e-4}};
+  EXPECT_EQ(allocations_of(viscous, {}, true), 0);
 }
 
 TEST(Allocation, NoneInTheTimeLoopOfDopri5) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "support/annular_scene.hpp"
 #include "support/simple_scenes.hpp"
 
@@ -75,8 +76,7 @@ TEST(RingWithSag, FrictionThrowsTheRotorOutwards) {
 }
 
 TEST(FullAnnularRub, StaysOnItsClosedForm) {
-  for (const run::Stepper stepper : {run::Stepper::dopri5, run::Stepper::cash_karp54, run::Stepper::rkf78,
-                                     run::Stepper::bulirsch_stoer, run::Stepper::rosenbrock4}) {
+  for (const run::Stepper stepper : adaptive::single_steppers()) {
     const FullRub rub;
     run::SolverOptions options;
     options.stepper = stepper;

@@ -8,6 +8,7 @@
 
 #include "batch/read_csv.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::integrate {
@@ -62,14 +63,13 @@ Deviation from_reference(const run::SolverOptions& options) {
 constexpr double reference_error_m_per_s = 3.12e-5;
 
 TEST(ElastoGapReference, EveryStepperMeetsIt) {
-  for (const run::Stepper stepper : {run::Stepper::dopri5, run::Stepper::cash_karp54, run::Stepper::rkf78,
-                                     run::Stepper::bulirsch_stoer, run::Stepper::rosenbrock4}) {
+  for (const run::Stepper stepper : adaptive::single_steppers()) {
     run::SolverOptions options;
     options.stepper = stepper;
     options.relative_tolerance = stepper == run::Stepper::rosenbrock4 ? 1e-8 : 1e-10;
     const Deviation worst = from_reference(options);
-    EXPECT_LT(worst.speed_m_per_s, reference_error_m_per_s) << "stepper " << static_cast<int>(stepper);
-    EXPECT_LT(worst.position_m, 1e-5) << "stepper " << static_cast<int>(stepper);
+    EXPECT_LT(worst.speed_m_per_s, reference_error_m_per_s) << adaptive::row_of(stepper).word;
+    EXPECT_LT(worst.position_m, 1e-5) << adaptive::row_of(stepper).word;
   }
 }
 

@@ -31,7 +31,7 @@ TEST(ExactRing, FlightInTheClosedForm) {
   const auto run = start_hybrid(scene, {}, modes);
   run::Turn turn;
   for (int k = 0; k < 4; ++k) ASSERT_EQ(run.advance(turn), run::Outcome::ok);
-  EXPECT_EQ(turn.effort.adaptive_turns, 0);
+  EXPECT_EQ(turn.effort.taylor_turns + turn.effort.adaptive_turns, 0);
   const double t = 1, w = std::sqrt(400 - 0.25), decay = std::exp(-t / 2);
   EXPECT_NEAR(turn.section[0], 0.89 * decay * (std::cos(w * t) + std::sin(w * t) / (2 * w)), 1e-13);
   EXPECT_NEAR(turn.section[1], 3 / w * decay * std::sin(w * t), 1e-13);

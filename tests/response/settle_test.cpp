@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "response/annular_cell.hpp"
+#include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -103,13 +104,12 @@ TEST(Settle, TheHalfSubharmonicOfSetA) {
 }
 
 TEST(Settle, LabelDoesNotDependOnTheStepper) {
-  for (const auto stepper : {integrate::run::Stepper::rkf78, integrate::run::Stepper::cash_karp54,
-                             integrate::run::Stepper::bulirsch_stoer, integrate::run::Stepper::rosenbrock4}) {
+  for (const auto stepper : integrate::adaptive::single_steppers()) {
     integrate::run::SolverOptions solver;
     solver.stepper = stepper;
     if (stepper == integrate::run::Stepper::rosenbrock4) solver.relative_tolerance = 1e-6;
     const auto settled = run({}, {}, solver);
-    EXPECT_EQ(settled.motion.order, 2) << static_cast<int>(stepper);
+    EXPECT_EQ(settled.motion.order, 2) << integrate::adaptive::row_of(stepper).word;
   }
 }
 

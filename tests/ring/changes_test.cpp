@@ -16,7 +16,7 @@ std::vector<double> grid(double top_rpm, int count) {
   return batch::evenly_spaced(0.0, top_rpm * rpm, count);
 }
 
-TEST(FindChanges, without_friction_and_speed_one_load_only_diverges_and_couples) {
+TEST(FindChanges, WithoutFrictionAndSpeedOneLoadOnlyDivergesAndCouples) {
   System system = spring_masses({60}, 0);
   system.loads[0].motion = Motion::radial;
   const auto changes = find_changes(normal_form(system), grid(1500, 301));
@@ -28,7 +28,7 @@ TEST(FindChanges, without_friction_and_speed_one_load_only_diverges_and_couples)
   EXPECT_NEAR(changes[2].root.real(), 0, 1e-10);
 }
 
-TEST(FindChanges, polish_and_bisection_agree) {
+TEST(FindChanges, PolishAndBisectionAgree) {
   for (const double friction : {0.0, 0.1}) {
     const NormalForm form = normal_form(spring_masses({60, 87}, friction));
     const auto polished = find_changes(form, grid(1500, 301));
@@ -52,7 +52,7 @@ TEST(FindChanges, polish_and_bisection_agree) {
   }
 }
 
-TEST(FindChanges, does_not_depend_on_the_speeds_between) {
+TEST(FindChanges, DoesNotDependOnTheSpeedsBetween) {
   const NormalForm form = normal_form(spring_masses({60, 87}));
   const auto coarse = find_changes(form, grid(1500, 301)), fine = find_changes(form, grid(1500, 1733));
   ASSERT_EQ(coarse.size(), fine.size());
@@ -61,7 +61,7 @@ TEST(FindChanges, does_not_depend_on_the_speeds_between) {
   }
 }
 
-TEST(FindChanges, the_number_of_unstable_roots_changes_there_with_50_digits) {
+TEST(FindChanges, TheNumberOfUnstableRootsChangesThereWith50Digits) {
   int seen = 0;
   for (const std::vector<double>& angles : {std::vector<double>{60}, {60, 87}, {60, 110}}) {
     const System system = spring_masses(angles);
@@ -79,7 +79,7 @@ TEST(FindChanges, the_number_of_unstable_roots_changes_there_with_50_digits) {
   EXPECT_GT(seen, 15);
 }
 
-TEST(FindChanges, roots_merge_there_with_50_digits) {
+TEST(FindChanges, RootsMergeThereWith50Digits) {
   int seen = 0;
   for (const double friction : {0.0, 0.1}) {
     const System system = spring_masses({60, 87}, friction);
@@ -98,7 +98,7 @@ TEST(FindChanges, roots_merge_there_with_50_digits) {
   EXPECT_GT(seen, 6);
 }
 
-TEST(FindChanges, friction_starts_with_the_rotation) {
+TEST(FindChanges, FrictionStartsWithTheRotation) {
   System system = spring_masses({60});
   system.loads[0].motion = Motion::radial;
   const auto changes = find_changes(normal_form(system), grid(100, 11));
@@ -107,7 +107,7 @@ TEST(FindChanges, friction_starts_with_the_rotation) {
   EXPECT_EQ(changes[0].after, (Signature{0, 0, 1}));
 }
 
-TEST(FindChanges, a_neutral_pair_on_a_grid_point_at_zero_is_no_onset) {
+TEST(FindChanges, ANeutralPairOnAGridPointAtZeroIsNoOnset) {
   System system = spring_masses({60}, 0.1);
   system.loads[0].motion = Motion::tangential;
   // The forward wave of the free ring stands still at exactly 17.2 rad/s.
@@ -115,7 +115,7 @@ TEST(FindChanges, a_neutral_pair_on_a_grid_point_at_zero_is_no_onset) {
   EXPECT_TRUE(find_changes(normal_form(system), speeds).empty());
 }
 
-TEST(FindChanges, a_speed_exactly_on_an_onset_does_not_spoil_it) {
+TEST(FindChanges, ASpeedExactlyOnAnOnsetDoesNotSpoilIt) {
   System system = spring_masses({60});
   system.loads[0].motion = Motion::radial;
   const double onset = (std::sqrt(5 * 1e4 - 4 * 17.2 * 17.2) - 4 * 17.2) / 5;  // Omega_cs1
@@ -124,7 +124,7 @@ TEST(FindChanges, a_speed_exactly_on_an_onset_does_not_spoil_it) {
   EXPECT_NEAR(changes[0].speed_rad_per_s, onset, 1e-12);
 }
 
-TEST(FindChanges, equal_loads_diverge_together) {
+TEST(FindChanges, EqualLoadsDivergeTogether) {
   System system = spring_masses({10, 20, 30});
   for (Load& load : system.loads) load.motion = Motion::tangential;
   const auto changes = find_changes(normal_form(system), std::vector<double>{99.8, 105});
@@ -133,7 +133,7 @@ TEST(FindChanges, equal_loads_diverge_together) {
   EXPECT_EQ(changes[0].after.growing_real - changes[0].before.growing_real, 3);
 }
 
-TEST(FindChanges, of_random_systems_never_fails) {
+TEST(FindChanges, OfRandomSystemsNeverFails) {
   RandomSystems random(11, 4);
   for (int i = 0; i < 60; ++i) {
     const System system = random.next();

@@ -53,7 +53,7 @@ double nearest_change(const NormalForm& form, double speed) {
   return best;
 }
 
-TEST(ClosedForms, radial_divergence_of_any_number_of_loads) {
+TEST(ClosedForms, RadialDivergenceOfAnyNumberOfLoads) {
   Random random;
   int without = 0;
   for (int i = 0; i < 200; ++i) {
@@ -70,7 +70,7 @@ TEST(ClosedForms, radial_divergence_of_any_number_of_loads) {
   EXPECT_GT(without, 5);
 }
 
-TEST(ClosedForms, one_radial_load_diverges_between_omega_c_and_omega_c2) {
+TEST(ClosedForms, OneRadialLoadDivergesBetweenOmegaCAndOmegaC2) {
   System system = spring_masses({33});
   system.loads[0].motion = Motion::radial;
   const double a = amplitude_mass_kg(system.ring);
@@ -80,13 +80,13 @@ TEST(ClosedForms, one_radial_load_diverges_between_omega_c_and_omega_c2) {
   EXPECT_NEAR(speeds[1], std::sqrt((a * 17.2 * 17.2 + 1e6) / (a + 100)), 1e-12);
 }
 
-TEST(ClosedForms, the_papers_condition_3_leaves_no_divergence) {
+TEST(ClosedForms, ThePapersCondition3LeavesNoDivergence) {
   EXPECT_TRUE(radial_divergence_speeds(spring_masses({60, 120, 180})).empty());
   // Unlike angles.
   EXPECT_EQ(radial_divergence_speeds(spring_masses({60, 120, 240})).size(), 2U);
 }
 
-TEST(ClosedForms, radial_stability_window) {
+TEST(ClosedForms, RadialStabilityWindow) {
   Random random;
   int windows = 0;
   for (int i = 0; i < 60; ++i) {
@@ -111,13 +111,13 @@ TEST(ClosedForms, radial_stability_window) {
   EXPECT_GT(windows, 20);
 }
 
-TEST(ClosedForms, no_radial_window_when_the_load_is_slow) {
+TEST(ClosedForms, NoRadialWindowWhenTheLoadIsSlow) {
   EXPECT_FALSE(radial_stability_window(paper_ring(), spring_mass(100, 100 * 17.2 * 17.2 * 0.79, 0)));
   EXPECT_TRUE(radial_stability_window(paper_ring(), spring_mass(100, 100 * 17.2 * 17.2 * 0.81, 0)));
   EXPECT_FALSE(radial_stability_window(paper_ring(), spring_mass(0, 1e6, 0)));
 }
 
-TEST(ClosedForms, tangential_load) {
+TEST(ClosedForms, TangentialLoad) {
   Random random;
   for (int i = 0; i < 60; ++i) {
     System system = random.alike(1, i % 2 == 0);
@@ -134,7 +134,7 @@ TEST(ClosedForms, tangential_load) {
   }
 }
 
-TEST(ClosedForms, neutral_speeds_hold_for_any_friction_place_inclination_and_number_of_loads) {
+TEST(ClosedForms, NeutralSpeedsHoldForAnyFrictionPlaceInclinationAndNumberOfLoads) {
   Random random;
   int count = 0;
   for (int i = 0; i < 60; ++i) {
@@ -152,7 +152,7 @@ TEST(ClosedForms, neutral_speeds_hold_for_any_friction_place_inclination_and_num
   EXPECT_GT(count, 100);
 }
 
-TEST(ClosedForms, neutral_speeds_of_a_radial_load_are_its_window) {
+TEST(ClosedForms, NeutralSpeedsOfARadialLoadAreItsWindow) {
   Load load = spring_mass(100, 1e6, 0);
   load.motion = Motion::radial;
   const auto window = radial_stability_window(paper_ring(), load);
@@ -162,7 +162,7 @@ TEST(ClosedForms, neutral_speeds_of_a_radial_load_are_its_window) {
   EXPECT_NEAR(neutral[1].speed_rad_per_s, window->second, 1e-12);
 }
 
-TEST(ClosedForms, divergence_of_one_inclined_load) {
+TEST(ClosedForms, DivergenceOfOneInclinedLoad) {
   Random random;
   for (int i = 0; i < 100; ++i) {
     const System system = random.alike(1, i % 2 == 0, random.source.between(-90, 90));
@@ -173,7 +173,7 @@ TEST(ClosedForms, divergence_of_one_inclined_load) {
   }
 }
 
-TEST(CriticalSpeeds, are_found_where_the_closed_forms_say) {
+TEST(CriticalSpeeds, AreFoundWhereTheClosedFormsSay) {
   for (const std::vector<double>& angles : {std::vector<double>{60}, {60, 120}, {60, 240}}) {
     const System system = spring_masses(angles);
     const auto speeds = batch::evenly_spaced(0.0, 1500 * rpm, 301);

@@ -32,7 +32,7 @@ double distance(const Eigen::VectorXcd& a, const std::vector<Complex>& b) {
 
 std::vector<Complex> list(const Eigen::VectorXcd& values) { return {values.begin(), values.end()}; }
 
-TEST(Eigenvalues, of_the_papers_systems_have_15_digits) {
+TEST(Eigenvalues, OfThePapersSystemsHave15Digits) {
   for (const std::vector<double>& angles : {std::vector<double>{60}, {60, 87}, {60, 100, 180}}) {
     for (const double speed : {137.0, 300.0, 611.0, 1400.0}) {
       const System system = spring_masses(angles);
@@ -43,7 +43,7 @@ TEST(Eigenvalues, of_the_papers_systems_have_15_digits) {
   }
 }
 
-TEST(Eigenvalues, of_random_systems_agree_with_50_digits) {
+TEST(Eigenvalues, OfRandomSystemsAgreeWith50Digits) {
   RandomSystems random(1, 2);
   std::vector<double> errors;
   for (int i = 0; i < 40; ++i) {
@@ -58,7 +58,7 @@ TEST(Eigenvalues, of_random_systems_agree_with_50_digits) {
   EXPECT_LT(errors.back(), 1e-11);
 }
 
-TEST(Eigenvalues, of_the_bare_ring_are_its_waves) {
+TEST(Eigenvalues, OfTheBareRingAreItsWaves) {
   for (const int n : {2, 3, 5, 12}) {
     System system{.ring = paper_ring(), .loads = {spring_mass(1, 0, 1)}, .friction_coefficient = 0};
     system.loads[0].motion = Motion::tangential;
@@ -77,7 +77,7 @@ TEST(Eigenvalues, of_the_bare_ring_are_its_waves) {
   }
 }
 
-TEST(Eigenvalues, of_equal_loads_that_do_not_know_each_other_repeat) {
+TEST(Eigenvalues, OfEqualLoadsThatDoNotKnowEachOtherRepeat) {
   System system = spring_masses({10, 20, 30}, 0.1);
   for (Load& load : system.loads) load.motion = Motion::tangential;
   const double speed = 30, n = 2, critical = critical_speed(system.ring);
@@ -92,14 +92,14 @@ TEST(Eigenvalues, of_equal_loads_that_do_not_know_each_other_repeat) {
   EXPECT_EQ(signature(normal_form(system), 110.0), (Signature{3, 3, 0}));
 }
 
-TEST(Eigenvalues, of_opposite_loads_contain_the_tangential_case) {
+TEST(Eigenvalues, OfOppositeLoadsContainTheTangentialCase) {
   const double speed = 45;
   const Eigen::VectorXcd values = eigenvalues(normal_form(spring_masses({60, 240})), speed);
   const Complex expected(-0.1 * speed, std::sqrt(1e4 - 1.01 * speed * speed));
   EXPECT_LT((values.array() - expected).abs().minCoeff(), 1e-12 * size_of(values));
 }
 
-TEST(Eigenvalues, at_rest_without_friction_are_neutral_and_frequencies_of_the_parts) {
+TEST(Eigenvalues, AtRestWithoutFrictionAreNeutralAndFrequenciesOfTheParts) {
   System system = spring_masses({0}, 0);
   const double a = amplitude_mass_kg(system.ring), own = std::sqrt((a * 34.4 * 34.4 + 4e6) / (a + 400));
   EXPECT_LT(distance(eigenvalues(normal_form(system), 0),
@@ -107,7 +107,7 @@ TEST(Eigenvalues, at_rest_without_friction_are_neutral_and_frequencies_of_the_pa
             1e-14);
 }
 
-TEST(Eigenvalues, without_friction_mirror_at_both_axes) {
+TEST(Eigenvalues, WithoutFrictionMirrorAtBothAxes) {
   RandomSystems random(2, 3);
   for (int i = 0; i < 50; ++i) {
     System system = random.next();
@@ -119,7 +119,7 @@ TEST(Eigenvalues, without_friction_mirror_at_both_axes) {
   }
 }
 
-TEST(Eigenvalues, do_not_depend_on_where_the_loads_are_together) {
+TEST(Eigenvalues, DoNotDependOnWhereTheLoadsAreTogether) {
   RandomSystems random(3, 3);
   for (int i = 0; i < 50; ++i) {
     System system = random.next();
@@ -131,7 +131,7 @@ TEST(Eigenvalues, do_not_depend_on_where_the_loads_are_together) {
   }
 }
 
-TEST(Eigenvalues, pass_through_an_inclination_of_90_degrees) {
+TEST(Eigenvalues, PassThroughAnInclinationOf90Degrees) {
   System system = spring_masses({60}, 0.1);
   system.loads[0] = at(60, beam(185.66, 100, 1.175e7, 1e6));
   const auto values_at = [&](double inclination_deg) {
@@ -145,7 +145,7 @@ TEST(Eigenvalues, pass_through_an_inclination_of_90_degrees) {
   EXPECT_LT(distance(there, roots_with_50_digits(system, 40)), 2e-14);
 }
 
-TEST(Spectrum, slopes_are_the_derivatives) {
+TEST(Spectrum, SlopesAreTheDerivatives) {
   RandomSystems random(4, 3);
   for (int i = 0; i < 30; ++i) {
     const System system = random.next();
@@ -167,14 +167,14 @@ TEST(Spectrum, slopes_are_the_derivatives) {
   }
 }
 
-TEST(NormalForm, refuses_a_moving_load_without_mass) {
+TEST(NormalForm, RefusesAMovingLoadWithoutMass) {
   System system{.ring = paper_ring(), .loads = {spring_mass(0, 1e6, 1e6)}, .friction_coefficient = 0.1};
   EXPECT_THROW(normal_form(system), ConfigError);
   system.loads[0].motion = Motion::radial;
   EXPECT_NO_THROW(normal_form(system));
 }
 
-TEST(NormalForm, refuses_friction_that_cancels_the_inertia) {
+TEST(NormalForm, RefusesFrictionThatCancelsTheInertia) {
   System system{.ring = paper_ring(), .loads = {at(0, beam(300, 140, 1e7, 1e6))}, .friction_coefficient = 0};
   system.loads[0].inclination_deg = 45;
   const auto determinant = [&](double friction) {

@@ -9,7 +9,7 @@
 namespace rubsweep::ring {
 namespace {
 
-TEST(RouthHurwitz, counts_known_roots) {
+TEST(RouthHurwitz, CountsKnownRoots) {
   // (s - 1)(s - 2)(s + 3) and (s + 1)(s^2 - 2 s + 5)
   EXPECT_EQ(routh_hurwitz_sign_changes<double>({1, 0, -7, 6}), std::nullopt);  // a zero in the first column
   EXPECT_EQ(routh_hurwitz_sign_changes<double>({1, 1.5, -6, -2.5}).value(), 1);
@@ -18,12 +18,12 @@ TEST(RouthHurwitz, counts_known_roots) {
   EXPECT_EQ(routh_hurwitz_sign_changes<double>({1, 0, 4}), std::nullopt);  // neutral
 }
 
-TEST(CharacteristicPolynomial, of_a_companion_matrix_is_its_polynomial) {
+TEST(CharacteristicPolynomial, OfACompanionMatrixIsItsPolynomial) {
   const std::vector<double> matrix{0, 1, 0, 0, 0, 1, -6, -11, -6};
   EXPECT_EQ(characteristic_polynomial(matrix, 3), (std::vector<double>{1, 6, 11, 6}));
 }
 
-TEST(CharacteristicPolynomial, of_one_radial_load_is_the_papers) {
+TEST(CharacteristicPolynomial, OfOneRadialLoadIsThePapers) {
   // Eq. (2): A s^4 + B s^3 + C s^2 + D s + E.
   System system = spring_masses({0}, 0.1);
   system.loads[0].motion = Motion::radial;
@@ -48,7 +48,7 @@ TEST(CharacteristicPolynomial, of_one_radial_load_is_the_papers) {
   }
 }
 
-TEST(RouthHurwitz, sign_changes_are_the_unstable_eigenvalues_of_10000_random_systems) {
+TEST(RouthHurwitz, SignChangesAreTheUnstableEigenvaluesOf10000RandomSystems) {
   RandomSystems random(5, 3);
   int in_doubt = 0, unstable = 0;
   for (int i = 0; i < 10000; ++i) {

@@ -9,7 +9,7 @@
 namespace rubsweep::ring {
 namespace {
 
-TEST(StaticLoad, of_a_stiff_ring_is_the_centrifugal_force_and_the_preload) {
+TEST(StaticLoad, OfAStiffRingIsTheCentrifugalForceAndThePreload) {
   System system = spring_masses({60, 200}, 0.1);
   system.ring.modal_stiffness_n_per_m *= 1e9;
   system.ring.radius_m = 1.5;
@@ -21,7 +21,7 @@ TEST(StaticLoad, of_a_stiff_ring_is_the_centrifugal_force_and_the_preload) {
   EXPECT_TRUE(load.valid());
 }
 
-TEST(StaticLoad, balances_the_ring_without_friction) {
+TEST(StaticLoad, BalancesTheRingWithoutFriction) {
   // The ring yields outwards by u = -N n^2 / (a n^2 (Omega_c^2 - Omega^2)) at the load, which takes up k_r -
   // m Omega^2.
   System system = spring_masses({0}, 0);
@@ -31,7 +31,7 @@ TEST(StaticLoad, balances_the_ring_without_friction) {
   EXPECT_NEAR(static_load(system, speed).normal_n[0], pressing * ring / (ring + own), 1e-6 * pressing);
 }
 
-TEST(StaticLoad, a_load_lifts_off_between_omega_c_and_omega_c2) {
+TEST(StaticLoad, ALoadLiftsOffBetweenOmegaCAndOmegaC2) {
   System system = spring_masses({0}, 0.1);
   EXPECT_TRUE(static_load(system, 100 * rpm).valid());
   EXPECT_FALSE(static_load(system, 200 * rpm).valid());
@@ -39,7 +39,7 @@ TEST(StaticLoad, a_load_lifts_off_between_omega_c_and_omega_c2) {
   EXPECT_TRUE(static_load(system, 300 * rpm).valid());
 }
 
-TEST(StaticLoad, nothing_slips_at_rest) { EXPECT_FALSE(static_load(spring_masses({0}), 0).valid()); }
+TEST(StaticLoad, NothingSlipsAtRest) { EXPECT_FALSE(static_load(spring_masses({0}), 0).valid()); }
 
 }  // namespace
 }  // namespace rubsweep::ring

@@ -26,7 +26,7 @@ double last_merger_rpm(const std::vector<Change>& changes, bool growing) {
   return speed;
 }
 
-TEST_P(Table1, coupling_speeds_within_0_3_rpm) {
+TEST_P(Table1, CouplingSpeedsWithin03Rpm) {
   const NormalForm form = normal_form(spring_masses({60, GetParam().second_deg}));
   const auto changes = find_changes(form, batch::evenly_spaced(0.0, 1500 * rpm, 301));
   // Where the decaying roots merge before the divergence, the paper reports the divergence.
@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, Table1,
                          testing::Values(Row{87, 1145, 1266}, Row{90, 1060, 1139}, Row{110, 955, 973},
                                          Row{120, 1060, 1139}, Row{123, 1145, 1266}));
 
-TEST(Table1WithoutFriction, has_one_speed) {
+TEST(Table1WithoutFriction, HasOneSpeed) {
   const NormalForm form = normal_form(spring_masses({60, 87}, 0));
   const auto changes = find_changes(form, batch::evenly_spaced(1000 * rpm, 1300 * rpm, 61));
   ASSERT_EQ(changes.size(), 1U);

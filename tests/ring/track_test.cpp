@@ -29,7 +29,7 @@ double frequency(const Track& track, const char* name, double speed_rpm) {
   return found;
 }
 
-TEST(TrackModes, names_the_waves_of_the_free_ring) {
+TEST(TrackModes, NamesTheWavesOfTheFreeRing) {
   System system = spring_masses({60}, 0.1);
   system.loads[0].motion = Motion::tangential;
   const Track track = track_of(system, 800, 801);
@@ -43,7 +43,7 @@ TEST(TrackModes, names_the_waves_of_the_free_ring) {
   }
 }
 
-TEST(TrackModes, calls_a_load_along_its_inclination_radial) {
+TEST(TrackModes, CallsALoadAlongItsInclinationRadial) {
   System system = spring_masses({60, 90, 120});
   system.loads[0].inclination_deg = 60;
   system.loads[1].motion = Motion::radial;
@@ -51,7 +51,7 @@ TEST(TrackModes, calls_a_load_along_its_inclination_radial) {
             (std::vector<std::string>{"ring forward", "ring backward", "load 0 radial", "load 2 flexural"}));
 }
 
-TEST(TrackModes, every_mode_has_two_roots_and_pairs_stay_together) {
+TEST(TrackModes, EveryModeHasTwoRootsAndPairsStayTogether) {
   RandomSystems random(21, 4);
   for (int i = 0; i < 25; ++i) {
     const System system = random.next();
@@ -77,7 +77,7 @@ TEST(TrackModes, every_mode_has_two_roots_and_pairs_stay_together) {
   }
 }
 
-TEST(TrackModes, follows_the_same_curves_on_a_coarse_and_a_fine_grid) {
+TEST(TrackModes, FollowsTheSameCurvesOnACoarseAndAFineGrid) {
   const System system = spring_masses({60});
   const Track coarse = track_of(system, 440, 45), fine = track_of(system, 440, 4401);
   for (const char* name : {"ring forward", "ring backward", "load 0 flexural"}) {
@@ -87,13 +87,13 @@ TEST(TrackModes, follows_the_same_curves_on_a_coarse_and_a_fine_grid) {
   }
 }
 
-TEST(TrackModes, tells_forward_from_backward_where_both_start_equal) {
+TEST(TrackModes, TellsForwardFromBackwardWhereBothStartEqual) {
   // Three loads 60 degrees apart are isotropic: at rest both modes of the ring have one frequency.
   const Track track = track_of(spring_masses({60, 120, 180}), 200, 201);
   EXPECT_GT(frequency(track, "ring backward", 100), frequency(track, "ring forward", 100) + 10);
 }
 
-TEST(DescribeMode, says_what_a_curve_looks_like_after_a_veering) {
+TEST(DescribeMode, SaysWhatACurveLooksLikeAfterAVeering) {
   const System system = spring_masses({60});
   const Track track = track_of(system, 1000, 1001);
   // Before the veering near 252 rpm and after it.

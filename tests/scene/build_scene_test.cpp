@@ -327,14 +327,14 @@ TEST(BuildCell, QuarterTurnsAreExact) {
   for (int quarter = -9; quarter <= 9; ++quarter) {
     machine.stops[0].geometry = model::OneSideGeometry{90.0 * quarter};
     const Scene scene = build_cell(machine, 75, WhirlRatio{0.4}).scene;
-    EXPECT_EQ(scene.contacts[0].normal, quarters[(quarter + 12) % 4]) << quarter;
+    EXPECT_EQ(contact::first_direction(scene.contacts[0].wall), quarters[(quarter + 12) % 4]) << quarter;
     EXPECT_EQ(Eigen::Vector2d(scene.pulse->direction.head(2)), quarters[(quarter + 12) % 4]) << quarter;
   }
   // A wall above does not feel x, nor does the structure couple it to y.
   machine.stops[0].geometry = model::OneSideGeometry{90};
   const Scene scene = build_cell(machine, 75, WhirlRatio{0.4}).scene;
-  const Eigen::RowVectorXd row =
-      scene.contacts[0].normal.transpose() * relative_map(scene.structure, scene.contacts[0]);
+  const Eigen::RowVectorXd row = contact::first_direction(scene.contacts[0].wall).transpose() *
+                                 relative_map(scene.structure, scene.contacts[0]);
   EXPECT_EQ(row, Eigen::RowVectorXd(Eigen::RowVector4d(0, 1, 0, -1)));
 }
 
@@ -342,7 +342,8 @@ TEST(BuildCell, OtherAnglesAreUnitVectors) {
   model::Machine machine = one_side_machine();
   for (const double angle_deg : {-123.0, 1e-9, 45.0, 89.999999, 1e6 + 1}) {
     machine.stops[0].geometry = model::OneSideGeometry{angle_deg};
-    const Eigen::Vector2d normal = build_cell(machine, 75, WhirlRatio{0.4}).scene.contacts[0].normal;
+    const Eigen::Vector2d normal =
+        contact::first_direction(build_cell(machine, 75, WhirlRatio{0.4}).scene.contacts[0].wall);
     EXPECT_NEAR(normal.norm(), 1, 1e-15);
     EXPECT_NEAR(std::remainder(std::atan2(normal.y(), normal.x()) * 180 / pi - angle_deg, 360), 0, 1e-9);
   }

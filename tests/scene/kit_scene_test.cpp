@@ -134,7 +134,7 @@ TEST(KitScene, FrictionTurnsATorsionalRotorBack) {
   EXPECT_NEAR(scene.structure.mass(2, 2), 4e-4, 1e-12);
   EXPECT_EQ(scene.structure.stiffness(2, 2), 50);
   const Eigen::MatrixXd map = relative_map(scene.structure, scene.contacts[0]);
-  EXPECT_EQ(scene.contacts[0].normal, Eigen::Vector2d(0, 1));
+  EXPECT_EQ(contact::first_direction(scene.contacts[0].wall), Eigen::Vector2d(0, 1));
   EXPECT_NEAR(map(1, 2), 0, 1e-17);        // no share of the angle in the penetration
   EXPECT_NEAR(map(0, 2), -0.0375, 1e-17);  // the surface under the wall moves along t = (-1, 0)
   // A friction force along t on the casing turns the rotor by -radius * force.

@@ -56,7 +56,7 @@ Reference reference_section(const scene::Scene& scene, int turns, const integrat
           .against_rkf78 = against(integrate::run::Stepper::rkf78),
           .against_dopri5 = against(integrate::run::Stepper::dopri5),
           .closed_forms = integrate::solver_of(scene, options) == integrate::Solver::exact &&
-                          best.effort.adaptive_turns == 0};
+                          best.effort.adaptive_turns == 0 && best.effort.taylor_turns == 0};
 }
 
 double section_difference(std::span<const double> a, std::span<const double> b) {

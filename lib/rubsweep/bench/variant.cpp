@@ -1,8 +1,5 @@
 #include "rubsweep/bench/variant.hpp"
 
-#include <array>
-
-#include "rubsweep/error.hpp"
 #include "rubsweep/integrate/start.hpp"
 
 namespace rubsweep::bench {
@@ -21,16 +18,10 @@ bool closed_forms_do(const scene::Scene& scene, integrate::run::SolverOptions ba
   for (int k = 0; k < turns; ++k) {
     if (run.advance(turn) != integrate::run::Outcome::ok) return false;
   }
-  return turn.effort.adaptive_turns == 0;
+  return turn.effort.adaptive_turns == 0 && turn.effort.taylor_turns == 0;
 }
 
 }  // namespace
-
-std::span<const Stepper> all_steppers() {
-  static constexpr std::array steppers{Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78,
-                                       Stepper::bulirsch_stoer, Stepper::rosenbrock4};
-  return steppers;
-}
 
 std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::run::SolverOptions& base,
                                  int turns, std::span<const Stepper> steppers,
@@ -60,40 +51,6 @@ integrate::run::SolverOptions options_of(const Variant& variant, integrate::run:
   if (variant.stepper) base.stepper = *variant.stepper;
   if (variant.relative_tolerance) base.relative_tolerance = *variant.relative_tolerance;
   return base;
-}
-
-std::string_view to_string(Method method) {
-  switch (method) {
-    case Method::automatic:
-      return "auto";
-    case Method::exact:
-      return "exact";
-    case Method::adaptive:
-      return "adaptive";
-  }
-  throw SolverError("method without a name");
-}
-
-std::string_view to_string(Stepper stepper) {
-  switch (stepper) {
-    case Stepper::automatic:
-      return "auto";
-    case Stepper::dopri5:
-      return "dopri5";
-    case Stepper::cash_karp54:
-      return "cash_karp54";
-    case Stepper::rkf78:
-      return "rkf78";
-    case Stepper::bulirsch_stoer:
-      return "bulirsch_stoer";
-    case Stepper::rosenbrock4:
-      return "rosenbrock4";
-  }
-  throw SolverError("stepper without a name");
-}
-
-std::string_view to_string(ContactHandling contact) {
-  return contact == ContactHandling::located ? "located" : "smoothed";
 }
 
 }  // namespace rubsweep::bench

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "rubsweep/integrate/run/options.hpp"
@@ -18,9 +17,6 @@ struct Variant {
   std::optional<double> relative_tolerance;  ///< empty with `stepper`
 };
 
-/// The steppers that a table is made of: all but `automatic`, which is one of these at each step.
-std::span<const integrate::run::Stepper> all_steppers();
-
 /// The variants of one scene: the exact solver first, then adaptive ones, by stepper, contact handling and
 /// tolerance. The exact solver is one line when `turns` revolutions of the scene need closed forms only; else
 /// one line for every stepper and tolerance that makes the other turns. Nothing where it does not apply.
@@ -30,10 +26,5 @@ std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::run
 
 /// `base` with what the variant says.
 integrate::run::SolverOptions options_of(const Variant& variant, integrate::run::SolverOptions base);
-
-/// Names as the configuration has them.
-std::string_view to_string(integrate::run::Method method);
-std::string_view to_string(integrate::run::Stepper stepper);
-std::string_view to_string(integrate::run::ContactHandling contact);
 
 }  // namespace rubsweep::bench

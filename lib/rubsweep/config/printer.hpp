@@ -39,7 +39,7 @@ class Printer {
   }
   template <class Enum, std::size_t count>
   void field(std::string_view name, Enum value, const Words<Enum, count>& words) {
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < words.values.size(); ++i) {
       if (words.values[i] == value) word(name, words.texts[i]);
     }
   }

@@ -24,7 +24,7 @@ void refuse_torsion_in_annular_stops(const Value& stops, const model::Machine& m
   const model::RotorKit* kit = model::kit_of(machine);
   if (kit == nullptr || !kit->torsion) return;
   for (const model::Stop& stop : machine.stops) {
-    if (!std::holds_alternative<model::AnnularGeometry>(stop.geometry)) continue;
+    if (std::holds_alternative<model::OneSideGeometry>(stop.geometry)) continue;
     refuse(stops, "has an annular stop beside torsion of the rotor", "one_side stops only, or no torsion");
     return;
   }

@@ -1,6 +1,7 @@
 #include "rubsweep/config/solver.hpp"
 
 #include "rubsweep/config/section.hpp"
+#include "rubsweep/integrate/adaptive/stepper_table.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -10,19 +11,22 @@ using integrate::run::Method;
 using integrate::run::SolverOptions;
 using integrate::run::Stepper;
 
-constexpr Words<Method, 3> methods{{"auto", "exact", "adaptive"},
-                                   {Method::automatic, Method::exact, Method::adaptive}};
-constexpr Words<Stepper, 6> steppers{
-    {"auto", "dopri5", "cash_karp54", "rkf78", "bulirsch_stoer", "rosenbrock4"},
-    {Stepper::automatic, Stepper::dopri5, Stepper::cash_karp54, Stepper::rkf78, Stepper::bulirsch_stoer,
-     Stepper::rosenbrock4}};
-constexpr Words<ContactHandling, 2> contacts{{"located", "smoothed"},
-                                             {ContactHandling::located, ContactHandling::smoothed}};
+constexpr auto methods = words_of<Method>();
+constexpr auto contacts = words_of<ContactHandling>();
 constexpr IntegerRange max_steps{SolverOptions::max_steps_low, 1'000'000'000};
+
+Words<Stepper> steppers() {
+  Words<Stepper> words;
+  for (const auto& row : integrate::adaptive::stepper_table()) {
+    words.texts.push_back(row.word);
+    words.values.push_back(row.stepper);
+  }
+  return words;
+}
 
 void visit_fields(auto& solver, auto&& visit) {
   visit("method", solver.method, methods);
-  visit("stepper", solver.stepper, steppers);
+  visit("stepper", solver.stepper, steppers());
   visit("contact", solver.contact, contacts);
   visit("relative_tolerance", solver.relative_tolerance, SolverOptions::relative_tolerance_range);
   visit("smoothing_m", solver.smoothing_m, SolverOptions::smoothing_range);

@@ -52,6 +52,26 @@ std::optional<SaturatedFriction> saturated(const StribeckFriction& stribeck) {
   return SaturatedFriction{g[3], saturated_argument / steepness};
 }
 
+void add(FrictionTerms& terms, double height, double steepness_s_per_m) {
+  if (height == 0 || steepness_s_per_m == 0) return;
+  for (std::size_t i = 0; i < terms.count; ++i) {
+    if (terms.tanh[i].steepness_s_per_m != steepness_s_per_m) continue;
+    terms.tanh[i].height += height;
+    return;
+  }
+  terms.tanh[terms.count++] = {height, steepness_s_per_m};
+}
+
+FrictionTerms terms_of(const StribeckFriction& stribeck) {
+  const auto& g = stribeck.gamma;
+  FrictionTerms terms;
+  terms.viscous_s_per_m = g[5];
+  add(terms, g[3], g[4]);
+  add(terms, g[0], g[1]);
+  add(terms, -g[0], g[2]);
+  return terms;
+}
+
 }  // namespace
 
 double friction_coefficient(const model::Friction& friction, double slip_m_per_s) {
@@ -80,6 +100,17 @@ std::optional<SaturatedFriction> saturated_friction(const model::Friction& frict
                  },
                  [](const StribeckFriction& stribeck) -> Result { return saturated(stribeck); }},
       friction);
+}
+
+FrictionTerms friction_terms(const model::Friction& friction) {
+  return std::visit(overloaded{[](const NoFriction&) { return FrictionTerms{}; },
+                               [](const ConstantFriction& constant) {
+                                 FrictionTerms terms;
+                                 terms.constant = constant.coefficient;
+                                 return terms;
+                               },
+                               [](const StribeckFriction& stribeck) { return terms_of(stribeck); }},
+                    friction);
 }
 
 bool acts(const model::Friction& friction) {

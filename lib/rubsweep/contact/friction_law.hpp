@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -25,6 +27,21 @@ struct SaturatedFriction {
 /// Stribeck curve without viscous part (g6 = 0) where every tanh differs from 1 by less than 2e-12, g1's pair
 /// cancelling. Empty for a viscous part or a tanh that never saturates: then the coefficient always varies.
 std::optional<SaturatedFriction> saturated_friction(const model::Friction& friction);
+
+/// mu(slip) = sum over `count` terms of height tanh(steepness slip), plus constant, plus viscous slip: what a
+/// power series of it is made of.
+struct FrictionTerms {
+  struct Tanh {
+    double height = 0, steepness_s_per_m = 0;
+  };
+  std::array<Tanh, 3> tanh{};
+  std::size_t count = 0;
+  double constant = 0;
+  double viscous_s_per_m = 0;
+};
+
+/// Terms of equal steepness are one, those without effect none.
+FrictionTerms friction_terms(const model::Friction& friction);
 
 /// Whether there is any, at some slip.
 bool acts(const model::Friction& friction);

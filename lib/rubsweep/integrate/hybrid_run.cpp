@@ -5,11 +5,12 @@
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/exact/exact_run.hpp"
+#include "rubsweep/integrate/taylor/taylor_run.hpp"
 
 namespace rubsweep::integrate {
 namespace {
 
-constexpr int longest_absence = 64;  ///< turns by the adaptive solver before closed forms are tried again
+constexpr int longest_absence = 64;  ///< turns by other means before closed forms are tried again
 
 /// The scene as it stands at the start of revolution `revolution`, at `section`.
 scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long revolution) {
@@ -22,7 +23,8 @@ scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long 
   return scene;
 }
 
-/// Exact turns, and adaptive ones where there is no closed form.
+/// Exact turns; Taylor pieces where there is no closed form; a stepper's where friction is stiff, or where
+/// one was asked for by name.
 template <int N>
 class ExactCursor {
  public:
@@ -31,7 +33,7 @@ class ExactCursor {
       : scene_(scene), options_(options), run_(scene, std::move(modes), options.max_steps_per_revolution) {}
 
   run::Outcome operator()(run::Turn& turn) {
-    if (!adaptive_) {
+    if (!away_) {
       switch (run_.advance(turn)) {
         case exact::ExactEnding::ok:
           return report(turn, run::Outcome::ok);
@@ -43,21 +45,48 @@ class ExactCursor {
           leave();
       }
     }
-    return advance_adaptively(turn);
+    return adaptive_ ? advance_adaptively(turn) : advance_by_series(turn);
   }
 
   void restart(std::span<const double> section) {
     run_.restart(section);
-    adaptive_ = nullptr;
+    come_back();
     absence_ = 1;
   }
 
  private:
+  using TaylorRun = taylor::TaylorRun<N>;
+
   void leave() {
-    adaptive_ = adaptive::start_adaptive(scene_at(scene_, run_.section(), run_.revolution()), options_);
+    away_ = true;
     absent_ = 0;
-    adaptive_effort_ = {};
     absence_ = std::min(2 * absence_, longest_absence);
+    if (options_.stepper != run::Stepper::automatic || options_.contact != run::ContactHandling::located)
+      return start_stepper();
+    if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
+    taylor_->resume(run_.section(), run_.revolution());
+  }
+
+  void start_stepper() {
+    adaptive_ = adaptive::start_adaptive(scene_at(scene_, run_.section(), run_.revolution()), options_);
+    adaptive_effort_ = {};
+  }
+
+  run::Outcome advance_by_series(run::Turn& turn) {
+    switch (taylor_->advance(turn)) {
+      case taylor::TaylorEnding::ok:
+        break;
+      case taylor::TaylorEnding::stiff:
+        start_stepper();
+        return advance_adaptively(turn);
+      case taylor::TaylorEnding::step_limit:
+        return report(turn, run::Outcome::step_limit);
+      case taylor::TaylorEnding::non_finite:
+        return report(turn, run::Outcome::non_finite);
+    }
+    ++taylor_turns_;
+    report(turn, run::Outcome::ok);
+    return made_away(turn);
   }
 
   run::Outcome advance_adaptively(run::Turn& turn) {
@@ -65,16 +94,24 @@ class ExactCursor {
     adaptive_effort_ = turn.effort;
     ++adaptive_turns_;
     report(turn, outcome);
-    if (outcome != run::Outcome::ok) return outcome;
+    return outcome == run::Outcome::ok ? made_away(turn) : outcome;
+  }
+
+  run::Outcome made_away(const run::Turn& turn) {
     run_.resume(turn.section);
     ++absent_;
     if (!turn.touched || absent_ >= absence_) {
       if (!turn.touched) absence_ = 1;
-      past_ = sum(past_, adaptive_effort_);
-      adaptive_effort_ = {};
-      adaptive_ = nullptr;
+      come_back();
     }
-    return outcome;
+    return run::Outcome::ok;
+  }
+
+  void come_back() {
+    past_ = sum(past_, adaptive_effort_);
+    adaptive_effort_ = {};
+    adaptive_ = nullptr;
+    away_ = false;
   }
 
   static run::Effort sum(run::Effort a, const run::Effort& b) {
@@ -83,12 +120,13 @@ class ExactCursor {
     a.refused += b.refused;
     a.switches += b.switches;
     a.implicit_steps += b.implicit_steps;
-    a.adaptive_turns += b.adaptive_turns;
     return a;
   }
 
   run::Outcome report(run::Turn& turn, run::Outcome outcome) {
     turn.effort = sum(sum(past_, adaptive_effort_), run_.effort());
+    if (taylor_) turn.effort = sum(turn.effort, taylor_->effort());
+    turn.effort.taylor_turns = taylor_turns_;
     turn.effort.adaptive_turns = adaptive_turns_;
     return outcome;
   }
@@ -96,9 +134,11 @@ class ExactCursor {
   scene::Scene scene_;
   run::SolverOptions options_;
   exact::ExactRun<N> run_;
-  run::Cursor adaptive_;  ///< empty while closed forms do
+  std::unique_ptr<TaylorRun> taylor_;  ///< made when first needed
+  run::Cursor adaptive_;               ///< empty while no stepper is at work
+  bool away_ = false;                  ///< from closed forms
   int absence_ = 1, absent_ = 0;
-  long adaptive_turns_ = 0;
+  long taylor_turns_ = 0, adaptive_turns_ = 0;
   run::Effort past_, adaptive_effort_;
 };
 

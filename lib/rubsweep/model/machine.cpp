@@ -90,7 +90,7 @@ void validate(const Machine& machine) {
     const Stop& stop = machine.stops[i];
     validate(stop, fmt::format("stops.{}.", i));
     validate_position(machine, stop.position_m, true, fmt::format("stops.{}.position_m", i));
-    if (kit != nullptr && kit->torsion && std::holds_alternative<AnnularGeometry>(stop.geometry)) {
+    if (kit != nullptr && kit->torsion && !std::holds_alternative<OneSideGeometry>(stop.geometry)) {
       throw ConfigError(fmt::format("stops.{}.kind: torsion needs flat walls, allowed: one_side", i));
     }
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -12,6 +11,8 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/map_columns.hpp"
+#include "rubsweep/response/motion/motion_class.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -20,12 +21,6 @@ namespace fs = std::filesystem;
 
 using batch::CsvReader;
 using Key = std::pair<double, double>;
-
-constexpr std::array<std::string_view, 2> words{"orbit", "whirl"};
-constexpr std::array<std::string_view, 10> numbers{
-    "eccentricity_m",       "comb_spacing",           "hits_per_revolution",     "contact_fraction",
-    "peak_displacement_m",  "amplitude_1x_forward_m", "amplitude_1x_backward_m", "dominant_order",
-    "dominant_amplitude_m", "peak_contact_force_n"};
 
 /// The axis holds few values that come again and again; the other measure follows from it.
 std::string second_axis(const fs::path& map) {
@@ -84,8 +79,11 @@ std::string label(const CsvReader& row) {
 
 /// Motions whose numbers do not depend on when one looks.
 bool repeats(const CsvReader& row) {
+  using response::motion::motion_classes, response::motion::MotionClass;
   const std::string& name = text(row, "class");
-  return name == "non_contact" || name == "synchronous" || name == "subharmonic";
+  return std::ranges::any_of(motion_classes, [&](MotionClass motion_class) {
+    return row_of(motion_class).repeats && row_of(motion_class).word == name;
+  });
 }
 
 std::string digest_of(const CsvReader& map) {
@@ -102,11 +100,11 @@ struct Pair {
   static double number(const CsvReader& row, std::string_view name) { return row.number(row.column(name)); }
 
   /// Empty when both are empty or equal to the last bit.
-  std::optional<double> relative_difference(std::string_view name) const {
-    const double x = number(a, name), y = number(b, name);
+  std::optional<double> relative_difference(const MapColumn& column) const {
+    const double x = number(a, column.name), y = number(b, column.name);
     if (x == y) return std::nullopt;
     double scale = std::max(std::abs(x), std::abs(y));
-    if (name.ends_with("_m")) {
+    if (column.unit == "m") {
       const double peak_m = number(a, "peak_displacement_m");
       if (peak_m > scale) scale = peak_m;
     }
@@ -147,17 +145,15 @@ bool compare_columns(const Pair& pair, std::size_t cell, double tolerance, Colum
     columns.add(column, cell, size, pair);
     differs = true;
   };
-  for (const std::string_view name : words) {
-    if (text(pair.a, name) != text(pair.b, name)) found(name, std::nullopt);
-  }
-  for (const std::string_view name : numbers) {
-    const bool none_a = text(pair.a, name).empty(), none_b = text(pair.b, name).empty();
-    if (none_a || none_b) {
-      if (none_a != none_b) found(name, std::nullopt);
+  for (const MapColumn& column : map_columns()) {
+    if (column.comparison != Comparison::text && column.comparison != Comparison::number) continue;
+    const std::string &in_a = text(pair.a, column.name), &in_b = text(pair.b, column.name);
+    if (column.comparison == Comparison::text || in_a.empty() || in_b.empty()) {
+      if (in_a != in_b) found(column.name, std::nullopt);
       continue;
     }
-    const auto size = pair.relative_difference(name);
-    if (size && !(*size <= tolerance)) found(name, size);
+    const auto size = pair.relative_difference(column);
+    if (size && !(*size <= tolerance)) found(column.name, size);
   }
   return differs;
 }

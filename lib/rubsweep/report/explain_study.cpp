@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 #include <variant>
 
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/contact/wall.hpp"
+#include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/explain_machine.hpp"
 #include "rubsweep/scene/build_scene.hpp"
@@ -16,23 +16,6 @@
 
 namespace rubsweep::report {
 namespace {
-
-std::string_view describe(integrate::run::Stepper stepper) {
-  switch (stepper) {
-    case integrate::run::Stepper::automatic:
-    case integrate::run::Stepper::dopri5:
-      return "dopri5 (Dormand-Prince 5(4), dense output of order 4)";
-    case integrate::run::Stepper::cash_karp54:
-      return "cash_karp54 (order 5(4), states inside a step by re-stepping)";
-    case integrate::run::Stepper::rkf78:
-      return "rkf78 (order 8(7), states inside a step by re-stepping)";
-    case integrate::run::Stepper::bulirsch_stoer:
-      return "bulirsch_stoer (variable order, states inside a step by re-stepping)";
-    case integrate::run::Stepper::rosenbrock4:
-      return "rosenbrock4 (implicit, order 4(3), dense output)";
-  }
-  return "";
-}
 
 bool friction_depends_on_slip(const model::Machine& machine) {
   return std::ranges::any_of(machine.stops,
@@ -44,12 +27,10 @@ std::string explain_automatic(const sweep::Study& study) {
   if (!friction_depends_on_slip(study.machine))
     return "stepper auto: dopri5 throughout, as no friction depends on the slip\n";
   return fmt::format(
-      "stepper auto: rosenbrock4 (implicit, order 4(3), dense output) for steps that start in stiff "
-      "friction, "
-      "where friction alone would change the slip {:.3g} times faster than the contact spring does: slip "
-      "near "
-      "zero (backward rolling, sticking) under a steep tanh; dopri5 elsewhere, being several times faster "
-      "per step there\n",
+      "stepper auto: {} for steps that start in stiff friction, where friction alone would change the slip "
+      "{:.3g} times faster than the contact spring does: slip near zero (backward rolling, sticking) under a "
+      "steep tanh; dopri5 elsewhere, being several times faster per step there\n",
+      integrate::adaptive::row_of(integrate::run::Stepper::rosenbrock4).description,
       integrate::run::stiff_friction_ratio(study.solver.relative_tolerance));
 }
 
@@ -77,15 +58,17 @@ std::string explain_solver(const sweep::Study& study) {
   std::string text;
   if (exact(study)) {
     text = fmt::format(
-        "solver: exact{}, closed forms between mode switches, which certified steps find; {} by the\n  "
+        "solver: exact{}, closed forms between mode switches, which certified steps find; {} {}by the\n  "
         "adaptive one: ",
-        chosen ? " (auto: wherever it applies)" : "", explain_beyond(study.machine));
+        chosen ? " (auto: wherever it applies)" : "", explain_beyond(study.machine),
+        solver.stepper == integrate::run::Stepper::automatic ? "in Taylor pieces, stiff ones " : "");
   } else {
     text =
         fmt::format("solver: adaptive{}, ",
                     chosen ? " (auto: the exact one takes no smoothed contact and at most six stops)" : "");
   }
-  text += fmt::format("{}, relative tolerance {}\n", describe(solver.stepper), solver.relative_tolerance);
+  text += fmt::format("{}, relative tolerance {}\n", integrate::adaptive::row_of(solver.stepper).description,
+                      solver.relative_tolerance);
   if (solver.stepper == integrate::run::Stepper::automatic) text += explain_automatic(study);
   if (solver.contact == integrate::run::ContactHandling::smoothed) {
     return text +

@@ -7,19 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/response/motion/motion.hpp"
+#include "rubsweep/report/map_columns.hpp"
+#include "rubsweep/response/motion/motion_class.hpp"
 
 namespace rubsweep::report {
 namespace {
 
-/// Place of a column; no name or cell of the columns asked for is ever quoted.
-std::size_t column(std::string_view name) {
-  const std::string header = fmt::format(",{},", map_header());
-  const std::size_t begin = header.find(fmt::format(",{},", name));
-  return static_cast<std::size_t>(std::count(header.begin(), header.begin() + static_cast<long>(begin), ','));
-}
+using response::motion::MotionClass;
 
+/// No cell of the columns asked for is ever quoted.
 std::string_view cell(std::string_view line, std::size_t column) {
   for (; column > 0; --column) line.remove_prefix(line.find(',') + 1);
   return line.substr(0, line.find(','));
@@ -28,16 +24,16 @@ std::string_view cell(std::string_view line, std::size_t column) {
 /// Class and order, and what parts motions that share a class but are not alike: a whip that rolls backward
 /// on its own force from an oval that the unbalance drives, a circle forward from one backward.
 std::string name_of(std::string_view map_line) {
-  static const std::size_t class_column = column("class"), order_column = column("order"),
-                           orbit_column = column("orbit"), whirl_column = column("whirl"),
-                           comb_column = column("comb_spacing");
+  static const std::size_t class_column = place_of_column("class"), order_column = place_of_column("order"),
+                           orbit_column = place_of_column("orbit"), whirl_column = place_of_column("whirl"),
+                           comb_column = place_of_column("comb_spacing");
   std::string name(cell(map_line, class_column));
   const std::string_view order = cell(map_line, order_column), whirl = cell(map_line, whirl_column);
   const bool comb = !cell(map_line, comb_column).empty();
   if (!order.empty() && order != "1") name += fmt::format(" 1/{}", order);
-  if (name == "synchronous" && cell(map_line, orbit_column) == "circle")
+  if (name == to_string(MotionClass::synchronous) && cell(map_line, orbit_column) == "circle")
     name += fmt::format(" circle, {}", whirl);
-  if (name == "quasi_periodic" && comb) {
+  if (name == to_string(MotionClass::quasi_periodic) && comb) {
     name += whirl == "backward" ? " dry whip, backward" : fmt::format(" oval, {}", whirl);
   }
   return name;
@@ -46,19 +42,20 @@ std::string name_of(std::string_view map_line) {
 }  // namespace
 
 void MapSummary::add(std::string_view map_line) {
-  static const std::size_t class_column = column("class"), status_column = column("status"),
-                           start_column = column("start"), last_column = column("last_contact_revolution");
+  static const std::size_t class_column = place_of_column("class"), status_column = place_of_column("status"),
+                           start_column = place_of_column("start"),
+                           last_column = place_of_column("last_contact_revolution");
   ++total_;
   ++by_name_[name_of(map_line)];
   const std::string_view status = cell(map_line, status_column);
   if (status != "ok") ++by_status_[std::string(status)];
-  if (cell(map_line, class_column) == to_string(response::motion::MotionClass::non_contact)) ++non_contact_;
+  if (cell(map_line, class_column) == to_string(MotionClass::non_contact)) ++non_contact_;
   if (cell(map_line, start_column) == to_string(sweep::RunStart::kick)) ++kicked_;
   if (!cell(map_line, last_column).empty()) ++touched_;
 }
 
 bool MapSummary::has_failed_cells() const {
-  return by_name_.contains(std::string(to_string(response::motion::MotionClass::failed)));
+  return by_name_.contains(std::string(to_string(MotionClass::failed)));
 }
 
 std::string MapSummary::text() const {

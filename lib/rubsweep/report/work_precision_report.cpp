@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/integrate/adaptive/stepper_table.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -24,7 +25,7 @@ double share(const bench::LabelAgreement& labels) {
 }
 
 std::string stepper_name(const bench::Variant& variant) {
-  return variant.stepper ? std::string(bench::to_string(*variant.stepper)) : "";
+  return variant.stepper ? std::string(integrate::adaptive::row_of(*variant.stepper).word) : "";
 }
 
 }  // namespace
@@ -37,9 +38,9 @@ std::string cell_name(const bench::Place& place) {
 }
 
 std::string variant_name(const bench::Variant& variant) {
-  std::string name(bench::to_string(variant.method));
+  std::string name(to_string(variant.method));
   if (variant.stepper) name.append(" ").append(stepper_name(variant));
-  name += fmt::format(" {}", bench::to_string(variant.contact));
+  name += fmt::format(" {}", to_string(variant.contact));
   if (variant.relative_tolerance) name += fmt::format(" {:.0e}", *variant.relative_tolerance);
   return name;
 }
@@ -82,9 +83,9 @@ std::string work_precision_csv(const std::vector<WorkPrecisionLine>& lines) {
   for (const WorkPrecisionLine& line : lines) {
     const bench::Measurement& m = line.measurement;
     const std::array<std::string, 12> cells{line.cell,
-                                            std::string(bench::to_string(m.variant.method)),
+                                            std::string(to_string(m.variant.method)),
                                             stepper_name(m.variant),
-                                            std::string(bench::to_string(m.variant.contact)),
+                                            std::string(to_string(m.variant.contact)),
                                             csv_number(m.variant.relative_tolerance.value_or(none)),
                                             csv_number(m.microseconds_per_revolution.value_or(none)),
                                             csv_number(m.state_error.value_or(none)),

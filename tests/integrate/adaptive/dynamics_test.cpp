@@ -152,7 +152,7 @@ void check_jacobian() {
 TEST(Dynamics, JacobianOfEveryMode) { check_jacobian<false>(); }
 TEST(Dynamics, JacobianOfTheSmoothedLaw) { check_jacobian<true>(); }
 
-TEST(run::ScaledSystem, RefusesTheWrongSize) {
+TEST(ScaledSystem, RefusesTheWrongSize) {
   EXPECT_THROW(run::scale<2>(test::cell_of({}).scene), std::logic_error);
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
@@ -36,17 +37,14 @@ run::SolverOptions with(run::Stepper stepper, double tolerance,
 }
 
 std::string stepper_name(const testing::TestParamInfo<run::Stepper>& stepper) {
-  constexpr std::array names{"dopri5", "cash_karp54", "rkf78", "bulirsch_stoer", "rosenbrock4"};
-  return names[static_cast<std::size_t>(stepper.param)];
+  return std::string(row_of(stepper.param).word);
 }
 
 /// The same closed forms for every stepper.
 class EveryStepper : public testing::TestWithParam<run::Stepper> {};
 
 INSTANTIATE_TEST_SUITE_P(Adaptive, EveryStepper,
-                         testing::Values(run::Stepper::dopri5, run::Stepper::cash_karp54, run::Stepper::rkf78,
-                                         run::Stepper::bulirsch_stoer, run::Stepper::rosenbrock4),
-                         stepper_name);
+                         testing::ValuesIn(single_steppers().begin(), single_steppers().end()), stepper_name);
 
 TEST_P(EveryStepper, FreeOscillator) {
   const double m = 2, k = 50, zeta = 0.1, w0 = std::sqrt(k / m), wd = w0 * std::sqrt(1 - zeta * zeta);
@@ -164,16 +162,21 @@ TEST_P(EveryStepper, SamplingDoesNotChangeTheRun) {
 
 TEST(Adaptive, SamplesOfAllSteppersAgree) {
   const auto cell = test::cell_of({});
-  std::vector<double> reference;
-  for (const run::Stepper stepper : {run::Stepper::rkf78, run::Stepper::dopri5, run::Stepper::cash_karp54,
-                                     run::Stepper::bulirsch_stoer, run::Stepper::rosenbrock4}) {
+  const auto samples = [&](run::Stepper stepper) {
     const run::Cursor advance =
         start_adaptive(cell.scene, with(stepper, stepper == run::Stepper::rosenbrock4 ? 1e-9 : 1e-10));
     run::Turn turn;
     turn.samples_per_revolution = 37;
-    for (int k = 0; k < 3; ++k) ASSERT_EQ(advance(turn), run::Outcome::ok);
-    if (reference.empty()) reference = turn.samples;
-    for (std::size_t k = 0; k < reference.size(); ++k) EXPECT_NEAR(turn.samples[k], reference[k], 2e-7) << k;
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok);
+    return turn.samples;
+  };
+  const std::vector<double> reference = samples(run::Stepper::rkf78);
+  ASSERT_FALSE(reference.empty());
+  for (const run::Stepper stepper : single_steppers()) {
+    const std::vector<double> found = samples(stepper);
+    ASSERT_EQ(found.size(), reference.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+      EXPECT_NEAR(found[k], reference[k], 2e-7) << row_of(stepper).word << k;
   }
 }
 

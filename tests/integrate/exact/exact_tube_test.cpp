@@ -22,7 +22,7 @@ struct RubbingTurn {
   MatrixXd transition;
 
   RubbingTurn() {
-    const run::Run kicked = start(scene, {}, modes);
+    const run::Run kicked = integrate::start(scene, {}, modes);
     run::Turn turn;
     do {
       EXPECT_EQ(kicked.advance(turn), run::Outcome::ok);
@@ -36,7 +36,7 @@ struct RubbingTurn {
   }
 
   void turn_from(const std::vector<double>& section, run::Turn& turn) {
-    const auto run = start(scene, {}, modes);
+    const auto run = integrate::start(scene, {}, modes);
     const auto states = static_cast<Eigen::Index>(section.size());
     turn.tangent_vectors = MatrixXd::Identity(states, states);
     run.restart(section);
@@ -52,7 +52,7 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
   RubbingTurn turn;
   const MatrixXd identity = MatrixXd::Identity(8, 8);
   std::vector<double> section = turn.start;
-  const auto tube = turn_tube(turn.scene, turn.plans, section, identity, identity);
+  const auto tube = turn_tube(turn.scene, turn.modes, section, identity, identity);
   ASSERT_TRUE(tube);
   EXPECT_NEAR((vector_of(section) - vector_of(turn.end)).cwiseAbs().maxCoeff(), 0, 1e-12);
   double radius = 0.1;
@@ -96,7 +96,7 @@ TEST(ExactTube, ContractionIsThatOfTheLinearMap) {
   RubbingTurn turn;
   std::vector<double> section = turn.start;
   const MatrixXd identity = MatrixXd::Identity(8, 8);
-  const auto tube = turn_tube(turn.scene, turn.plans, section, identity, identity);
+  const auto tube = turn_tube(turn.scene, turn.modes, section, identity, identity);
   ASSERT_TRUE(tube);
   EXPECT_NEAR(tube->contraction, Eigen::JacobiSVD<MatrixXd>(turn.transition).singularValues()(0),
               1e-9 * tube->contraction);

@@ -24,7 +24,7 @@ TEST(ModalTerms, SlowOnesFirstAndNoneThatIsNotSeen) {
   rows.col(0) << 1, 2, 3, 4;
   rows.col(7) << 5, 6, 7, 8;  // the rate of the fourth pair
   rows.col(2) << 9, 10, 11, 12;
-  const ModalTerms seen = modal_terms(rows, {true, false, false, true});
+  const ModalTerms terms = modal_terms(rows, {true, false, false, true});
   ASSERT_EQ(terms.list.size(), 3u);
   EXPECT_EQ(terms.slow().size(), 1u);
   EXPECT_EQ(terms.list[0].u, 2);
@@ -39,7 +39,7 @@ TEST(ModalTerms, SlowOnesFirstAndNoneThatIsNotSeen) {
 }
 
 TEST(ModalTerms, WhereNothingIsSeenOnePairAddsNothing) {
-  const ModalTerms seen = modal_terms(Eigen::MatrixXd::Zero(4, 8), {true, true, true, true});
+  const ModalTerms terms = modal_terms(Eigen::MatrixXd::Zero(4, 8), {true, true, true, true});
   ASSERT_EQ(terms.fast().size(), 1u);
   const Eigen::VectorXd z = Eigen::VectorXd::Ones(8);
   const ModalSum sum(terms.fast().front(), z.data(), true);
@@ -77,8 +77,8 @@ TEST_P(EveryModeSeen, SumsToTheWholeRow) {
     const Eigen::RowVectorXd row = guard.physical * mode_.basis;
     const Eigen::RowVectorXd by_time = guard.physical * mode_.generator * mode_.basis;
     const ModalSum seen = sum(guard.terms.list, some_vibration());
-    EXPECT_NEAR(terms.value(), row * some_vibration(), 1e-14);
-    EXPECT_NEAR(terms.rate(), by_time * some_vibration(), 1e-12 * by_time.cwiseAbs().sum());
+    EXPECT_NEAR(seen.value(), row * some_vibration(), 1e-14);
+    EXPECT_NEAR(seen.rate(), by_time * some_vibration(), 1e-12 * by_time.cwiseAbs().sum());
   }
 }
 

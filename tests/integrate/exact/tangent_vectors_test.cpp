@@ -45,7 +45,7 @@ TEST(TangentVectors, NoneAreCarriedWhereNoneAreAskedFor) {
   TangentVectors<4> carried;
   Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 2);
   carried.begin(*plan.mode(0), speed_rad_per_s, disturbances);
-  carried.carry_nothing();
+  carried.clear();
   carried.pass(0.01);
   carried.put(*plan.mode(0), speed_rad_per_s, disturbances);
   EXPECT_EQ(disturbances, Eigen::MatrixXd(Eigen::MatrixXd::Identity(8, 2)));

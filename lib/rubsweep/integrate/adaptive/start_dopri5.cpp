@@ -1,14 +1,15 @@
+#include "rubsweep/integrate/adaptive/start_dopri5.hpp"
+
 #include <array>
 #include <vector>
 
 #include "rubsweep/integrate/adaptive/dopri5_or_rosenbrock4.hpp"
-#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/adaptive/start_run.hpp"
 
-namespace rubsweep::integrate::adaptive::detail {
+namespace rubsweep::integrate::adaptive {
 
 run::Cursor start_dopri5(const scene::Scene& scene, const run::SolverOptions& options) {
-  // The default stepper gets fixed sizes for the usual scenes (rotor with no, one or two moving casings).
+  // Rotor with no, one or two moving casings.
   switch (scene.structure.coordinates()) {
     case 2:
       return start_run<Dopri5OrRosenbrock4<std::array<double, 4>>, 2>(scene, options);
@@ -21,4 +22,4 @@ run::Cursor start_dopri5(const scene::Scene& scene, const run::SolverOptions& op
   }
 }
 
-}  // namespace rubsweep::integrate::adaptive::detail
+}  // namespace rubsweep::integrate::adaptive

@@ -1,19 +1,22 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 
 #include "rubsweep/model/range.hpp"
 
 namespace rubsweep::integrate::run {
 
 enum class Method { automatic, exact, adaptive };
+
+/// Method of the adaptive solver. Words, descriptions and what starts each: adaptive/stepper_table.
 enum class Stepper {
+  automatic,  ///< dopri5, and rosenbrock4 for the steps that start in stiff friction
   dopri5,
   cash_karp54,
   rkf78,
   bulirsch_stoer,
   rosenbrock4,
-  automatic,  ///< dopri5, and rosenbrock4 for the steps that start in stiff friction
 };
 
 /// How a stepper meets a change of contact mode.
@@ -21,6 +24,29 @@ enum class ContactHandling {
   located,   ///< stops at every mode switch, found to rounding
   smoothed,  ///< integrates through, with a C1 blend of the law over `smoothing_m`
 };
+
+/// Words of the configuration and of tables.
+constexpr std::string_view to_string(Method method) {
+  switch (method) {
+    case Method::automatic:
+      return "auto";
+    case Method::exact:
+      return "exact";
+    case Method::adaptive:
+      return "adaptive";
+  }
+  return "";
+}
+
+constexpr std::string_view to_string(ContactHandling contact) {
+  switch (contact) {
+    case ContactHandling::located:
+      return "located";
+    case ContactHandling::smoothed:
+      return "smoothed";
+  }
+  return "";
+}
 
 struct SolverOptions {
   Method method = Method::automatic;

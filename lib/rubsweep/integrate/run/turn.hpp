@@ -26,7 +26,8 @@ struct Effort {
   long refused = 0;  ///< refused by the error control
   long switches = 0;
   long implicit_steps = 0;  ///< accepted ones that Stepper::automatic took with rosenbrock4
-  long adaptive_turns = 0;  ///< by an exact run: revolutions that had no closed form
+  long taylor_turns = 0;    ///< revolutions without a closed form, by pieces of Taylor series
+  long adaptive_turns = 0;  ///< revolutions without a closed form, by a stepper
 };
 
 /// One revolution: what is asked of the integrator, and what it answers. Reused from turn to turn.
@@ -41,8 +42,8 @@ struct Turn {
   std::vector<double> samples;  ///< samples_per_revolution x 2n, row by row
   std::vector<ModeSwitch> switches;
   /// Asked, and answered in place: 2n x m (m <= 2n; 0: none) small changes of the section at the start,
-  /// which the turn takes to its end by d(section at the end) / d(section at the start). By the exact solver
-  /// only: any other turn leaves them as they are.
+  /// which the turn takes to its end by d(section at the end) / d(section at the start). By closed forms and
+  /// Taylor pieces: a turn by a stepper leaves them as they are.
   Eigen::MatrixXd tangent_vectors;
   int hits = 0;                 ///< open -> touching, all contacts together
   double contact_fraction = 0;  ///< share of the turn with at least one contact touching

@@ -5,45 +5,11 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/response/motion/contact_facts.hpp"
+#include "rubsweep/response/motion/motion_class.hpp"
 #include "rubsweep/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/response/spectrum/orbit_shape.hpp"
 
 namespace rubsweep::response::motion {
-
-/// What a motion is called.
-enum class MotionClass {
-  non_contact,      ///< no contact after the kick's transient
-  synchronous,      ///< the section returns after one turn
-  subharmonic,      ///< the section returns after n >= 2 turns and no fewer
-  quasi_periodic,   ///< discrete lines without a common period; in symmetric scenes a comb
-  chaotic,          ///< largest Lyapunov exponent positive beyond its error bar
-  unsettled,        ///< not decided when the run ended
-  initial_contact,  ///< static forces press the rotor on the wall, so that no unbalance gives the whirl ratio
-                    ///< asked for
-  failed,           ///< the integration did not finish
-};
-
-constexpr std::string_view to_string(MotionClass motion_class) {
-  switch (motion_class) {
-    case MotionClass::non_contact:
-      return "non_contact";
-    case MotionClass::synchronous:
-      return "synchronous";
-    case MotionClass::subharmonic:
-      return "subharmonic";
-    case MotionClass::quasi_periodic:
-      return "quasi_periodic";
-    case MotionClass::chaotic:
-      return "chaotic";
-    case MotionClass::unsettled:
-      return "unsettled";
-    case MotionClass::initial_contact:
-      return "initial_contact";
-    case MotionClass::failed:
-      return "failed";
-  }
-  throw SolverError("motion class without a name");
-}
 
 /// What the evidence itself has to say beside the class.
 enum class MotionStatus {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
+#include "rubsweep/integrate/taylor/taylor_run.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 #include "rubsweep/response/rotating/variational_dynamics.hpp"
 
@@ -13,10 +14,10 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// Adds the states sampled in a turn before `end_phase`.
+/// Adds the states sampled in a turn before `end_phase`: the first `states` of `whole` numbers each.
 void append_samples(const integrate::run::Turn& turn, double end_phase, Eigen::Index states,
-                    RotatingArc& arc) {
-  const Eigen::Index whole = states * (states + 1), old = arc.samples.cols();
+                    Eigen::Index whole, RotatingArc& arc) {
+  const Eigen::Index old = arc.samples.cols();
   int count = 0;
   while (count < turn.samples_per_revolution && full_turn * count / turn.samples_per_revolution < end_phase)
     ++count;
@@ -24,6 +25,62 @@ void append_samples(const integrate::run::Turn& turn, double end_phase, Eigen::I
   arc.samples.rightCols(count) =
       Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.samples_per_revolution)
           .topLeftCorner(states, count);
+}
+
+/// What a turn, or its first `end_phase`, adds to the measures of an arc of `angle_rad`.
+void add_measures(const integrate::run::Turn& turn, double angle_rad, RotatingArc& arc) {
+  arc.hits += turn.hits;
+  arc.contact_fraction += turn.contact_fraction * full_turn / angle_rad;
+  arc.peak_displacement_m = std::max(arc.peak_displacement_m, turn.peak_displacement_m);
+  arc.peak_contact_force_n = std::max(arc.peak_contact_force_n, turn.peak_contact_force_n);
+}
+
+enum class Followed { made, stiff, failed };
+
+/// By Taylor pieces; `stiff` where a stepper must do it.
+template <int N>
+Followed follow_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
+                          int samples_per_revolution, double angle_rad, RotatingArc& arc) {
+  integrate::taylor::TaylorRun<N> run(scene, options);
+  const Eigen::Index states = 2 * scene.structure.coordinates();
+  integrate::run::Turn turn;
+  turn.samples_per_revolution = samples_per_revolution;
+  turn.peaks = samples_per_revolution > 0;
+  turn.tangent_vectors.setIdentity(states, states);
+  for (double left = angle_rad; left > 0; left -= full_turn) {
+    const double end_phase = std::min(left, full_turn);
+    const integrate::taylor::TaylorEnding ending = run.advance(turn, end_phase);
+    if (ending == integrate::taylor::TaylorEnding::stiff) return Followed::stiff;
+    if (ending != integrate::taylor::TaylorEnding::ok) return Followed::failed;
+    if (samples_per_revolution > 0) append_samples(turn, end_phase, states, states, arc);
+    add_measures(turn, angle_rad, arc);
+  }
+  arc.angle_rad = angle_rad;
+  arc.end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -angle_rad);
+  arc.transition = turned(turn.tangent_vectors, -angle_rad);
+  return Followed::made;
+}
+
+template <int N>
+Followed end_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
+                       double angle_rad, Eigen::VectorXd& end) {
+  integrate::taylor::TaylorRun<N> run(scene, options);
+  integrate::run::Turn turn;
+  for (double left = angle_rad; left > 0; left -= full_turn) {
+    const integrate::taylor::TaylorEnding ending = run.advance(turn, std::min(left, full_turn));
+    if (ending == integrate::taylor::TaylorEnding::stiff) return Followed::stiff;
+    if (ending != integrate::taylor::TaylorEnding::ok) return Followed::failed;
+  }
+  const Eigen::Index states = 2 * scene.structure.coordinates();
+  end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -angle_rad);
+  return Followed::made;
+}
+
+/// A stepper that is asked for by name makes every turn.
+bool by_series(const integrate::run::SolverOptions& options) {
+  return options.method != integrate::run::Method::adaptive &&
+         options.stepper == integrate::run::Stepper::automatic &&
+         options.contact == integrate::run::ContactHandling::located;
 }
 
 template <class State, int N, bool Smoothed>
@@ -41,11 +98,8 @@ std::optional<RotatingArc> follow(const scene::Scene& scene, const integrate::ru
   for (double left = angle_rad; left > 0; left -= full_turn) {
     const double end_phase = std::min(left, full_turn);
     if (run.advance(turn, end_phase) != integrate::run::Outcome::ok) return std::nullopt;
-    if (samples_per_revolution > 0) append_samples(turn, end_phase, states, arc);
-    arc.hits += turn.hits;
-    arc.contact_fraction += turn.contact_fraction * full_turn / angle_rad;
-    arc.peak_displacement_m = std::max(arc.peak_displacement_m, turn.peak_displacement_m);
-    arc.peak_contact_force_n = std::max(arc.peak_contact_force_n, turn.peak_contact_force_n);
+    if (samples_per_revolution > 0) append_samples(turn, end_phase, states, states * (states + 1), arc);
+    add_measures(turn, angle_rad, arc);
   }
   const double* end = turn.section.data();
   arc.end = turned(Eigen::Map<const Eigen::VectorXd>(end, states), -angle_rad);
@@ -87,6 +141,14 @@ std::optional<RotatingArc> RotatingFlow::from(const Eigen::VectorXd& state, doub
   const scene::Scene scene = scene_at(state);
   constexpr int any = Eigen::Dynamic;
   const int samples = samples_per_revolution_;
+  if (by_series(options_)) {
+    RotatingArc arc;
+    const Followed followed = state.size() == 8
+                                  ? follow_by_series<4>(scene, options_, samples, angle_rad, arc)
+                                  : follow_by_series<any>(scene, options_, samples, angle_rad, arc);
+    if (followed == Followed::made) return arc;
+    if (followed == Followed::failed) return std::nullopt;
+  }
   if (options_.contact == integrate::run::ContactHandling::smoothed)
     return follow<std::vector<double>, any, true>(scene, options_, samples, angle_rad);
   if (state.size() == 8) return follow<std::array<double, 72>, 4, false>(scene, options_, samples, angle_rad);
@@ -96,6 +158,13 @@ std::optional<RotatingArc> RotatingFlow::from(const Eigen::VectorXd& state, doub
 std::optional<Eigen::VectorXd> RotatingFlow::end_from(const Eigen::VectorXd& state, double angle_rad) const {
   const scene::Scene scene = scene_at(state);
   constexpr int any = Eigen::Dynamic;
+  if (by_series(options_)) {
+    Eigen::VectorXd end;
+    const Followed followed = state.size() == 8 ? end_by_series<4>(scene, options_, angle_rad, end)
+                                                : end_by_series<any>(scene, options_, angle_rad, end);
+    if (followed == Followed::made) return end;
+    if (followed == Followed::failed) return std::nullopt;
+  }
   if (options_.contact == integrate::run::ContactHandling::smoothed)
     return end_of<std::vector<double>, any, true>(scene, options_, angle_rad);
   if (state.size() == 8) return end_of<std::array<double, 8>, 4, false>(scene, options_, angle_rad);

@@ -1,0 +1,69 @@
+#include "rubsweep/integrate/adaptive/stepper_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/integrate/adaptive/start_dopri5.hpp"
+#include "rubsweep/integrate/adaptive/start_run.hpp"
+#include "rubsweep/vocabulary.hpp"
+
+namespace rubsweep::integrate::adaptive {
+namespace {
+
+using run::Stepper;
+using Coordinates = std::vector<double>;
+
+/// Starts runs by `StepMethod` over any number of coordinates.
+template <class StepMethod>
+constexpr auto started_by = &start_run<StepMethod, Eigen::Dynamic>;
+
+constexpr std::string_view dopri5 = "dopri5 (Dormand-Prince 5(4), dense output of order 4)";
+
+/// The table. It is a switch so that a stepper without a row does not compile.
+constexpr StepperRow make_row(Stepper stepper) {
+  switch (stepper) {
+    case Stepper::automatic:
+      return {stepper, "auto", dopri5, start_dopri5};
+    case Stepper::dopri5:
+      return {stepper, "dopri5", dopri5, start_dopri5};
+    case Stepper::cash_karp54:
+      return {stepper, "cash_karp54", "cash_karp54 (order 5(4), states inside a step by re-stepping)",
+              started_by<ReStepping<odeint::runge_kutta_cash_karp54<Coordinates>>>};
+    case Stepper::rkf78:
+      return {stepper, "rkf78", "rkf78 (order 8(7), states inside a step by re-stepping)",
+              started_by<ReStepping<odeint::runge_kutta_fehlberg78<Coordinates>>>};
+    case Stepper::bulirsch_stoer:
+      return {stepper, "bulirsch_stoer",
+              "bulirsch_stoer (variable order, states inside a step by re-stepping)",
+              started_by<BulirschStoer<Coordinates>>};
+    case Stepper::rosenbrock4:
+      return {stepper, "rosenbrock4", "rosenbrock4 (implicit, order 4(3), dense output)",
+              started_by<Rosenbrock4>};
+  }
+  return {};
+}
+
+constexpr auto& steppers = enumerators_of<Stepper, [](Stepper stepper) { return make_row(stepper).word; }>;
+static_assert(steppers.front() == Stepper::automatic, "single_steppers leaves the first one out");
+
+constexpr auto rows = [] {
+  std::array<StepperRow, steppers.size()> all;
+  std::ranges::transform(steppers, all.begin(), make_row);
+  return all;
+}();
+
+}  // namespace
+
+std::span<const StepperRow> stepper_table() { return rows; }
+
+const StepperRow& row_of(Stepper stepper) {
+  const auto row = std::ranges::find(rows, stepper, &StepperRow::stepper);
+  if (row == rows.end()) throw SolverError("stepper without a row in its table");
+  return *row;
+}
+
+std::span<const Stepper> single_steppers() { return std::span(steppers).subspan(1); }
+
+}  // namespace rubsweep::integrate::adaptive

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/scene/scene.hpp"
+
+namespace rubsweep::integrate::adaptive {
+
+/// All that is said about one stepper. The configuration, the tables of rubbench, `--explain` and
+/// start_adaptive read it here.
+struct StepperRow {
+  run::Stepper stepper = run::Stepper::automatic;
+  std::string_view word;         ///< its name in the configuration and in tables
+  std::string_view description;  ///< name, order and how states inside a step are made, for --explain
+  run::Cursor (*start)(const scene::Scene&, const run::SolverOptions&) = nullptr;  ///< see start_adaptive
+};
+
+/// One row for each value of Stepper, in the order of the enumeration: `automatic` first.
+std::span<const StepperRow> stepper_table();
+
+/// The row of `stepper`. Throws SolverError for a number that is no value of Stepper.
+const StepperRow& row_of(run::Stepper stepper);
+
+/// The steppers that take every step by one method: all but `automatic`, which is one of them at each step.
+std::span<const run::Stepper> single_steppers();
+
+}  // namespace rubsweep::integrate::adaptive

@@ -1,0 +1,174 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/taylor/contact_law.hpp"
+#include "rubsweep/integrate/taylor/contact_series.hpp"
+#include "rubsweep/numerics/taylor_series.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// Half-sine pulse while it lasts, `elapsed_rad` before phase 0 of the revolution.
+struct PulsePhase {
+  bool on = false;
+  double elapsed_rad = 0;
+};
+
+/// Motion of a scaled system from one instant on as a power series of the phase, within one joint contact
+/// mode: u'' = linear structure + unbalance + pulse + forces of the contacts that touch.
+template <int N>
+class Expansion {
+ public:
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using ConstMap = Eigen::Map<const Vector>;
+
+  Expansion(const run::ScaledSystem<N>& system, int order)
+      : system_(system),
+        order_(order),
+        u_(system.coordinates(), order + 2),
+        v_(system.coordinates(), order + 1),
+        acceleration_(system.coordinates()),
+        contacts_(system.contacts.size()) {
+    for (const auto& contact : system.contacts) laws_.emplace_back(contact);
+  }
+
+  /// Expands from `state` (u then u') at `phase_rad` into the revolution. `modes` per contact.
+  void expand(const double* state, double phase_rad, const PulsePhase& pulse,
+              const std::vector<contact::Mode>& modes) {
+    const Eigen::Index n = system_.coordinates();
+    u_.col(0) = ConstMap(state, n);
+    v_.col(0) = u_.col(1) = ConstMap(state + n, n);
+    begin_contacts(modes);
+    start_drives(phase_rad, pulse);
+    for (int k = 0; k < order_; ++k) {
+      accelerate(k);
+      v_.col(k + 1) = acceleration_ * numerics::one_over(k + 1);
+      u_.col(k + 2) = v_.col(k + 1) * numerics::one_over(k + 2);
+    }
+    complete_contacts();
+  }
+
+  /// u then u' after `duration_rad`.
+  void put_state(double duration_rad, double* state) const {
+    const Eigen::Index n = system_.coordinates();
+    Eigen::Map<Vector> u(state, n), v(state + n, n);
+    u = u_.col(order_ + 1);
+    v = v_.col(order_);
+    u = u * duration_rad + u_.col(order_);
+    for (int k = order_ - 1; k >= 0; --k) {
+      u = u * duration_rad + u_.col(k);
+      v = v * duration_rad + v_.col(k);
+    }
+  }
+
+  /// The longest duration over which the last two terms stay within rounding of the motion's size, or of one
+  /// clearance where it is smaller.
+  double converged_rad() const {
+    constexpr double rounding = 0x1p-53;
+    const double length = std::max(1.0, u_.col(0).template lpNorm<Eigen::Infinity>());
+    const double speed = std::max(1.0, v_.col(0).template lpNorm<Eigen::Infinity>());
+    double longest = std::numeric_limits<double>::infinity();
+    for (int k = order_ - 1; k <= order_; ++k) {
+      const double term = std::max(u_.col(k).template lpNorm<Eigen::Infinity>() / length,
+                                   v_.col(k).template lpNorm<Eigen::Infinity>() / speed);
+      if (!std::isfinite(term)) return 0;
+      if (term > 0) longest = std::min(longest, std::pow(rounding / term, 1.0 / k));
+    }
+    return longest;
+  }
+
+  int order() const { return order_; }
+  const run::ScaledSystem<N>& system() const { return system_; }
+  const ContactLaw& law(std::size_t i) const { return laws_[i]; }
+  ContactSeries& contact(std::size_t i) { return contacts_[i]; }
+  double displacement_term(Eigen::Index row, int k) const { return u_(row, k); }
+
+ private:
+  double slip(std::size_t i) const {
+    const ContactSeries& c = contacts_[i];
+    const double v1 = system_.contacts[i].first_row.dot(v_.col(0)),
+                 v2 = system_.contacts[i].second_row.dot(v_.col(0));
+    const double sliding =
+        laws_[i].annular ? (c.d1[0] * v2 - c.d2[0] * v1) / std::hypot(c.d1[0], c.d2[0]) : v2;
+    return laws_[i].slip_scale_m_per_s * sliding + laws_[i].surface_speed_m_per_s;
+  }
+
+  void put_distance(std::size_t i, int k) {
+    const auto& c = system_.contacts[i];
+    contacts_[i].d1.set(k, c.first_row.dot(u_.col(k)) + (k == 0 ? c.offset[0] : 0));
+    contacts_[i].d2.set(k, c.second_row.dot(u_.col(k)) + (k == 0 ? c.offset[1] : 0));
+  }
+
+  void begin_contacts(const std::vector<contact::Mode>& modes) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      put_distance(i, 0);
+      const bool open = modes[i] == contact::Mode::open;
+      contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i));
+    }
+  }
+
+  /// cos and sin of the phase are 1 and i^k / k! times each other; the pulse's by its own rate.
+  void start_drives(double phase_rad, const PulsePhase& pulse) {
+    cosine_ = std::cos(phase_rad);
+    sine_ = std::sin(phase_rad);
+    pulse_on_ = pulse.on;
+    if (!pulse.on) return;
+    const double angle = system_.pulse_rate * (pulse.elapsed_rad + phase_rad);
+    pulse_sine_ = std::sin(angle);
+    pulse_cosine_ = std::cos(angle);
+  }
+
+  /// Coefficient k of the acceleration; the drives go on to the next.
+  void accelerate(int k) {
+    if (system_.diagonal) {
+      acceleration_ = -system_.stiffness_diagonal.cwiseProduct(u_.col(k)) -
+                      system_.damping_diagonal.cwiseProduct(v_.col(k));
+    } else {
+      acceleration_.noalias() = system_.stiffness * u_.col(k);
+      acceleration_.noalias() += system_.damping * v_.col(k);
+      acceleration_ = -acceleration_;
+    }
+    if (k == 0) acceleration_ += system_.constant;
+    acceleration_ += system_.cosine * cosine_ + system_.sine * sine_;
+    const double next = numerics::one_over(k + 1), cosine = cosine_;
+    cosine_ = -next * sine_;
+    sine_ = next * cosine;
+    if (pulse_on_) {
+      acceleration_ += system_.pulse * pulse_sine_;
+      const double rate = system_.pulse_rate * next, pulse_sine = pulse_sine_;
+      pulse_sine_ = rate * pulse_cosine_;
+      pulse_cosine_ = -rate * pulse_sine;
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (contacts_[i].mode() == contact::Mode::open) continue;
+      put_distance(i, k + 1);
+      const ContactSeries::Force force = contacts_[i].force_term(k);
+      acceleration_ += system_.contacts[i].first_push * force.first;
+      acceleration_ += system_.contacts[i].second_push * force.second;
+    }
+  }
+
+  /// What guards ask for.
+  void complete_contacts() {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (contacts_[i].mode() != contact::Mode::open) continue;
+      for (int k = 1; k <= order_; ++k) put_distance(i, k);
+    }
+  }
+
+  const run::ScaledSystem<N>& system_;
+  int order_;
+  Eigen::Matrix<double, N, Eigen::Dynamic> u_, v_;
+  Vector acceleration_;
+  std::vector<ContactLaw> laws_;
+  std::vector<ContactSeries> contacts_;
+  double cosine_ = 1, sine_ = 0, pulse_sine_ = 0, pulse_cosine_ = 1;
+  bool pulse_on_ = false;
+};
+
+}  // namespace rubsweep::integrate::taylor

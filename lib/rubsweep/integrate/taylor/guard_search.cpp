@@ -1,0 +1,122 @@
+#include "rubsweep/integrate/taylor/guard_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "rubsweep/numerics/polynomial_root.hpp"
+
+namespace rubsweep::integrate::taylor {
+namespace {
+
+using contact::Mode;
+using Coefficients = std::array<double, numerics::most_taylor_order + 1>;
+
+/// A guard that starts nearer to zero than this many clearances and falls starts at zero: a landing leaves a
+/// few units of rounding of the states, which are of order one.
+constexpr double noise = 1e-13;
+
+std::span<const double> first(const Coefficients& c, int count) {
+  return std::span(c).first(static_cast<std::size_t>(count));
+}
+
+/// Bound of |d'| over the duration: no sliding speed is larger.
+double fastest_distance(const ContactSeries& contact, int order, double duration_rad) {
+  double first_sum = 0, second_sum = 0, power = 1;
+  for (int k = 0; k < order; ++k, power *= duration_rad) {
+    first_sum += std::abs((k + 1) * contact.d1[k + 1]) * power;
+    second_sum += std::abs((k + 1) * contact.d2[k + 1]) * power;
+  }
+  return contact.law().annular ? std::sqrt(first_sum * first_sum + second_sum * second_sum) : second_sum;
+}
+
+/// Coefficients of `sign` slip + `constant` in units of the duration, order of them.
+Coefficients slip_polynomial(ContactSeries& contact, int order, double duration_rad, double sign,
+                             double constant) {
+  contact.make_sliding(order);
+  Coefficients c{};
+  double power = 1;
+  for (int k = 0; k < order; ++k, power *= duration_rad)
+    c[static_cast<std::size_t>(k)] = power * sign * contact.slip_term(k) + (k == 0 ? constant : 0);
+  return c;
+}
+
+/// Far inside an annular stop no |d| reaches the wall: cheaper than its square's polynomial.
+bool far_from_wall(const ContactSeries& contact, int order, double duration_rad) {
+  double first_sum = 0, second_sum = 0, power = 1;
+  for (int k = 0; k <= order; ++k, power *= duration_rad) {
+    first_sum += std::abs(contact.d1[k]) * power;
+    second_sum += std::abs(contact.d2[k]) * power;
+  }
+  const double clearance = contact.law().clearance;
+  return first_sum * first_sum + second_sum * second_sum < clearance * clearance;
+}
+
+}  // namespace
+
+double guards_converged_rad(ContactSeries& contact, int order, double duration_rad) {
+  const ContactLaw& law = contact.law();
+  // Of flat stops they are linear in the motion.
+  if (!law.annular) return duration_rad;
+  if (contact.mode() == Mode::open) {
+    if (far_from_wall(contact, order, duration_rad)) return duration_rad;
+    contact.make_open_penetration(order);
+  }
+  constexpr double rounding = 0x1p-52;
+  const double damper = law.damping / law.stiffness;
+  for (int k = order - 2; k < order; ++k) {
+    const double term = (std::abs(contact.penetration_term(k)) +
+                         damper * (k + 1) * std::abs(contact.penetration_term(k + 1))) /
+                        law.clearance;
+    if (term * std::pow(duration_rad, k) > rounding) duration_rad = std::pow(rounding / term, 1.0 / k);
+  }
+  return duration_rad;
+}
+
+std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order, double duration_rad) {
+  const ContactLaw& law = contact.law();
+  const Mode mode = contact.mode();
+  if (mode == Mode::open && law.annular && far_from_wall(contact, order, duration_rad)) return std::nullopt;
+  // Penetration and closing speed; rates are known to one order less.
+  Coefficients p, v;
+  double power = 1, next = contact.penetration_term(0);
+  for (int k = 0; k < order; ++k, power *= duration_rad) {
+    const auto index = static_cast<std::size_t>(k);
+    p[index] = power * next;
+    next = contact.penetration_term(k + 1);
+    v[index] = power * (k + 1) * next;
+  }
+  const contact::GuardForms forms = contact::guard_forms(mode, law.damping > 0);
+  std::optional<GuardCrossing> earliest;
+  for (std::size_t e = 0; e < static_cast<std::size_t>(forms.count); ++e) {
+    const auto& [spring, damper, to] = forms.list[e];
+    Coefficients guard;
+    const double by_v = damper * law.damping / law.stiffness;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(order); ++k) guard[k] = spring * p[k] + by_v * v[k];
+    const auto rise = numerics::first_rise_of(first(guard, order), noise);
+    if (rise && (!earliest || *rise < earliest->share)) earliest = GuardCrossing{*rise, to};
+  }
+  return earliest;
+}
+
+double saturated_share(ContactSeries& contact, int order, double duration_rad) {
+  const double steepness = contact.saturated_steepness();
+  if (steepness == 0) return 1;
+  const ContactLaw& law = contact.law();
+  const double least = saturated_until / steepness, sign = contact.slip_sign();
+  const double reach = law.slip_scale_m_per_s * fastest_distance(contact, order, duration_rad);
+  if (sign * law.surface_speed_m_per_s - reach > least) return 1;
+  const Coefficients c = slip_polynomial(contact, order, duration_rad, -sign, least);
+  return numerics::first_rise_of(first(c, order), 0).value_or(1);
+}
+
+bool slip_reverses(ContactSeries& contact, int order, double duration_rad) {
+  const ContactLaw& law = contact.law();
+  const double reach = law.slip_scale_m_per_s * fastest_distance(contact, order, duration_rad);
+  if (law.surface_speed_m_per_s - reach > 0) return false;
+  const Coefficients c = slip_polynomial(contact, order, duration_rad, -1, 0);
+  return c[0] >= 0 || numerics::first_rise_of(first(c, order), 0).has_value();
+}
+
+}  // namespace rubsweep::integrate::taylor

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "rubsweep/contact/contact_mode.hpp"
+#include "rubsweep/integrate/taylor/contact_series.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// A guard of one contact that rises through zero.
+struct GuardCrossing {
+  double share = 1;  ///< of the duration that was searched
+  contact::Mode next = contact::Mode::open;
+};
+
+/// The longest duration, at most `duration_rad`, over which the guards of a contact are their polynomials to
+/// rounding. |d| and its square have series that end later than those of d: a step that is right for the
+/// motion may be too long for them. To be asked before `first_guard`.
+double guards_converged_rad(ContactSeries& contact, int order, double duration_rad);
+
+/// The first armed guard of a contact that rises through zero within `duration_rad` of an expansion of order
+/// `order`; the guards are polynomials there and none is passed over.
+std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order, double duration_rad);
+
+/// The share of `duration_rad` up to which every tanh that the expansion takes as constant is one; 1 where
+/// all of it is.
+double saturated_share(ContactSeries& contact, int order, double duration_rad);
+
+/// Whether the slip of a touching contact is zero or below anywhere in the duration.
+bool slip_reverses(ContactSeries& contact, int order, double duration_rad);
+
+}  // namespace rubsweep::integrate::taylor

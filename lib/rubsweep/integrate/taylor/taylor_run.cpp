@@ -1,0 +1,334 @@
+#include "rubsweep/integrate/taylor/taylor_run.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "rubsweep/numerics/cubic_maximum.hpp"
+
+namespace rubsweep::integrate::taylor {
+namespace {
+
+using contact::Mode;
+
+/// A step times the fastest rate. Up to here a polynomial of order 24 moves what a mode that is not excited
+/// has of rounding as the motion does, within 8^25 / 25! = 2e-3.
+constexpr double longest_times_fastest = 8;
+constexpr double same_instant = 1e-13;          ///< radians: landings nearer than that make no progress
+constexpr int longest_standstill = 16;          ///< landings without progress before one is stepped over
+constexpr double watched_times_fastest = 0.25;  ///< cubics through values and rates have peaks to 1e-5
+constexpr int most_watched_pieces = 64;
+
+/// Largest |eigenvalue| of the structure by itself.
+template <int N>
+double fastest_of(const run::ScaledSystem<N>& system) {
+  const Eigen::Index n = system.coordinates();
+  Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  generator.topRightCorner(n, n).setIdentity();
+  generator.bottomLeftCorner(n, n) = -system.stiffness;
+  generator.bottomRightCorner(n, n) = -system.damping;
+  return generator.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+template <int N>
+TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& options, int order)
+    : system_(run::scale<N>(scene)),
+      dynamics_(system_, 0),
+      motion_(system_, order),
+      tangents_(system_),
+      impulses_(scene),
+      structure_rate_(fastest_of(system_)),
+      stiff_above_(run::stiff_friction_ratio(options.relative_tolerance)),
+      max_steps_(options.max_steps_per_revolution),
+      state_(run::scaled_initial_state(scene)),
+      rate_(state_.size()),
+      probe_(state_.size()) {}
+
+template <int N>
+void TaylorRun<N>::resume(std::span<const double> section, long revolution) {
+  std::copy(section.begin(), section.end(), state_.begin());
+  revolution_ = revolution;
+  entered_ = false;
+}
+
+template <int N>
+TaylorEnding TaylorRun<N>::advance(run::Turn& turn, double end_phase) {
+  turn.clear_answers();
+  phase_ = 0;
+  end_phase_ = end_phase;
+  standstill_ = next_sample_ = 0;
+  if (turn.samples_per_revolution > 0)
+    turn.samples.resize(static_cast<std::size_t>(turn.samples_per_revolution) * state_.size());
+  if (!impulses_.none()) impulses_.begin_turn(revolution_);
+  if (!entered_) enter_by_state(0);
+  entered_ = true;
+  start_ = state_;
+  start_modes_ = dynamics_.modes();
+  tangents_.begin(turn.tangent_vectors);
+  step_limit_ = effort_.steps + max_steps_;
+  TaylorEnding ending = TaylorEnding::ok;
+  while (ending == TaylorEnding::ok && phase_ < end_phase_) {
+    if (phase_ >= impulses_.next_phase_rad()) strike(turn);
+    ending = effort_.steps < step_limit_ ? step(turn) : TaylorEnding::step_limit;
+  }
+  return end(turn, ending);
+}
+
+template <int N>
+TaylorEnding TaylorRun<N>::end(run::Turn& turn, TaylorEnding ending) {
+  if (ending == TaylorEnding::stiff) {
+    state_ = start_;
+    dynamics_.modes() = start_modes_;
+    return ending;
+  }
+  turn.effort = effort_;
+  if (ending != TaylorEnding::ok) return ending;
+  ++revolution_;
+  turn.section = state_;
+  // The steps of a turn add up to it but for rounding.
+  turn.contact_fraction = std::min(1.0, turn.contact_fraction);
+  turn.touching_at_end = std::ranges::any_of(dynamics_.modes(), [](Mode mode) { return mode != Mode::open; });
+  tangents_.put(turn.tangent_vectors);
+  return ending;
+}
+
+/// Modes by the state alone. A start exactly at the wall and moving into it is in contact from the first
+/// instant.
+template <int N>
+void TaylorRun<N>::enter_by_state(double phase) {
+  const PulsePhase pulse = pulse_at(phase);
+  dynamics_.set_pulse(pulse.on, pulse.elapsed_rad);
+  std::ranges::fill(dynamics_.modes(), Mode::open);
+  dynamics_(state_, rate_, phase);
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    const auto& c = system_.contacts[i];
+    contact::Kinematics k = dynamics_.kinematics(i, state_, rate_);
+    if (k.penetration > 0) {
+      // An open annular contact measures by squares; what tells the modes apart is the penetration itself.
+      dynamics_.modes()[i] = Mode::sprung;
+      k = dynamics_.kinematics(i, state_, rate_);
+    }
+    const Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
+    dynamics_.modes()[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
+  }
+}
+
+template <int N>
+PulsePhase TaylorRun<N>::pulse_at(double phase) const {
+  const double elapsed = full_turn * static_cast<double>(revolution_) + system_.pulse_elapsed_rad;
+  return {system_.pulse_end_rad - elapsed > phase, elapsed};
+}
+
+template <int N>
+double TaylorRun<N>::next_boundary(double phase) const {
+  const double boundary = std::min(end_phase_, impulses_.next_phase_rad());
+  const PulsePhase pulse = pulse_at(phase);
+  return pulse.on ? std::min(boundary, system_.pulse_end_rad - pulse.elapsed_rad) : boundary;
+}
+
+/// Of the structure and of the springs that contacts join it with: an underdamped oscillator has eigenvalues
+/// of its undamped frequency's size, an overdamped one none above its damping.
+template <int N>
+double TaylorRun<N>::fastest_rate() const {
+  double square = structure_rate_ * structure_rate_;
+  double linear = 1;
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    const Mode mode = dynamics_.modes()[i];
+    if (mode == Mode::open) continue;
+    const ContactLaw& law = motion_.law(i);
+    square += std::max(law.stiffness, law.spring(mode)) * law.mobility;
+    linear += law.damper(mode) * law.mobility;
+  }
+  return std::max(linear, std::sqrt(square));
+}
+
+template <int N>
+TaylorEnding TaylorRun<N>::step(run::Turn& turn) {
+  const PulsePhase pulse = pulse_at(phase_);
+  motion_.expand(state_.data(), phase_, pulse, dynamics_.modes());
+  ++effort_.steps;
+  double fastest = fastest_rate();
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    if (!motion_.contact(i).friction_varies()) continue;
+    const double ratio = dynamics_.friction_ratio(state_);
+    if (ratio > stiff_above_) return TaylorEnding::stiff;
+    fastest = std::max(fastest, ratio * fastest);
+  }
+  const double boundary = next_boundary(phase_), left = boundary - phase_;
+  double wanted = std::min(motion_.converged_rad(), longest_times_fastest / fastest);
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+    wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);
+  if (!(wanted > 0)) return TaylorEnding::non_finite;
+  if (standstill_ >= longest_standstill) {
+    // Landings that lead nowhere: an instant is passed without one.
+    const double instant = std::min(same_instant, left);
+    take(turn, instant, instant < left ? phase_ + instant : boundary);
+    switch_modes(turn, {});
+    standstill_ = 0;
+    return TaylorEnding::ok;
+  }
+  const bool limited = wanted >= left;
+  double duration = limited ? left : wanted;
+  const Crossing crossing = first_crossing(duration);
+  const bool cut = crossing.share < 1 || crossing.contact;
+  duration *= crossing.share;
+  take(turn, duration, cut ? phase_ + duration : limited ? boundary : phase_ + duration);
+  if (!std::isfinite(state_[0])) return TaylorEnding::non_finite;
+  standstill_ = duration > same_instant ? 0 : standstill_ + 1;
+  if (crossing.contact) switch_modes(turn, crossing);
+  return TaylorEnding::ok;
+}
+
+template <int N>
+typename TaylorRun<N>::Crossing TaylorRun<N>::first_crossing(double duration) {
+  Crossing first;
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    const double searched = first.share * duration;
+    const auto crossing = first_guard(motion_.contact(i), motion_.order(), searched);
+    if (crossing) first = {first.share * crossing->share, i, crossing->next};
+    if (dynamics_.modes()[i] == Mode::open) continue;
+    const double share = saturated_share(motion_.contact(i), motion_.order(), first.share * duration);
+    if (share < 1) first = {first.share * share, std::nullopt, Mode::open};
+  }
+  return first;
+}
+
+/// Moves on by `duration` within the modes of the expansion, and looks at what was asked for.
+template <int N>
+void TaylorRun<N>::take(run::Turn& turn, double duration, double end_phase) {
+  put_samples(turn, end_phase);
+  watch(turn, duration);
+  tangents_.pass(motion_, duration);
+  motion_.put_state(duration, state_.data());
+  phase_ = end_phase;
+}
+
+template <int N>
+void TaylorRun<N>::put_samples(run::Turn& turn, double end_phase) {
+  const int count = turn.samples_per_revolution;
+  for (; next_sample_ < count; ++next_sample_) {
+    const double due = full_turn * next_sample_ / count;
+    if (due >= end_phase) return;
+    motion_.put_state(due - phase_, probe_.data());
+    std::ranges::copy(probe_,
+                      turn.samples.begin() + next_sample_ * static_cast<std::ptrdiff_t>(probe_.size()));
+  }
+}
+
+template <int N>
+int TaylorRun<N>::pieces(double duration) const {
+  return std::clamp(static_cast<int>(std::ceil(duration * fastest_rate() / watched_times_fastest)), 1,
+                    most_watched_pieces);
+}
+
+template <int N>
+void TaylorRun<N>::watch(run::Turn& turn, double duration) {
+  bool touching = false;
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    if (dynamics_.modes()[i] == Mode::open) continue;
+    touching = true;
+    if (!turn.slip_reversed)
+      turn.slip_reversed = slip_reverses(motion_.contact(i), motion_.order(), duration);
+    if (turn.peaks) watch_force(turn, i, duration);
+  }
+  if (touching) {
+    turn.touched = true;
+    turn.contact_fraction += duration / full_turn;
+  }
+  if (turn.peaks) watch_displacement(turn, duration);
+}
+
+/// Value and rate of what is watched, at the ends of so many pieces that a cubic has its maximum.
+template <class At>
+double largest_of(const At& at, int pieces, double duration) {
+  const double size = duration / pieces;
+  auto [value, rate] = at(0.0);
+  double largest = value;
+  for (int i = 1; i <= pieces; ++i) {
+    const auto [next, next_rate] = at(size * i);
+    largest = std::max(largest, numerics::cubic_maximum(value, size * rate, next, size * next_rate));
+    value = next;
+    rate = next_rate;
+  }
+  return largest;
+}
+
+template <int N>
+void TaylorRun<N>::watch_displacement(run::Turn& turn, double duration) {
+  const Eigen::Index n = system_.coordinates();
+  const auto square = [&](double at) {
+    motion_.put_state(at, probe_.data());
+    const Eigen::Vector2d z =
+        system_.observed * Eigen::Map<const Eigen::Matrix<double, N, 1>>(probe_.data(), n);
+    const Eigen::Vector2d v =
+        system_.observed * Eigen::Map<const Eigen::Matrix<double, N, 1>>(probe_.data() + n, n);
+    return std::pair{z.squaredNorm(), 2 * z.dot(v)};
+  };
+  const double largest = std::sqrt(largest_of(square, pieces(duration), duration));
+  turn.peak_displacement_m = std::max(turn.peak_displacement_m, largest * system_.length_m);
+}
+
+template <int N>
+void TaylorRun<N>::watch_force(run::Turn& turn, std::size_t i, double duration) {
+  const ContactSeries& c = motion_.contact(i);
+  const double spring = c.law().spring(c.mode()), damper = c.law().damper(c.mode());
+  const auto force = [&](double at) {
+    double value = 0, rate = 0;
+    for (int k = motion_.order() - 1; k >= 0; --k) {
+      rate = rate * at + value;
+      value = value * at + spring * c.penetration_term(k) + damper * (k + 1) * c.penetration_term(k + 1);
+    }
+    return std::pair{value, rate};
+  };
+  turn.peak_contact_force_n =
+      std::max(turn.peak_contact_force_n, largest_of(force, pieces(duration), duration));
+}
+
+template <int N>
+void TaylorRun<N>::note_switch(run::Turn& turn, std::size_t i, Mode from) {
+  ++effort_.switches;
+  turn.add({phase_, static_cast<int>(i), from, dynamics_.modes()[i]});
+}
+
+/// The force is continuous across the switch: one rate holds on both sides of it.
+template <int N>
+void TaylorRun<N>::switch_modes(run::Turn& turn, const Crossing& crossing) {
+  const PulsePhase pulse = pulse_at(phase_);
+  dynamics_.set_pulse(pulse.on, pulse.elapsed_rad);
+  dynamics_(state_, rate_, phase_);
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    const auto& c = system_.contacts[i];
+    Mode& mode = dynamics_.modes()[i];
+    const Mode from = mode;
+    const contact::Kinematics kinematics = dynamics_.kinematics(i, state_, rate_);
+    if (crossing.contact == i) mode = contact::mode_through(from, crossing.next, kinematics);
+    mode = contact::mode_after(mode, c.stiffness, c.damping, kinematics);
+    if (mode != from) note_switch(turn, i, from);
+  }
+}
+
+/// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
+template <int N>
+void TaylorRun<N>::strike(run::Turn& turn) {
+  const auto n = static_cast<std::size_t>(system_.coordinates());
+  while (phase_ >= impulses_.next_phase_rad()) {
+    const Eigen::VectorXd& jump_m_per_s = impulses_.take();
+    for (std::size_t j = 0; j < n; ++j)
+      state_[n + j] +=
+          jump_m_per_s(static_cast<Eigen::Index>(j)) / (system_.length_m * system_.speed_rad_per_s);
+  }
+  struck_modes_ = dynamics_.modes();
+  enter_by_state(phase_);
+  for (std::size_t i = 0; i < struck_modes_.size(); ++i) {
+    if (dynamics_.modes()[i] != struck_modes_[i]) note_switch(turn, i, struck_modes_[i]);
+  }
+}
+
+template class TaylorRun<2>;
+template class TaylorRun<4>;
+template class TaylorRun<6>;
+template class TaylorRun<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::taylor

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/run/impulses.hpp"
+#include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/integrate/taylor/expansion.hpp"
+#include "rubsweep/integrate/taylor/guard_search.hpp"
+#include "rubsweep/integrate/taylor/tangent_expansion.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// How a turn by Taylor's series ended.
+enum class TaylorEnding {
+  ok,
+  stiff,  ///< friction that changes the slip so fast that an implicit stepper is cheaper
+  step_limit,
+  non_finite,
+};
+
+/// A run in pieces that are power series of the phase: within one joint contact mode every law is analytic,
+/// so that a step of order 24 goes as far as its last terms are rounding. Guards are polynomials over a step,
+/// whose first rise through zero is found by signs of Bernstein coefficients, so that none is passed over.
+/// Takes flat and annular stops, any friction, any number of coordinates.
+template <int N>
+class TaylorRun {
+ public:
+  explicit TaylorRun(const scene::Scene& scene, const run::SolverOptions& options,
+                     int order = numerics::most_taylor_order);
+
+  TaylorRun(const TaylorRun&) = delete;
+  TaylorRun& operator=(const TaylorRun&) = delete;
+
+  /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
+  /// After `stiff` the run stands where the revolution began, and the turn's numbers mean nothing.
+  TaylorEnding advance(run::Turn& turn, double end_phase = full_turn);
+
+  /// The next revolution is number `revolution` and starts from `section` (as Turn::section).
+  void resume(std::span<const double> section, long revolution);
+
+  /// Scaled state where the next revolution begins.
+  const std::vector<double>& section() const { return state_; }
+  long revolution() const { return revolution_; }
+  const run::Effort& effort() const { return effort_; }
+
+ private:
+  static constexpr double full_turn = 2 * std::numbers::pi;
+
+  struct Crossing {
+    double share = 1;
+    std::optional<std::size_t> contact;  ///< none: friction leaves saturation, and nothing changes
+    contact::Mode next = contact::Mode::open;
+  };
+
+  void enter_by_state(double phase);
+  PulsePhase pulse_at(double phase) const;
+  double next_boundary(double phase) const;
+  TaylorEnding step(run::Turn& turn);
+  double fastest_rate() const;
+  Crossing first_crossing(double duration);
+  void take(run::Turn& turn, double duration, double end_phase);
+  void put_samples(run::Turn& turn, double end_phase);
+  void watch(run::Turn& turn, double duration);
+  void watch_displacement(run::Turn& turn, double duration);
+  void watch_force(run::Turn& turn, std::size_t i, double duration);
+  int pieces(double duration) const;
+  void switch_modes(run::Turn& turn, const Crossing& crossing);
+  void strike(run::Turn& turn);
+  void note_switch(run::Turn& turn, std::size_t i, contact::Mode from);
+  TaylorEnding end(run::Turn& turn, TaylorEnding ending);
+
+  run::ScaledSystem<N> system_;
+  adaptive::Dynamics<N, false> dynamics_;
+  Expansion<N> motion_;
+  TangentExpansion<N> tangents_;
+  run::Impulses impulses_;
+  double structure_rate_ = 0;  ///< fastest of the structure without contacts, per radian
+  double stiff_above_ = 0;
+  long max_steps_ = 0, step_limit_ = 0;
+  std::vector<double> state_, start_, rate_, probe_;
+  std::vector<contact::Mode> start_modes_, struck_modes_;
+  double phase_ = 0, end_phase_ = full_turn;
+  bool entered_ = false;
+  int standstill_ = 0, next_sample_ = 0;
+  long revolution_ = 0;
+  run::Effort effort_;
+};
+
+extern template class TaylorRun<2>;
+extern template class TaylorRun<4>;
+extern template class TaylorRun<6>;
+extern template class TaylorRun<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::taylor

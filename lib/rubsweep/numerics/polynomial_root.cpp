@@ -1,0 +1,119 @@
+#include "rubsweep/numerics/polynomial_root.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace rubsweep::numerics {
+namespace {
+
+constexpr std::size_t most = most_degree + 1;
+constexpr double resolution = 0x1p-44;
+
+/// Bernstein coefficients over an interval; the first `count` are in use.
+struct Hull {
+  std::array<double, most> b;
+  std::size_t count = 0;
+};
+
+/// 1 / binomial(n, k), row by row.
+constexpr auto inverse_binomials = [] {
+  std::array<std::array<double, most>, most> table{};
+  for (std::size_t n = 0; n < most; ++n) {
+    double binomial = 1;
+    for (std::size_t k = 0; k <= n; ++k) {
+      table[n][k] = 1 / binomial;
+      binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
+    }
+  }
+  return table;
+}();
+
+/// b_i = sum_k binomial(i, k) / binomial(n, k) c_k: all weights lie between 0 and 1.
+Hull hull_of(std::span<const double> c) {
+  Hull hull;
+  hull.count = c.size();
+  const auto& weights = inverse_binomials[c.size() - 1];
+  for (std::size_t k = 0; k < c.size(); ++k) hull.b[k] = c[k] * weights[k];
+  for (std::size_t level = 1; level < c.size(); ++level) {
+    for (std::size_t i = c.size() - 1; i >= level; --i) hull.b[i] += hull.b[i - 1];
+  }
+  return hull;
+}
+
+/// De Casteljau at the middle.
+std::pair<Hull, Hull> halves(const Hull& hull) {
+  Hull left, right, row = hull;
+  left.count = right.count = hull.count;
+  for (std::size_t level = 0; level < hull.count; ++level) {
+    left.b[level] = row.b[0];
+    right.b[hull.count - 1 - level] = row.b[hull.count - 1 - level];
+    for (std::size_t i = 0; i + 1 < hull.count - level; ++i) row.b[i] = (row.b[i] + row.b[i + 1]) / 2;
+  }
+  return {left, right};
+}
+
+/// Changes between below zero and not below it, counted up to two.
+int sign_changes(const Hull& hull) {
+  int changes = 0;
+  for (std::size_t i = 1; i < hull.count && changes < 2; ++i)
+    changes += (hull.b[i - 1] < 0) != (hull.b[i] < 0);
+  return changes;
+}
+
+/// The one root between `low`, where the polynomial is below zero, and `high`.
+double refine(std::span<const double> c, double low, double high) {
+  constexpr int most_iterations = 80;
+  double x = (low + high) / 2;
+  for (int i = 0; i < most_iterations; ++i) {
+    double value = 0, slope = 0;
+    for (std::size_t k = c.size(); k-- > 0;) {
+      slope = slope * x + value;
+      value = value * x + c[k];
+    }
+    (value < 0 ? low : high) = x;
+    const double newton = x - value / slope;
+    const double next = newton > low && newton < high ? newton : (low + high) / 2;
+    if (std::abs(next - x) <= 0x1p-53 * x || !(low < high)) return next;
+    x = next;
+  }
+  return x;
+}
+
+/// First rise in [low, low + width]. An interval begins with the very number that the one before ended with,
+/// so that no rise is lost between two of them.
+std::optional<double> search(std::span<const double> c, const Hull& hull, double low, double width) {
+  const bool starts_below = hull.b[0] < 0, ends_below = hull.b[hull.count - 1] < 0;
+  const int changes = sign_changes(hull);
+  if (changes == 0) return std::nullopt;
+  if (changes == 1) return starts_below ? std::optional(refine(c, low, low + width)) : std::nullopt;
+  if (width < resolution) return starts_below && !ends_below ? std::optional(low + width) : std::nullopt;
+  const auto [left, right] = halves(hull);
+  if (const auto found = search(c, left, low, width / 2)) return found;
+  return search(c, right, low + width / 2, width / 2);
+}
+
+}  // namespace
+
+bool clearly_negative(std::span<const double> c) {
+  if (!(c[0] < 0)) return false;
+  double rest = 0;
+  for (std::size_t k = 4; k < c.size(); ++k) rest += std::max(c[k], 0.0);
+  const auto coefficient = [&](std::size_t k) { return k < c.size() ? c[k] : 0.0; };
+  const double c1 = coefficient(1), c2 = coefficient(2), c3 = coefficient(3);
+  // The cubic part lies below the largest of its control ordinates, and no power of x is above one.
+  const double highest = std::max({c[0], c[0] + c1 / 3, c[0] + 2 * c1 / 3 + c2 / 3, c[0] + c1 + c2 + c3});
+  return highest + rest < 0;
+}
+
+std::optional<double> first_rise_of(std::span<const double> c, double noise) {
+  if (c.empty() || clearly_negative(c)) return std::nullopt;
+  if (c.size() > 1 && std::abs(c[0]) <= noise && c[1] < 0) {
+    if (clearly_negative(c.subspan(1))) return std::nullopt;
+    c = c.subspan(1);
+  }
+  return search(c, hull_of(c), 0, 1);
+}
+
+}  // namespace rubsweep::numerics

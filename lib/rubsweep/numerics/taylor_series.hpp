@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+namespace rubsweep::numerics {
+
+/// Highest order of a power series here.
+inline constexpr int most_taylor_order = 24;
+
+/// 1 / k, as many as are needed: divisions are what such recurrences would wait for.
+inline constexpr auto taylor_reciprocals = [] {
+  std::array<double, most_taylor_order + 3> table{};
+  for (std::size_t k = 1; k < table.size(); ++k) table[k] = 1 / static_cast<double>(k);
+  return table;
+}();
+constexpr double one_over(int k) { return taylor_reciprocals[static_cast<std::size_t>(k)]; }
+
+/// Coefficients of a power series sum a_k t^k, written one after the other. They are kept in both directions,
+/// so that the sum over a_j b_{k-j} reads two rows of numbers forwards.
+class Series {
+ public:
+  double operator[](int k) const { return forward_[k]; }
+  void set(int k, double value) {
+    forward_[k] = value;
+    backward_[last - k] = value;
+  }
+  const double* data() const { return forward_; }
+
+  /// Sum of a_j b_{k-j} for 1 <= j <= end - 1 (end <= k): the inside of coefficient k of a product. Neither
+  /// a_0, b_0 nor a_k, b_k is read, so that a recurrence may ask for it before it knows the latter.
+  friend double inner_sum(const Series& a, const Series& b, int k, int end) {
+    const double *x = a.forward_, *y = b.backward_ + (last - k);
+    Two even{}, odd{};
+    int j = 1;
+    for (; j + 4 <= end; j += 4) {
+      even += two(x + j) * two(y + j);
+      odd += two(x + j + 2) * two(y + j + 2);
+    }
+    if (j + 2 <= end) {
+      even += two(x + j) * two(y + j);
+      j += 2;
+    }
+    even += odd;
+    double sum = even[0] + even[1];
+    if (j < end) sum += x[j] * y[j];
+    return sum;
+  }
+  friend double inner_sum(const Series& a, const Series& b, int k) { return inner_sum(a, b, k, k); }
+
+ private:
+  /// One register of every x86-64 processor; wider ones would have to be taken apart where they are missing.
+  using Two [[gnu::vector_size(16)]] = double;
+  static Two two(const double* from) {
+    Two pair;
+    std::memcpy(&pair, from, sizeof pair);
+    return pair;
+  }
+
+  static constexpr int last = most_taylor_order + 1;  ///< one more than the order: a rate asks for the next
+  double forward_[last + 1];
+  double backward_[last + 1];
+};
+
+/// Coefficient k of a b, both known up to k.
+inline double product_term(const Series& a, const Series& b, int k) {
+  if (k == 0) return a[0] * b[0];
+  return a[0] * b[k] + a[k] * b[0] + inner_sum(a, b, k);
+}
+
+/// Sum of a_j a_{k-j} for 1 <= j <= k - 1, each pair taken once.
+inline double inner_square(const Series& a, int k) {
+  const int half = (k + 1) / 2;
+  const double twice = 2 * inner_sum(a, a, k, half);
+  return k % 2 == 0 && k > 0 ? twice + a[k / 2] * a[k / 2] : twice;
+}
+
+/// Coefficient k of a a.
+inline double square_term(const Series& a, int k) {
+  return k == 0 ? a[0] * a[0] : 2 * a[0] * a[k] + inner_square(a, k);
+}
+
+/// Coefficient k of the square root r of a series: r_0 = sqrt(a_0), 2 r_0 r_k = a_k - sum r_j r_{k-j}.
+/// `a_k` is that coefficient of it and `inverse` 1 / r_0; r is known up to k - 1 >= 0.
+inline double root_term(const Series& r, double a_k, int k, double inverse) {
+  return (a_k - inner_square(r, k)) * (0.5 * inverse);
+}
+
+/// Coefficient k of q = 1 / a: a_0 q_k = -sum_{j >= 1} a_j q_{k-j}. q is known up to k - 1, a up to k.
+inline double reciprocal_term(const Series& q, const Series& a, int k) {
+  return k == 0 ? 1 / a[0] : -(a[k] * q[0] + inner_sum(a, q, k)) * q[0];
+}
+
+/// y = tanh(g w) with z = 1 - y^2, by y' = g w' z. `rate` holds k w_k; y and z are written up to k.
+struct TanhSeries {
+  Series y, z, rate;
+
+  void add_term(double g, double w_k, int k) {
+    rate.set(k, k * g * w_k);
+    if (k == 0) {
+      y.set(0, std::tanh(g * w_k));
+      // sech^2 keeps its digits where tanh is near one.
+      const double inverse = 1 / std::cosh(g * w_k);
+      z.set(0, inverse * inverse);
+      return;
+    }
+    y.set(k, (rate[k] * z[0] + inner_sum(rate, z, k)) * one_over(k));
+    z.set(k, -square_term(y, k));
+  }
+};
+
+}  // namespace rubsweep::numerics

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace rubsweep {
+
+/// All enumerators of `Enum`, in their order. They count from 0 without gaps, and `word_of` (a constexpr
+/// function of one enumerator that returns a std::string_view) has a word for each of them and none for any
+/// other number. Where `word_of` is a switch without a default, the compiler refuses an enumerator that was
+/// forgotten there, so that a list made from this one is never short of one.
+template <class Enum, auto word_of>
+inline constexpr auto enumerators_of = [] {
+  constexpr std::size_t count = [] {
+    std::size_t found = 0;
+    while (!word_of(static_cast<Enum>(found)).empty()) ++found;
+    return found;
+  }();
+  std::array<Enum, count> enumerators{};
+  for (std::size_t i = 0; i < count; ++i) enumerators[i] = static_cast<Enum>(i);
+  return enumerators;
+}();
+
+}  // namespace rubsweep

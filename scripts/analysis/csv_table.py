@@ -1,0 +1,69 @@
+"""Reads the tables that the programs write: CSV with comment lines and a header, columns by name and never by number."""
+
+import csv
+
+
+class TableError(Exception):
+    """A table that is not what the program writes; the message names file and line."""
+
+
+def read_table(path, *needed):
+    """Yields the rows of the CSV file `path` as they are read, each a dict from the column's name to its text.
+
+    Lines that begin with # and empty lines are passed over. Raises TableError where there is no header, where one of
+    the `needed` columns is missing, or where a row has not as many cells as the header.
+    """
+    with open(path, encoding="utf-8", errors="replace", newline="") as file:
+        lines = _NumberedLines(file)
+        try:
+            yield from _rows(path, lines, needed)
+        except csv.Error as error:
+            raise TableError(f"{path}:{lines.number}: {error}") from None
+
+
+def _rows(path, lines, needed):
+    header = None
+    for cells in csv.reader(lines):
+        if header is None:
+            header = cells
+            for name in needed:
+                if name not in header:
+                    raise TableError(f"{path}:{lines.number}: no column '{name}'")
+        elif len(cells) != len(header):
+            raise TableError(f"{path}:{lines.number}: {len(cells)} cells, {len(header)} columns")
+        else:
+            yield dict(zip(header, cells))
+    if header is None:
+        raise TableError(f"{path}: no header")
+
+
+def number(row, name):
+    """The number in column `name` of a row, or None where the cell is empty. Raises TableError for anything else."""
+    text = row[name]
+    try:
+        return float(text) if text else None
+    except ValueError:
+        raise TableError(f"column '{name}': '{text}' is no number") from None
+
+
+def between(rows, name, low=None, high=None):
+    """The rows whose number in column `name` lies between `low` and `high`, both included; None leaves an end open."""
+    return (
+        row
+        for row in rows
+        if (low is None or number(row, name) >= low) and (high is None or number(row, name) <= high)
+    )
+
+
+class _NumberedLines:
+    """The lines of a file without comments and empty ones; `number` is that of the line last given."""
+
+    def __init__(self, file):
+        self._file = file
+        self.number = 0
+
+    def __iter__(self):
+        for line in self._file:
+            self.number += 1
+            if not line.startswith("#") and line.strip("\r\n"):
+                yield line

@@ -1,0 +1,50 @@
+"""The program behind domain_map.sh, which says what it does."""
+
+import os
+import tempfile
+
+import configuration
+import domain_map
+import gnuplot
+import map_heading
+from command import require_readable, run_program
+
+
+def main(arguments):
+    # Absolute names: to gnuplot others may be commands.
+    map_file, output = (os.path.abspath(name) for name in arguments[:2])
+    config_file = os.path.join(os.path.dirname(map_file), "config.yaml")
+    require_readable(map_file, config_file)
+    config = configuration.read_configuration(config_file)
+
+    identified_hz = os.environ.get("NATURAL_FREQUENCY_HZ") or None
+    if identified_hz is not None:
+        identified_hz = configuration.number(identified_hz)
+    natural_hz = identified_hz
+    if "rotor.natural_frequency_hz" in config:
+        natural_hz = configuration.number(config["rotor.natural_frequency_hz"])
+    speed_label = "shaft speed (Hz)" if natural_hz is None else "shaft speed / natural frequency"
+    measure, measure_label = "whirl_ratio", "whirl ratio (quiet whirl / clearance)"
+    if "sweep.eccentricity_m.values" in config:
+        measure, measure_label = "eccentricity_m", "eccentricity (m)"
+
+    cells = domain_map.read_cells(map_file, measure, natural_hz)
+    present = " ".join(sorted({cell.kind for cell in cells}))
+    os.makedirs(os.path.dirname(output), exist_ok=True)
+    with tempfile.NamedTemporaryFile("w", encoding="utf-8") as file:
+        file.writelines(line + "\n" for line in domain_map.cell_lines(cells))
+        file.flush()
+        gnuplot.draw(
+            "domain_map.gp",
+            file.name,
+            output,
+            map_heading.heading(arguments[2], config, identified_hz),
+            f" {present} ",
+            domain_map.label_text(domain_map.labels(cells)),
+            speed_label,
+            measure_label,
+        )
+
+
+if __name__ == "__main__":
+    run_program(main, usage="domain_map.sh MAP.csv OUTPUT_BASENAME HEADING", least=3, most=3)

@@ -1,0 +1,218 @@
+"""What trace.gp needs of one trace: its title and its stops as assignments, its curves as files of columns."""
+
+import math
+import os
+import re
+from dataclasses import dataclass
+
+import configuration
+import csv_table
+import spectrum_labels
+from command import Failure, require_readable
+
+# The spectrum is drawn to the eighth order; of an oval, which fills a ring as it turns, eight revolutions show how it
+# begins.
+LARGEST_ORDER = 8
+REVOLUTIONS_OF_AN_OVAL = 8
+
+_NUMBER = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")
+_WHOLE = re.compile(r"0|[1-9][0-9]*")
+_WORD = re.compile(r"[a-z_]+")
+
+
+def checked(place, text, pattern):
+    """`text`, if it is what the pattern says: what stands in a file becomes part of gnuplot's commands."""
+    if not pattern.fullmatch(text):
+        raise Failure(f"{place}: '{text}' is not allowed there")
+    return text
+
+
+@dataclass(frozen=True)
+class Motion:
+    """The row of motion.csv, as far as it is drawn. Texts, empty where the cell is."""
+
+    speed: str
+    whirl_ratio: str
+    name: str
+    order: str
+    orbit: str
+    whirl: str
+    comb_spacing: str
+    starts_at_rest: bool
+
+    @property
+    def speed_hz(self):
+        return float(self.speed)
+
+
+def read_motion(path):
+    row = next(csv_table.read_table(path, "speed_hz", "whirl_ratio", "class", "order", "orbit", "whirl", "comb_spacing"), None)
+    if row is None:
+        raise Failure(f"{path}: no row")
+
+    def cell(name, pattern, empty=True):
+        return row[name] if empty and not row[name] else checked(path, row[name], pattern)
+
+    return Motion(
+        speed=cell("speed_hz", _NUMBER, empty=False),
+        whirl_ratio=cell("whirl_ratio", _NUMBER),
+        name=cell("class", _WORD, empty=False),
+        order=cell("order", _WHOLE),
+        orbit=cell("orbit", _WORD),
+        whirl=cell("whirl", _WORD),
+        comb_spacing=cell("comb_spacing", _NUMBER),
+        # Where the quiet whirl itself reaches the wall, the rotor starts at rest and is not kicked.
+        starts_at_rest=row.get("start") == "contact",
+    )
+
+
+def title(motion, natural_frequency_hz=None):
+    """Title of a row of panels; a rotor kit has many natural frequencies, and none in its configuration."""
+    name = "no contact" if motion.name == "non_contact" else motion.name.replace("_", " ")
+    if motion.order not in ("", "1"):
+        name += f" 1/{motion.order}"
+    if motion.name == "synchronous" and motion.orbit == "circle":
+        name += " circle"
+    if motion.comb_spacing:
+        # A whip rolls backward along the wall. The oval turns in space while it is run through, and closes in the
+        # rotating frame alone.
+        kind = "quasi-periodic oval, closed in the rotating frame"
+        if motion.whirl == "backward":
+            kind = "backward dry whip"
+        name = f"{kind}, lines at 1 ± k {'%.4g' % float(motion.comb_spacing)}"
+    ratio = ""
+    if natural_frequency_hz is not None:
+        ratio = " = %.3g × natural frequency" % (motion.speed_hz / natural_frequency_hz)
+    unbalance = "no clearance left at rest"
+    if motion.whirl_ratio:
+        unbalance = "whirl ratio %.3g" % float(motion.whirl_ratio)
+    return f"{name}: {'%.4g' % motion.speed_hz} Hz{ratio}, {unbalance}"
+
+
+@dataclass(frozen=True)
+class Stops:
+    """The stops of a configuration in mm, and the columns of trajectory.csv that hold the moving walls."""
+
+    walls: list  # (normal x, normal y, clearance) of flat walls
+    rings: list  # (centre x, centre y, clearance)
+    moving: list  # (name of the column, y at rest) of walls that move up and down
+
+
+def read_stops(config):
+    walls, rings, moving = [], [], []
+    for i in range(configuration.stop_count(config)):
+        path = f"stops.{i}."
+        clearance_mm = 1e3 * configuration.number(config[path + "clearance_m"])
+        if config[path + "kind"] == "annular":
+            # The casing's centre as seen from the rotor's rest position.
+            offset = configuration.numbers(config.get(path + "offset_m", "[0, 0]"))
+            rings.append((-1e3 * offset[0], -1e3 * offset[1], clearance_mm))
+            continue
+        angle_deg = configuration.number(config[path + "angle_deg"])
+        angle = angle_deg * math.pi / 180
+        walls.append((math.cos(angle), math.sin(angle), clearance_mm))
+        if abs(angle_deg) == 90 and path + "casing.mass_kg" in config:
+            moving.append((f"casing_{i}_y_m", angle_deg / 90 * clearance_mm))
+    return Stops(walls, rings, moving)
+
+
+@dataclass(frozen=True)
+class Spans:
+    """Revolutions that are shown: history from `begin` to `end`, orbit and section up to the end of the run."""
+
+    begin: int
+    end: int
+    orbit_from: int
+    section_from: int
+
+
+def spans(motion, first, last, window, revolutions):
+    """Of a run of `last` revolutions whose trajectory begins with revolution `first`: the history shows so many
+    `revolutions` of its beginning, or of its end where the number is negative."""
+    begin, end = first, min(first + revolutions, last)
+    if revolutions < 0:
+        begin, end = max(last + revolutions, first), last
+    # A periodic orbit closes after `order` revolutions; anything without order shows all that the spectrum was taken of.
+    shown = window
+    if motion.comb_spacing:
+        shown = REVOLUTIONS_OF_AN_OVAL
+    elif motion.order:
+        shown = 2 * int(motion.order)
+    return Spans(begin, end, max(last - shown, 0), last - window + 1 if last > window else 0)
+
+
+def lay_out(directory, work, row_number, revolutions):
+    """Writes the files work/ROW_NUMBER.* and returns the assignments of this row as a dict from the array's name."""
+    files = {name: os.path.join(directory, name) for name in
+             ("trajectory.csv", "section.csv", "spectrum.csv", "motion.csv", "config.yaml")}
+    require_readable(*files.values())
+    config = configuration.read_configuration(files["config.yaml"])
+    motion = read_motion(files["motion.csv"])
+    window = int(checked(files["config.yaml"], config["response.window_revolutions"], _WHOLE))
+    gravity = checked(files["config.yaml"], config["gravity_m_per_s2"], _NUMBER)
+    kick_s = checked(files["config.yaml"], config.get("kick.duration_s", "0"), _NUMBER)
+    natural_hz = config.get("rotor.natural_frequency_hz")
+    stops = read_stops(config)
+
+    sections = list(csv_table.read_table(files["section.csv"], "revolution", "x_m", "y_m", "vy_m_per_s"))
+    if not sections:
+        raise Failure(f"{files['section.csv']}: no row")
+    for name in ("y_m", "vy_m_per_s"):
+        checked(files["section.csv"], sections[0][name], _NUMBER)
+    last = int(checked(files["section.csv"], sections[-1]["revolution"], _WHOLE))
+    trajectory = list(csv_table.read_table(files["trajectory.csv"], "t_s", "x_m", "y_m", *(name for name, _ in stops.moving)))
+    first = round(csv_table.number(trajectory[0], "t_s") * motion.speed_hz) if trajectory else 0
+    shown = spans(motion, first, last, window, revolutions)
+
+    # A sample at the begin of a revolution may lie a rounding before it.
+    def instant(revolution):
+        return (revolution - 1e-6) / motion.speed_hz
+
+    history = csv_table.between(trajectory, "t_s", instant(shown.begin), shown.end / motion.speed_hz)
+    orbit = csv_table.between(trajectory, "t_s", instant(shown.orbit_from))
+    section = csv_table.between(sections, "revolution", shown.section_from)
+    spectrum = list(csv_table.between(
+        csv_table.read_table(files["spectrum.csv"], "order", "amplitude_m"), "order", -LARGEST_ORDER, LARGEST_ORDER))
+    base = os.path.join(work, str(row_number))
+    _write(base + ".history", history, "t_s", "x_m", "y_m", *(name for name, _ in stops.moving))
+    _write(base + ".orbit", orbit, "x_m", "y_m")
+    _write(base + ".section", section, "x_m", "y_m")
+    _write(base + ".spectrum", spectrum, "order", "amplitude_m")
+    _write_labels(base + ".labels", spectrum, motion)
+
+    moving_walls = [(4 + k, rest_mm) for k, (_, rest_mm) in enumerate(stops.moving)]
+    return {
+        "row_title": _quoted(title(motion, natural_hz and configuration.number(natural_hz))),
+        "from": shown.begin,
+        "to": shown.end,
+        "speed_hz": motion.speed,
+        "order": motion.order or 0,
+        "kick_s": "0" if motion.starts_at_rest else kick_s,
+        "at_rest": int(motion.starts_at_rest),
+        "moving_walls": _quoted(_triples(moving_walls)),
+        "gravity": gravity,
+        "start_y_m": sections[0]["y_m"],
+        "start_vy_m_per_s": sections[0]["vy_m_per_s"],
+        "walls": _quoted(_triples(stops.walls)),
+        "rings": _quoted(_triples(stops.rings)),
+    }
+
+
+def _write(path, rows, *names):
+    with open(path, "w", encoding="utf-8") as file:
+        file.writelines(" ".join(row[name] for name in names) + "\n" for row in rows)
+
+
+def _write_labels(path, spectrum, motion):
+    lines = [(csv_table.number(row, "order"), csv_table.number(row, "amplitude_m")) for row in spectrum]
+    named = spectrum_labels.named_lines(lines, int(motion.order or 0), float(motion.comb_spacing or 0))
+    with open(path, "w", encoding="utf-8") as file:
+        file.writelines(f"{spectrum[i]['order']} {spectrum[i]['amplitude_m']} {name}\n" for i, name in named)
+
+
+def _triples(tuples):
+    return "".join("%.17g " % figure for figures in tuples for figure in figures)
+
+
+def _quoted(text):
+    return f'"{text}"'

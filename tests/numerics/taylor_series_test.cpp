@@ -1,0 +1,80 @@
+#include "rubsweep/numerics/taylor_series.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rubsweep::numerics {
+namespace {
+
+constexpr int order = most_taylor_order;
+
+double value(const Series& a, double t) {
+  double sum = 0;
+  for (int k = order; k >= 0; --k) sum = sum * t + a[k];
+  return sum;
+}
+
+/// cos(w t + start).
+Series cosine(double w, double start) {
+  Series a;
+  double size = 1;
+  for (int k = 0; k <= order; size *= w / ++k) a.set(k, size * std::cos(start + k * std::acos(0.0)));
+  return a;
+}
+
+TEST(Series, ProductAndSquareAreThoseOfTheFunctions) {
+  const Series a = cosine(1.3, 0.4), b = cosine(0.7, 2.1);
+  Series product, square;
+  for (int k = 0; k <= order; ++k) {
+    product.set(k, product_term(a, b, k));
+    square.set(k, square_term(a, k));
+  }
+  for (const double t : {-0.9, -0.2, 0.0, 0.5, 1.0}) {
+    EXPECT_NEAR(value(product, t), std::cos(1.3 * t + 0.4) * std::cos(0.7 * t + 2.1), 1e-15);
+    EXPECT_NEAR(value(square, t), std::pow(std::cos(1.3 * t + 0.4), 2), 1e-15);
+  }
+}
+
+TEST(Series, InnerSumsOfEveryLengthAreTheSums) {
+  const Series a = cosine(1.7, 0.3), b = cosine(2.3, 1.2);
+  for (int k = 0; k <= order; ++k) {
+    double sum = 0, square = 0;
+    for (int j = 1; j < k; ++j) {
+      sum += a[j] * b[k - j];
+      square += a[j] * a[k - j];
+    }
+    EXPECT_NEAR(inner_sum(a, b, k), sum, 1e-14) << k;
+    EXPECT_NEAR(inner_square(a, k), square, 1e-14) << k;
+  }
+}
+
+TEST(Series, RootAndReciprocalOfAQuadratic) {
+  // r = sqrt(1.44 + t + t^2 / 2), q = 1 / r.
+  Series r, q;
+  for (int k = 0; k <= order; ++k) {
+    r.set(k, k == 0 ? 1.2 : root_term(r, k == 1 ? 1.0 : k == 2 ? 0.5 : 0.0, k, 1 / r[0]));
+    q.set(k, reciprocal_term(q, r, k));
+  }
+  for (const double t : {-0.25, 0.1, 0.3}) {
+    const double root = std::sqrt(1.44 + t + t * t / 2);
+    EXPECT_NEAR(value(r, t), root, 1e-15);
+    EXPECT_NEAR(value(q, t), 1 / root, 1e-15);
+  }
+}
+
+TEST(TanhSeries, FollowsTanhOfAMovingArgument) {
+  for (const double start : {-3.0, -0.4, 0.0, 1.5, 12.0}) {
+    const Series w = cosine(0.8, 0.2);
+    TanhSeries tanh;
+    for (int k = 0; k <= order; ++k) tanh.add_term(2, k == 0 ? w[0] + start : w[k], k);
+    for (const double t : {-0.15, 0.05, 0.2}) {
+      const double argument = 2 * (std::cos(0.8 * t + 0.2) + start);
+      EXPECT_NEAR(value(tanh.y, t), std::tanh(argument), 2e-15) << start;
+      EXPECT_NEAR(value(tanh.z, t), 1 / std::pow(std::cosh(argument), 2), 2e-15) << start;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::numerics

@@ -1,0 +1,70 @@
+import domain_map
+from domain_map import Cell
+from csv_table import TableError
+from files import FileTest
+
+HEADER = "whirl_ratio,speed_hz,class,order,orbit,whirl,comb_spacing\n"
+
+
+class ReadCells(FileTest):
+    def cells(self, rows, *arguments):
+        return domain_map.read_cells(self.write("map.csv", HEADER + rows), *arguments)
+
+    def test_kinds_are_those_of_the_legend(self):
+        rows = {
+            "0.1,30,non_contact,,circle,forward,\n": "non_contact",
+            "0.1,30,subharmonic,2,complex,mixed,\n": "subharmonic_2",
+            "0.1,30,subharmonic,18,complex,mixed,\n": "subharmonic_8",
+            "0.1,30,synchronous,1,circle,forward,\n": "synchronous_circle",
+            "0.1,30,synchronous,1,circle,backward,\n": "synchronous_circle_backward",
+            "0.1,30,synchronous,1,complex,backward,\n": "synchronous",
+            "0.1,30,quasi_periodic,,oval,forward,0.6\n": "quasi_periodic_oval",
+            "0.1,30,quasi_periodic,,circle,backward,2.6\n": "quasi_periodic_whip",
+            "0.1,30,quasi_periodic,,complex,mixed,\n": "quasi_periodic",
+        }
+        self.assertEqual([cell.kind for cell in self.cells("".join(rows), "whirl_ratio")], list(rows.values()))
+
+    def test_speeds_are_over_the_natural_frequency_where_there_is_one(self):
+        row = "0.1,45,chaotic,,,,\n"
+        self.assertEqual(self.cells(row, "whirl_ratio", 30), [Cell(1.5, 0.1, "chaotic")])
+        self.assertEqual(self.cells(row, "whirl_ratio"), [Cell(45, 0.1, "chaotic")])
+
+    def test_a_map_without_cells_or_column_is_refused(self):
+        with self.assertRaisesRegex(TableError, "no cells"):
+            self.cells(",45,failed,,,,\n", "whirl_ratio")
+        with self.assertRaisesRegex(TableError, "no column 'eccentricity_m'"):
+            self.cells("0.1,45,chaotic,,,,\n", "eccentricity_m")
+
+
+class Edges(FileTest):
+    def test_cells_reach_half_way_to_their_neighbours(self):
+        self.assertEqual(domain_map.edges([1, 2, 4, 2]), {1: (0.5, 1.5), 2: (1.5, 3), 4: (3, 5)})
+        low, high = domain_map.edges([1])[1]
+        self.assertAlmostEqual(high - low, 0.1)
+
+
+class Labels(FileTest):
+    def block(self, columns, rows, kind):
+        return [Cell(x, y, kind) for x in columns for y in rows]
+
+    def test_a_label_stands_in_the_middle_of_its_domain(self):
+        cells = self.block(range(5), range(5), "subharmonic_3") + self.block(range(5, 10), range(5), "non_contact")
+        self.assertEqual(domain_map.labels(cells), [domain_map.Label(2, 2, "1/3")])
+
+    def test_a_label_hides_no_other_kind(self):
+        # 60 columns: a label reaches one cell beyond its own.
+        cells = self.block([7], range(5), "subharmonic_2") + self.block([x for x in range(60) if x != 7], range(5), "chaotic")
+        self.assertEqual(domain_map.labels(cells), [])
+        cells = self.block([6, 7, 8], range(5), "subharmonic_2") + self.block(
+            [x for x in range(60) if x not in (6, 7, 8)], range(5), "chaotic"
+        )
+        self.assertEqual(domain_map.label_text(domain_map.labels(cells)), "7 2 1/2")
+
+    def test_orders_from_eight_on_share_a_kind_and_have_no_label(self):
+        self.assertEqual(domain_map.labels(self.block(range(9), range(9), "subharmonic_8")), [])
+
+
+class CellLines(FileTest):
+    def test_a_line_holds_place_edges_and_kind(self):
+        lines = list(domain_map.cell_lines([Cell(1, 0.25, "chaotic"), Cell(2, 0.75, "failed")]))
+        self.assertEqual(lines, ["1 0.25 0.5 1.5 0 0.5 chaotic", "2 0.75 1.5 2.5 0.5 1 failed"])
