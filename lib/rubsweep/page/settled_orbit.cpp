@@ -135,12 +135,12 @@ class Returns {
 /// Advances to the revolution from which on the motion is recorded; empty when the run fails.
 std::optional<long> settle(const integrate::run::Run& run, const KnownMotion& known,
                            const response::motion::ResponseOptions& options, const Lengths& lengths,
-                           integrate::run::Turn& turn) {
+                           integrate::run::TurnReport& turn) {
   long limit = options.max_revolutions, done = 0;
   if (!known.order) limit = std::max<long>(0, limit - lengths.all());
   Returns returns(known.order.value_or(1));
   for (; done < limit; ++done) {
-    if (run.advance(turn) != integrate::run::Outcome::ok) return std::nullopt;
+    if (run.advance({}, turn) != integrate::run::Outcome::ok) return std::nullopt;
     if (known.order && returns.returned(turn.section) && done + 1 >= known.revolutions) return done + 1;
   }
   return done;
@@ -161,13 +161,14 @@ std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene
   Lengths lengths{2 * window, window, std::min(window, longest_aperiodic_history)};
   if (known.order) lengths = {*known.order, *known.order, *known.order};
   const integrate::run::Run run = integrate::start(start.scene, study.solver, workspace.modes);
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   const std::optional<long> begin = settle(run, known, study.response, lengths, turn);
   if (!begin) return std::nullopt;
   Recorder recorder(start.scene, study, lengths, *begin);
-  turn.samples_per_revolution = recorder.steps_per_turn();
+  integrate::run::TurnRequest request;
+  request.samples_per_revolution = recorder.steps_per_turn();
   for (int left = lengths.all(); left > 0; --left) {
-    if (run.advance(turn) != integrate::run::Outcome::ok) return std::nullopt;
+    if (run.advance(request, turn) != integrate::run::Outcome::ok) return std::nullopt;
     recorder.add(turn.samples, left);
   }
   return recorder.finish(turn.section, workspace.spectrum);
