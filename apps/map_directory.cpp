@@ -150,6 +150,7 @@ void MapDirectory::forget() const {
     std::erase_if(forgotten, [&](const fs::path& journal) { return belongs_to_other_part(journal); });
   for (const fs::path& journal : forgotten) fs::remove(journal);
   fs::remove(map());
+  fs::remove(directory_ / "report.html");  // of the map that is forgotten
 }
 
 /// The journal of another part stays where it belongs to this study: only that part itself forgets it. Throws

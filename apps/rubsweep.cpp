@@ -9,6 +9,7 @@
 #include "map_directory.hpp"
 #include "missing_cells.hpp"
 #include "program.hpp"
+#include "report_file.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
@@ -32,8 +33,18 @@ std::string own_name(const RubsweepArguments& arguments) {
 
 /// What is said of a whole map and its exit code, whoever computed it.
 int report_map(const RubsweepArguments& arguments, const report::MapSummary& summary,
-               const MapDirectory& directory) {
+               const sweep::Study& study, MapDirectory& directory) {
   if (!arguments.quiet) fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+  if (arguments.report) {
+    const std::filesystem::path place = directory.map().parent_path();
+    const int code = write_report(place, study, "rubsweep",
+                                  {.file = place / "report.html",
+                                   .threads = arguments.threads,
+                                   .progress = arguments.progress,
+                                   .quiet = arguments.quiet,
+                                   .before_leaving = [&] { directory.leave(); }});
+    if (code != done) return code;
+  }
   return summary.has_failed_cells() ? some_cells_failed : done;
 }
 
@@ -45,7 +56,7 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
                          arguments.fresh, own_name(arguments));
   if (directory.finished_map()) {
     if (!arguments.quiet) say(map_is_there("rubsweep"));
-    return report_map(arguments, directory.finished_map()->summary, directory);
+    return report_map(arguments, directory.finished_map()->summary, config.study, directory);
   }
   if (arguments.merge && !directory.missing().empty()) {
     throw IoError(fmt::format("nothing to merge yet: {} of {} cells are not finished",
@@ -62,7 +73,7 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
       fmt::print("{} cells finished; when every shard is: rubsweep --merge\n", directory.cells());
     return done;
   }
-  return report_map(arguments, directory.write_map(), directory);
+  return report_map(arguments, directory.write_map(), config.study, directory);
 }
 
 int perform(const RubsweepArguments& arguments) {

@@ -23,7 +23,9 @@ po::options_description visible_options() {
                         "forget what earlier runs finished, a finished map included, and start over")(
       "shard", po::value<std::string>()->value_name("I/N"),
       "compute the I-th of N parts of the map alone; others may run at the same time, on any machine")(
-      "merge", "run nothing, put the finished shards of a map together");
+      "merge", "run nothing, put the finished shards of a map together")(
+      "report",
+      "also write DIR/report.html, a page that shows the map and the motion of each cell at a click");
   add_actions(options, "say what is simulated, what is left out and why, run nothing");
   add_progress(options);
   add_last(options);
@@ -51,6 +53,9 @@ void read_division(const po::variables_map& given, RubsweepArguments& arguments)
   if (arguments.merge && (arguments.fresh || arguments.shard)) {
     throw UsageError("--merge excludes --fresh and --shard");
   }
+  arguments.report = given.count("report") != 0;
+  if (arguments.report && arguments.shard)
+    throw UsageError("--report needs the whole map: give it to --merge instead of --shard");
 }
 
 }  // namespace
@@ -75,7 +80,8 @@ std::string rubsweep_help() {
       "  rubsweep configs/minimal.yaml --output /tmp/map --threads 1\n"
       "  rubsweep configs/figure06_one_side.yaml --set stops.0.friction.coefficient=0.2 --output /tmp/mu02\n"
       "  rubsweep configs/figure06_one_side.yaml --explain\n"
-      "  rubsweep configs/figure06_one_side.yaml --shard 2/8\n\n"
+      "  rubsweep configs/figure06_one_side.yaml --shard 2/8\n"
+      "  rubsweep configs/figure06_one_side.yaml --report\n\n"
       "Writes DIR/map.csv (one row per cell, speed fastest) and DIR/config.yaml (the complete "
       "configuration);\n"
       "finished cells can be watched in DIR/map.partial.csv while the sweep runs. However a run ends before "

@@ -15,6 +15,7 @@ struct RubsweepArguments : StudyArguments {
   bool fresh = false;               ///< forget what earlier runs finished
   bool merge = false;               ///< only put together what shards finished
   std::optional<Share> shard = {};  ///< compute this part alone
+  bool report = false;              ///< also make report.html of the finished map
 };
 
 /// Throws UsageError (program.hpp).

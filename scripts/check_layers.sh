@@ -32,6 +32,7 @@ declare -A below=(
   [ring]='batch'
   [config]='sweep bench ring'
   [report]='sweep bench ring trace identify'
+  [page]='report'
 )
 
 # reachable FOLDER: FOLDER and everything below it, one per line.

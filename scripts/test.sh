@@ -6,4 +6,4 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/bootstrap.sh
 cmake --preset release
 cmake --build --preset release
-ctest --preset release -LE 'long|findings|audit|fuzz' --parallel "$(nproc)"
+ctest --preset release -LE 'long|findings|audit|fuzz|browser' --parallel "$(nproc)"

@@ -30,9 +30,9 @@ int main(int argc, char** argv) {
       rotor.whirl_ratio = grid.unbalance[u];
       const auto reference = test::long_double_sections(rotor, turns, steps_per_turn);
       const integrate::run::Run run = integrate::start(test::cell_of(rotor).scene, {}, modes);
-      integrate::run::Turn turn;
+      integrate::run::TurnReport turn;
       for (int k = 0; k < turns; ++k) {
-        if (run.advance(turn) != integrate::run::Outcome::ok) std::printf("failed in turn %d\n", k);
+        if (run.advance({}, turn) != integrate::run::Outcome::ok) std::printf("failed in turn %d\n", k);
       }
       errors.push_back(test::section_error(turn.section, reference[turns], rotor));
       if (errors.back() > notable) {

@@ -69,12 +69,12 @@ int main() {
       integrate::run::SolverOptions options;
       options.contact = contact;
       options.relative_tolerance = tolerance;
-      integrate::run::Turn turn;
+      integrate::run::TurnReport turn;
       double early_error = 0;
       const auto run = [&] {
         const integrate::run::Cursor advance = integrate::adaptive::start_adaptive(cell.scene, options);
         for (int k = 1; k <= turns; ++k) {
-          if (advance(turn) != integrate::run::Outcome::ok) std::printf("failed\n");
+          if (advance({}, turn) != integrate::run::Outcome::ok) std::printf("failed\n");
           if (k == early) early_error = test::section_error(turn.section, reference[early], rotor);
         }
       };

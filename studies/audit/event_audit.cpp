@@ -17,7 +17,8 @@ namespace {
 
 using integrate::run::ModeSwitch;
 using integrate::run::Outcome;
-using integrate::run::Turn;
+using integrate::run::TurnReport;
+using integrate::run::TurnRequest;
 
 constexpr int free_turns = 3;
 constexpr int reference_steps = 400'000;
@@ -55,6 +56,12 @@ std::string first_unshared(std::vector<ModeSwitch> a, std::vector<ModeSwitch> b)
   return b.empty() ? "" : text(b.front()) + " by rkf78 alone";
 }
 
+double largest_of(const std::vector<double>& section) {
+  double largest = 0;
+  for (const double value : section) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
 }  // namespace
 
 EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
@@ -68,13 +75,14 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
       integrate::start(cell.scene, options(integrate::run::Method::exact), modes);
   const integrate::run::Run other = integrate::start(free, options(integrate::run::Method::adaptive), modes);
   const double kick_turns = random.machine.kick ? random.machine.kick->duration_s * random.speed_hz : 0;
-  Turn turn, again;
-  turn.switches_wanted = again.switches_wanted = true;
+  TurnRequest asked;
+  TurnReport turn, again;
+  asked.switches = true;
   std::vector<double> before;
   long adaptive_turns = 0;
   for (int k = 0, quiet = 0; k < turns && quiet < free_turns; ++k) {
     before = turn.section;
-    if (exact.advance(turn) != Outcome::ok) {
+    if (exact.advance(asked, turn) != Outcome::ok) {
       audit.exact_failed = true;
       return audit;
     }
@@ -83,7 +91,7 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
     const bool closed_form =
         turn.effort.adaptive_turns == std::exchange(adaptive_turns, turn.effort.adaptive_turns);
     other.restart(before);
-    if (other.advance(again) != Outcome::ok) {
+    if (other.advance(asked, again) != Outcome::ok) {
       audit.other_failed = true;
       continue;
     }
@@ -92,7 +100,8 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
     audit.exact_turns += closed_form;
     const std::string unshared = first_unshared(turn.switches, again.switches);
     const double apart = section_distance(turn.section, again.section);
-    if (apart <= tolerance) {
+    // A dry whip of constant friction grows without end: what counts there is digits, not clearances.
+    if (apart <= tolerance * std::max(1.0, largest_of(again.section))) {
       audit.grazes += !unshared.empty();
       continue;
     }

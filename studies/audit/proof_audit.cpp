@@ -17,7 +17,7 @@ namespace rubsweep::audit {
 namespace {
 
 using integrate::run::Outcome;
-using integrate::run::Turn;
+using integrate::run::TurnReport;
 using response::motion::MotionClass;
 using response::motion::Proof;
 
@@ -30,7 +30,7 @@ class Sections {
  public:
   explicit Sections(int most_order) : kept_(2 * static_cast<std::size_t>(most_order) + 1) {}
 
-  void add(const Turn& turn) {
+  void add(const TurnReport& turn) {
     list_.push_front(turn.section);
     touched_.push_front(turn.touched);
     if (list_.size() > kept_) list_.pop_back(), touched_.pop_back();
@@ -61,16 +61,16 @@ class Sections {
 };
 
 /// Follows a motion without a period of its own in turns; compares what it reaches.
-void follow_whirl(const integrate::run::Run& run, const response::SettledRun& settled, Turn& turn,
+void follow_whirl(const integrate::run::Run& run, const response::SettledRun& settled, TurnReport& turn,
                   ProofAudit& audit) {
   double peak = 0;
   for (long k = 1; k <= most_turns_adaptive; ++k) {
-    turn.peaks = k > most_turns_adaptive - window;
-    if (run.advance(turn) != Outcome::ok) {
+    const bool peaks = k > most_turns_adaptive - window;
+    if (run.advance({.peaks = peaks}, turn) != Outcome::ok) {
       audit.finding = "the run failed";
       return;
     }
-    if (turn.peaks) peak = std::max(peak, turn.peak_displacement_m);
+    if (peaks) peak = std::max(peak, turn.peak_displacement_m);
     audit.turns = k;
   }
   const double proven = settled.motion.measures.contact.peak_displacement_m;
@@ -79,14 +79,14 @@ void follow_whirl(const integrate::run::Run& run, const response::SettledRun& se
 }
 
 void follow_orbit(const integrate::run::Run& run, const response::SettledRun& settled, int most_order,
-                  Turn& turn, ProofAudit& audit) {
+                  TurnReport& turn, ProofAudit& audit) {
   Sections sections(most_order);
   const int proven = *settled.motion.order;
   int steady = 0;  // turns over which the proven period has stood
   long untouched = 0;
   const long adaptive_before = turn.effort.adaptive_turns;
   for (long k = 1;; ++k) {
-    if (run.advance(turn) != Outcome::ok) {
+    if (run.advance({}, turn) != Outcome::ok) {
       audit.finding = "the run failed";
       return;
     }
@@ -133,9 +133,9 @@ ProofAudit audit_proof(const RandomCell& random) {
   if (audit.proof != Proof::floquet && audit.proof != Proof::floquet_observed) return audit;
   audit.followed = true;
   const integrate::run::Run run = integrate::start(cell.scene, solver, workspace.modes);
-  Turn turn;
+  TurnReport turn;
   for (long k = 0; k < settled.revolutions; ++k) {
-    if (run.advance(turn) != Outcome::ok) {
+    if (run.advance({}, turn) != Outcome::ok) {
       audit.finding = "the run failed";
       return audit;
     }

@@ -14,9 +14,9 @@ int main(int argc, char** argv) {
   }
   integrate::exact::ModeCache modes;
   const integrate::run::Run run = integrate::start(test::cell_of({}).scene, {}, modes);
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   for (long k = std::atol(argv[1]); k > 0; --k) {
-    if (run.advance(turn) != integrate::run::Outcome::ok) return 1;
+    if (run.advance({}, turn) != integrate::run::Outcome::ok) return 1;
   }
   return 0;
 }

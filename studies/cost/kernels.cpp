@@ -21,10 +21,10 @@ void turn(benchmark::State& state, integrate::run::Method method, double toleran
   options.relative_tolerance = tolerance;
   integrate::exact::ModeCache modes;
   const integrate::run::Run run = integrate::start(test::cell_of({}).scene, options, modes);
-  integrate::run::Turn turn;
-  for (int k = 0; k < 300; ++k) run.advance(turn);
+  integrate::run::TurnReport turn;
+  for (int k = 0; k < 300; ++k) run.advance({}, turn);
   const long before = turn.effort.steps;
-  for (auto _ : state) run.advance(turn);
+  for (auto _ : state) run.advance({}, turn);
   state.counters["steps"] =
       benchmark::Counter(static_cast<double>(turn.effort.steps - before), benchmark::Counter::kAvgIterations);
   // The share of one step, whatever a turn holds besides.
@@ -44,10 +44,10 @@ void certified_step(benchmark::State& state) {
   const scene::Scene scene = test::cell_of({}).scene;
   const auto prepared = std::make_shared<integrate::exact::MachineModes<4>>(scene);
   integrate::exact::ExactMotion<4> motion(scene, prepared);
-  motion.set_phases(0, -1);
+  motion.set_phases(0);
   Eigen::Matrix<double, 8, 1> physical;
   physical << 0, 0.4, 0, 0, -0.4, 0, 0, 0;
-  physical.tail(4) *= scene.speed_rad_per_s;
+  integrate::run::state_scale(scene).to_seconds(physical);
   constexpr int steps = 256;  // then from the start again: free vibration dies out
   for (auto _ : state) {
     if (!motion.enter(0, physical)) state.SkipWithError("no closed form");

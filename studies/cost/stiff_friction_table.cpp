@@ -28,9 +28,9 @@ Cost measure(const test::RollingScene& rolling, const integrate::run::SolverOpti
   for (int i = 0; i < repeats; ++i) {
     const std::clock_t start = std::clock();
     const integrate::run::Cursor advance = integrate::adaptive::start_adaptive(rolling.scene, options);
-    integrate::run::Turn turn;
+    integrate::run::TurnReport turn;
     for (int k = 0; k < turns; ++k) {
-      if (advance(turn) != integrate::run::Outcome::ok) std::printf("failed\n");
+      if (advance({}, turn) != integrate::run::Outcome::ok) std::printf("failed\n");
     }
     times.push_back(static_cast<double>(std::clock() - start));
     const double steps = static_cast<double>(turn.effort.steps);

@@ -55,12 +55,12 @@ std::vector<double> scaled(const test::OneSideState<double>& state, const test::
   return section;
 }
 
-integrate::run::Turn run(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-                         integrate::exact::ModeCache& modes, int turns) {
+integrate::run::TurnReport run(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                               integrate::exact::ModeCache& modes, int turns) {
   const integrate::run::Run motion = integrate::start(scene, solver, modes);
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   for (int k = 0; k < turns; ++k) {
-    if (motion.advance(turn) != integrate::run::Outcome::ok) std::printf("failed in turn %d\n", k);
+    if (motion.advance({}, turn) != integrate::run::Outcome::ok) std::printf("failed in turn %d\n", k);
   }
   return turn;
 }

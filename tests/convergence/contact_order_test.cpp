@@ -23,8 +23,8 @@ Point measure(const run::SolverOptions& options) {
   const test::OneSideRotor rotor;  // 75 Hz, whirl ratio 0.4: the 1/2 motion, three hits in six turns
   static const auto reference = test::long_double_sections(rotor, turns);
   const run::Cursor advance = adaptive::start_adaptive(test::cell_of(rotor).scene, options);
-  run::Turn turn;
-  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok);
+  run::TurnReport turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance({}, turn), run::Outcome::ok);
   return {test::section_error(turn.section, reference[turns], rotor),
           static_cast<double>(turn.effort.rhs_calls) / turns};
 }

@@ -15,6 +15,7 @@
 namespace rubsweep::integrate {
 namespace {
 
+namespace odeint = boost::numeric::odeint;
 using Complex = std::complex<double>;
 constexpr double two_pi = 2 * std::numbers::pi;
 
@@ -125,8 +126,8 @@ TEST(FlightOrder, BulirschStoerFollowsItsTolerance) {
   std::vector<double> errors, calls;
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
     options.relative_tolerance = tolerance;
-    run::Turn turn;
-    ASSERT_EQ(adaptive::start_adaptive(forced_scene(), options)(turn), run::Outcome::ok);
+    run::TurnReport turn;
+    ASSERT_EQ(adaptive::start_adaptive(forced_scene(), options)({}, turn), run::Outcome::ok);
     errors.push_back(error_of(turn.section, two_pi));
     calls.push_back(static_cast<double>(turn.effort.rhs_calls));
   }

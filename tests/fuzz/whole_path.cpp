@@ -5,10 +5,10 @@
 
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
-#include "rubsweep/sweep/explain_study.hpp"
 
 namespace rubsweep::fuzz {
 namespace {
@@ -43,7 +43,7 @@ Ending check_whole_path(const std::string& text) {
   }
   try {
     const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
-    require(!sweep::explain(study).empty(), "nothing is explained");
+    require(!report::explain_study(study).empty(), "nothing is explained");
     response::motion::Workspace workspace;
     check_row(sweep::evaluate_cell(study, prepared, 0, workspace));
   } catch (const ConfigError& error) {

@@ -104,8 +104,8 @@ TEST(HardMachines, ATurnOfTooManyStepsIsMadeOfTaylorPieces) {
   const auto cell = scene::build_cell(read("stiff_friction").study.machine, 75, scene::WhirlRatio{0.4});
   integrate::exact::ModeCache modes;
   const auto run = integrate::start(cell.scene, {}, modes);
-  integrate::run::Turn turn;
-  for (int k = 0; k < 4; ++k) ASSERT_EQ(run.advance(turn), integrate::run::Outcome::ok) << k;
+  integrate::run::TurnReport turn;
+  for (int k = 0; k < 4; ++k) ASSERT_EQ(run.advance({}, turn), integrate::run::Outcome::ok) << k;
   EXPECT_GT(turn.effort.taylor_turns, 0);
 }
 
@@ -175,9 +175,9 @@ struct Ball {
     if (cell.start != scene::Start::quiet) return false;
     scene = response::proof::after_the_kick(cell.scene);
     const auto run = integrate::start(cell.scene, {}, modes);
-    integrate::run::Turn made;
+    integrate::run::TurnReport made;
     for (int k = 0; k < 800; ++k) {
-      if (run.advance(made) != integrate::run::Outcome::ok ||
+      if (run.advance({}, made) != integrate::run::Outcome::ok ||
           (k == 20 && made.effort.taylor_turns + made.effort.adaptive_turns > 0))
         return false;
     }
@@ -200,9 +200,10 @@ struct Ball {
   std::vector<std::pair<int, contact::Mode>> changes_from(std::vector<double>& section) {
     const auto run = integrate::start(scene, {}, modes);
     run.restart(section);
-    integrate::run::Turn made;
-    made.switches_wanted = true;
-    EXPECT_EQ(run.advance(made), integrate::run::Outcome::ok);
+    integrate::run::TurnRequest asked;
+    integrate::run::TurnReport made;
+    asked.switches = true;
+    EXPECT_EQ(run.advance(asked, made), integrate::run::Outcome::ok);
     section = made.section;
     std::vector<std::pair<int, contact::Mode>> changes;
     for (const auto& at : made.switches) changes.emplace_back(at.contact, at.to);

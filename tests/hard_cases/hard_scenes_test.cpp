@@ -64,10 +64,10 @@ struct Found {
 Found run(const HardScene& hard, const SolverOptions& options) {
   integrate::exact::ModeCache modes;
   const integrate::run::Cursor advance = integrate::start(hard.scene, options, modes).advance;
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   Found result;
   for (int k = 0; k < hard.turns && result.outcome == integrate::run::Outcome::ok; ++k) {
-    result.outcome = advance(turn);
+    result.outcome = advance({}, turn);
     result.hits += turn.hits;
     result.slip_reversed = result.slip_reversed || turn.slip_reversed;
   }

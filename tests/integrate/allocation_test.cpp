@@ -39,15 +39,16 @@ namespace {
 long allocations_of(const scene::Scene& scene, const run::SolverOptions& options, bool by_series = false) {
   exact::ModeCache modes;
   const run::Run run = start(scene, options, modes);
-  run::Turn turn;
-  turn.peaks = true;
-  turn.samples_per_revolution = 32;
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  asked.peaks = true;
+  asked.samples_per_revolution = 32;
   const Eigen::Index states = 2 * scene.structure.coordinates();
-  turn.tangent_vectors.setIdentity(states, states);
+  asked.tangent_vectors.setIdentity(states, states);
   const auto advance = [&](int turns) {
     int hits = 0;
     for (int k = 0; k < turns; ++k) {
-      EXPECT_EQ(run.advance(turn), run::Outcome::ok);
+      EXPECT_EQ(run.advance(asked, turn), run::Outcome::ok);
       hits += turn.hits;
     }
     return hits;
@@ -71,6 +72,19 @@ TEST(Allocation, CountsWhatIsAllocated) {
 TEST(Allocation, NoneInTheTimeLoopOfTheExactSolver) {
   EXPECT_EQ(allocations_of(test::cell_of({}).scene, {}), 0);
   EXPECT_EQ(allocations_of(kit_scene(70, 0.7), {}), 0);
+}
+
+/// Three of them all the time, and the kick before.
+TEST(Allocation, NoneWhilePulsesAct) {
+  scene::Scene scene = test::cell_of({}).scene;
+  for (int k = 0; k < 3; ++k) {
+    scene::Pulse pulse = scene.pulses.front();
+    pulse.force_n = 1 + k;
+    pulse.duration_s = (80 + k) * scene.period_s();
+    pulse.elapsed_s = -0.3 * k * scene.period_s();
+    scene.pulses.push_back(pulse);
+  }
+  EXPECT_EQ(allocations_of(scene, {}), 0);
 }
 
 TEST(Allocation, NoneInTaylorPieces) {

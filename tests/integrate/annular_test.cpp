@@ -28,12 +28,13 @@ Complex position(const std::vector<double>& states, std::size_t row = 0) {
 std::vector<double> vertical_lines(const scene::Scene& scene, const std::vector<double>& orders) {
   constexpr int samples = 128, turns = 64;
   const run::Cursor advance = adaptive::start_adaptive(scene, {});
-  run::Turn turn;
-  for (int k = 0; k < 300; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok);
-  turn.samples_per_revolution = samples;
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  for (int k = 0; k < 300; ++k) EXPECT_EQ(advance(asked, turn), run::Outcome::ok);
+  asked.samples_per_revolution = samples;
   std::vector<Complex> sums(orders.size());
   for (int k = 0; k < turns; ++k) {
-    EXPECT_EQ(advance(turn), run::Outcome::ok);
+    EXPECT_EQ(advance(asked, turn), run::Outcome::ok);
     for (int j = 0; j < samples; ++j) {
       const double y = position(turn.samples, static_cast<std::size_t>(j)).imag();
       for (std::size_t m = 0; m < orders.size(); ++m) {
@@ -67,10 +68,11 @@ TEST(RingWithSag, FrictionThrowsTheRotorOutwards) {
   auto scene = annular_scene(1, 0.05, 2.3, 0.25, -0.7 * i, 40, 0.15);
   start_at(scene, -0.7 * i, 0);
   const run::Cursor advance = adaptive::start_adaptive(scene, {});
-  run::Turn turn;
-  turn.peaks = true;
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  asked.peaks = true;
   for (int k = 1; k <= 12; ++k) {
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    ASSERT_EQ(advance(asked, turn), run::Outcome::ok);
     EXPECT_EQ(turn.peak_displacement_m > 1.8, k > 11) << "turn " << k;
   }
 }
@@ -82,11 +84,12 @@ TEST(FullAnnularRub, StaysOnItsClosedForm) {
     options.stepper = stepper;
     options.relative_tolerance = 1e-9;
     const run::Cursor advance = adaptive::start_adaptive(rub.scene(), options);
-    run::Turn turn;
-    turn.samples_per_revolution = 16;
-    turn.peaks = true;
+    run::TurnRequest asked;
+    run::TurnReport turn;
+    asked.samples_per_revolution = 16;
+    asked.peaks = true;
     for (int k = 0; k < 20; ++k) {
-      ASSERT_EQ(advance(turn), run::Outcome::ok);
+      ASSERT_EQ(advance(asked, turn), run::Outcome::ok);
       EXPECT_NEAR(turn.contact_fraction, 1, 1e-12);
       for (std::size_t j = 0; j < 16; ++j) EXPECT_NEAR(std::abs(position(turn.samples, j)), rub.radius, 1e-6);
       EXPECT_NEAR(turn.peak_contact_force_n, rub.k_c * (rub.radius - 1), 1e-5);
@@ -99,8 +102,8 @@ TEST(FullAnnularRub, IsReachedFromNearby) {
   auto scene = rub.scene();
   scene.displacement_m *= 1.02;
   const run::Cursor advance = adaptive::start_adaptive(scene, {});
-  run::Turn turn;
-  for (int k = 0; k < 60; ++k) ASSERT_EQ(advance(turn), run::Outcome::ok);
+  run::TurnReport turn;
+  for (int k = 0; k < 60; ++k) ASSERT_EQ(advance({}, turn), run::Outcome::ok);
   EXPECT_NEAR(std::abs(position(turn.section)), rub.radius, 1e-6);
 }
 
@@ -116,9 +119,9 @@ TEST(DryWhip, WhirlsBackwardAtItsClosedFormFrequency) {
   run::SolverOptions options;
   options.relative_tolerance = 1e-10;
   const run::Cursor advance = adaptive::start_adaptive(scene, options);
-  run::Turn turn;
+  run::TurnReport turn;
   for (int k = 1; k <= 5; ++k) {
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    ASSERT_EQ(advance({}, turn), run::Outcome::ok);
     EXPECT_LT(std::abs(position(turn.section) - radius * std::exp(-i * (2 * pi * w * k))), 1e-6);
   }
 }
@@ -131,8 +134,8 @@ TEST(DryWhip, FeedsItselfOnlyAboveItsLeastFriction) {
     auto scene = annular_scene(1, zeta, 1, 0, 0, b, share * least);
     start_at(scene, 1e4, -i * whirl * 1e4);
     const run::Cursor advance = adaptive::start_adaptive(scene, {});
-    run::Turn turn;
-    for (int k = 0; k < 10; ++k) ASSERT_EQ(advance(turn), run::Outcome::ok);
+    run::TurnReport turn;
+    for (int k = 0; k < 10; ++k) ASSERT_EQ(advance({}, turn), run::Outcome::ok);
     // The slower of the two whirls dies out; |z| of the other changes as e^{(mu b / (2 whirl) - zeta) t}.
     const double rate = share * least * b / (2 * whirl) - zeta;
     EXPECT_NEAR(std::log(std::abs(position(turn.section)) / 1e4) / (20 * pi), rate, 0.05 * std::abs(rate))
@@ -152,9 +155,10 @@ TEST(Ring, OffsetMovesTheWall) {
     scene.contacts.push_back(stop);
     scene.velocity_m_per_s << sign * 2.0, 0;
     const run::Cursor advance = adaptive::start_adaptive(scene, {});
-    run::Turn turn;
-    turn.switches_wanted = true;
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    run::TurnRequest asked;
+    run::TurnReport turn;
+    asked.switches = true;
+    ASSERT_EQ(advance(asked, turn), run::Outcome::ok);
     ASSERT_FALSE(turn.switches.empty());
     EXPECT_NEAR(turn.switches[0].phase_rad / (2 * pi), (sign > 0 ? 0.4 : 1.6) / 2.0, 1e-6);
   }
@@ -172,8 +176,8 @@ TEST(Ring, PassingThroughTheCentreIsHarmless) {
     run::SolverOptions options;
     options.contact = contact;
     const run::Cursor advance = adaptive::start_adaptive(scene, options);
-    run::Turn turn;
-    for (int k = 1; k <= 20; ++k) ASSERT_EQ(advance(turn), run::Outcome::ok);
+    run::TurnReport turn;
+    for (int k = 1; k <= 20; ++k) ASSERT_EQ(advance({}, turn), run::Outcome::ok);
     EXPECT_FALSE(turn.touched);
     EXPECT_NEAR(turn.section[0], 3 / std::sqrt(40) * std::sin(std::sqrt(40) * 20), 1e-5);
   }

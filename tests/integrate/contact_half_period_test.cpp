@@ -34,9 +34,10 @@ TEST(ContactHalfPeriod, IsThatOfBothMassesOnTheContactSpring) {
   for (const double m_casing : {0.001, 0.05, 0.8, 50.0}) {
     const run::Cursor advance = adaptive::start_adaptive(two_free_masses(m, m_casing, stiffness, gap, speed),
                                                          {.relative_tolerance = 1e-11});
-    run::Turn turn;
-    turn.switches_wanted = turn.peaks = true;
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    run::TurnRequest asked;
+    run::TurnReport turn;
+    asked.switches = asked.peaks = true;
+    ASSERT_EQ(advance(asked, turn), run::Outcome::ok);
     ASSERT_EQ(turn.switches.size(), 2u) << m_casing;
     const double seconds = 1 / (2 * std::numbers::pi);
     const double rate = std::sqrt(stiffness * (1 / m + 1 / m_casing));

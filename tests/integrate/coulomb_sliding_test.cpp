@@ -27,10 +27,11 @@ double mean_wear_power(double steepness_s_per_m, run::Stepper stepper) {
   options.stepper = stepper;
   options.relative_tolerance = 1e-7;
   const run::Cursor advance = adaptive::start_adaptive(scene, options);
-  run::Turn turn;
+  run::TurnRequest asked;
+  run::TurnReport turn;
   constexpr int samples = 2000;
-  turn.samples_per_revolution = samples;
-  for (int k = 0; k < 40; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok);  // the drift dies out
+  asked.samples_per_revolution = samples;
+  for (int k = 0; k < 40; ++k) EXPECT_EQ(advance(asked, turn), run::Outcome::ok);  // the drift dies out
   double sum = 0;
   for (std::size_t j = 0; j < samples; ++j) sum += std::abs(turn.samples[4 * j + 3]);
   return normal_n * sum / samples * scene.length_scale_m * scene.speed_rad_per_s;

@@ -36,12 +36,13 @@ Deviation from_reference(const run::SolverOptions& options) {
   const double unit_speed = scene.length_scale_m * scene.speed_rad_per_s;
   constexpr int per_second = 200;  // the reference has a row every 5 ms
   const run::Cursor advance = adaptive::start_adaptive(scene, options);
-  run::Turn turn;
-  turn.samples_per_revolution = per_second;
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  asked.samples_per_revolution = per_second;
   Deviation worst;
   std::size_t row = 0;
   for (int second = 0; row < table.rows.size(); ++second) {
-    EXPECT_EQ(advance(turn), run::Outcome::ok);
+    EXPECT_EQ(advance(asked, turn), run::Outcome::ok);
     for (int k = 0; k < per_second; ++k) {
       const double t = second + double(k) / per_second;
       // Dymola adds rows at events; the grid rows are the ones that fall on multiples of 5 ms.

@@ -57,15 +57,16 @@ Balance balance(run::ContactHandling contact, double smoothing_m, int samples) {
   options.contact = contact;
   options.smoothing_m = smoothing_m;
   const run::Cursor advance = adaptive::start_adaptive(test::cell_of(rotor).scene, options);
-  run::Turn turn;
-  turn.samples_per_revolution = samples;
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  asked.samples_per_revolution = samples;
   const double dt = 1 / (rotor.speed_hz * samples), unit_speed = rotor.clearance_m * equations.omega;
   double sum = 0, first_energy = 0, last_energy = 0;
   Balance result;
   Power previous;
   for (int k = 0; k < 6 * samples; ++k) {
     if (k % samples == 0) {
-      EXPECT_EQ(advance(turn), run::Outcome::ok);
+      EXPECT_EQ(advance(asked, turn), run::Outcome::ok);
     }
     OneSideState<double> s;
     for (std::size_t i = 0; i < 8; ++i) {

@@ -29,8 +29,8 @@ TEST(ExactRing, FlightInTheClosedForm) {
   const auto scene = annular_scene(0.89, 3);
   exact::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
-  run::Turn turn;
-  for (int k = 0; k < 4; ++k) ASSERT_EQ(run.advance(turn), run::Outcome::ok);
+  run::TurnReport turn;
+  for (int k = 0; k < 4; ++k) ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
   EXPECT_EQ(turn.effort.taylor_turns + turn.effort.adaptive_turns, 0);
   const double t = 1, w = std::sqrt(400 - 0.25), decay = std::exp(-t / 2);
   EXPECT_NEAR(turn.section[0], 0.89 * decay * (std::cos(w * t) + std::sin(w * t) / (2 * w)), 1e-13);
@@ -46,10 +46,10 @@ TEST(ExactRing, EveryTouchIsSeenAndIntegrated) {
     exact::ModeCache modes;
     const auto run = start_hybrid(scene, options, modes);
     const run::Cursor adaptive = adaptive::start_adaptive(scene, options);
-    run::Turn a, b;
+    run::TurnReport a, b;
     for (int k = 0; k < 8; ++k) {
-      ASSERT_EQ(run.advance(a), run::Outcome::ok);
-      ASSERT_EQ(adaptive(b), run::Outcome::ok);
+      ASSERT_EQ(run.advance({}, a), run::Outcome::ok);
+      ASSERT_EQ(adaptive({}, b), run::Outcome::ok);
       EXPECT_EQ(a.hits, b.hits) << k;
       for (std::size_t i = 0; i < a.section.size(); ++i) EXPECT_NEAR(a.section[i], b.section[i], 1e-7) << k;
     }

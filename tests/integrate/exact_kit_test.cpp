@@ -25,11 +25,11 @@ TEST(ExactKit, TurnsInContactHaveClosedFormsAndAgreeWithTheAdaptiveSolver) {
     exact::ModeCache modes;
     const auto exact = start_hybrid(scene, {}, modes);
     const run::Cursor adaptive = adaptive::start_adaptive(scene, {.relative_tolerance = 1e-11});
-    run::Turn a, b;
+    run::TurnReport a, b;
     int hits = 0;
     for (int k = 0; k < 6; ++k) {
-      ASSERT_EQ(exact.advance(a), run::Outcome::ok);
-      ASSERT_EQ(adaptive(b), run::Outcome::ok);
+      ASSERT_EQ(exact.advance({}, a), run::Outcome::ok);
+      ASSERT_EQ(adaptive({}, b), run::Outcome::ok);
       hits += a.hits;
       EXPECT_EQ(a.hits, b.hits);
       EXPECT_LT(largest_difference(a.section, b.section), 1e-7) << speed_hz << ' ' << k;
@@ -50,8 +50,8 @@ std::vector<double> section_with(const std::function<void(model::Machine&)>& cha
   change(machine);
   exact::ModeCache modes;
   const auto run = start_hybrid(scene::build_cell(machine, 70, scene::WhirlRatio{0.1}).scene, {}, modes);
-  run::Turn turn;
-  EXPECT_EQ(run.advance(turn), run::Outcome::ok);
+  run::TurnReport turn;
+  EXPECT_EQ(run.advance({}, turn), run::Outcome::ok);
   EXPECT_FALSE(turn.touched);
   return turn.section;
 }

@@ -13,25 +13,25 @@
 namespace rubsweep::integrate {
 namespace {
 
-run::Turn run_exact(const scene::Scene& scene, int turns, const run::SolverOptions& options = {}) {
+run::TurnReport run_exact(const scene::Scene& scene, int turns, const run::SolverOptions& options = {}) {
   exact::ModeCache modes;
   const auto run = start_hybrid(scene, options, modes);
-  run::Turn turn;
-  for (int k = 0; k < turns; ++k) EXPECT_EQ(run.advance(turn), run::Outcome::ok) << k;
+  run::TurnReport turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(run.advance({}, turn), run::Outcome::ok) << k;
   return turn;
 }
 
-run::Turn run_adaptive(const scene::Scene& scene, int turns, double tolerance) {
+run::TurnReport run_adaptive(const scene::Scene& scene, int turns, double tolerance) {
   run::SolverOptions options;
   options.relative_tolerance = tolerance;
   options.stepper = run::Stepper::rkf78;
   const run::Cursor advance = adaptive::start_adaptive(scene, options);
-  run::Turn turn;
-  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok) << k;
+  run::TurnReport turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance({}, turn), run::Outcome::ok) << k;
   return turn;
 }
 
-double difference(const run::Turn& a, const run::Turn& b) {
+double difference(const run::TurnReport& a, const run::TurnReport& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.section.size(); ++i)
     largest = std::max(largest, std::abs(a.section[i] - b.section[i]));
@@ -42,9 +42,9 @@ void expect_reference(const test::OneSideRotor& rotor, int turns, int steps, dou
   const auto reference = test::long_double_sections(rotor, turns, steps);
   exact::ModeCache modes;
   const auto run = start_hybrid(test::cell_of(rotor).scene, {}, modes);
-  run::Turn turn;
+  run::TurnReport turn;
   for (int k = 1; k <= turns; ++k) {
-    ASSERT_EQ(run.advance(turn), run::Outcome::ok);
+    ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
     EXPECT_LT(test::section_error(turn.section, reference[static_cast<std::size_t>(k)], rotor), bound) << k;
   }
   EXPECT_GT(turn.effort.switches, 4);
@@ -84,7 +84,7 @@ TEST(Exact, AKickThatEndsWithATurn) {
     model::Machine machine = test::machine_of({});
     machine.kick = model::Kick{.force_n = 20, .duration_s = turns / 80.0, .angle_deg = {}};
     const auto cell = scene::build_cell(machine, 80, scene::WhirlRatio{0.4});
-    const run::Turn exact = run_exact(cell.scene, 5), reference = run_adaptive(cell.scene, 5, 1e-13);
+    const run::TurnReport exact = run_exact(cell.scene, 5), reference = run_adaptive(cell.scene, 5, 1e-13);
     EXPECT_LT(difference(exact, reference), 1e-9) << turns;
     EXPECT_EQ(exact.effort.taylor_turns + exact.effort.adaptive_turns, 0);
   }
@@ -103,7 +103,7 @@ TEST(Exact, StopsAllAround) {
   machine.stops.push_back(second);
   machine.stops.push_back(third);
   const auto cell = scene::build_cell(machine, 95, scene::WhirlRatio{0.6});
-  const run::Turn exact = run_exact(cell.scene, 5), reference = run_adaptive(cell.scene, 5, 1e-13);
+  const run::TurnReport exact = run_exact(cell.scene, 5), reference = run_adaptive(cell.scene, 5, 1e-13);
   EXPECT_LT(difference(exact, reference), 1e-9);
   EXPECT_GT(exact.effort.switches, 8);
   EXPECT_EQ(exact.effort.switches, reference.effort.switches);
@@ -114,34 +114,72 @@ TEST(Exact, TransitionIsTheDerivativeOfTheSection) {
   auto scene = test::cell_of({}).scene;
   exact::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
-  run::Turn turn;
-  run.advance(turn);
-  run.advance(turn);
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  run.advance(asked, turn);
+  run.advance(asked, turn);
   const std::vector<double> start = turn.section;
-  scene.pulse.reset();
+  scene.pulses.clear();
   const auto undriven = start_hybrid(scene, {}, modes);
   undriven.restart(start);
-  turn.tangent_vectors.setIdentity(8, 8);
-  ASSERT_EQ(undriven.advance(turn), run::Outcome::ok);
+  asked.tangent_vectors.setIdentity(8, 8);
+  ASSERT_EQ(undriven.advance(asked, turn), run::Outcome::ok);
   ASSERT_GT(turn.hits, 0);
-  const Eigen::MatrixXd transition = turn.tangent_vectors;
-  turn.tangent_vectors.resize(0, 0);
+  const Eigen::MatrixXd transition = *turn.tangent_vectors.get();
+  asked.tangent_vectors.resize(0, 0);
   constexpr double h = 1e-6;
   for (std::size_t j = 0; j < start.size(); ++j) {
     std::vector<double> shifted = start;
     shifted[j] += h;
     undriven.restart(shifted);
-    undriven.advance(turn);
+    undriven.advance(asked, turn);
     const std::vector<double> above = turn.section;
     shifted[j] -= 2 * h;
     undriven.restart(shifted);
-    undriven.advance(turn);
+    undriven.advance(asked, turn);
     for (std::size_t i = 0; i < start.size(); ++i) {
       EXPECT_NEAR(transition(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)),
                   (above[i] - turn.section[i]) / (2 * h), 2e-4)
           << i << ' ' << j;
     }
   }
+}
+
+/// No tangent vectors are better than wrong ones, or than those of the turn before.
+TEST(Exact, TangentVectorsThatWereNotMovedAreNotThere) {
+  test::OneSideRotor rotor;
+  rotor.contact_radius_m = 1e-3;
+  rotor.friction_steepness_s_per_m = 5;
+  const auto scene = test::cell_of(rotor).scene;
+  exact::ModeCache modes;
+  // Stepper by name: it makes the turns without a closed form, and moves no tangent vectors.
+  const auto run = start_hybrid(scene, {.stepper = run::Stepper::dopri5}, modes);
+  run::TurnRequest asked;
+  asked.tangent_vectors.setIdentity(8, 3);
+  run::TurnReport turn;
+  int with = 0, without = 0;
+  for (int k = 0; k < 12; ++k) {
+    const long before = turn.effort.adaptive_turns;
+    ASSERT_EQ(run.advance(asked, turn), run::Outcome::ok);
+    const Eigen::MatrixXd* moved = turn.tangent_vectors.get();
+    EXPECT_EQ(moved == nullptr, turn.effort.adaptive_turns > before) << k;
+    if (moved) EXPECT_EQ(moved->cols(), 3);
+    ++(moved ? with : without);
+  }
+  EXPECT_GT(with, 0);
+  EXPECT_GT(without, 0);
+  ASSERT_EQ(adaptive::start_adaptive(scene, {})(asked, turn), run::Outcome::ok);
+  EXPECT_EQ(turn.tangent_vectors.get(), nullptr);
+  const auto by_series = start_hybrid(scene, {}, modes);
+  run::TurnReport made;
+  for (int k = 0; k < 12; ++k) {
+    ASSERT_EQ(by_series.advance(asked, made), run::Outcome::ok);
+    EXPECT_TRUE(made.tangent_vectors.get());
+  }
+  EXPECT_GT(made.effort.taylor_turns, 0);
+  EXPECT_EQ(made.effort.adaptive_turns, 0);
+  ASSERT_EQ(start_hybrid(test::cell_of({}).scene, {}, modes).advance({}, turn), run::Outcome::ok);
+  EXPECT_EQ(turn.tangent_vectors.get(), nullptr);  // none were asked for
 }
 
 TEST(Exact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
@@ -151,14 +189,13 @@ TEST(Exact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
   exact::ModeCache modes;
   const auto exact = start_hybrid(scene, options, modes);
   const run::Cursor adaptive = adaptive::start_adaptive(scene, options);
-  run::Turn a, b;
-  for (run::Turn* turn : {&a, &b}) {
-    turn->samples_per_revolution = 64;
-    turn->peaks = turn->switches_wanted = true;
-  }
+  const run::TurnRequest asked{.samples_per_revolution = 64, .peaks = true, .switches = true};
+  run::TurnReport a, b;
   for (int k = 0; k < 4; ++k) {
-    ASSERT_EQ(exact.advance(a), run::Outcome::ok);
-    ASSERT_EQ(adaptive(b), run::Outcome::ok);
+    ASSERT_EQ(exact.advance(asked, a), run::Outcome::ok);
+    ASSERT_EQ(adaptive(asked, b), run::Outcome::ok);
+    EXPECT_EQ(a.sample_count, 64);
+    EXPECT_EQ(b.sample_count, 64);
     ASSERT_EQ(a.samples.size(), b.samples.size());
     for (std::size_t i = 0; i < a.samples.size(); ++i) EXPECT_NEAR(a.samples[i], b.samples[i], 1e-9);
     EXPECT_NEAR(a.peak_displacement_m, b.peak_displacement_m, 1e-5 * b.peak_displacement_m);
@@ -179,12 +216,13 @@ TEST(Exact, WatchingDoesNotMoveTheRotor) {
   const auto scene = test::cell_of({}).scene;
   exact::ModeCache modes;
   const auto plain = start_hybrid(scene, {}, modes), watched = start_hybrid(scene, {}, modes);
-  run::Turn a, b;
-  b.samples_per_revolution = 128;
-  b.peaks = true;
+  run::TurnRequest asked;
+  run::TurnReport a, b;
+  asked.samples_per_revolution = 128;
+  asked.peaks = true;
   for (int k = 0; k < 20; ++k) {
-    plain.advance(a);
-    watched.advance(b);
+    plain.advance({}, a);
+    watched.advance(asked, b);
   }
   EXPECT_LT(difference(a, b), 1e-12);
 }
@@ -193,7 +231,7 @@ TEST(Exact, WatchingDoesNotMoveTheRotor) {
 TEST(Exact, PeakForceOfATurnThatStartsInContact) {
   const auto scene = [] {
     auto without_kick = test::cell_of({}).scene;
-    without_kick.pulse.reset();
+    without_kick.pulses.clear();
     return without_kick;
   }();
   exact::ModeCache modes;
@@ -202,14 +240,15 @@ TEST(Exact, PeakForceOfATurnThatStartsInContact) {
   const auto exact = start_hybrid(scene, options, modes);
   options.method = run::Method::adaptive;
   const auto adaptive = start(scene, options, modes);
-  run::Turn a, b;
-  a.peaks = b.peaks = true;
+  run::TurnRequest asked;
+  run::TurnReport a, b;
+  asked.peaks = true;
   for (const double closing_speed : {-0.4, -0.1, -0.01, 0.0, 0.1}) {
     const std::vector<double> section{0, 1.02, 0, 0, 0, closing_speed, 0, 0};
     exact.restart(section);
     adaptive.restart(section);
-    ASSERT_EQ(exact.advance(a), run::Outcome::ok);
-    ASSERT_EQ(adaptive.advance(b), run::Outcome::ok);
+    ASSERT_EQ(exact.advance(asked, a), run::Outcome::ok);
+    ASSERT_EQ(adaptive.advance(asked, b), run::Outcome::ok);
     EXPECT_GT(b.peak_contact_force_n, 1) << closing_speed;
     EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-4 * b.peak_contact_force_n)
         << closing_speed;
@@ -220,13 +259,12 @@ TEST(Exact, PeaksDoNotDependOnSamples) {
   const auto scene = test::cell_of({}).scene;
   exact::ModeCache modes;
   const auto bare = start_hybrid(scene, {}, modes), sampled = start_hybrid(scene, {}, modes);
-  run::Turn a, b;
-  a.peaks = b.peaks = true;
-  b.samples_per_revolution = 256;
+  const run::TurnRequest peaks{.peaks = true}, both{.samples_per_revolution = 256, .peaks = true};
+  run::TurnReport a, b;
   int touched = 0;
   for (int k = 0; k < 20; ++k) {
-    bare.advance(a);
-    sampled.advance(b);
+    bare.advance(peaks, a);
+    sampled.advance(both, b);
     touched += a.touched;
     EXPECT_NEAR(a.peak_displacement_m, b.peak_displacement_m, 1e-5 * b.peak_displacement_m) << k;
     EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-6 * b.peak_contact_force_n) << k;
@@ -241,7 +279,7 @@ TEST(Exact, FrictionThatIsNotSaturatedGoesToTaylorPiecesAndBack) {
   const auto scene = test::cell_of(rotor).scene;
   run::SolverOptions options;
   options.relative_tolerance = 1e-11;
-  const run::Turn exact = run_exact(scene, 12, options), adaptive = run_adaptive(scene, 12, 1e-12);
+  const run::TurnReport exact = run_exact(scene, 12, options), adaptive = run_adaptive(scene, 12, 1e-12);
   EXPECT_GT(exact.effort.taylor_turns, 2);
   EXPECT_LT(difference(exact, adaptive), 1e-7);
 }
@@ -255,7 +293,7 @@ TEST(Exact, NearlySaturatedFrictionChangesTheSectionByTheTolerance) {
   for (const double steepness : {0.5, 1.0, 1.5, 2.0, 3.0, 6.0, 20.0}) {
     rotor.friction_steepness_s_per_m = steepness;
     const auto scene = test::cell_of(rotor).scene;
-    const run::Turn exact = run_exact(scene, 6, options);
+    const run::TurnReport exact = run_exact(scene, 6, options);
     EXPECT_LT(difference(exact, run_adaptive(scene, 6, 1e-12)), 1e-8) << steepness;
     fewest = std::min(fewest, exact.effort.taylor_turns);
     most = std::max(most, exact.effort.taylor_turns);
@@ -270,7 +308,7 @@ TEST(Exact, EnergyStaysOverTenThousandTurns) {
   scene.displacement_m << -1.5, 0.2;
   scene.contacts.push_back(test::wall_across_x(1, 1, 1e4, 0));
   scene.contacts.push_back(test::wall_across_x(-1, 1, 1e4, 0));
-  const run::Turn turn = run_exact(scene, 10000);
+  const run::TurnReport turn = run_exact(scene, 10000);
   const double x = turn.section[0], y = turn.section[1], w = scene.speed_rad_per_s;
   const double beyond = std::max(0.0, std::abs(x) - 1);
   const double energy = (std::pow(w * turn.section[2], 2) + std::pow(w * turn.section[3], 2)) / 2 +
@@ -283,10 +321,10 @@ TEST(Exact, APeriodicMotionStaysOnItsSectionForAHundredThousandTurns) {
   const auto scene = test::cell_of({}).scene;
   exact::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
-  run::Turn turn;
-  for (int k = 0; k < 1000; ++k) ASSERT_EQ(run.advance(turn), run::Outcome::ok);
+  run::TurnReport turn;
+  for (int k = 0; k < 1000; ++k) ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
   const std::vector<double> early = turn.section;
-  for (int k = 0; k < 100000; ++k) ASSERT_EQ(run.advance(turn), run::Outcome::ok);
+  for (int k = 0; k < 100000; ++k) ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
   for (std::size_t i = 0; i < early.size(); ++i) EXPECT_NEAR(turn.section[i], early[i], 1e-12);
 }
 
@@ -294,7 +332,7 @@ TEST(Exact, AStructureWithoutSpringsIsLeftToTaylorPieces) {
   auto scene = test::one_mass_scene(1, 0, 0, 1, 1);
   scene.velocity_m_per_s << 1, 0;
   scene.contacts.push_back(test::wall_across_x(1, 0.5, 1e3, 1));
-  const run::Turn exact = run_exact(scene, 2), adaptive = run_adaptive(scene, 2, 1e-12);
+  const run::TurnReport exact = run_exact(scene, 2), adaptive = run_adaptive(scene, 2, 1e-12);
   EXPECT_EQ(exact.effort.taylor_turns, 2);
   EXPECT_LT(difference(exact, adaptive), 1e-6);
 }
@@ -315,8 +353,9 @@ TEST(Exact, TooFewStepsAreSaid) {
   run::SolverOptions options;
   options.max_steps_per_revolution = 3;
   exact::ModeCache modes;
-  run::Turn turn;
-  EXPECT_EQ(start_hybrid(test::cell_of({}).scene, options, modes).advance(turn), run::Outcome::step_limit);
+  run::TurnReport turn;
+  EXPECT_EQ(start_hybrid(test::cell_of({}).scene, options, modes).advance({}, turn),
+            run::Outcome::step_limit);
   EXPECT_EQ(turn.effort.steps, 3);
 }
 
@@ -329,10 +368,10 @@ TEST(Exact, AKickAtAResonanceHasNoClosedFormWhileItLasts) {
   exact::ModeCache modes;
   const run::Run exact = start_hybrid(scene, options, modes);
   const run::Cursor adaptive = adaptive::start_adaptive(scene, options);
-  run::Turn turn, expected;
+  run::TurnReport turn, expected;
   for (int k = 0; k < 6; ++k) {
-    ASSERT_EQ(exact.advance(turn), run::Outcome::ok);
-    ASSERT_EQ(adaptive(expected), run::Outcome::ok);
+    ASSERT_EQ(exact.advance({}, turn), run::Outcome::ok);
+    ASSERT_EQ(adaptive({}, expected), run::Outcome::ok);
     for (std::size_t i = 0; i < turn.section.size(); ++i)
       EXPECT_NEAR(turn.section[i], expected.section[i], 1e-8) << k << ' ' << i;
   }

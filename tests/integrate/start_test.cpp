@@ -36,12 +36,12 @@ TEST(Start, ARestartedRunHasNoMemory) {
     options.method = method;
     exact::ModeCache modes;
     const auto run = start(scene, options, modes);
-    run::Turn first, second;
-    ASSERT_EQ(run.advance(first), run::Outcome::ok);
-    ASSERT_EQ(run.advance(second), run::Outcome::ok);
+    run::TurnReport first, second;
+    ASSERT_EQ(run.advance({}, first), run::Outcome::ok);
+    ASSERT_EQ(run.advance({}, second), run::Outcome::ok);
     run.restart(run::scaled_initial_state(scene));
-    run::Turn again;
-    ASSERT_EQ(run.advance(again), run::Outcome::ok);
+    run::TurnReport again;
+    ASSERT_EQ(run.advance({}, again), run::Outcome::ok);
     EXPECT_EQ(again.section, first.section);  // the kick with it
   }
 }

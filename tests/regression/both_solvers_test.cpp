@@ -40,10 +40,10 @@ class BothSolvers : public testing::TestWithParam<std::string> {
     EXPECT_EQ(start.start, scene::Start::quiet);
     integrate::exact::ModeCache modes;
     const integrate::run::Run run = integrate::start(start.scene, solver, modes);
-    integrate::run::Turn turn;
+    integrate::run::TurnReport turn;
     bool touched = false;
     for (int k = 0; k < turns; ++k) {
-      EXPECT_EQ(run.advance(turn), integrate::run::Outcome::ok);
+      EXPECT_EQ(run.advance({}, turn), integrate::run::Outcome::ok);
       touched = touched || turn.touched;
     }
     EXPECT_TRUE(touched);

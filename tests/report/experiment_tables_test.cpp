@@ -40,10 +40,10 @@ TEST(ExperimentTables, OfARunUp) {
                                                             .largest_amplitude_m = {1e-4, 2e-4}});
   EXPECT_EQ(tables.bode_csv,
             "speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,sensor_1_phase_deg\n"
-            "10,0.0001,-90,0.0001,-90\n");
+            "10,1e-04,-90,1e-04,-90\n");
   EXPECT_EQ(tables.identification_csv,
-            "quantity,sensor,value\ncritical_speed_hz,0,10\nlargest_amplitude_m,0,0.0001\n"
-            "critical_speed_hz,1,11\nlargest_amplitude_m,1,0.0002\n");
+            "quantity,sensor,value\ncritical_speed_hz,0,10\nlargest_amplitude_m,0,1e-04\n"
+            "critical_speed_hz,1,11\nlargest_amplitude_m,1,2e-04\n");
 }
 
 }  // namespace

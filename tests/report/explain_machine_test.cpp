@@ -34,7 +34,7 @@ TEST(Explain, MovingCasing) {
 }
 
 TEST(Explain, RotorKitSaysWhatItWasReducedTo) {
-  model::Machine machine = light_shaft_machine();
+  model::Machine machine = scene::light_shaft_machine();
   model::kit_of(machine)->shaft[0].density_kg_per_m3 = 7850;
   const std::string text = explain_machine(machine, 45);
   EXPECT_TRUE(says(text, "rotor: kit, shaft of 0.4 m in 4 or more Timoshenko elements, 1 discs, 2 supports"));
@@ -49,7 +49,7 @@ TEST(Explain, RotorKitSaysWhatItWasReducedTo) {
 }
 
 TEST(Explain, FaultyBearingsSayWhatCannotBeProven) {
-  model::Machine machine = light_shaft_machine();
+  model::Machine machine = scene::light_shaft_machine();
   EXPECT_FALSE(says(explain_machine(machine, 45), "impulses"));
   model::kit_of(machine)->supports[1].fault = {.impulse_ns = 0.02, .multiple = 2, .angle_deg = 90};
   const std::string text = explain_machine(machine, 45);
@@ -73,7 +73,7 @@ TEST(Explain, RigidCasingHasNoState) {
 }
 
 TEST(Explain, EveryStopInTurn) {
-  const std::string text = explain_machine(both_sides_machine(), 45);
+  const std::string text = explain_machine(scene::both_sides_machine(), 45);
   EXPECT_TRUE(says(text, "stop 0 (kicked): one side at 90 degrees"));
   EXPECT_TRUE(says(text, "stop 1: one side at -90 degrees"));
   EXPECT_TRUE(says(text, "states: 12 (6 coordinates and their rates)\n"));

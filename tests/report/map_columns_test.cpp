@@ -1,5 +1,6 @@
 #include "rubsweep/report/map_columns.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -49,8 +50,8 @@ TEST(MapColumns, AndClassesStandInTheUserGuideAndInTheHelp) {
   const std::string guide{std::istreambuf_iterator<char>(file), {}}, help = describe_map_columns();
   ASSERT_FALSE(guide.empty());
   const auto expect_both = [&](std::string_view word) {
-    EXPECT_NE(guide.find("`" + std::string(word) + "`"), std::string::npos) << word;
-    EXPECT_NE(help.find("\n  " + std::string(word) + " "), std::string::npos) << word;
+    EXPECT_NE(guide.find(fmt::format("`{}`", word)), std::string::npos) << word;
+    EXPECT_NE(help.find(fmt::format("\n  {} ", word)), std::string::npos) << word;
   };
   for (const MapColumn& column : map_columns()) expect_both(column.name);
   for (const auto motion_class : response::motion::motion_classes) expect_both(to_string(motion_class));

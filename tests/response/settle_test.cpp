@@ -133,10 +133,10 @@ void expect_quiet_long_run(const test::OneSideRotor& rotor) {
   const auto cell = test::cell_of(rotor);
   motion::Workspace workspace;
   const auto motion = integrate::start(cell.scene, {}, workspace.modes);
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   int last_touch = 0;
   for (int k = 1; k <= 600; ++k) {
-    ASSERT_EQ(motion.advance(turn), integrate::run::Outcome::ok);
+    ASSERT_EQ(motion.advance({}, turn), integrate::run::Outcome::ok);
     if (turn.touched) last_touch = k;
   }
   EXPECT_LT(last_touch, 300);

@@ -174,8 +174,8 @@ TEST(BuildCell, WhereTheQuietWhirlTouchesItStartsAtRestAndIsNotKicked) {
   machine.gravity_m_per_s2 = 9.81;
   const Cell below = build_cell(machine, 75, WhirlRatio{0.9});
   const Cell above = build_cell(machine, 75, WhirlRatio{1.2});
-  EXPECT_TRUE(below.scene.pulse);
-  EXPECT_FALSE(above.scene.pulse);
+  EXPECT_EQ(below.scene.pulses.size(), 1u);
+  EXPECT_TRUE(above.scene.pulses.empty());
   EXPECT_EQ(above.start, Start::contact);
   EXPECT_TRUE(can_run(above.start));
   // At rest in the static position, with the unbalance where it would be in any other cell.
@@ -262,7 +262,7 @@ TEST(BuildCell, KickPointsAtTheFirstStopUnlessItHasAnAngle) {
   model::Machine machine = both_sides_machine();
   machine.stops[0].geometry = model::OneSideGeometry{30};
   const auto direction = [&] {
-    return build_cell(machine, 75, WhirlRatio{0.1}).scene.pulse.value().direction;
+    return build_cell(machine, 75, WhirlRatio{0.1}).scene.pulses.at(0).direction;
   };
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(6);
   expected.head(2) << std::sqrt(0.75), 0.5;
@@ -270,11 +270,11 @@ TEST(BuildCell, KickPointsAtTheFirstStopUnlessItHasAnAngle) {
   machine.kick->angle_deg = 180;
   expected.head(2) << -1, 0;
   EXPECT_EQ(direction(), expected);
-  const Pulse pulse = *build_cell(machine, 75, WhirlRatio{0.1}).scene.pulse;
+  const Pulse pulse = build_cell(machine, 75, WhirlRatio{0.1}).scene.pulses.at(0);
   EXPECT_EQ(pulse.force_n, 200);
   EXPECT_EQ(pulse.duration_s, 0.005);
   machine.kick.reset();
-  EXPECT_FALSE(build_cell(machine, 75, WhirlRatio{0.1}).scene.pulse);
+  EXPECT_TRUE(build_cell(machine, 75, WhirlRatio{0.1}).scene.pulses.empty());
 }
 
 TEST(BuildCell, EveryStopHasItsContactAndTheMovingOnesTheirCasing) {
@@ -328,7 +328,7 @@ TEST(BuildCell, QuarterTurnsAreExact) {
     machine.stops[0].geometry = model::OneSideGeometry{90.0 * quarter};
     const Scene scene = build_cell(machine, 75, WhirlRatio{0.4}).scene;
     EXPECT_EQ(contact::first_direction(scene.contacts[0].wall), quarters[(quarter + 12) % 4]) << quarter;
-    EXPECT_EQ(Eigen::Vector2d(scene.pulse->direction.head(2)), quarters[(quarter + 12) % 4]) << quarter;
+    EXPECT_EQ(Eigen::Vector2d(scene.pulses.at(0).direction.head(2)), quarters[(quarter + 12) % 4]) << quarter;
   }
   // A wall above does not feel x, nor does the structure couple it to y.
   machine.stops[0].geometry = model::OneSideGeometry{90};

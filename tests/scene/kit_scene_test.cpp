@@ -45,7 +45,7 @@ TEST(KitScene, LightShaftIsTheJeffcottRotor) {
     expect_near(found.scene.displacement_m, expected.scene.displacement_m, 1e-9);
     expect_near(found.scene.velocity_m_per_s, expected.scene.velocity_m_per_s, 1e-9);
     expect_near(found.scene.harmonic_n.real(), expected.scene.harmonic_n.real(), 1e-9);
-    expect_near(found.scene.pulse->direction, expected.scene.pulse->direction, 1e-9);
+    expect_near(found.scene.pulses.at(0).direction, expected.scene.pulses.at(0).direction, 1e-9);
     EXPECT_NEAR(found.scene.contacts[0].damping_ns_per_m, expected.scene.contacts[0].damping_ns_per_m, 1e-8);
     for (std::size_t i = 0; i < 2; ++i) {
       expect_near(found.scene.structure.points[i == 0 ? 0 : found.scene.structure.points.size() - 1].map,
@@ -150,8 +150,8 @@ TEST(KitScene, KickActsWhereItIsSaid) {
   const Cell middle = build_cell(machine, 60, WhirlRatio{0.3});
   machine.kick->position_m = 0.1;
   const Cell beside = build_cell(machine, 60, WhirlRatio{0.3});
-  EXPECT_LT(beside.scene.pulse->direction.cwiseAbs().maxCoeff(),
-            middle.scene.pulse->direction.cwiseAbs().maxCoeff());
+  EXPECT_LT(beside.scene.pulses.at(0).direction.cwiseAbs().maxCoeff(),
+            middle.scene.pulses.at(0).direction.cwiseAbs().maxCoeff());
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ Eigen::Vector2d settled_section(const Study& study) {
       scene::build_cell(study.machine, study.grid.speed_hz[0], scene::WhirlRatio{study.grid.unbalance[0]});
   integrate::exact::ModeCache modes;
   const integrate::run::Run run = integrate::start(cell.scene, study.solver, modes);
-  integrate::run::Turn turn;
-  for (int i = 0; i < 80; ++i) EXPECT_EQ(run.advance(turn), integrate::run::Outcome::ok);
+  integrate::run::TurnReport turn;
+  for (int i = 0; i < 80; ++i) EXPECT_EQ(run.advance({}, turn), integrate::run::Outcome::ok);
   const auto& map = cell.scene.structure.points[static_cast<std::size_t>(cell.scene.observed_point)].map;
   return map * Eigen::Map<const Eigen::VectorXd>(turn.section.data(), cell.scene.structure.coordinates());
 }
@@ -96,9 +96,9 @@ TEST(KitModes, ProvenRestIsRest) {
   ASSERT_TRUE(row.last_contact_revolution);
   const scene::Cell cell = scene::build_cell(study.machine, 70, scene::WhirlRatio{0.1});
   const integrate::run::Cursor cursor = integrate::adaptive::start_adaptive(cell.scene, study.solver);
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   for (long i = 1; i <= row.revolutions + 60; ++i) {
-    ASSERT_EQ(cursor(turn), integrate::run::Outcome::ok);
+    ASSERT_EQ(cursor({}, turn), integrate::run::Outcome::ok);
     EXPECT_TRUE(i <= *row.last_contact_revolution || !turn.touched) << i;
   }
 }

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
-#include "rubsweep/sweep/explain_study.hpp"
 #include "sweep/one_side_study.hpp"
 
 namespace rubsweep::sweep {
@@ -21,7 +21,7 @@ TEST(UntouchedWalls, WithoutAKickNothingTouches) {
   Study study = one_side_study({60, 75}, {0.2, 0.4});
   study.machine.kick.reset();
   EXPECT_TRUE(why(study).starts_with("no kick: "));
-  EXPECT_NE(explain(study).find(why(study)), std::string::npos);
+  EXPECT_NE(report::explain_study(study).find(why(study)), std::string::npos);
   // From a whirl ratio of 1 no kick is needed.
   study.grid.unbalance = {1.2};
   EXPECT_EQ(why(study), "");

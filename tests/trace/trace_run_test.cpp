@@ -19,7 +19,8 @@ namespace rubsweep::trace {
 namespace {
 
 using integrate::run::Outcome;
-using integrate::run::Turn;
+using integrate::run::TurnReport;
+using integrate::run::TurnRequest;
 using test::OneSideRotor;
 
 Trace run(const OneSideRotor& rotor, const TraceOptions& options,
@@ -209,12 +210,13 @@ TEST(LastWindow, IsTheWholeRunWhereThatIsShorter) {
 /// A run of a point that stands still at (1, 2) length scales for `whole` turns, then fails after `samples`
 /// more.
 integrate::run::Cursor failing_after(int whole, int samples) {
-  return [whole, samples, turns = 0](Turn& turn) mutable {
+  return [whole, samples, turns = 0](const TurnRequest& asked, TurnReport& turn) mutable {
     const bool fails = turns++ == whole;
     const std::vector<double> state{static_cast<double>(turns), 2, 0, 0};
-    for (int k = 0; k < (fails ? samples : turn.samples_per_revolution); ++k) {
+    turn.sample_count = fails ? samples : asked.samples_per_revolution;
+    turn.samples.resize(static_cast<std::size_t>(4 * asked.samples_per_revolution));
+    for (int k = 0; k < turn.sample_count; ++k)
       std::copy(state.begin(), state.end(), turn.samples.begin() + 4 * k);
-    }
     turn.switches = {
         {.phase_rad = 0.1, .contact = 0, .from = contact::Mode::open, .to = contact::Mode::sprung}};
     turn.hits = 1;

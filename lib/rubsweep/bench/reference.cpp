@@ -10,13 +10,13 @@
 namespace rubsweep::bench {
 namespace {
 
-integrate::run::Turn turn_after(const scene::Scene& scene, int turns,
-                                const integrate::run::SolverOptions& options) {
+integrate::run::TurnReport turn_after(const scene::Scene& scene, int turns,
+                                      const integrate::run::SolverOptions& options) {
   integrate::exact::ModeCache modes;
   const integrate::run::Run run = integrate::start(scene, options, modes);
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   for (int k = 0; k < turns; ++k) {
-    const integrate::run::Outcome outcome = run.advance(turn);
+    const integrate::run::Outcome outcome = run.advance({}, turn);
     if (outcome != integrate::run::Outcome::ok) {
       throw ConfigError("this cell has no reference for the state error, choose another: " +
                         std::string(integrate::run::to_string(outcome)));
@@ -48,7 +48,7 @@ integrate::run::SolverOptions reference_options(integrate::run::SolverOptions ba
 
 Reference reference_section(const scene::Scene& scene, int turns, const integrate::run::SolverOptions& base) {
   const integrate::run::SolverOptions options = reference_options(base);
-  const integrate::run::Turn best = turn_after(scene, turns, options);
+  const integrate::run::TurnReport best = turn_after(scene, turns, options);
   const auto against = [&](integrate::run::Stepper stepper) {
     return section_difference(best.section, turn_after(scene, turns, adaptive(options, stepper)).section);
   };

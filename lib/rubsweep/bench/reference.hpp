@@ -11,7 +11,7 @@ namespace rubsweep::bench {
 
 /// The section that errors are measured against, and how far two other routes to it are away.
 struct Reference {
-  std::vector<double> section;  ///< scaled, as Turn::section
+  std::vector<double> section;  ///< scaled, as TurnReport::section
   double against_rkf78 = 0;     ///< largest difference of a component from adaptive rkf78
   double against_dopri5 = 0;    ///< and from adaptive dopri5, in (clearance, clearance omega)
   bool closed_forms = false;    ///< no turn of the reference was made by a stepper

@@ -14,9 +14,9 @@ bool closed_forms_do(const scene::Scene& scene, integrate::run::SolverOptions ba
   base.contact = ContactHandling::located;
   integrate::exact::ModeCache modes;
   const integrate::run::Run run = integrate::start(scene, base, modes);
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   for (int k = 0; k < turns; ++k) {
-    if (run.advance(turn) != integrate::run::Outcome::ok) return false;
+    if (run.advance({}, turn) != integrate::run::Outcome::ok) return false;
   }
   return turn.effort.adaptive_turns == 0 && turn.effort.taylor_turns == 0;
 }

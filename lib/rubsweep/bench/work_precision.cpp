@@ -14,11 +14,11 @@ namespace {
 double run_once(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                 std::span<const double> reference, const WorkPrecisionOptions& options,
                 integrate::exact::ModeCache& modes, Measurement& measurement) {
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   const double start = processor_time_s();
   const integrate::run::Run run = integrate::start(scene, solver, modes);
   for (int k = 1; k <= options.turns; ++k) {
-    measurement.outcome = run.advance(turn);
+    measurement.outcome = run.advance({}, turn);
     if (measurement.outcome != integrate::run::Outcome::ok) break;
     if (k == options.error_turns) measurement.state_error = section_difference(turn.section, reference);
   }

@@ -37,16 +37,14 @@ class Structure {
     bow_ = prepared.assembly.bow_n.size() > 0 ? solve(prepared.assembly.bow_n)
                                               : Eigen::VectorXcd(Eigen::VectorXcd::Zero(unbalance_.size()));
     constant_ = mass_.solve(constant_n);
-    pulse_ = Eigen::VectorXd::Zero(unbalance_.size());
   }
 
-  void kick_with(const scene::Pulse& pulse) {
-    pulse_ = mass_.solve(pulse.direction) * pulse.force_n;
-    pulse_s_ = pulse.duration_s;
+  void add(const scene::Pulse& pulse) {
+    pulses_.push_back({mass_.solve(pulse.direction) * pulse.force_n, pulse.duration_s, pulse.elapsed_s});
   }
 
   void operator()(const State& state, State& rate, double t) const {
-    const Eigen::Index n = pulse_.size();
+    const Eigen::Index n = constant_.size();
     const Eigen::Map<const Eigen::VectorXd> q(state.data(), n), v(state.data() + n, n);
     Eigen::Map<Eigen::VectorXd> velocity(rate.data(), n), acceleration(rate.data() + n, n);
     velocity = v;
@@ -57,10 +55,19 @@ class Structure {
     acceleration.noalias() -= stiffness_ * q;
     acceleration.noalias() -= damping_ * v;
     acceleration.noalias() -= speed * (gyroscopic_ * v);
-    if (t < pulse_s_) acceleration += pulse_ * std::sin(pi * t / pulse_s_);
+    for (const Pulse& pulse : pulses_) {
+      const double since_s = t + pulse.elapsed_s;
+      if (since_s >= 0 && since_s < pulse.duration_s)
+        acceleration += pulse.top_m_per_s2 * std::sin(pi * since_s / pulse.duration_s);
+    }
   }
 
  private:
+  struct Pulse {
+    Eigen::VectorXd top_m_per_s2;
+    double duration_s = 0, elapsed_s = 0;
+  };
+
   Eigen::VectorXcd solve(const Eigen::VectorXcd& force) const {
     const Eigen::VectorXd real = mass_.solve(Eigen::VectorXd(force.real()));
     const Eigen::VectorXd imaginary = mass_.solve(Eigen::VectorXd(force.imag()));
@@ -72,8 +79,8 @@ class Structure {
   Eigen::LDLT<Eigen::MatrixXd> mass_;
   Eigen::MatrixXd stiffness_, damping_, gyroscopic_;
   Eigen::VectorXcd unbalance_, bow_;
-  Eigen::VectorXd constant_, pulse_;
-  double pulse_s_ = 0;
+  Eigen::VectorXd constant_;
+  std::vector<Pulse> pulses_;
 };
 
 /// On the quiet motion of the first speed, its unbalance at angle 0; at standstill where static forces leave
@@ -92,10 +99,11 @@ State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run
   return state;
 }
 
-/// Impulses by the shaft's angle.
-class Strikes {
+/// Impulses by the shaft's angle. Those of integrate::run belong to a constant speed, where instants repeat
+/// to the last bit from turn to turn; on a ramp there is no turn to repeat.
+class ImpulsesOnARamp {
  public:
-  Strikes(const scene::PreparedMachine& prepared, const LinearRun& run) : run_(run) {
+  ImpulsesOnARamp(const scene::PreparedMachine& prepared, const LinearRun& run) : run_(run) {
     const Eigen::LDLT<Eigen::MatrixXd> mass(prepared.assembly.system.mass);
     for (const auto& train : prepared.assembly.impulses)
       trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});
@@ -107,8 +115,8 @@ class Strikes {
     return next;
   }
 
-  /// Adds to the velocities what strikes up to `t_s`.
-  void strike(double t_s, State& state) {
+  /// Adds to the velocities the impulses that are due up to `t_s`.
+  void apply(double t_s, State& state) {
     for (Train& train : trains_) {
       for (; instant_s(train) <= t_s; ++train.count) {
         const Eigen::Index n = train.jump_m_per_s.size();
@@ -170,8 +178,9 @@ Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearR
   const Eigen::VectorXd constant_n = prepared.machine.gravity_m_per_s2 * prepared.assembly.system.weight_kg;
   Structure structure(prepared, run, constant_n);
   if (run.kick && prepared.machine.kick) {
-    // The pulse of any cell: neither its place nor its direction depends on the speed.
-    structure.kick_with(*scene::build_cell(prepared, 1, scene::Eccentricity{0}).scene.pulse);
+    // The pulses of any cell: neither their place nor their direction depends on the speed.
+    for (const scene::Pulse& pulse : scene::build_cell(prepared, 1, scene::Eccentricity{0}).scene.pulses)
+      structure.add(pulse);
   }
   State state = initial_state(prepared, run, constant_n);
   const Eigen::Index n = prepared.assembly.system.coordinates();
@@ -179,13 +188,13 @@ Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearR
   auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<State>>(relative_tolerance * length,
                                                                             relative_tolerance);
   Eigen::MatrixXd signal(run.samples, sensor_rows.rows());
-  Strikes strikes(prepared, run);
+  ImpulsesOnARamp impulses(prepared, run);
   double t = 0, step = run.sample_s / 100;
   for (int k = 0; k < run.samples; ++k) {
     const double sample_at = k * run.sample_s;
     for (double target = 0; t < sample_at;) {
-      strikes.strike(t, state);
-      target = std::min(sample_at, strikes.next_s());
+      impulses.apply(t, state);
+      target = std::min(sample_at, impulses.next_s());
       const double rest = target - t;
       double trial = std::min(step, rest);
       const bool whole = trial == rest;

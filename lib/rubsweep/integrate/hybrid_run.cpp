@@ -5,6 +5,7 @@
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/exact/exact_run.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
 
 namespace rubsweep::integrate {
@@ -14,12 +15,10 @@ constexpr int longest_absence = 64;  ///< turns by other means before closed for
 
 /// The scene as it stands at the start of revolution `revolution`, at `section`.
 scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long revolution) {
-  const Eigen::Index n = scene.structure.coordinates();
-  const Eigen::Map<const Eigen::VectorXd> state(section.data(), 2 * n);
-  scene.displacement_m = scene.length_scale_m * state.head(n);
-  scene.velocity_m_per_s = scene.length_scale_m * scene.speed_rad_per_s * state.tail(n);
+  run::set_initial_state(scene, section);
   scene.elapsed_revolutions += revolution;
-  if (scene.pulse) scene.pulse->elapsed_s += static_cast<double>(revolution) * scene.period_s();
+  for (scene::Pulse& pulse : scene.pulses)
+    pulse.elapsed_s += static_cast<double>(revolution) * scene.period_s();
   return scene;
 }
 
@@ -32,20 +31,20 @@ class ExactCursor {
               std::shared_ptr<exact::MachineModes<N>> modes)
       : scene_(scene), options_(options), run_(scene, std::move(modes), options.max_steps_per_revolution) {}
 
-  run::Outcome operator()(run::Turn& turn) {
+  run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
     if (!away_) {
-      switch (run_.advance(turn)) {
+      switch (run_.advance(request, report)) {
         case exact::ExactEnding::ok:
-          return report(turn, run::Outcome::ok);
+          return finish(report, run::Outcome::ok);
         case exact::ExactEnding::step_limit:
-          return report(turn, run::Outcome::step_limit);
+          return finish(report, run::Outcome::step_limit);
         case exact::ExactEnding::non_finite:
-          return report(turn, run::Outcome::non_finite);
+          return finish(report, run::Outcome::non_finite);
         case exact::ExactEnding::beyond:
           leave();
       }
     }
-    return adaptive_ ? advance_adaptively(turn) : advance_by_series(turn);
+    return adaptive_ ? advance_adaptively(request, report) : advance_by_series(request, report);
   }
 
   void restart(std::span<const double> section) {
@@ -64,7 +63,8 @@ class ExactCursor {
     if (options_.stepper != run::Stepper::automatic || options_.contact != run::ContactHandling::located)
       return start_stepper();
     if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
-    taylor_->resume(run_.section(), run_.revolution());
+    run_.put_section(section_);
+    taylor_->resume(section_, run_.revolution());
   }
 
   void start_stepper() {
@@ -72,36 +72,36 @@ class ExactCursor {
     adaptive_effort_ = {};
   }
 
-  run::Outcome advance_by_series(run::Turn& turn) {
-    switch (taylor_->advance(turn)) {
+  run::Outcome advance_by_series(const run::TurnRequest& request, run::TurnReport& report) {
+    switch (taylor_->advance(request, report)) {
       case taylor::TaylorEnding::ok:
         break;
       case taylor::TaylorEnding::stiff:
         start_stepper();
-        return advance_adaptively(turn);
+        return advance_adaptively(request, report);
       case taylor::TaylorEnding::step_limit:
-        return report(turn, run::Outcome::step_limit);
+        return finish(report, run::Outcome::step_limit);
       case taylor::TaylorEnding::non_finite:
-        return report(turn, run::Outcome::non_finite);
+        return finish(report, run::Outcome::non_finite);
     }
     ++taylor_turns_;
-    report(turn, run::Outcome::ok);
-    return made_away(turn);
+    finish(report, run::Outcome::ok);
+    return made_away(report);
   }
 
-  run::Outcome advance_adaptively(run::Turn& turn) {
-    const run::Outcome outcome = adaptive_(turn);
-    adaptive_effort_ = turn.effort;
+  run::Outcome advance_adaptively(const run::TurnRequest& request, run::TurnReport& report) {
+    const run::Outcome outcome = adaptive_(request, report);
+    adaptive_effort_ = report.effort;
     ++adaptive_turns_;
-    report(turn, outcome);
-    return outcome == run::Outcome::ok ? made_away(turn) : outcome;
+    finish(report, outcome);
+    return outcome == run::Outcome::ok ? made_away(report) : outcome;
   }
 
-  run::Outcome made_away(const run::Turn& turn) {
-    run_.resume(turn.section);
+  run::Outcome made_away(const run::TurnReport& report) {
+    run_.resume(report.section);
     ++absent_;
-    if (!turn.touched || absent_ >= absence_) {
-      if (!turn.touched) absence_ = 1;
+    if (!report.touched || absent_ >= absence_) {
+      if (!report.touched) absence_ = 1;
       come_back();
     }
     return run::Outcome::ok;
@@ -123,11 +123,11 @@ class ExactCursor {
     return a;
   }
 
-  run::Outcome report(run::Turn& turn, run::Outcome outcome) {
-    turn.effort = sum(sum(past_, adaptive_effort_), run_.effort());
-    if (taylor_) turn.effort = sum(turn.effort, taylor_->effort());
-    turn.effort.taylor_turns = taylor_turns_;
-    turn.effort.adaptive_turns = adaptive_turns_;
+  run::Outcome finish(run::TurnReport& report, run::Outcome outcome) {
+    report.effort = sum(sum(past_, adaptive_effort_), run_.effort());
+    if (taylor_) report.effort = sum(report.effort, taylor_->effort());
+    report.effort.taylor_turns = taylor_turns_;
+    report.effort.adaptive_turns = adaptive_turns_;
     return outcome;
   }
 
@@ -137,6 +137,7 @@ class ExactCursor {
   std::unique_ptr<TaylorRun> taylor_;  ///< made when first needed
   run::Cursor adaptive_;               ///< empty while no stepper is at work
   bool away_ = false;                  ///< from closed forms
+  std::vector<double> section_;        ///< where the run left them
   int absence_ = 1, absent_ = 0;
   long taylor_turns_ = 0, adaptive_turns_ = 0;
   run::Effort past_, adaptive_effort_;
@@ -145,7 +146,7 @@ class ExactCursor {
 template <int N>
 run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::ModeCache& modes) {
   auto run = std::make_shared<ExactCursor<N>>(scene, options, modes.modes_of<N>(scene));
-  return {[run](run::Turn& turn) { return (*run)(turn); },
+  return {[run](const run::TurnRequest& request, run::TurnReport& report) { return (*run)(request, report); },
           [run](std::span<const double> section) { run->restart(section); }};
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 
 namespace rubsweep::integrate {
 namespace {
@@ -16,13 +17,11 @@ struct Restarting {
 run::Run start_restarting(const scene::Scene& scene, const run::SolverOptions& options) {
   auto run =
       std::make_shared<Restarting>(Restarting{scene, options, adaptive::start_adaptive(scene, options)});
-  return {[run](run::Turn& turn) { return run->cursor(turn); },
+  return {[run](const run::TurnRequest& request, run::TurnReport& report) {
+            return run->cursor(request, report);
+          },
           [run](std::span<const double> section) {
-            const Eigen::Index n = run->scene.structure.coordinates();
-            const Eigen::Map<const Eigen::VectorXd> state(section.data(), 2 * n);
-            run->scene.displacement_m = run->scene.length_scale_m * state.head(n);
-            run->scene.velocity_m_per_s =
-                run->scene.length_scale_m * run->scene.speed_rad_per_s * state.tail(n);
+            run::set_initial_state(run->scene, section);
             run->cursor = adaptive::start_adaptive(run->scene, run->options);
           }};
 }

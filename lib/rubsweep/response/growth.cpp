@@ -18,9 +18,9 @@ struct Tangent {
   std::optional<double> operator()(std::span<double> section) {
     if (direction.size() == 0) start(section.size());
     before.assign(section.begin(), section.end());
-    bool exact = false;
-    if (!map.carry_exactly(section, direction, exact)) return std::nullopt;
-    if (!exact && !by_second_run(before, section)) return std::nullopt;
+    bool moved = false;
+    if (!map.carry_exactly(section, direction, moved)) return std::nullopt;
+    if (!moved && !by_second_run(before, section)) return std::nullopt;
     const double factor = direction.norm();
     if (!(factor > lost)) {
       start(section.size());

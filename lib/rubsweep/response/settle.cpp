@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rubsweep/integrate/run/impulses.hpp"
-#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/response/aperiodic.hpp"
 #include "rubsweep/response/motion/record.hpp"
 #include "rubsweep/response/proof/orbit_proof.hpp"
@@ -28,7 +28,12 @@ using Complex = std::complex<double>;
 /// A hundredth of `separation`: the solver's noise must not part the states.
 constexpr double largest_tolerance_of_an_exponent = 1e-7;
 
-double pulse_end_s(const scene::Scene& scene) { return scene.pulse ? scene.pulse->duration_s : 0; }
+/// End of the last pulse.
+double pulses_end_s(const scene::Scene& scene) {
+  double end_s = 0;
+  for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
+  return end_s;
+}
 
 const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const scene::Scene& scene) {
   return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
@@ -105,7 +110,7 @@ class MotionProof {
     return turning ? turning->samples_wanted() : 0;
   }
 
-  std::optional<motion::ProvenMotion> look(const integrate::run::Turn& turn) {
+  std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn) {
     if (auto* turning = std::get_if<rotating::RotatingProof>(&proof_)) return turning->look(turn);
     if (auto* section = std::get_if<proof::OrbitProof>(&proof_)) return section->look(turn);
     return std::nullopt;
@@ -150,16 +155,17 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   MotionProof proof(cell.scene, solver, options, workspace);
   motion::Record record(cell.scene, options);
   const long first_recorded = options.max_revolutions - 2L * options.window_revolutions;
-  const double kick_turns = pulse_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
-  integrate::run::Turn turn;
+  const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
+  integrate::run::TurnRequest request;
+  integrate::run::TurnReport turn;
   while (run.revolutions < options.max_revolutions) {
-    turn.samples_per_revolution = proof.samples_wanted();
-    if (run.revolutions >= first_recorded) turn.samples_per_revolution = options.samples_per_revolution;
+    request.samples_per_revolution = proof.samples_wanted();
+    if (run.revolutions >= first_recorded) request.samples_per_revolution = options.samples_per_revolution;
     if (run.revolutions == first_recorded) {
-      turn.peaks = true;
+      request.peaks = true;
       record.begin(first_recorded == 0 ? integrate::run::scaled_initial_state(cell.scene) : turn.section);
     }
-    run.outcome = motion.advance(turn);
+    run.outcome = motion.advance(request, turn);
     run.effort = turn.effort;
     if (run.outcome != integrate::run::Outcome::ok) {
       run.motion.motion_class = motion::MotionClass::failed;

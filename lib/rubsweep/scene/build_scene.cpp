@@ -103,7 +103,7 @@ double share_before_contact(const Cell& cell) {
 
 void start_at_rest(Cell& cell) {
   cell.start = Start::contact;
-  cell.scene.pulse.reset();
+  cell.scene.pulses.clear();
   cell.scene.displacement_m = share_before_contact(cell) * cell.quiet.mean;
   cell.scene.velocity_m_per_s = Eigen::VectorXd::Zero(cell.quiet.mean.size());
 }
@@ -163,7 +163,7 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
   const QuietMotion unit = quiet_motion(scene.structure, w, unit_force, scene.constant_n);
   const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
   const Eigen::Vector2d wall = nearest_wall(unit, scene.structure, first);
-  if (prepared.machine.kick) scene.pulse = pulse_of(*prepared.machine.kick, wall, assembly);
+  if (prepared.machine.kick) scene.pulses.push_back(pulse_of(*prepared.machine.kick, wall, assembly));
   const bool bowed = assembly.bow_n.size() > 0;
   QuietMotion bow;
   if (bowed) {

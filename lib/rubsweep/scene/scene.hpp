@@ -25,25 +25,27 @@ struct Contact {
   double surface_speed_m_per_s = 0;  ///< R omega
 };
 
-/// Half-sine pulse: F(t) = force_n sin(pi (t + elapsed_s) / duration_s) as long as t + elapsed_s is between 0
-/// and duration_s, nothing before and after.
+/// Half-sine force pulse: F(t) = force_n sin(pi (t + elapsed_s) / duration_s) as long as t + elapsed_s is
+/// between 0 and duration_s, nothing before and after. The kick of a configuration is one that starts at
+/// t = 0.
 struct Pulse {
   Eigen::VectorXd direction;  ///< n: generalised force per newton
   double force_n = 0;
   double duration_s = 0;
-  double elapsed_s = 0;  ///< >= 0: how long before t = 0 it started
+  double elapsed_s = 0;  ///< how long before t = 0 it started; below 0: it starts at t = -elapsed_s
 };
 
 /// All that one run simulates, at one speed: a linear structure, what drives it, and the contacts between its
 /// points. The solvers know nothing else; a new rotor or a new stop changes what fills this, not what reads
-/// it.
+/// it. What drives it is the sum of a force that turns with the shaft, a constant one, any number of pulses
+/// (forces over a while, which may overlap) and any number of impulse trains (jumps of the velocities).
 struct Scene {
   structure::LinearSystem structure;
   std::vector<Contact> contacts;
   double speed_rad_per_s = 0;   ///< > 0; one revolution lasts 2 pi / speed
   Eigen::VectorXcd harmonic_n;  ///< n: force Re(harmonic_n e^{i speed t})
   Eigen::VectorXd constant_n;   ///< n: force that does not change
-  std::optional<Pulse> pulse;
+  std::vector<Pulse> pulses;
   std::vector<structure::ImpulseTrain> impulses;
   long elapsed_revolutions = 0;    ///< of the impulse trains at t = 0
   Eigen::VectorXd displacement_m;  ///< n: q(0)

@@ -64,7 +64,7 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, std::si
     return row;
   }
   row.start = start.start == scene::Start::contact ? RunStart::contact
-              : start.scene.pulse                  ? RunStart::kick
+              : !start.scene.pulses.empty()        ? RunStart::kick
                                                    : RunStart::quiet;
   fill(row, response::settle(start, study.solver, study.response, workspace),
        some_friction_keeps_its_direction(prepared.machine));

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/response/proof/rest_proof.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
@@ -35,14 +35,15 @@ std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::P
 }
 
 /// No length of a mode can grow by more than its share of the whole impulse, however the pulse spreads it in
-/// time.
+/// time. The shares of several pulses do not simply add up; nothing is said then.
 bool never_touches(const scene::Cell& cell) {
   const scene::Scene& scene = cell.scene;
+  if (scene.pulses.size() > 1) return false;
   std::vector<double> section = integrate::run::scaled_initial_state(scene);
-  if (scene.pulse) {
-    const double impulse_ns = 2 / std::numbers::pi * scene.pulse->force_n * scene.pulse->duration_s;
-    const Eigen::VectorXd jump = scene.structure.mass.llt().solve(impulse_ns * scene.pulse->direction) /
-                                 (scene.length_scale_m * scene.speed_rad_per_s);
+  for (const scene::Pulse& pulse : scene.pulses) {
+    const double impulse_ns = 2 / std::numbers::pi * pulse.force_n * pulse.duration_s;
+    const Eigen::VectorXd jump = scene.structure.mass.llt().solve(impulse_ns * pulse.direction) /
+                                 integrate::run::state_scale(scene).unit_velocity_m_per_s();
     const auto n = static_cast<std::size_t>(jump.size());
     for (std::size_t i = 0; i < n; ++i) section[n + i] += jump(static_cast<Eigen::Index>(i));
   }

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <deque>
 #include <iterator>
-#include <limits>
 #include <numbers>
 #include <span>
 
-#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/response/motion/section.hpp"
 #include "rubsweep/trace/trace_state.hpp"
 
@@ -25,18 +24,10 @@ class Recorder {
     add_section(integrate::run::scaled_initial_state(scene));
   }
 
-  /// Asks for everything. Samples that a failing turn does not reach stay NaN.
-  void prepare(integrate::run::Turn& turn) const {
-    turn.samples_per_revolution = options_.samples_per_revolution;
-    turn.peaks = turn.switches_wanted = true;
-    const std::size_t numbers = static_cast<std::size_t>(options_.samples_per_revolution) * reader_.size();
-    turn.samples.assign(numbers, std::numeric_limits<double>::quiet_NaN());
-  }
-
   /// The part of a turn before its failure, or a whole turn's samples and events.
-  void add_samples(const integrate::run::Turn& turn) {
+  void add_samples(const integrate::run::TurnReport& turn) {
     std::vector<TracedState> states;
-    for (int k = 0; k < options_.samples_per_revolution; ++k) {
+    for (int k = 0; k < turn.sample_count; ++k) {
       const auto scaled =
           std::span(turn.samples).subspan(static_cast<std::size_t>(k) * reader_.size(), reader_.size());
       if (std::any_of(scaled.begin(), scaled.end(), [](double value) { return std::isnan(value); })) break;
@@ -57,7 +48,7 @@ class Recorder {
   }
 
   /// What is only known at the end of a whole turn, after its samples.
-  void end_turn(const integrate::run::Turn& turn) {
+  void end_turn(const integrate::run::TurnReport& turn) {
     ++trace_.revolutions;
     trace_.turns.push_back(response::motion::facts_of(turn));
     if (turn.touched) trace_.last_contact_revolution = trace_.revolutions;
@@ -116,10 +107,11 @@ Trace trace_run(const integrate::run::Cursor& cursor, const scene::Scene& scene,
                 const integrate::run::SolverOptions& solver, const TraceOptions& options) {
   Trace trace;
   Recorder recorder(scene, solver, options, trace);
-  integrate::run::Turn turn;
+  const integrate::run::TurnRequest everything{
+      .samples_per_revolution = options.samples_per_revolution, .peaks = true, .switches = true};
+  integrate::run::TurnReport turn;
   while (trace.revolutions < options.revolutions) {
-    recorder.prepare(turn);
-    trace.outcome = cursor(turn);
+    trace.outcome = cursor(everything, turn);
     trace.effort = turn.effort;
     recorder.add_samples(turn);
     if (trace.outcome != integrate::run::Outcome::ok) break;

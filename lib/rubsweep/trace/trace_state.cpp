@@ -5,6 +5,7 @@
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
 namespace rubsweep::trace {
@@ -28,11 +29,8 @@ TraceState StateReader::read(std::span<const double> scaled) const {
   if (scaled.size() != size()) {
     throw SolverError(fmt::format("a state of this scene has {} numbers, got {}", size(), scaled.size()));
   }
-  const Eigen::Index n = scene_.structure.coordinates();
-  const double length_m = scene_.length_scale_m;
-  const Eigen::VectorXd q_m = length_m * Eigen::Map<const Eigen::VectorXd>(scaled.data(), n);
-  const Eigen::VectorXd rate_m_per_s =
-      length_m * scene_.speed_rad_per_s * Eigen::Map<const Eigen::VectorXd>(scaled.data() + n, n);
+  const integrate::run::StateScale scale = integrate::run::state_scale(scene_);
+  const Eigen::VectorXd q_m = scale.displacement_m(scaled), rate_m_per_s = scale.velocity_m_per_s(scaled);
   const auto& observed = point(scene_, scene_.observed_point);
   TraceState state{
       .displacement_m = observed * q_m, .velocity_m_per_s = observed * rate_m_per_s, .stops = {}};

@@ -24,9 +24,9 @@ struct TraceState {
   std::vector<StopState> stops;
 };
 
-/// Reads states of a run of `scene`, scaled as integrate::Turn holds them (q then q', 2n numbers), back to
-/// SI. Contact forces are those of the law that a run with these options integrates, as it follows from the
-/// state alone. The scene must outlive the reader.
+/// Reads states of a run of `scene`, scaled as integrate::run::TurnReport holds them (q then q', 2n numbers),
+/// back to SI. Contact forces are those of the law that a run with these options integrates, as it follows
+/// from the state alone. The scene must outlive the reader.
 class StateReader {
  public:
   StateReader(const scene::Scene& scene, const integrate::run::SolverOptions& options);

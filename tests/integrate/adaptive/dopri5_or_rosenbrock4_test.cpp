@@ -27,8 +27,8 @@ struct Finished {
 
 Finished run(const scene::Scene& scene, const run::SolverOptions& options, int turns) {
   const run::Cursor advance = start_adaptive(scene, options);
-  run::Turn turn;
-  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok);
+  run::TurnReport turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance({}, turn), run::Outcome::ok);
   return {turn.section, turn.effort};
 }
 
@@ -68,9 +68,10 @@ TEST(AutomaticStepper, StaysExplicitInGentleRolling) {
 TEST(AutomaticStepper, SamplesInsideImplicitStepsFollowTheClosedForm) {
   const auto rolling = test::rolling_scene(1e5);
   const run::Cursor advance = start_adaptive(rolling.scene, with(run::Stepper::automatic, 1e-6));
-  run::Turn turn;
-  turn.samples_per_revolution = 50;
-  ASSERT_EQ(advance(turn), run::Outcome::ok);
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  asked.samples_per_revolution = 50;
+  ASSERT_EQ(advance(asked, turn), run::Outcome::ok);
   ASSERT_GT(turn.effort.implicit_steps, 0);
   for (std::size_t k = 0; k < 50; ++k) {
     const auto z = rolling.displacement(static_cast<double>(k) / 50);
@@ -83,8 +84,8 @@ TEST(AutomaticStepper, ImplicitStepsOfTurnsWithoutClosedFormAreCounted) {
   const auto rolling = test::rolling_scene(1e5);
   exact::ModeCache modes;
   const auto exact = start_hybrid(rolling.scene, with(run::Stepper::automatic, 1e-6), modes);
-  run::Turn turn;
-  ASSERT_EQ(exact.advance(turn), run::Outcome::ok);
+  run::TurnReport turn;
+  ASSERT_EQ(exact.advance({}, turn), run::Outcome::ok);
   EXPECT_EQ(turn.effort.adaptive_turns, 1);
   EXPECT_GT(turn.effort.implicit_steps, 0);
 }

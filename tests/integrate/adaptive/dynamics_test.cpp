@@ -44,9 +44,12 @@ TEST(Dynamics, EqualTheHandWrittenEquationsInEveryMode) {
   OneSideRotor rotor;
   rotor.friction_steepness_s_per_m = 0.05;  // so that slip matters
   const OneSideEquations<double> equations(rotor);
-  const auto system = run::scale<n>(test::cell_of(rotor).scene);
+  const auto scene = test::cell_of(rotor).scene;
+  const auto system = run::scale<n>(scene);
   Dynamics<n, false> dynamics(system, 0);
-  dynamics.set_pulse(true, 0);
+  run::PulseTimes pulses(scene, system.scale, 2 * std::numbers::pi);
+  pulses.begin_turn(0);
+  dynamics.follow(pulses);
   const double w = 2 * std::numbers::pi * rotor.speed_hz;
   std::mt19937 random(1);
   std::array<int, contact::mode_count> seen{};
@@ -117,9 +120,15 @@ template <bool Smoothed>
 void check_jacobian() {
   OneSideRotor rotor;
   rotor.friction_steepness_s_per_m = 0.05;
-  const auto system = run::scale<n>(test::cell_of(rotor).scene);
+  auto scene = test::cell_of(rotor).scene;
+  scene.pulses.push_back(scene.pulses.front());
+  scene.pulses.front().elapsed_s = 0.1 / scene.speed_rad_per_s;
+  const auto system = run::scale<n>(scene);
   Dynamics<n, Smoothed> dynamics(system, 2e-2);
-  dynamics.set_pulse(true, 0.1);
+  run::PulseTimes pulses(scene, system.scale, 2 * std::numbers::pi);
+  pulses.begin_turn(0);
+  ASSERT_EQ(pulses.acting().size(), 2u);
+  dynamics.follow(pulses);
   std::mt19937 random(5);
   for (int trial = 0; trial < 200; ++trial) {
     auto s = random_state(random);
@@ -152,7 +161,7 @@ void check_jacobian() {
 TEST(Dynamics, JacobianOfEveryMode) { check_jacobian<false>(); }
 TEST(Dynamics, JacobianOfTheSmoothedLaw) { check_jacobian<true>(); }
 
-TEST(run::ScaledSystem, RefusesTheWrongSize) {
+TEST(ScaledSystem, RefusesTheWrongSize) {
   EXPECT_THROW(run::scale<2>(test::cell_of({}).scene), std::logic_error);
 }
 

@@ -22,8 +22,8 @@ constexpr Complex i{0, 1};
 /// z = x + iy of the first point after `turns` revolutions, in metres.
 Complex displacement_after(const scene::Scene& scene, const run::SolverOptions& options, int turns) {
   const run::Cursor advance = start_adaptive(scene, options);
-  run::Turn turn;
-  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok);
+  run::TurnReport turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(advance({}, turn), run::Outcome::ok);
   return scene.length_scale_m * Complex(turn.section[0], turn.section[1]);
 }
 
@@ -77,7 +77,7 @@ TEST_P(EveryStepper, ForcedOscillatorFromRestWithConstantForce) {
 TEST_P(EveryStepper, AKickOverSeveralTurns) {
   const double m = 1, k = 400, T = 0.25, force = 0.3, duration = 2.4 * T;
   auto scene = test::one_mass_scene(m, k, 0, T, 1e-3);
-  scene.pulse = scene::Pulse{Eigen::Vector2d(1, 0), force, duration};
+  scene.pulses = {{Eigen::Vector2d(1, 0), force, duration}};
   const double w0 = std::sqrt(k / m), w = std::numbers::pi / duration, t = 2 * T;
   const double x = force * w / (m * (w0 * w0 - w * w)) * (std::sin(w * t) / w - std::sin(w0 * t) / w0);
   EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 2) - x), 5e-8 * scene.length_scale_m);
@@ -99,7 +99,7 @@ TEST_P(EveryStepper, KickLongerThanATurn) {
   // x'' + w0^2 x = F sin(pi t / D): x = F/(w0^2 - p^2) (sin p t - p/w0 sin w0 t) while it lasts, then free.
   const double w0 = 9, T = 0.3, duration = 1.1, p = std::numbers::pi / duration, force = 0.02;
   auto scene = test::one_mass_scene(1, w0 * w0, 0, T, 1e-3);
-  scene.pulse = scene::Pulse{Eigen::Vector2d(1, 0), force, duration};
+  scene.pulses = {{Eigen::Vector2d(1, 0), force, duration}};
   const double gain = force / (w0 * w0 - p * p);
   const double x1 = gain * (std::sin(p * duration) - p / w0 * std::sin(w0 * duration));
   const double v1 = gain * p * (std::cos(p * duration) - std::cos(w0 * duration));
@@ -113,10 +113,10 @@ TEST_P(EveryStepper, RubbingRunAgreesWithTheLongDoubleReference) {
   static const auto reference = test::long_double_sections(rotor, 12);
   const double tolerance = GetParam() == run::Stepper::rosenbrock4 ? 1e-8 : 1e-10;
   const run::Cursor advance = start_adaptive(test::cell_of(rotor).scene, with(GetParam(), tolerance));
-  run::Turn turn;
+  run::TurnReport turn;
   int hits = 0;
   for (std::size_t k = 1; k < reference.size(); ++k) {
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    ASSERT_EQ(advance({}, turn), run::Outcome::ok);
     hits += turn.hits;
     EXPECT_LT(test::section_error(turn.section, reference[k], rotor), 1e3 * tolerance) << "turn " << k;
   }
@@ -130,9 +130,10 @@ TEST_P(EveryStepper, SingleElasticShock) {
   scene.contacts.push_back(test::wall_across_x(1, 0, 1e6, 0));
   scene.velocity_m_per_s << 1, 0;
   const run::Cursor advance = start_adaptive(scene, with(GetParam(), 1e-10));
-  run::Turn turn;
-  turn.peaks = turn.switches_wanted = true;
-  ASSERT_EQ(advance(turn), run::Outcome::ok);
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  asked.peaks = asked.switches = true;
+  ASSERT_EQ(advance(asked, turn), run::Outcome::ok);
   const double in_contact = std::sqrt(1.01e6 / 100), in_flight = 10, pi = std::numbers::pi;
   EXPECT_NEAR(turn.peak_contact_force_n, 1e6 / in_contact, 1e-4 * 9950.37);
   ASSERT_GE(turn.switches.size(), 2u);
@@ -146,13 +147,14 @@ TEST_P(EveryStepper, SamplingDoesNotChangeTheRun) {
   const auto cell = test::cell_of({});
   const run::Cursor plain = start_adaptive(cell.scene, with(GetParam(), 1e-8));
   const run::Cursor sampled = start_adaptive(cell.scene, with(GetParam(), 1e-8));
-  run::Turn a, b;
-  b.samples_per_revolution = 50;
-  b.peaks = b.switches_wanted = true;
+  run::TurnRequest asked;
+  run::TurnReport a, b;
+  asked.samples_per_revolution = 50;
+  asked.peaks = asked.switches = true;
   std::vector<double> before = run::scaled_initial_state(cell.scene);
   for (int k = 0; k < 4; ++k) {
-    ASSERT_EQ(plain(a), run::Outcome::ok);
-    ASSERT_EQ(sampled(b), run::Outcome::ok);
+    ASSERT_EQ(plain({}, a), run::Outcome::ok);
+    ASSERT_EQ(sampled(asked, b), run::Outcome::ok);
     ASSERT_EQ(a.section, b.section);
     EXPECT_TRUE(
         std::equal(before.begin(), before.end(), b.samples.begin()));  // sample 0 is the previous section
@@ -165,9 +167,8 @@ TEST(Adaptive, SamplesOfAllSteppersAgree) {
   const auto samples = [&](run::Stepper stepper) {
     const run::Cursor advance =
         start_adaptive(cell.scene, with(stepper, stepper == run::Stepper::rosenbrock4 ? 1e-9 : 1e-10));
-    run::Turn turn;
-    turn.samples_per_revolution = 37;
-    for (int k = 0; k < 3; ++k) EXPECT_EQ(advance(turn), run::Outcome::ok);
+    run::TurnReport turn;
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(advance({.samples_per_revolution = 37}, turn), run::Outcome::ok);
     return turn.samples;
   };
   const std::vector<double> reference = samples(run::Stepper::rkf78);
@@ -182,12 +183,13 @@ TEST(Adaptive, SamplesOfAllSteppersAgree) {
 
 TEST(Adaptive, ModesFollowTheRulesAndTheHitIsCountedOnce) {
   const run::Cursor advance = start_adaptive(test::cell_of({}).scene, with(run::Stepper::dopri5, 1e-9));
-  run::Turn turn;
-  turn.switches_wanted = true;
+  run::TurnRequest asked;
+  run::TurnReport turn;
+  asked.switches = true;
   contact::Mode mode = contact::Mode::open;
   int hits = 0, entries = 0;
   for (int k = 0; k < 10; ++k) {
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    ASSERT_EQ(advance(asked, turn), run::Outcome::ok);
     double last_phase = 0;
     for (const run::ModeSwitch& change : turn.switches) {
       EXPECT_EQ(change.from, mode);
@@ -210,9 +212,9 @@ TEST(Adaptive, GrazeIsAHitOnlyWhenThePeakPassesTheWall) {
       scene.displacement_m << -1, 0;
       scene.contacts.push_back(test::wall_across_x(1, 1 - depth, 1e4, 1));
       const run::Cursor advance = start_adaptive(scene, with(stepper, 1e-12));
-      run::Turn turn;
-      ASSERT_EQ(advance(turn), run::Outcome::ok);
-      EXPECT_EQ(turn.hits, depth > 0 ? 1 : 0) << depth << " stepper " << static_cast<int>(stepper);
+      run::TurnReport turn;
+      ASSERT_EQ(advance({}, turn), run::Outcome::ok);
+      EXPECT_EQ(turn.hits, depth > 0 ? 1 : 0) << depth << " stepper " << row_of(stepper).word;
     }
   }
 }
@@ -226,10 +228,10 @@ TEST(Adaptive, TwoWallsHitAtOnceStaySymmetric) {
   }
   scene.velocity_m_per_s << 1, 0;
   const run::Cursor advance = start_adaptive(scene, with(run::Stepper::dopri5, 1e-9));
-  run::Turn turn;
+  run::TurnReport turn;
   int hits = 0;
   for (int k = 0; k < 5; ++k) {
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    ASSERT_EQ(advance({}, turn), run::Outcome::ok);
     hits += turn.hits;
     EXPECT_NEAR(turn.section[1], 0, 1e-12);
   }
@@ -240,8 +242,8 @@ TEST(Adaptive, TwoWallsHitAtOnceStaySymmetric) {
 TEST(Adaptive, StepLimitIsAnOutcome) {
   run::SolverOptions options = with(run::Stepper::dopri5, 1e-12);
   options.max_steps_per_revolution = 20;
-  run::Turn turn;
-  EXPECT_EQ(start_adaptive(test::cell_of({}).scene, options)(turn), run::Outcome::step_limit);
+  run::TurnReport turn;
+  EXPECT_EQ(start_adaptive(test::cell_of({}).scene, options)({}, turn), run::Outcome::step_limit);
   EXPECT_EQ(turn.effort.steps + turn.effort.refused, 20);
 }
 
@@ -250,10 +252,10 @@ TEST(Adaptive, NonFiniteStatesAreAnOutcome) {
   scene.constant_n << std::numeric_limits<double>::infinity(), 0;
   for (const run::Stepper stepper :
        {run::Stepper::dopri5, run::Stepper::cash_karp54, run::Stepper::rkf78, run::Stepper::bulirsch_stoer}) {
-    run::Turn turn;
-    const run::Outcome outcome = start_adaptive(scene, with(stepper, 1e-8))(turn);
+    run::TurnReport turn;
+    const run::Outcome outcome = start_adaptive(scene, with(stepper, 1e-8))({}, turn);
     EXPECT_TRUE(outcome == run::Outcome::non_finite || outcome == run::Outcome::step_too_small)
-        << static_cast<int>(stepper);
+        << row_of(stepper).word;
   }
 }
 
@@ -261,7 +263,7 @@ TEST(Adaptive, RunawayEndsAsAnOutcome) {
   // Negative damping: e^{1e4 t} leaves the finite numbers within the turn.
   auto scene = test::one_mass_scene(1, 1, -1e4, 1, 1);
   scene.displacement_m << 1, 0;
-  run::Turn turn;
+  run::TurnReport turn;
   const run::Outcome outcome = start_adaptive(scene, with(run::Stepper::dopri5, 1e-6))(turn);
   EXPECT_TRUE(outcome == run::Outcome::non_finite || outcome == run::Outcome::step_too_small);
 }
@@ -280,9 +282,9 @@ TEST(Adaptive, EightCoordinatesTakeTheDynamicPath) {
   ASSERT_EQ(cell.scene.structure.coordinates(), 8);
   const run::Cursor advance = start_adaptive(cell.scene, with(run::Stepper::dopri5, 1e-10));
   const auto reference = test::long_double_sections(rotor, 4);
-  run::Turn turn;
+  run::TurnReport turn;
   for (std::size_t k = 1; k < reference.size(); ++k) {
-    ASSERT_EQ(advance(turn), run::Outcome::ok);
+    ASSERT_EQ(advance({}, turn), run::Outcome::ok);
     const auto& s = turn.section;
     const std::vector<double> first{s[0], s[1], s[2], s[3], s[8], s[9], s[10], s[11]};
     EXPECT_LT(test::section_error(first, reference[k], rotor), 1e-7);

@@ -22,25 +22,26 @@ struct RubbingTurn {
   MatrixXd transition;
 
   RubbingTurn() {
-    const run::Run kicked = start(scene, {}, modes);
-    run::Turn turn;
+    const run::Run kicked = integrate::start(scene, {}, modes);
+    run::TurnReport turn;
     do {
-      EXPECT_EQ(kicked.advance(turn), run::Outcome::ok);
+      EXPECT_EQ(kicked.advance({}, turn), run::Outcome::ok);
       start = turn.section;
-      scene.pulse.reset();
+      scene.pulses.clear();
       turn_from(start, turn);
     } while (turn.effort.steps < 10'000 && (!turn.touched || turn.touching_at_end));
     EXPECT_TRUE(turn.touched);
     end = turn.section;
-    transition = turn.tangent_vectors;
+    transition = *turn.tangent_vectors.get();
   }
 
-  void turn_from(const std::vector<double>& section, run::Turn& turn) {
-    const auto run = start(scene, {}, modes);
+  void turn_from(const std::vector<double>& section, run::TurnReport& turn) {
+    const auto run = integrate::start(scene, {}, modes);
     const auto states = static_cast<Eigen::Index>(section.size());
-    turn.tangent_vectors = MatrixXd::Identity(states, states);
+    run::TurnRequest asked;
+    asked.tangent_vectors = MatrixXd::Identity(states, states);
     run.restart(section);
-    EXPECT_EQ(run.advance(turn), run::Outcome::ok);
+    EXPECT_EQ(run.advance(asked, turn), run::Outcome::ok);
   }
 };
 
@@ -52,7 +53,7 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
   RubbingTurn turn;
   const MatrixXd identity = MatrixXd::Identity(8, 8);
   std::vector<double> section = turn.start;
-  const auto tube = turn_tube(turn.scene, turn.plans, section, identity, identity);
+  const auto tube = turn_tube(turn.scene, turn.modes, section, identity, identity);
   ASSERT_TRUE(tube);
   EXPECT_NEAR((vector_of(section) - vector_of(turn.end)).cwiseAbs().maxCoeff(), 0, 1e-12);
   double radius = 0.1;
@@ -68,7 +69,7 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
     const double share = trial % 2 == 0 ? 1 : 0.25;
     y *= share * radius / y.norm();
     VectorXd from = vector_of(turn.start) + y;
-    run::Turn made;
+    run::TurnReport made;
     turn.turn_from({from.begin(), from.end()}, made);
     const double deviation = (vector_of(made.section) - vector_of(turn.end) - turn.transition * y).norm();
     EXPECT_LE(deviation, tube->deviation(radius) * share * share + 1e-12);
@@ -80,7 +81,7 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
 
 TEST(ExactTube, AFlightHasNoDeviation) {
   scene::Scene scene = test::cell_of({}).scene;
-  scene.pulse.reset();
+  scene.pulses.clear();
   ModeCache modes;
   std::vector<double> section(8, 0.0);
   const MatrixXd identity = MatrixXd::Identity(8, 8);
@@ -96,7 +97,7 @@ TEST(ExactTube, ContractionIsThatOfTheLinearMap) {
   RubbingTurn turn;
   std::vector<double> section = turn.start;
   const MatrixXd identity = MatrixXd::Identity(8, 8);
-  const auto tube = turn_tube(turn.scene, turn.plans, section, identity, identity);
+  const auto tube = turn_tube(turn.scene, turn.modes, section, identity, identity);
   ASSERT_TRUE(tube);
   EXPECT_NEAR(tube->contraction, Eigen::JacobiSVD<MatrixXd>(turn.transition).singularValues()(0),
               1e-9 * tube->contraction);

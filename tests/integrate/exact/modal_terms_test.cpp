@@ -24,7 +24,7 @@ TEST(ModalTerms, SlowOnesFirstAndNoneThatIsNotSeen) {
   rows.col(0) << 1, 2, 3, 4;
   rows.col(7) << 5, 6, 7, 8;  // the rate of the fourth pair
   rows.col(2) << 9, 10, 11, 12;
-  const ModalTerms seen = modal_terms(rows, {true, false, false, true});
+  const ModalTerms terms = modal_terms(rows, {true, false, false, true});
   ASSERT_EQ(terms.list.size(), 3u);
   EXPECT_EQ(terms.slow().size(), 1u);
   EXPECT_EQ(terms.list[0].u, 2);
@@ -39,7 +39,7 @@ TEST(ModalTerms, SlowOnesFirstAndNoneThatIsNotSeen) {
 }
 
 TEST(ModalTerms, WhereNothingIsSeenOnePairAddsNothing) {
-  const ModalTerms seen = modal_terms(Eigen::MatrixXd::Zero(4, 8), {true, true, true, true});
+  const ModalTerms terms = modal_terms(Eigen::MatrixXd::Zero(4, 8), {true, true, true, true});
   ASSERT_EQ(terms.fast().size(), 1u);
   const Eigen::VectorXd z = Eigen::VectorXd::Ones(8);
   const ModalSum sum(terms.fast().front(), z.data(), true);
@@ -77,8 +77,8 @@ TEST_P(EveryModeSeen, SumsToTheWholeRow) {
     const Eigen::RowVectorXd row = guard.physical * mode_.basis;
     const Eigen::RowVectorXd by_time = guard.physical * mode_.generator * mode_.basis;
     const ModalSum seen = sum(guard.terms.list, some_vibration());
-    EXPECT_NEAR(terms.value(), row * some_vibration(), 1e-14);
-    EXPECT_NEAR(terms.rate(), by_time * some_vibration(), 1e-12 * by_time.cwiseAbs().sum());
+    EXPECT_NEAR(seen.value(), row * some_vibration(), 1e-14);
+    EXPECT_NEAR(seen.rate(), by_time * some_vibration(), 1e-12 * by_time.cwiseAbs().sum());
   }
 }
 
@@ -104,12 +104,12 @@ INSTANTIATE_TEST_SUITE_P(OneStop, EveryModeSeen, testing::Range<std::size_t>(0, 
 /// A flight with its casing ringing: the guard is the penetration, and what stands for it is never below.
 TEST(SlowGuard, IsNeverBelowTheWhole) {
   auto scene = test::cell_of({}).scene;
-  scene.pulse.reset();
+  scene.pulses.clear();
   ExactMotion<4> motion(scene, std::make_shared<MachineModes<4>>(scene));
   State start = State::Zero();
   start(3) = 0.4;
   start(5) = 100;
-  motion.set_phases(0, -1);
+  motion.set_phases(0);
   ASSERT_TRUE(motion.enter(0, start));
   const LinearGuard<4>& plan = motion.mode().guards.front();
   ASSERT_EQ(plan.terms.slow_count, 1u);

@@ -19,7 +19,7 @@ struct Approach {
 
   static scene::Scene unkicked() {
     auto scene = test::cell_of({}).scene;
-    scene.pulse.reset();
+    scene.pulses.clear();
     return scene;
   }
 
@@ -28,7 +28,7 @@ struct Approach {
     Motion::State start = Motion::State::Zero();
     start(1) = 1 - gap;
     start(5) = speed_per_s;
-    motion.set_phases(0, -1);
+    motion.set_phases(0);
     motion.enter(0, start);
   }
 };

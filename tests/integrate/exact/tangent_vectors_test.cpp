@@ -9,12 +9,12 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-constexpr double speed_rad_per_s = 470;
+constexpr run::StateScale scale_of_sections{.length_m = 1e-3, .speed_rad_per_s = 470};
 
 /// Sections are scaled by the speed.
 Eigen::MatrixXd as_sections(const Eigen::MatrixXd& flow) {
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(8);
-  scale.tail(4).setConstant(speed_rad_per_s);
+  scale.tail(4).setConstant(scale_of_sections.speed_rad_per_s);
   return scale.cwiseInverse().asDiagonal() * flow * scale.asDiagonal();
 }
 
@@ -23,7 +23,7 @@ TEST(TangentVectors, FollowEveryModeByItsFlow) {
   MachineModes<4> plan(test::cell_of({}).scene);
   TangentVectors<4> carried;
   Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 8);
-  carried.begin(*plan.mode(0), speed_rad_per_s, disturbances);
+  carried.begin(*plan.mode(0), scale_of_sections, disturbances);
   Eigen::MatrixXd expected = Eigen::MatrixXd::Identity(8, 8);
   std::size_t last = 0;
   for (const auto& [joint, duration_s] : {std::pair{0u, 0.011}, {2u, 0.0004}, {3u, 0.0017}}) {
@@ -35,7 +35,7 @@ TEST(TangentVectors, FollowEveryModeByItsFlow) {
     expected = numerics::matrix_flow(mode.generator, duration_s) * expected;
   }
   ASSERT_FALSE(plan.mode(3)->paired);
-  carried.put(*plan.mode(3), speed_rad_per_s, disturbances);
+  carried.put(*plan.mode(3), scale_of_sections, disturbances);
   const Eigen::MatrixXd wanted = as_sections(expected);
   EXPECT_LT((disturbances - wanted).cwiseAbs().maxCoeff(), 1e-12 * wanted.cwiseAbs().maxCoeff());
 }
@@ -44,10 +44,10 @@ TEST(TangentVectors, NoneAreCarriedWhereNoneAreAskedFor) {
   MachineModes<4> plan(test::cell_of({}).scene);
   TangentVectors<4> carried;
   Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 2);
-  carried.begin(*plan.mode(0), speed_rad_per_s, disturbances);
-  carried.carry_nothing();
+  carried.begin(*plan.mode(0), scale_of_sections, disturbances);
+  carried.clear();
   carried.pass(0.01);
-  carried.put(*plan.mode(0), speed_rad_per_s, disturbances);
+  carried.put(*plan.mode(0), scale_of_sections, disturbances);
   EXPECT_EQ(disturbances, Eigen::MatrixXd(Eigen::MatrixXd::Identity(8, 2)));
 }
 
@@ -58,7 +58,7 @@ TEST(TangentVectors, OneMayJoinOnTheWay) {
     const LinearMode<4>& mode = *plan.mode(joint);
     TangentVectors<4> carried;
     Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 8);
-    carried.begin(mode, speed_rad_per_s, disturbances);
+    carried.begin(mode, scale_of_sections, disturbances);
     carried.pass(0.001);
     ExactTypes<4>::State joins;
     joins << 0.3, -0.2, 0.1, 0.5, 10, -20, 30, 5;
@@ -68,7 +68,7 @@ TEST(TangentVectors, OneMayJoinOnTheWay) {
     ASSERT_EQ(now.size(), 9);
     const Eigen::VectorXd wanted = numerics::matrix_flow(mode.generator, 0.0005) * joins;
     EXPECT_LT((mode.from_free(now[8]) - wanted).cwiseAbs().maxCoeff(), 1e-11 * wanted.cwiseAbs().maxCoeff());
-    carried.put(mode, speed_rad_per_s, disturbances);
+    carried.put(mode, scale_of_sections, disturbances);
     ASSERT_EQ(disturbances.cols(), 8);
     const Eigen::MatrixXd whole = as_sections(numerics::matrix_flow(mode.generator, 0.0015));
     EXPECT_LT((disturbances - whole).cwiseAbs().maxCoeff(), 1e-11 * whole.cwiseAbs().maxCoeff());

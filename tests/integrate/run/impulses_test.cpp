@@ -82,7 +82,8 @@ TEST(Impulses, RepeatToTheLastBitWhereAWholeNumberFitsIntoATurn) {
 }
 
 /// After whole turns and at phase 0, by the sum over all impulses so far.
-void expect_closed_form(const Turn& turn, int turns, double multiple, double phase_periods, double bound) {
+void expect_closed_form(const TurnReport& turn, int turns, double multiple, double phase_periods,
+                        double bound) {
   const Complex lambda = eigenvalue();
   Complex sum = 0;
   for (int k = 0; (k + phase_periods) / multiple < turns; ++k)
@@ -100,10 +101,10 @@ TEST(Impulses, MoveADampedOscillatorAsTheClosedFormSays) {
       exact::ModeCache modes;
       const auto exact = start_hybrid(scene, {}, modes);
       const Cursor adaptive = adaptive::start_adaptive(scene, {.relative_tolerance = 1e-11});
-      Turn a, b;
+      TurnReport a, b;
       for (int k = 1; k <= 7; ++k) {
-        ASSERT_EQ(exact.advance(a), Outcome::ok);
-        ASSERT_EQ(adaptive(b), Outcome::ok);
+        ASSERT_EQ(exact.advance({}, a), Outcome::ok);
+        ASSERT_EQ(adaptive({}, b), Outcome::ok);
         expect_closed_form(a, k, multiple, phase_periods, 1e-12);
         expect_closed_form(b, k, multiple, phase_periods, 1e-8);
       }
@@ -117,10 +118,11 @@ TEST(Impulses, EndInTheGeometricSeriesWithALineAtTheMultiple) {
   constexpr int samples = 4096;
   exact::ModeCache modes;
   const auto run = start_hybrid(struck_oscillator(multiple, 0), {}, modes);
-  Turn turn;
-  for (int k = 0; k < 80; ++k) ASSERT_EQ(run.advance(turn), Outcome::ok);
-  turn.samples_per_revolution = samples;
-  ASSERT_EQ(run.advance(turn), Outcome::ok);
+  TurnRequest asked;
+  TurnReport turn;
+  for (int k = 0; k < 80; ++k) ASSERT_EQ(run.advance(asked, turn), Outcome::ok);
+  asked.samples_per_revolution = samples;
+  ASSERT_EQ(run.advance(asked, turn), Outcome::ok);
   const Complex lambda = eigenvalue();
   const double period_s = revolution_s / multiple, scale = impulse_ns / (mass_kg * lambda.imag()) / 1e-3;
   const Complex series = std::exp(lambda * period_s) / (1.0 - std::exp(lambda * period_s));
@@ -145,12 +147,12 @@ TEST(Impulses, BothSolversAgreeInContact) {
     const Cursor adaptive =
         adaptive::start_adaptive(scene, {.stepper = Stepper::rkf78, .relative_tolerance = 1e-12});
     const auto plain = start_hybrid(test::cell_of({}).scene, {}, modes);
-    Turn a, b, without;
+    TurnReport a, b, without;
     int hits = 0;
     for (int k = 0; k < 10; ++k) {
-      ASSERT_EQ(exact.advance(a), Outcome::ok);
-      ASSERT_EQ(adaptive(b), Outcome::ok);
-      ASSERT_EQ(plain.advance(without), Outcome::ok);
+      ASSERT_EQ(exact.advance({}, a), Outcome::ok);
+      ASSERT_EQ(adaptive({}, b), Outcome::ok);
+      ASSERT_EQ(plain.advance({}, without), Outcome::ok);
       hits += a.hits;
       EXPECT_EQ(a.hits, b.hits);
       for (std::size_t i = 0; i < a.section.size(); ++i) EXPECT_NEAR(a.section[i], b.section[i], 1e-8) << k;
@@ -173,10 +175,11 @@ TEST(Impulses, ThatStrikeInContactChangeItsMode) {
   const auto exact = start_hybrid(scene, {}, modes);
   const Cursor adaptive =
       adaptive::start_adaptive(scene, {.stepper = Stepper::rkf78, .relative_tolerance = 1e-12});
-  Turn a, b;
-  a.switches_wanted = b.switches_wanted = true;
-  ASSERT_EQ(exact.advance(a), Outcome::ok);
-  ASSERT_EQ(adaptive(b), Outcome::ok);
+  TurnRequest asked;
+  TurnReport a, b;
+  asked.switches = true;
+  ASSERT_EQ(exact.advance(asked, a), Outcome::ok);
+  ASSERT_EQ(adaptive(asked, b), Outcome::ok);
   for (std::size_t i = 0; i < a.section.size(); ++i) EXPECT_NEAR(a.section[i], b.section[i], 1e-8);
   ASSERT_EQ(a.switches.size(), b.switches.size());
   bool at_an_impulse = false;
@@ -193,23 +196,24 @@ TEST(Impulses, TransitionIsTheDerivativeOfTheSection) {
   auto scene = struck_rub(3, 0);
   exact::ModeCache modes;
   const auto kicked = start_hybrid(scene, {}, modes);
-  Turn turn;
-  kicked.advance(turn);
-  kicked.advance(turn);
+  TurnRequest asked;
+  TurnReport turn;
+  kicked.advance(asked, turn);
+  kicked.advance(asked, turn);
   const std::vector<double> start = turn.section;
-  scene.pulse.reset();
+  scene.pulses.clear();
   const auto run = start_hybrid(scene, {}, modes);
   const auto section_after = [&](std::vector<double> from, std::size_t j, double h) {
     from[j] += h;
     run.restart(from);
-    run.advance(turn);
+    run.advance(asked, turn);
     return turn.section;
   };
-  turn.tangent_vectors.setIdentity(8, 8);
+  asked.tangent_vectors.setIdentity(8, 8);
   section_after(start, 0, 0);
   ASSERT_GT(turn.hits, 0);
-  const Eigen::MatrixXd transition = turn.tangent_vectors;
-  turn.tangent_vectors.resize(0, 0);
+  const Eigen::MatrixXd transition = *turn.tangent_vectors.get();
+  asked.tangent_vectors.resize(0, 0);
   constexpr double h = 1e-6;
   for (std::size_t j = 0; j < start.size(); ++j) {
     const auto above = section_after(start, j, h), below = section_after(start, j, -h);

@@ -62,21 +62,20 @@ struct Agreement {
   double contact_turns = 0;
 };
 
-/// run::Turn after turn from the sections of the Taylor run, so that chaos has one turn to part the two.
+/// Turn after turn from the sections of the Taylor run, so that chaos has one turn to part the two.
 /// `other` starts at revolution 0 each time: the scene has no kick and no impulses.
 template <int N>
 Agreement compare(scene::Scene scene, const run::Run& other, int turns) {
-  scene.pulse.reset();
+  scene.pulses.clear();
   TaylorRun<N> run(scene, {});
-  run::Turn a, b;
-  a.samples_per_revolution = b.samples_per_revolution = 16;
-  a.peaks = b.peaks = a.switches_wanted = b.switches_wanted = true;
+  const run::TurnRequest asked{.samples_per_revolution = 16, .peaks = true, .switches = true};
+  run::TurnReport a, b;
   Agreement all;
   for (int k = 0; k < turns; ++k) {
     const std::vector<double> before = run.section();
-    EXPECT_EQ(run.advance(a), TaylorEnding::ok);
+    EXPECT_EQ(run.advance(asked, a), TaylorEnding::ok);
     other.restart(before);
-    EXPECT_EQ(other.advance(b), run::Outcome::ok);
+    EXPECT_EQ(other.advance(asked, b), run::Outcome::ok);
     EXPECT_EQ(a.hits, b.hits) << "turn " << k;
     EXPECT_EQ(a.touching_at_end, b.touching_at_end) << "turn " << k;
     EXPECT_EQ(a.touched, b.touched) << "turn " << k;
@@ -121,15 +120,15 @@ TEST(TaylorRun, AgreesWithTheExactSolverBetweenFlatStops) {
     scene::Scene scene = test::cell_of(rotor).scene;
     TaylorRun<4> kicked(scene, {});
     const auto exact_kicked = start_hybrid(scene, {}, modes);
-    run::Turn a, b;
+    run::TurnReport a, b;
     for (int k = 0; k < 4; ++k) {
-      ASSERT_EQ(kicked.advance(a), TaylorEnding::ok);
-      ASSERT_EQ(exact_kicked.advance(b), run::Outcome::ok);
+      ASSERT_EQ(kicked.advance({}, a), TaylorEnding::ok);
+      ASSERT_EQ(exact_kicked.advance({}, b), run::Outcome::ok);
       EXPECT_LT(distance(a.section, b.section), 1e-13);
     }
     scene = [&] {
       scene::Scene later = scene;
-      later.pulse.reset();
+      later.pulses.clear();
       for (Eigen::Index j = 0; j < 4; ++j) {
         later.displacement_m(j) = a.section[std::size_t(j)] * scene.length_scale_m;
         later.velocity_m_per_s(j) =
@@ -149,7 +148,7 @@ TEST(TaylorRun, AgreesWithTheExactSolverOnAKit) {
   const Agreement all = compare<Eigen::Dynamic>(
       scene,
       [&] {
-        scene.pulse.reset();
+        scene.pulses.clear();
         return start_hybrid(scene, {}, modes);
       }(),
       5);
@@ -171,7 +170,7 @@ TEST(TaylorRun, AgreesWithRkf78InAnnularStops) {
   };
   for (const Case& c : cases) {
     scene::Scene scene = c.scene;
-    scene.pulse.reset();
+    scene.pulses.clear();
     for (Eigen::Index j = 0; j < 2; ++j) {
       scene.displacement_m(j) = c.start[std::size_t(j)] * scene.length_scale_m;
       scene.velocity_m_per_s(j) = c.start[std::size_t(j) + 2] * scene.length_scale_m * scene.speed_rad_per_s;
@@ -191,13 +190,13 @@ TEST(TaylorRun, AgreesWithRkf78WhereFrictionVariesAndReverses) {
     rotor.friction_steepness_s_per_m = steepness;
     rotor.whirl_ratio = 0.8;
     scene::Scene flat = test::cell_of(rotor).scene;
-    flat.pulse.reset();
+    flat.pulses.clear();
     flat.displacement_m(1) = 1.4e-3;
     const Agreement on_flat = compare<4>(flat, start(flat, tight(), modes), 12);
     EXPECT_GT(on_flat.hits, 5);
     expect_small(on_flat, 1e-11, "flat");
     scene::Scene annular = set_c_scene(90, 0.6);
-    annular.pulse.reset();
+    annular.pulses.clear();
     annular.contacts[0].surface_speed_m_per_s = 0.1;
     annular.contacts[0].friction =
         model::StribeckFriction{{0.05, steepness, steepness / 10, 0.1, steepness, 0.001}};
@@ -230,11 +229,9 @@ TEST(TaylorRun, TakesStopsOfBothKindsTogether) {
 TEST(TaylorRun, StaysOnTheClosedFormsOfFullRubAndDryWhip) {
   const test::FullRub rub;
   TaylorRun<2> full(rub.scene(), {});
-  run::Turn turn;
-  turn.samples_per_revolution = 16;
-  turn.peaks = true;
+  run::TurnReport turn;
   for (int k = 0; k < 20; ++k) {
-    ASSERT_EQ(full.advance(turn), TaylorEnding::ok);
+    ASSERT_EQ(full.advance({.samples_per_revolution = 16, .peaks = true}, turn), TaylorEnding::ok);
     EXPECT_DOUBLE_EQ(turn.contact_fraction, 1);
     for (std::size_t j = 0; j < 16; ++j)
       EXPECT_NEAR(std::hypot(turn.samples[4 * j], turn.samples[4 * j + 1]), rub.radius, 1e-13);
@@ -248,9 +245,8 @@ TEST(TaylorRun, StaysOnTheClosedFormsOfFullRubAndDryWhip) {
   scene::Scene whip = test::annular_scene(1, zeta, 1, 0, 0, b, mu);
   test::start_at(whip, radius, -i * w * radius);
   TaylorRun<2> run(whip, {});
-  turn.samples_per_revolution = 0;
   for (int k = 1; k <= 5; ++k) {
-    ASSERT_EQ(run.advance(turn), TaylorEnding::ok);
+    ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok);
     const Complex z(turn.section[0], turn.section[1]);
     EXPECT_LT(std::abs(z - radius * std::exp(-i * (2 * pi * w * k))), 1e-10);
   }
@@ -260,13 +256,13 @@ TEST(TaylorRun, RollsBackwardOnItsClosedForm) {
   for (const double steepness : {1.0, 10.0, 100.0}) {
     const test::RollingScene rolling = test::rolling_scene(steepness);
     TaylorRun<2> run(rolling.scene, {});
-    run::Turn turn;
+    run::TurnReport turn;
     for (int k = 1; k <= 3; ++k) {
-      ASSERT_EQ(run.advance(turn), TaylorEnding::ok) << steepness;
+      ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok) << steepness;
       const Complex z(turn.section[0], turn.section[1]);
       EXPECT_LT(std::abs(z - rolling.displacement(k)), 1e-11) << steepness;
     }
-    EXPECT_EQ(turn.contact_fraction, 1);
+    EXPECT_DOUBLE_EQ(turn.contact_fraction, 1);
   }
 }
 
@@ -275,8 +271,8 @@ TEST(TaylorRun, SaysWhereFrictionIsStiff) {
   const test::RollingScene rolling = test::rolling_scene(1e5);
   TaylorRun<2> run(rolling.scene, {});
   const std::vector<double> before = run.section();
-  run::Turn turn;
-  EXPECT_EQ(run.advance(turn), TaylorEnding::stiff);
+  run::TurnReport turn;
+  EXPECT_EQ(run.advance({}, turn), TaylorEnding::stiff);
   EXPECT_EQ(run.section(), before);
   EXPECT_EQ(run.revolution(), 0);
 }
@@ -285,7 +281,7 @@ TEST(TaylorRun, SaysWhereFrictionIsStiff) {
 /// stays.
 TEST(TaylorRun, KeepsTheEnergyOfAConservativeScene) {
   scene::Scene scene = set_c_scene(80, 0.6, {1e-4, -2e-4});
-  scene.pulse.reset();
+  scene.pulses.clear();
   scene.harmonic_n.setZero();
   scene.structure.damping.setZero();
   scene.contacts[0].damping_ns_per_m = 0;
@@ -309,10 +305,10 @@ TEST(TaylorRun, KeepsTheEnergyOfAConservativeScene) {
   };
   TaylorRun<4> run(scene, {});
   const double start = energy(run.section());
-  run::Turn turn;
+  run::TurnReport turn;
   int hits = 0;
   for (int k = 0; k < 100; ++k) {
-    ASSERT_EQ(run.advance(turn), TaylorEnding::ok);
+    ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok);
     hits += turn.hits;
     EXPECT_NEAR(energy(turn.section) / start, 1, 1e-12) << k;
   }
@@ -323,7 +319,7 @@ TEST(TaylorRun, KeepsTheEnergyOfAConservativeScene) {
 /// order ahead of the velocity.
 TEST(Expansion, ConvergesWithItsOrder) {
   scene::Scene scene = set_c_scene(80, 0.6);
-  scene.pulse.reset();
+  scene.pulses.clear();
   scene.contacts[0].surface_speed_m_per_s = 0.2;
   scene.contacts[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 2, 0}};
   const std::vector<double> state{1.3, 0.4, 0.1, -0.1, 0.5, -0.9, 0.2, 0.3};
@@ -350,13 +346,13 @@ TEST(TaylorRun, NeedsFewerStepsAtHigherOrderForTheSameMotion) {
   scene::Scene scene = set_c_scene(165, 0.6);
   TaylorRun<4> best(scene, {});
   std::vector<double> reference;
-  run::Turn turn;
-  for (int k = 0; k < 6; ++k) ASSERT_EQ(best.advance(turn), TaylorEnding::ok);
+  run::TurnReport turn;
+  for (int k = 0; k < 6; ++k) ASSERT_EQ(best.advance({}, turn), TaylorEnding::ok);
   reference = turn.section;
   long last = 1'000'000;
   for (const int order : {10, 14, 18, 22}) {
     TaylorRun<4> run(scene, {}, order);
-    for (int k = 0; k < 6; ++k) ASSERT_EQ(run.advance(turn), TaylorEnding::ok);
+    for (int k = 0; k < 6; ++k) ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok);
     EXPECT_LT(distance(turn.section, reference), 1e-12) << order;
     EXPECT_LT(run.effort().steps, last);
     last = run.effort().steps;
@@ -375,8 +371,8 @@ TEST(TaylorRun, SeesAGrazeAsShallowAsRounding) {
         scene.displacement_m << 0, 0.4;
         scene.velocity_m_per_s << 1 + sign * excess, 0;
         TaylorRun<2> run(scene, {});
-        run::Turn turn;
-        ASSERT_EQ(run.advance(turn), TaylorEnding::ok);
+        run::TurnReport turn;
+        ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok);
         EXPECT_EQ(turn.hits, sign < 0 ? 0 : annular ? 2 : 1) << annular << " " << sign * excess;
       }
     }
@@ -386,7 +382,7 @@ TEST(TaylorRun, SeesAGrazeAsShallowAsRounding) {
 /// Value of every armed guard at many states of a turn, by the modes that the run says it was in: none may be
 /// past zero.
 double worst_guard(const scene::Scene& scene, const std::vector<Mode>& modes_at_start,
-                   const run::Turn& turn) {
+                   const run::TurnReport& turn) {
   const auto system = run::scale<Eigen::Dynamic>(scene);
   adaptive::Dynamics<Eigen::Dynamic, false> dynamics(system, 0);
   dynamics.modes() = modes_at_start;
@@ -394,8 +390,8 @@ double worst_guard(const scene::Scene& scene, const std::vector<Mode>& modes_at_
   double worst = -1;
   std::size_t next = 0;
   std::vector<double> state(states), rate(states);
-  for (int k = 0; k < turn.samples_per_revolution; ++k) {
-    const double phase = 2 * pi * k / turn.samples_per_revolution;
+  for (int k = 0; k < turn.sample_count; ++k) {
+    const double phase = 2 * pi * k / turn.sample_count;
     for (; next < turn.switches.size() && turn.switches[next].phase_rad <= phase; ++next)
       dynamics.modes()[std::size_t(turn.switches[next].contact)] = turn.switches[next].to;
     std::copy_n(turn.samples.begin() + std::ptrdiff_t(std::size_t(k) * states), states, state.begin());
@@ -420,7 +416,7 @@ TEST(TaylorRun, PassesOverNoGuardThatTwentyThousandPointsATurnSee) {
   for (const auto& [speed_hz, ratio] :
        {std::pair{80.0, 0.6}, std::pair{120.0, 0.9}, std::pair{165.0, 0.6}, std::pair{230.0, 0.3}}) {
     scene::Scene scene = set_c_scene(speed_hz, ratio, {0, 2.5e-4});
-    scene.pulse.reset();
+    scene.pulses.clear();
     scene::Contact wall = test::wall_across_x(-1, 8e-4, 2e6, 300);
     wall.rotor_point = scene.contacts[0].rotor_point;
     wall.casing_point = scene.contacts[0].casing_point;
@@ -430,12 +426,11 @@ TEST(TaylorRun, PassesOverNoGuardThatTwentyThousandPointsATurnSee) {
     scene.displacement_m.head(2) << 0.5e-3, 0.3e-3;
     scene.velocity_m_per_s.head(2) << 0.4, -0.6;
     TaylorRun<4> run(scene, {});
-    run::Turn turn;
-    turn.samples_per_revolution = 20'000;
-    turn.switches_wanted = true;
+    run::TurnReport turn;
+    const run::TurnRequest asked{.samples_per_revolution = 20'000, .switches = true};
     std::vector<Mode> modes(2, Mode::open);
     for (int k = 0; k < 40; ++k) {
-      ASSERT_EQ(run.advance(turn), TaylorEnding::ok);
+      ASSERT_EQ(run.advance(asked, turn), TaylorEnding::ok);
       EXPECT_LT(worst_guard(scene, modes, turn), 1e-12) << speed_hz << " Hz, turn " << k;
       for (const run::ModeSwitch& change : turn.switches) modes[std::size_t(change.contact)] = change.to;
       hits += turn.hits;
@@ -449,8 +444,8 @@ Eigen::MatrixXd transition_by_dopri5(const scene::Scene& scene) {
   adaptive::AdaptiveRun<adaptive::Dopri5<std::vector<double>>, Eigen::Dynamic, false,
                         response::rotating::VariationalDynamics<Eigen::Dynamic, false>>
       run(scene, {.relative_tolerance = 1e-13});
-  run::Turn turn;
-  EXPECT_EQ(run.advance(turn), run::Outcome::ok);
+  run::TurnReport turn;
+  EXPECT_EQ(run.advance({}, turn), run::Outcome::ok);
   return Eigen::Map<const Eigen::MatrixXd>(turn.section.data() + states, Eigen::Index(states),
                                            Eigen::Index(states));
 }
@@ -470,42 +465,47 @@ TEST(TaylorRun, CarriesTangentsAsTheVariationalEquations) {
   thin.contacts[0].surface_speed_m_per_s = 0.1;
   thin.contacts[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 30, 0}};
   for (scene::Scene& scene : std::array{flat, circle, slipping, thin}) {
-    scene.pulse.reset();
+    scene.pulses.clear();
     const Eigen::MatrixXd expected = transition_by_dopri5(scene);
     TaylorRun<4> run(scene, {});
-    run::Turn turn;
-    turn.tangent_vectors.setIdentity(8, 8);
-    ASSERT_EQ(run.advance(turn), TaylorEnding::ok);
+    run::TurnReport turn;
+    ASSERT_EQ(run.advance({.tangent_vectors = Eigen::MatrixXd::Identity(8, 8)}, turn), TaylorEnding::ok);
     EXPECT_GT(turn.contact_fraction, 0.04);
-    EXPECT_LT((turn.tangent_vectors - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
+    ASSERT_TRUE(turn.tangent_vectors.get());
+    const Eigen::MatrixXd all = *turn.tangent_vectors.get();
+    EXPECT_LT((all - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
     // One direction alone is moved as it is among all.
     TaylorRun<4> again(scene, {});
-    const Eigen::MatrixXd all = turn.tangent_vectors;
-    turn.tangent_vectors = Eigen::VectorXd::Unit(8, 5);
-    ASSERT_EQ(again.advance(turn), TaylorEnding::ok);
-    EXPECT_LT((turn.tangent_vectors - all.col(5)).cwiseAbs().maxCoeff(), 1e-13 * all.cwiseAbs().maxCoeff());
+    ASSERT_EQ(again.advance({.tangent_vectors = Eigen::VectorXd::Unit(8, 5)}, turn), TaylorEnding::ok);
+    ASSERT_TRUE(turn.tangent_vectors.get());
+    EXPECT_LT((*turn.tangent_vectors.get() - all.col(5)).cwiseAbs().maxCoeff(),
+              1e-13 * all.cwiseAbs().maxCoeff());
   }
   const auto exact = start_hybrid(flat, {}, modes);
   TaylorRun<4> run(flat, {});
-  run::Turn a, b;
-  a.tangent_vectors.setIdentity(8, 8);
-  b.tangent_vectors.setIdentity(8, 8);
-  ASSERT_EQ(run.advance(a), TaylorEnding::ok);
-  ASSERT_EQ(exact.advance(b), run::Outcome::ok);
-  EXPECT_LT((a.tangent_vectors - b.tangent_vectors).cwiseAbs().maxCoeff(), 1e-11);
+  run::TurnReport a, b;
+  const run::TurnRequest asked{.tangent_vectors = Eigen::MatrixXd::Identity(8, 8)};
+  ASSERT_EQ(run.advance(asked, a), TaylorEnding::ok);
+  ASSERT_EQ(exact.advance(asked, b), run::Outcome::ok);
+  ASSERT_TRUE(a.tangent_vectors.get() && b.tangent_vectors.get());
+  EXPECT_LT((*a.tangent_vectors.get() - *b.tangent_vectors.get()).cwiseAbs().maxCoeff(), 1e-11);
 }
 
-TEST(TaylorRun, StopsAtImpulsesAndAtTheEndOfAKick) {
+TEST(TaylorRun, StopsAtImpulsesAndWherePulsesBeginAndEnd) {
   exact::ModeCache modes;
   scene::Scene scene = test::cell_of({}).scene;
   scene.impulses.push_back({Eigen::Vector4d(0.02, 0.01, 0, 0), 3.1, 0.3});
-  scene.pulse->duration_s = 0.02;
+  scene.pulses.at(0).duration_s = 0.02;
+  // One more that begins in the first kick and ends in the third turn.
+  scene.pulses.push_back(scene.pulses.at(0));
+  scene.pulses.at(1).elapsed_s = -0.011;
+  scene.pulses.at(1).force_n *= -0.4;
   const auto exact = start_hybrid(scene, {}, modes);
   TaylorRun<4> run(scene, {});
-  run::Turn a, b;
+  run::TurnReport a, b;
   for (int k = 0; k < 5; ++k) {
-    ASSERT_EQ(run.advance(a), TaylorEnding::ok);
-    ASSERT_EQ(exact.advance(b), run::Outcome::ok);
+    ASSERT_EQ(run.advance({}, a), TaylorEnding::ok);
+    ASSERT_EQ(exact.advance({}, b), run::Outcome::ok);
     EXPECT_LT(distance(a.section, b.section), 1e-12);
     EXPECT_EQ(a.hits, b.hits);
   }
@@ -514,11 +514,11 @@ TEST(TaylorRun, StopsAtImpulsesAndAtTheEndOfAKick) {
 TEST(TaylorRun, SaysWhatFailed) {
   run::SolverOptions few;
   few.max_steps_per_revolution = 3;
-  run::Turn turn;
-  EXPECT_EQ(TaylorRun<4>(test::cell_of({}).scene, few).advance(turn), TaylorEnding::step_limit);
+  run::TurnReport turn;
+  EXPECT_EQ(TaylorRun<4>(test::cell_of({}).scene, few).advance({}, turn), TaylorEnding::step_limit);
   scene::Scene lost = test::cell_of({}).scene;
   lost.displacement_m(0) = std::nan("");
-  EXPECT_EQ(TaylorRun<4>(lost, {}).advance(turn), TaylorEnding::non_finite);
+  EXPECT_EQ(TaylorRun<4>(lost, {}).advance({}, turn), TaylorEnding::non_finite);
 }
 
 }  // namespace

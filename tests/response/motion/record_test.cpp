@@ -16,8 +16,8 @@ TEST(Record, HoldsTwoWindowsOfEqualLength) {
   const auto state = [](int k) { return std::vector<double>{1.0 * k, 10.0 * k, 100.0 * k, 1000.0 * k}; };
   record.begin(state(0));
   for (int k = 1; k <= 6; ++k) {
-    integrate::run::Turn turn;
-    turn.samples_per_revolution = 4;
+    integrate::run::TurnReport turn;
+    turn.sample_count = 4;
     for (int j = 0; j < 4; ++j) {
       const auto sample = state(10 * k + j);
       turn.samples.insert(turn.samples.end(), sample.begin(), sample.end());

@@ -16,7 +16,7 @@ namespace {
 struct HalfMotion {
   scene::Scene scene = after_the_kick(test::cell_of({}).scene);
   integrate::exact::ModeCache modes;
-  SceneMap map{scene, {}, plans};
+  SceneMap map{scene, {}, modes};
   StableOrbit orbit;
   AdaptedNorms norms;
   std::vector<double> section;
@@ -30,8 +30,8 @@ struct HalfMotion {
   HalfMotion() {
     const auto start = test::cell_of({}).scene;
     const auto run = integrate::start(start, {}, modes);
-    integrate::run::Turn turn_made;
-    for (int k = 0; k < 400; ++k) EXPECT_EQ(run.advance(turn_made), integrate::run::Outcome::ok);
+    integrate::run::TurnReport turn_made;
+    for (int k = 0; k < 400; ++k) EXPECT_EQ(run.advance({}, turn_made), integrate::run::Outcome::ok);
     const auto found = find_orbit(turn(), turn_made.section, 2);
     EXPECT_TRUE(found);
     orbit = *found;
@@ -57,10 +57,11 @@ std::vector<integrate::run::ModeSwitch> switches_of(const HalfMotion& motion,
   const auto run = integrate::start(motion.scene, {}, modes);
   run.restart(section);
   std::vector<integrate::run::ModeSwitch> all;
-  integrate::run::Turn turn;
-  turn.switches_wanted = true;
+  integrate::run::TurnRequest asked;
+  integrate::run::TurnReport turn;
+  asked.switches = true;
   for (int k = 0; k < 2; ++k) {
-    EXPECT_EQ(run.advance(turn), integrate::run::Outcome::ok);
+    EXPECT_EQ(run.advance(asked, turn), integrate::run::Outcome::ok);
     all.insert(all.end(), turn.switches.begin(), turn.switches.end());
   }
   return all;
@@ -68,15 +69,15 @@ std::vector<integrate::run::ModeSwitch> switches_of(const HalfMotion& motion,
 
 TEST(OrbitBall, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
   HalfMotion motion;
-  const auto radius = ball_radius(motion.scene, motion.plans, motion.section, motion.norms);
+  const auto radius = ball_radius(motion.scene, motion.modes, motion.section, motion.norms);
   ASSERT_TRUE(radius);
   EXPECT_GT(*radius, 1e-6);
-  const auto own = switches_of(motion, motion.plans, motion.section);
+  const auto own = switches_of(motion, motion.modes, motion.section);
   ASSERT_FALSE(own.empty());
   std::mt19937_64 random(3);
   for (int trial = 0; trial < 200; ++trial) {
     auto state = motion.on_the_rim(*radius, random);
-    const auto switches = switches_of(motion, motion.plans, state);
+    const auto switches = switches_of(motion, motion.modes, state);
     ASSERT_EQ(switches.size(), own.size());
     for (std::size_t i = 0; i < own.size(); ++i) {
       EXPECT_EQ(switches[i].contact, own[i].contact);
@@ -96,14 +97,14 @@ TEST(OrbitBall, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
 /// The ball could not be so much larger: a hundred times farther out other modes do occur.
 TEST(OrbitBall, FartherOutOtherModesOccur) {
   HalfMotion motion;
-  const auto radius = ball_radius(motion.scene, motion.plans, motion.section, motion.norms);
+  const auto radius = ball_radius(motion.scene, motion.modes, motion.section, motion.norms);
   ASSERT_TRUE(radius);
-  const auto own = switches_of(motion, motion.plans, motion.section);
+  const auto own = switches_of(motion, motion.modes, motion.section);
   std::mt19937_64 random(4);
   int others = 0;
   for (int trial = 0; trial < 200; ++trial) {
     const auto rim = motion.on_the_rim(std::max(2.0, 100 * *radius), random);
-    others += switches_of(motion, motion.plans, rim).size() != own.size();
+    others += switches_of(motion, motion.modes, rim).size() != own.size();
   }
   EXPECT_GT(others, 0);
 }

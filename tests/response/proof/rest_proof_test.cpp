@@ -34,10 +34,10 @@ TEST(RestProof, NeverProvesAFlightThatTouchesLater) {
     if (start[1] - start[3] >= 1) continue;
     const bool proof = RestProof(cell).proves(start);
     const integrate::run::Cursor advance = integrate::adaptive::start_adaptive(cell.scene, {});
-    integrate::run::Turn turn;
+    integrate::run::TurnReport turn;
     bool touches = false;
     for (int k = 0; k < 40 && !touches; ++k) {
-      ASSERT_EQ(advance(turn), integrate::run::Outcome::ok);
+      ASSERT_EQ(advance({}, turn), integrate::run::Outcome::ok);
       touches = turn.touched;
     }
     ASSERT_FALSE(proof && touches) << trial;

@@ -21,8 +21,8 @@ namespace {
 std::vector<double> section_after(const scene::Scene& scene, int turns,
                                   const integrate::run::SolverOptions& solver) {
   const integrate::run::Cursor cursor = integrate::adaptive::start_adaptive(scene, solver);
-  integrate::run::Turn turn;
-  for (int k = 0; k < turns; ++k) EXPECT_EQ(cursor(turn), integrate::run::Outcome::ok);
+  integrate::run::TurnReport turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(cursor({}, turn), integrate::run::Outcome::ok);
   return turn.section;
 }
 

@@ -17,9 +17,9 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr int samples = 128;
 
 /// Turn `k` of z = w(phase) e^{i phase} of one mass.
-integrate::run::Turn turn_of(const std::function<Complex(double)>& w, int k, bool touched = true) {
-  integrate::run::Turn turn;
-  turn.samples_per_revolution = samples;
+integrate::run::TurnReport turn_of(const std::function<Complex(double)>& w, int k, bool touched = true) {
+  integrate::run::TurnReport turn;
+  turn.sample_count = samples;
   turn.touched = touched;
   const auto z = [&](double phase) { return w(phase) * std::polar(1.0, phase); };
   for (int j = 0; j < samples; ++j) {

@@ -28,7 +28,7 @@ integrate::run::SolverOptions tight() {
 /// Bouncing round the annular stop: every mode occurs within a turn.
 scene::Scene bouncing() {
   auto scene = response::testing::annular_cell(120, 0.6).scene;
-  scene.pulse.reset();
+  scene.pulses.clear();
   scene.displacement_m << 0.9e-3, 0, 2e-5, 0;
   scene.velocity_m_per_s << 0.3, 0.5, 0.01, 0;
   return scene;
@@ -41,10 +41,11 @@ VectorXd initial(const scene::Scene& scene) {
 
 TEST(RotatingFlow, OneTurnIsThatOfTheAdaptiveSolver) {
   const auto scene = bouncing();
-  integrate::run::Turn turn;
-  turn.peaks = true;
-  turn.samples_per_revolution = 16;
-  ASSERT_EQ(integrate::adaptive::start_adaptive(scene, tight())(turn), integrate::run::Outcome::ok);
+  integrate::run::TurnRequest asked;
+  integrate::run::TurnReport turn;
+  asked.peaks = true;
+  asked.samples_per_revolution = 16;
+  ASSERT_EQ(integrate::adaptive::start_adaptive(scene, tight())(asked, turn), integrate::run::Outcome::ok);
   const auto arc = RotatingFlow(scene, tight(), 16).from(initial(scene), full_turn);
   ASSERT_TRUE(arc);
   EXPECT_GT(turn.hits, 0);

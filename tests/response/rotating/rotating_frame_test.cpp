@@ -52,15 +52,16 @@ TEST(RotatingField, IsTheSameFromEveryDirection) {
 /// Rate of y = turned(x, -phase) along a run of the adaptive solver, by differences.
 TEST(RotatingField, IsTheRateOfARunSeenFromTheShaft) {
   auto scene = response::testing::annular_cell(120, 0.6).scene;
-  scene.pulse.reset();
+  scene.pulses.clear();
   integrate::run::SolverOptions options;
   options.relative_tolerance = 1e-11;
   constexpr int samples = 4096;
-  integrate::run::Turn turn;
-  turn.samples_per_revolution = samples;
+  integrate::run::TurnRequest asked;
+  integrate::run::TurnReport turn;
+  asked.samples_per_revolution = samples;
   scene.displacement_m << 1.15e-3, 0, 2e-5, 0;
   scene.velocity_m_per_s << 0, 0.5, 0.01, 0;
-  ASSERT_EQ(integrate::adaptive::start_adaptive(scene, options)(turn), integrate::run::Outcome::ok);
+  ASSERT_EQ(integrate::adaptive::start_adaptive(scene, options)(asked, turn), integrate::run::Outcome::ok);
   EXPECT_TRUE(turn.touched);
   const RotatingField field(scene, options);
   const double step = 2 * std::numbers::pi / samples;

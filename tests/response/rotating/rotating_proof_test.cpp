@@ -33,7 +33,7 @@ struct ProvenAndObserved {
   }
 };
 
-TEST(rotating::RotatingProof, TheCircleIsWhatALongRunShows) {
+TEST(RotatingProof, TheCircleIsWhatALongRunShows) {
   const auto [proven, observed] = ProvenAndObserved(annular_cell(80, 0.6), "synchronous", 20, 200);
   EXPECT_EQ(proven.motion.order, 1);
   const motion::Measures &a = proven.motion.measures, &b = observed.motion.measures;
@@ -47,7 +47,7 @@ TEST(rotating::RotatingProof, TheCircleIsWhatALongRunShows) {
   EXPECT_FALSE(a.comb_spacing);
 }
 
-TEST(rotating::RotatingProof, TheOvalIsWhatALongRunShows) {
+TEST(RotatingProof, TheOvalIsWhatALongRunShows) {
   const auto [proven, observed] = ProvenAndObserved(annular_cell(165, 0.6), "quasi_periodic", 40, 400);
   const motion::Measures &a = proven.motion.measures, &b = observed.motion.measures;
   EXPECT_NEAR(a.comb_spacing.value(), b.comb_spacing.value(), 1e-8);
@@ -65,7 +65,7 @@ TEST(rotating::RotatingProof, TheOvalIsWhatALongRunShows) {
 
 /// Multiplier -0.9915: the transient alternates for a thousand turns, and a run of 600 takes it for the
 /// double period.
-TEST(rotating::RotatingProof, AnOvalThatIsReachedSlowlyIsProvenAtOnce) {
+TEST(RotatingProof, AnOvalThatIsReachedSlowlyIsProvenAtOnce) {
   const auto proven = run(annular_cell(120, 0.6), true);
   EXPECT_EQ(proven.proof, motion::Proof::floquet_observed);
   EXPECT_LT(proven.revolutions, 400);
@@ -73,7 +73,7 @@ TEST(rotating::RotatingProof, AnOvalThatIsReachedSlowlyIsProvenAtOnce) {
   EXPECT_NEAR(proven.floquet_modulus.value(), 0.991531, 1e-5);
 }
 
-TEST(rotating::RotatingProof, DryWhipHasNoMaximumToReturnToAndStaysObserved) {
+TEST(RotatingProof, DryWhipHasNoMaximumToReturnToAndStaysObserved) {
   model::Machine machine = annular_machine();
   std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0.02;
   machine.stops[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
@@ -85,7 +85,7 @@ TEST(rotating::RotatingProof, DryWhipHasNoMaximumToReturnToAndStaysObserved) {
 }
 
 /// A coarse map: every label is that of long runs without any proof.
-TEST(rotating::RotatingProof, LabelsAreThoseOfLongRuns) {
+TEST(RotatingProof, LabelsAreThoseOfLongRuns) {
   for (const double speed_hz : {75.0, 100.0, 150.0, 210.0}) {
     for (const double whirl_ratio : {0.3, 0.8}) {
       const auto cell = annular_cell(speed_hz, whirl_ratio);

@@ -41,7 +41,7 @@ void expect_lines(const spectrum::FullSpectrum& spectrum, const std::vector<std:
   }
 }
 
-TEST(spectrum::FullSpectrum, ForwardCircleIsOneLineOfItsRadiusAtPlusOne) {
+TEST(FullSpectrum, ForwardCircleIsOneLineOfItsRadiusAtPlusOne) {
   const auto spectrum = spectrum_of(sample({{1, 1, Complex(0.6, 0.8)}}, 8, 16), 8);
   EXPECT_EQ(spectrum.turns, 8);
   EXPECT_EQ(spectrum.samples_per_revolution, 16);
@@ -51,17 +51,17 @@ TEST(spectrum::FullSpectrum, ForwardCircleIsOneLineOfItsRadiusAtPlusOne) {
   EXPECT_EQ(spectrum.order(8), 1.0);
 }
 
-TEST(spectrum::FullSpectrum, BackwardCircleIsOneLineAtMinusOne) {
+TEST(FullSpectrum, BackwardCircleIsOneLineAtMinusOne) {
   expect_lines(spectrum_of(sample({{-1, 1, 0.7}}, 8, 16), 8), {{-8, 0.7}});
 }
 
-TEST(spectrum::FullSpectrum, StraightCosineIsHalfItsAmplitudeOnEitherSide) {
+TEST(FullSpectrum, StraightCosineIsHalfItsAmplitudeOnEitherSide) {
   std::vector<Complex> z(8 * 16);
   for (std::size_t j = 0; j < z.size(); ++j) z[j] = std::cos(2 * std::numbers::pi * double(j % 16) / 16);
   expect_lines(spectrum_of(z, 8), {{8, 0.5}, {-8, 0.5}});
 }
 
-TEST(spectrum::FullSpectrum, EllipseWithOffsetSplitsIntoHalfSumHalfDifferenceAndMean) {
+TEST(FullSpectrum, EllipseWithOffsetSplitsIntoHalfSumHalfDifferenceAndMean) {
   // x = 0.9 cos, y = 0.3 sin: forward (0.9 + 0.3) / 2, backward (0.9 - 0.3) / 2.
   std::vector<Complex> z(8 * 16);
   for (std::size_t j = 0; j < z.size(); ++j) {
@@ -73,7 +73,7 @@ TEST(spectrum::FullSpectrum, EllipseWithOffsetSplitsIntoHalfSumHalfDifferenceAnd
   EXPECT_NEAR(spectrum.energy_without_mean(), 0.45, 1e-14);
 }
 
-TEST(spectrum::FullSpectrum, EverySubharmonicFallsExactlyIntoItsBin) {
+TEST(FullSpectrum, EverySubharmonicFallsExactlyIntoItsBin) {
   for (int n = 2; n <= 12; ++n) {
     const int turns = motion::window_turns(64, n);
     const auto spectrum =
@@ -84,7 +84,7 @@ TEST(spectrum::FullSpectrum, EverySubharmonicFallsExactlyIntoItsBin) {
   }
 }
 
-TEST(spectrum::FullSpectrum, IsTheDirectSumForEvenAndOddLengths) {
+TEST(FullSpectrum, IsTheDirectSumForEvenAndOddLengths) {
   for (const auto& [turns, per_turn] : {std::pair{3, 20}, std::pair{3, 7}, std::pair{5, 4}}) {
     const auto z = noise(static_cast<std::size_t>(turns * per_turn), 11);
     const auto spectrum = spectrum_of(z, turns);
@@ -101,7 +101,7 @@ TEST(spectrum::FullSpectrum, IsTheDirectSumForEvenAndOddLengths) {
   }
 }
 
-TEST(spectrum::FullSpectrum, EnergyIsTheMeanSquareInTime) {
+TEST(FullSpectrum, EnergyIsTheMeanSquareInTime) {
   const auto z = noise(64 * 128, 5);
   const auto spectrum = spectrum_of(z, 64);
   const double count = static_cast<double>(z.size());
@@ -112,7 +112,7 @@ TEST(spectrum::FullSpectrum, EnergyIsTheMeanSquareInTime) {
   EXPECT_NEAR(spectrum.amplitude(0), std::abs(mean), 1e-15);
 }
 
-TEST(spectrum::FullSpectrum, ManyThreadsAtOnceGiveTheBitsOfOne) {
+TEST(FullSpectrum, ManyThreadsAtOnceGiveTheBitsOfOne) {
   // Lengths no other test modes, so that threads also meet in the planner.
   constexpr int thread_count = 8;
   const std::vector<int> turns = {17, 31, 33, 38, 17, 33, 45, 31};
@@ -142,7 +142,7 @@ TEST(spectrum::FullSpectrum, ManyThreadsAtOnceGiveTheBitsOfOne) {
   for (const auto& one : found) EXPECT_TRUE(one == alone);
 }
 
-TEST(spectrum::FullSpectrum, DominantLineIgnoresTheMeanAndPrefersForwardAmongEqualTwins) {
+TEST(FullSpectrum, DominantLineIgnoresTheMeanAndPrefersForwardAmongEqualTwins) {
   EXPECT_EQ(spectrum::dominant_line(spectrum_of(sample({{0, 1, 9.0}, {-1, 2, 0.6}, {1, 1, 0.5}}, 8, 16), 8)),
             -4);
   EXPECT_EQ(spectrum::dominant_line(spectrum_of(sample({{-2, 1, 0.5}, {2, 1, 0.5 * (1 - 1e-12)}}, 8, 16), 8)),
@@ -151,7 +151,7 @@ TEST(spectrum::FullSpectrum, DominantLineIgnoresTheMeanAndPrefersForwardAmongEqu
             -16);
 }
 
-TEST(spectrum::FullSpectrum, RefusesSamplesThatDoNotFillTheTurnsAndLinesThatDoNotExist) {
+TEST(FullSpectrum, RefusesSamplesThatDoNotFillTheTurnsAndLinesThatDoNotExist) {
   spectrum::SpectrumWorkspace workspace;
   const std::vector<Complex> z(10);
   EXPECT_THROW(spectrum::full_spectrum(z, 3, workspace), SolverError);

@@ -12,6 +12,7 @@
 #include "rubsweep/integrate/adaptive/steppers.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/numerics/bernstein_root.hpp"
 
@@ -27,8 +28,9 @@ class AdaptiveRun {
 
   AdaptiveRun(const scene::Scene& scene, const run::SolverOptions& options)
       : system_(run::scale<N>(scene)),
-        dynamics_(system_, options.smoothing_m / scene.length_scale_m),
+        dynamics_(system_, options.smoothing_m / system_.scale.length_m),
         method_(options),
+        pulses_(scene, system_.scale, full_turn),
         impulses_(scene),
         max_steps_(options.max_steps_per_revolution),
         start_kinematics_(system_.contacts.size()),
@@ -47,24 +49,26 @@ class AdaptiveRun {
   AdaptiveRun& operator=(const AdaptiveRun&) = delete;
 
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
-  run::Outcome advance(run::Turn& turn, double end_phase = full_turn) {
+  /// Moves no tangent vectors.
+  run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
+                       double end_phase = full_turn) {
     end_phase_ = end_phase;
-    StepObserver observer(turn);
+    StepObserver observer(request, report);
     const long limit = steps_ + refused_ + max_steps_;
     step_.start_phase = 0;
     if (!impulses_.none()) impulses_.begin_turn(revolution_);
-    // The pulse counts its time from the start of the turn: it goes first.
-    set_pulse(0);
+    // The pulses count their time from the start of the turn: they go first.
+    pulses_.begin_turn(revolution_);
     dynamics_(step_.start, step_.start_rate, 0.0);
     while (step_.start_phase < end_phase_) {
-      if (steps_ + refused_ >= limit) return finish(turn, run::Outcome::step_limit);
-      if (step_.start_phase >= impulses_.next_phase_rad()) strike(observer);
+      if (steps_ + refused_ >= limit) return finish(report, run::Outcome::step_limit);
+      if (step_.start_phase >= impulses_.next_phase_rad()) apply_impulses(observer);
       const run::Outcome outcome = advance_one_step(observer);
-      if (outcome != run::Outcome::ok) return finish(turn, outcome);
+      if (outcome != run::Outcome::ok) return finish(report, outcome);
     }
     ++revolution_;
     observer.end_turn(step_.start, dynamics_);
-    return finish(turn, run::Outcome::ok);
+    return finish(report, run::Outcome::ok);
   }
 
  private:
@@ -82,7 +86,8 @@ class AdaptiveRun {
   }
 
   void begin() {
-    set_pulse(0);
+    dynamics_.follow(pulses_);
+    pulses_.begin_turn(0);
     dynamics_(step_.start, step_.start_rate, 0.0);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) enter_by_state(i);
     look_again(0);
@@ -108,23 +113,20 @@ class AdaptiveRun {
       start_kinematics_[i] = dynamics_.kinematics(i, step_.start, step_.start_rate);
   }
 
-  /// Switches the pulse for the stretch that starts at `phase`; returns where that stretch ends.
-  double set_pulse(double phase) {
-    const double elapsed = full_turn * static_cast<double>(revolution_) + system_.pulse_elapsed_rad;
-    const double pulse_end = system_.pulse_end_rad - elapsed;
-    const bool on = pulse_end > phase;
-    dynamics_.set_pulse(on, elapsed);
-    return on ? std::min(pulse_end, end_phase_) : end_phase_;
+  /// Switches the pulses for the stretch that starts at `phase`; returns where that stretch ends.
+  double set_pulses(double phase) {
+    pulses_.go_to(phase);
+    return std::min(pulses_.next_change(), end_phase_);
   }
 
   /// All impulses of this instant.
-  void strike(StepObserver& observer) {
+  void apply_impulses(StepObserver& observer) {
     const Eigen::Index n = system_.coordinates();
     while (step_.start_phase >= impulses_.next_phase_rad()) {
       const Eigen::VectorXd& jump_m_per_s = impulses_.take();
       for (Eigen::Index j = 0; j < n; ++j)
         step_.start[static_cast<std::size_t>(n + j)] +=
-            jump_m_per_s(j) / (system_.length_m * system_.speed_rad_per_s);
+            jump_m_per_s(j) / system_.scale.unit_velocity_m_per_s();
     }
     dynamics_(step_.start, step_.start_rate, step_.start_phase);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
@@ -139,7 +141,7 @@ class AdaptiveRun {
   }
 
   run::Outcome advance_one_step(StepObserver& observer) {
-    const double boundary = std::min(set_pulse(step_.start_phase), impulses_.next_phase_rad());
+    const double boundary = std::min(set_pulses(step_.start_phase), impulses_.next_phase_rad());
     const double wanted = size_;
     // A remainder too small to step over is taken along.
     const bool limited = step_.start_phase + 1.000001 * wanted >= boundary;
@@ -292,20 +294,21 @@ class AdaptiveRun {
     return std::all_of(state.begin(), state.end(), [](double value) { return std::isfinite(value); });
   }
 
-  run::Outcome finish(run::Turn& turn, run::Outcome outcome) const {
-    turn.effort = {.rhs_calls = dynamics_.rhs_calls(),
-                   .steps = steps_,
-                   .refused = refused_,
-                   .switches = switches_,
-                   .implicit_steps = 0};
+  run::Outcome finish(run::TurnReport& report, run::Outcome outcome) const {
+    report.effort = {.rhs_calls = dynamics_.rhs_calls(),
+                     .steps = steps_,
+                     .refused = refused_,
+                     .switches = switches_,
+                     .implicit_steps = 0};
     if constexpr (requires { method_.implicit_steps(); })
-      turn.effort.implicit_steps = method_.implicit_steps();
+      report.effort.implicit_steps = method_.implicit_steps();
     return outcome;
   }
 
   run::ScaledSystem<N> system_;
   Law dynamics_;
   StepMethod method_;
+  run::PulseTimes pulses_;
   run::Impulses impulses_;
   long max_steps_;
   Step<State> step_;

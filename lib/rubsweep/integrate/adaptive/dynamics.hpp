@@ -8,6 +8,7 @@
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 
 namespace rubsweep::integrate::adaptive {
@@ -46,7 +47,9 @@ class Dynamics {
       acceleration.noalias() -= system_.damping * v;
     }
     acceleration += system_.cosine * std::cos(phase) + system_.sine * std::sin(phase);
-    if (pulse_on_) acceleration += system_.pulse * std::sin(system_.pulse_rate * (pulse_elapsed_ + phase));
+    for_each_acting_pulse([&](const auto& pulse, double elapsed) {
+      acceleration += pulse.top * std::sin(pulse.rate * (elapsed + phase));
+    });
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact(i, u, v, acceleration);
   }
 
@@ -133,10 +136,9 @@ class Dynamics {
     Map velocity_rate(&phase_rate[0], n), force_rate(&phase_rate[0] + n, n);
     velocity_rate.setZero();
     force_rate = system_.sine * std::cos(phase) - system_.cosine * std::sin(phase);
-    if (pulse_on_) {
-      const double angle = system_.pulse_rate * (pulse_elapsed_ + phase);
-      force_rate += system_.pulse * (system_.pulse_rate * std::cos(angle));
-    }
+    for_each_acting_pulse([&](const auto& pulse, double elapsed) {
+      force_rate += pulse.top * (pulse.rate * std::cos(pulse.rate * (elapsed + phase)));
+    });
   }
 
   /// State that a run starts with at `section`.
@@ -148,14 +150,18 @@ class Dynamics {
   double smoothing_width() const { return smoothing_width_; }
   long rhs_calls() const { return rhs_calls_; }
 
-  /// `elapsed_rad`: rotation since the start of the pulse at phase 0 of this revolution.
-  void set_pulse(bool on, double elapsed_rad) {
-    pulse_on_ = on;
-    pulse_elapsed_ = elapsed_rad;
-  }
+  /// From here on those pulses of the system act that `pulses` says, in radians; it must outlive this. No
+  /// pulse acts before.
+  void follow(const run::PulseTimes& pulses) { pulses_ = &pulses; }
 
  private:
   using Contact = run::ScaledContact<N>;
+
+  template <class Visit>
+  void for_each_acting_pulse(const Visit& visit) const {
+    if (pulses_ == nullptr) return;
+    for (const std::size_t i : pulses_->acting()) visit(system_.pulses[i], pulses_->elapsed(i));
+  }
 
   static contact::RelativeMotion relative_motion(const Contact& c, const ConstMap& u, const ConstMap& v) {
     return {c.first_row.dot(u.transpose()) + c.offset[0], c.second_row.dot(u.transpose()) + c.offset[1],
@@ -229,8 +235,7 @@ class Dynamics {
   const run::ScaledSystem<N>& system_;
   double smoothing_width_;
   std::vector<contact::Mode> modes_;
-  bool pulse_on_ = false;
-  double pulse_elapsed_ = 0;
+  const run::PulseTimes* pulses_ = nullptr;
   mutable long rhs_calls_ = 0;
 };
 

@@ -13,23 +13,26 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// Turns steps into what a Turn reports.
+/// Turns steps into what a turn reports.
 class StepObserver {
  public:
-  explicit StepObserver(run::Turn& turn) : turn_(turn) { turn.clear_answers(); }
+  StepObserver(const run::TurnRequest& request, run::TurnReport& report)
+      : request_(request), report_(report) {
+    report.clear();
+  }
 
   /// Samples the grid phases in [start_phase, end_phase). `state_at(phase)` gives a state inside the step.
   template <class State, class StateAt>
   void sample(double start_phase, const State& start, double end_phase, const StateAt& state_at) {
-    const int count = turn_.samples_per_revolution;
-    if (next_sample_ >= count) return;
-    turn_.samples.resize(static_cast<std::size_t>(count) * start.size());
-    for (; next_sample_ < count; ++next_sample_) {
-      const double phase = 2 * std::numbers::pi * next_sample_ / count;
+    const int count = request_.samples_per_revolution;
+    if (report_.sample_count >= count) return;
+    report_.samples.resize(static_cast<std::size_t>(count) * start.size());
+    for (int& k = report_.sample_count; k < count; ++k) {
+      const double phase = 2 * std::numbers::pi * k / count;
       if (phase >= end_phase) return;
       const State& state = phase <= start_phase ? start : state_at(phase);
       std::copy(state.begin(), state.end(),
-                turn_.samples.begin() + next_sample_ * static_cast<std::ptrdiff_t>(start.size()));
+                report_.samples.begin() + k * static_cast<std::ptrdiff_t>(start.size()));
     }
   }
 
@@ -43,24 +46,24 @@ class StepObserver {
       const double share = touching_share(dynamics, i, start[i], end[i]);
       if (share == 0) continue;
       touching = std::max(touching, share);
-      if (dynamics.slip_m_per_s(i, step.end) <= 0) turn_.slip_reversed = true;
-      if (turn_.peaks) watch_force(dynamics, i, h, start[i], end[i]);
+      if (dynamics.slip_m_per_s(i, step.end) <= 0) report_.slip_reversed = true;
+      if (request_.peaks) watch_force(dynamics, i, h, start[i], end[i]);
     }
-    if (touching > 0) turn_.touched = true;
-    turn_.contact_fraction += touching * h / (2 * std::numbers::pi);
-    if (turn_.peaks) watch_displacement(step, dynamics, h);
+    if (touching > 0) report_.touched = true;
+    report_.contact_fraction += touching * h / (2 * std::numbers::pi);
+    if (request_.peaks) watch_displacement(step, dynamics, h);
   }
 
-  void mode_switch(const run::ModeSwitch& change) { turn_.add(change); }
+  void mode_switch(const run::ModeSwitch& change) { report_.add(change, request_.switches); }
 
   template <class State, class Dynamics>
   void end_turn(const State& state, const Dynamics& dynamics) {
-    turn_.section.assign(state.begin(), state.end());
+    report_.section.assign(state.begin(), state.end());
     // The steps of a turn add up to it but for rounding.
-    turn_.contact_fraction = std::min(1.0, turn_.contact_fraction);
+    report_.contact_fraction = std::min(1.0, report_.contact_fraction);
     for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
       if (touching_now(dynamics, i, dynamics.kinematics(i, state, state).penetration))
-        turn_.touching_at_end = true;
+        report_.touching_at_end = true;
     }
   }
 
@@ -78,7 +81,7 @@ class StepObserver {
                         const contact::Kinematics& end) {
     if constexpr (Dynamics::smoothed) {
       const double p0 = start.penetration, p1 = end.penetration;
-      if (p0 <= 0 && p1 > 0) ++turn_.hits;
+      if (p0 <= 0 && p1 > 0) ++report_.hits;
       if (p0 <= 0 && p1 <= 0) return 0;
       if (p0 > 0 && p1 > 0) return 1;
       return std::max(p0, p1) / std::abs(p1 - p0);
@@ -102,7 +105,7 @@ class StepObserver {
     const double peak =
         numerics::cubic_maximum(total(start.penetration, start.closing_speed), h * rate(start),
                                 total(end.penetration, end.closing_speed), h * rate(end));
-    turn_.peak_contact_force_n = std::max(turn_.peak_contact_force_n, peak);
+    report_.peak_contact_force_n = std::max(report_.peak_contact_force_n, peak);
   }
 
   template <class State, class Dynamics>
@@ -117,11 +120,12 @@ class StepObserver {
     const auto [start, start_slope] = square_and_slope(step.start);
     const auto [end, end_slope] = square_and_slope(step.end);
     const double peak = std::sqrt(numerics::cubic_maximum(start, h * start_slope, end, h * end_slope));
-    turn_.peak_displacement_m = std::max(turn_.peak_displacement_m, peak * dynamics.system().length_m);
+    report_.peak_displacement_m =
+        std::max(report_.peak_displacement_m, peak * dynamics.system().scale.length_m);
   }
 
-  run::Turn& turn_;
-  int next_sample_ = 0;
+  const run::TurnRequest& request_;
+  run::TurnReport& report_;
 };
 
 }  // namespace rubsweep::integrate::adaptive

@@ -13,24 +13,29 @@ namespace rubsweep::integrate::exact {
 
 template <int N>
 ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
-    : machine_(std::move(modes)), speed_(scene.speed_rad_per_s) {
+    : machine_(std::move(modes)), scale_(run::state_scale(scene)) {
   const Eigen::MatrixXcd inverse_mass =
-      machine_->inverse_mass().template cast<Complex>() / scene.length_scale_m;
-  unbalance_ = inverse_mass * scene.harmonic_n;
-  kick_ = Eigen::VectorXcd::Zero(unbalance_.size());
-  if (scene.pulse && scene.pulse->force_n != 0) {
-    kick_rate_ = std::numbers::pi / scene.pulse->duration_s;
-    kick_ =
-        Complex(0, -scene.pulse->force_n) * (inverse_mass * scene.pulse->direction.template cast<Complex>());
+      machine_->inverse_mass().template cast<Complex>() / scale_.in_seconds().unit_acceleration_m_per_s2();
+  unbalance_ = drive_of(inverse_mass * scene.harmonic_n, scene.speed_rad_per_s);
+  for (const scene::Pulse& pulse : scene.pulses) {
+    pulses_.push_back(
+        drive_of(Complex(0, -pulse.force_n) * (inverse_mass * pulse.direction.template cast<Complex>()),
+                 std::numbers::pi / pulse.duration_s));
   }
+  acting_.reserve(pulses_.size());
+  now_.pulse_phasors.reserve(pulses_.size());
+  now_.free.resize(2 * unbalance_.acceleration.size());
+}
+
+template <int N>
+typename ExactMotion<N>::Drive ExactMotion<N>::drive_of(Eigen::VectorXcd acceleration,
+                                                        double rate_rad_per_s) const {
+  Drive drive{.acceleration = std::move(acceleration), .closing = {}, .rate = rate_rad_per_s};
   for (const auto& contact : machine_->system().contacts) {
-    const auto along = [&](const Eigen::VectorXcd& force) {
-      return Complex(contact.first_row.dot(force.real()), contact.first_row.dot(force.imag()));
-    };
-    unbalance_closing_.push_back(along(unbalance_));
-    kick_closing_.push_back(along(kick_));
+    drive.closing.emplace_back(contact.first_row.dot(drive.acceleration.real()),
+                               contact.first_row.dot(drive.acceleration.imag()));
   }
-  free_.resize(2 * unbalance_.size());
+  return drive;
 }
 
 template <int N>
@@ -41,33 +46,46 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   mode_ = next;
   if (cells_.size() <= mode_->index) cells_.resize(mode_->index + 1);
   ModeCell& cell = cells_[mode_->index];
-  const bool usable = prepare(cell);
+  bool usable = prepare(*mode_, cell);
+  // A pulse may begin in contact, where bounds on released slips ask for the responses of the open mode.
+  if (joint != 0 && !acting_.empty()) {
+    const LinearMode<N>& open = *machine_->mode(0);
+    usable = usable && prepare(open, cells_[open.index]);
+  }
   cell_ = &cell;
   joint_ = joint;
   ++visits_;
-  free_ = mode_->to_free(physical - forced(*mode_, cell, here()));
+  now_.free = mode_->to_free(physical - forced(*mode_, cell, here()));
   return usable;
 }
 
 template <int N>
-bool ExactMotion<N>::prepare(ModeCell& cell) const {
-  return prepare(cell.shaft, unbalance_, speed_) && (!kick_on_ || prepare(cell.pulse, kick_, kick_rate_));
+bool ExactMotion<N>::prepare(const LinearMode<N>& mode, ModeCell& cell) const {
+  const auto make = [&](ModeResponse& response, const Drive& drive) {
+    if (!response.made)
+      response.usable = make_harmonic_response(mode, drive.acceleration, drive.rate, response.response);
+    response.made = true;
+    return response.usable;
+  };
+  if (!acting_.empty()) cell.pulses.resize(pulses_.size());
+  if (!make(cell.shaft, unbalance_)) return false;
+  return std::ranges::all_of(acting_, [&](std::size_t i) { return make(cell.pulses[i], pulses_[i]); });
 }
 
 template <int N>
-bool ExactMotion<N>::prepare(ModeResponse& response, const Eigen::VectorXcd& force,
-                             double rate_rad_per_s) const {
-  if (!response.made)
-    response.usable = make_harmonic_response(*mode_, force, rate_rad_per_s, response.response);
-  response.made = true;
-  return response.usable;
+void ExactMotion<N>::set_phases(double phase_rad) {
+  now_.phasor = std::polar(1.0, phase_rad);
+  acting_.clear();
+  now_.pulse_phasors.clear();
 }
 
 template <int N>
-void ExactMotion<N>::set_phases(double phase_rad, double kick_rad) {
-  phasor_ = std::polar(1.0, phase_rad);
-  kick_on_ = kick_rad >= 0 && kick_rate_ > 0;
-  if (kick_on_) kick_phasor_ = std::polar(1.0, kick_rad);
+void ExactMotion<N>::set_phases(double phase_rad, const run::PulseTimes& pulses, double time_s) {
+  set_phases(phase_rad);
+  for (const std::size_t i : pulses.acting()) {
+    acting_.push_back(i);
+    now_.pulse_phasors.push_back(std::polar(1.0, pulses.angle_rad(i, time_s)));
+  }
 }
 
 template <int N>
@@ -75,27 +93,33 @@ typename ExactMotion<N>::State ExactMotion<N>::forced(const LinearMode<N>& mode,
                                                       const Instant& instant) const {
   State state = State::Zero(instant.free.size());
   state.template head<N>(mode.rest.size()) = mode.rest;
-  cell.shaft.response.add_to(state, instant.phasor);
-  if (kick_on_) cell.pulse.response.add_to(state, instant.kick_phasor);
+  for_each_response(cell, acting_, instant,
+                    [&](const auto& response, Complex phasor) { response.add_to(state, phasor); });
   return state;
 }
 
 template <int N>
-typename ExactMotion<N>::Stretch ExactMotion<N>::stretch(double duration_s) const {
-  return {duration_s, flow_of_pairs(*mode_, duration_s), std::polar(1.0, speed_ * duration_s),
-          std::polar(1.0, kick_rate_ * duration_s)};
+void ExactMotion<N>::turn_phasors(Instant& instant, double duration_s) const {
+  instant.phasor = product(instant.phasor, std::polar(1.0, unbalance_.rate * duration_s));
+  for (std::size_t k = 0; k < acting_.size(); ++k) {
+    Complex& phasor = instant.pulse_phasors[k];
+    phasor = product(phasor, std::polar(1.0, pulses_[acting_[k]].rate * duration_s));
+  }
 }
 
 template <int N>
-void ExactMotion<N>::move(Instant& instant, const Stretch& stretch) {
-  move_pairs(stretch.pairs, instant.free);
-  instant.phasor = product(instant.phasor, stretch.turn);
-  instant.kick_phasor = product(instant.kick_phasor, stretch.kick_turn);
+void ExactMotion<N>::turn_pulses_by_table(Instant& instant, std::size_t table_step) const {
+  for (std::size_t k = 0; k < acting_.size(); ++k) {
+    Complex& phasor = instant.pulse_phasors[k];
+    phasor = product(phasor, cell_->pulses[acting_[k]].response.turned_by(table_step, mode_->longest_step_s));
+  }
 }
 
 template <int N>
 void ExactMotion<N>::ahead(Instant& instant, double duration_s) const {
-  if (duration_s > 0) move(instant, stretch(duration_s));
+  if (!(duration_s > 0)) return;
+  move_pairs(flow_of_pairs(*mode_, duration_s), instant.free);
+  turn_phasors(instant, duration_s);
 }
 
 template <int N>
@@ -103,9 +127,24 @@ void ExactMotion<N>::ahead_by_table(Instant& instant, int k) const {
   const auto index = static_cast<std::size_t>(k);
   move_pairs(mode_->pair_steps[index], instant.free);
   instant.phasor = product(instant.phasor, cell_->shaft.response.turned_by(index, mode_->longest_step_s));
-  if (kick_on_)
-    instant.kick_phasor =
-        product(instant.kick_phasor, cell_->pulse.response.turned_by(index, mode_->longest_step_s));
+  if (!acting_.empty()) turn_pulses_by_table(instant, index);
+}
+
+template <int N>
+void ExactMotion<N>::ahead_by_interval(Instant& instant, double interval_s) {
+  Stretch& interval = cell_->interval;
+  if (interval.duration_s != interval_s) {
+    interval.duration_s = interval_s;
+    interval.pairs = flow_of_pairs(*mode_, interval_s);
+    interval.turn = std::polar(1.0, unbalance_.rate * interval_s);
+    interval.pulse_turns.clear();
+    for (const Drive& pulse : pulses_)
+      interval.pulse_turns.push_back(std::polar(1.0, pulse.rate * interval_s));
+  }
+  move_pairs(interval.pairs, instant.free);
+  instant.phasor = product(instant.phasor, interval.turn);
+  for (std::size_t k = 0; k < acting_.size(); ++k)
+    instant.pulse_phasors[k] = product(instant.pulse_phasors[k], interval.pulse_turns[acting_[k]]);
 }
 
 template <int N>
@@ -113,44 +152,38 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::force(std::size_t t, const I
   const TouchWatch<N>& touch = mode_->touches[t];
   const ModalSum free = sum_of(touch.force_of_free.list, instant.free.data(), mode_->paired);
   GuardValue force{touch.force_constant + free.value(), free.rate(), free.curvature()};
-  const auto add = [&](const HarmonicResponse<N>& response, Complex phasor) {
+  for_each_response(*cell_, acting_, instant, [&](const auto& response, Complex phasor) {
     const Complex z = product(response.at_force[t], phasor);
     force.value += z.real();
     force.rate -= response.rate * z.imag();
     force.curvature += response.force_curvature[t];
-  };
-  add(cell_->shaft.response, instant.phasor);
-  if (kick_on_) add(cell_->pulse.response, instant.kick_phasor);
+  });
   return force;
 }
 
 template <int N>
-void ExactMotion<N>::ahead_by_interval(Instant& instant, double interval_s) {
-  if (cell_->interval.duration_s != interval_s) cell_->interval = stretch(interval_s);
-  move(instant, cell_->interval);
-}
-
-template <int N>
 typename ExactMotion<N>::State ExactMotion<N>::rate_of(const State& physical) const {
-  const Eigen::Index n = unbalance_.size();
+  const Eigen::Index n = mode_->rest.size();
   State offset = physical;
   offset.template head<N>(n) -= mode_->rest;
   State rate(2 * n);
   rate = mode_->generator.lazyProduct(offset);
   for (Eigen::Index j = 0; j < n; ++j) {
-    rate(n + j) += real_product(unbalance_(j), phasor_);
-    if (kick_on_) rate(n + j) += real_product(kick_(j), kick_phasor_);
+    rate(n + j) += real_product(unbalance_.acceleration(j), now_.phasor);
+    for (std::size_t k = 0; k < acting_.size(); ++k)
+      rate(n + j) += real_product(pulses_[acting_[k]].acceleration(j), now_.pulse_phasors[k]);
   }
   return rate;
 }
 
 template <int N>
 double ExactMotion<N>::closing_acceleration(std::size_t i, const State& physical) const {
-  const Eigen::Index n = unbalance_.size();
+  const Eigen::Index n = mode_->rest.size();
   const typename ExactTypes<N>::Row& row = mode_->closing[i];
   double acceleration = row.dot(physical.transpose()) - row.template head<N>(n).dot(mode_->rest.transpose());
-  acceleration += real_product(unbalance_closing_[i], phasor_);
-  if (kick_on_) acceleration += real_product(kick_closing_[i], kick_phasor_);
+  acceleration += real_product(unbalance_.closing[i], now_.phasor);
+  for (std::size_t k = 0; k < acting_.size(); ++k)
+    acceleration += real_product(pulses_[acting_[k]].closing[i], now_.pulse_phasors[k]);
   return acceleration;
 }
 
@@ -160,12 +193,12 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::annular(std::size_t r, const
   const auto& c = machine_->system().contacts[guard.contact];
   std::array<double, 2> d = guard.centre, v{};
   for (std::size_t i = 0; i < 2; ++i) {
-    d[i] += guard.row[i].dot(free_.transpose());
-    v[i] += guard.rate[i].dot(free_.transpose());
+    d[i] += guard.row[i].dot(now_.free.transpose());
+    v[i] += guard.rate[i].dot(now_.free.transpose());
   }
   double speed = guard.speed_bound.dot(sizes.transpose());
   double curvature = guard.curvature_bound.dot(sizes.transpose());
-  const auto add = [&](const HarmonicResponse<N>& response, Complex phasor) {
+  for_each_response(*cell_, acting_, now_, [&](const auto& response, Complex phasor) {
     for (std::size_t i = 0; i < 2; ++i) {
       const Complex z = product(response.at_annular_guard[r][i], phasor);
       d[i] += z.real();
@@ -173,18 +206,10 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::annular(std::size_t r, const
     }
     speed += response.annular_length[r] * response.rate;
     curvature += response.annular_length[r] * response.rate * response.rate;
-  };
-  add(cell_->shaft.response, phasor_);
-  if (kick_on_) add(cell_->pulse.response, kick_phasor_);
+  });
   // (|d|^2)'' = 2 |d'|^2 + 2 d.d'' with |d| <= C until the first touch.
   return {(d[0] * d[0] + d[1] * d[1] - c.clearance * c.clearance) / (2 * c.clearance),
           (d[0] * v[0] + d[1] * v[1]) / c.clearance, speed * speed / c.clearance + curvature};
-}
-
-template <int N>
-void ExactMotion<N>::turn_phasors(double duration_s) {
-  phasor_ = product(phasor_, std::polar(1.0, speed_ * duration_s));
-  if (kick_on_) kick_phasor_ = product(kick_phasor_, std::polar(1.0, kick_rate_ * duration_s));
 }
 
 template <int N>
@@ -195,9 +220,9 @@ void ExactMotion<N>::step_by(double duration_s) {
 template <int N>
 void ExactMotion<N>::step_by_series(double duration_s) {
   if (duration_s == 0) return;
-  move_by_series(*mode_, duration_s, free_);
+  move_by_series(*mode_, duration_s, now_.free);
   tangents_.pass(duration_s);
-  turn_phasors(duration_s);
+  turn_phasors(now_, duration_s);
 }
 
 template <int N>
@@ -206,9 +231,9 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   const auto expand = [&](double duration_s, int highest) {
     const auto count = static_cast<std::size_t>(highest) + 1;
     const auto even = std::span(storage).first(count + count % 2), terms = even.first(count);
-    expand_guard(mode_->guards[e], free_, even);
-    cell_->shaft.response.expand(e, phasor_, even);
-    if (kick_on_) cell_->pulse.response.expand(e, kick_phasor_, even);
+    expand_guard(mode_->guards[e], now_.free, even);
+    for_each_response(*cell_, acting_, now_,
+                      [&](const auto& response, Complex phasor) { response.expand(e, phasor, even); });
     numerics::scale_terms(duration_s * mode_->fastest_rad_per_s, terms);
     return terms;
   };
@@ -242,29 +267,27 @@ double ExactMotion<N>::sliding_rate_bound(const TouchWatch<N>& touch, const Stat
   if (!touch.friction_rate.empty()) return sliding_rate_bound_without_contact(touch, physical);
   const auto t = static_cast<std::size_t>(&touch - mode_->touches.data());
   double bound = touch.sliding_rate_bound.dot(sizes().transpose());
-  bound += cell_->shaft.response.sliding[t];
-  if (kick_on_) bound += cell_->pulse.response.sliding[t];
+  for_each_response(*cell_, acting_, now_,
+                    [&](const auto& response, Complex) { bound += response.sliding[t]; });
   return bound;
 }
 
-/// Every run has entered the open mode first, so that its flow and responses are there.
+/// Every run has entered the open mode first, so that its flow is there, and so are its responses.
 template <int N>
 double ExactMotion<N>::sliding_rate_bound_without_contact(const TouchWatch<N>& touch,
                                                           const State& physical) const {
   const LinearMode<N>& open = *machine_->mode(0);
   const ModeCell& cell = cells_[open.index];
   const State free = open.to_free(physical - forced(open, cell, here()));
-  const Eigen::Index n = unbalance_.size();
+  const Eigen::Index n = mode_->rest.size();
   double bound = 0;
   for (Eigen::Index j = 0; j < n; ++j)
     bound += touch.sliding_rate_bound(j) * std::hypot(free(j), free(n + j));
-  const auto add = [&](const HarmonicResponse<N>& response) {
+  for_each_response(cell, acting_, now_, [&](const auto& response, Complex) {
     Complex sliding = 0;
     for (Eigen::Index j = 0; j < n; ++j) sliding += touch.sliding(n + j) * response.amplitude(j);
     bound += std::abs(sliding) * response.rate * response.rate;
-  };
-  add(cell.shaft.response);
-  if (kick_on_) add(cell.pulse.response);
+  });
   return bound;
 }
 

@@ -11,6 +11,7 @@
 #include "rubsweep/integrate/exact/machine_modes.hpp"
 #include "rubsweep/integrate/exact/mode_flow.hpp"
 #include "rubsweep/integrate/exact/tangent_vectors.hpp"
+#include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"
 #include "rubsweep/numerics/step_table.hpp"
 
@@ -38,17 +39,19 @@ class ExactMotion {
   /// Times that a mode was entered.
   long visits() const { return visits_; }
 
-  /// Sets the phases: `phase_rad` of the shaft, `kick_rad` of the kick's half-sine, negative when there is
-  /// none.
-  void set_phases(double phase_rad, double kick_rad);
+  /// Sets the phase of the shaft; no pulse acts from here on.
+  void set_phases(double phase_rad);
+  /// The same, and those pulses act that do at `time_s` in the revolution of `pulses`, which counts seconds.
+  void set_phases(double phase_rad, const run::PulseTimes& pulses, double time_s);
 
   /// What changes while the mode does not: the free vibration, and the phasors e^{i rate t} of unbalance and
-  /// kick.
+  /// of the pulses that act.
   struct Instant {
     State free;
-    std::complex<double> phasor, kick_phasor;
+    std::complex<double> phasor{1};
+    std::vector<std::complex<double>> pulse_phasors{};
   };
-  Instant here() const { return {free_, phasor_, kick_phasor_}; }
+  const Instant& here() const { return now_; }
   /// Moves an instant of the present mode, which must have a modal form; the motion stays where it is.
   void ahead(Instant& instant, double duration_s) const;
   /// The same by a step of the mode's table.
@@ -75,18 +78,18 @@ class ExactMotion {
   }
 
   // A guard is the sum of three parts: the terms of slow pairs of the free vibration, those of fast pairs,
-  // and the part that unbalance and kick force. Most steps can be certified from some of them, so that they
+  // and the part that unbalance and pulses force. Most steps can be certified from some of them, so that they
   // can be had one by one.
 
   /// The forced part.
   struct Forced {
-    GuardValue shaft, kick;
-    bool kicked = false;
+    GuardValue shaft, pulses;
+    bool pulsed = false;
 
     GuardValue with(double value, const ModalSum& free) const {
       GuardValue guard{value, free.rate(), free.curvature()};
       add(shaft, guard);
-      if (kicked) add(kick, guard);
+      if (pulsed) add(pulses, guard);
       return guard;
     }
 
@@ -101,11 +104,11 @@ class ExactMotion {
   /// The first two are for guards that have slow pairs (`guard.terms.slow_count` > 0); in all others every
   /// pair counts as fast. Only a mode with a modal form tells slow from fast.
   ModalSum slow_sum(const LinearGuard<N>& guard) const {
-    return sum_of(guard.terms.slow(), free_.data(), true);
+    return sum_of(guard.terms.slow(), now_.free.data(), true);
   }
   ModalSum with_fast(const LinearGuard<N>& guard, ModalSum slow) const;
   ModalSum fast_sum(const LinearGuard<N>& guard) const {
-    return sum_of(guard.terms.fast(), free_.data(), mode_->paired);
+    return sum_of(guard.terms.fast(), now_.free.data(), mode_->paired);
   }
   /// The guard with every fast pair at the top of its envelope instead of at its present value: never below
   /// the guard itself, and it moves as slowly as the slow pairs do. A step over which this stays negative is
@@ -138,9 +141,9 @@ class ExactMotion {
 
   void carry_no_tangents() { tangents_.clear(); }
   /// Carries tangent vectors of the state along from here on.
-  void carry_tangents(const Eigen::MatrixXd& vectors) { tangents_.begin(*mode_, speed_, vectors); }
-  /// Replaces them by where they are now.
-  void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, speed_, vectors); }
+  void carry_tangents(const Eigen::MatrixXd& vectors) { tangents_.begin(*mode_, scale_, vectors); }
+  /// Where they are now: as many of the first ones as `vectors` has columns.
+  void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, scale_, vectors); }
 
   /// Carries one more, given as a change of (u, u').
   void carry_tangent_too(const State& vector) { tangents_.add(*mode_, vector); }
@@ -150,16 +153,24 @@ class ExactMotion {
   const LinearMode<N>& mode() const { return *mode_; }
   std::size_t joint() const { return joint_; }
   MachineModes<N>& machine() const { return *machine_; }
-  const State& free() const { return free_; }
+  const State& free() const { return now_.free; }
 
  private:
   using Complex = std::complex<double>;
 
-  /// Flow of a mode of pairs over some duration.
+  /// A harmonic force, divided by the mass: the acceleration is Re(. e^{i rate t}).
+  struct Drive {
+    Eigen::VectorXcd acceleration;  ///< per s^2
+    std::vector<Complex> closing;   ///< along each contact's normal
+    double rate = 0;                ///< rad/s
+  };
+
+  /// Flow of a mode of pairs over some duration, and how far the phasors turn.
   struct Stretch {
     double duration_s = -1;
     typename ExactTypes<N>::Pairs pairs;
-    Complex turn, kick_turn;
+    Complex turn;
+    std::vector<Complex> pulse_turns{};  ///< of all pulses
   };
 
   struct ModeResponse {
@@ -169,45 +180,52 @@ class ExactMotion {
 
   struct ModeCell {
     ModeResponse shaft;
-    ModeResponse pulse;  ///< made where a kick meets the mode
+    std::vector<ModeResponse> pulses{};  ///< each made where it meets the mode
     Stretch interval;
   };
 
   /// Of what vibrates and what drives it now.
   double fastest_rad_per_s() const {
-    const double unkicked = std::max(mode_->fastest_rad_per_s, speed_);
-    return kick_on_ ? std::max(unkicked, kick_rate_) : unkicked;
+    double fastest = std::max(mode_->fastest_rad_per_s, unbalance_.rate);
+    for (const std::size_t i : acting_) fastest = std::max(fastest, pulses_[i].rate);
+    return fastest;
   }
-  bool prepare(ModeCell& cell) const;
-  bool prepare(ModeResponse& response, const Eigen::VectorXcd& force, double rate_rad_per_s) const;
+  Drive drive_of(Eigen::VectorXcd acceleration, double rate_rad_per_s) const;
+  bool prepare(const LinearMode<N>& mode, ModeCell& cell) const;
+  /// Visits the response of `cell` to every force that acts, and its phasor.
+  template <class Visit>
+  static void for_each_response(const ModeCell& cell, const std::vector<std::size_t>& acting,
+                                const Instant& instant, const Visit& visit) {
+    visit(cell.shaft.response, instant.phasor);
+    for (std::size_t k = 0; k < acting.size(); ++k)
+      visit(cell.pulses[acting[k]].response, instant.pulse_phasors[k]);
+  }
   State forced(const LinearMode<N>& mode, const ModeCell& cell, const Instant& instant) const;
   double sliding_rate_bound_without_contact(const TouchWatch<N>& touch, const State& physical) const;
-  Stretch stretch(double duration_s) const;
-  static void move(Instant& instant, const Stretch& stretch);
-  void turn_phasors(double duration_s);
+  void turn_phasors(Instant& instant, double duration_s) const;
+  void turn_pulses_by_table(Instant& instant, std::size_t table_step) const;
   void step_by_series(double duration_s);
 
   std::shared_ptr<MachineModes<N>> machine_;
-  Eigen::VectorXcd unbalance_, kick_;                      ///< acceleration per s^2 is Re(. e^{i rate t})
-  std::vector<Complex> unbalance_closing_, kick_closing_;  ///< the same along each contact's normal
-  double speed_ = 0, kick_rate_ = 0;
+  run::StateScale scale_;  ///< of sections
+  Drive unbalance_;
+  std::vector<Drive> pulses_;
+  std::vector<std::size_t> acting_;  ///< the pulses that do, ascending
   std::vector<ModeCell> cells_;
   const LinearMode<N>* mode_ = nullptr;
   ModeCell* cell_ = nullptr;
   std::size_t joint_ = 0;
   long visits_ = 0;
-  State free_;
-  Complex phasor_{1}, kick_phasor_{1};
-  bool kick_on_ = false;
+  Instant now_;
   TangentVectors<N> tangents_;
 };
 
 template <int N>
 inline typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
-  if (!mode_->paired) return free_.cwiseAbs();
-  const Eigen::Index n = unbalance_.size();
+  if (!mode_->paired) return now_.free.cwiseAbs();
+  const Eigen::Index n = mode_->rest.size();
   State sizes = State::Zero(2 * n);
-  for (Eigen::Index j = 0; j < n; ++j) sizes(j) = pair_size(free_(j), free_(n + j));
+  for (Eigen::Index j = 0; j < n; ++j) sizes(j) = pair_size(now_.free(j), now_.free(n + j));
   return sizes;
 }
 
@@ -217,14 +235,15 @@ inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_guard(std::size_t 
     const Complex z = product(response.at_guard[e], phasor);
     return {z.real(), -response.rate * z.imag(), response.curvature[e]};
   };
-  Forced forced{.shaft = of(cell_->shaft.response, phasor_), .kick = {}, .kicked = kick_on_};
-  if (kick_on_) forced.kick = of(cell_->pulse.response, kick_phasor_);
+  Forced forced{.shaft = of(cell_->shaft.response, now_.phasor), .pulses = {}, .pulsed = !acting_.empty()};
+  for (std::size_t k = 0; k < acting_.size(); ++k)
+    Forced::add(of(cell_->pulses[acting_[k]].response, now_.pulse_phasors[k]), forced.pulses);
   return forced;
 }
 
 template <int N>
 inline ModalSum ExactMotion<N>::with_fast(const LinearGuard<N>& guard, ModalSum slow) const {
-  for (const ModalTerm& pair : guard.terms.fast()) slow += ModalSum(pair, free_.data(), true);
+  for (const ModalTerm& pair : guard.terms.fast()) slow += ModalSum(pair, now_.free.data(), true);
   return slow;
 }
 
@@ -234,7 +253,7 @@ inline typename ExactMotion<N>::GuardValue ExactMotion<N>::slow_guard(const Line
                                                                       const Forced& forced) const {
   double value = guard.constant + slow.value();
   for (const ModalTerm& pair : guard.terms.fast())
-    value += pair.envelope * pair_size(free_(pair.u), free_(pair.v));
+    value += pair.envelope * pair_size(now_.free(pair.u), now_.free(pair.v));
   return forced.with(value, slow);
 }
 
@@ -242,15 +261,14 @@ template <int N>
 inline void ExactMotion<N>::step_by_table(int k) {
   const auto index = static_cast<std::size_t>(k);
   if (mode_->paired) {
-    move_pairs(mode_->pair_steps[index], free_);
+    move_pairs(mode_->pair_steps[index], now_.free);
   } else {
-    const State next = mode_->steps[index].lazyProduct(free_);
-    free_ = next;
+    const State next = mode_->steps[index].lazyProduct(now_.free);
+    now_.free = next;
   }
   tangents_.pass(mode_->longest_step_s * numerics::exact_step_sizes[index]);
-  phasor_ = product(phasor_, cell_->shaft.response.turned_by(index, mode_->longest_step_s));
-  if (kick_on_)
-    kick_phasor_ = product(kick_phasor_, cell_->pulse.response.turned_by(index, mode_->longest_step_s));
+  now_.phasor = product(now_.phasor, cell_->shaft.response.turned_by(index, mode_->longest_step_s));
+  if (!acting_.empty()) turn_pulses_by_table(now_, index);
 }
 
 extern template class ExactMotion<2>;

@@ -29,21 +29,18 @@ constexpr double steps_per_turn_when_watched = 64;
 template <int N>
 ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps)
     : motion_(scene, modes),
+      scale_(run::state_scale(scene)),
       speed_(scene.speed_rad_per_s),
       period_s_(2 * std::numbers::pi / scene.speed_rad_per_s),
       turns_per_s_(1 / period_s_),
-      length_m_(scene.length_scale_m),
+      pulses_(scene, scale_.in_seconds(), period_s_),
       impulses_(scene),
       slip_(scene, modes->friction()),
       peaks_(*modes, scene.length_scale_m),
       max_steps_(max_steps) {
-  if (scene.pulse && scene.pulse->force_n != 0) {
-    kick_s_ = scene.pulse->duration_s;
-    kick_elapsed_s_ = scene.pulse->elapsed_s;
-  }
-  const Eigen::Index n = scene.structure.coordinates();
-  turn_start_.resize(2 * n);
-  turn_start_ << scene.displacement_m / length_m_, scene.velocity_m_per_s / length_m_;
+  const std::vector<double> start = scale_.in_seconds().state(scene.displacement_m, scene.velocity_m_per_s);
+  turn_start_.resize(static_cast<Eigen::Index>(start.size()));
+  std::copy(start.begin(), start.end(), turn_start_.data());
 }
 
 template <int N>
@@ -56,13 +53,13 @@ std::vector<double> ExactRun<N>::section() const {
 template <int N>
 void ExactRun<N>::put_section(std::vector<double>& section) const {
   section.assign(turn_start_.data(), turn_start_.data() + turn_start_.size());
-  for (std::size_t i = section.size() / 2; i < section.size(); ++i) section[i] /= speed_;
+  scale_.from_seconds(Eigen::Map<Eigen::VectorXd>(section.data(), turn_start_.size()));
 }
 
 template <int N>
 void ExactRun<N>::resume(std::span<const double> section) {
   std::copy(section.begin(), section.end(), turn_start_.data());
-  turn_start_.tail(turn_start_.size() / 2) *= speed_;
+  scale_.to_seconds(turn_start_);
   ++revolution_;
   goes_on_ = false;
 }
@@ -74,33 +71,35 @@ void ExactRun<N>::restart(std::span<const double> section) {
 }
 
 template <int N>
-ExactEnding ExactRun<N>::advance(run::Turn& turn) {
-  if (!begin_turn(turn)) return ExactEnding::beyond;
+ExactEnding ExactRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report) {
+  if (!begin_turn(request, report)) return ExactEnding::beyond;
   step_limit_ = effort_.steps + std::min(max_steps_, most_steps);
   ExactEnding ending = ExactEnding::ok;
   while (ending == ExactEnding::ok && time_s_ < period_s_) {
-    ending = effort_.steps < step_limit_ ? go_on(turn)
+    ending = effort_.steps < step_limit_ ? go_on(report)
              : max_steps_ > most_steps   ? ExactEnding::beyond
                                          : ExactEnding::step_limit;
   }
-  if (ending == ExactEnding::ok) ending = end_turn(turn);
-  turn.effort = effort_;
+  if (ending == ExactEnding::ok) ending = end_turn(report);
+  report.effort = effort_;
   return ending;
 }
 
 template <int N>
-bool ExactRun<N>::begin_turn(run::Turn& turn) {
-  turn.clear_answers();
-  samples_.begin(turn, period_s_, turn_start_.size());
+bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& report) {
+  report.clear();
+  samples_.begin(request, report, period_s_, turn_start_.size());
   time_s_ = 0;
   standstill_ = 0;
   motion_.carry_no_tangents();
   if (!impulses_.none()) impulses_.begin_turn(revolution_);
   if (!start_motion() || !slip_.begin(motion_, turn_start_)) return false;
-  motion_.carry_tangents(turn.tangent_vectors);
-  peaks_wanted_ = turn.peaks;
-  if (turn.peaks) peaks_.begin(motion_);
-  return impulses_.next_phase_rad() > 0 || strike(turn);
+  motion_.carry_tangents(request.tangent_vectors);
+  tangents_ = request.tangent_vectors.cols();
+  peaks_wanted_ = request.peaks;
+  switches_wanted_ = request.switches;
+  if (peaks_wanted_) peaks_.begin(motion_);
+  return impulses_.next_phase_rad() > 0 || apply_impulses(report);
 }
 
 /// Longest landing.
@@ -118,17 +117,10 @@ bool ExactRun<N>::force_by_steps() const {
 /// Where the motion stands at the end of the last turn only its phase starts again, from exactly zero.
 template <int N>
 bool ExactRun<N>::start_motion() {
-  const bool stands = std::exchange(goes_on_, false), was_kicked = kicked_;
-  set_phases();
+  const bool stands = std::exchange(goes_on_, false), changed = pulses_.begin_turn(revolution_);
+  motion_.set_phases(0, pulses_, 0);
   if (!stands) return enter_by_state(turn_start_);
-  return kicked_ == was_kicked || motion_.enter(motion_.joint(), turn_start_);
-}
-
-template <int N>
-void ExactRun<N>::set_phases() {
-  const double kick_time = kick_elapsed_s_ + static_cast<double>(revolution_) * period_s_;
-  kicked_ = kick_time < kick_s_;
-  motion_.set_phases(0, kicked_ ? std::numbers::pi * kick_time / kick_s_ : -1);
+  return !changed || motion_.enter(motion_.joint(), turn_start_);
 }
 
 template <int N>
@@ -140,26 +132,26 @@ bool ExactRun<N>::enter_by_state(const State& physical) {
 }
 
 template <int N>
-ExactEnding ExactRun<N>::end_turn(run::Turn& turn) {
+ExactEnding ExactRun<N>::end_turn(run::TurnReport& report) {
   const State end = motion_.physical();
-  if (!slip_held(turn, end)) return ExactEnding::beyond;
+  if (!slip_held(report, end)) return ExactEnding::beyond;
   if (!end.allFinite()) return ExactEnding::non_finite;
   turn_start_ = end;
   ++revolution_;
   goes_on_ = true;
-  put_section(turn.section);
+  put_section(report.section);
   // A landing may go back by rounding.
-  turn.contact_fraction = std::clamp(turn.contact_fraction, 0.0, 1.0);
-  turn.touching_at_end = motion_.joint() != 0;
-  motion_.put_tangents(turn.tangent_vectors);
+  report.contact_fraction = std::clamp(report.contact_fraction, 0.0, 1.0);
+  report.touching_at_end = motion_.joint() != 0;
+  if (tangents_ > 0) motion_.put_tangents(report.tangent_vectors.fill(turn_start_.size(), tangents_));
   return ExactEnding::ok;
 }
 
 /// Steps as they follow each other, only one where something is watched, and what ends them.
 template <int N>
-ExactEnding ExactRun<N>::go_on(run::Turn& turn) {
-  samples_.start(motion_, time_s_, turn, speed_);
-  const bool watched = turn.peaks || samples_.wanted();
+ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
+  samples_.start(motion_, time_s_, report, scale_);
+  const bool watched = peaks_wanted_ || samples_.wanted();
   const double boundary = std::min(next_boundary(), samples_.boundary_s(motion_)), reach = reach_s();
   for (;;) {
     const double until = boundary - time_s_;
@@ -168,21 +160,21 @@ ExactEnding ExactRun<N>::go_on(run::Turn& turn) {
                                               .shortest_to_annular_s = shortest_to_annular * period_s_,
                                               .same_instant_s = same_instant * period_s_});
     ++effort_.steps;
-    if (choice.annular || !renew_slip_watch(turn, choice.step_s)) return ExactEnding::beyond;
+    if (choice.annular || !renew_slip_watch(report, choice.step_s)) return ExactEnding::beyond;
     if (choice.crossing != StepChoice::none && standstill_ < longest_standstill) {
-      land(turn, choice.crossing, choice.step_s);
-      return switch_mode(turn, choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
+      land(report, choice.crossing, choice.step_s);
+      return switch_mode(report, choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
     }
-    if (turn.peaks) choice.step_s = shorten_for_peaks(choice.step_s);
+    if (peaks_wanted_) choice.step_s = shorten_for_peaks(choice.step_s);
     const double step = std::max(choice.step_s, shortest_step * period_s_);
-    if (!(step < until)) return reach_boundary(turn, boundary);
+    if (!(step < until)) return reach_boundary(report, boundary);
     const int k = numerics::exact_step_below(step * motion_.mode().longest_steps_per_s);
     if (k < numerics::exact_step_count) {
       motion_.step_by_table(k);
-      passed(turn, motion_.mode().longest_step_s * numerics::exact_step_size(k));
+      passed(report, motion_.mode().longest_step_s * numerics::exact_step_size(k));
     } else {
       motion_.step_by(step);
-      passed(turn, step);
+      passed(report, step);
     }
     standstill_ = 0;
     if (!std::isfinite(motion_.free()(0))) return ExactEnding::non_finite;
@@ -197,91 +189,90 @@ double ExactRun<N>::shorten_for_peaks(double step_s) const {
 }
 
 template <int N>
-ExactEnding ExactRun<N>::reach_boundary(run::Turn& turn, double boundary_s) {
+ExactEnding ExactRun<N>::reach_boundary(run::TurnReport& report, double boundary_s) {
   const double until = boundary_s - time_s_;
   motion_.step_by(until);
-  passed(turn, until);
+  passed(report, until);
   time_s_ = boundary_s;
-  if (boundary_s < period_s_ && !pass_boundary(turn)) return ExactEnding::beyond;
+  if (boundary_s < period_s_ && !pass_boundary(report)) return ExactEnding::beyond;
   return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
 }
 
-template <int N>
-double ExactRun<N>::kick_end_s() const {
-  return kick_s_ - kick_elapsed_s_ - static_cast<double>(revolution_) * period_s_;
-}
-
-/// End of the turn or of the kick, or the next impulse, whichever is soonest.
+/// End of the turn, beginning or end of a pulse, or the next impulse, whichever is soonest.
 template <int N>
 double ExactRun<N>::next_boundary() const {
-  const double end = std::min(period_s_, next_impulse_s());
-  return kicked_ ? std::min(end, kick_end_s()) : end;
+  return std::min({period_s_, next_impulse_s(), pulses_.next_change()});
 }
 
-/// What happens inside a turn at an instant that was steered for: the kick ends, impulses strike.
+/// What happens inside a turn at an instant that was steered for: pulses begin or end, impulses act. A pulse
+/// is zero at both ends, so that the state and its rate go on smoothly; but its phasor comes or goes, and
+/// with it the free vibration that the bounds on the slips were made from.
 template <int N>
-bool ExactRun<N>::pass_boundary(run::Turn& turn) {
-  if (kicked_ && time_s_ >= kick_end_s()) {
+bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
+  if (pulses_.go_to(time_s_)) {
     const State here = motion_.physical();
-    kicked_ = false;
-    motion_.set_phases(speed_ * time_s_, -1);
-    if (!motion_.enter(motion_.joint(), here)) return false;
-    if (turn.peaks) peaks_.begin(motion_);
+    if (!slip_held(report, here)) return false;
+    motion_.set_phases(speed_ * time_s_, pulses_, time_s_);
+    if (!motion_.enter(motion_.joint(), here) || !slip_.begin(motion_, here)) return false;
+    if (peaks_wanted_) peaks_.begin(motion_);
   }
-  return time_s_ < next_impulse_s() || strike(turn);
+  return time_s_ < next_impulse_s() || apply_impulses(report);
 }
 
 /// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
 template <int N>
-bool ExactRun<N>::strike(run::Turn& turn) {
+bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
   State here = motion_.physical();
-  if (!slip_held(turn, here)) return false;
+  if (!slip_held(report, here)) return false;
   const std::vector<Mode>& from = motion_.mode().modes;
-  while (time_s_ >= next_impulse_s()) here.tail(here.size() / 2) += impulses_.take() / length_m_;
+  while (time_s_ >= next_impulse_s())
+    here.tail(here.size() / 2) += impulses_.take() / scale_.in_seconds().unit_velocity_m_per_s();
   if (!enter_by_state(here)) return false;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const Mode to = motion_.mode().modes[i];
     if (to == from[i]) continue;
     ++effort_.switches;
-    turn.add({speed_ * time_s_, static_cast<int>(i), from[i], to});
+    report.add({speed_ * time_s_, static_cast<int>(i), from[i], to}, switches_wanted_);
   }
   if (!slip_.begin(motion_, here)) return false;
-  if (turn.peaks) peaks_.begin(motion_);
+  if (peaks_wanted_) peaks_.begin(motion_);
   return true;
 }
 
 template <int N>
-void ExactRun<N>::passed(run::Turn& turn, double duration_s) {
+void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
   time_s_ += duration_s;
   if (motion_.joint() != 0) {
     slip_.advance(duration_s);
-    if (slip_.may_reverse()) turn.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
-    turn.contact_fraction += duration_s * turns_per_s_;
+    if (slip_.may_reverse())
+      report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
+    report.contact_fraction += duration_s * turns_per_s_;
   }
-  if (turn.peaks || samples_.wanted()) watch(turn, duration_s);
+  if (peaks_wanted_ || samples_.wanted()) watch(report, duration_s);
 }
 
 template <int N>
-void ExactRun<N>::watch(run::Turn& turn, double duration_s) {
-  const double rest_s = samples_.end(motion_, time_s_, turn, speed_, [&](const State& here, double passed_s) {
-    if (turn.peaks) peaks_.pass(here, passed_s, turn);
-  });
-  if (turn.peaks) peaks_.step(motion_, duration_s, rest_s, turn);
+void ExactRun<N>::watch(run::TurnReport& report, double duration_s) {
+  const double rest_s =
+      samples_.end(motion_, time_s_, report, scale_, [&](const State& here, double passed_s) {
+        if (peaks_wanted_) peaks_.pass(here, passed_s, report);
+      });
+  if (peaks_wanted_) peaks_.step(motion_, duration_s, rest_s, report);
 }
 
 template <int N>
-void ExactRun<N>::land(run::Turn& turn, std::size_t e, double latest_s) {
+void ExactRun<N>::land(run::TurnReport& report, std::size_t e, double latest_s) {
   const double duration_s = motion_.land(e, latest_s);
-  passed(turn, duration_s);
+  passed(report, duration_s);
   standstill_ = duration_s > shortest_step * period_s_ ? 0 : standstill_ + 1;
 }
 
 template <int N>
-bool ExactRun<N>::switch_mode(run::Turn& turn, std::size_t e) {
+bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
   const auto& mode = motion_.mode();
   const auto& contacts = motion_.machine().system().contacts;
   const State here = motion_.physical();
-  if (!slip_held(turn, here)) return false;
+  if (!slip_held(report, here)) return false;
   std::size_t joint = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& c = contacts[i];
@@ -295,26 +286,26 @@ bool ExactRun<N>::switch_mode(run::Turn& turn, std::size_t e) {
     joint += in_joint_mode(to, i);
     if (to == from) continue;
     ++effort_.switches;
-    turn.add({speed_ * time_s_, static_cast<int>(i), from, to});
+    report.add({speed_ * time_s_, static_cast<int>(i), from, to}, switches_wanted_);
   }
   if (!motion_.enter(joint, here) || !slip_.begin(motion_, here)) return false;
-  if (turn.peaks) peaks_.begin(motion_);
+  if (peaks_wanted_) peaks_.begin(motion_);
   return true;
 }
 
 template <int N>
-bool ExactRun<N>::slip_held(run::Turn& turn, const State& here) {
+bool ExactRun<N>::slip_held(run::TurnReport& report, const State& here) {
   if (motion_.joint() == 0) return true;
-  turn.touched = true;
-  return slip_.held(motion_, here, turn.slip_reversed);
+  report.touched = true;
+  return slip_.held(motion_, here, report.slip_reversed);
 }
 
 /// The bounds of the watch hold over one longest step.
 template <int N>
-bool ExactRun<N>::renew_slip_watch(run::Turn& turn, double step_s) {
+bool ExactRun<N>::renew_slip_watch(run::TurnReport& report, double step_s) {
   if (motion_.joint() == 0 || slip_.duration_s() + step_s <= motion_.mode().longest_step_s) return true;
   const State here = motion_.physical();
-  return slip_held(turn, here) && slip_.begin(motion_, here);
+  return slip_held(report, here) && slip_.begin(motion_, here);
 }
 
 template class ExactRun<2>;

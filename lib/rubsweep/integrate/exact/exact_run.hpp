@@ -9,6 +9,7 @@
 #include "rubsweep/integrate/exact/sample_watch.hpp"
 #include "rubsweep/integrate/exact/slip_watch.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
+#include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 
 namespace rubsweep::integrate::exact {
@@ -33,18 +34,21 @@ class ExactRun {
   /// `modes` must fit the scene.
   ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps_per_revolution);
 
-  /// Integrates the next revolution. After `beyond` the run stands where the revolution began, and the turn's
-  /// numbers mean nothing.
-  ExactEnding advance(run::Turn& turn);
+  /// Integrates the next revolution. After `beyond` the run stands where the revolution began, and the
+  /// report means nothing.
+  ExactEnding advance(const run::TurnRequest& request, run::TurnReport& report);
 
-  /// The next revolution starts from `section` (as Turn::section): another solver made the turns before it.
+  /// The next revolution starts from `section` (as TurnReport::section): another solver made the turns before
+  /// it.
   void resume(std::span<const double> section);
 
   /// Back to the start of revolution 0, at another section.
   void restart(std::span<const double> section);
 
-  /// Scaled state where the next revolution begins, as Turn::section.
+  /// Scaled state where the next revolution begins, as TurnReport::section.
   std::vector<double> section() const;
+  /// The same without an allocation, once `section` has the room.
+  void put_section(std::vector<double>& section) const;
   long revolution() const { return revolution_; }
   const run::Effort& effort() const { return effort_; }
 
@@ -52,33 +56,31 @@ class ExactRun {
   using Motion = ExactMotion<N>;
   using State = typename Motion::State;
 
-  bool begin_turn(run::Turn& turn);
+  bool begin_turn(const run::TurnRequest& request, run::TurnReport& report);
   bool start_motion();
-  ExactEnding end_turn(run::Turn& turn);
-  void put_section(std::vector<double>& section) const;
-  void set_phases();
+  ExactEnding end_turn(run::TurnReport& report);
   bool enter_by_state(const State& physical);
-  ExactEnding go_on(run::Turn& turn);
+  ExactEnding go_on(run::TurnReport& report);
   double shorten_for_peaks(double step_s) const;
-  ExactEnding reach_boundary(run::Turn& turn, double boundary_s);
-  double kick_end_s() const;
+  ExactEnding reach_boundary(run::TurnReport& report, double boundary_s);
   double next_impulse_s() const { return impulses_.next_phase_rad() / speed_; }
   double next_boundary() const;
   double reach_s() const;
   bool force_by_steps() const;
-  bool pass_boundary(run::Turn& turn);
-  bool strike(run::Turn& turn);
-  void passed(run::Turn& turn, double duration_s);
-  void watch(run::Turn& turn, double duration_s);
-  void land(run::Turn& turn, std::size_t guard, double latest_s);
-  bool switch_mode(run::Turn& turn, std::size_t guard);
+  bool pass_boundary(run::TurnReport& report);
+  bool apply_impulses(run::TurnReport& report);
+  void passed(run::TurnReport& report, double duration_s);
+  void watch(run::TurnReport& report, double duration_s);
+  void land(run::TurnReport& report, std::size_t guard, double latest_s);
+  bool switch_mode(run::TurnReport& report, std::size_t guard);
 
-  bool slip_held(run::Turn& turn, const State& here);
-  bool renew_slip_watch(run::Turn& turn, double step_s);
+  bool slip_held(run::TurnReport& report, const State& here);
+  bool renew_slip_watch(run::TurnReport& report, double step_s);
 
   Motion motion_;
-  double speed_ = 0, period_s_ = 0, turns_per_s_ = 0, length_m_ = 0;
-  double kick_s_ = 0, kick_elapsed_s_ = 0;  ///< duration (0: none), and how much of it was over at the start
+  run::StateScale scale_;  ///< of sections
+  double speed_ = 0, period_s_ = 0, turns_per_s_ = 0;
+  run::PulseTimes pulses_;  ///< in seconds
   run::Impulses impulses_;
   SlipWatch<N> slip_;
   PeakWatch<N> peaks_;
@@ -90,7 +92,8 @@ class ExactRun {
   long revolution_ = 0;
   bool goes_on_ = false;  ///< the motion stands where the last turn ended
   double time_s_ = 0;     ///< into the revolution
-  bool kicked_ = false, peaks_wanted_ = false;
+  bool peaks_wanted_ = false, switches_wanted_ = false;
+  Eigen::Index tangents_ = 0;  ///< asked for in this turn
   int standstill_ = 0;
   run::Effort effort_;
 };

@@ -27,10 +27,7 @@ class TubeBuilder {
   using State = typename Motion::State;
 
   TubeBuilder(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
-      : motion_(scene, modes),
-        slip_(scene, modes->friction()),
-        speed_(scene.speed_rad_per_s),
-        length_m_(scene.length_scale_m) {
+      : motion_(scene, modes), slip_(scene, modes->friction()), scale_(run::state_scale(scene)) {
     tube_.period_s = scene.period_s();
     for (const contact::SaturatedFriction& friction : modes->friction())
       slips_ = slips_ || friction.above_m_per_s > 0;
@@ -61,8 +58,8 @@ class TubeBuilder {
   bool start(const std::vector<double>& section) {
     State physical =
         Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
-    physical.tail(physical.size() / 2) *= speed_;
-    motion_.set_phases(0, -1);
+    scale_.to_seconds(physical);
+    motion_.set_phases(0);
     if (!motion_.enter(0, physical)) return false;
     const std::size_t joint =
         joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));
@@ -233,7 +230,7 @@ class TubeBuilder {
       const State physical = mode.from_free(z);
       const double size = std::max(physical.head(n).cwiseAbs().maxCoeff(),
                                    physical.tail(n).cwiseAbs().maxCoeff() / mode.fastest_rad_per_s);
-      values.push_back(length_m_ * largest * mode.fastest_rad_per_s * growth * size);
+      values.push_back(scale_.length_m * largest * mode.fastest_rad_per_s * growth * size);
     }
     return spread_of(values);
   }
@@ -327,7 +324,7 @@ class TubeBuilder {
 
   void finish(std::vector<double>& section, const Eigen::MatrixXd& end_norm) {
     const auto scaled = [&](State state) -> Eigen::VectorXd {
-      state.tail(state.size() / 2) /= speed_;
+      scale_.from_seconds(state);
       return state;
     };
     const auto list = motion_.tangents();
@@ -345,8 +342,8 @@ class TubeBuilder {
 
   Motion motion_;
   SlipWatch<N> slip_;
-  double speed_, length_m_;
-  bool slips_ = false;  ///< some friction is saturated only above a slip
+  run::StateScale scale_;  ///< of sections
+  bool slips_ = false;     ///< some friction is saturated only above a slip
   Spread slip_width_;
   std::size_t base_ = 0;       ///< disturbances that are not kicks
   std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero

@@ -26,16 +26,11 @@ bool same(const structure::LinearSystem& a, const structure::LinearSystem& b) {
   return a.mass == b.mass && a.damping == b.damping && a.stiffness == b.stiffness;
 }
 
-scene::Scene in_seconds(scene::Scene scene) {
-  scene.speed_rad_per_s = 1;
-  return scene;
-}
-
 }  // namespace
 
 template <int N>
 MachineModes<N>::MachineModes(const scene::Scene& scene)
-    : scene_(in_seconds(scene)), system_(run::scale<Eigen::Dynamic>(scene_)) {
+    : scene_(scene), system_(run::scale<Eigen::Dynamic>(scene, run::state_scale(scene).in_seconds())) {
   const Eigen::Index n = system_.coordinates();
   if (N != Eigen::Dynamic && n != N) throw SolverError("MachineModes: wrong coordinate count");
   if (n > most_exact_coordinates) throw SolverError("MachineModes: too many coordinates");

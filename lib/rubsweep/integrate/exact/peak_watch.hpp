@@ -39,23 +39,23 @@ class PeakWatch {
 
   /// A step of `duration_s` in one mode ends here, `since_look_s` after the last state that was passed or the
   /// step's start.
-  void step(const ExactMotion<N>& motion, double duration_s, double since_look_s, run::Turn& turn) {
-    pass(motion.physical(), since_look_s, turn);
-    const auto here = motion.here();
+  void step(const ExactMotion<N>& motion, double duration_s, double since_look_s, run::TurnReport& report) {
+    pass(motion.physical(), since_look_s, report);
+    const Instant& here = motion.here();
     for (std::size_t t = 0; t < motion.mode().touches.size(); ++t) {
       if (motion.mode().touches[t].pushes)
-        raise_force(motion, t, here, duration_s, turn.peak_contact_force_n);
+        raise_force(motion, t, here, duration_s, report.peak_contact_force_n);
     }
     start_ = here;
   }
 
   /// The same at a state between the ends of steps, for the displacement alone.
-  void pass(const State& here, double duration_s, run::Turn& turn) {
+  void pass(const State& here, double duration_s, run::TurnReport& report) {
     const ValueAndRate last = std::exchange(now_, square_of_displacement(here));
-    const double known = turn.peak_displacement_m / length_m_;
+    const double known = report.peak_displacement_m / length_m_;
     if (ceiling(last, now_, duration_s) <= known * known) return;
     const double square = std::max(0.0, largest(last, now_, duration_s));
-    turn.peak_displacement_m = std::max(turn.peak_displacement_m, length_m_ * std::sqrt(square));
+    report.peak_displacement_m = std::max(report.peak_displacement_m, length_m_ * std::sqrt(square));
   }
 
  private:
@@ -85,9 +85,10 @@ class PeakWatch {
   /// that a cubic through values and rates of both ends has its maximum; in a mode without pairs the run's
   /// own steps are.
   void raise_force(const ExactMotion<N>& motion, std::size_t t, const Instant& here, double left_s,
-                   double& known_n) const {
+                   double& known_n) {
     const double reach_s = peak_reach_s(motion);
-    Instant at = start_;
+    Instant& at = at_;
+    at = start_;
     auto from = motion.force(t, at);
     known_n = std::max(known_n, from.value);
     while (motion.mode().paired && left_s > reach_s) {
@@ -107,8 +108,8 @@ class PeakWatch {
 
   Eigen::Matrix<double, 2, N> observed_;
   double length_m_;
-  ValueAndRate now_;  ///< square of the observed displacement
-  Instant start_;     ///< of the step
+  ValueAndRate now_;    ///< square of the observed displacement
+  Instant start_, at_;  ///< of the step; what `raise_force` moves along it
 };
 
 }  // namespace rubsweep::integrate::exact

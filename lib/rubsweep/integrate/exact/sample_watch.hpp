@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rubsweep/integrate/exact/exact_motion.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 
 namespace rubsweep::integrate::exact {
@@ -15,12 +16,12 @@ class SampleWatch {
  public:
   using State = typename ExactTypes<N>::State;
 
-  void begin(run::Turn& turn, double period_s, Eigen::Index states) {
+  void begin(const run::TurnRequest& request, run::TurnReport& report, double period_s, Eigen::Index states) {
     next_ = 0;
     visit_ = -1;
-    count_ = turn.samples_per_revolution;
+    count_ = request.samples_per_revolution;
     period_s_ = period_s;
-    if (count_ > 0) turn.samples.resize(static_cast<std::size_t>(count_ * states));
+    if (count_ > 0) report.samples.resize(static_cast<std::size_t>(count_ * states));
   }
 
   bool wanted() const { return next_ < count_; }
@@ -34,20 +35,21 @@ class SampleWatch {
   }
 
   /// A step starts here, `time_s` into the turn; where nothing is wanted, the first of several.
-  void start(const ExactMotion<N>& motion, double time_s, run::Turn& turn, double speed_rad_per_s) {
+  void start(const ExactMotion<N>& motion, double time_s, run::TurnReport& report,
+             const run::StateScale& scale) {
     step_s_ = time_s;
     if (!wanted()) return;
     if (motion.mode().paired) {
       if (visit_ != motion.visits()) stand(motion, time_s);
     } else if (time_s >= due_s()) {
-      put(motion.physical(), turn, speed_rad_per_s);
+      put(motion.physical(), report, scale);
     }
   }
 
   /// The step that started last ends at `time_s`, still in its mode. `look(state, seconds)` sees every sample
   /// inside and the time since the one before, or since the step's start; returns the time left over.
   template <class Look>
-  double end(ExactMotion<N>& motion, double time_s, run::Turn& turn, double speed_rad_per_s,
+  double end(ExactMotion<N>& motion, double time_s, run::TurnReport& report, const run::StateScale& scale,
              const Look& look) {
     double last_s = step_s_;
     if (!ahead(motion)) return time_s - last_s;
@@ -62,7 +64,7 @@ class SampleWatch {
       const State state = motion.physical(instant_);
       look(state, due - last_s);
       last_s = due;
-      put(state, turn, speed_rad_per_s);
+      put(state, report, scale);
     }
     return time_s - last_s;
   }
@@ -70,10 +72,10 @@ class SampleWatch {
  private:
   double due_s() const { return period_s_ * next_ / count_; }
 
-  void put(State state, run::Turn& turn, double speed_rad_per_s) {
-    state.tail(state.size() / 2) /= speed_rad_per_s;
-    std::copy(state.data(), state.data() + state.size(), turn.samples.begin() + next_ * state.size());
-    ++next_;
+  void put(State state, run::TurnReport& report, const run::StateScale& scale) {
+    scale.from_seconds(state);
+    std::copy(state.data(), state.data() + state.size(), report.samples.begin() + next_ * state.size());
+    report.sample_count = ++next_;
   }
 
   /// At the start of a visit to a mode.

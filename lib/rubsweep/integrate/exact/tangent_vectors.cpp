@@ -8,14 +8,14 @@
 namespace rubsweep::integrate::exact {
 
 template <int N>
-void TangentVectors<N>::begin(const LinearMode<N>& mode, double speed_rad_per_s,
+void TangentVectors<N>::begin(const LinearMode<N>& mode, const run::StateScale& scale,
                               const Eigen::MatrixXd& vectors) {
   lag_s_ = 0;
   count_ = static_cast<std::size_t>(vectors.cols());
   if (list_.size() < count_) list_.resize(count_);
   for (std::size_t i = 0; i < count_; ++i) {
     State physical = vectors.col(static_cast<Eigen::Index>(i));
-    physical.tail(physical.size() / 2) *= speed_rad_per_s;
+    scale.to_seconds(physical);
     list_[i] = mode.to_free(physical);
   }
 }
@@ -34,11 +34,12 @@ void TangentVectors<N>::add(const LinearMode<N>& mode, const State& physical) {
 }
 
 template <int N>
-void TangentVectors<N>::put(const LinearMode<N>& mode, double speed_rad_per_s, Eigen::MatrixXd& vectors) {
+void TangentVectors<N>::put(const LinearMode<N>& mode, const run::StateScale& scale,
+                            Eigen::MatrixXd& vectors) {
   catch_up(mode);
   for (std::size_t i = 0; i < std::min(count_, static_cast<std::size_t>(vectors.cols())); ++i) {
     State physical = mode.from_free(list_[i]);
-    physical.tail(physical.size() / 2) /= speed_rad_per_s;
+    scale.from_seconds(physical);
     vectors.col(static_cast<Eigen::Index>(i)) = physical;
   }
 }

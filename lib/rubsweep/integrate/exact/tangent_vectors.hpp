@@ -16,8 +16,8 @@ template <int N>
 class TangentVectors {
  public:
   void clear() { count_ = 0; }
-  /// One per column, as Turn::tangent_vectors, in `mode` from here on.
-  void begin(const LinearMode<N>& mode, double speed_rad_per_s, const Eigen::MatrixXd& vectors);
+  /// One per column, as TurnRequest::tangent_vectors of sections in this scale, in `mode` from here on.
+  void begin(const LinearMode<N>& mode, const run::StateScale& scale, const Eigen::MatrixXd& vectors);
   /// The run has gone on in its mode.
   void pass(double duration_s) { lag_s_ += duration_s; }
   /// The run leaves mode `from` for `to`. The force is continuous there, so that tangent vectors go on
@@ -30,8 +30,8 @@ class TangentVectors {
     catch_up(mode);
     return {list_.data(), count_};
   }
-  /// Where they are now, column by column.
-  void put(const LinearMode<N>& mode, double speed_rad_per_s, Eigen::MatrixXd& vectors);
+  /// Where the first ones are now, as many as `vectors` has columns.
+  void put(const LinearMode<N>& mode, const run::StateScale& scale, Eigen::MatrixXd& vectors);
 
  private:
   using State = typename ExactTypes<N>::State;

@@ -30,11 +30,11 @@ Impulses::Impulses(const scene::Scene& scene) : elapsed_revolutions_(scene.elaps
     trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});
     most += static_cast<std::size_t>(std::ceil(train.multiple)) + 1;
   }
-  strikes_.reserve(most);
+  instants_.reserve(most);
 }
 
 void Impulses::begin_turn(long revolution) {
-  strikes_.clear();
+  instants_.clear();
   next_ = 0;
   for (std::size_t i = 0; i < trains_.size(); ++i) {
     const Train& train = trains_[i];
@@ -42,11 +42,12 @@ void Impulses::begin_turn(long revolution) {
                 end = place(train, elapsed_revolutions_ + revolution + 1);
     for (double k = begin.next; k < end.next; ++k) {
       const double periods = k - begin.whole + train.phase_periods - begin.rest;
-      strikes_.push_back({std::clamp(full_turn * (periods / train.multiple), 0.0, last_phase), i});
+      instants_.push_back({std::clamp(full_turn * (periods / train.multiple), 0.0, last_phase), i});
     }
   }
   if (trains_.size() > 1)
-    std::ranges::sort(strikes_, [](const Strike& a, const Strike& b) { return a.phase_rad < b.phase_rad; });
+    std::ranges::sort(instants_,
+                      [](const Instant& a, const Instant& b) { return a.phase_rad < b.phase_rad; });
 }
 
 bool same_every_turn(const std::vector<structure::ImpulseTrain>& impulses) {

@@ -21,11 +21,11 @@ class Impulses {
 
   /// Phase of the next impulse, in [0, 2 pi); infinity when this revolution has no more.
   double next_phase_rad() const {
-    return next_ < strikes_.size() ? strikes_[next_].phase_rad : std::numeric_limits<double>::infinity();
+    return next_ < instants_.size() ? instants_[next_].phase_rad : std::numeric_limits<double>::infinity();
   }
 
   /// What the next impulse adds to the velocities q', in m/s; goes on to the one after it.
-  const Eigen::VectorXd& take() { return trains_[strikes_[next_++].train].jump_m_per_s; }
+  const Eigen::VectorXd& take() { return trains_[instants_[next_++].train].jump_m_per_s; }
 
  private:
   struct Train {
@@ -36,7 +36,7 @@ class Impulses {
   struct Place {
     double whole = 0, rest = 0, next = 0;
   };
-  struct Strike {
+  struct Instant {
     double phase_rad = 0;
     std::size_t train = 0;
   };
@@ -45,7 +45,7 @@ class Impulses {
 
   std::vector<Train> trains_;
   long elapsed_revolutions_ = 0;
-  std::vector<Strike> strikes_;  ///< of this revolution, ascending; never grows after the first
+  std::vector<Instant> instants_;  ///< of this revolution, ascending; never grows after the first
   std::size_t next_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/contact/wall.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/model/friction.hpp"
 #include "rubsweep/scene/scene.hpp"
 
@@ -32,10 +33,18 @@ struct ScaledContact {
   double mobility() const { return -first_row.dot(first_push.transpose()); }
 };
 
-/// A scene in the units that make every tolerance a pure number: length in L = scene.length_scale_m, time in
-/// radians of shaft rotation. With the mass matrix already divided out, its equations of motion are
+/// A half-sine pulse, as a part of the acceleration: top sin(rate * time since its start) while it acts.
+template <int N>
+struct ScaledPulse {
+  Eigen::Matrix<double, N, 1> top;
+  double rate = 0;  ///< angle of the half-sine per radian of rotation
+};
+
+/// A scene in the units of a StateScale. That of its sections makes every tolerance a pure number: length in
+/// L = scene.length_scale_m, time in radians of shaft rotation. With the mass matrix already divided out, its
+/// equations of motion are
 ///
-///     u'' = -stiffness u - damping u' + cosine cos(phase) + sine sin(phase) + constant + pulse + contacts.
+///     u'' = -stiffness u - damping u' + cosine cos(phase) + sine sin(phase) + constant + pulses + contacts.
 ///
 /// N coordinates, or Eigen::Dynamic.
 template <int N>
@@ -47,28 +56,27 @@ struct ScaledSystem {
   Vector stiffness_diagonal, damping_diagonal;
   Matrix stiffness, damping;
   Vector cosine, sine, constant;
-  Vector pulse;                          ///< acceleration at the top of the half-sine
-  double pulse_rate = 0;                 ///< phase of the half-sine per radian of rotation
-  double pulse_end_rad = 0;              ///< rotation over which it lasts; 0: no pulse
-  double pulse_elapsed_rad = 0;          ///< rotation since its start at phase 0 of revolution 0
+  std::vector<ScaledPulse<N>> pulses;    ///< as those of the scene; PulseTimes says when they act
   Eigen::Matrix<double, 2, N> observed;  ///< (x, y) of the observed point in units of L
   std::vector<ScaledContact<N>> contacts;
-  double length_m = 0;
-  double speed_rad_per_s = 0;
+  StateScale scale;
 
   Eigen::Index coordinates() const { return stiffness_diagonal.size(); }
 };
 
 /// Divides out mass and units. Throws SolverError when the scene's coordinates are not N.
 template <int N>
-ScaledSystem<N> scale(const scene::Scene& scene);
+ScaledSystem<N> scale(const scene::Scene& scene, const StateScale& scale);
 
-/// Initial state of the scene, scaled: u then u', 2n numbers.
-std::vector<double> scaled_initial_state(const scene::Scene& scene);
+/// The same in the scale of the scene's sections.
+template <int N>
+ScaledSystem<N> scale(const scene::Scene& scene) {
+  return scale<N>(scene, state_scale(scene));
+}
 
-extern template ScaledSystem<2> scale<2>(const scene::Scene&);
-extern template ScaledSystem<4> scale<4>(const scene::Scene&);
-extern template ScaledSystem<6> scale<6>(const scene::Scene&);
-extern template ScaledSystem<Eigen::Dynamic> scale<Eigen::Dynamic>(const scene::Scene&);
+extern template ScaledSystem<2> scale<2>(const scene::Scene&, const StateScale&);
+extern template ScaledSystem<4> scale<4>(const scene::Scene&, const StateScale&);
+extern template ScaledSystem<6> scale<6>(const scene::Scene&, const StateScale&);
+extern template ScaledSystem<Eigen::Dynamic> scale<Eigen::Dynamic>(const scene::Scene&, const StateScale&);
 
 }  // namespace rubsweep::integrate::run

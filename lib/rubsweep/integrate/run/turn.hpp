@@ -30,21 +30,46 @@ struct Effort {
   long adaptive_turns = 0;  ///< revolutions without a closed form, by a stepper
 };
 
-/// One revolution: what is asked of the integrator, and what it answers. Reused from turn to turn.
-/// States are scaled and hold 2n numbers: the displacements q in units of the scene's length scale L, then
-/// the velocities q' in units of L * speed.
-struct Turn {
-  int samples_per_revolution = 0;  ///< asked: states at phases 2 pi k / N, k = 0..N-1; 0: none
-  bool peaks = false;              ///< asked: fill the peak_ numbers
-  bool switches_wanted = false;    ///< asked: fill `switches`
+/// What is asked of one revolution; it may stay the same from turn to turn. States are scaled and hold 2n
+/// numbers: the displacements q in units of the scene's length scale L, then the velocities q' in units of
+/// L * speed.
+struct TurnRequest {
+  int samples_per_revolution = 0;  ///< N: states at phases 2 pi k / N, k = 0..N-1; 0: none
+  bool peaks = false;              ///< fill the peak_ numbers
+  bool switches = false;           ///< list the changes of contact mode
+  /// 2n x m (m <= 2n; 0: none): small changes of the section at the start, to be taken to the end of the turn
+  /// by d(section at the end) / d(section at the start).
+  Eigen::MatrixXd tangent_vectors{};
+};
 
-  std::vector<double> section;  ///< scaled state at the end of the turn, 2n
-  std::vector<double> samples;  ///< samples_per_revolution x 2n, row by row
-  std::vector<ModeSwitch> switches;
-  /// Asked, and answered in place: 2n x m (m <= 2n; 0: none) small changes of the section at the start,
-  /// which the turn takes to its end by d(section at the end) / d(section at the start). By closed forms and
-  /// Taylor pieces: a turn by a stepper leaves them as they are.
-  Eigen::MatrixXd tangent_vectors;
+/// Tangent vectors at the end of a turn, where the turn was asked for them and could move them. Its memory is
+/// kept from turn to turn.
+class MovedTangentVectors {
+ public:
+  /// 2n x m as asked. Null where none were asked for, and where the solver that made the turn moves none:
+  /// whoever needs them there has to find them by another way.
+  const Eigen::MatrixXd* get() const { return moved_ ? &vectors_ : nullptr; }
+
+  void clear() { moved_ = false; }
+  /// For the solver that moved them: all of it is to be written.
+  Eigen::MatrixXd& fill(Eigen::Index states, Eigen::Index count) {
+    moved_ = true;
+    vectors_.resize(states, count);
+    return vectors_;
+  }
+
+ private:
+  bool moved_ = false;
+  Eigen::MatrixXd vectors_;
+};
+
+/// What one revolution answers. Reused from turn to turn: every turn overwrites all of it.
+struct TurnReport {
+  std::vector<double> section;  ///< scaled state at the end of the turn, 2n; unchanged by a turn that fails
+  std::vector<double> samples;  ///< sample_count x 2n in front, row by row
+  int sample_count = 0;         ///< samples_per_revolution as asked; fewer only where the turn failed
+  std::vector<ModeSwitch> switches;  ///< none by a smoothed law, which has no modes
+  MovedTangentVectors tangent_vectors;
   int hits = 0;                 ///< open -> touching, all contacts together
   double contact_fraction = 0;  ///< share of the turn with at least one contact touching
   double peak_displacement_m = 0;
@@ -54,27 +79,29 @@ struct Turn {
   bool slip_reversed = false;  ///< a slip speed was <= 0 while touching
   Effort effort;               ///< of the whole run so far
 
-  /// Forgets the last revolution's switches, hits, peaks and words; what is asked stays.
-  void clear_answers() {
+  /// Forgets all but the section and the effort.
+  void clear() {
+    sample_count = 0;
     switches.clear();
+    tangent_vectors.clear();
     hits = 0;
     contact_fraction = peak_displacement_m = peak_contact_force_n = 0;
     touched = touching_at_end = slip_reversed = false;
   }
 
   /// Counts a change of contact mode, and lists it where that is asked.
-  void add(const ModeSwitch& change) {
+  void add(const ModeSwitch& change, bool listed) {
     if (change.from == contact::Mode::open) ++hits;
-    if (switches_wanted) switches.push_back(change);
+    if (listed) switches.push_back(change);
   }
 };
 
-/// Advances a run by exactly one revolution and fills the turn. After an outcome other than ok the run is
-/// over.
-using Cursor = std::function<Outcome(Turn&)>;
+/// Advances a run by exactly one revolution and fills the report. After an outcome other than ok the run is
+/// over, and the report holds what the turn came to: samples, switches and effort.
+using Cursor = std::function<Outcome(const TurnRequest&, TurnReport&)>;
 
 /// A run that can be set back: `restart` puts it at the start of revolution 0 of its scene at another section
-/// (as Turn::section), with no memory of what it did before.
+/// (as TurnReport::section), with no memory of what it did before.
 struct Run {
   Cursor advance;
   std::function<void(std::span<const double>)> restart;

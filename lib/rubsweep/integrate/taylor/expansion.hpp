@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/taylor/contact_law.hpp"
 #include "rubsweep/integrate/taylor/contact_series.hpp"
@@ -13,14 +14,8 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Half-sine pulse while it lasts, `elapsed_rad` before phase 0 of the revolution.
-struct PulsePhase {
-  bool on = false;
-  double elapsed_rad = 0;
-};
-
 /// Motion of a scaled system from one instant on as a power series of the phase, within one joint contact
-/// mode: u'' = linear structure + unbalance + pulse + forces of the contacts that touch.
+/// mode: u'' = linear structure + unbalance + pulses + forces of the contacts that touch.
 template <int N>
 class Expansion {
  public:
@@ -35,16 +30,18 @@ class Expansion {
         acceleration_(system.coordinates()),
         contacts_(system.contacts.size()) {
     for (const auto& contact : system.contacts) laws_.emplace_back(contact);
+    pulses_.reserve(system.pulses.size());
   }
 
-  /// Expands from `state` (u then u') at `phase_rad` into the revolution. `modes` per contact.
-  void expand(const double* state, double phase_rad, const PulsePhase& pulse,
+  /// Expands from `state` (u then u') at `phase_rad` into the revolution, with the pulses that act there.
+  /// `modes` per contact.
+  void expand(const double* state, double phase_rad, const run::PulseTimes& pulses,
               const std::vector<contact::Mode>& modes) {
     const Eigen::Index n = system_.coordinates();
     u_.col(0) = ConstMap(state, n);
     v_.col(0) = u_.col(1) = ConstMap(state + n, n);
     begin_contacts(modes);
-    start_drives(phase_rad, pulse);
+    start_drives(phase_rad, pulses);
     for (int k = 0; k < order_; ++k) {
       accelerate(k);
       v_.col(k + 1) = acceleration_ * numerics::one_over(k + 1);
@@ -112,15 +109,21 @@ class Expansion {
     }
   }
 
-  /// cos and sin of the phase are 1 and i^k / k! times each other; the pulse's by its own rate.
-  void start_drives(double phase_rad, const PulsePhase& pulse) {
+  /// A half-sine that acts, by sine and cosine of its angle.
+  struct ActingPulse {
+    std::size_t index = 0;
+    double sine = 0, cosine = 1;
+  };
+
+  /// cos and sin of the phase are 1 and i^k / k! times each other; a pulse's by its own rate.
+  void start_drives(double phase_rad, const run::PulseTimes& pulses) {
     cosine_ = std::cos(phase_rad);
     sine_ = std::sin(phase_rad);
-    pulse_on_ = pulse.on;
-    if (!pulse.on) return;
-    const double angle = system_.pulse_rate * (pulse.elapsed_rad + phase_rad);
-    pulse_sine_ = std::sin(angle);
-    pulse_cosine_ = std::cos(angle);
+    pulses_.clear();
+    for (const std::size_t i : pulses.acting()) {
+      const double angle = system_.pulses[i].rate * (pulses.elapsed(i) + phase_rad);
+      pulses_.push_back({i, std::sin(angle), std::cos(angle)});
+    }
   }
 
   /// Coefficient k of the acceleration; the drives go on to the next.
@@ -138,11 +141,11 @@ class Expansion {
     const double next = numerics::one_over(k + 1), cosine = cosine_;
     cosine_ = -next * sine_;
     sine_ = next * cosine;
-    if (pulse_on_) {
-      acceleration_ += system_.pulse * pulse_sine_;
-      const double rate = system_.pulse_rate * next, pulse_sine = pulse_sine_;
-      pulse_sine_ = rate * pulse_cosine_;
-      pulse_cosine_ = -rate * pulse_sine;
+    for (ActingPulse& pulse : pulses_) {
+      acceleration_ += system_.pulses[pulse.index].top * pulse.sine;
+      const double rate = system_.pulses[pulse.index].rate * next, sine = pulse.sine;
+      pulse.sine = rate * pulse.cosine;
+      pulse.cosine = -rate * sine;
     }
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (contacts_[i].mode() == contact::Mode::open) continue;
@@ -167,8 +170,8 @@ class Expansion {
   Vector acceleration_;
   std::vector<ContactLaw> laws_;
   std::vector<ContactSeries> contacts_;
-  double cosine_ = 1, sine_ = 0, pulse_sine_ = 0, pulse_cosine_ = 1;
-  bool pulse_on_ = false;
+  double cosine_ = 1, sine_ = 0;
+  std::vector<ActingPulse> pulses_;
 };
 
 }  // namespace rubsweep::integrate::taylor

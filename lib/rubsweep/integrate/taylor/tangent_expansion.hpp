@@ -20,7 +20,7 @@ class TangentExpansion {
   explicit TangentExpansion(const run::ScaledSystem<N>& system)
       : system_(system), slopes_(system.contacts.size()) {}
 
-  /// One per column, as Turn::tangent_vectors.
+  /// One per column, as TurnRequest::tangent_vectors.
   void begin(const Eigen::MatrixXd& tangents) {
     count_ = tangents.cols();
     if (count_ == 0) return;

@@ -11,8 +11,8 @@ namespace {
 
 using contact::Mode;
 
-/// A step times the fastest rate. Up to here a polynomial of order 24 moves what a mode that is not excited has of
-/// rounding as the motion does, within 8^25 / 25! = 2e-3.
+/// A step times the fastest rate. Up to here a polynomial of order 24 moves what a mode that is not excited
+/// has of rounding as the motion does, within 8^25 / 25! = 2e-3.
 constexpr double longest_times_fastest = 8;
 constexpr double same_instant = 1e-13;          ///< radians: landings nearer than that make no progress
 constexpr int longest_standstill = 16;          ///< landings without progress before one is stepped over
@@ -38,13 +38,16 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       dynamics_(system_, 0),
       motion_(system_, order),
       tangents_(system_),
+      pulses_(scene, system_.scale, full_turn),
       impulses_(scene),
       structure_rate_(fastest_of(system_)),
       stiff_above_(run::stiff_friction_ratio(options.relative_tolerance)),
       max_steps_(options.max_steps_per_revolution),
       state_(run::scaled_initial_state(scene)),
       rate_(state_.size()),
-      probe_(state_.size()) {}
+      probe_(state_.size()) {
+  dynamics_.follow(pulses_);
+}
 
 template <int N>
 void TaylorRun<N>::resume(std::span<const double> section, long revolution) {
@@ -54,43 +57,49 @@ void TaylorRun<N>::resume(std::span<const double> section, long revolution) {
 }
 
 template <int N>
-TaylorEnding TaylorRun<N>::advance(run::Turn& turn, double end_phase) {
-  turn.clear_answers();
+TaylorEnding TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report,
+                                   double end_phase) {
+  report.clear();
+  samples_wanted_ = request.samples_per_revolution;
+  peaks_wanted_ = request.peaks;
+  switches_wanted_ = request.switches;
   phase_ = 0;
   end_phase_ = end_phase;
-  standstill_ = next_sample_ = 0;
-  if (turn.samples_per_revolution > 0)
-    turn.samples.resize(static_cast<std::size_t>(turn.samples_per_revolution) * state_.size());
+  standstill_ = 0;
+  if (samples_wanted_ > 0) report.samples.resize(static_cast<std::size_t>(samples_wanted_) * state_.size());
+  pulses_.begin_turn(revolution_);
   if (!impulses_.none()) impulses_.begin_turn(revolution_);
   if (!entered_) enter_by_state(0);
   entered_ = true;
   start_ = state_;
   start_modes_ = dynamics_.modes();
-  tangents_.begin(turn.tangent_vectors);
+  tangents_.begin(request.tangent_vectors);
   step_limit_ = effort_.steps + max_steps_;
   TaylorEnding ending = TaylorEnding::ok;
   while (ending == TaylorEnding::ok && phase_ < end_phase_) {
-    if (phase_ >= impulses_.next_phase_rad()) strike(turn);
-    ending = effort_.steps < step_limit_ ? step(turn) : TaylorEnding::step_limit;
+    if (phase_ >= impulses_.next_phase_rad()) apply_impulses(report);
+    ending = effort_.steps < step_limit_ ? step(report) : TaylorEnding::step_limit;
   }
-  return end(turn, ending);
+  return end(report, ending);
 }
 
 template <int N>
-TaylorEnding TaylorRun<N>::end(run::Turn& turn, TaylorEnding ending) {
+TaylorEnding TaylorRun<N>::end(run::TurnReport& report, TaylorEnding ending) {
   if (ending == TaylorEnding::stiff) {
     state_ = start_;
     dynamics_.modes() = start_modes_;
     return ending;
   }
-  turn.effort = effort_;
+  report.effort = effort_;
   if (ending != TaylorEnding::ok) return ending;
   ++revolution_;
-  turn.section = state_;
+  report.section = state_;
   // The steps of a turn add up to it but for rounding.
-  turn.contact_fraction = std::min(1.0, turn.contact_fraction);
-  turn.touching_at_end = std::ranges::any_of(dynamics_.modes(), [](Mode mode) { return mode != Mode::open; });
-  tangents_.put(turn.tangent_vectors);
+  report.contact_fraction = std::min(1.0, report.contact_fraction);
+  report.touching_at_end =
+      std::ranges::any_of(dynamics_.modes(), [](Mode mode) { return mode != Mode::open; });
+  if (tangents_.count() > 0)
+    tangents_.put(report.tangent_vectors.fill(static_cast<Eigen::Index>(state_.size()), tangents_.count()));
   return ending;
 }
 
@@ -98,8 +107,7 @@ TaylorEnding TaylorRun<N>::end(run::Turn& turn, TaylorEnding ending) {
 /// instant.
 template <int N>
 void TaylorRun<N>::enter_by_state(double phase) {
-  const PulsePhase pulse = pulse_at(phase);
-  dynamics_.set_pulse(pulse.on, pulse.elapsed_rad);
+  pulses_.go_to(phase);
   std::ranges::fill(dynamics_.modes(), Mode::open);
   dynamics_(state_, rate_, phase);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
@@ -116,16 +124,8 @@ void TaylorRun<N>::enter_by_state(double phase) {
 }
 
 template <int N>
-PulsePhase TaylorRun<N>::pulse_at(double phase) const {
-  const double elapsed = full_turn * static_cast<double>(revolution_) + system_.pulse_elapsed_rad;
-  return {system_.pulse_end_rad - elapsed > phase, elapsed};
-}
-
-template <int N>
-double TaylorRun<N>::next_boundary(double phase) const {
-  const double boundary = std::min(end_phase_, impulses_.next_phase_rad());
-  const PulsePhase pulse = pulse_at(phase);
-  return pulse.on ? std::min(boundary, system_.pulse_end_rad - pulse.elapsed_rad) : boundary;
+double TaylorRun<N>::next_boundary() const {
+  return std::min({end_phase_, impulses_.next_phase_rad(), pulses_.next_change()});
 }
 
 /// Of the structure and of the springs that contacts join it with: an underdamped oscillator has eigenvalues
@@ -145,9 +145,9 @@ double TaylorRun<N>::fastest_rate() const {
 }
 
 template <int N>
-TaylorEnding TaylorRun<N>::step(run::Turn& turn) {
-  const PulsePhase pulse = pulse_at(phase_);
-  motion_.expand(state_.data(), phase_, pulse, dynamics_.modes());
+TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
+  pulses_.go_to(phase_);
+  motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes());
   ++effort_.steps;
   double fastest = fastest_rate();
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
@@ -156,7 +156,7 @@ TaylorEnding TaylorRun<N>::step(run::Turn& turn) {
     if (ratio > stiff_above_) return TaylorEnding::stiff;
     fastest = std::max(fastest, ratio * fastest);
   }
-  const double boundary = next_boundary(phase_), left = boundary - phase_;
+  const double boundary = next_boundary(), left = boundary - phase_;
   double wanted = std::min(motion_.converged_rad(), longest_times_fastest / fastest);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);
@@ -164,8 +164,8 @@ TaylorEnding TaylorRun<N>::step(run::Turn& turn) {
   if (standstill_ >= longest_standstill) {
     // Landings that lead nowhere: an instant is passed without one.
     const double instant = std::min(same_instant, left);
-    take(turn, instant, instant < left ? phase_ + instant : boundary);
-    switch_modes(turn, {});
+    take(report, instant, instant < left ? phase_ + instant : boundary);
+    switch_modes(report, {});
     standstill_ = 0;
     return TaylorEnding::ok;
   }
@@ -174,10 +174,10 @@ TaylorEnding TaylorRun<N>::step(run::Turn& turn) {
   const Crossing crossing = first_crossing(duration);
   const bool cut = crossing.share < 1 || crossing.contact;
   duration *= crossing.share;
-  take(turn, duration, cut ? phase_ + duration : limited ? boundary : phase_ + duration);
+  take(report, duration, cut ? phase_ + duration : limited ? boundary : phase_ + duration);
   if (!std::isfinite(state_[0])) return TaylorEnding::non_finite;
   standstill_ = duration > same_instant ? 0 : standstill_ + 1;
-  if (crossing.contact) switch_modes(turn, crossing);
+  if (crossing.contact) switch_modes(report, crossing);
   return TaylorEnding::ok;
 }
 
@@ -197,23 +197,21 @@ typename TaylorRun<N>::Crossing TaylorRun<N>::first_crossing(double duration) {
 
 /// Moves on by `duration` within the modes of the expansion, and looks at what was asked for.
 template <int N>
-void TaylorRun<N>::take(run::Turn& turn, double duration, double end_phase) {
-  put_samples(turn, end_phase);
-  watch(turn, duration);
+void TaylorRun<N>::take(run::TurnReport& report, double duration, double end_phase) {
+  put_samples(report, end_phase);
+  watch(report, duration);
   tangents_.pass(motion_, duration);
   motion_.put_state(duration, state_.data());
   phase_ = end_phase;
 }
 
 template <int N>
-void TaylorRun<N>::put_samples(run::Turn& turn, double end_phase) {
-  const int count = turn.samples_per_revolution;
-  for (; next_sample_ < count; ++next_sample_) {
-    const double due = full_turn * next_sample_ / count;
+void TaylorRun<N>::put_samples(run::TurnReport& report, double end_phase) {
+  for (int& k = report.sample_count; k < samples_wanted_; ++k) {
+    const double due = full_turn * k / samples_wanted_;
     if (due >= end_phase) return;
     motion_.put_state(due - phase_, probe_.data());
-    std::ranges::copy(probe_,
-                      turn.samples.begin() + next_sample_ * static_cast<std::ptrdiff_t>(probe_.size()));
+    std::ranges::copy(probe_, report.samples.begin() + k * static_cast<std::ptrdiff_t>(probe_.size()));
   }
 }
 
@@ -224,20 +222,20 @@ int TaylorRun<N>::pieces(double duration) const {
 }
 
 template <int N>
-void TaylorRun<N>::watch(run::Turn& turn, double duration) {
+void TaylorRun<N>::watch(run::TurnReport& report, double duration) {
   bool touching = false;
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     if (dynamics_.modes()[i] == Mode::open) continue;
     touching = true;
-    if (!turn.slip_reversed)
-      turn.slip_reversed = slip_reverses(motion_.contact(i), motion_.order(), duration);
-    if (turn.peaks) watch_force(turn, i, duration);
+    if (!report.slip_reversed)
+      report.slip_reversed = slip_reverses(motion_.contact(i), motion_.order(), duration);
+    if (peaks_wanted_) watch_force(report, i, duration);
   }
   if (touching) {
-    turn.touched = true;
-    turn.contact_fraction += duration / full_turn;
+    report.touched = true;
+    report.contact_fraction += duration / full_turn;
   }
-  if (turn.peaks) watch_displacement(turn, duration);
+  if (peaks_wanted_) watch_displacement(report, duration);
 }
 
 /// Value and rate of what is watched, at the ends of so many pieces that a cubic has its maximum.
@@ -256,7 +254,7 @@ double largest_of(const At& at, int pieces, double duration) {
 }
 
 template <int N>
-void TaylorRun<N>::watch_displacement(run::Turn& turn, double duration) {
+void TaylorRun<N>::watch_displacement(run::TurnReport& report, double duration) {
   const Eigen::Index n = system_.coordinates();
   const auto square = [&](double at) {
     motion_.put_state(at, probe_.data());
@@ -267,11 +265,11 @@ void TaylorRun<N>::watch_displacement(run::Turn& turn, double duration) {
     return std::pair{z.squaredNorm(), 2 * z.dot(v)};
   };
   const double largest = std::sqrt(largest_of(square, pieces(duration), duration));
-  turn.peak_displacement_m = std::max(turn.peak_displacement_m, largest * system_.length_m);
+  report.peak_displacement_m = std::max(report.peak_displacement_m, largest * system_.scale.length_m);
 }
 
 template <int N>
-void TaylorRun<N>::watch_force(run::Turn& turn, std::size_t i, double duration) {
+void TaylorRun<N>::watch_force(run::TurnReport& report, std::size_t i, double duration) {
   const ContactSeries& c = motion_.contact(i);
   const double spring = c.law().spring(c.mode()), damper = c.law().damper(c.mode());
   const auto force = [&](double at) {
@@ -282,21 +280,20 @@ void TaylorRun<N>::watch_force(run::Turn& turn, std::size_t i, double duration) 
     }
     return std::pair{value, rate};
   };
-  turn.peak_contact_force_n =
-      std::max(turn.peak_contact_force_n, largest_of(force, pieces(duration), duration));
+  report.peak_contact_force_n =
+      std::max(report.peak_contact_force_n, largest_of(force, pieces(duration), duration));
 }
 
 template <int N>
-void TaylorRun<N>::note_switch(run::Turn& turn, std::size_t i, Mode from) {
+void TaylorRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from) {
   ++effort_.switches;
-  turn.add({phase_, static_cast<int>(i), from, dynamics_.modes()[i]});
+  report.add({phase_, static_cast<int>(i), from, dynamics_.modes()[i]}, switches_wanted_);
 }
 
 /// The force is continuous across the switch: one rate holds on both sides of it.
 template <int N>
-void TaylorRun<N>::switch_modes(run::Turn& turn, const Crossing& crossing) {
-  const PulsePhase pulse = pulse_at(phase_);
-  dynamics_.set_pulse(pulse.on, pulse.elapsed_rad);
+void TaylorRun<N>::switch_modes(run::TurnReport& report, const Crossing& crossing) {
+  pulses_.go_to(phase_);
   dynamics_(state_, rate_, phase_);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     const auto& c = system_.contacts[i];
@@ -305,24 +302,23 @@ void TaylorRun<N>::switch_modes(run::Turn& turn, const Crossing& crossing) {
     const contact::Kinematics kinematics = dynamics_.kinematics(i, state_, rate_);
     if (crossing.contact == i) mode = contact::mode_through(from, crossing.next, kinematics);
     mode = contact::mode_after(mode, c.stiffness, c.damping, kinematics);
-    if (mode != from) note_switch(turn, i, from);
+    if (mode != from) note_switch(report, i, from);
   }
 }
 
 /// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
 template <int N>
-void TaylorRun<N>::strike(run::Turn& turn) {
+void TaylorRun<N>::apply_impulses(run::TurnReport& report) {
   const auto n = static_cast<std::size_t>(system_.coordinates());
   while (phase_ >= impulses_.next_phase_rad()) {
     const Eigen::VectorXd& jump_m_per_s = impulses_.take();
     for (std::size_t j = 0; j < n; ++j)
-      state_[n + j] +=
-          jump_m_per_s(static_cast<Eigen::Index>(j)) / (system_.length_m * system_.speed_rad_per_s);
+      state_[n + j] += jump_m_per_s(static_cast<Eigen::Index>(j)) / system_.scale.unit_velocity_m_per_s();
   }
-  struck_modes_ = dynamics_.modes();
+  modes_before_ = dynamics_.modes();
   enter_by_state(phase_);
-  for (std::size_t i = 0; i < struck_modes_.size(); ++i) {
-    if (dynamics_.modes()[i] != struck_modes_[i]) note_switch(turn, i, struck_modes_[i]);
+  for (std::size_t i = 0; i < modes_before_.size(); ++i) {
+    if (dynamics_.modes()[i] != modes_before_[i]) note_switch(report, i, modes_before_[i]);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "rubsweep/integrate/adaptive/dynamics.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
@@ -38,10 +39,11 @@ class TaylorRun {
   TaylorRun& operator=(const TaylorRun&) = delete;
 
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
-  /// After `stiff` the run stands where the revolution began, and the turn's numbers mean nothing.
-  TaylorEnding advance(run::Turn& turn, double end_phase = full_turn);
+  /// After `stiff` the run stands where the revolution began, and the report means nothing.
+  TaylorEnding advance(const run::TurnRequest& request, run::TurnReport& report,
+                       double end_phase = full_turn);
 
-  /// The next revolution is number `revolution` and starts from `section` (as Turn::section).
+  /// The next revolution is number `revolution` and starts from `section` (as TurnReport::section).
   void resume(std::span<const double> section, long revolution);
 
   /// Scaled state where the next revolution begins.
@@ -59,35 +61,37 @@ class TaylorRun {
   };
 
   void enter_by_state(double phase);
-  PulsePhase pulse_at(double phase) const;
-  double next_boundary(double phase) const;
-  TaylorEnding step(run::Turn& turn);
+  double next_boundary() const;
+  TaylorEnding step(run::TurnReport& report);
   double fastest_rate() const;
   Crossing first_crossing(double duration);
-  void take(run::Turn& turn, double duration, double end_phase);
-  void put_samples(run::Turn& turn, double end_phase);
-  void watch(run::Turn& turn, double duration);
-  void watch_displacement(run::Turn& turn, double duration);
-  void watch_force(run::Turn& turn, std::size_t i, double duration);
+  void take(run::TurnReport& report, double duration, double end_phase);
+  void put_samples(run::TurnReport& report, double end_phase);
+  void watch(run::TurnReport& report, double duration);
+  void watch_displacement(run::TurnReport& report, double duration);
+  void watch_force(run::TurnReport& report, std::size_t i, double duration);
   int pieces(double duration) const;
-  void switch_modes(run::Turn& turn, const Crossing& crossing);
-  void strike(run::Turn& turn);
-  void note_switch(run::Turn& turn, std::size_t i, contact::Mode from);
-  TaylorEnding end(run::Turn& turn, TaylorEnding ending);
+  void switch_modes(run::TurnReport& report, const Crossing& crossing);
+  void apply_impulses(run::TurnReport& report);
+  void note_switch(run::TurnReport& report, std::size_t i, contact::Mode from);
+  TaylorEnding end(run::TurnReport& report, TaylorEnding ending);
 
   run::ScaledSystem<N> system_;
   adaptive::Dynamics<N, false> dynamics_;
   Expansion<N> motion_;
   TangentExpansion<N> tangents_;
+  run::PulseTimes pulses_;
   run::Impulses impulses_;
   double structure_rate_ = 0;  ///< fastest of the structure without contacts, per radian
   double stiff_above_ = 0;
   long max_steps_ = 0, step_limit_ = 0;
   std::vector<double> state_, start_, rate_, probe_;
-  std::vector<contact::Mode> start_modes_, struck_modes_;
+  std::vector<contact::Mode> start_modes_, modes_before_;
   double phase_ = 0, end_phase_ = full_turn;
   bool entered_ = false;
-  int standstill_ = 0, next_sample_ = 0;
+  int standstill_ = 0;
+  int samples_wanted_ = 0;  ///< as asked for in this turn
+  bool peaks_wanted_ = false, switches_wanted_ = false;
   long revolution_ = 0;
   run::Effort effort_;
 };

@@ -4,7 +4,7 @@
 
 namespace rubsweep::response::motion {
 
-ContactFacts facts_of(const integrate::run::Turn& turn) {
+ContactFacts facts_of(const integrate::run::TurnReport& turn) {
   return {.hits = turn.hits,
           .contact_fraction = turn.contact_fraction,
           .peak_displacement_m = turn.peak_displacement_m,

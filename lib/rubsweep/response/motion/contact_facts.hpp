@@ -15,7 +15,7 @@ struct ContactFacts {
 };
 
 /// Of one turn that was made.
-ContactFacts facts_of(const integrate::run::Turn& turn);
+ContactFacts facts_of(const integrate::run::TurnReport& turn);
 
 /// Of several turns together: hits added up, the mean share of time, the largest peaks.
 ContactFacts together(std::span<const ContactFacts> turns);

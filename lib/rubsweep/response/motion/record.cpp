@@ -17,9 +17,9 @@ void Record::begin(std::span<const double> section) {
   section_.insert(section_.end(), section.begin(), section.end());
 }
 
-void Record::add(const integrate::run::Turn& turn) {
+void Record::add(const integrate::run::TurnReport& turn) {
   const double* q = turn.samples.data();
-  for (int k = 0; k < turn.samples_per_revolution; ++k, q += states_) {
+  for (int k = 0; k < turn.sample_count; ++k, q += states_) {
     double x = 0, y = 0;
     for (Eigen::Index j = 0; j < map_.cols(); ++j) {
       x += map_(0, j) * q[j];

@@ -22,7 +22,7 @@ class Record {
   void begin(std::span<const double> section);
 
   /// A turn with `samples_per_revolution` samples and peaks; two windows of them fill the record.
-  void add(const integrate::run::Turn& turn);
+  void add(const integrate::run::TurnReport& turn);
 
   /// 0: the older window, 1: the newer.
   Window window(std::size_t which) const;

@@ -42,7 +42,7 @@ OrbitProof::OrbitProof(const scene::Scene& scene, const integrate::run::SolverOp
   solver_.relative_tolerance = std::min(solver.relative_tolerance, tolerance_of_a_proof);
 }
 
-std::optional<motion::ProvenMotion> OrbitProof::look(const integrate::run::Turn& turn) {
+std::optional<motion::ProvenMotion> OrbitProof::look(const integrate::run::TurnReport& turn) {
   search_.add(turn.section, turn.touched);
   const auto order = search_.candidate();
   if (!order) return std::nullopt;
@@ -88,12 +88,13 @@ std::optional<motion::Measures> OrbitProof::measure(const std::vector<double>& s
   record.begin(section);
   const integrate::run::Run run = integrate::start(scene_, solver_, workspace_.modes);
   run.restart(section);
-  integrate::run::Turn turn;
-  turn.samples_per_revolution = options_.samples_per_revolution;
-  turn.peaks = true;
+  integrate::run::TurnRequest request;
+  integrate::run::TurnReport turn;
+  request.samples_per_revolution = options_.samples_per_revolution;
+  request.peaks = true;
   bool touched = false;
   for (int k = 0; k < order; ++k) {
-    if (run.advance(turn) != integrate::run::Outcome::ok) return std::nullopt;
+    if (run.advance(request, turn) != integrate::run::Outcome::ok) return std::nullopt;
     record.add(turn);
     touched = touched || turn.touched;
   }

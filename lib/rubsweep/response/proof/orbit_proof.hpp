@@ -27,7 +27,7 @@ class OrbitProof {
              const motion::ResponseOptions& options, motion::Workspace& workspace);
 
   /// After one more turn. Empty most of the time; an orbit that touches nothing is not reported.
-  std::optional<motion::ProvenMotion> look(const integrate::run::Turn& turn);
+  std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn);
 
  private:
   std::optional<motion::ProvenMotion> prove(std::span<const double> section, int order);

@@ -21,7 +21,7 @@ class RestProof {
   explicit RestProof(const scene::Cell& cell);
 
   /// `section`: scaled state at the start of a revolution with every contact open and the kick over, as
-  /// Turn::section.
+  /// TurnReport::section.
   bool proves(std::span<const double> section);
 
  private:

@@ -16,7 +16,7 @@ constexpr double difference_step = 1e-5;
 }  // namespace
 
 scene::Scene after_the_kick(scene::Scene scene) {
-  scene.pulse.reset();
+  scene.pulses.clear();
   return scene;
 }
 
@@ -32,31 +32,31 @@ bool SceneMap::advance(std::span<double> section) {
                                   section.size()));
   }
   run_.restart(section);
-  if (run_.advance(turn_) != integrate::run::Outcome::ok) return false;
-  std::ranges::copy(turn_.section, section.begin());
+  if (run_.advance(request_, report_) != integrate::run::Outcome::ok) return false;
+  std::ranges::copy(report_.section, section.begin());
   return true;
 }
 
 bool SceneMap::operator()(std::span<double> section) {
-  turn_.tangent_vectors.resize(0, 0);
+  request_.tangent_vectors.resize(0, 0);
   return advance(section);
 }
 
-bool SceneMap::carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& exact) {
-  const long adaptive_turns = turn_.effort.adaptive_turns;
-  turn_.tangent_vectors.swap(disturbances);
+bool SceneMap::carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved) {
+  request_.tangent_vectors = disturbances;
   const bool made = advance(section);
-  turn_.tangent_vectors.swap(disturbances);
-  exact = exact_ && turn_.effort.adaptive_turns == adaptive_turns;
+  const Eigen::MatrixXd* at_end = made ? report_.tangent_vectors.get() : nullptr;
+  moved = at_end != nullptr;
+  if (at_end) disturbances = *at_end;
   return made;
 }
 
 bool SceneMap::carry(std::span<double> section, Eigen::MatrixXd& disturbances) {
   if (exact_) {
     before_.assign(section.begin(), section.end());
-    bool exact = false;
-    if (!carry_exactly(section, disturbances, exact)) return false;
-    if (exact) return true;
+    bool moved = false;
+    if (!carry_exactly(section, disturbances, moved)) return false;
+    if (moved) return true;
     std::ranges::copy(before_, section.begin());
   }
   Eigen::MatrixXd transition;

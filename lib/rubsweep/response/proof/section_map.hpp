@@ -13,8 +13,8 @@ namespace rubsweep::response::proof {
 /// One iteration of a map, in place. False: it could not be made, and the state means nothing any more.
 using SectionMap = std::function<bool(std::span<double> state)>;
 
-/// One revolution of a scene as a map of its scaled section (as Turn::section): from phase 0 to phase 0, the
-/// pulse left out. Every call starts afresh, so that the map has no memory: equal sections give equal
+/// One revolution of a scene as a map of its scaled section (as TurnReport::section): from phase 0 to phase
+/// 0, the pulses left out. Every call starts afresh, so that the map has no memory: equal sections give equal
 /// sections to the last bit, near ones go through nearly the same steps.
 class SceneMap {
  public:
@@ -29,14 +29,15 @@ class SceneMap {
   /// forms, else by central differences.
   bool carry(std::span<double> section, Eigen::MatrixXd& disturbances);
 
-  /// The same only where the turn has closed forms: `exact` says so, else `disturbances` stays.
-  bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& exact);
+  /// The same only where the solver that makes the turn moves tangent vectors: `moved` says so, else
+  /// `disturbances` stays.
+  bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved);
 
   /// The exact solver makes the turns, as far as they have closed forms.
   bool exact() const { return exact_; }
 
   /// Some contact was touching at some time in the revolution made last.
-  bool touched() const { return turn_.touched; }
+  bool touched() const { return report_.touched; }
 
  private:
   bool advance(std::span<double> section);
@@ -44,11 +45,12 @@ class SceneMap {
   std::size_t states_;
   bool exact_;
   integrate::run::Run run_;
-  integrate::run::Turn turn_;
+  integrate::run::TurnRequest request_;
+  integrate::run::TurnReport report_;
   std::vector<double> before_;
 };
 
-/// The scene without its pulse.
+/// The scene without its pulses.
 scene::Scene after_the_kick(scene::Scene scene);
 
 }  // namespace rubsweep::response::proof

@@ -18,8 +18,8 @@ ApexReturnSearch::ApexReturnSearch(const scene::Scene& scene)
       states_(2 * scene.structure.coordinates()),
       returns_(static_cast<std::size_t>(states_), most_maxima) {}
 
-void ApexReturnSearch::add(const integrate::run::Turn& turn) {
-  const double spacing = full_turn / turn.samples_per_revolution;
+void ApexReturnSearch::add(const integrate::run::TurnReport& turn) {
+  const double spacing = full_turn / turn.sample_count;
   const Eigen::Index n = states_ / 2;
   // Half the rate of |z|^2.
   const auto rate = [&](const double* state) {
@@ -30,7 +30,7 @@ void ApexReturnSearch::add(const integrate::run::Turn& turn) {
   new_maximum_ = false;
   const double* before = last_.empty() ? nullptr : last_.data();
   double rate_before = before ? rate(before) : 0;
-  for (int k = 0; k < turn.samples_per_revolution; ++k) {
+  for (int k = 0; k < turn.sample_count; ++k) {
     const double* here = turn.samples.data() + k * states_;
     const double rate_here = rate(here);
     if (before && rate_before > 0 && rate_here <= 0)

@@ -17,7 +17,7 @@ class ApexReturnSearch {
   explicit ApexReturnSearch(const scene::Scene& scene);
 
   /// One more turn, with samples.
-  void add(const integrate::run::Turn& turn);
+  void add(const integrate::run::TurnReport& turn);
 
   struct Return {
     int maxima = 0;                   ///< after so many maxima the last one came back

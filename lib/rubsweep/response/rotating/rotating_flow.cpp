@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 #include "rubsweep/response/rotating/variational_dynamics.hpp"
@@ -14,21 +15,17 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// Adds the states sampled in a turn before `end_phase`: the first `states` of `whole` numbers each.
-void append_samples(const integrate::run::Turn& turn, double end_phase, Eigen::Index states,
-                    Eigen::Index whole, RotatingArc& arc) {
+/// Adds the states sampled in a turn: the first `states` of `whole` numbers each.
+void append_samples(const integrate::run::TurnReport& turn, Eigen::Index states, Eigen::Index whole,
+                    RotatingArc& arc) {
   const Eigen::Index old = arc.samples.cols();
-  int count = 0;
-  while (count < turn.samples_per_revolution && full_turn * count / turn.samples_per_revolution < end_phase)
-    ++count;
-  arc.samples.conservativeResize(states, old + count);
-  arc.samples.rightCols(count) =
-      Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.samples_per_revolution)
-          .topLeftCorner(states, count);
+  arc.samples.conservativeResize(states, old + turn.sample_count);
+  arc.samples.rightCols(turn.sample_count) =
+      Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.sample_count).topRows(states);
 }
 
 /// What a turn, or its first `end_phase`, adds to the measures of an arc of `angle_rad`.
-void add_measures(const integrate::run::Turn& turn, double angle_rad, RotatingArc& arc) {
+void add_measures(const integrate::run::TurnReport& turn, double angle_rad, RotatingArc& arc) {
   arc.hits += turn.hits;
   arc.contact_fraction += turn.contact_fraction * full_turn / angle_rad;
   arc.peak_displacement_m = std::max(arc.peak_displacement_m, turn.peak_displacement_m);
@@ -43,21 +40,25 @@ Followed follow_by_series(const scene::Scene& scene, const integrate::run::Solve
                           int samples_per_revolution, double angle_rad, RotatingArc& arc) {
   integrate::taylor::TaylorRun<N> run(scene, options);
   const Eigen::Index states = 2 * scene.structure.coordinates();
-  integrate::run::Turn turn;
-  turn.samples_per_revolution = samples_per_revolution;
-  turn.peaks = samples_per_revolution > 0;
-  turn.tangent_vectors.setIdentity(states, states);
+  integrate::run::TurnRequest request;
+  integrate::run::TurnReport turn;
+  request.samples_per_revolution = samples_per_revolution;
+  request.peaks = samples_per_revolution > 0;
+  request.tangent_vectors.setIdentity(states, states);
   for (double left = angle_rad; left > 0; left -= full_turn) {
     const double end_phase = std::min(left, full_turn);
-    const integrate::taylor::TaylorEnding ending = run.advance(turn, end_phase);
+    const integrate::taylor::TaylorEnding ending = run.advance(request, turn, end_phase);
     if (ending == integrate::taylor::TaylorEnding::stiff) return Followed::stiff;
     if (ending != integrate::taylor::TaylorEnding::ok) return Followed::failed;
-    if (samples_per_revolution > 0) append_samples(turn, end_phase, states, states, arc);
+    const Eigen::MatrixXd* moved = turn.tangent_vectors.get();
+    if (moved == nullptr) return Followed::failed;
+    request.tangent_vectors = *moved;
+    if (samples_per_revolution > 0) append_samples(turn, states, states, arc);
     add_measures(turn, angle_rad, arc);
   }
   arc.angle_rad = angle_rad;
   arc.end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -angle_rad);
-  arc.transition = turned(turn.tangent_vectors, -angle_rad);
+  arc.transition = turned(request.tangent_vectors, -angle_rad);
   return Followed::made;
 }
 
@@ -65,9 +66,9 @@ template <int N>
 Followed end_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                        double angle_rad, Eigen::VectorXd& end) {
   integrate::taylor::TaylorRun<N> run(scene, options);
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   for (double left = angle_rad; left > 0; left -= full_turn) {
-    const integrate::taylor::TaylorEnding ending = run.advance(turn, std::min(left, full_turn));
+    const integrate::taylor::TaylorEnding ending = run.advance({}, turn, std::min(left, full_turn));
     if (ending == integrate::taylor::TaylorEnding::stiff) return Followed::stiff;
     if (ending != integrate::taylor::TaylorEnding::ok) return Followed::failed;
   }
@@ -92,13 +93,14 @@ std::optional<RotatingArc> follow(const scene::Scene& scene, const integrate::ru
   const Eigen::Index states = 2 * scene.structure.coordinates();
   RotatingArc arc;
   arc.angle_rad = angle_rad;
-  integrate::run::Turn turn;
-  turn.samples_per_revolution = samples_per_revolution;
-  turn.peaks = samples_per_revolution > 0;
+  integrate::run::TurnRequest request;
+  integrate::run::TurnReport turn;
+  request.samples_per_revolution = samples_per_revolution;
+  request.peaks = samples_per_revolution > 0;
   for (double left = angle_rad; left > 0; left -= full_turn) {
     const double end_phase = std::min(left, full_turn);
-    if (run.advance(turn, end_phase) != integrate::run::Outcome::ok) return std::nullopt;
-    if (samples_per_revolution > 0) append_samples(turn, end_phase, states, states * (states + 1), arc);
+    if (run.advance(request, turn, end_phase) != integrate::run::Outcome::ok) return std::nullopt;
+    if (samples_per_revolution > 0) append_samples(turn, states, states * (states + 1), arc);
     add_measures(turn, angle_rad, arc);
   }
   const double* end = turn.section.data();
@@ -111,9 +113,9 @@ template <class State, int N, bool Smoothed>
 std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                                       double angle_rad) {
   integrate::adaptive::AdaptiveRun<integrate::adaptive::Dopri5<State>, N, Smoothed> run(scene, options);
-  integrate::run::Turn turn;
+  integrate::run::TurnReport turn;
   for (double left = angle_rad; left > 0; left -= full_turn) {
-    if (run.advance(turn, std::min(left, full_turn)) != integrate::run::Outcome::ok) return std::nullopt;
+    if (run.advance({}, turn, std::min(left, full_turn)) != integrate::run::Outcome::ok) return std::nullopt;
   }
   const Eigen::Map<const Eigen::VectorXd> end(turn.section.data(), 2 * scene.structure.coordinates());
   return turned(end, -angle_rad);
@@ -124,14 +126,12 @@ std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate
 RotatingFlow::RotatingFlow(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                            int samples_per_revolution)
     : scene_(scene), options_(options), samples_per_revolution_(samples_per_revolution) {
-  scene_.pulse.reset();
+  scene_.pulses.clear();
 }
 
 scene::Scene RotatingFlow::scene_at(const Eigen::VectorXd& state) const {
   scene::Scene scene = scene_;
-  const Eigen::Index n = scene.structure.coordinates();
-  scene.displacement_m = scene.length_scale_m * state.head(n);
-  scene.velocity_m_per_s = scene.length_scale_m * scene.speed_rad_per_s * state.tail(n);
+  integrate::run::set_initial_state(scene, {state.data(), static_cast<std::size_t>(state.size())});
   return scene;
 }
 

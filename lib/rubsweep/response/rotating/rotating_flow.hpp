@@ -21,8 +21,8 @@ struct RotatingArc {
   Eigen::MatrixXd samples;  ///< 2n x count: states in the fixed frame at phases 2 pi k / N before the end
 };
 
-/// Follows a rotationally symmetric scene, its pulse left out, and the derivative of the motion by its start,
-/// from any state over any angle, by Taylor pieces, or by dopri5 where friction is stiff, contacts are
+/// Follows a rotationally symmetric scene, its pulses left out, and the derivative of the motion by its
+/// start, from any state over any angle, by Taylor pieces, or by dopri5 where friction is stiff, contacts are
 /// smoothed or a stepper is named. In the frame that turns with the shaft such a scene does not depend on
 /// time, so that every start is one at phase 0, where the two frames coincide.
 class RotatingFlow {

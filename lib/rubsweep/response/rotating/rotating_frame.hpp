@@ -13,14 +13,14 @@ namespace rubsweep::response::rotating {
 /// +y: every pair of coordinates (x, y), and every pair of velocities, turns alike.
 Eigen::MatrixXd turned(const Eigen::MatrixXd& state, double angle_rad);
 
-/// Rate of a rotationally symmetric scene, its pulse left out, in the frame that turns with the shaft. With
+/// Rate of a rotationally symmetric scene, its pulses left out, in the frame that turns with the shaft. With
 /// x' = f(x, phase) for the scaled state x in the fixed frame, the turned state y = turned(x, -phase) follows
 ///
 ///     y' = f(y, 0) - turned(y, pi/2),
 ///
 /// which does not depend on time. The velocities in y are those seen from the fixed frame, written in turned
-/// directions; they are not the derivatives of the displacements in y. States are scaled as Turn::section,
-/// and rates are per radian of rotation.
+/// directions; they are not the derivatives of the displacements in y. States are scaled as
+/// TurnReport::section, and rates are per radian of rotation.
 class RotatingField {
  public:
   RotatingField(const scene::Scene& scene, const integrate::run::SolverOptions& options);

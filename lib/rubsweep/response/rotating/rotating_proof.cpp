@@ -59,7 +59,7 @@ int RotatingProof::samples_wanted() const {
   return free_turns_ < free_for_long ? options_.samples_per_revolution : 0;
 }
 
-std::optional<motion::ProvenMotion> RotatingProof::look(const integrate::run::Turn& turn) {
+std::optional<motion::ProvenMotion> RotatingProof::look(const integrate::run::TurnReport& turn) {
   ++looked_at_;
   free_turns_ = turn.touched ? 0 : free_turns_ + 1;
   const VectorXd section =
@@ -70,7 +70,7 @@ std::optional<motion::ProvenMotion> RotatingProof::look(const integrate::run::Tu
 }
 
 std::optional<motion::ProvenMotion> RotatingProof::look_for_circle(const VectorXd& section,
-                                                                   const integrate::run::Turn& turn) {
+                                                                   const integrate::run::TurnReport& turn) {
   turns_.add(turn.section, turn.touched);
   const auto candidate = turns_.candidate();
   if (!candidate) return std::nullopt;
@@ -124,8 +124,8 @@ motion::ProvenMotion RotatingProof::measured(const RotatingEquilibrium& circle) 
 }
 
 std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd& section,
-                                                                  const integrate::run::Turn& turn) {
-  if (turn.samples_per_revolution == 0) {
+                                                                  const integrate::run::TurnReport& turn) {
+  if (turn.sample_count == 0) {
     maxima_.reset();
     return std::nullopt;
   }

@@ -32,13 +32,13 @@ class RotatingProof {
   int samples_wanted() const;
 
   /// After one more turn. Empty most of the time; a motion that touches nothing is not reported.
-  std::optional<motion::ProvenMotion> look(const integrate::run::Turn& turn);
+  std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn);
 
  private:
   std::optional<motion::ProvenMotion> look_for_circle(const Eigen::VectorXd& section,
-                                                      const integrate::run::Turn& turn);
+                                                      const integrate::run::TurnReport& turn);
   std::optional<motion::ProvenMotion> look_for_cycle(const Eigen::VectorXd& section,
-                                                     const integrate::run::Turn& turn);
+                                                     const integrate::run::TurnReport& turn);
   bool comes_near_to(const RotatingEquilibrium& circle, std::span<const double> section);
   motion::ProvenMotion measured(const RotatingEquilibrium& circle);
   bool returns_with_the_shaft(const LimitCycle& cycle) const;

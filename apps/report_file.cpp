@@ -1,0 +1,87 @@
+#include "report_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "exit_code.hpp"
+#include "interrupt.hpp"
+#include "program.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/page/thinned_grid.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+page::MapTable read_map_of(const sweep::Study& study, const fs::path& path) {
+  page::MapTable map = page::read_map_table(path);
+  const std::string digest = config::study_digest(study);
+  if (map.digest == digest) return map;
+  throw ConfigError(
+      fmt::format("{}: is no map of this configuration (digest {}, this one has {})\n"
+                  "allowed: the map and the config.yaml of one run",
+                  path.string(), map.digest.empty() ? "none" : map.digest, digest));
+}
+
+std::string interrupted(std::string_view program) {
+  return fmt::format("{}: interrupted, no report was written; the map is as it was\n", program);
+}
+
+}  // namespace
+
+int write_report(const fs::path& directory, const sweep::Study& study, std::string_view program,
+                 const ReportOptions& options) {
+  batch::require_threads(options.threads, 1);
+  page::MapTable map = read_map_of(study, directory / "map.csv");
+  const std::size_t cells =
+      page::thinned_grid(study.grid.speed_hz.size(), study.grid.unbalance.size(), options.most_orbits)
+          .cells()
+          .size();
+  std::mutex mutex;  // guards the progress
+  batch::Progress progress(cells, options.quiet ? batch::ProgressMode::never : options.progress);
+  const std::atomic<bool>& stop = catch_interrupts();
+  const auto refresh = [&] {
+    const std::lock_guard lock(mutex);
+    progress.refresh();
+  };
+  const auto leave = [&] {
+    const std::lock_guard lock(mutex);
+    progress.finish();
+    say(interrupted(program));
+    options.before_leaving();
+    std::_Exit(128 + caught_signal());
+  };
+  std::optional<Watch> watch(std::in_place, refresh, leave);
+  const auto count = [&] {
+    const std::lock_guard lock(mutex);
+    progress.advance();
+  };
+  const auto text = page::report_page(study, std::move(map), directory,
+                                      {.version = RUBSWEEP_VERSION,
+                                       .configuration = config::print_study(study),
+                                       .most_orbits = options.most_orbits,
+                                       .threads = options.threads},
+                                      count, stop);
+  watch.reset();
+  progress.finish();
+  if (!text) {
+    say(interrupted(program));
+    return 128 + caught_signal();
+  }
+  batch::write_whole_file(options.file, *text);
+  if (!options.quiet)
+    fmt::print("report: {} ({:.1f} MB)\n", options.file.string(), static_cast<double>(text->size()) / 1e6);
+  return done;
+}
+
+}  // namespace rubsweep::apps

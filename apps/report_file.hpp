@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/page/report_page.hpp"
+#include "rubsweep/sweep/study.hpp"
+
+namespace rubsweep::apps {
+
+/// How report.html is made of a finished map.
+struct ReportOptions {
+  std::filesystem::path file;  ///< where it goes
+  std::size_t most_orbits = page::usual_orbits;
+  int threads = 0;
+  batch::ProgressMode progress = batch::ProgressMode::automatic;
+  bool quiet = false;
+  /// Called before the process ends because cells still ran half a second after a signal.
+  std::function<void()> before_leaving = [] {};
+};
+
+/// Writes the report of the map in `directory`, of `study`, and returns an exit code: 128 + signal when a
+/// signal came before it was written; then an older report is as it was. Throws ConfigError where the map is
+/// of another study, IoError.
+int write_report(const std::filesystem::path& directory, const sweep::Study& study, std::string_view program,
+                 const ReportOptions& options);
+
+}  // namespace rubsweep::apps

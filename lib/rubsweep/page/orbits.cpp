@@ -1,0 +1,51 @@
+#include "rubsweep/page/orbits.hpp"
+
+#include <algorithm>
+
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/page/compressed.hpp"
+#include "rubsweep/page/encode_orbit.hpp"
+#include "rubsweep/page/settled_orbit.hpp"
+
+namespace rubsweep::page {
+namespace {
+
+thread_local response::motion::Workspace workspace;
+
+KnownMotion known_motion(const MapTable& map, std::size_t row) {
+  KnownMotion known{map.word("class", row), std::nullopt, 0};
+  if (const auto order = map.number("order", row)) known.order = static_cast<int>(*order);
+  known.revolutions = static_cast<long>(map.number("revolutions", row).value_or(0));
+  return known;
+}
+
+}  // namespace
+
+std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& map, const ThinnedGrid& grid,
+                                    int threads, const std::function<void()>& on_cell,
+                                    const std::atomic<bool>& stop) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  const std::vector<std::size_t> cells = grid.cells();
+  std::vector<std::string> records(cells.size());
+  const std::size_t finished = batch::parallel_run(
+      cells.size(), threads,
+      [&](std::size_t i) {
+        const auto orbit = settled_orbit(study, prepared, cells[i], known_motion(map, cells[i]), workspace);
+        if (orbit) records[i] = encode_orbit(cells[i], *orbit);
+      },
+      [&](std::size_t) { on_cell(); }, stop);
+  if (finished != cells.size()) return std::nullopt;
+
+  Orbits orbits{grid, 0, {}};
+  for (std::size_t begin = 0; begin < cells.size(); begin += cells_per_block) {
+    std::string block;
+    for (std::size_t i = begin; i < std::min(begin + cells_per_block, cells.size()); ++i) {
+      if (!records[i].empty()) ++orbits.recorded;
+      block += records[i];
+    }
+    orbits.blocks.push_back(compressed(block));
+  }
+  return orbits;
+}
+
+}  // namespace rubsweep::page

@@ -1,0 +1,69 @@
+#include "rubsweep/page/report_page.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/overloaded.hpp"
+#include "rubsweep/page/findings.hpp"
+#include "rubsweep/page/page.hpp"
+#include "rubsweep/report/explain_study.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/sweep/evaluate_cell.hpp"
+
+namespace rubsweep::page {
+namespace {
+
+/// Where walls stand does not depend on the cell.
+std::vector<Wall> walls_of(const sweep::Study& study) {
+  const scene::Cell cell =
+      scene::build_cell(study.machine, study.grid.speed_hz.front(), scene::Eccentricity{0});
+  std::vector<Wall> walls;
+  for (const scene::Contact& contact : cell.scene.contacts) {
+    Wall wall;
+    std::visit(overloaded{[&](const contact::FlatWall& flat) {
+                            wall.normal = {flat.normal.x(), flat.normal.y()};
+                          },
+                          [&](const contact::AnnularWall& annular) {
+                            wall.around = true;
+                            wall.centre_m = {-annular.offset.x(), -annular.offset.y()};
+                          }},
+               contact.wall);
+    wall.clearance_m = contact.clearance_m;
+    wall.at_orbit = contact.rotor_point == cell.scene.observed_point;
+    walls.push_back(wall);
+  }
+  return walls;
+}
+
+}  // namespace
+
+std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
+                                       const std::filesystem::path& directory, const PageOptions& options,
+                                       const std::function<void()>& on_cell, const std::atomic<bool>& stop) {
+  const sweep::Grid& grid = study.grid;
+  if (map.rows != sweep::cell_count(grid)) {
+    throw IoError(fmt::format("{}: holds {} cells, its configuration has {}",
+                              (directory / "map.csv").string(), map.rows, sweep::cell_count(grid)));
+  }
+  const std::string measure =
+      grid.measure == sweep::UnbalanceMeasure::whirl_ratio ? "whirl_ratio" : "eccentricity_m";
+  PageContents contents{.version = options.version,
+                        .findings = findings(map, grid),
+                        .model = report::explain_study(study),
+                        .configuration = options.configuration,
+                        .grid = grid,
+                        .map = {},
+                        .walls = walls_of(study),
+                        .boundaries = read_boundaries(directory / "boundaries.csv", measure),
+                        .orbits = {}};
+  const ThinnedGrid kept = thinned_grid(grid.speed_hz.size(), grid.unbalance.size(), options.most_orbits);
+  auto orbits = record_orbits(study, map, kept, options.threads, on_cell, stop);
+  if (!orbits) return std::nullopt;
+  contents.map = std::move(map);
+  contents.orbits = std::move(*orbits);
+  return page_text(contents);
+}
+
+}  // namespace rubsweep::page

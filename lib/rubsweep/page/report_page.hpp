@@ -1,0 +1,34 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "rubsweep/page/map_table.hpp"
+#include "rubsweep/sweep/study.hpp"
+
+namespace rubsweep::page {
+
+/// Cells whose motions a page holds unless asked for others: about 5 MB.
+inline constexpr std::size_t usual_orbits = 4000;
+
+/// How a page is made.
+struct PageOptions {
+  std::string version;        ///< of the program
+  std::string configuration;  ///< of the study, as YAML
+  std::size_t most_orbits =
+      usual_orbits;  ///< >= 1; of a larger map a thinned grid of cells keeps its motions
+  int threads = 0;   ///< 0: one per processor
+};
+
+/// The page of the finished map `map` of `study`, with the lines of boundaries.csv in `directory` where there
+/// is such a file. `on_cell` follows each recorded cell. Empty when `stop` became true before. Throws IoError
+/// where the map has not as many rows as the study has cells, or boundaries.csv is at fault.
+std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
+                                       const std::filesystem::path& directory, const PageOptions& options,
+                                       const std::function<void()>& on_cell, const std::atomic<bool>& stop);
+
+}  // namespace rubsweep::page

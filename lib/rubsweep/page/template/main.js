@@ -1,0 +1,183 @@
+"use strict";
+// Puts the page together.
+const state = { layer: "class", hidden: new Set(), selected: null, rectangle: null, view: null, stop: 0 };
+const data = new MapData();
+let view = null, present = [];
+
+// The cell that a page without an address shows: in the middle of those of the most frequent motion with contact.
+function typicalCell() {
+  const groups = new Map();
+  data.kinds.forEach((kind, cell) => {
+    if (["non_contact", "initial_contact", "failed", "unsettled"].includes(kinds[kind].name)) return;
+    groups.set(kind, [...(groups.get(kind) || []), cell]);
+  });
+  const largest = [...groups.values()].sort((a, b) => b.length - a.length)[0];
+  return largest ? largest[Math.floor(largest.length / 2)] : 0;
+}
+
+function drawMap() {
+  view.draw();
+  const legend = legendOf(data, view, state, present);
+  drawScale(state, legend);
+  paintSwatches();
+  d3.select("#layer").property("value", state.layer);
+  d3.select("#zoom").property("disabled", !state.rectangle && !state.view)
+    .text(state.rectangle || !state.view ? "Zoom to the rectangle" : "Whole map");
+}
+
+let asked = 0;
+async function showCell() {
+  const cell = state.selected, recorded = data.recordedCell(cell), mine = ++asked;
+  document.getElementById("cell-title").textContent = `${placeText(data, cell)}: ${motionText(data, cell)}`;
+  const measure = data.index.measure, option = measure === "whirl_ratio" ? "--whirl-ratio" : "--eccentricity-m";
+  document.getElementById("command").textContent =
+    `rubtrace config.yaml --speed-hz ${data.value("speed_hz", cell)} ${option} ${data.value(measure, cell)}`;
+  d3.select("#numbers").selectAll("tr").data([...data.columns.keys()]).join("tr").selectAll("td")
+    .data((name) => [columnTitle(name), quantity(name, data.value(name, cell)).replace(unitOf(name)[1], "")]).join("td")
+    .text((text) => text);
+  const orbit = await data.orbit(recorded);
+  if (mine !== asked) return;
+  let note = hoverText(data, cell);
+  if (recorded !== cell && orbit) note += `. No motion of this cell is stored; shown is the one at ${placeText(data, recorded)}.`;
+  if (!orbit) note += ". There is no motion to show.";
+  document.getElementById("cell-note").textContent = note;
+  document.getElementById("panels").dataset.cell = orbit ? recorded : "";
+  if (orbit) drawPanels(data, recorded, orbit, state.stop);
+  else clearPanels();
+}
+
+function select(cell) {
+  state.selected = cell;
+  view.drawMarks();
+  writeAddress(data, state);
+  return showCell();
+}
+
+// The cells that the shown classes and the rectangle leave, in the order of the map.
+function chosenCells() {
+  const [i0, j0, i1, j1] = state.rectangle || [0, 0, data.x.values.length - 1, data.y.values.length - 1];
+  return d3.range(data.cells).filter((cell) => {
+    const [i, j] = data.placeOf(cell);
+    return i >= i0 && i <= i1 && j >= j0 && j <= j1 && !state.hidden.has(kinds[data.kinds[cell]].name);
+  });
+}
+
+const ordered = ([i, j], [k, l]) => [Math.min(i, k), Math.min(j, l), Math.max(i, k), Math.max(j, l)];
+
+function listenToMouse() {
+  let from = null, dragged = false;
+  view.box.addEventListener("pointerdown", (event) => {
+    from = event.button === 0 ? view.placesAt(event.clientX, event.clientY) : null;
+    dragged = false;
+  });
+  view.box.addEventListener("pointermove", (event) => {
+    const at = view.placesAt(event.clientX, event.clientY);
+    document.getElementById("hover").textContent = at ? hoverText(data, data.cellAt(...at)) : "";
+    // A finger scrolls the page instead.
+    if (!from || !at || event.pointerType !== "mouse" || event.buttons !== 1) return;
+    if (!dragged && at[0] === from[0] && at[1] === from[1]) return;
+    dragged = true;
+    state.rectangle = ordered(from, at);
+    view.drawMarks();
+  });
+  view.box.addEventListener("click", (event) => {
+    const at = view.placesAt(event.clientX, event.clientY);
+    if (dragged) drawMap();
+    else if (at) select(data.cellAt(...at));
+    from = null;
+  });
+}
+
+function listenToKeys() {
+  const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  let anchor = null;
+  view.box.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") {
+      state.rectangle = anchor = null;
+      drawMap();
+    }
+    const step = steps[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const before = data.placeOf(state.selected), [i0, j0, i1, j1] = view.shown;
+    const i = Math.max(i0, Math.min(i1, before[0] + step[0])), j = Math.max(j0, Math.min(j1, before[1] + step[1]));
+    if (event.shiftKey) {
+      anchor = anchor || before;
+      state.rectangle = ordered(anchor, [i, j]);
+      drawMap();
+    } else {
+      anchor = null;
+    }
+    select(data.cellAt(i, j));
+  });
+}
+
+function listenToButtons() {
+  d3.select("#zoom").on("click", () => {
+    state.view = state.rectangle;
+    state.rectangle = null;
+    drawMap();
+  });
+  d3.select("#map-png").on("click", () => saveMapPng(view, legendOf(data, view, state, present)));
+  d3.select("#map-svg").on("click", () => download("map.svg", svgBlob(mapSvg(view, legendOf(data, view, state, present)).copy)));
+  d3.select("#rows").on("click", () => download("rows.csv", new Blob([rowsCsv(data, chosenCells())], { type: "text/csv" })));
+  for (const id of ["history", "orbit", "spectrum", "section"])
+    d3.select("#" + id).append("button").attr("type", "button").text("SVG").on("click", () => saveFigure(id));
+}
+
+function listenToWindow() {
+  const redraw = () => { drawMap(); if (state.selected !== null) showCell(); };
+  let timer = 0;
+  window.addEventListener("resize", () => { clearTimeout(timer); timer = setTimeout(redraw, 100); });
+  darkScreen.addEventListener("change", redraw);
+  window.addEventListener("beforeprint", () => { printing = true; redraw(); });
+  window.addEventListener("afterprint", () => { printing = false; redraw(); });
+  window.addEventListener("hashchange", () => {
+    if (location.hash !== ownAddress && readAddress(data, state)) { drawMap(); select(state.selected); }
+  });
+}
+
+// Which wall the time history looks at, where there are several.
+function fillStops() {
+  const walls = data.index.walls;
+  if (walls.length < 2) return;
+  const label = d3.select("#stop-choice").append("label").text("Time history towards ");
+  label.append("select").attr("id", "stop").on("change", function () { state.stop = Number(this.value); showCell(); })
+    .selectAll("option").data(walls).join("option").attr("value", (_, i) => i).text((_, i) => `stop ${i}`);
+}
+
+function sayWhatIsStored() {
+  const { recorded, speed_stride, unbalance_stride } = data.index.orbits;
+  const thinned = speed_stride > 1 || unbalance_stride > 1;
+  document.getElementById("orbits-note").textContent = thinned
+    ? `This map is large: motions are stored for ${recorded} of its ${data.cells} cells, every ${speed_stride}. speed and ` +
+      `every ${unbalance_stride}. unbalance. Other cells show the nearest of them, and say so.`
+    : `Motions are stored for all ${recorded} cells that have one, as straight lines between as few samples as draw them ` +
+      "within 1/400 of the orbit's size.";
+}
+
+async function begin() {
+  if (typeof DecompressionStream === "undefined") throw new Error("this browser is too old: it has no DecompressionStream");
+  await data.load();
+  document.getElementById("subtitle").textContent =
+    `${data.x.values.length} speeds × ${data.y.values.length} values of the ${unbalanceName(data.index.measure)}; ` +
+    document.getElementById("subtitle").textContent;
+  view = new MapView(data, state);
+  fillLayers(data, state, () => { drawMap(); writeAddress(data, state); });
+  present = fillClasses(data, state, drawMap);
+  if (!readAddress(data, state)) state.selected = typicalCell();
+  fillStops();
+  sayWhatIsStored();
+  drawMap();
+  listenToMouse();
+  listenToKeys();
+  listenToButtons();
+  listenToWindow();
+  await showCell();
+  document.documentElement.dataset.ready = "yes";
+}
+
+begin().catch((error) => {
+  document.getElementById("problem").textContent = `The page cannot be shown: ${error.message}`;
+  throw error;
+});

@@ -1,0 +1,74 @@
+"use strict";
+// The rows of the map and the motions of its cells, decoded when they are asked for.
+const dataText = (id) => document.getElementById(id).textContent;
+
+class MapData {
+  constructor() {
+    this.index = JSON.parse(dataText("index"));
+    this.columns = new Map(this.index.columns.map((column, place) => [column.name, { ...column, place }]));
+    this.x = this.axis(this.index.speed_hz);
+    this.y = this.axis(this.index.unbalance);
+    this.cells = this.index.speed_hz.length * this.index.unbalance.length;
+    this.blocks = new Map();
+  }
+
+  // An axis in rising order: its values, the edges of its cells half way between them, and the place of each value in
+  // the configuration.
+  axis(values) {
+    const source = d3.range(values.length).sort((a, b) => values[a] - values[b]);
+    const sorted = source.map((place) => values[place]), last = sorted.length - 1;
+    const edges = d3.range(1, sorted.length).map((i) => (sorted[i - 1] + sorted[i]) / 2);
+    const margin = (i, j) => (last > 0 ? (sorted[i] - sorted[j]) / 2 : Math.abs(sorted[0]) / 10 || 0.1);
+    const place = [];
+    source.forEach((from, to) => (place[from] = to));
+    return { values: sorted, edges: [sorted[0] - margin(1, 0), ...edges, sorted[last] + margin(last, last - 1)], source, place };
+  }
+
+  // The cell at place i of the speeds and j of the unbalances, both in rising order, and back.
+  cellAt(i, j) { return this.y.source[j] * this.x.source.length + this.x.source[i]; }
+  placeOf(cell) {
+    const speeds = this.x.source.length;
+    return [this.x.place[cell % speeds], this.y.place[Math.floor(cell / speeds)]];
+  }
+
+  async load() {
+    await Promise.all([...this.columns.values()].map(async (column) => {
+      const planes = await inflate(dataText("column-" + column.place));
+      column.values = column.words.length ? placesOf(planes) : numbersOf(planes);
+    }));
+    this.kinds = new Uint8Array(this.cells);
+    for (let cell = 0; cell < this.cells; ++cell)
+      this.kinds[cell] = kindByName.get(kindOf((name) => this.value(name, cell))) ?? kinds.length - 1;
+  }
+
+  // A number (NaN where there is none) or a word; "" where there is no such column.
+  value(name, cell) {
+    const column = this.columns.get(name);
+    if (!column) return "";
+    return column.words.length ? column.words[column.values[cell]] : column.values[cell];
+  }
+
+  isWord(name) { return this.columns.get(name).words.length > 0; }
+
+  // The cell with a stored motion that is nearest to `cell`.
+  recordedCell(cell) {
+    const speeds = this.x.source.length, { speed_stride, unbalance_stride } = this.index.orbits;
+    const nearest = (i, count, stride) => {
+      const first = Math.floor(stride / 2), last = Math.floor((count - 1 - first) / stride);
+      return first + stride * Math.max(0, Math.min(last, Math.round((i - first) / stride)));
+    };
+    const j = nearest(Math.floor(cell / speeds), this.y.source.length, unbalance_stride);
+    return j * speeds + nearest(cell % speeds, speeds, speed_stride);
+  }
+
+  // The motion of a cell for which recordedCell(cell) === cell; undefined where it has none.
+  async orbit(cell) {
+    const speeds = this.x.source.length, { speed_stride, unbalance_stride, cells_per_block } = this.index.orbits;
+    const kept = (count, stride) => Math.floor((count - 1 - Math.floor(stride / 2)) / stride) + 1;
+    const place = Math.floor(Math.floor(cell / speeds) / unbalance_stride) * kept(speeds, speed_stride) +
+      Math.floor((cell % speeds) / speed_stride);
+    const block = Math.floor(place / cells_per_block);
+    if (!this.blocks.has(block)) this.blocks.set(block, inflate(dataText("orbits-" + block)).then(readOrbits));
+    return (await this.blocks.get(block)).get(cell);
+  }
+}

@@ -1,0 +1,55 @@
+"use strict";
+// How numbers and columns are called on the page.
+const layerNames = {
+  class: "class", proof: "proof", floquet_modulus: "largest multiplier", peak_contact_force_n: "peak contact force",
+  peak_displacement_m: "peak displacement", hits_per_revolution: "hits per revolution", revolutions: "revolutions",
+  robust: "robust",
+};
+const significant = d3.format(".4~g");
+
+// The unit in which a column is shown, and the factor to it.
+function unitOf(name) {
+  if (name.endsWith("_m")) return [1e3, "mm"];
+  if (name.endsWith("_n")) return [1, "N"];
+  if (name.endsWith("_hz")) return [1, "Hz"];
+  return [1, ""];
+}
+
+function quantity(name, value) {
+  if (typeof value !== "number") return String(value).replaceAll("_", " ");
+  if (Number.isNaN(value)) return "";
+  if (!Number.isFinite(value)) return value > 0 ? "infinite" : "-infinite";
+  const [factor, unit] = unitOf(name);
+  return (significant(factor * value) + " " + unit).trim();
+}
+
+function columnTitle(name) {
+  const unit = unitOf(name)[1], words = (layerNames[name] || name.replace(/_(m|n|hz)$/, "")).replaceAll("_", " ");
+  return unit ? words + " (" + unit + ")" : words;
+}
+
+const unbalanceName = (measure) => (measure === "whirl_ratio" ? "whirl ratio" : "eccentricity");
+
+function placeText(data, cell) {
+  const measure = data.index.measure;
+  return quantity("speed_hz", data.value("speed_hz", cell)) + ", " + unbalanceName(measure) + " " +
+    quantity(measure, data.value(measure, cell));
+}
+
+// "subharmonic 1/3", "quasi-periodic oval"
+function motionText(data, cell) {
+  const order = data.value("order", cell), kind = kinds[data.kinds[cell]];
+  if (data.value("class", cell) === "subharmonic") return "subharmonic 1/" + order;
+  return kind.label;
+}
+
+function hoverText(data, cell) {
+  const parts = ["proof", "hits_per_revolution", "peak_displacement_m", "peak_contact_force_n", "floquet_modulus",
+    "revolutions", "robust"];
+  const said = parts.filter((name) => data.columns.has(name))
+    .map((name) => [columnTitle(name).replace(/ \(.*\)/, ""), quantity(name, data.value(name, cell))])
+    .filter((pair) => pair[1] !== "").map((pair) => pair.join(" "));
+  const status = data.value("status", cell);
+  if (status !== "ok") said.push("status " + status);
+  return placeText(data, cell) + ": " + [motionText(data, cell), ...said].join("; ");
+}

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# report.html: of a map that is made or there, whole or not at all, the same bytes, nothing from outside.
+source "$(dirname "$0")/support.sh"
+rubreport=$4
+small=("$minimal" --set sweep.speed_hz.count=3 --set 'sweep.whirl_ratio={values: [0.2, 0.6]}')
+
+# report_exit CODE [ARGUMENT]...
+report_exit() {
+  local rubsweep=$rubreport
+  expect_exit "$@"
+}
+
+expect_exit 0 "${small[@]}" --output map --report
+expect_files map config.yaml map.csv report.html
+expect_matches stdout '^report: map/report.html \([0-9.]+ MB\)$'
+expect_empty stderr
+
+# The same map gives the same bytes, by either program, on any number of threads, in any directory.
+cp -r map elsewhere
+report_exit 0 elsewhere --threads 1
+expect_same map/report.html elsewhere/report.html
+report_exit 0 map --threads 2 --output other.html --quiet
+expect_empty stdout
+expect_same map/report.html other.html
+# A finished map only gets its report; without --report it stays as it is.
+rm map/report.html
+touch -d '2001-01-01' map/map.csv
+expect_exit 0 "${small[@]}" --output map --report
+expect_same map/report.html other.html
+[[ map/map.csv -ot other.html ]] || fail 'the map was written again'
+
+# A page that neither loads nor may load anything. D3 names its own address in a comment, SVG its name space.
+expect_contains map/report.html "default-src 'none'"
+grep -oE '(https?:)?//[[:alnum:].-]+\.[[:alpha:]]+' map/report.html | sort -u >addresses || true
+diff addresses - <<'TEXT' >&2 || fail 'the page names other addresses'
+http://www.w3.org
+https://bost.ocks.org
+https://d3js.org
+https://github.com
+https://www.debian.org
+TEXT
+! grep -qiE '<(link|iframe|object|embed|base|img)\b|<script[^>]+src|@import|@font-face|srcset=' map/report.html ||
+  fail 'the page loads something'
+# Colours are those of the figures.
+grep -oE '^array colour.*|^  "#.*' "$top/scripts/domain_map.gp" | grep -oE '#[0-9A-F]{6}' >figure_colours
+sed -n '/^const kinds/,/^];/p' "$top/lib/rubsweep/page/template/palette.js" | grep -oE ' colour: "#[0-9A-F]{6}' |
+  grep -oE '#.*' >page_colours
+(($(wc -l <page_colours) == 18)) || fail 'not every kind has a colour'
+grep -vxF -f page_colours figure_colours >other_colours || true
+expect_empty other_colours
+
+# Fewer motions than cells: the index says so.
+report_exit 0 map --orbits 2 --output few.html --quiet
+expect_contains few.html '"recorded":2,'
+[[ $(wc -c <few.html) -lt $(wc -c <map/report.html) ]] || fail 'fewer motions take no less room'
+
+# Lines over the map.
+printf 'family,kind,point,speed_hz,unbalance\nedge,fold,0,60,0.2\nedge,fold,1,80,0.6\n' >map/boundaries.csv
+report_exit 0 map --quiet
+expect_contains map/report.html '"family":"edge","kind":"fold"'
+echo 'speed_hz,height' >map/boundaries.csv
+cp map/report.html before.html
+report_exit 3 map
+expect_contains stderr 'map/boundaries.csv: no column whirl_ratio or unbalance'
+expect_same map/report.html before.html
+rm map/boundaries.csv
+
+# What is no finished map.
+report_exit 3 nowhere
+expect_contains stderr 'nowhere/config.yaml'
+sed -i 's/mass_kg: 0.8/mass_kg: 0.9/' elsewhere/config.yaml
+report_exit 2 elsewhere
+expect_contains stderr 'elsewhere/map.csv: is no map of this configuration'
+cp map/config.yaml elsewhere/config.yaml
+sed -i '$d' elsewhere/map.csv
+report_exit 3 elsewhere
+expect_contains stderr 'elsewhere/map.csv: holds 5 cells, its configuration has 6'
+rm map/report.html
+(ulimit -f 100; report_exit 3 map)
+expect_missing map/report.html
+
+# The command line.
+rubsweep=$rubreport expect_usage_error 'one directory with a map is needed: rubreport DIR'
+rubsweep=$rubreport expect_usage_error 'one directory with a map is needed: rubreport DIR' a b
+rubsweep=$rubreport expect_usage_error '--orbits: allowed: a number >= 1' map --orbits 0
+expect_usage_error '--report needs the whole map: give it to --merge instead of --shard' "${small[@]}" --shard 1/2 --report
+report_exit 0 --help
+expect_matches stdout '^Examples:$'
+report_exit 0 --version
+[[ $(<stdout) == "rubreport $version" ]] || fail 'another version'
+# Shards are put together and reported in one go.
+expect_exit 0 "${small[@]}" --output shards --shard 1/2
+expect_exit 0 "${small[@]}" --output shards --shard 2/2
+expect_exit 0 "${small[@]}" --output shards --merge --report
+expect_same shards/report.html other.html

@@ -1,0 +1,54 @@
+#include "rubsweep/page/map_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "batch/temporary_directory.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::page {
+namespace {
+
+MapTable read(const std::string& text) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.csv";
+  std::ofstream(path, std::ios::binary) << text;
+  return read_map_table(path);
+}
+
+TEST(MapTable, ColumnsOfNumbersAndOfWordsAndWhatIsEmpty) {
+  const MapTable map = read(
+      "# rubsweep 9.8.7\n# digest abc\n# units: SI\n"
+      "speed_hz,class,order,robust,new_column\n"
+      "50,non_contact,,,1.5\n"
+      "75,subharmonic,2,,inf\n");
+  EXPECT_EQ(map.version, "9.8.7");
+  EXPECT_EQ(map.digest, "abc");
+  EXPECT_EQ(map.rows, 2u);
+  EXPECT_EQ(map.number("speed_hz", 1), 75.0);
+  EXPECT_EQ(map.word("class", 0), "non_contact");
+  EXPECT_FALSE(map.number("order", 0));
+  EXPECT_EQ(map.number("order", 1), 2.0);
+  EXPECT_EQ(map.word("robust", 1), "");
+  EXPECT_TRUE(map.find("robust")->numbers.empty());
+  EXPECT_EQ(map.number("new_column", 0), 1.5);
+  EXPECT_FALSE(map.find("nothing"));
+  EXPECT_FALSE(map.number("class", 0));
+  EXPECT_EQ(map.word("speed_hz", 0), "");
+}
+
+TEST(MapTable, AColumnWithOneWordIsOneOfWords) {
+  const MapTable map = read("status\n1\nok\n2\n");
+  EXPECT_EQ(map.word("status", 0), "1");
+  EXPECT_EQ(map.word("status", 1), "ok");
+  EXPECT_EQ(map.digest, "");
+}
+
+TEST(MapTable, ARowCutShortHasItsPlace) {
+  EXPECT_THROW(read("a,b\n1\n"), IoError);
+  EXPECT_THROW(read_map_table("/nowhere/map.csv"), IoError);
+}
+
+}  // namespace
+}  // namespace rubsweep::page
