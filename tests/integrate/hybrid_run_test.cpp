@@ -163,7 +163,9 @@ TEST(Exact, TangentVectorsThatWereNotMovedAreNotThere) {
     ASSERT_EQ(run.advance(asked, turn), run::Outcome::ok);
     const Eigen::MatrixXd* moved = turn.tangent_vectors.get();
     EXPECT_EQ(moved == nullptr, turn.effort.adaptive_turns > before) << k;
-    if (moved) EXPECT_EQ(moved->cols(), 3);
+    if (moved) {
+      EXPECT_EQ(moved->cols(), 3);
+    }
     ++(moved ? with : without);
   }
   EXPECT_GT(with, 0);

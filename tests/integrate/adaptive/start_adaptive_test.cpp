@@ -264,7 +264,7 @@ TEST(Adaptive, RunawayEndsAsAnOutcome) {
   auto scene = test::one_mass_scene(1, 1, -1e4, 1, 1);
   scene.displacement_m << 1, 0;
   run::TurnReport turn;
-  const run::Outcome outcome = start_adaptive(scene, with(run::Stepper::dopri5, 1e-6))(turn);
+  const run::Outcome outcome = start_adaptive(scene, with(run::Stepper::dopri5, 1e-6))({}, turn);
   EXPECT_TRUE(outcome == run::Outcome::non_finite || outcome == run::Outcome::step_too_small);
 }
 

@@ -326,10 +326,11 @@ TEST(Expansion, ConvergesWithItsOrder) {
   const auto system = run::scale<4>(scene);
   const std::vector<Mode> modes{Mode::sprung};
   Expansion<4> reference(system, 24);
-  reference.expand(state.data(), 0.3, {}, modes);
+  const run::PulseTimes no_pulses(scene, run::state_scale(scene), 2 * std::numbers::pi);
+  reference.expand(state.data(), 0.3, no_pulses, modes);
   for (const int order : {4, 7, 10}) {
     Expansion<4> motion(system, order);
-    motion.expand(state.data(), 0.3, {}, modes);
+    motion.expand(state.data(), 0.3, no_pulses, modes);
     std::array<double, 2> errors{};
     for (std::size_t half = 0; half < 2; ++half) {
       const double duration = half == 0 ? 0.04 : 0.02;
