@@ -26,7 +26,8 @@ Recorded record(const sweep::Study& study) {
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   Recorded result;
   result.row = sweep::evaluate_cell(study, prepared, 0, workspace);
-  const KnownMotion known{to_string(result.row.motion_class), result.row.order, result.row.revolutions};
+  const KnownMotion known{to_string(result.row.motion_class), result.row.order, result.row.revolutions,
+                          false};
   result.orbit = settled_orbit(study, prepared, 0, known, workspace);
   return result;
 }
@@ -97,7 +98,7 @@ TEST(SettledOrbit, AnUndecidedMotionIsTheEndOfItsRun) {
   study.response.floquet_proof = false;
   response::motion::Workspace workspace;
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
-  const auto orbit = settled_orbit(study, prepared, 0, {"unsettled", std::nullopt, 40}, workspace);
+  const auto orbit = settled_orbit(study, prepared, 0, {"unsettled", std::nullopt, 40, false}, workspace);
   ASSERT_TRUE(orbit);
   EXPECT_EQ(orbit->turns, longest_aperiodic_history);
   EXPECT_EQ(orbit->first_revolution + orbit->turns, study.response.max_revolutions);
@@ -106,12 +107,25 @@ TEST(SettledOrbit, AnUndecidedMotionIsTheEndOfItsRun) {
   expect_like_the_trace(study, *orbit, 1e-15);
 }
 
+TEST(SettledOrbit, AProvenMotionWithoutAPeriodIsLookedAtOneWindowAfterItsProof) {
+  sweep::Study study = sweep::one_side_study({75}, {0.4});
+  study.response.max_revolutions = 200;
+  response::motion::Workspace workspace;
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  const auto orbit = settled_orbit(study, prepared, 0, {"quasi_periodic", std::nullopt, 30, true}, workspace);
+  ASSERT_TRUE(orbit);
+  // 30 turns, a window of 12, then two windows of which the last turns are drawn.
+  EXPECT_EQ(orbit->first_revolution + orbit->turns, 30 + 12 + 24);
+  EXPECT_EQ(orbit->section_m.size(), 24u);
+  expect_like_the_trace(study, *orbit, 1e-15);
+}
+
 TEST(SettledOrbit, ACellWithoutMotionHasNone) {
   const sweep::Study study = sweep::one_side_study({75}, {0.4});
   response::motion::Workspace workspace;
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
-  EXPECT_FALSE(settled_orbit(study, prepared, 0, {"failed", std::nullopt, 7}, workspace));
-  EXPECT_FALSE(settled_orbit(study, prepared, 0, {"initial_contact", std::nullopt, 0}, workspace));
+  EXPECT_FALSE(settled_orbit(study, prepared, 0, {"failed", std::nullopt, 7, false}, workspace));
+  EXPECT_FALSE(settled_orbit(study, prepared, 0, {"initial_contact", std::nullopt, 0, false}, workspace));
 }
 
 }  // namespace

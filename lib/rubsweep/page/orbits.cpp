@@ -13,9 +13,10 @@ namespace {
 thread_local response::motion::Workspace workspace;
 
 KnownMotion known_motion(const MapTable& map, std::size_t row) {
-  KnownMotion known{map.word("class", row), std::nullopt, 0};
+  KnownMotion known{map.word("class", row), std::nullopt, 0, false};
   if (const auto order = map.number("order", row)) known.order = static_cast<int>(*order);
   known.revolutions = static_cast<long>(map.number("revolutions", row).value_or(0));
+  known.proven = map.word("proof", row).starts_with("floquet");
   return known;
 }
 

@@ -138,6 +138,7 @@ std::optional<long> settle(const integrate::run::Run& run, const KnownMotion& kn
                            integrate::run::TurnReport& turn) {
   long limit = options.max_revolutions, done = 0;
   if (!known.order) limit = std::max<long>(0, limit - lengths.all());
+  if (!known.order && known.proven) limit = std::min(limit, known.revolutions + options.window_revolutions);
   Returns returns(known.order.value_or(1));
   for (; done < limit; ++done) {
     if (run.advance({}, turn) != integrate::run::Outcome::ok) return std::nullopt;

@@ -17,6 +17,7 @@ struct KnownMotion {
   std::string_view motion_class;  ///< as map.csv writes it
   std::optional<int> order;       ///< of a periodic motion
   long revolutions = 0;           ///< after which the verdict stood
+  bool proven = false;            ///< by multipliers: the run was on its way to the motion by then
 };
 
 /// The settled motion of one cell, long enough to be drawn. Lengths in metres, as deviations from rest.
@@ -39,9 +40,10 @@ inline constexpr int fewest_steps_per_turn = 256;
 
 /// Runs a cell of `study` again until its motion has settled and records it: a periodic motion for one
 /// period, as soon as its section returns within 1e-5 clearances; a rotor at rest from its closed form for
-/// one turn; any other motion at the end of response.max_revolutions, its section over both windows that
-/// decided. The instants and the solver are those of the map, so that rubtrace shows the same. Empty where
-/// the cell has no motion: it failed, could not start, or failed when run on.
+/// one turn; a proven motion without a period from one window after its verdict on; any other at the end of
+/// response.max_revolutions. The section of a motion without a period covers as much as two windows. The
+/// instants and the solver are those of the map, so that rubtrace shows the same. Empty where the cell has no
+/// motion: it failed, could not start, or failed when run on.
 std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
                                           std::size_t cell, const KnownMotion& known,
                                           response::motion::Workspace& workspace);
