@@ -65,10 +65,12 @@ double guards_converged_rad(ContactSeries& contact, int order, double duration_r
   }
   constexpr double rounding = 0x1p-52;
   const double damper = law.damping / law.stiffness;
+  // Of a motion far into the wall rounding is that of its own size.
+  const double size = std::max(law.clearance, std::abs(contact.penetration_term(0)));
   for (int k = order - 2; k < order; ++k) {
     const double term = (std::abs(contact.penetration_term(k)) +
                          damper * (k + 1) * std::abs(contact.penetration_term(k + 1))) /
-                        law.clearance;
+                        size;
     if (term * std::pow(duration_rad, k) > rounding) duration_rad = std::pow(rounding / term, 1.0 / k);
   }
   return duration_rad;

@@ -14,7 +14,10 @@ using contact::Mode;
 /// A step times the fastest rate. Up to here a polynomial of order 24 moves what a mode that is not excited
 /// has of rounding as the motion does, within 8^25 / 25! = 2e-3.
 constexpr double longest_times_fastest = 8;
-constexpr double same_instant = 1e-13;          ///< radians: landings nearer than that make no progress
+constexpr double same_instant = 1e-13;  ///< radians: landings nearer than that make no progress
+/// The same where tangent vectors are carried: they excite every mode, by as much as themselves, whatever the
+/// motion does. Of e^x what order 20 leaves out is x^21 / 21! = 4e-12 there.
+constexpr double longest_times_fastest_of_tangents = 2.5;
 constexpr int longest_standstill = 16;          ///< landings without progress before one is stepped over
 constexpr double watched_times_fastest = 0.25;  ///< cubics through values and rates have peaks to 1e-5
 constexpr int most_watched_pieces = 64;
@@ -157,7 +160,8 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
     fastest = std::max(fastest, ratio * fastest);
   }
   const double boundary = next_boundary(), left = boundary - phase_;
-  double wanted = std::min(motion_.converged_rad(), longest_times_fastest / fastest);
+  const double cap = tangents_.count() > 0 ? longest_times_fastest_of_tangents : longest_times_fastest;
+  double wanted = std::min(motion_.converged_rad(), cap / fastest);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);
   if (!(wanted > 0)) return TaylorEnding::non_finite;
