@@ -46,7 +46,13 @@ both() {
 cd "$top"
 for config in configs/*.yaml; do
   name=$(basename "$config" .yaml)
-  if [[ $name == ring_* ]]; then
+  program=rubsweep
+  [[ $name != ring_* ]] || program=ringstab
+  if ! "$before/apps/$program" --check "$config" >/dev/null 2>&1; then
+    echo "$name: the build before does not know this configuration, left out"
+    continue
+  fi
+  if [[ $program == ringstab ]]; then
     both "$name" ringstab "$config"
   else
     fewer=("${grid[@]}")
