@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                     ProofCell{"focus_d", 145.58822432879052, 0.625153635275109, "subharmonic 2 floquet"},
                     ProofCell{"focus_d", 167.06392968844887, 0.3375768176375545, "subharmonic 2 floquet"}));
 
-TEST(HardMachines, AWhipHasTheSmallestPeriodOfTheTurningFrame) {
+TEST(HardMachines, AWhipHasTheSmallestPeriodOfTheRotatingFrame) {
   for (const double whirl_ratio : {0.1, 0.5034363264726616}) {
     const sweep::Row row = row_of("rolling", 65.47606509297073, whirl_ratio);
     EXPECT_EQ(label(row), "quasi_periodic floquet_observed");

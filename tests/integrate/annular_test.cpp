@@ -48,7 +48,7 @@ std::vector<double> vertical_lines(const scene::Scene& scene, const std::vector<
 }
 
 // Three published responses of a rotor that sags onto an annular stop (k_c = 40, zeta = 0.05).
-TEST(RingWithSag, HalfSubharmonicAtOnceTheSpeed) {
+TEST(AnnularStopWithSag, HalfSubharmonicAtOnceTheSpeed) {
   auto scene = annular_scene(1, 0.05, 2.6, 0.16, -0.7 * i, 40, 0.05);
   start_at(scene, -0.7 * i, 0);
   const auto lines = vertical_lines(scene, {0.5, 1});
@@ -56,7 +56,7 @@ TEST(RingWithSag, HalfSubharmonicAtOnceTheSpeed) {
   EXPECT_NEAR(lines[1], 0.25, 0.005);
 }
 
-TEST(RingWithSag, HalfAndThreeHalvesFromRestOnTheRing) {
+TEST(AnnularStopWithSag, HalfAndThreeHalvesFromRestOnTheRing) {
   auto scene = annular_scene(0.3, 0.05, 1.4, 0.8, -1.2 * i, 40, 0);
   start_at(scene, -41.2 / 40.3 * i, 0);  // 0.3 y + 40 (y - 1) = 1.2
   const auto lines = vertical_lines(scene, {0.5, 1.5});
@@ -64,7 +64,7 @@ TEST(RingWithSag, HalfAndThreeHalvesFromRestOnTheRing) {
   EXPECT_NEAR(lines[1], 1.00, 0.005);
 }
 
-TEST(RingWithSag, FrictionThrowsTheRotorOutwards) {
+TEST(AnnularStopWithSag, FrictionThrowsTheRotorOutwards) {
   auto scene = annular_scene(1, 0.05, 2.3, 0.25, -0.7 * i, 40, 0.15);
   start_at(scene, -0.7 * i, 0);
   const run::Cursor advance = adaptive::start_adaptive(scene, {});
@@ -143,7 +143,7 @@ TEST(DryWhip, FeedsItselfOnlyAboveItsLeastFriction) {
   }
 }
 
-TEST(Ring, OffsetMovesTheWall) {
+TEST(AnnularStop, OffsetMovesTheWall) {
   // A rotor at rest offset by 0.6 towards +x in an annular stop of 1, moving slowly outwards: touches at x =
   // 0.4, -x at -1.6.
   for (const int sign : {1, -1}) {
@@ -164,7 +164,7 @@ TEST(Ring, OffsetMovesTheWall) {
   }
 }
 
-TEST(Ring, PassingThroughTheCentreIsHarmless) {
+TEST(AnnularStop, PassingThroughTheCentreIsHarmless) {
   auto scene = test::one_mass_scene(1, 40, 0, 1, 1);
   scene::Contact stop;
   stop.wall = contact::AnnularWall{};

@@ -25,7 +25,7 @@ scene::Scene annular_scene(double start_x, double start_vy) {
   return scene;
 }
 
-TEST(ExactRing, FlightInTheClosedForm) {
+TEST(ExactAnnular, FlightInTheClosedForm) {
   const auto scene = annular_scene(0.89, 3);
   exact::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
@@ -37,7 +37,7 @@ TEST(ExactRing, FlightInTheClosedForm) {
   EXPECT_NEAR(turn.section[1], 3 / w * decay * std::sin(w * t), 1e-13);
 }
 
-TEST(ExactRing, EveryTouchIsSeenAndIntegrated) {
+TEST(ExactAnnular, EveryTouchIsSeenAndIntegrated) {
   for (const double speed : {0.0, 3.0, 8.0, 17.9, 18.1, 25.0}) {
     SCOPED_TRACE(speed);
     const auto scene = annular_scene(-0.85, speed);

@@ -18,7 +18,7 @@ std::string refusal(const std::function<void(model::RotorKit&)>& change) {
   return message_of<ConfigError>([&] { prepare_machine(machine); });
 }
 
-TEST(MakePlan, RefusesNumbersThatNoShaftHas) {
+TEST(PrepareMachine, RefusesNumbersThatNoShaftHas) {
   EXPECT_NE(refusal([](auto& kit) { kit.shaft[0].outer_diameter_m = 1e-300; })
                 .find("rotor.shaft.0.outer_diameter_m: 1e-300 is out of range, allowed: a number >= 1e-06 "
                       "and <= 100"),
@@ -28,7 +28,7 @@ TEST(MakePlan, RefusesNumbersThatNoShaftHas) {
 }
 
 /// Every number at either end of what is allowed, one at a time: a prepared machine or a refusal.
-TEST(MakePlan, TakesOrRefusesEveryAllowedExtreme) {
+TEST(PrepareMachine, TakesOrRefusesEveryAllowedExtreme) {
   const auto with_a_few_of_everything = [] {
     model::Machine machine = light_shaft_machine();
     model::RotorKit& kit = *model::kit_of(machine);
@@ -76,7 +76,7 @@ TEST(MakePlan, TakesOrRefusesEveryAllowedExtreme) {
   EXPECT_GT(plans, 20);
 }
 
-TEST(MakePlan, ABowInAModeThatTheShaftHasNotIsRefused) {
+TEST(PrepareMachine, ABowInAModeThatTheShaftHasNotIsRefused) {
   EXPECT_NE(refusal([](auto& kit) {
               kit.elements = 1;
               kit.bow = model::Bow{.shape = model::BowMode{.mode = 40, .amplitude_m = 1e-5}, .phase_deg = 0};
@@ -84,7 +84,7 @@ TEST(MakePlan, ABowInAModeThatTheShaftHasNotIsRefused) {
             std::string::npos);
 }
 
-TEST(MakePlan, ACouplingNeedsShaftOnBothSides) {
+TEST(PrepareMachine, ACouplingNeedsShaftOnBothSides) {
   for (const double place : {1e-12, 0.4 - 1e-12}) {
     EXPECT_NE(
         refusal([&](auto& kit) {

@@ -49,7 +49,7 @@ struct NormalForm {
 
 const VectorXd near_the_cycle{{0.6 * 0.97, 0.8 * 0.97, 0.01}};
 
-TEST(ProveCycle, FindsPeriodStateAndModulus) {
+TEST(ProveLimitCycle, FindsPeriodStateAndModulus) {
   const NormalForm form;
   const auto cycle = prove_limit_cycle(form.motion(), near_the_cycle, {1.005 * form.period()});
   ASSERT_TRUE(cycle);
@@ -60,7 +60,7 @@ TEST(ProveCycle, FindsPeriodStateAndModulus) {
   EXPECT_NEAR(cycle->floquet_modulus, slower, 1e-8);
 }
 
-TEST(ProveCycle, TakesTheFirstPeriodThatCloses) {
+TEST(ProveLimitCycle, TakesTheFirstPeriodThatCloses) {
   const NormalForm form;
   const double once = form.period();
   const auto cycle =
@@ -69,7 +69,7 @@ TEST(ProveCycle, TakesTheFirstPeriodThatCloses) {
   EXPECT_NEAR(cycle->once.angle_rad, once, 1e-8);
 }
 
-TEST(ProveCycle, RefusesAnUnstableOne) {
+TEST(ProveLimitCycle, RefusesAnUnstableOne) {
   for (const auto& [a, b] : {std::pair{-0.01, 0.3}, std::pair{0.1, -0.01}, std::pair{0.1, 1e-9}}) {
     NormalForm form;
     form.a = a;
@@ -78,7 +78,7 @@ TEST(ProveCycle, RefusesAnUnstableOne) {
   }
 }
 
-TEST(ProveCycle, RefusesATransientThatGoesElsewhere) {
+TEST(ProveLimitCycle, RefusesATransientThatGoesElsewhere) {
   NormalForm form;
   form.push_out = 1;
   const VectorXd start{{0.9, 0, 0}};
@@ -87,7 +87,7 @@ TEST(ProveCycle, RefusesATransientThatGoesElsewhere) {
   EXPECT_TRUE(prove_limit_cycle(form.motion(), start, {form.period()}));
 }
 
-TEST(ProveCycle, RefusesWhatIsFarAwayAFixedPointAndAFailure) {
+TEST(ProveLimitCycle, RefusesWhatIsFarAwayAFixedPointAndAFailure) {
   const NormalForm form;
   EXPECT_FALSE(prove_limit_cycle(form.motion(), VectorXd{{0.5, 0, 0}}, {form.period()}));
   EXPECT_FALSE(prove_limit_cycle(form.motion(), VectorXd{{1e-9, 0, 0}}, {form.period()}));

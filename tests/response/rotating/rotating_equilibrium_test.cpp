@@ -18,7 +18,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-TEST(FindCircle, FullAnnularRubAndTheMultiplierOfItsSection) {
+TEST(FindRotatingEquilibrium, FullAnnularRubAndTheMultiplierOfItsSection) {
   const test::FullRub rub;
   const auto scene = rub.scene();
   const RotatingField field(scene, {});
@@ -56,7 +56,7 @@ RotatingEquations focus(double damping) {
           }};
 }
 
-TEST(FindCircle, FindsAStablePointWithItsModulus) {
+TEST(FindRotatingEquilibrium, FindsAStablePointWithItsModulus) {
   const VectorXd start{{1.02, 0.99}};
   const auto circle = find_rotating_equilibrium(focus(0.1), start);
   ASSERT_TRUE(circle);
@@ -65,13 +65,13 @@ TEST(FindCircle, FindsAStablePointWithItsModulus) {
   EXPECT_NEAR(circle->transition.eigenvalues().cwiseAbs().maxCoeff(), circle->floquet_modulus, 1e-12);
 }
 
-TEST(FindCircle, RefusesAnUnstablePoint) {
+TEST(FindRotatingEquilibrium, RefusesAnUnstablePoint) {
   const VectorXd start{{1.002, 0.999}};
   EXPECT_FALSE(find_rotating_equilibrium(focus(-0.1), start));
   EXPECT_FALSE(find_rotating_equilibrium(focus(1e-9), start));
 }
 
-TEST(FindCircle, RefusesAPointFarAway) {
+TEST(FindRotatingEquilibrium, RefusesAPointFarAway) {
   const VectorXd start{{1.3, 1}};
   EXPECT_FALSE(find_rotating_equilibrium(focus(0.1), start));
 }

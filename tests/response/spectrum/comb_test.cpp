@@ -129,7 +129,7 @@ TEST(FindComb, DoesNotLookForPeriodsAboveAQuarterOfTheSamples) {
   EXPECT_TRUE(comb_of(comb(1.0 / 31, -1, {0.3, 0.8}))->closed);
 }
 
-TEST(FindComb, NeedsAMotionThatMovesInTheTurningFrame) {
+TEST(FindComb, NeedsAMotionThatMovesInTheRotatingFrame) {
   EXPECT_FALSE(comb_of([](double) { return Complex(0); }));
   const auto circle = comb_of([](double turn) { return 0.8 * phasor(1, turn); });
   // Rounding alone moves, and does not return.
