@@ -5,7 +5,6 @@
 #include <array>
 #include <filesystem>
 #include <string_view>
-#include <variant>
 
 #include "exit_code.hpp"
 #include "program.hpp"
@@ -25,8 +24,7 @@ report::ExperimentTables perform(const RubtraceArguments& arguments, const scene
   const identify::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
   if (const auto& ramp = arguments.run_up) {
     return report::tables_of(identify::run_up(machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s,
-                                              std::get<scene::Eccentricity>(arguments.unbalance).value_m,
-                                              sampling));
+                                              ramp->eccentricity_m, sampling));
   }
   if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
   return report::tables_of(identify::free_response(machine, arguments.duration_s, sampling));

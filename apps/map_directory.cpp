@@ -14,7 +14,6 @@
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::apps {
 namespace {

@@ -25,13 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bench::Place place_at(const sweep::Grid& grid, double speed_hz, double unbalance) {
-  if (grid.measure == sweep::UnbalanceMeasure::whirl_ratio) return {speed_hz, scene::WhirlRatio{unbalance}};
-  return {speed_hz, scene::Eccentricity{unbalance}};
+scene::Place place_at(const sweep::Grid& grid, double speed_hz, double unbalance) {
+  return {speed_hz, sweep::unbalance_of(grid, unbalance)};
 }
 
-std::vector<bench::Place> places_to_label(const sweep::Grid& grid, const RubbenchArguments& arguments) {
-  std::vector<bench::Place> places;
+std::vector<scene::Place> places_to_label(const sweep::Grid& grid, const RubbenchArguments& arguments) {
+  std::vector<scene::Place> places;
   if (arguments.label_speeds == 0) return places;
   for (const std::size_t u : bench::spread(grid.unbalance.size(), arguments.label_unbalances)) {
     for (const std::size_t s : bench::spread(grid.speed_hz.size(), arguments.label_speeds))
@@ -41,7 +40,7 @@ std::vector<bench::Place> places_to_label(const sweep::Grid& grid, const Rubbenc
 }
 
 /// Of the labelled cells that keep rubbing, or of all where none does, the one nearest to the middle.
-bench::Place central_rub(const std::vector<bench::Place>& places,
+scene::Place central_rub(const std::vector<scene::Place>& places,
                          const std::vector<bench::LabelledCell>& cells, std::size_t columns) {
   if (cells.empty()) throw ConfigError("no cell of the sweep can be kicked: nothing to measure");
   const auto distance = [&](const bench::LabelledCell& cell) {
@@ -58,7 +57,7 @@ bench::Place central_rub(const std::vector<bench::Place>& places,
 }
 
 /// The scene of a cell to be timed. Throws ConfigError where nothing can be run.
-scene::Scene scene_of(const sweep::Study& study, const bench::Place& place) {
+scene::Scene scene_of(const sweep::Study& study, const scene::Place& place) {
   scene::Cell cell = scene::build_cell(study.machine, place.speed_hz, place.unbalance);
   if (!scene::can_run(cell.start)) {
     throw ConfigError(fmt::format("the cell {} cannot be timed: {}", report::cell_name(place),
@@ -123,10 +122,10 @@ void say(const RubbenchArguments& arguments, const std::string& text) {
 }
 
 /// The cells that were asked for, or the one in the middle of the rub.
-std::vector<bench::Place> places_to_time(const RubbenchArguments& arguments, const sweep::Grid& grid,
-                                         const std::vector<bench::Place>& to_label,
+std::vector<scene::Place> places_to_time(const RubbenchArguments& arguments, const sweep::Grid& grid,
+                                         const std::vector<scene::Place>& to_label,
                                          const std::vector<bench::LabelledCell>& labelled) {
-  std::vector<bench::Place> places;
+  std::vector<scene::Place> places;
   for (const BenchCell& cell : arguments.cells)
     places.push_back(place_at(grid, cell.speed_hz, cell.unbalance));
   if (places.empty())
@@ -136,7 +135,7 @@ std::vector<bench::Place> places_to_time(const RubbenchArguments& arguments, con
 
 /// Times every variant on one cell. Returns the sentence that says what the errors are measured against.
 std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study& study,
-                         const bench::Place& place, std::vector<report::WorkPrecisionLine>& lines) {
+                         const scene::Place& place, std::vector<report::WorkPrecisionLine>& lines) {
   const std::string name = report::cell_name(place);
   const scene::Scene scene = scene_of(study, place);
   const auto reference = bench::reference_section(scene, arguments.work.error_turns, study.solver);
@@ -167,7 +166,7 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   std::string comments =
       report::work_precision_comments(RUBSWEEP_VERSION, config::study_digest(study), arguments.work);
   std::vector<report::WorkPrecisionLine> lines;
-  for (const bench::Place& place : places) comments += "# " + measure_cell(arguments, study, place, lines);
+  for (const scene::Place& place : places) comments += "# " + measure_cell(arguments, study, place, lines);
   Labels labels(study, labelled, arguments.label_seconds);
   for (report::WorkPrecisionLine& line : lines) labels.fill(lines, line);
 

@@ -18,7 +18,6 @@
 #include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep_arguments.hpp"
 

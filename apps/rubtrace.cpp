@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "exit_code.hpp"
 #include "experiment.hpp"
@@ -28,14 +27,6 @@ namespace rubsweep::apps {
 namespace {
 
 namespace fs = std::filesystem;
-
-sweep::Grid one_cell(const RubtraceArguments& arguments) {
-  if (const auto* ratio = std::get_if<scene::WhirlRatio>(&arguments.unbalance)) {
-    return {{arguments.speed_hz}, sweep::UnbalanceMeasure::whirl_ratio, {ratio->value}};
-  }
-  const auto eccentricity = std::get<scene::Eccentricity>(arguments.unbalance);
-  return {{arguments.speed_hz}, sweep::UnbalanceMeasure::eccentricity_m, {eccentricity.value_m}};
-}
 
 /// Every file that a trace may leave.
 constexpr std::array<std::string_view, 6> file_names{"config.yaml", "motion.csv", "trajectory.csv",
@@ -67,7 +58,7 @@ void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::s
 }
 
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
-  config.study.grid = one_cell(arguments);
+  config.study.grid = sweep::grid_of({arguments.speed_hz, arguments.unbalance});
   const sweep::Study& study = config.study;
   const trace::TraceOptions options{
       .speed_hz = arguments.speed_hz,

@@ -103,10 +103,10 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
       throw UsageError(fmt::format("--{} belongs to a trace, not to an experiment", name));
   }
   double duration_s = arguments.duration_s;
-  if (const auto& ramp = arguments.run_up) {
+  if (auto& ramp = arguments.run_up) {
     const auto eccentricity_m = read<double>(given, "eccentricity-m", "a number >= 0", not_negative);
     if (!eccentricity_m) throw UsageError("the unbalance of the run-up is needed: --eccentricity-m E");
-    arguments.unbalance = scene::Eccentricity{*eccentricity_m};
+    ramp->eccentricity_m = *eccentricity_m;
     duration_s = (ramp->to_hz - ramp->from_hz) / ramp->rate_hz_per_s;
   }
   if (duration_s / arguments.sample_s > identify::most_samples) {

@@ -11,11 +11,12 @@ namespace rubsweep::apps {
 /// Ramp of the shaft speed.
 struct SpeedRamp {
   double from_hz = 0, to_hz = 0, rate_hz_per_s = 0;
+  double eccentricity_m = 0;
 };
 
 struct RubtraceArguments : StudyArguments {
   double speed_hz = 0;                   ///< of a trace
-  scene::Unbalance unbalance = {};       ///< of a trace or a run-up; of a run-up always an eccentricity
+  scene::Unbalance unbalance = {};       ///< of a trace
   bool free_response = false;            ///< an experiment without contact instead of a trace
   std::optional<SpeedRamp> run_up = {};  ///< another one
   double duration_s = 2;                 ///< of the free response

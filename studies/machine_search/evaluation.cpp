@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
 
 namespace rubsweep::machine_search {

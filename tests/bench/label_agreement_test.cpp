@@ -9,6 +9,8 @@
 namespace rubsweep::bench {
 namespace {
 
+using scene::Place;
+
 const std::array<Place, 4> places{Place{75, scene::WhirlRatio{0.4}}, Place{75, scene::WhirlRatio{1.2}},
                                   Place{90, scene::WhirlRatio{0.6}}, Place{54, scene::WhirlRatio{0.05}}};
 

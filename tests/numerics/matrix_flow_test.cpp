@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
+#include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/numerics/pair_flow.hpp"
 #include "rubsweep/numerics/step_table.hpp"
 
@@ -68,7 +67,7 @@ TEST(BoundOfFlow, IsNeverExceededAndNotFarAbove) {
   const MatrixXd a = generator_of(k, c);
   RowVectorXd row(4);
   row << 1, -2, 0.5, 0.1;
-  const double fastest = a.eigenvalues().cwiseAbs().maxCoeff(), horizon = 2;
+  const double fastest = spectral_radius(a), horizon = 2;
   const RowVectorXd bound = bound_of_flow(a, row, horizon, fastest);
   RowVectorXd largest = RowVectorXd::Zero(4);
   for (int i = 0; i <= 3000; ++i)

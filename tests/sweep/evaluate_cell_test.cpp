@@ -67,10 +67,6 @@ class ByHand {
   long steps_ = 0;
 };
 
-TEST(CellCount, IsSpeedsTimesUnbalances) {
-  EXPECT_EQ(cell_count(one_side_study({50, 60, 70}, {0.1, 0.2}).grid), 6u);
-}
-
 TEST(EvaluateCell, SpeedRunsFastest) {
   Study study = one_side_study({50, 60, 70}, {1.1, 1.2});
   for (std::size_t cell = 0; cell < 6; ++cell) {

@@ -23,7 +23,8 @@ std::size_t stride(std::size_t count) {
 
 }  // namespace
 
-std::vector<LabelledCell> reference_labels(const model::Machine& machine, std::span<const Place> places,
+std::vector<LabelledCell> reference_labels(const model::Machine& machine,
+                                           std::span<const scene::Place> places,
                                            const integrate::run::SolverOptions& base,
                                            const response::motion::ResponseOptions& response) {
   const integrate::run::SolverOptions solver = reference_options(base, label_tolerance);

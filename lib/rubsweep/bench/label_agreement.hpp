@@ -9,12 +9,6 @@
 
 namespace rubsweep::bench {
 
-/// Where in a map a cell lies.
-struct Place {
-  double speed_hz = 0;
-  scene::Unbalance unbalance;
-};
-
 /// What a map calls the motion of one cell.
 struct Label {
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
@@ -33,7 +27,8 @@ inline constexpr double label_tolerance = 1e-11;
 
 /// The cells at `places` that can be run (neither initial contact nor unreachable) with the label that the
 /// reference solver gives them (reference_options at label_tolerance).
-std::vector<LabelledCell> reference_labels(const model::Machine& machine, std::span<const Place> places,
+std::vector<LabelledCell> reference_labels(const model::Machine& machine,
+                                           std::span<const scene::Place> places,
                                            const integrate::run::SolverOptions& base,
                                            const response::motion::ResponseOptions& response);
 

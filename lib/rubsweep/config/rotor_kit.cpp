@@ -4,6 +4,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "rubsweep/overloaded.hpp"
+
 namespace rubsweep::config {
 namespace {
 
@@ -142,14 +144,15 @@ void print_parts(Printer& printer, std::string_view name, const std::vector<Part
 
 void print_bow(Printer& printer, const model::Bow& bow) {
   printer.open("bow");
-  if (const auto* mode = std::get_if<model::BowMode>(&bow.shape)) {
-    printer.integer("mode", mode->mode);
-    printer.number("amplitude_m", mode->amplitude_m);
-  } else {
-    const auto& points = std::get<model::BowPoints>(bow.shape);
-    printer.numbers("position_m", points.position_m);
-    printer.numbers("deflection_m", points.deflection_m);
-  }
+  std::visit(overloaded{[&](const model::BowMode& mode) {
+                          printer.integer("mode", mode.mode);
+                          printer.number("amplitude_m", mode.amplitude_m);
+                        },
+                        [&](const model::BowPoints& points) {
+                          printer.numbers("position_m", points.position_m);
+                          printer.numbers("deflection_m", points.deflection_m);
+                        }},
+             bow.shape);
   printer.number("phase_deg", bow.phase_deg);
   printer.close();
 }

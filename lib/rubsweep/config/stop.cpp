@@ -73,13 +73,14 @@ model::ContactDamping read_damping(Section& section) {
 }
 
 void print_damping(Printer& printer, const model::ContactDamping& damping) {
-  if (const auto* nominal = std::get_if<model::NominalRestitution>(&damping)) {
-    printer.number(nominal_key, nominal->value);
-  } else if (const auto* delivered = std::get_if<model::DeliveredRestitution>(&damping)) {
-    printer.number(delivered_key, delivered->value);
-  } else {
-    printer.number(explicit_key, std::get<model::ExplicitDamping>(damping).damping_ns_per_m);
-  }
+  std::visit(
+      overloaded{
+          [&](const model::NominalRestitution& nominal) { printer.number(nominal_key, nominal.value); },
+          [&](const model::DeliveredRestitution& delivered) {
+            printer.number(delivered_key, delivered.value);
+          },
+          [&](const model::ExplicitDamping& given) { printer.number(explicit_key, given.damping_ns_per_m); }},
+      damping);
 }
 
 /// The stiffness is given, or follows from hertz.

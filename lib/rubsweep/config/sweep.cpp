@@ -31,12 +31,11 @@ sweep::Grid read_sweep(const Value& value) {
 }
 
 void print_sweep(Printer& printer, const sweep::Grid& grid) {
-  const bool is_ratio = grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
   printer.open("sweep");
   printer.open("speed_hz");
   printer.numbers("values", grid.speed_hz);
   printer.close();
-  printer.open(is_ratio ? "whirl_ratio" : "eccentricity_m");
+  printer.open(to_string(grid.measure));
   printer.numbers("values", grid.unbalance);
   printer.close();
   printer.close();

@@ -38,6 +38,12 @@ bool same(const Wall& a, const Wall& b);
 /// Whether the penetration is linear in the displacements, so that the exact solver has closed forms for it.
 constexpr bool linear(const Wall& wall) { return std::holds_alternative<FlatWall>(wall); }
 
+/// Whether the normal turns about the centre of a round hole, as the Taylor solver's series of |d| have it.
+constexpr bool annular(const Wall& wall) {
+  return std::visit(
+      overloaded{[](const FlatWall&) { return false; }, [](const AnnularWall&) { return true; }}, wall);
+}
+
 /// Whether the wall looks the same from every direction of the rotor's rest position.
 bool centred(const Wall& wall);
 

@@ -5,6 +5,7 @@
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/exact/exact_run.hpp"
+#include "rubsweep/integrate/run/coordinates.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
 
@@ -25,10 +26,10 @@ scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long 
 /// Exact turns; Taylor pieces where there is no closed form; a stepper's where friction is stiff, or where
 /// one was asked for by name.
 template <int N>
-class ExactCursor {
+class HybridRun {
  public:
-  ExactCursor(const scene::Scene& scene, const run::SolverOptions& options,
-              std::shared_ptr<exact::MachineModes<N>> modes)
+  HybridRun(const scene::Scene& scene, const run::SolverOptions& options,
+            std::shared_ptr<exact::MachineModes<N>> modes)
       : scene_(scene), options_(options), run_(scene, std::move(modes), options.max_steps_per_revolution) {}
 
   run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
@@ -143,26 +144,15 @@ class ExactCursor {
   run::Effort past_, adaptive_effort_;
 };
 
-template <int N>
-run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::ModeCache& modes) {
-  auto run = std::make_shared<ExactCursor<N>>(scene, options, modes.modes_of<N>(scene));
-  return {[run](const run::TurnRequest& request, run::TurnReport& report) { return (*run)(request, report); },
-          [run](std::span<const double> section) { run->restart(section); }};
-}
-
 }  // namespace
 
 run::Run start_hybrid(const scene::Scene& scene, const run::SolverOptions& options, exact::ModeCache& modes) {
-  switch (scene.structure.coordinates()) {
-    case 2:
-      return start<2>(scene, options, modes);
-    case 4:
-      return start<4>(scene, options, modes);
-    case 6:
-      return start<6>(scene, options, modes);
-    default:
-      return start<Eigen::Dynamic>(scene, options, modes);
-  }
+  return run::with_coordinates(scene.structure.coordinates(), [&](auto n) -> run::Run {
+    auto run = std::make_shared<HybridRun<n()>>(scene, options, modes.modes_of<n()>(scene));
+    return {
+        [run](const run::TurnRequest& request, run::TurnReport& report) { return (*run)(request, report); },
+        [run](std::span<const double> section) { run->restart(section); }};
+  });
 }
 
 }  // namespace rubsweep::integrate

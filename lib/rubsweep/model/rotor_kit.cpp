@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::model {
 namespace {
@@ -32,14 +33,12 @@ void require_parts(const std::vector<Part>& parts, const std::string& path, cons
   }
 }
 
-void validate(const Bow& bow, const std::string& path, double length_m) {
-  require(path + "phase_deg", bow.phase_deg, any_finite);
-  if (const auto* mode = std::get_if<BowMode>(&bow.shape)) {
-    require(path + "amplitude_m", mode->amplitude_m, physical::amplitude_m);
-    require(path + "mode", mode->mode, Range{.low = 1, .high = RotorKit::most_modes});
-    return;
-  }
-  const auto& points = std::get<BowPoints>(bow.shape);
+void validate(const BowMode& mode, const std::string& path) {
+  require(path + "amplitude_m", mode.amplitude_m, physical::amplitude_m);
+  require(path + "mode", mode.mode, Range{.low = 1, .high = RotorKit::most_modes});
+}
+
+void validate(const BowPoints& points, const std::string& path, double length_m) {
   for (const double position : points.position_m) {
     require(path + "position_m", position, Range{.low = 0, .high = length_m});
   }
@@ -118,7 +117,12 @@ void validate(const RotorKit& kit, const std::string& path) {
         fmt::format("{}supports: they leave the shaft free to move in {}, allowed: supports that hold it",
                     path, plane == 0 ? "x" : "y"));
   }
-  if (kit.bow) validate(*kit.bow, path + "bow.", length);
+  if (kit.bow) {
+    require(path + "bow.phase_deg", kit.bow->phase_deg, any_finite);
+    std::visit(overloaded{[&](const BowMode& mode) { validate(mode, path + "bow."); },
+                          [&](const BowPoints& points) { validate(points, path + "bow.", length); }},
+               kit.bow->shape);
+  }
   if (kit.torsion) require_fields(*kit.torsion, path + "torsion.");
   if (kit.damping_ratio.empty()) throw ConfigError(path + "damping_ratio: at least one number is needed");
   for (const double ratio : kit.damping_ratio) {

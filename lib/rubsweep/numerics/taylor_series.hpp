@@ -27,7 +27,6 @@ class Series {
     forward_[k] = value;
     backward_[last - k] = value;
   }
-  const double* data() const { return forward_; }
 
   /// Sum of a_j b_{k-j} for 1 <= j <= end - 1 (end <= k): the inside of coefficient k of a product. Neither
   /// a_0, b_0 nor a_k, b_k is read, so that a recurrence may ask for it before it knows the latter.

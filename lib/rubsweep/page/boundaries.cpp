@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
@@ -23,7 +22,7 @@ std::optional<std::size_t> column_called(const batch::CsvReader& file, std::stri
   return static_cast<std::size_t>(found - file.header().begin());
 }
 
-std::size_t unbalance_column(const batch::CsvReader& file, const std::string& measure) {
+std::size_t unbalance_column(const batch::CsvReader& file, std::string_view measure) {
   if (const auto exact = column_called(file, measure)) return *exact;
   const auto other = column_called(file, "unbalance", true);
   if (other) return *other;
@@ -32,7 +31,7 @@ std::size_t unbalance_column(const batch::CsvReader& file, const std::string& me
 
 }  // namespace
 
-std::vector<Boundary> read_boundaries(const std::filesystem::path& path, const std::string& measure) {
+std::vector<Boundary> read_boundaries(const std::filesystem::path& path, std::string_view measure) {
   if (!std::filesystem::exists(path)) return {};
   batch::CsvReader file(path);
   const std::size_t speed = file.column("speed_hz"), unbalance = unbalance_column(file, measure);

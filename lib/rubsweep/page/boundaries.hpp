@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubsweep::page {
@@ -20,6 +21,6 @@ struct Boundary {
 /// there are columns `family` and `kind`, consecutive rows that agree in both belong to one line; a row
 /// without numbers ends a line; rows are in the order of the line. Other columns are not looked at. Empty
 /// where there is no such file. Throws IoError, with file:line where the text is at fault.
-std::vector<Boundary> read_boundaries(const std::filesystem::path& path, const std::string& measure);
+std::vector<Boundary> read_boundaries(const std::filesystem::path& path, std::string_view measure);
 
 }  // namespace rubsweep::page

@@ -14,8 +14,7 @@ using Rows = std::vector<std::size_t>;
 
 class Words {
  public:
-  Words(const MapTable& map, const sweep::Grid& grid)
-      : map_(map), ratio_(grid.measure == sweep::UnbalanceMeasure::whirl_ratio) {}
+  Words(const MapTable& map, const sweep::Grid& grid) : map_(map), measure_(grid.measure) {}
 
   Rows rows_where(const std::function<bool(std::size_t)>& holds) const {
     Rows rows;
@@ -30,12 +29,11 @@ class Words {
   }
 
   double speed(std::size_t row) const { return map_.number("speed_hz", row).value_or(0); }
-  double unbalance(std::size_t row) const {
-    return map_.number(ratio_ ? "whirl_ratio" : "eccentricity_m", row).value_or(0);
-  }
+  double unbalance(std::size_t row) const { return map_.number(to_string(measure_), row).value_or(0); }
   std::string amount(double unbalance) const {
-    return ratio_ ? fmt::format("whirl ratio {:.4g}", unbalance)
-                  : fmt::format("eccentricity {:.4g} mm", 1e3 * unbalance);
+    return measure_ == sweep::UnbalanceMeasure::whirl_ratio
+               ? fmt::format("whirl ratio {:.4g}", unbalance)
+               : fmt::format("eccentricity {:.4g} mm", 1e3 * unbalance);
   }
   std::string place(std::size_t row) const {
     return fmt::format("{:.4g} Hz and {}", speed(row), amount(unbalance(row)));
@@ -57,7 +55,7 @@ class Words {
 
  private:
   const MapTable& map_;
-  bool ratio_;
+  sweep::UnbalanceMeasure measure_;
 };
 
 std::string axis(std::vector<double> values, const std::string& name, const std::string& unit, double scale) {

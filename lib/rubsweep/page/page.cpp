@@ -95,11 +95,10 @@ json::object index(const PageContents& contents, const std::vector<EncodedColumn
   json::array names;
   for (std::size_t i = 0; i < columns.size(); ++i)
     names.push_back(json::object{{"name", contents.map.columns[i].name}, {"words", words(columns[i].words)}});
-  const bool ratio = contents.grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
   return {{"version", contents.version},
           {"digest", contents.map.digest},
           {"speed_hz", numbers(contents.grid.speed_hz)},
-          {"measure", ratio ? "whirl_ratio" : "eccentricity_m"},
+          {"measure", to_string(contents.grid.measure)},
           {"unbalance", numbers(contents.grid.unbalance)},
           {"columns", names},
           {"walls", walls(contents)},

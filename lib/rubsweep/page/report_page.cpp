@@ -10,7 +10,6 @@
 #include "rubsweep/page/page.hpp"
 #include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/scene/build_scene.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::page {
 namespace {
@@ -47,8 +46,6 @@ std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
     throw IoError(fmt::format("{}: holds {} cells, its configuration has {}",
                               (directory / "map.csv").string(), map.rows, sweep::cell_count(grid)));
   }
-  const std::string measure =
-      grid.measure == sweep::UnbalanceMeasure::whirl_ratio ? "whirl_ratio" : "eccentricity_m";
   PageContents contents{.version = options.version,
                         .findings = findings(map, grid),
                         .model = report::explain_study(study),
@@ -56,7 +53,7 @@ std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
                         .grid = grid,
                         .map = {},
                         .walls = walls_of(study),
-                        .boundaries = read_boundaries(directory / "boundaries.csv", measure),
+                        .boundaries = read_boundaries(directory / "boundaries.csv", to_string(grid.measure)),
                         .orbits = {}};
   const ThinnedGrid kept = thinned_grid(grid.speed_hz.size(), grid.unbalance.size(), options.most_orbits);
   auto orbits = record_orbits(study, map, kept, options.threads, on_cell, stop);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <span>
 
@@ -21,15 +22,6 @@ struct Lengths {
   int section = 1, spectrum = 1, drawn = 1;
   int all() const { return std::max({section, spectrum, drawn}); }
 };
-
-scene::Cell start_of(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell) {
-  const sweep::Grid& grid = study.grid;
-  const double speed_hz = grid.speed_hz[cell % grid.speed_hz.size()];
-  const double value = grid.unbalance[cell / grid.speed_hz.size()];
-  if (grid.measure == sweep::UnbalanceMeasure::whirl_ratio)
-    return scene::build_cell(prepared, speed_hz, scene::WhirlRatio{value});
-  return scene::build_cell(prepared, speed_hz, scene::Eccentricity{value});
-}
 
 bool is(const KnownMotion& known, MotionClass motion_class) {
   return known.motion_class == to_string(motion_class);
@@ -119,17 +111,16 @@ class Returns {
   bool returned(const std::vector<double>& section) {
     sections_.push_back(section);
     if (sections_.size() <= order_) return false;
-    const std::vector<double>& before = sections_[sections_.size() - 1 - order_];
     double error = 0;
     for (std::size_t i = 0; i < section.size(); ++i)
-      error = std::max(error, std::abs(section[i] - before[i]));
-    sections_[sections_.size() - 1 - order_].clear();
+      error = std::max(error, std::abs(section[i] - sections_.front()[i]));
+    sections_.pop_front();
     return error <= response::motion::section_tolerance;
   }
 
  private:
   std::size_t order_;
-  std::vector<std::vector<double>> sections_;
+  std::deque<std::vector<double>> sections_;
 };
 
 /// Advances to the revolution from which on the motion is recorded; empty when the run fails.
@@ -153,7 +144,8 @@ std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene
                                           std::size_t cell, const KnownMotion& known,
                                           response::motion::Workspace& workspace) {
   if (is(known, MotionClass::failed) || is(known, MotionClass::initial_contact)) return std::nullopt;
-  const scene::Cell start = start_of(study, prepared, cell);
+  const auto [speed_hz, unbalance] = sweep::place_of(study.grid, cell);
+  const scene::Cell start = scene::build_cell(prepared, speed_hz, unbalance);
   if (!scene::can_run(start.start)) return std::nullopt;
   if (is(known, MotionClass::non_contact) && start.scene.impulses.empty())
     return quiet_orbit(start, study, known.revolutions, workspace);

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::report {
 namespace {

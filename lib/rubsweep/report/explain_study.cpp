@@ -11,7 +11,6 @@
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/explain_machine.hpp"
 #include "rubsweep/scene/build_scene.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
 #include "rubsweep/sweep/untouched_walls.hpp"
 
 namespace rubsweep::report {

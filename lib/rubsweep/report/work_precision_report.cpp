@@ -8,6 +8,7 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -30,11 +31,15 @@ std::string stepper_name(const bench::Variant& variant) {
 
 }  // namespace
 
-std::string cell_name(const bench::Place& place) {
-  if (const auto* ratio = std::get_if<scene::WhirlRatio>(&place.unbalance))
-    return fmt::format("{:.6g} Hz whirl {:.6g}", place.speed_hz, ratio->value);
-  return fmt::format("{:.6g} Hz e {:.6g} m", place.speed_hz,
-                     std::get<scene::Eccentricity>(place.unbalance).value_m);
+std::string cell_name(const scene::Place& place) {
+  return std::visit(overloaded{[&](const scene::WhirlRatio& ratio) {
+                                 return fmt::format("{:.6g} Hz whirl {:.6g}", place.speed_hz, ratio.value);
+                               },
+                               [&](const scene::Eccentricity& eccentricity) {
+                                 return fmt::format("{:.6g} Hz e {:.6g} m", place.speed_hz,
+                                                    eccentricity.value_m);
+                               }},
+                    place.unbalance);
 }
 
 std::string variant_name(const bench::Variant& variant) {

@@ -7,22 +7,26 @@
 #include <numbers>
 
 #include "rubsweep/contact/restitution.hpp"
+#include "rubsweep/overloaded.hpp"
 #include "rubsweep/scene/unbalance.hpp"
 
 namespace rubsweep::scene {
 namespace {
 
 double damping_of(const model::Stop& stop, double rotor_mass_kg) {
-  if (const auto* explicit_damping = std::get_if<model::ExplicitDamping>(&stop.damping)) {
-    return explicit_damping->damping_ns_per_m;
-  }
-  double mass = stop.contact_mass_kg.value_or(rotor_mass_kg);
-  if (stop.casing) mass = contact::reduced_mass(mass, stop.casing->mass_kg);
-  const auto* delivered = std::get_if<model::DeliveredRestitution>(&stop.damping);
-  const double ratio =
-      delivered ? contact::damping_ratio_delivering(delivered->value)
-                : contact::nominal_damping_ratio(std::get<model::NominalRestitution>(stop.damping).value);
-  return contact::damping_constant(ratio, mass, stop.stiffness_n_per_m);
+  const auto of_ratio = [&](double ratio) {
+    double mass = stop.contact_mass_kg.value_or(rotor_mass_kg);
+    if (stop.casing) mass = contact::reduced_mass(mass, stop.casing->mass_kg);
+    return contact::damping_constant(ratio, mass, stop.stiffness_n_per_m);
+  };
+  return std::visit(overloaded{[&](const model::NominalRestitution& nominal) {
+                                 return of_ratio(contact::nominal_damping_ratio(nominal.value));
+                               },
+                               [&](const model::DeliveredRestitution& delivered) {
+                                 return of_ratio(contact::damping_ratio_delivering(delivered.value));
+                               },
+                               [](const model::ExplicitDamping& given) { return given.damping_ns_per_m; }},
+                    stop.damping);
 }
 
 Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly, std::size_t index,
@@ -59,13 +63,16 @@ std::complex<double> phase_to_smallest_gap(const QuietMotion& unit, const struct
 void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, double amplitude_per_m) {
   const bool related = remaining_m > 0 && std::isfinite(amplitude_per_m);
   const double none = std::numeric_limits<double>::quiet_NaN();
-  if (const auto* ratio = std::get_if<WhirlRatio>(&unbalance)) {
-    cell.whirl_ratio = ratio->value;
-    cell.eccentricity_m = related ? ratio->value * remaining_m / amplitude_per_m : none;
-  } else {
-    cell.eccentricity_m = std::get<Eccentricity>(unbalance).value_m;
-    cell.whirl_ratio = related ? cell.eccentricity_m * amplitude_per_m / remaining_m : none;
-  }
+  std::visit(overloaded{[&](const WhirlRatio& ratio) {
+                          cell.whirl_ratio = ratio.value;
+                          cell.eccentricity_m = related ? ratio.value * remaining_m / amplitude_per_m : none;
+                        },
+                        [&](const Eccentricity& eccentricity) {
+                          cell.eccentricity_m = eccentricity.value_m;
+                          cell.whirl_ratio =
+                              related ? eccentricity.value_m * amplitude_per_m / remaining_m : none;
+                        }},
+             unbalance);
 }
 
 /// Unbalance on top of a bow that is already there; both ways of saying it as in set_unbalance.
@@ -79,16 +86,18 @@ void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaini
   const double slope = quiet_penetration(unit, structure, contact).amplitude;
   const double none = std::numeric_limits<double>::quiet_NaN();
   const bool related = remaining_m > 0 && std::isfinite(slope) && slope > 0;
-  if (const auto* ratio = std::get_if<WhirlRatio>(&unbalance)) {
-    cell.whirl_ratio = ratio->value;
-    cell.eccentricity_m =
-        related
-            ? eccentricity_reaching(ratio->value * remaining_m, excursion(0), slope, excursion).value_or(none)
-            : none;
-  } else {
-    cell.eccentricity_m = std::get<Eccentricity>(unbalance).value_m;
-    cell.whirl_ratio = related ? excursion(cell.eccentricity_m) / remaining_m : none;
-  }
+  const auto reaching = [&](double wanted_m) {
+    return eccentricity_reaching(wanted_m, excursion(0), slope, excursion).value_or(none);
+  };
+  std::visit(overloaded{[&](const WhirlRatio& ratio) {
+                          cell.whirl_ratio = ratio.value;
+                          cell.eccentricity_m = related ? reaching(ratio.value * remaining_m) : none;
+                        },
+                        [&](const Eccentricity& eccentricity) {
+                          cell.eccentricity_m = eccentricity.value_m;
+                          cell.whirl_ratio = related ? excursion(eccentricity.value_m) / remaining_m : none;
+                        }},
+             unbalance);
 }
 
 /// Smallest share in (0, 1] of the way to the static position at which a wall is met; 1 where none is.

@@ -18,6 +18,12 @@ struct Eccentricity {
 };
 using Unbalance = std::variant<WhirlRatio, Eccentricity>;
 
+/// Where in a map a cell lies.
+struct Place {
+  double speed_hz = 0;
+  Unbalance unbalance;
+};
+
 enum class Start {
   quiet,    ///< whirls without touching; the kick decides
   contact,  ///< the quiet motion itself reaches a wall: starts at rest, unbalance on, and is not kicked

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/overloaded.hpp"
 #include "rubsweep/structure/beam_element.hpp"
 
 namespace rubsweep::structure {
@@ -27,9 +28,12 @@ std::vector<double> stations_of(const model::RotorKit& kit, std::vector<double> 
   for (const auto& coupling : kit.couplings) stations.push_back(coupling.position_m);
   for (const auto& sensor : kit.sensors) stations.push_back(sensor.position_m);
   if (kit.bow) {
-    if (const auto* points = std::get_if<model::BowPoints>(&kit.bow->shape)) {
-      stations.insert(stations.end(), points->position_m.begin(), points->position_m.end());
-    }
+    std::visit(overloaded{[](const model::BowMode&) {},
+                          [&](const model::BowPoints& points) {
+                            stations.insert(stations.end(), points.position_m.begin(),
+                                            points.position_m.end());
+                          }},
+               kit.bow->shape);
   }
   std::sort(stations.begin(), stations.end());
   const auto same = [&](double a, double b) { return b - a <= same_place * end; };

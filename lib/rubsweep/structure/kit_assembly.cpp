@@ -13,6 +13,14 @@ namespace {
 
 constexpr double node_of_mode = 1e-6;  ///< share of the largest deflection, squared
 
+/// Whether the damper of a contact follows from the mass behind it.
+bool takes_mass(const model::ContactDamping& damping) {
+  return std::visit(overloaded{[](const model::NominalRestitution&) { return true; },
+                               [](const model::DeliveredRestitution&) { return true; },
+                               [](const model::ExplicitDamping&) { return false; }},
+                    damping);
+}
+
 class KitBuilder {
  public:
   explicit KitBuilder(const model::Machine& machine)
@@ -84,23 +92,26 @@ class KitBuilder {
     system().damping(angle, angle) = kit_.torsion->drive_damping_nms_per_rad;
   }
 
-  void add_bow() {
-    Eigen::VectorXd line;
-    if (const auto* points = std::get_if<model::BowPoints>(&kit_.bow->shape)) {
-      line = least_bent_line(shaft_, *points);
-    } else {
-      const auto& mode = std::get<model::BowMode>(kit_.bow->shape);
-      const PlaneModes modes = plane_modes(shaft_.mass, shaft_.plane_stiffness(0), mode.mode);
-      if (modes.rad_per_s.size() < mode.mode) {
-        throw ConfigError("rotor.bow.mode: the shaft has fewer modes that can be computed, allowed: 1 to " +
-                          std::to_string(modes.rad_per_s.size()));
-      }
-      const auto nodes = static_cast<Eigen::Index>(shaft_.node_position_m.size());
-      line = modes.shape.rightCols<1>();
-      Eigen::Index largest = 0;
-      line(Eigen::seqN(0, nodes, 2)).cwiseAbs().maxCoeff(&largest);
-      line *= mode.amplitude_m / line(2 * largest);
+  /// The shaft bent as one of its modes, with this amplitude where it is largest.
+  Eigen::VectorXd line_of(const model::BowMode& mode) const {
+    const PlaneModes modes = plane_modes(shaft_.mass, shaft_.plane_stiffness(0), mode.mode);
+    if (modes.rad_per_s.size() < mode.mode) {
+      throw ConfigError("rotor.bow.mode: the shaft has fewer modes that can be computed, allowed: 1 to " +
+                        std::to_string(modes.rad_per_s.size()));
     }
+    const auto nodes = static_cast<Eigen::Index>(shaft_.node_position_m.size());
+    Eigen::VectorXd line = modes.shape.rightCols<1>();
+    Eigen::Index largest = 0;
+    line(Eigen::seqN(0, nodes, 2)).cwiseAbs().maxCoeff(&largest);
+    line *= mode.amplitude_m / line(2 * largest);
+    return line;
+  }
+
+  void add_bow() {
+    const Eigen::VectorXd line = std::visit(
+        overloaded{[&](const model::BowMode& mode) { return line_of(mode); },
+                   [&](const model::BowPoints& points) { return least_bent_line(shaft_, points); }},
+        kit_.bow->shape);
     // A shaft that is bowed without load pulls towards its bow as a straight one pulls back from it.
     const Eigen::VectorXcd load = (shaft_.elastic * line).cast<std::complex<double>>() *
                                   std::polar(1.0, kit_.bow->phase_deg * std::numbers::pi / 180);
@@ -174,8 +185,7 @@ class KitBuilder {
     const double inverse = share_x / modal_mass_kg(shaft_, result_.reduction, 0, 0, stops_[i]) +
                            (1 - share_x) / modal_mass_kg(shaft_, result_.reduction, 1, 0, stops_[i]);
     const double largest = 1 / basis(0).col(0).dot(shaft_.mass * basis(0).col(0));
-    const bool needed =
-        !stop.contact_mass_kg && !std::holds_alternative<model::ExplicitDamping>(stop.damping);
+    const bool needed = !stop.contact_mass_kg && takes_mass(stop.damping);
     if (needed && inverse <= node_of_mode * largest) {
       throw ConfigError(
           "stops." + std::to_string(i) +

@@ -9,12 +9,6 @@
 namespace rubsweep::sweep {
 namespace {
 
-scene::Unbalance unbalance_of(const Grid& grid, std::size_t index) {
-  const double value = grid.unbalance[index];
-  if (grid.measure == UnbalanceMeasure::whirl_ratio) return scene::WhirlRatio{value};
-  return scene::Eccentricity{value};
-}
-
 bool some_friction_keeps_its_direction(const model::Machine& machine) {
   return std::ranges::any_of(
       machine.stops, [](const model::Stop& stop) { return contact::keeps_its_direction(stop.friction); });
@@ -48,11 +42,10 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
 /// The cell of a prepared machine that may differ from the study's.
 Row evaluate(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
              response::motion::Workspace& workspace) {
-  const std::size_t speeds = study.grid.speed_hz.size();
+  const scene::Place place = place_of(study.grid, cell);
+  const scene::Cell start = scene::build_cell(prepared, place.speed_hz, place.unbalance);
   Row row;
-  row.speed_hz = study.grid.speed_hz[cell % speeds];
-  const scene::Cell start =
-      scene::build_cell(prepared, row.speed_hz, unbalance_of(study.grid, cell / speeds));
+  row.speed_hz = place.speed_hz;
   row.whirl_ratio = start.whirl_ratio;
   row.eccentricity_m = start.eccentricity_m;
   if (start.start == scene::Start::unreachable) {
@@ -72,8 +65,6 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, std::si
 }
 
 }  // namespace
-
-std::size_t cell_count(const Grid& grid) { return grid.speed_hz.size() * grid.unbalance.size(); }
 
 Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Workspace& workspace) {
   return evaluate_cell(study, scene::prepare_machine(study.machine), cell, workspace);

@@ -9,9 +9,6 @@
 
 namespace rubsweep::sweep {
 
-/// Cells of the grid, speed fastest: cell = i_unbalance * speeds + i_speed.
-std::size_t cell_count(const Grid& grid);
-
 /// Runs one cell from kick to verdict. Depends on its arguments alone, so that any thread may run any cell.
 /// A cell that fails numerically is a row of class `failed` whose status names the cause.
 /// `prepared` is that of study.machine.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "rubsweep/sweep/evaluate_cell.hpp"
-
 namespace rubsweep::sweep {
 namespace {
 

@@ -18,11 +18,6 @@ namespace {
 
 constexpr std::size_t most_speeds = 100;
 
-scene::Unbalance unbalance_of(const Grid& grid, double value) {
-  if (grid.measure == UnbalanceMeasure::whirl_ratio) return scene::WhirlRatio{value};
-  return scene::Eccentricity{value};
-}
-
 /// The quiet cell nearest to the wall at one speed; empty where all touch without a kick. `descending`: all
 /// unbalances.
 std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::PreparedMachine& prepared,

@@ -5,45 +5,13 @@
 #include <Eigen/SVD>
 #include <random>
 
-#include "rubsweep/integrate/start.hpp"
-#include "support/set_a_cell.hpp"
+#include "integrate/exact/rubbing_turn.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// A turn of parameter set A with contact, well after the kick.
-struct RubbingTurn {
-  scene::Scene scene = test::cell_of({}).scene;
-  ModeCache modes;
-  std::vector<double> start, end;
-  MatrixXd transition;
-
-  RubbingTurn() {
-    const run::Run kicked = integrate::start(scene, {}, modes);
-    run::TurnReport turn;
-    do {
-      EXPECT_EQ(kicked.advance({}, turn), run::Outcome::ok);
-      start = turn.section;
-      scene.pulses.clear();
-      turn_from(start, turn);
-    } while (turn.effort.steps < 10'000 && (!turn.touched || turn.touching_at_end));
-    EXPECT_TRUE(turn.touched);
-    end = turn.section;
-    transition = *turn.tangent_vectors.get();
-  }
-
-  void turn_from(const std::vector<double>& section, run::TurnReport& turn) {
-    const auto run = integrate::start(scene, {}, modes);
-    const auto states = static_cast<Eigen::Index>(section.size());
-    run::TurnRequest asked;
-    asked.tangent_vectors = MatrixXd::Identity(states, states);
-    run.restart(section);
-    EXPECT_EQ(run.advance(asked, turn), run::Outcome::ok);
-  }
-};
 
 VectorXd vector_of(const std::vector<double>& x) {
   return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));

@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <cmath>
 #include <random>
+
+#include "rubsweep/numerics/eigenvalues.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -43,7 +44,7 @@ TEST(AdaptedNorms, EveryTurnOfAPeriodContracts) {
       monodromy = turn * monodromy;
     }
     const double wanted = std::uniform_real_distribution(0.1, 0.9999)(random);
-    const double factor = std::cbrt(wanted / monodromy.eigenvalues().cwiseAbs().maxCoeff());
+    const double factor = std::cbrt(wanted / numerics::spectral_radius(monodromy));
     for (MatrixXd& turn : turns) turn *= factor;
     const auto norms = adapted_norms(turns);
     ASSERT_TRUE(norms);

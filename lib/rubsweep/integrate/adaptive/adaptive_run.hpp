@@ -89,21 +89,9 @@ class AdaptiveRun {
     dynamics_.follow(pulses_);
     pulses_.begin_turn(0);
     dynamics_(step_.start, step_.start_rate, 0.0);
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i) enter_by_state(i);
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+      dynamics_.enter_by_state(i, step_.start, step_.start_rate);
     look_again(0);
-  }
-
-  void enter_by_state(std::size_t i) {
-    const auto& c = system_.contacts[i];
-    contact::Kinematics k = dynamics_.kinematics(i, step_.start, step_.start_rate);
-    if (k.penetration > 0) {
-      // An open annular stop measures by squares; what tells the modes apart is the penetration itself.
-      dynamics_.modes()[i] = contact::Mode::sprung;
-      k = dynamics_.kinematics(i, step_.start, step_.start_rate);
-    }
-    const contact::Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
-    // A start exactly at the wall and moving into it is in contact from the first instant.
-    dynamics_.modes()[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
   }
 
   /// Rate and kinematics at the start of a step, by the law now in force.
@@ -121,17 +109,11 @@ class AdaptiveRun {
 
   /// All impulses of this instant.
   void apply_impulses(StepObserver& observer) {
-    const Eigen::Index n = system_.coordinates();
-    while (step_.start_phase >= impulses_.next_phase_rad()) {
-      const Eigen::VectorXd& jump_m_per_s = impulses_.take();
-      for (Eigen::Index j = 0; j < n; ++j)
-        step_.start[static_cast<std::size_t>(n + j)] +=
-            jump_m_per_s(j) / system_.scale.unit_velocity_m_per_s();
-    }
+    impulses_.take_all(step_.start_phase, system_.scale, step_.start);
     dynamics_(step_.start, step_.start_rate, step_.start_phase);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
       const contact::Mode from = dynamics_.modes()[i];
-      enter_by_state(i);
+      dynamics_.enter_by_state(i, step_.start, step_.start_rate);
       if (Smoothed || dynamics_.modes()[i] == from) continue;
       ++switches_;
       observer.mode_switch({step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i]});

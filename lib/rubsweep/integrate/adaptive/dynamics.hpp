@@ -68,6 +68,21 @@ class Dynamics {
                : contact::kinematics(c.wall, m, a1, a2, c.clearance);
   }
 
+  /// Puts contact `i` into the mode that a state has by itself, its rate being that of the modes before. A
+  /// start exactly at the wall and moving into it is in contact from the first instant.
+  template <class State>
+  void enter_by_state(std::size_t i, const State& state, const State& rate) {
+    const Contact& c = system_.contacts[i];
+    contact::Kinematics k = kinematics(i, state, rate);
+    if (k.penetration > 0) {
+      // An open annular stop measures by squares; what tells the modes apart is the penetration itself.
+      modes_[i] = contact::Mode::sprung;
+      k = kinematics(i, state, rate);
+    }
+    const contact::Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
+    modes_[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
+  }
+
   /// Normal force in newtons by the law this object integrates.
   contact::NormalForce normal_force(std::size_t i, double penetration, double closing_speed) const {
     const auto& c = system_.contacts[i];

@@ -1,25 +1,21 @@
 #include "rubsweep/integrate/adaptive/start_dopri5.hpp"
 
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include "rubsweep/integrate/adaptive/dopri5_or_rosenbrock4.hpp"
 #include "rubsweep/integrate/adaptive/start_run.hpp"
+#include "rubsweep/integrate/run/coordinates.hpp"
 
 namespace rubsweep::integrate::adaptive {
 
 run::Cursor start_dopri5(const scene::Scene& scene, const run::SolverOptions& options) {
-  // Rotor with no, one or two moving casings.
-  switch (scene.structure.coordinates()) {
-    case 2:
-      return start_run<Dopri5OrRosenbrock4<std::array<double, 4>>, 2>(scene, options);
-    case 4:
-      return start_run<Dopri5OrRosenbrock4<std::array<double, 8>>, 4>(scene, options);
-    case 6:
-      return start_run<Dopri5OrRosenbrock4<std::array<double, 12>>, 6>(scene, options);
-    default:
-      return start_run<Dopri5OrRosenbrock4<std::vector<double>>, Eigen::Dynamic>(scene, options);
-  }
+  return run::with_coordinates(scene.structure.coordinates(), [&](auto n) {
+    constexpr bool dynamic = n() == Eigen::Dynamic;
+    using State = std::conditional_t<dynamic, std::vector<double>, std::array<double, dynamic ? 0 : 2 * n()>>;
+    return start_run<Dopri5OrRosenbrock4<State>, n()>(scene, options);
+  });
 }
 
 }  // namespace rubsweep::integrate::adaptive

@@ -1,6 +1,5 @@
 #include "rubsweep/integrate/exact/linear_mode.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "rubsweep/integrate/exact/mode_flow.hpp"
 #include "rubsweep/integrate/exact/released_slip.hpp"
+#include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
 #include "rubsweep/numerics/modal_form.hpp"
 #include "rubsweep/numerics/pair_series.hpp"
@@ -26,10 +26,10 @@ using Frictions = std::vector<contact::SaturatedFriction>;
 
 constexpr double fast_over_slow = 3;  ///< frequency ratio from which a pair counts as fast
 
-double fastest(const Matrix& generator) { return generator.eigenvalues().cwiseAbs().maxCoeff(); }
-
 /// The slowest oscillator's natural frequency, as if undamped.
-double slowest(const Matrix& stiffness) { return std::sqrt(stiffness.eigenvalues().cwiseAbs().minCoeff()); }
+double slowest(const Matrix& stiffness) {
+  return std::sqrt(numerics::eigenvalues(stiffness).cwiseAbs().minCoeff());
+}
 
 Row over_state(const Row& by_u, const Row& by_v) {
   Row row(by_u.size() + by_v.size());
@@ -96,7 +96,7 @@ class ModeBuilder {
   }
 
   void set_steps() {
-    mode_->fastest_rad_per_s = fastest(mode_->generator);
+    mode_->fastest_rad_per_s = numerics::spectral_radius(mode_->generator);
     // Both limits decide the cost alone, since the bounds are made for whatever is the longest step. A
     // vibration of amplitude a and rate w has the bound M = a w^2, and M t^2 / 2 exceeds 2 a, all that it can
     // rise by, for t > 2 / w: steps much longer than a radian of the slowest one could not be certified. In

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::integrate::run {
@@ -26,6 +27,18 @@ class Impulses {
 
   /// What the next impulse adds to the velocities q', in m/s; goes on to the one after it.
   const Eigen::VectorXd& take() { return trains_[instants_[next_++].train].jump_m_per_s; }
+
+  /// Takes every impulse up to `phase_rad` and adds it to the velocities of a state of `scale`, u then u',
+  /// with whatever stands behind them.
+  template <class State>
+  void take_all(double phase_rad, const StateScale& scale, State& state) {
+    while (phase_rad >= next_phase_rad()) {
+      const Eigen::VectorXd& jump_m_per_s = take();
+      const auto n = static_cast<std::size_t>(jump_m_per_s.size());
+      for (std::size_t j = 0; j < n; ++j)
+        state[n + j] += jump_m_per_s(static_cast<Eigen::Index>(j)) / scale.unit_velocity_m_per_s();
+    }
+  }
 
  private:
   struct Train {

@@ -18,7 +18,7 @@ struct ContactLaw {
 
   template <int N>
   explicit ContactLaw(const run::ScaledContact<N>& c)
-      : annular(!contact::linear(c.wall)),
+      : annular(contact::annular(c.wall)),
         clearance(c.clearance),
         stiffness(c.stiffness),
         damping(c.damping),

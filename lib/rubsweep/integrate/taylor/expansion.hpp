@@ -80,10 +80,8 @@ class Expansion {
   }
 
   int order() const { return order_; }
-  const run::ScaledSystem<N>& system() const { return system_; }
   const ContactLaw& law(std::size_t i) const { return laws_[i]; }
   ContactSeries& contact(std::size_t i) { return contacts_[i]; }
-  double displacement_term(Eigen::Index row, int k) const { return u_(row, k); }
 
  private:
   double slip(std::size_t i) const {

@@ -1,10 +1,11 @@
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/numerics/cubic_maximum.hpp"
+#include "rubsweep/integrate/taylor/step_peaks.hpp"
+#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/matrix_flow.hpp"
 
 namespace rubsweep::integrate::taylor {
 namespace {
@@ -18,20 +19,7 @@ constexpr double same_instant = 1e-13;  ///< radians: landings nearer than that 
 /// The same where tangent vectors are carried: they excite every mode, by as much as themselves, whatever the
 /// motion does. Of e^x what order 20 leaves out is x^21 / 21! = 4e-12 there.
 constexpr double longest_times_fastest_of_tangents = 2.5;
-constexpr int longest_standstill = 16;          ///< landings without progress before one is stepped over
-constexpr double watched_times_fastest = 0.25;  ///< cubics through values and rates have peaks to 1e-5
-constexpr int most_watched_pieces = 64;
-
-/// Largest |eigenvalue| of the structure by itself.
-template <int N>
-double fastest_of(const run::ScaledSystem<N>& system) {
-  const Eigen::Index n = system.coordinates();
-  Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  generator.topRightCorner(n, n).setIdentity();
-  generator.bottomLeftCorner(n, n) = -system.stiffness;
-  generator.bottomRightCorner(n, n) = -system.damping;
-  return generator.eigenvalues().cwiseAbs().maxCoeff();
-}
+constexpr int longest_standstill = 16;  ///< landings without progress before one is stepped over
 
 }  // namespace
 
@@ -43,7 +31,7 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       tangents_(system_),
       pulses_(scene, system_.scale, full_turn),
       impulses_(scene),
-      structure_rate_(fastest_of(system_)),
+      structure_rate_(numerics::spectral_radius(numerics::generator_of(system_.stiffness, system_.damping))),
       stiff_above_(run::stiff_friction_ratio(options.relative_tolerance)),
       max_steps_(options.max_steps_per_revolution),
       state_(run::scaled_initial_state(scene)),
@@ -106,24 +94,13 @@ TaylorEnding TaylorRun<N>::end(run::TurnReport& report, TaylorEnding ending) {
   return ending;
 }
 
-/// Modes by the state alone. A start exactly at the wall and moving into it is in contact from the first
-/// instant.
+/// Modes by the state alone.
 template <int N>
 void TaylorRun<N>::enter_by_state(double phase) {
   pulses_.go_to(phase);
   std::ranges::fill(dynamics_.modes(), Mode::open);
   dynamics_(state_, rate_, phase);
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    const auto& c = system_.contacts[i];
-    contact::Kinematics k = dynamics_.kinematics(i, state_, rate_);
-    if (k.penetration > 0) {
-      // An open annular contact measures by squares; what tells the modes apart is the penetration itself.
-      dynamics_.modes()[i] = Mode::sprung;
-      k = dynamics_.kinematics(i, state_, rate_);
-    }
-    const Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
-    dynamics_.modes()[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
-  }
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) dynamics_.enter_by_state(i, state_, rate_);
 }
 
 template <int N>
@@ -152,23 +129,22 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   pulses_.go_to(phase_);
   motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes());
   ++effort_.steps;
-  double fastest = fastest_rate();
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    if (!motion_.contact(i).friction_varies()) continue;
-    const double ratio = dynamics_.friction_ratio(state_);
-    if (ratio > stiff_above_) return TaylorEnding::stiff;
-    fastest = std::max(fastest, ratio * fastest);
-  }
+  const double fastest = fastest_rate();
+  bool friction_varies = false;
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+    friction_varies = friction_varies || motion_.contact(i).friction_varies();
+  const double friction_ratio = friction_varies ? dynamics_.friction_ratio(state_) : 0;
+  if (friction_ratio > stiff_above_) return TaylorEnding::stiff;
   const double boundary = next_boundary(), left = boundary - phase_;
   const double cap = tangents_.count() > 0 ? longest_times_fastest_of_tangents : longest_times_fastest;
-  double wanted = std::min(motion_.converged_rad(), cap / fastest);
+  double wanted = std::min(motion_.converged_rad(), cap / (fastest * std::max(1.0, friction_ratio)));
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);
   if (!(wanted > 0)) return TaylorEnding::non_finite;
   if (standstill_ >= longest_standstill) {
     // Landings that lead nowhere: an instant is passed without one.
     const double instant = std::min(same_instant, left);
-    take(report, instant, instant < left ? phase_ + instant : boundary);
+    take(report, fastest, instant, instant < left ? phase_ + instant : boundary);
     switch_modes(report, {});
     standstill_ = 0;
     return TaylorEnding::ok;
@@ -178,7 +154,7 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   const Crossing crossing = first_crossing(duration);
   const bool cut = crossing.share < 1 || crossing.contact;
   duration *= crossing.share;
-  take(report, duration, cut ? phase_ + duration : limited ? boundary : phase_ + duration);
+  take(report, fastest, duration, cut ? phase_ + duration : limited ? boundary : phase_ + duration);
   if (!std::isfinite(state_[0])) return TaylorEnding::non_finite;
   standstill_ = duration > same_instant ? 0 : standstill_ + 1;
   if (crossing.contact) switch_modes(report, crossing);
@@ -201,9 +177,9 @@ typename TaylorRun<N>::Crossing TaylorRun<N>::first_crossing(double duration) {
 
 /// Moves on by `duration` within the modes of the expansion, and looks at what was asked for.
 template <int N>
-void TaylorRun<N>::take(run::TurnReport& report, double duration, double end_phase) {
+void TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
   put_samples(report, end_phase);
-  watch(report, duration);
+  watch(report, fastest, duration);
   tangents_.pass(motion_, duration);
   motion_.put_state(duration, state_.data());
   phase_ = end_phase;
@@ -220,72 +196,24 @@ void TaylorRun<N>::put_samples(run::TurnReport& report, double end_phase) {
 }
 
 template <int N>
-int TaylorRun<N>::pieces(double duration) const {
-  return std::clamp(static_cast<int>(std::ceil(duration * fastest_rate() / watched_times_fastest)), 1,
-                    most_watched_pieces);
-}
-
-template <int N>
-void TaylorRun<N>::watch(run::TurnReport& report, double duration) {
+void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duration) {
   bool touching = false;
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     if (dynamics_.modes()[i] == Mode::open) continue;
     touching = true;
     if (!report.slip_reversed)
       report.slip_reversed = slip_reverses(motion_.contact(i), motion_.order(), duration);
-    if (peaks_wanted_) watch_force(report, i, duration);
+    if (!peaks_wanted_) continue;
+    const double peak_n = largest_force(motion_.contact(i), motion_.order(), fastest, duration);
+    report.peak_contact_force_n = std::max(report.peak_contact_force_n, peak_n);
   }
   if (touching) {
     report.touched = true;
     report.contact_fraction += duration / full_turn;
   }
-  if (peaks_wanted_) watch_displacement(report, duration);
-}
-
-/// Value and rate of what is watched, at the ends of so many pieces that a cubic has its maximum.
-template <class At>
-double largest_of(const At& at, int pieces, double duration) {
-  const double size = duration / pieces;
-  auto [value, rate] = at(0.0);
-  double largest = value;
-  for (int i = 1; i <= pieces; ++i) {
-    const auto [next, next_rate] = at(size * i);
-    largest = std::max(largest, numerics::cubic_maximum(value, size * rate, next, size * next_rate));
-    value = next;
-    rate = next_rate;
-  }
-  return largest;
-}
-
-template <int N>
-void TaylorRun<N>::watch_displacement(run::TurnReport& report, double duration) {
-  const Eigen::Index n = system_.coordinates();
-  const auto square = [&](double at) {
-    motion_.put_state(at, probe_.data());
-    const Eigen::Vector2d z =
-        system_.observed * Eigen::Map<const Eigen::Matrix<double, N, 1>>(probe_.data(), n);
-    const Eigen::Vector2d v =
-        system_.observed * Eigen::Map<const Eigen::Matrix<double, N, 1>>(probe_.data() + n, n);
-    return std::pair{z.squaredNorm(), 2 * z.dot(v)};
-  };
-  const double largest = std::sqrt(largest_of(square, pieces(duration), duration));
-  report.peak_displacement_m = std::max(report.peak_displacement_m, largest * system_.scale.length_m);
-}
-
-template <int N>
-void TaylorRun<N>::watch_force(run::TurnReport& report, std::size_t i, double duration) {
-  const ContactSeries& c = motion_.contact(i);
-  const double spring = c.law().spring(c.mode()), damper = c.law().damper(c.mode());
-  const auto force = [&](double at) {
-    double value = 0, rate = 0;
-    for (int k = motion_.order() - 1; k >= 0; --k) {
-      rate = rate * at + value;
-      value = value * at + spring * c.penetration_term(k) + damper * (k + 1) * c.penetration_term(k + 1);
-    }
-    return std::pair{value, rate};
-  };
-  report.peak_contact_force_n =
-      std::max(report.peak_contact_force_n, largest_of(force, pieces(duration), duration));
+  if (!peaks_wanted_) return;
+  const double peak = largest_displacement(motion_, system_, fastest, duration, probe_);
+  report.peak_displacement_m = std::max(report.peak_displacement_m, peak * system_.scale.length_m);
 }
 
 template <int N>
@@ -313,12 +241,7 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const Crossing& crossin
 /// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
 template <int N>
 void TaylorRun<N>::apply_impulses(run::TurnReport& report) {
-  const auto n = static_cast<std::size_t>(system_.coordinates());
-  while (phase_ >= impulses_.next_phase_rad()) {
-    const Eigen::VectorXd& jump_m_per_s = impulses_.take();
-    for (std::size_t j = 0; j < n; ++j)
-      state_[n + j] += jump_m_per_s(static_cast<Eigen::Index>(j)) / system_.scale.unit_velocity_m_per_s();
-  }
+  impulses_.take_all(phase_, system_.scale, state_);
   modes_before_ = dynamics_.modes();
   enter_by_state(phase_);
   for (std::size_t i = 0; i < modes_before_.size(); ++i) {

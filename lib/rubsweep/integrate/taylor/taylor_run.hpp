@@ -65,12 +65,9 @@ class TaylorRun {
   TaylorEnding step(run::TurnReport& report);
   double fastest_rate() const;
   Crossing first_crossing(double duration);
-  void take(run::TurnReport& report, double duration, double end_phase);
+  void take(run::TurnReport& report, double fastest, double duration, double end_phase);
   void put_samples(run::TurnReport& report, double end_phase);
-  void watch(run::TurnReport& report, double duration);
-  void watch_displacement(run::TurnReport& report, double duration);
-  void watch_force(run::TurnReport& report, std::size_t i, double duration);
-  int pieces(double duration) const;
+  void watch(run::TurnReport& report, double fastest, double duration);
   void switch_modes(run::TurnReport& report, const Crossing& crossing);
   void apply_impulses(run::TurnReport& report);
   void note_switch(run::TurnReport& report, std::size_t i, contact::Mode from);

@@ -1,8 +1,9 @@
 #include "rubsweep/response/proof/adapted_norm.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "rubsweep/numerics/eigenvalues.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -29,7 +30,7 @@ std::optional<AdaptedNorms> adapted_norms(const std::vector<MatrixXd>& transitio
   const MatrixXd identity = MatrixXd::Identity(size, size);
   MatrixXd monodromy = identity;
   for (const MatrixXd& turn : transitions) monodromy = turn * monodromy;
-  const double modulus = monodromy.eigenvalues().cwiseAbs().maxCoeff();
+  const double modulus = numerics::spectral_radius(monodromy);
   if (!(modulus < 1)) return std::nullopt;
   const auto turns = static_cast<double>(transitions.size());
   AdaptedNorms norms;

@@ -1,7 +1,8 @@
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include "rubsweep/numerics/eigenvalues.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -59,8 +60,7 @@ std::optional<Closed> close(const TurnMap& turn, const VectorXd& start, int orde
     if (error < closed)
       return Closed{back->order, step.allFinite() ? VectorXd(x + step) : x, back->monodromy};
     if (i > 0 && error > last / 2) return std::nullopt;
-    if (back->monodromy.eigenvalues().cwiseAbs().maxCoeff() > (i == 0 ? hopeless_from_afar : 1))
-      return std::nullopt;
+    if (numerics::spectral_radius(back->monodromy) > (i == 0 ? hopeless_from_afar : 1)) return std::nullopt;
     last = error;
     x += step;
     if (!x.allFinite() || largest(x - start) > farthest_orbit) return std::nullopt;
@@ -86,7 +86,7 @@ std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const doubl
   const auto closed_orbit = close(turn, start, order);
   if (!closed_orbit) return std::nullopt;
   StableOrbit orbit{.order = closed_orbit->order, .sections = {}, .transitions = {}, .floquet_modulus = 0};
-  orbit.floquet_modulus = closed_orbit->monodromy.eigenvalues().cwiseAbs().maxCoeff();
+  orbit.floquet_modulus = numerics::spectral_radius(closed_orbit->monodromy);
   if (!(orbit.floquet_modulus < largest_floquet_modulus) || !list_turns(turn, closed_orbit->x, orbit))
     return std::nullopt;
   return orbit;

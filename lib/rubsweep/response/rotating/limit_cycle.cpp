@@ -1,10 +1,10 @@
 #include "rubsweep/response/rotating/limit_cycle.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 
@@ -76,7 +76,7 @@ std::optional<Closed> close(const RotatingMotion& motion, const RotatingMotion::
 /// Largest modulus of all multipliers but the trivial one; empty when that is not where it must be or another
 /// is too large. How far the trivial one is off 1 shows how well they are known.
 std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_within) {
-  const Eigen::VectorXcd multipliers = monodromy.eigenvalues();
+  const Eigen::VectorXcd multipliers = numerics::eigenvalues(monodromy);
   Eigen::Index trivial = 0;
   const double off = (multipliers.array() - 1.0).abs().minCoeff(&trivial);
   if (!(off < trivial_within)) return std::nullopt;

@@ -1,11 +1,11 @@
 #include "rubsweep/response/rotating/rotating_equilibrium.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 
@@ -39,7 +39,7 @@ std::optional<RotatingEquilibrium> find_rotating_equilibrium(const RotatingEquat
   const auto point = fixed_point(equations, start);
   if (!point) return std::nullopt;
   const MatrixXd jacobian = equations.jacobian(*point);
-  const double modulus = std::exp(full_turn * jacobian.eigenvalues().real().maxCoeff());
+  const double modulus = std::exp(full_turn * numerics::eigenvalues(jacobian).real().maxCoeff());
   if (!(modulus < proof::largest_floquet_modulus)) return std::nullopt;
   return RotatingEquilibrium{*point, numerics::matrix_flow(jacobian, full_turn), modulus};
 }

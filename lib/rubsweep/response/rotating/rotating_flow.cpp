@@ -24,57 +24,46 @@ void append_samples(const integrate::run::TurnReport& turn, Eigen::Index states,
       Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.sample_count).topRows(states);
 }
 
-/// What a turn, or its first `end_phase`, adds to the measures of an arc of `angle_rad`.
-void add_measures(const integrate::run::TurnReport& turn, double angle_rad, RotatingArc& arc) {
+/// What a turn, or the part of one that ends an arc, adds to its measures.
+void add_measures(const integrate::run::TurnReport& turn, RotatingArc& arc) {
   arc.hits += turn.hits;
-  arc.contact_fraction += turn.contact_fraction * full_turn / angle_rad;
+  arc.contact_fraction += turn.contact_fraction * full_turn / arc.angle_rad;
   arc.peak_displacement_m = std::max(arc.peak_displacement_m, turn.peak_displacement_m);
   arc.peak_contact_force_n = std::max(arc.peak_contact_force_n, turn.peak_contact_force_n);
 }
 
 enum class Followed { made, stiff, failed };
 
-/// By Taylor pieces; `stiff` where a stepper must do it.
+/// By Taylor pieces, the transition where it is asked for; `stiff` where a stepper must do it.
 template <int N>
 Followed follow_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
-                          int samples_per_revolution, double angle_rad, RotatingArc& arc) {
+                          int samples_per_revolution, bool transition, RotatingArc& arc) {
   integrate::taylor::TaylorRun<N> run(scene, options);
   const Eigen::Index states = 2 * scene.structure.coordinates();
   integrate::run::TurnRequest request;
   integrate::run::TurnReport turn;
   request.samples_per_revolution = samples_per_revolution;
   request.peaks = samples_per_revolution > 0;
-  request.tangent_vectors.setIdentity(states, states);
-  for (double left = angle_rad; left > 0; left -= full_turn) {
-    const double end_phase = std::min(left, full_turn);
-    const integrate::taylor::TaylorEnding ending = run.advance(request, turn, end_phase);
+  if (transition) request.tangent_vectors.setIdentity(states, states);
+  for (double left = arc.angle_rad; left > 0; left -= full_turn) {
+    const integrate::taylor::TaylorEnding ending = run.advance(request, turn, std::min(left, full_turn));
     if (ending == integrate::taylor::TaylorEnding::stiff) return Followed::stiff;
     if (ending != integrate::taylor::TaylorEnding::ok) return Followed::failed;
-    const Eigen::MatrixXd* moved = turn.tangent_vectors.get();
-    if (moved == nullptr) return Followed::failed;
-    request.tangent_vectors = *moved;
+    if (transition) request.tangent_vectors = *turn.tangent_vectors.get();
     if (samples_per_revolution > 0) append_samples(turn, states, states, arc);
-    add_measures(turn, angle_rad, arc);
+    add_measures(turn, arc);
   }
-  arc.angle_rad = angle_rad;
-  arc.end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -angle_rad);
-  arc.transition = turned(request.tangent_vectors, -angle_rad);
+  arc.end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -arc.angle_rad);
+  if (transition) arc.transition = turned(request.tangent_vectors, -arc.angle_rad);
   return Followed::made;
 }
 
-template <int N>
-Followed end_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
-                       double angle_rad, Eigen::VectorXd& end) {
-  integrate::taylor::TaylorRun<N> run(scene, options);
-  integrate::run::TurnReport turn;
-  for (double left = angle_rad; left > 0; left -= full_turn) {
-    const integrate::taylor::TaylorEnding ending = run.advance({}, turn, std::min(left, full_turn));
-    if (ending == integrate::taylor::TaylorEnding::stiff) return Followed::stiff;
-    if (ending != integrate::taylor::TaylorEnding::ok) return Followed::failed;
-  }
-  const Eigen::Index states = 2 * scene.structure.coordinates();
-  end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -angle_rad);
-  return Followed::made;
+/// The usual scene, a rotor and one casing, gets a fixed size.
+Followed follow_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
+                          int samples_per_revolution, bool transition, RotatingArc& arc) {
+  return scene.structure.coordinates() == 4
+             ? follow_by_series<4>(scene, options, samples_per_revolution, transition, arc)
+             : follow_by_series<Eigen::Dynamic>(scene, options, samples_per_revolution, transition, arc);
 }
 
 /// A stepper that is asked for by name makes every turn.
@@ -101,7 +90,7 @@ std::optional<RotatingArc> follow(const scene::Scene& scene, const integrate::ru
     const double end_phase = std::min(left, full_turn);
     if (run.advance(request, turn, end_phase) != integrate::run::Outcome::ok) return std::nullopt;
     if (samples_per_revolution > 0) append_samples(turn, states, states * (states + 1), arc);
-    add_measures(turn, angle_rad, arc);
+    add_measures(turn, arc);
   }
   const double* end = turn.section.data();
   arc.end = turned(Eigen::Map<const Eigen::VectorXd>(end, states), -angle_rad);
@@ -135,17 +124,14 @@ scene::Scene RotatingFlow::scene_at(const Eigen::VectorXd& state) const {
   return scene;
 }
 
-// The usual scene, a rotor and one casing, gets a fixed size.
-
 std::optional<RotatingArc> RotatingFlow::from(const Eigen::VectorXd& state, double angle_rad) const {
   const scene::Scene scene = scene_at(state);
   constexpr int any = Eigen::Dynamic;
   const int samples = samples_per_revolution_;
   if (by_series(options_)) {
     RotatingArc arc;
-    const Followed followed = state.size() == 8
-                                  ? follow_by_series<4>(scene, options_, samples, angle_rad, arc)
-                                  : follow_by_series<any>(scene, options_, samples, angle_rad, arc);
+    arc.angle_rad = angle_rad;
+    const Followed followed = follow_by_series(scene, options_, samples, true, arc);
     if (followed == Followed::made) return arc;
     if (followed == Followed::failed) return std::nullopt;
   }
@@ -159,10 +145,10 @@ std::optional<Eigen::VectorXd> RotatingFlow::end_from(const Eigen::VectorXd& sta
   const scene::Scene scene = scene_at(state);
   constexpr int any = Eigen::Dynamic;
   if (by_series(options_)) {
-    Eigen::VectorXd end;
-    const Followed followed = state.size() == 8 ? end_by_series<4>(scene, options_, angle_rad, end)
-                                                : end_by_series<any>(scene, options_, angle_rad, end);
-    if (followed == Followed::made) return end;
+    RotatingArc arc;
+    arc.angle_rad = angle_rad;
+    const Followed followed = follow_by_series(scene, options_, 0, false, arc);
+    if (followed == Followed::made) return arc.end;
     if (followed == Followed::failed) return std::nullopt;
   }
   if (options_.contact == integrate::run::ContactHandling::smoothed)

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/integrate/exact/exact_motion.hpp"
+#include "rubsweep/integrate/exact/joint_mode.hpp"
+#include "rubsweep/integrate/exact/slip_watch.hpp"
+#include "rubsweep/integrate/exact/tube_spread.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// The reference motion of a tube, with the disturbances that it carries and what they make of its guards and
+/// slips.
+template <int N>
+class TubeReference {
+ public:
+  using State = typename ExactMotion<N>::State;
+  using Spread = TurnTube::Spread;
+  using Seen = SeenByDisturbances;
+
+  TubeReference(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
+      : motion_(scene, modes), slip_(scene, modes->friction()), scale_(run::state_scale(scene)) {
+    for (const contact::SaturatedFriction& friction : modes->friction())
+      slips_ = slips_ || friction.above_m_per_s > 0;
+  }
+
+  /// Begins a turn at `section` with the disturbances that span the tube, one per column. False where the
+  /// motion has no closed form, or an annular stop is armed.
+  bool start(const std::vector<double>& section, const Eigen::MatrixXd& disturbances) {
+    base_ = static_cast<std::size_t>(disturbances.cols());
+    State physical =
+        Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
+    scale_.to_seconds(physical);
+    motion_.set_phases(0);
+    if (!motion_.enter(0, physical)) return false;
+    const std::size_t joint =
+        joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));
+    if (joint != 0 && !motion_.enter(joint, physical)) return false;
+    if (!motion_.mode().annular_guards.empty()) return false;
+    motion_.carry_tangents(disturbances);
+    return true;
+  }
+
+  ExactMotion<N>& motion() { return motion_; }
+  const ExactMotion<N>& motion() const { return motion_; }
+  const run::StateScale& scale() const { return scale_; }  ///< of sections
+  std::size_t base() const { return base_; }               ///< disturbances that are not kicks
+
+  /// What guard `e` of the present mode makes of the disturbances.
+  Seen seen(std::size_t e) {
+    const auto& pairs = motion_.mode().guards[e].terms.list;
+    Seen seen;
+    for (const State& z : motion_.tangents()) {
+      const ModalSum sum = sum_of(pairs, z.data(), motion_.mode().paired);
+      seen.value.push_back(sum.value());
+      seen.rate.push_back(sum.rate());
+      seen.curvature.push_back(sum.curvature());
+    }
+    return seen;
+  }
+
+  Spread spread_of(const std::vector<double>& values) const { return exact::spread_of(values, base_); }
+
+  Spread spread_over(const Seen& seen, double duration_s) const {
+    return exact::spread_over(seen, base_, duration_s);
+  }
+
+  /// How far the clamped contacts are from p = 0, which their guards do not watch and only entering the mode
+  /// makes positive: a turn that starts in it must be told.
+  std::vector<TurnTube::Margin> clamped_margins() {
+    const auto& contacts = motion_.machine().system().contacts;
+    const State here = motion_.physical();
+    std::vector<TurnTube::Margin> margins;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (motion_.mode().modes[i] != contact::Mode::clamped) continue;
+      std::vector<double> widths;
+      for (const State& z : motion_.tangents()) {
+        const State physical = motion_.mode().from_free(z);
+        widths.push_back(contacts[i].first_row.dot(physical.head(contacts[i].first_row.size()).transpose()));
+      }
+      margins.push_back({kinematics_of(contacts[i], here, 0).penetration, spread_of(widths)});
+    }
+    return margins;
+  }
+
+  /// Whether some friction of a touching contact is saturated only above a slip.
+  bool slips() const { return slips_ && !motion_.mode().touches.empty(); }
+
+  /// Starts a stretch of slips here; false where friction is not saturated.
+  bool begin_slip() { return slip_.begin(motion_, motion_.physical()); }
+  SlipWatch<N>& slip() { return slip_; }
+
+  /// Norm of the generator in units of (1, fastest rate).
+  static double norm_of(const LinearMode<N>& mode) {
+    const Eigen::Index n = mode.rest.size();
+    Eigen::MatrixXd generator = mode.generator / mode.fastest_rad_per_s;
+    generator.topRightCorner(n, n) *= mode.fastest_rad_per_s;
+    generator.bottomLeftCorner(n, n) /= mode.fastest_rad_per_s;
+    return generator.cwiseAbs().rowwise().sum().maxCoeff();
+  }
+
+  /// What disturbances may make of a sliding speed until the end of a step, m/s: by the largest component in
+  /// units of (1, fastest rate), which grows no faster than the norm of the generator.
+  Spread slip_spread() {
+    const LinearMode<N>& mode = motion_.mode();
+    const Eigen::Index n = mode.rest.size();
+    const double growth = std::exp(std::min(700.0, norm_of(mode)));
+    double largest = 0;
+    for (const TouchWatch<N>& touch : mode.touches)
+      largest = std::max(largest, touch.sliding.cwiseAbs().sum());
+    std::vector<double> values;
+    for (const State& z : motion_.tangents()) {
+      const State physical = mode.from_free(z);
+      const double size = std::max(physical.head(n).cwiseAbs().maxCoeff(),
+                                   physical.tail(n).cwiseAbs().maxCoeff() / mode.fastest_rad_per_s);
+      values.push_back(scale_.length_m * largest * mode.fastest_rad_per_s * growth * size);
+    }
+    return spread_of(values);
+  }
+
+ private:
+  ExactMotion<N> motion_;
+  SlipWatch<N> slip_;
+  run::StateScale scale_;
+  bool slips_ = false;
+  std::size_t base_ = 0;
+};
+
+}  // namespace rubsweep::integrate::exact

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/integrate/exact/tube_reference.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// Takes a tube's reference through a change of contact mode and takes down what the lemma of TurnTube asks
+/// for there.
+template <int N>
+class TubeSwitch {
+ public:
+  using State = typename ExactMotion<N>::State;
+  using GuardValue = typename ExactMotion<N>::GuardValue;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  explicit TubeSwitch(TubeReference<N>& reference) : reference_(reference), motion_(reference.motion()) {}
+
+  /// The reference stands where guard `e` is zero, after a landing of `landing_s` from where it was `before`,
+  /// over which the disturbances spread it by `spread`. Empty where the lemma does not hold.
+  std::optional<TurnTube::Switch> through(std::size_t e, const GuardValue& before,
+                                          const TurnTube::Spread& spread, double landing_s) {
+    const LinearMode<N>& from = motion_.mode();
+    const LinearGuard<N> guard = from.guards[e];
+    const GuardValue at = motion_.guard(e);
+    const SeenByDisturbances on_guard = reference_.seen(e);
+    TurnTube::Switch change;
+    change.rate = at.rate;
+    change.curvature = std::max(before.curvature, at.curvature);
+    change.lowest_rate = (before.rate + at.rate - change.curvature * landing_s) / 2;
+    change.spread = spread;
+    change.rate_spread = reference_.spread_of(on_guard.rate);
+    change.curvature_spread = reference_.spread_of(on_guard.curvature);
+    if (!add_others(change, e) || !add_slip(change)) return std::nullopt;
+
+    const State here = motion_.physical();
+    const std::size_t i = guard.contact;
+    const auto& contact = motion_.machine().system().contacts[i];
+    const auto kinematics = kinematics_of(contact, here, motion_.closing_acceleration(i, here));
+    if (contact::mode_after(guard.next, contact.stiffness, contact.damping, kinematics) != guard.next)
+      return std::nullopt;
+    const std::size_t joint =
+        motion_.joint() - in_joint_mode(from.modes[i], i) + in_joint_mode(guard.next, i);
+    if (!motion_.enter(joint, here)) return std::nullopt;
+    const LinearMode<N>& to = motion_.mode();
+    for (std::size_t k = 0; k < to.guards.size(); ++k) {
+      if (to.guards[k].contact == i && to.guards[k].physical == -guard.physical) behind_ = k;
+    }
+    if (behind_ != none) {
+      change.curvature = std::max(change.curvature, motion_.guard(behind_).curvature);
+      raise(change.curvature_spread, reference_.spread_of(reference_.seen(behind_).curvature));
+    }
+    if (!add_others(change, behind_) || !add_slip(change)) return std::nullopt;
+    change.longest_window_s =
+        window_by_rate / std::max(TubeReference<N>::norm_of(from) * from.fastest_rad_per_s,
+                                  TubeReference<N>::norm_of(to) * to.fastest_rad_per_s);
+    if (!add_kick(from, to, guard, change)) return std::nullopt;
+    return change;
+  }
+
+  /// The guard of the present mode that has just left zero; none where no guard is the old one backwards.
+  std::size_t behind() const { return behind_; }
+
+ private:
+  /// What is left of the slips at a change of mode, for whoever touches in its window: in the old mode until
+  /// the guard is crossed, in the new one from then on.
+  bool add_slip(TurnTube::Switch& change) {
+    if (!reference_.slips()) return true;
+    if (!reference_.begin_slip()) return false;
+    const auto [margin, rate] = reference_.slip().at_start(motion_);
+    TurnTube::Other slip;
+    slip.value = -margin;
+    slip.rate = rate;
+    slip.spread = reference_.slip_spread();
+    change.others.push_back(std::move(slip));
+    other_rows_.push_back(State::Zero(motion_.free().size()).transpose());
+    return true;
+  }
+
+  /// The guards of the present mode but one, as they stand at a change of mode.
+  bool add_others(TurnTube::Switch& change, std::size_t but) {
+    for (std::size_t k = 0; k < motion_.mode().guards.size(); ++k) {
+      if (k == but) continue;
+      const GuardValue at = motion_.guard(k);
+      if (!(at.value < 0)) return false;
+      const SeenByDisturbances on = reference_.seen(k);
+      change.others.push_back({at.value, std::abs(at.rate), at.curvature, reference_.spread_of(on.value),
+                               reference_.spread_of(on.rate), reference_.spread_of(on.curvature), 0});
+      other_rows_.push_back(motion_.mode().guards[k].physical);
+    }
+    return true;
+  }
+
+  /// b of the lemma, from the two generators, whose difference is b times the guard's row.
+  bool add_kick(const LinearMode<N>& from, const LinearMode<N>& to, const LinearGuard<N>& guard,
+                TurnTube::Switch& change) {
+    const Eigen::MatrixXd difference = to.generator - from.generator;
+    const Eigen::VectorXd row = guard.physical.transpose();
+    const Eigen::VectorXd b = difference * row / row.squaredNorm();
+    if (!((difference - b * row.transpose()).norm() <= 1e-9 * difference.norm())) return false;
+    change.own_kick = std::abs(row.dot(b));
+    for (std::size_t k = 0; k < change.others.size(); ++k)
+      change.others[k].own_kick = std::abs(other_rows_[k].dot(b.transpose()));
+    motion_.carry_tangent_too(State(b));
+    motion_.carry_tangent_too(State(to.generator * b));
+    return true;
+  }
+
+  /// A window is this short against the norm of the generator, so that the flow over it is the identity to
+  /// 5 %.
+  static constexpr double window_by_rate = 0.05;
+
+  TubeReference<N>& reference_;
+  ExactMotion<N>& motion_;
+  std::size_t behind_ = none;
+  std::vector<typename ExactTypes<N>::Row> other_rows_;  ///< of the change's others
+};
+
+}  // namespace rubsweep::integrate::exact

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rubsweep::numerics {
+
+/// Eigenvalues of a real square matrix, in the order that Eigen's EigenSolver finds them. Here so that its
+/// templates are compiled once.
+Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix);
+
+/// Largest |eigenvalue|: of a monodromy matrix the modulus of the largest multiplier, of a generator its
+/// fastest rate.
+double spectral_radius(const Eigen::MatrixXd& matrix);
+
+}  // namespace rubsweep::numerics

@@ -1,0 +1,27 @@
+#include "rubsweep/numerics/eigenvalues.hpp"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+
+namespace rubsweep::numerics {
+namespace {
+
+TEST(Eigenvalues, OfADampedOscillatorAreItsRates) {
+  const double ratio = 0.1, rad_per_s = 3;
+  const Eigen::MatrixXd generator{{0, 1}, {-rad_per_s * rad_per_s, -2 * ratio * rad_per_s}};
+  const Eigen::VectorXcd found = eigenvalues(generator);
+  ASSERT_EQ(found.size(), 2);
+  for (const std::complex<double>& value : found) {
+    EXPECT_NEAR(value.real(), -ratio * rad_per_s, 1e-14);
+    EXPECT_NEAR(std::abs(value.imag()), rad_per_s * std::sqrt(1 - ratio * ratio), 1e-14);
+  }
+  EXPECT_NEAR(spectral_radius(generator), rad_per_s, 1e-14);
+}
+
+TEST(Eigenvalues, SpectralRadiusGoesByTheModulus) {
+  EXPECT_NEAR(spectral_radius(Eigen::MatrixXd{{-5, 1}, {0, 4}}), 5, 1e-14);
+}
+
+}  // namespace
+}  // namespace rubsweep::numerics
