@@ -85,7 +85,7 @@ motion::Motion verdict(const scene::Scene& scene, const integrate::run::SolverOp
   motion::Motion motion = motion::settle_verdict(previous, last);
   if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return motion;
   if (rotating::rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
-  if (motion.motion_class == motion::MotionClass::unsettled &&
+  if (options.exponent && motion.motion_class == motion::MotionClass::unsettled &&
       integrate::run::same_every_turn(scene.impulses))
     follow_on(scene, solver, options, section, workspace, motion);
   return motion;
@@ -200,6 +200,13 @@ motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseO
     displacement_m.emplace_back(z.x(), z.y());
     peak = std::max(peak, z.norm());
   }
+  // Nothing that turns with the shaft moves a casing that is not touched.
+  double casing = 0;
+  for (const scene::Contact& contact : cell.scene.contacts) {
+    if (!contact.casing_point) continue;
+    const auto& point = cell.scene.structure.points[static_cast<std::size_t>(*contact.casing_point)];
+    casing = std::max(casing, (point.map * cell.quiet.mean).norm());
+  }
   const std::array<double, 2> rest{0, 0};
   motion::Window window;
   window.turns = 1;
@@ -208,7 +215,8 @@ motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseO
   window.displacement_m = displacement_m;
   window.states = 1;
   window.section = rest;
-  const std::array<motion::ContactFacts, 1> facts{{{.peak_displacement_m = peak}}};
+  const std::array<motion::ContactFacts, 1> facts{
+      {{.peak_displacement_m = peak, .peak_casing_displacement_m = casing}}};
   window.contact = facts;
   return motion::classify_window(window, options, workspace.spectrum).measures;
 }

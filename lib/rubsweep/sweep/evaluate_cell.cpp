@@ -1,8 +1,11 @@
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <variant>
 
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/contact/hertz_line.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/robustness.hpp"
 
@@ -20,6 +23,21 @@ void add_status(Row& row, std::string_view word) {
   } else {
     row.status.append(";").append(word);
   }
+}
+
+/// Whether a force is too large for the stiffness of some stop that has it from a line contact. Where stops
+/// differ the narrowest counts, whichever the force acts at: the word is a doubt.
+bool beyond_hertz(const model::Machine& machine, double force_n) {
+  return std::ranges::any_of(machine.stops, [force_n](const model::Stop& stop) {
+    return stop.hertz && force_n > contact::hertz_force_limit_n(*stop.hertz);
+  });
+}
+
+/// What the size of a measured motion says about the model.
+void doubt(Row& row, const model::Machine& machine, double clearance_m) {
+  if (!row.measures) return;
+  row.peak_over_clearance = row.measures->contact.peak_displacement_m / clearance_m;
+  if (beyond_hertz(machine, row.measures->contact.peak_contact_force_n)) add_status(row, "beyond_hertz");
 }
 
 void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) {
@@ -61,6 +79,7 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, std::si
                                                    : RunStart::quiet;
   fill(row, response::settle(start, study.solver, study.response, workspace),
        some_friction_keeps_its_direction(prepared.machine));
+  doubt(row, prepared.machine, start.scene.length_scale_m);
   return row;
 }
 
