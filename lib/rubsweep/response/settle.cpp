@@ -129,11 +129,13 @@ void conclude(const motion::ProvenMotion& proven, SettledRun& run) {
 }
 
 /// What the end of a whole run shows.
-void conclude(const motion::Motion& seen, const scene::Cell& cell, SettledRun& run) {
+void conclude(const motion::Motion& seen, const scene::Cell& cell, const proof::RestProof& rest,
+              SettledRun& run) {
   run.motion = seen;
-  // Two windows without contact do not last where the quiet motion itself touches: the whirl is still
-  // growing.
-  if (run.motion.motion_class == motion::MotionClass::non_contact && cell.start != scene::Start::quiet)
+  // Two windows without contact do not last where the quiet motion itself touches, or where a vibration about
+  // it grows, as by damping that turns with the shaft: the whirl is still growing.
+  const bool lasts = cell.start == scene::Start::quiet && !rest.vibration_grows();
+  if (run.motion.motion_class == motion::MotionClass::non_contact && !lasts)
     run.motion.motion_class = motion::MotionClass::unsettled;
   if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
 }
@@ -185,7 +187,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
       return run;
     }
   }
-  conclude(verdict(cell.scene, solver, options, record, turn.section, workspace), cell, run);
+  conclude(verdict(cell.scene, solver, options, record, turn.section, workspace), cell, rest, run);
   return run;
 }
 
