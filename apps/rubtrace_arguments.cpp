@@ -30,9 +30,9 @@ po::options_description visible_options() {
       "instead: speed ramp without stops in Hz:Hz:Hz/s with --eccentricity-m; Bode plot and critical speed")(
       "duration-s", po::value<double>()->value_name("T")->default_value(2), "length of the free response")(
       "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
-      "sampling time of the sensors in --free-response and --run-up")(
-      "noise-m", po::value<double>()->value_name("S")->default_value(0),
-      "standard deviation of the sensors' noise in --free-response and --run-up");
+      "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
+      "they show")("noise-m", po::value<double>()->value_name("S")->default_value(0),
+                   "standard deviation of the sensors' noise; likewise");
   add_output(options, "write there instead of output.directory + _trace");
   add_set(options);
   add_last(options);
@@ -90,10 +90,9 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   arguments.sample_s = read<double>(given, "sample-s", "a number > 0", positive).value();
   arguments.noise_m = read<double>(given, "noise-m", "a number >= 0", not_negative).value();
   if (!arguments.free_response && !arguments.run_up) {
-    for (const char* name : {"duration-s", "sample-s", "noise-m"}) {
-      if (!given[name].defaulted())
-        throw UsageError(fmt::format("--{} belongs to --free-response or --run-up", name));
-    }
+    if (!given["duration-s"].defaulted())
+      throw UsageError("--duration-s belongs to --free-response");
+    arguments.probes = !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
     return false;
   }
   if (arguments.free_response && arguments.run_up)
@@ -152,6 +151,7 @@ std::string rubtrace_help() {
       "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
       "/tmp/trace\n"
       "  scripts/trace.sh /tmp/trace /tmp/picture 'A trace'      (draws it)\n"
+      "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
       "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
       "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5\n\n"
       "From a whirl ratio of 1, where the quiet whirl itself reaches the wall, the run starts at rest and "
@@ -165,6 +165,9 @@ std::string rubtrace_help() {
       "0\n"
       "  events.csv      changes of contact mode: open, clamped, sprung, released; none with contact: "
       "smoothed\n"
+      "  sensors.csv     with --sample-s or --noise-m: what the sensors of a rotor kit read; of a Jeffcott rotor "
+      "x and y\n"
+      "  probe_spectrum.csv  full spectrum of the last of these readings, of two sensors at one place\n"
       "  spectrum.csv    full spectrum of the last whole periods in response.window_revolutions revolutions\n"
       "  motion.csv      the row that a map holds of this cell, with its own number of revolutions\n"
       "  config.yaml     the complete configuration, its sweep reduced to this cell\n"

@@ -20,8 +20,9 @@ struct RubtraceArguments : StudyArguments {
   bool free_response = false;            ///< an experiment without contact instead of a trace
   std::optional<SpeedRamp> run_up = {};  ///< another one
   double duration_s = 2;                 ///< of the free response
-  double sample_s = 1e-3;                ///< of the sensors in an experiment
+  double sample_s = 1e-3;                ///< of the sensors
   double noise_m = 0;
+  bool probes = false;  ///< the sensors look at a trace, too
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};
 };
