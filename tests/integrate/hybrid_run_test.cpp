@@ -309,8 +309,9 @@ TEST(Exact, LooseBoundsOnTheSlipShortenStretchesInsteadOfGivingTheTurnUp) {
   model::Machine machine = test::machine_of(rotor);
   machine.stops.push_back(machine.stops[0]);
   std::get<model::OneSideGeometry>(machine.stops[1].geometry).angle_deg += 180;
-  scene::Scene scene = scene::build_cell(machine, rotor.speed_hz, scene::WhirlRatio{rotor.whirl_ratio}).scene;
-  const run::TurnReport exact = run_exact(scene, 2);
+  const scene::Scene scene =
+      scene::build_cell(machine, rotor.speed_hz, scene::WhirlRatio{rotor.whirl_ratio}).scene;
+  const run::TurnReport exact = run_exact(scene, 4);
   EXPECT_GT(exact.effort.switches, 10);
   EXPECT_EQ(exact.effort.taylor_turns + exact.effort.adaptive_turns, 0);
   EXPECT_LT(difference(exact, run_adaptive(scene, 4, 1e-13)), 1e-8);
