@@ -9,7 +9,7 @@
 namespace rubsweep::integrate::taylor {
 namespace {
 
-constexpr double piece_times_fastest = 0.25;  ///< cubics through values and rates have peaks to 1e-5
+constexpr double piece_times_fastest = 0.25;  ///< cubics through values and rates have peaks to 2e-5
 constexpr int most_pieces = 64;
 
 /// So many that a cubic through values and rates at the ends of a piece has its maximum.
