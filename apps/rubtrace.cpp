@@ -104,7 +104,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 int perform(const RubtraceArguments& arguments) {
   if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
-  if (arguments.free_response || arguments.run_up) {
+  if (arguments.free_response || arguments.run_up || arguments.campbell) {
     return run_experiment(arguments, config, directory_of(arguments, config));
   }
   return run(arguments, std::move(config));
