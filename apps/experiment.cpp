@@ -72,6 +72,10 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
   std::erase_if(files, [](const auto& file) { return file.second.empty(); });
   write_result_files(files, file_names, directory);
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
+  if (arguments.figure) {
+    arguments.figure->draw("draw_campbell.py", directory, "Campbell diagram");
+    if (!arguments.quiet) fmt::print("figure    {}\n", arguments.figure->file().string());
+  }
   return done;
 }
 

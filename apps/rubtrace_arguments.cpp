@@ -37,6 +37,7 @@ po::options_description visible_options() {
       "sampling time of the sensors in --free-response and --run-up")(
       "noise-m", po::value<double>()->value_name("S")->default_value(0),
       "standard deviation of the sensors' noise in --free-response and --run-up");
+  add_figure(options, "draw a trace or a Campbell diagram as FILE.png or FILE.svg");
   add_output(options, "write there instead of output.directory + _trace");
   add_set(options);
   add_last(options);
@@ -117,6 +118,8 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   if (given.count("run-up") != 0) arguments.run_up = ramp_of(given["run-up"].as<std::string>());
   if (given.count("campbell") != 0)
     arguments.campbell = campbell_speeds_of(given["campbell"].as<std::string>());
+  if (arguments.figure && (arguments.free_response || arguments.run_up))
+    throw UsageError("--figure belongs to a trace or to --campbell");
   const bool sampled = arguments.free_response || arguments.run_up;
   if (static_cast<int>(arguments.free_response) + arguments.run_up.has_value() +
           arguments.campbell.has_value() >
@@ -171,6 +174,7 @@ RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
   const po::variables_map given = read_study_command_line(argc, argv, visible_options());
   RubtraceArguments arguments{study_arguments(given, "rubtrace")};
   if (arguments.action != Action::run) return arguments;
+  arguments.figure = figure_of(given);
   if (read_experiment(given, arguments)) return arguments;
   const auto speed_hz = read<double>(given, "speed-hz", "a number > 0", positive);
   if (!speed_hz) throw UsageError("the shaft speed is needed: --speed-hz S");
@@ -190,7 +194,7 @@ std::string rubtrace_help() {
       "  rubtrace configs/figure06_one_side.yaml --speed-hz 75 --whirl-ratio 0.3\n"
       "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
       "/tmp/trace\n"
-      "  scripts/trace.sh /tmp/trace /tmp/picture 'A trace'      (draws it)\n"
+      "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --figure /tmp/trace.png\n"
       "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
       "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5\n"
       "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n\n"

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "action.hpp"
+#include "figure.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::apps {
@@ -29,6 +30,7 @@ struct RubtraceArguments : StudyArguments {
   double duration_s = 2;                        ///< of the free response
   double sample_s = 1e-3;                       ///< of the sensors in an experiment
   double noise_m = 0;
+  std::optional<Figure> figure = {};  ///< drawn of a trace or a Campbell diagram
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};
 };

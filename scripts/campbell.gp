@@ -1,6 +1,6 @@
 # Draws the Campbell diagram that analysis/campbell_layout.py lays out.
 # gnuplot -c campbell.gp WORK OUTPUT_BASENAME HEADING SHAPES
-# WORK holds curves, names, critical, labels, shapes and shaft; SHAPES: how many mode shapes there are.
+# WORK holds curves, critical, shapes, shaft and labels.gp; SHAPES: how many mode shapes there are.
 
 work = ARG1
 output = ARG2
@@ -16,10 +16,6 @@ turning = "#777777"
 
 file(name) = work . "/" . name
 stats file("curves") using 1:2 name "C" nooutput
-fastest = C_max_x
-top = C_min_y * 1.3 > 1.5 * fastest ? C_min_y * 1.3 : 1.5 * fastest
-any_critical = int(system(sprintf("wc -l < '%s'", file("critical")))) > 0
-any_mixed = int(system(sprintf("grep -c ' 2$' '%s' || true", file("curves")))) > 0
 right = shapes ? 0.56 : 0.95
 
 do for [format in "png svg"] {
@@ -32,8 +28,9 @@ do for [format in "png svg"] {
   set encoding utf8
   set minussign
   set multiplot
-  set label 1 heading at screen 0.5, 0.965 center font ":Bold,24" noenhanced
+  set label 1000 heading at screen 0.5, 0.972 center font ":Bold,24" noenhanced
 
+  load file("labels.gp")
   set lmargin at screen 0.07
   set rmargin at screen right
   set bmargin at screen 0.12
@@ -44,20 +41,15 @@ do for [format in "png svg"] {
   set yrange [0:top]
   set xlabel "shaft speed (Hz)"
   set ylabel "whirl frequency (Hz)"
-  set key at screen 0.07, screen 0.95 left top horizontal Left reverse noopaque samplen 2.5 maxrows 1
-  set label 2 "1X" at first 0.94 * fastest, first 0.94 * fastest + 0.035 * top right textcolor rgb turning
-  set label 3 "2X" at first 0.5 * 0.94 * top, first 0.94 * top right offset -0.8, 0 textcolor rgb turning
-  set style textbox opaque noborder margins 0.4, 0.2
+  set key at screen 0.07, screen 0.945 left top horizontal Left reverse noopaque samplen 2.5 maxrows 1
+  set label 1001 "1X" at first 0.94 * fastest, first 0.94 * fastest + 0.035 * top right textcolor rgb turning
+  set label 1002 "2X" at first 0.5 * 0.94 * top, first 0.94 * top right offset -0.8, 0 textcolor rgb turning
   plot x with lines linecolor rgb turning dashtype 3 linewidth 1.5 notitle, \
     2 * x with lines linecolor rgb turning dashtype 3 linewidth 0.8 notitle, \
     for [k = 1:(any_mixed ? 3 : 2)] file("curves") using 1:($3 == k - 1 ? $2 : NaN) with lines \
       linecolor rgb colour[k] dashtype dash[k] linewidth 2 title direction[k], \
     (any_critical ? file("critical") : "/dev/null") using 1:1 with points pointtype 7 pointsize 1.3 \
-      linecolor rgb "black" title (any_critical ? "critical speed" : ""), \
-    (any_critical ? file("labels") : "/dev/null") using ($3 == 0 ? $1 : NaN):1:2 with labels boxed right offset -0.8, 0.8 font ",16" notitle, \
-    (any_critical ? file("labels") : "/dev/null") using ($3 == 1 ? $1 : NaN):1:2 with labels boxed left offset 0.8, -0.8 font ",16" notitle, \
-    (any_critical ? file("labels") : "/dev/null") using ($3 == 2 ? $1 : NaN):1:2 with labels boxed left offset 0.3, 0.9 font ",16" notitle, \
-    file("names") using ($2 < top ? $1 : NaN):2:(strcol(3)) with labels left offset 0.6, 0 font ",16" notitle
+      linecolor rgb "black" title (any_critical ? "critical speed" : "")
   unset label
 
   if (shapes) {

@@ -17,7 +17,7 @@ SAME_HEIGHT = 0.02
 
 
 def lay_out(directory, work):
-    """Writes work/{curves,critical,labels,names,shapes,shaft}; returns how many mode shapes there are."""
+    """Writes work/{curves,critical,labels.gp,shapes,shaft}; returns how many mode shapes there are."""
     names = ("campbell.csv", "critical_speeds.csv", "mode_shapes.csv", "config.yaml")
     files = {name: os.path.join(directory, name) for name in names}
     require_readable(*files.values())
@@ -25,9 +25,17 @@ def lay_out(directory, work):
     critical = _numbers(files["critical_speeds.csv"], "mode", "speed_hz")
     shapes = _numbers(files["mode_shapes.csv"], "mode", "frequency_hz", "position_m", "x_real", "y_real", "x_imag", "y_imag")
     _write(work, "curves", curve_lines(curves))
-    _write(work, "names", name_lines(curves))
     _write(work, "critical", ("%.17g %d" % (row["speed_hz"], WHIRLS.index(row["whirl"])) for row in critical))
-    _write(work, "labels", label_lines(critical, max((row["speed_hz"] for row in curves), default=0)))
+    fastest = max((row["speed_hz"] for row in curves), default=0)
+    # As high as shows where the modes meet the shaft speed, and the slowest mode in any case.
+    top = max(1.5 * fastest, 1.3 * min((row["frequency_hz"] for row in curves), default=0))
+    sizes = [
+        f"fastest = {fastest:.17g}",
+        f"top = {top:.17g}",
+        f"any_critical = {len(critical) > 0:d}",
+        f"any_mixed = {any(row['whirl'] == 'mixed' for row in curves):d}",
+    ]
+    _write(work, "labels.gp", [*sizes, *name_lines(curves, top), *label_lines(critical, fastest)])
     shown = shown_shapes(shapes)
     _write(work, "shapes", shape_lines(shown))
     _write(work, "shaft", shaft_lines(configuration.read_configuration(files["config.yaml"])))
@@ -50,25 +58,32 @@ def curve_lines(rows):
         yield ""
 
 
-def name_lines(rows):
-    """The last point of each mode and its number; modes that end at one height share a text."""
+def name_lines(rows, top):
+    """The number of each mode at its end, as gnuplot's labels; modes that end at one height share one."""
     ends = [list(mode)[-1] for _, mode in groupby(rows, key=lambda row: row["mode"])]
-    height = 1.5 * max((row["speed_hz"] for row in rows), default=0)
-    for cluster in _clusters(sorted(ends, key=lambda row: row["frequency_hz"]), "frequency_hz", SAME_HEIGHT * height):
+    shown = sorted((row for row in ends if row["frequency_hz"] < top), key=lambda row: row["frequency_hz"])
+    for cluster in _clusters(shown, "frequency_hz", SAME_HEIGHT * top):
         place = sum(row["frequency_hz"] for row in cluster) / len(cluster)
-        yield "%.17g %.17g %s" % (cluster[0]["speed_hz"], place, ",".join("%d" % row["mode"] for row in cluster))
+        text = ",".join("%d" % row["mode"] for row in cluster)
+        yield _label(cluster[0]["speed_hz"], place, text, "left offset 0.6, 0")
 
 
 def label_lines(rows, fastest):
-    """Speeds that lie together get one label, at their middle: speed, text and where it stands: 0 left above, 1 right below,
-    where the next one is so close that it needs the other side, 2 right above, beside the axis."""
+    """Critical speeds as gnuplot's labels; speeds that lie together get one, at their middle. It stands above to the left
+    of the line, below to the right where the next one is close, above to the right beside the axis."""
     clusters = list(_clusters(sorted(rows, key=lambda row: row["speed_hz"]), "speed_hz", 0, SAME_SPEED))
     middles = [sum(row["speed_hz"] for row in cluster) / len(cluster) for cluster in clusters]
     for middle, following in zip(middles, [*middles[1:], float("inf")]):
-        place = 1 if following < middle + CLOSE * fastest else 0
+        place = "right offset -0.8, 0.8"
         if middle < BESIDE_AXIS * fastest:
-            place = 2
-        yield "%.17g %.4g %d" % (middle, middle, place)
+            place = "left offset 0.3, 0.9"
+        elif following < middle + CLOSE * fastest:
+            place = "left offset 0.8, -0.8"
+        yield _label(middle, middle, "%.4g" % middle, place)
+
+
+def _label(x, y, text, place):
+    return f"set label '{text}' at first {x:.17g}, first {y:.17g} {place} front font ',16'"
 
 
 def _clusters(rows, name, distance, share=0.0):

@@ -67,7 +67,8 @@ WhirlMode WhirlProblem::mode_of(Complex root, const Eigen::VectorXcd& state) con
   const Eigen::VectorXcd normal = rad_per_s_.cwiseInverse().cast<Complex>().asDiagonal() * place;
   mode.shape = mass_.matrixU().solve(Eigen::MatrixXd(normal.real())).cast<Complex>() +
                Complex(0, 1) * mass_.matrixU().solve(Eigen::MatrixXd(normal.imag())).cast<Complex>();
-  mode.forward_share = 0.5 * (1 + place.dot(spin_ * place).real() / normal.squaredNorm());
+  mode.forward_share =
+      std::clamp(0.5 * (1 + place.dot(spin_ * place).real() / normal.squaredNorm()), 0.0, 1.0);
   return mode;
 }
 
