@@ -61,7 +61,7 @@ refused() {
 }
 refused '--free-response, --run-up and --campbell exclude each other' --free-response --run-up 10:20:1
 refused '--free-response, --run-up and --campbell exclude each other' --campbell 10:20 --run-up 10:20:1
-for range in 10 10:x 20:10 -1:10 10:20:1 10:20:2.5 10:20:30:40 ''; do
+for range in 10 10:x 20:10 -1:10 10:20:1 10:20:2.5 10:20:30:40; do
   refused "--campbell: '$range' is not allowed, allowed: FROM:TO" --campbell="$range"
 done
 refused '--eccentricity-m belongs to a trace or a run-up' --campbell 10:20 --eccentricity-m 1e-5
