@@ -65,10 +65,10 @@ void add_figure(po::options_description& options, const char* meaning) {
   options.add_options()("figure", po::value<std::string>()->value_name("FILE"), meaning);
 }
 
-Figure::Figure(fs::path file) : file_(std::move(file)) {
+Figure::Figure(fs::path file, const std::string& option) : file_(std::move(file)) {
   const std::string kind = file_.extension();
   if (kind != ".png" && kind != ".svg")
-    throw UsageError("--figure: allowed: a name that ends with .png or .svg");
+    throw UsageError(fmt::format("--{}: allowed: a name that ends with .png or .svg", option));
   for (const auto& [command, package] :
        {std::pair("gnuplot", "gnuplot-nox"), std::pair("python3", "python3")}) {
     if (!find_command(command)) {
@@ -92,9 +92,9 @@ void Figure::draw(const std::string& script, const fs::path& input, const std::s
   batch::write_whole_file(file_, text_of_file(fs::path(output) += file_.extension()));
 }
 
-std::optional<Figure> figure_of(const po::variables_map& given) {
-  if (given.count("figure") == 0) return std::nullopt;
-  return Figure(given["figure"].as<std::string>());
+std::optional<Figure> figure_of(const po::variables_map& given, const std::string& option) {
+  if (given.count(option) == 0) return std::nullopt;
+  return Figure(given[option].as<std::string>(), option);
 }
 
 }  // namespace rubsweep::apps

@@ -15,9 +15,9 @@ void add_figure(po::options_description& options, const char* meaning);
 /// copy in share/rubsweep/scripts, else those of the sources it was built from.
 class Figure {
  public:
-  /// `file` ends with .png or .svg, else UsageError. Throws IoError, before anything is computed, where
-  /// gnuplot, Python or the scripts are missing.
-  explicit Figure(std::filesystem::path file);
+  /// `file`, the value of --OPTION, ends with .png or .svg, else UsageError. Throws IoError, before anything
+  /// is computed, where gnuplot, Python or the scripts are missing.
+  Figure(std::filesystem::path file, const std::string& option);
 
   const std::filesystem::path& file() const { return file_; }
 
@@ -30,7 +30,7 @@ class Figure {
   std::filesystem::path file_, scripts_;
 };
 
-/// The figure that --figure asks for, if it does.
-std::optional<Figure> figure_of(const po::variables_map& given);
+/// The figure that --figure, or another option of that kind, asks for, if it does.
+std::optional<Figure> figure_of(const po::variables_map& given, const std::string& option = "figure");
 
 }  // namespace rubsweep::apps

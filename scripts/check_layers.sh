@@ -28,10 +28,11 @@ declare -A below=(
   [response]='response/proof response/rotating'
   [trace]='response'
   [sweep]='response batch'
+  [line]='sweep trace'
   [bench]='response'
   [ring]='batch numerics'
   [config]='sweep bench ring'
-  [report]='sweep bench ring trace identify'
+  [report]='sweep bench ring line identify'
   [page]='report'
 )
 
