@@ -21,9 +21,9 @@ std::string_view cell(std::string_view line, std::size_t column) {
   return line.substr(0, line.find(','));
 }
 
-/// Class and order, and what parts motions that share a class but are not alike: a whip that rolls backward
-/// on its own force from an oval that the unbalance drives, a circle forward from one backward.
-std::string name_of(std::string_view map_line) {
+}  // namespace
+
+std::string motion_name(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), order_column = place_of_column("order"),
                            orbit_column = place_of_column("orbit"), whirl_column = place_of_column("whirl"),
                            comb_column = place_of_column("comb_spacing");
@@ -39,14 +39,12 @@ std::string name_of(std::string_view map_line) {
   return name;
 }
 
-}  // namespace
-
 void MapSummary::add(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), status_column = place_of_column("status"),
                            start_column = place_of_column("start"),
                            last_column = place_of_column("last_contact_revolution");
   ++total_;
-  ++by_name_[name_of(map_line)];
+  ++by_name_[motion_name(map_line)];
   const std::string_view status = cell(map_line, status_column);
   if (status != "ok") ++by_status_[std::string(status)];
   if (cell(map_line, class_column) == to_string(MotionClass::non_contact)) ++non_contact_;

@@ -202,6 +202,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
     }
     ++run.revolutions;
     torus.add(request, turn);
+    run.section = turn.section;
     if (turn.touched) run.last_contact_revolution = run.revolutions;
     run.slip_reversed = run.slip_reversed || turn.slip_reversed;
     if (run.revolutions > first_recorded) record.add(turn);

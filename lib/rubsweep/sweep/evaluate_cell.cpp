@@ -44,27 +44,33 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, std::si
              response::motion::Workspace& workspace) {
   const scene::Place place = place_of(study.grid, cell);
   const scene::Cell start = scene::build_cell(prepared, place.speed_hz, place.unbalance);
-  Row row;
-  row.speed_hz = place.speed_hz;
-  row.whirl_ratio = start.whirl_ratio;
-  row.eccentricity_m = start.eccentricity_m;
-  if (start.start == scene::Start::unreachable) {
-    row.status = "unreachable";
-    return row;
-  }
-  if (start.start == scene::Start::initial_contact) {
-    row.motion_class = response::motion::MotionClass::initial_contact;
-    return row;
-  }
-  row.start = start.start == scene::Start::contact ? RunStart::contact
-              : !start.scene.pulses.empty()        ? RunStart::kick
-                                                   : RunStart::quiet;
-  fill(row, response::settle(start, study.solver, study.response, workspace),
-       some_friction_keeps_its_direction(prepared.machine));
-  return row;
+  if (!scene::can_run(start.start)) return row_of(start, place.speed_hz, prepared.machine, nullptr);
+  const response::SettledRun run = response::settle(start, study.solver, study.response, workspace);
+  return row_of(start, place.speed_hz, prepared.machine, &run);
 }
 
 }  // namespace
+
+Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machine,
+           const response::SettledRun* run) {
+  Row row;
+  row.speed_hz = speed_hz;
+  row.whirl_ratio = cell.whirl_ratio;
+  row.eccentricity_m = cell.eccentricity_m;
+  if (cell.start == scene::Start::unreachable) {
+    row.status = "unreachable";
+    return row;
+  }
+  if (cell.start == scene::Start::initial_contact) {
+    row.motion_class = response::motion::MotionClass::initial_contact;
+    return row;
+  }
+  row.start = cell.start == scene::Start::contact ? RunStart::contact
+              : !cell.scene.pulses.empty()        ? RunStart::kick
+                                                  : RunStart::quiet;
+  if (run != nullptr) fill(row, *run, some_friction_keeps_its_direction(machine));
+  return row;
+}
 
 Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Workspace& workspace) {
   return evaluate_cell(study, scene::prepare_machine(study.machine), cell, workspace);

@@ -10,13 +10,24 @@ namespace rubsweep::sweep {
 
 /// How the run of a cell began.
 enum class RunStart {
-  kick,    ///< on the quiet whirl, kicked
-  quiet,   ///< on the quiet whirl; there is no kick
-  contact  ///< at rest in the static position, not kicked: the quiet motion itself reaches a wall
+  kick,      ///< on the quiet whirl, kicked
+  quiet,     ///< on the quiet whirl; there is no kick
+  contact,   ///< at rest in the static position, not kicked: the quiet motion itself reaches a wall
+  handed_on  ///< on the motion of the cell before it on a line, never in a map
 };
 
 constexpr std::string_view to_string(RunStart start) {
-  return start == RunStart::kick ? "kick" : start == RunStart::quiet ? "quiet" : "contact";
+  switch (start) {
+    case RunStart::kick:
+      return "kick";
+    case RunStart::quiet:
+      return "quiet";
+    case RunStart::contact:
+      return "contact";
+    case RunStart::handed_on:
+      return "handed_on";
+  }
+  return "";
 }
 
 /// All that survives of one cell: one row of the map. What does not apply is empty.
