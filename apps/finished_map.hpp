@@ -18,8 +18,11 @@ struct FinishedMap {
   report::MapSummary summary;  ///< of known columns
 };
 
-/// Reads it a row at a time. Throws IoError.
-FinishedMap read_finished_map(const std::filesystem::path& map);
+/// Reads it a row at a time; its summary warns above so many clearances. Throws IoError.
+FinishedMap read_finished_map(const std::filesystem::path& map, double warn_over_clearances);
+
+/// Says on stderr what makes the numbers of a whole map doubtful, where something does.
+void warn(std::string_view program, const report::MapSummary& summary);
 
 /// What `program` says on stderr where it finds the whole map of its study.
 std::string map_is_there(std::string_view program);

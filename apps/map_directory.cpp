@@ -72,7 +72,7 @@ batch::Journal rank_journal(const config::RunConfig& config, int rank) {
 
 MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, std::optional<Share> part,
                            bool fresh, const std::string& program)
-    : directory_(std::move(directory)), name_(name_of(part)), part_(part), header_(header_of(config)) {
+    : directory_(std::move(directory)), name_(name_of(part)), part_(part), header_(header_of(config)), warn_over_clearances_(config.warn_over_clearances) {
   allow_as_many_files_as_there_may_be();
   make_directory(directory_);
   // One begins at a time: what one of them reads here, no other removes meanwhile.
@@ -84,7 +84,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   if (fresh) forget();
   refuse_journals_of_others();
   if (fs::exists(map())) {
-    finished_map_ = read_finished_map(map());
+    finished_map_ = read_finished_map(map(), warn_over_clearances_);
     refuse_map_of_another(*finished_map_, map(), header_);
     // Whoever wrote it may have been killed before they were gone.
     if (!part_) remove_journals();
@@ -229,7 +229,7 @@ void MapDirectory::remove_journals() const {
 report::MapSummary MapDirectory::write_map() const {
   batch::FinishedCells finished(header_.cells);
   for (const fs::path& journal : journals()) finished.add(journal);
-  report::MapSummary summary;
+  report::MapSummary summary(warn_over_clearances_);
   batch::WholeFile file(map());
   file.write(comments_and_header(header_.study_digest));
   for (std::size_t cell = 0; cell < header_.cells; ++cell) {

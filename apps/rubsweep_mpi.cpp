@@ -82,6 +82,7 @@ ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std
     if (!job->arguments.quiet) {
       say(map_is_there(program_name));
       fmt::print("{}map: {}\n", map->summary.text(), job->directory->map().string());
+      warn(program_name, map->summary);
     }
     job.reset();
     return failed_cells ? some_cells_failed : done;
@@ -276,7 +277,10 @@ int lead(Job& job, int ranks) {
     return 128 + leader.signal();
   }
   const report::MapSummary summary = directory.write_map();
-  if (!quiet) fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+  if (!quiet) {
+    fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+    warn(program_name, summary);
+  }
   return summary.has_failed_cells() ? some_cells_failed : done;
 }
 

@@ -28,8 +28,9 @@ struct RubtraceArguments : StudyArguments {
   std::optional<SpeedRamp> run_up = {};         ///< another one
   std::optional<CampbellSpeeds> campbell = {};  ///< and another one
   double duration_s = 2;                        ///< of the free response
-  double sample_s = 1e-3;                       ///< of the sensors in an experiment
+  double sample_s = 1e-3;                       ///< of the sensors
   double noise_m = 0;
+  bool probes = false;                ///< the sensors look at a trace, too
   std::optional<Figure> figure = {};  ///< drawn of a trace or a Campbell diagram
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};

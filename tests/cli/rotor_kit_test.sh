@@ -69,7 +69,7 @@ refused '--duration-s belongs to --free-response or --run-up' --campbell 10:20 -
 refused '--figure belongs to a trace or to --campbell' --free-response --figure x.png
 refused '--figure: allowed: a name that ends with .png or .svg' --campbell 10:20 --figure x.gif
 refused '--speed-hz belongs to a trace' --free-response --speed-hz 3
-refused '--noise-m belongs to --free-response or --run-up' --speed-hz 3 --whirl-ratio 0.1 --noise-m 1
+refused '--duration-s belongs to --free-response' --speed-hz 3 --whirl-ratio 0.1 --duration-s 1
 refused 'the unbalance of the run-up is needed' --run-up 10:20:1
 refused "--run-up: '10:20' is not allowed" --run-up 10:20 --eccentricity-m 1e-5
 refused "--run-up: '10:x:1' is not allowed" --run-up 10:x:1 --eccentricity-m 1e-5

@@ -48,7 +48,7 @@ RunConfig read_sections(const Value& root) {
   if (const auto value = section.require("sweep", "a map")) study.grid = read_sweep(*value);
   if (const auto value = section.find("solver")) study.solver = read_solver(*value);
   if (const auto value = section.find("response")) read_response(*value, study);
-  if (const auto value = section.require("output", "a map")) config.output_directory = read_output(*value);
+  if (const auto value = section.require("output", "a map")) read_run_output(*value, config);
   section.refuse_unknown_keys();
   return config;
 }

@@ -87,7 +87,7 @@ motion::Motion verdict(const scene::Scene& scene, const integrate::run::SolverOp
   motion::Motion motion = motion::settle_verdict(previous, last);
   if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return motion;
   if (rotating::rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
-  if (motion.motion_class == motion::MotionClass::unsettled &&
+  if (options.exponent && motion.motion_class == motion::MotionClass::unsettled &&
       integrate::run::same_every_turn(scene.impulses))
     follow_on(scene, solver, options, section, workspace, motion);
   return motion;
@@ -131,11 +131,13 @@ void conclude(const motion::ProvenMotion& proven, SettledRun& run) {
 }
 
 /// What the end of a whole run shows.
-void conclude(const motion::Motion& seen, const scene::Cell& cell, SettledRun& run) {
+void conclude(const motion::Motion& seen, const scene::Cell& cell, const proof::RestProof& rest,
+              SettledRun& run) {
   run.motion = seen;
-  // Two windows without contact do not last where the quiet motion itself touches: the whirl is still
-  // growing.
-  if (run.motion.motion_class == motion::MotionClass::non_contact && cell.start != scene::Start::quiet)
+  // Two windows without contact do not last where the quiet motion itself touches, or where a vibration about
+  // it grows, as by damping that turns with the shaft: the whirl is still growing.
+  const bool lasts = cell.start == scene::Start::quiet && !rest.vibration_grows();
+  if (run.motion.motion_class == motion::MotionClass::non_contact && !lasts)
     run.motion.motion_class = motion::MotionClass::unsettled;
   if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
 }
@@ -219,7 +221,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
         conclude_on_torus(torus, record, options, workspace, run))
       return run;
   }
-  conclude(verdict(cell.scene, solver, options, record, turn.section, workspace), cell, run);
+  conclude(verdict(cell.scene, solver, options, record, turn.section, workspace), cell, rest, run);
   return run;
 }
 
@@ -234,6 +236,13 @@ motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseO
     displacement_m.emplace_back(z.x(), z.y());
     peak = std::max(peak, z.norm());
   }
+  // Nothing that turns with the shaft moves a casing that is not touched.
+  double casing = 0;
+  for (const scene::Contact& contact : cell.scene.contacts) {
+    if (!contact.casing_point) continue;
+    const auto& point = cell.scene.structure.points[static_cast<std::size_t>(*contact.casing_point)];
+    casing = std::max(casing, (point.map * cell.quiet.mean).norm());
+  }
   const std::array<double, 2> rest{0, 0};
   motion::Window window;
   window.turns = 1;
@@ -242,7 +251,8 @@ motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseO
   window.displacement_m = displacement_m;
   window.states = 1;
   window.section = rest;
-  const std::array<motion::ContactFacts, 1> facts{{{.peak_displacement_m = peak}}};
+  const std::array<motion::ContactFacts, 1> facts{
+      {{.peak_displacement_m = peak, .peak_casing_displacement_m = casing}}};
   window.contact = facts;
   return motion::classify_window(window, options, workspace.spectrum).measures;
 }

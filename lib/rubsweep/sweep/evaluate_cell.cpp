@@ -1,8 +1,11 @@
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <variant>
 
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/contact/hertz_line.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/robustness.hpp"
 
@@ -20,6 +23,21 @@ void add_status(Row& row, std::string_view word) {
   } else {
     row.status.append(";").append(word);
   }
+}
+
+/// Whether a force is too large for the stiffness of some stop that has it from a line contact. Where stops
+/// differ the narrowest counts, whichever the force acts at: the word is a doubt.
+bool beyond_hertz(const model::Machine& machine, double force_n) {
+  return std::ranges::any_of(machine.stops, [force_n](const model::Stop& stop) {
+    return stop.hertz && force_n > contact::hertz_force_limit_n(*stop.hertz);
+  });
+}
+
+/// What the size of a measured motion says about the model.
+void doubt(Row& row, const model::Machine& machine, double clearance_m) {
+  if (!row.measures) return;
+  row.peak_over_clearance = row.measures->contact.peak_displacement_m / clearance_m;
+  if (beyond_hertz(machine, row.measures->contact.peak_contact_force_n)) add_status(row, "beyond_hertz");
 }
 
 void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) {
@@ -68,7 +86,9 @@ Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machi
   row.start = cell.start == scene::Start::contact ? RunStart::contact
               : !cell.scene.pulses.empty()        ? RunStart::kick
                                                   : RunStart::quiet;
-  if (run != nullptr) fill(row, *run, some_friction_keeps_its_direction(machine));
+  if (run == nullptr) return row;
+  fill(row, *run, some_friction_keeps_its_direction(machine));
+  doubt(row, machine, cell.scene.length_scale_m);
   return row;
 }
 

@@ -40,7 +40,8 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       max_steps_(options.max_steps_per_revolution),
       state_(run::scaled_initial_state(scene)),
       rate_(state_.size()),
-      probe_(state_.size()) {
+      probe_(state_.size()),
+      other_probe_(state_.size()) {
   dynamics_.follow(pulses_);
 }
 
@@ -230,8 +231,11 @@ void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duratio
     report.contact_fraction += duration / full_turn;
   }
   if (!peaks_wanted_) return;
-  const double peak = largest_displacement(motion_, system_, fastest, duration, probe_);
-  report.peak_displacement_m = std::max(report.peak_displacement_m, peak * system_.scale.length_m);
+  const auto [observed, casing] =
+      largest_displacements(motion_, system_, fastest, duration, probe_, other_probe_);
+  const double length_m = system_.scale.length_m;
+  report.peak_displacement_m = std::max(report.peak_displacement_m, observed * length_m);
+  report.peak_casing_displacement_m = std::max(report.peak_casing_displacement_m, casing * length_m);
 }
 
 template <int N>
