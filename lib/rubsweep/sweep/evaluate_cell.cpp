@@ -1,8 +1,13 @@
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
+#include <limits>
+#include <span>
 #include <string_view>
 #include <variant>
+#include <vector>
 
+#include "rubsweep/error.hpp"
+#include "rubsweep/overloaded.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/robustness.hpp"
 
@@ -39,10 +44,9 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
   if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
 }
 
-/// The cell of a prepared machine that may differ from the study's.
-Row evaluate(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
+/// The cell at a place, of a prepared machine that may differ from the study's.
+Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
              response::motion::Workspace& workspace) {
-  const scene::Place place = place_of(study.grid, cell);
   const scene::Cell start = scene::build_cell(prepared, place.speed_hz, place.unbalance);
   Row row;
   row.speed_hz = place.speed_hz;
@@ -64,6 +68,39 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, std::si
   return row;
 }
 
+/// With what robustness asks for.
+Row evaluate_place(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
+                   response::motion::Workspace& workspace) {
+  Row row = evaluate(study, prepared, place, workspace);
+  if (study.robustness == Robustness::on) {
+    row.robust = is_robust(row, study.machine, [&](const model::Machine& machine) {
+      // Only the kick differs: the structure stays.
+      return evaluate(study, scene::PreparedMachine{machine, prepared.assembly, prepared.reduction}, place,
+                      workspace);
+    });
+  }
+  return row;
+}
+
+/// A cell whose keys hold numbers of their own.
+Row evaluate_keys(const Study& study, std::span<const KeyValue> keys, const scene::Place& place,
+                  response::motion::Workspace& workspace) {
+  try {
+    const Study varied = study.with_keys(keys);
+    return evaluate_place(varied, scene::prepare_machine(varied.machine), place, workspace);
+  } catch (const ConfigError&) {
+    // Each number is allowed by itself, which was seen to before; all of them together are not.
+    Row row;
+    row.speed_hz = place.speed_hz;
+    row.whirl_ratio = row.eccentricity_m = std::numeric_limits<double>::quiet_NaN();
+    std::visit(overloaded{[&](const scene::WhirlRatio& ratio) { row.whirl_ratio = ratio.value; },
+                          [&](const scene::Eccentricity& given) { row.eccentricity_m = given.value_m; }},
+               place.unbalance);
+    row.status = "not_allowed";
+    return row;
+  }
+}
+
 }  // namespace
 
 Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Workspace& workspace) {
@@ -72,14 +109,11 @@ Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Worksp
 
 Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                   response::motion::Workspace& workspace) {
-  Row row = evaluate(study, prepared, cell, workspace);
-  if (study.robustness == Robustness::on) {
-    row.robust = is_robust(row, study.machine, [&](const model::Machine& machine) {
-      // Only the kick differs: the structure stays.
-      return evaluate(study, scene::PreparedMachine{machine, prepared.assembly, prepared.reduction}, cell,
-                      workspace);
-    });
-  }
+  const scene::Place place = place_of(study.grid, cell);
+  if (study.grid.axes.empty()) return evaluate_place(study, prepared, place, workspace);
+  const std::vector<KeyValue> keys = key_values(study.grid, cell);
+  Row row = evaluate_keys(study, keys, place, workspace);
+  for (const KeyValue& key : keys) row.key_values.push_back(key.value);
   return row;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "rubsweep/response/settle.hpp"
 
@@ -34,8 +35,9 @@ struct Row {
   std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found
   std::optional<long> last_contact_revolution;
   long revolutions = 0;
-  std::string status = "ok";      ///< `ok` or one word per cause, joined by ';'
-  std::optional<RunStart> start;  ///< empty: nothing was run
+  std::string status = "ok";         ///< `ok` or one word per cause, joined by ';'
+  std::optional<RunStart> start;     ///< empty: nothing was run
+  std::vector<double> key_values{};  ///< of the axes over keys, in the order of key_names
 };
 
 }  // namespace rubsweep::sweep

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/model/machine.hpp"
 #include "rubsweep/response/motion/options.hpp"
@@ -17,6 +20,10 @@ struct Study {
   integrate::run::SolverOptions solver;
   response::motion::ResponseOptions response;
   Robustness robustness = Robustness::off;
+  /// This study with other numbers under some of its keys, and with a grid that says nothing. Throws
+  /// ConfigError where they are not allowed. Whoever reads the study fills it, and leaves it empty where
+  /// nothing varies keys. Threads may share it.
+  std::function<Study(std::span<const KeyValue>)> with_keys{};
 };
 
 }  // namespace rubsweep::sweep
