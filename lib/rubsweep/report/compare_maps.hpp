@@ -19,7 +19,7 @@ enum class CellVerdict {
 
 struct ComparedCell {
   double speed_hz = 0;
-  double unbalance = 0;  ///< in the unit of the maps' second axis
+  double unbalance = 0;        ///< in the unit of the maps' second axis
   std::vector<double> keys{};  ///< of MapComparison::keys
   CellVerdict verdict = CellVerdict::equal;
   /// Class and order, such as "subharmonic 1/2"; empty where there is no such cell.
