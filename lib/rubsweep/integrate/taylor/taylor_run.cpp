@@ -125,6 +125,18 @@ double TaylorRun<N>::fastest_rate() const {
 }
 
 template <int N>
+double TaylorRun<N>::longest_step(double fastest) {
+  if (tangents_.count() == 0) return longest_times_fastest / fastest;
+  double turning = 0;
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    if (dynamics_.modes()[i] != Mode::open)
+      turning = std::max(turning, std::abs(motion_.contact(i).turn_rate()));
+  }
+  // The stiffness across a turning normal comes round twice a turn.
+  return longest_times_fastest_of_tangents / (fastest + 2 * turning);
+}
+
+template <int N>
 TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   pulses_.go_to(phase_);
   motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes());
@@ -136,8 +148,7 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   const double friction_ratio = friction_varies ? dynamics_.friction_ratio(state_) : 0;
   if (friction_ratio > stiff_above_) return TaylorEnding::stiff;
   const double boundary = next_boundary(), left = boundary - phase_;
-  const double cap = tangents_.count() > 0 ? longest_times_fastest_of_tangents : longest_times_fastest;
-  double wanted = std::min(motion_.converged_rad(), cap / (fastest * std::max(1.0, friction_ratio)));
+  double wanted = std::min(motion_.converged_rad(), longest_step(fastest * std::max(1.0, friction_ratio)));
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);
   if (!(wanted > 0)) return TaylorEnding::non_finite;
