@@ -80,7 +80,7 @@ std::string rubsweep_help() {
       "  rubsweep configs/minimal.yaml --output /tmp/map --threads 1\n"
       "  rubsweep configs/figure06_one_side.yaml --set stops.0.friction.coefficient=0.2 --output /tmp/mu02\n"
       "  rubsweep configs/figure06_one_side.yaml --explain\n"
-      "  rubsweep configs/minimal.yaml --set 'sweep.x={key: kick.force_n, from: 50, to: 400, count: 8, scale: log}'\n"
+      "  rubsweep configs/minimal.yaml --set 'sweep.x={{key: kick.force_n, from: 50, to: 400, count: 8}}'\n"
       "  rubsweep configs/figure06_one_side.yaml --shard 2/8\n"
       "  rubsweep configs/figure06_one_side.yaml --report\n\n"
       "Writes DIR/map.csv (one row per cell, speed fastest) and DIR/config.yaml (the complete "

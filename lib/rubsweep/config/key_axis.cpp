@@ -39,6 +39,13 @@ void refuse_keys_of_two_axes(const Value& value, const sweep::KeyAxis& axis, std
 
 }  // namespace
 
+sweep::KeyAxis read_key_axis(Section& section) {
+  sweep::KeyAxis axis;
+  read_keys(section, axis);
+  axis.values = read_axis_values(section, model::any_finite);
+  return axis;
+}
+
 std::vector<sweep::KeyAxis> read_key_axes(Section& sweep) {
   std::vector<sweep::KeyAxis> axes;
   std::set<std::string> taken;
@@ -47,9 +54,7 @@ std::vector<sweep::KeyAxis> read_key_axes(Section& sweep) {
     if (!value) continue;
     Section section(*value, key_axis_forms);
     if (!section.is_map()) continue;
-    sweep::KeyAxis axis;
-    read_keys(section, axis);
-    axis.values = read_axis_values(section, model::any_finite);
+    sweep::KeyAxis axis = read_key_axis(section);
     section.refuse_unknown_keys();
     refuse_keys_of_two_axes(*value, axis, taken);
     axes.push_back(std::move(axis));
@@ -57,18 +62,21 @@ std::vector<sweep::KeyAxis> read_key_axes(Section& sweep) {
   return axes;
 }
 
+void print_key_axis(Printer& printer, const sweep::KeyAxis& axis) {
+  const bool plain = std::ranges::all_of(axis.factors, [](double factor) { return factor == 1; });
+  if (axis.keys.size() == 1 && plain) {
+    printer.text("key", axis.keys.front());
+  } else {
+    printer.texts("keys", axis.keys);
+    printer.numbers("factors", axis.factors);
+  }
+  printer.numbers("values", axis.values);
+}
+
 void print_key_axes(Printer& printer, const std::vector<sweep::KeyAxis>& axes) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const sweep::KeyAxis& axis = axes[i];
     printer.open(key_axis_names.at(i));
-    const bool plain = std::ranges::all_of(axis.factors, [](double factor) { return factor == 1; });
-    if (axis.keys.size() == 1 && plain) {
-      printer.text("key", axis.keys.front());
-    } else {
-      printer.texts("keys", axis.keys);
-      printer.numbers("factors", axis.factors);
-    }
-    printer.numbers("values", axis.values);
+    print_key_axis(printer, axes[i]);
     printer.close();
   }
 }

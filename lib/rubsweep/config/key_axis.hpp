@@ -17,6 +17,11 @@ inline constexpr std::array<std::string_view, 3> key_axis_names{"x", "y", "z"};
 /// refuse_impossible_axes to see, which needs the whole configuration.
 std::vector<sweep::KeyAxis> read_key_axes(Section& sweep);
 
+/// The keys, factors and values of one axis, from a section that may have keys of its own beside them.
+sweep::KeyAxis read_key_axis(Section& section);
+
+/// The entries of one axis, into a section that is open.
+void print_key_axis(Printer& printer, const sweep::KeyAxis& axis);
 void print_key_axes(Printer& printer, const std::vector<sweep::KeyAxis>& axes);
 
 }  // namespace rubsweep::config

@@ -27,6 +27,7 @@ constexpr std::string_view allowed_keys =
 /// The study as a document without what no key of an axis may name.
 Node document_of(const sweep::Study& study) {
   sweep::Study plain = study;
+  plain.threshold.reset();
   // The largest speed is the one that may be too large for another rotor.
   plain.grid = {.speed_hz = {*std::ranges::max_element(study.grid.speed_hz)},
                 .measure = study.grid.measure,
@@ -73,19 +74,12 @@ bool may_be_swept(const Node& document, const std::string& key, const Place& pla
   };
   if (std::ranges::find(own_axes, key) != own_axes.end())
     return problem("has an axis of its own", fmt::format("sweep.{}", key));
-  if (first == "sweep" || first == "output" || first == "base")
+  if (first == "sweep" || first == "output" || first == "study" || first == "base")
     return problem("is no key of an axis", allowed_keys);
   const Node* node = find_node(document, key);
   if (node != nullptr && !holds_a_number(*node))
     return problem(fmt::format("{}, no number", describe(*node)), allowed_keys);
   return true;
-}
-
-/// The values of an axis at one of its places.
-std::vector<sweep::KeyValue> at(const sweep::KeyAxis& axis, double value) {
-  std::vector<sweep::KeyValue> keys;
-  for (std::size_t i = 0; i < axis.keys.size(); ++i) keys.push_back({axis.keys[i], axis.factors[i] * value});
-  return keys;
 }
 
 void refuse_impossible(const sweep::KeyAxis& axis, const Place& place, Node document,
@@ -96,24 +90,32 @@ void refuse_impossible(const sweep::KeyAxis& axis, const Place& place, Node docu
   place_all(document, place);
   const std::size_t problems = diagnostics.count();
   for (const double value : axis.values) {
-    read_varied(document, at(axis, value), place, diagnostics);
+    read_varied(document, sweep::keys_at(axis, value), place, diagnostics);
     if (diagnostics.count() != problems) return;
   }
+}
+
+Place place_of_keys(const Node& axis) {
+  const Node* keys = find_node(axis, "key");
+  if (keys == nullptr) keys = find_node(axis, "keys");
+  return keys->place;
 }
 
 }  // namespace
 
 void vary_keys(const Value& root, sweep::Study& study) {
-  if (study.grid.axes.empty()) return;
+  if (study.grid.axes.empty() && !study.threshold) return;
   Node document = document_of(study);
   const Node& sweep = *find_node(root.node, "sweep");
   std::size_t next = 0;
   for (const std::string_view name : key_axis_names) {
     const Node* node = find_node(sweep, name);
     if (node == nullptr) continue;
-    const Node* keys = find_node(*node, "key");
-    if (keys == nullptr) keys = find_node(*node, "keys");
-    refuse_impossible(study.grid.axes.at(next++), keys->place, document, root.diagnostics);
+    refuse_impossible(study.grid.axes.at(next++), place_of_keys(*node), document, root.diagnostics);
+  }
+  if (study.threshold) {
+    refuse_impossible(study.threshold->axis, place_of_keys(*find_node(root.node, "study")), document,
+                      root.diagnostics);
   }
   study.with_keys =
       [document = std::make_shared<const Node>(std::move(document))](std::span<const sweep::KeyValue> keys) {

@@ -83,7 +83,7 @@ std::string explain_axis(const sweep::KeyAxis& axis) {
     keys += (i > 0 ? ", " : "") + axis.keys[i];
     if (axis.factors[i] != 1) keys += fmt::format(" (times {})", axis.factors[i]);
   }
-  return fmt::format("  and {} values of {} from {} to {}\n", axis.values.size(), keys, *least, *most);
+  return fmt::format("{} values of {} from {} to {}\n", axis.values.size(), keys, *least, *most);
 }
 
 }  // namespace
@@ -103,7 +103,14 @@ std::string explain_study(const sweep::Study& study) {
                       sweep::cell_count(study.grid), study.grid.speed_hz.size(), *slowest, *fastest,
                       study.grid.unbalance.size(), by_ratio ? "whirl ratios" : "eccentricities (m)", *least,
                       *most);
-  for (const sweep::KeyAxis& axis : study.grid.axes) text += explain_axis(axis);
+  for (const sweep::KeyAxis& axis : study.grid.axes) text += "  and " + explain_axis(axis);
+  if (study.threshold) {
+    text += fmt::format(
+        "threshold: in each cell, after which of {}  rub goes on; where it begins or ends between two of "
+        "them "
+        "to {} of it\n",
+        explain_axis(study.threshold->axis), study.threshold->tolerance);
+  }
   return text;
 }
 

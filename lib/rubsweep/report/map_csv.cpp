@@ -7,6 +7,7 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/report/map_columns.hpp"
+#include "rubsweep/report/study_columns.hpp"
 
 namespace rubsweep::report {
 
@@ -14,13 +15,15 @@ std::string map_header(const sweep::Study& study) {
   std::vector<std::string> names;
   for (const MapColumn& column : map_columns()) names.emplace_back(column.name);
   for (std::string& name : sweep::key_names(study.grid)) names.push_back(std::move(name));
+  for (const StudyColumn& column : study_columns(study)) names.emplace_back(column.name);
   return batch::csv_row(names);
 }
 
-std::string map_line(const sweep::Row& row) {
+std::string map_line(const sweep::Row& row, const sweep::Study& study) {
   std::vector<std::string> cells;
   for (const MapColumn& column : map_columns()) cells.push_back(column.text(row));
   for (const double value : row.key_values) cells.push_back(batch::csv_number(value));
+  for (const StudyColumn& column : study_columns(study)) cells.push_back(column.text(row));
   return batch::csv_row(cells);
 }
 

@@ -11,8 +11,9 @@ namespace rubsweep::report {
 /// has beside them.
 std::string map_header(const sweep::Study& study = {});
 
-/// One row of map.csv, without its end. Numbers read back to the same double; what does not apply is empty.
-std::string map_line(const sweep::Row& row);
+/// One row of the map of `study`, without its end. Numbers read back to the same double; what does not apply
+/// is empty.
+std::string map_line(const sweep::Row& row, const sweep::Study& study = {});
 
 /// What stands above the header: `#` lines with version, digest of the physics and units, one per line with
 /// its end. A study with axes over keys names the columns of their keys in one more line.

@@ -1,8 +1,11 @@
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -82,12 +85,16 @@ Row evaluate_place(const Study& study, const scene::PreparedMachine& prepared, c
   return row;
 }
 
+/// What evaluates a prepared study at a place: evaluate or evaluate_place.
+using Evaluation = Row (*)(const Study&, const scene::PreparedMachine&, const scene::Place&,
+                           response::motion::Workspace&);
+
 /// A cell whose keys hold numbers of their own.
 Row evaluate_keys(const Study& study, std::span<const KeyValue> keys, const scene::Place& place,
-                  response::motion::Workspace& workspace) {
+                  response::motion::Workspace& workspace, Evaluation evaluation) {
   try {
     const Study varied = study.with_keys(keys);
-    return evaluate_place(varied, scene::prepare_machine(varied.machine), place, workspace);
+    return evaluation(varied, scene::prepare_machine(varied.machine), place, workspace);
   } catch (const ConfigError&) {
     // Each number is allowed by itself, which was seen to before; all of them together are not.
     Row row;
@@ -101,6 +108,23 @@ Row evaluate_keys(const Study& study, std::span<const KeyValue> keys, const scen
   }
 }
 
+/// Where the quiet motion itself reaches a wall no kick is simulated, whatever its numbers.
+bool may_have_threshold(const Row& row, const ThresholdScan& scan) {
+  const bool of_kick =
+      std::ranges::all_of(scan.axis.keys, [](const std::string& key) { return key.starts_with("kick."); });
+  return row.start && (*row.start != RunStart::contact || !of_kick);
+}
+
+std::vector<KeyValue> with(std::vector<KeyValue> keys, const KeyAxis& axis, double value) {
+  for (KeyValue& key : keys_at(axis, value)) keys.push_back(std::move(key));
+  return keys;
+}
+
+Probe probe_of(const Row& row) {
+  return {response::motion::row_of(row.motion_class).rubs,
+          row.motion_class == response::motion::MotionClass::failed, motion_name(row)};
+}
+
 }  // namespace
 
 Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Workspace& workspace) {
@@ -110,10 +134,16 @@ Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Worksp
 Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                   response::motion::Workspace& workspace) {
   const scene::Place place = place_of(study.grid, cell);
-  if (study.grid.axes.empty()) return evaluate_place(study, prepared, place, workspace);
   const std::vector<KeyValue> keys = key_values(study.grid, cell);
-  Row row = evaluate_keys(study, keys, place, workspace);
+  Row row = keys.empty() ? evaluate_place(study, prepared, place, workspace)
+                         : evaluate_keys(study, keys, place, workspace, evaluate_place);
   for (const KeyValue& key : keys) row.key_values.push_back(key.value);
+  if (study.threshold && may_have_threshold(row, *study.threshold)) {
+    row.threshold = find_threshold(*study.threshold, [&](double value) {
+      return probe_of(
+          evaluate_keys(study, with(keys, study.threshold->axis, value), place, workspace, evaluate));
+    });
+  }
   return row;
 }
 

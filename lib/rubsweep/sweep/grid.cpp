@@ -1,5 +1,6 @@
 #include "rubsweep/sweep/grid.hpp"
 
+#include <utility>
 #include <variant>
 
 #include "rubsweep/overloaded.hpp"
@@ -24,8 +25,7 @@ std::vector<KeyValue> key_values(const Grid& grid, std::size_t cell) {
   for (const KeyAxis& axis : grid.axes) {
     const double value = axis.values[place % axis.values.size()];
     place /= axis.values.size();
-    for (std::size_t i = 0; i < axis.keys.size(); ++i)
-      values.push_back({axis.keys[i], axis.factors[i] * value});
+    for (KeyValue& key : keys_at(axis, value)) values.push_back(std::move(key));
   }
   return values;
 }

@@ -19,4 +19,7 @@ struct KeyAxis {
   std::vector<double> values;     ///< at least one, all different
 };
 
+/// What the keys of an axis hold at one of its values.
+std::vector<KeyValue> keys_at(const KeyAxis& axis, double value);
+
 }  // namespace rubsweep::sweep
