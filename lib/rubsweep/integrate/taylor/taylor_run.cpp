@@ -144,7 +144,7 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   const double fastest = fastest_rate();
   bool friction_varies = false;
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
-    friction_varies = friction_varies || motion_.contact(i).friction_varies();
+    friction_varies = friction_varies || (dynamics_.modes()[i] != Mode::open && motion_.contact(i).friction_varies());
   const double friction_ratio = friction_varies ? dynamics_.friction_ratio(state_) : 0;
   if (friction_ratio > stiff_above_) return TaylorEnding::stiff;
   const double boundary = next_boundary(), left = boundary - phase_;
