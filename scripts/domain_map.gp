@@ -9,7 +9,7 @@ present = ARG4
 labels = ARG5
 speed_label = ARG6
 unbalance_label = ARG7
-in_hz = strstrt(speed_label, "(Hz)") > 0
+in_natural_frequencies = strstrt(speed_label, "natural frequency") > 0
 by_ratio = strstrt(unbalance_label, "whirl ratio") == 1
 
 load ARG0[1:strlen(ARG0) - strlen("domain_map.gp")] . "motion_kinds.gp"
@@ -27,7 +27,7 @@ stats cells index 0 using 3:5 name "LOW" nooutput
 stats cells index 0 using 4:6 name "HIGH" nooutput
 set xrange [LOW_min_x:HIGH_max_x]
 set yrange [LOW_min_y:HIGH_max_y]
-if (!in_hz) {
+if (in_natural_frequencies) {
   do for [n = int(ceil(LOW_min_x)):int(floor(HIGH_max_x))] {
     set arrow from n, graph 0 to n, graph 1 nohead front dashtype 2 linewidth 1.5 linecolor rgb "#444444"
   }
@@ -45,7 +45,7 @@ do for [k = 1:words(labels):3] {
 set title heading
 set xlabel speed_label
 set ylabel unbalance_label
-if (in_hz) { set xtics autofreq out nomirror } else { set xtics 1 out nomirror; set mxtics 2 }
+if (in_natural_frequencies) { set xtics 1 out nomirror; set mxtics 2 } else { set xtics autofreq out nomirror }
 set ytics out nomirror
 set key at screen 0.775, graph 1 left top Left reverse samplen 1.5 spacing 1.4
 set rmargin at screen 0.76
