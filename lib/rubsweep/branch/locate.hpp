@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "rubsweep/branch/branch_point.hpp"
+#include "rubsweep/branch/orbit_problem.hpp"
+
+namespace rubsweep::branch {
+
+/// Everything that happens between two neighbouring points of a branch, by ascending arclength. Folds, branch
+/// points, period doublings and tori are roots of functions that are smooth along the branch: the parameter's
+/// component of the tangent, the determinant of the bordered derivative, det(M + 1), and the determinant of the
+/// bialternate product. A graze is found where the sequence of contact modes changes, and is the root of the
+/// squared duration of what appears there, which is smooth and zero at the graze. Where the count of multipliers
+/// outside the unit circle changes in a way that these do not explain, the place is found by bisection of that
+/// count.
+std::vector<BranchEvent> events_between(const OrbitProblem& problem, const BranchPoint& from,
+                                        const BranchPoint& to);
+
+}  // namespace rubsweep::branch
