@@ -26,12 +26,13 @@ declare -A below=(
   [response/proof]='response/motion'
   [response/rotating]='response/proof'
   [response]='response/proof response/rotating'
+  [branch]='response'
   [trace]='response'
   [sweep]='response batch'
   [bench]='response'
   [ring]='batch'
   [config]='sweep bench ring'
-  [report]='sweep bench ring trace identify'
+  [report]='sweep bench branch ring trace identify'
   [page]='report'
 )
 

@@ -35,19 +35,69 @@ bool cyclically_equal(const std::vector<ModeSwitch>& a, const std::vector<ModeSw
   return !std::ranges::search(twice, a, same_change).empty();
 }
 
-/// `count` changes of a closed sequence from number `first` on, and what is left without them.
-struct Parted {
-  double duration_rad = 0;
-  std::vector<ModeSwitch> left;
-};
+long hits_of(Switches switches) {
+  return std::ranges::count(switches, contact::Mode::open, &ModeSwitch::from);
+}
 
-Parted part(const std::vector<ModeSwitch>& all, std::size_t first, std::size_t count, double period_rad) {
-  Parted parted;
-  const std::size_t last = first + count - 1;
-  parted.duration_rad = all[last % all.size()].phase_rad - all[first].phase_rad;
-  if (last >= all.size()) parted.duration_rad += period_rad;
-  for (std::size_t i = last + 1; i < first + all.size(); ++i) parted.left.push_back(all[i % all.size()]);
-  return parted;
+/// `count` changes from number `first` on, over the end of the closed sequence where they lead there.
+std::vector<ModeSwitch> stretch(const std::vector<ModeSwitch>& all, std::size_t first, std::size_t count,
+                                double period_rad) {
+  std::vector<ModeSwitch> part;
+  for (std::size_t i = first; i < first + count; ++i) {
+    part.push_back(all[i % all.size()]);
+    if (i >= all.size()) part.back().phase_rad += period_rad;
+  }
+  return part;
+}
+
+/// How many changes agree from number `i` of one closed sequence and `j` of another one on.
+std::size_t agreeing(const std::vector<ModeSwitch>& a, std::size_t i, const std::vector<ModeSwitch>& b,
+                     std::size_t j) {
+  std::size_t count = 0;
+  while (count < std::min(a.size(), b.size()) &&
+         same_change(a[(i + count) % a.size()], b[(j + count) % b.size()]))
+    ++count;
+  return count;
+}
+
+/// What the stretches that differ say; empty where nothing that is known.
+std::optional<SequenceChange> change_of(const std::vector<ModeSwitch>& rich, const std::vector<ModeSwitch>& poor,
+                                        int contact) {
+  using Kind = SequenceChange::Kind;
+  if (rich.empty()) return std::nullopt;
+  SequenceChange change{Kind::hit, contact, rich.front().from,
+                        rich.back().phase_rad - rich.front().phase_rad};
+  const bool returns = rich.front().from == rich.back().to;
+  if (poor.empty() && returns) {
+    if (change.from != contact::Mode::open) change.kind = Kind::interruption;
+    return change;
+  }
+  if (hits_of(rich) == 1 && hits_of(poor) == 0 && rich.front().to == contact::Mode::open && rich.size() == 2) {
+    change.kind = Kind::parting;
+    return change;
+  }
+  return std::nullopt;
+}
+
+/// The same at one contact, whose sequences differ.
+std::optional<SequenceChange> change_at(const std::vector<ModeSwitch>& rich, const std::vector<ModeSwitch>& poor,
+                                        int contact, double period_rad) {
+  if (rich.empty()) return std::nullopt;
+  if (poor.empty()) return change_of(rich, poor, contact);
+  std::size_t most = 0;
+  std::optional<SequenceChange> shortest;
+  for (std::size_t i = 0; i < rich.size(); ++i) {
+    for (std::size_t j = 0; j < poor.size(); ++j) {
+      const std::size_t same = agreeing(rich, i, poor, j);
+      if (same == 0 || same < most) continue;
+      if (same > most) shortest.reset();
+      most = same;
+      const auto change = change_of(stretch(rich, i + same, rich.size() - same, period_rad),
+                                    stretch(poor, j + same, poor.size() - same, period_rad), contact);
+      if (change && (!shortest || change->duration_rad < shortest->duration_rad)) shortest = change;
+    }
+  }
+  return shortest;
 }
 
 }  // namespace
@@ -59,28 +109,33 @@ bool same_sequence(Switches a, Switches b) {
   return true;
 }
 
-std::optional<ExtraBlock> extra_block(Switches richer, Switches poorer, double period_rad) {
-  std::optional<ExtraBlock> shortest;
+bool is_richer(Switches a, Switches b) {
+  const long more = hits_of(a) - hits_of(b);
+  return more != 0 ? more > 0 : a.size() > b.size();
+}
+
+std::optional<SequenceChange> sequence_change(Switches richer, Switches poorer, double period_rad) {
+  std::optional<SequenceChange> change;
   for (int contact = 0; contact < contacts_of(richer, poorer); ++contact) {
     const auto rich = at_contact(richer, contact), poor = at_contact(poorer, contact);
     if (cyclically_equal(rich, poor)) continue;
-    if (shortest || rich.size() <= poor.size()) return std::nullopt;
-    const std::size_t count = rich.size() - poor.size();
-    for (std::size_t first = 0; first < rich.size(); ++first) {
-      if (rich[first].from != rich[(first + count - 1) % rich.size()].to) continue;
-      const Parted parted = part(rich, first, count, period_rad);
-      if (!cyclically_equal(parted.left, poor)) continue;
-      if (!shortest || parted.duration_rad < shortest->duration_rad)
-        shortest = ExtraBlock{contact, rich[first].from, parted.duration_rad};
-    }
-    if (!shortest) return std::nullopt;
+    if (change) return std::nullopt;
+    change = change_at(rich, poor, contact, period_rad);
+    if (!change) return std::nullopt;
   }
-  return shortest;
+  return change;
 }
 
-std::string describe(const ExtraBlock& block) {
-  if (block.from == contact::Mode::open) return fmt::format("hit at stop {}", block.contact);
-  return fmt::format("{} interrupted at stop {}", contact::to_string(block.from), block.contact);
+std::string describe(const SequenceChange& change) {
+  switch (change.kind) {
+    case SequenceChange::Kind::hit:
+      return fmt::format("hit at stop {}", change.contact);
+    case SequenceChange::Kind::interruption:
+      return fmt::format("{} interrupted at stop {}", contact::to_string(change.from), change.contact);
+    case SequenceChange::Kind::parting:
+      return fmt::format("flight within a hit at stop {}", change.contact);
+  }
+  return "";
 }
 
 }  // namespace rubsweep::branch

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "rubsweep/branch/locate.hpp"
@@ -11,13 +12,15 @@
 namespace rubsweep::branch {
 namespace {
 
-constexpr double gentle_turn = 0.97;  ///< cosine of the angle between tangents that lets the step grow
-constexpr double sharp_turn = 0.85;   ///< and of the one that halves it
+constexpr double gentle_turn = 0.985;  ///< cosine of the angle between tangents that lets the step grow
+constexpr double sharp_turn = 0.94;   ///< and of the one that halves it
+constexpr double most_missed = 0.2;   ///< by the guess, per step
 constexpr int easy_iterations = 4;
 
 /// Turns the branch about.
 BranchPoint reversed(BranchPoint point) {
   point.tangent = -point.tangent;
+  point.branching = -point.branching;  // its last row is the tangent
   return point;
 }
 
@@ -25,13 +28,22 @@ bool in_range(const OrbitProblem& problem, double parameter) {
   return parameter >= problem.low && parameter <= problem.high;
 }
 
+/// Whether its turns begin in the same states before the period is over.
+bool repeats_sooner(const BranchPoint& point) {
+  constexpr double same = 1e-8;
+  const auto& sections = point.facts.sections;
+  for (std::size_t k = 1; k < sections.size(); ++k) {
+    if (sections.size() % k == 0 && (sections[k] - point.state).cwiseAbs().maxCoeff() < same) return true;
+  }
+  return false;
+}
+
 class Follower {
  public:
   Follower(const OrbitProblem& problem, const BranchPoint& start, const FollowOptions& options)
       : problem_(problem), options_(options), step_(options.first_step) {
     half_.points.push_back(start);
-    start_turns_ = problem.turns ? problem.turns(start.parameter, start.state)
-                                 : std::vector<Eigen::VectorXd>{start.state};
+    start_turns_ = problem.facts ? start.facts.sections : std::vector<Eigen::VectorXd>{start.state};
   }
 
   HalfBranch run() {
@@ -65,14 +77,14 @@ class Follower {
     if (found.evaluation == Evaluation::infeasible) return shorten(Ending::infeasible);
     if (found.evaluation == Evaluation::failed) return shorten(Ending::failed);
     if (!found.converged) return shorten(Ending::step_too_small);
-    // Farther from the guess than half a step it is another branch, or another part of this one.
-    if ((position_of(problem_, found.point) - guess).norm() > step_ / 2) return shorten(Ending::step_too_small);
+    // Farther from the guess it may be another branch, or another part of this one.
+    if ((position_of(problem_, found.point) - guess).norm() > most_missed * step_) return shorten(Ending::step_too_small);
     if (!in_range(problem_, found.point.parameter)) return step_to_end_of_range(found.point);
     auto next = completed(problem_, found.point, here().tangent, here().arclength + step_);
     if (!next) return shorten(Ending::singular);
     const double turn = next->tangent.dot(here().tangent);
     if (turn < sharp_turn && step_ > 100 * options_.shortest_step) return shorten(Ending::step_too_small);
-    accept(std::move(*next));
+    if (falls_on_shorter_period(*next) || !accept(std::move(*next))) return shorten(Ending::step_too_small);
     if (turn > gentle_turn && found.iterations <= easy_iterations)
       step_ = std::min(options_.longest_step, 1.5 * step_);
   }
@@ -88,20 +100,27 @@ class Follower {
         here().tangent.dot(position_of(problem_, found.point) - position_of(problem_, here()));
     auto last = completed(problem_, found.point, here().tangent, here().arclength + length);
     if (!last || !(length > 0) || length > 2 * step_) return shorten(Ending::step_too_small);
-    accept(std::move(*last));
+    if (!accept(std::move(*last))) return shorten(Ending::step_too_small);
     if (!ended_) end(Ending::left_range);
   }
 
-  void accept(BranchPoint next) {
-    if (is_closed_by(next)) return;
-    std::vector<BranchEvent> events;
-    if (options_.locate) events = events_between(problem_, here(), next);
-    for (BranchEvent& event : events) {
+  /// Every orbit is also one of twice its period: a step from an orbit onto one whose turns repeat sooner has left
+  /// the branch.
+  bool falls_on_shorter_period(const BranchPoint& next) const {
+    return repeats_sooner(next) && !repeats_sooner(here());
+  }
+
+  /// False where what lies between here and `next` is not one piece of a branch.
+  bool accept(BranchPoint next) {
+    if (is_closed_by(next)) return true;
+    auto events = events_between(problem_, here(), next);
+    if (!events) return false;
+    for (BranchEvent& event : *events) {
       half_.events.push_back(std::move(event));
-      if (ends_at(half_.events.back())) return;
+      if (ends_at(half_.events.back())) return true;
     }
-    if (options_.stop_at_first_change && next.stable() != here().stable()) end(Ending::first_change);
     half_.points.push_back(std::move(next));
+    return true;
   }
 
   /// The event's own orbit is then the last one of the branch.
@@ -138,7 +157,9 @@ class Follower {
       const Segment segment(problem_, here(), next);
       const auto there = segment.at(ahead);
       if (!there || (position_of(problem_, *there) - b).norm() > same) continue;
-      for (BranchEvent& event : events_between(problem_, here(), *there)) half_.events.push_back(std::move(event));
+      auto events = events_between(problem_, here(), *there);
+      if (!events) continue;
+      std::ranges::move(*events, std::back_inserter(half_.events));
       half_.points.push_back(*there);
       end(Ending::closed);
       return true;

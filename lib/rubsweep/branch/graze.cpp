@@ -16,8 +16,8 @@ namespace {
 constexpr double width_wanted = 1e-12;  ///< along the branch
 constexpr int most_looks = 200;
 constexpr std::size_t most_grazes = 16;  ///< between two points
-/// A block longer than this, in shaft rotation, is not yet near its graze.
-constexpr double short_block_rad = 0.3;
+/// A stretch longer than this, in shaft rotation, is not yet near its graze.
+constexpr double short_stretch_rad = 0.3;
 
 /// An orbit at s along a segment.
 struct Side {
@@ -35,32 +35,36 @@ class GrazeSearch {
 
   BranchEvent find() {
     for (int look = 0; look < most_looks && width() > width_wanted; ++look) {
-      const auto block = block_now();
-      const double s = block ? next_by_root(*block) : (low_.s + high_.s) / 2;
+      const auto change = change_now();
+      const double s = change ? next_by_root(*change) : (low_.s + high_.s) / 2;
       if (!look_at(s)) break;
     }
     return result();
   }
 
+  bool enclosed(const OrbitProblem& problem) const {
+    return Segment::continuous(problem, low_.point, high_.point);
+  }
+
  private:
   double width() const { return high_.s - low_.s; }
   bool high_is_richer() const {
-    return high_.point.facts.switches.size() > low_.point.facts.switches.size();
+    return is_richer(high_.point.facts.switches, low_.point.facts.switches);
   }
   const Side& richer() const { return high_is_richer() ? high_ : low_; }
   const Side& poorer() const { return high_is_richer() ? low_ : high_; }
 
-  std::optional<ExtraBlock> block_now() const {
-    const auto block =
-        extra_block(richer().point.facts.switches, poorer().point.facts.switches, period_rad_);
-    return block && block->duration_rad < short_block_rad ? block : std::nullopt;
+  std::optional<SequenceChange> change_now() const {
+    const auto change =
+        sequence_change(richer().point.facts.switches, poorer().point.facts.switches, period_rad_);
+    return change && change->duration_rad < short_stretch_rad ? change : std::nullopt;
   }
 
   /// Where the squared duration, linear through the last two looks at the richer side, is zero; a little to the
   /// richer side of it, so that this side comes near; and just beyond it once it is, so that the other one does.
-  double next_by_root(const ExtraBlock& block) {
+  double next_by_root(const SequenceChange& change) {
     const double middle = (low_.s + high_.s) / 2, s = richer().s;
-    const double value = block.duration_rad * block.duration_rad;
+    const double value = change.duration_rad * change.duration_rad;
     if (s != last_s_ && last_s_ >= 0) {
       const double slope = (value - last_value_) / (s - last_s_);
       if (slope != 0 && std::isfinite(slope)) root_ = s - value / slope;
@@ -88,12 +92,12 @@ class GrazeSearch {
   }
 
   BranchEvent result() const {
-    const auto block =
-        extra_block(richer().point.facts.switches, poorer().point.facts.switches, period_rad_);
-    BranchEvent event{block ? EventKind::graze : EventKind::sequence, high_.point,
+    const auto change =
+        sequence_change(richer().point.facts.switches, poorer().point.facts.switches, period_rad_);
+    BranchEvent event{change ? EventKind::graze : EventKind::sequence, high_.point,
                       std::abs(high_.point.parameter - low_.point.parameter) / 2, {}};
-    if (block) {
-      event.detail = fmt::format("{} {}", describe(*block), high_is_richer() ? "appears" : "disappears");
+    if (change) {
+      event.detail = fmt::format("{} {}", describe(*change), high_is_richer() ? "appears" : "disappears");
     }
     return event;
   }
@@ -107,14 +111,16 @@ class GrazeSearch {
 
 }  // namespace
 
-std::vector<BranchEvent> grazes_between(const OrbitProblem& problem, const BranchPoint& from,
+std::optional<std::vector<BranchEvent>> grazes_between(const OrbitProblem& problem, const BranchPoint& from,
                                         const BranchPoint& to) {
   std::vector<BranchEvent> events;
   BranchPoint here = from;
   while (events.size() < most_grazes && !same_sequence(here.facts.switches, to.facts.switches)) {
     const Segment segment(problem, here, to);
     if (!(segment.length() > width_wanted)) break;
-    events.push_back(GrazeSearch(segment, here, to, problem.order).find());
+    GrazeSearch search(segment, here, to, problem.order);
+    events.push_back(search.find());
+    if (!search.enclosed(problem)) return std::nullopt;
     if (!(events.back().point.arclength > here.arclength)) break;
     here = events.back().point;  // just beyond
   }

@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -18,72 +19,34 @@ namespace {
 constexpr double root_width = 1e-12;
 constexpr std::uintmax_t root_evaluations = 100;
 
-using Test = double (*)(const BranchPoint&);
+using Test = std::function<double(const BranchPoint&)>;
 
 double fold_test(const BranchPoint& point) { return point.tangent(point.tangent.size() - 1); }
 double branching_test(const BranchPoint& point) { return point.branching; }
 double doubling_test_of(const BranchPoint& point) { return doubling_test(point.multipliers); }
 double torus_test_of(const BranchPoint& point) { return torus_test(point.multipliers); }
 
-struct NoOrbit {};
+/// The piece is not continuous.
+struct Broken {};
 
 BranchPoint orbit_at(const Segment& segment, double s) {
   auto point = segment.at(s);
-  if (!point) throw NoOrbit{};
+  if (!point) throw Broken{};
   return std::move(*point);
 }
 
-BranchEvent event_between(EventKind kind, const BranchPoint& a, const BranchPoint& b) {
+BranchEvent event_between(const OrbitProblem& problem, EventKind kind, const BranchPoint& a,
+                          const BranchPoint& b) {
+  if (!Segment::continuous(problem, a, b)) throw Broken{};
   return {kind, b, std::abs(b.parameter - a.parameter) / 2, {}};
 }
 
-/// The root of a test that has opposite signs at both ends of the segment. Where an orbit on the way cannot be
-/// found, the event stands at the end with the whole segment as its error.
-BranchEvent locate_root(EventKind kind, const Segment& segment, Test test, const BranchPoint& from,
-                        const BranchPoint& to) {
-  std::uintmax_t evaluations = root_evaluations;
-  try {
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        [&](double s) { return test(orbit_at(segment, s)); }, 0.0, segment.length(), test(from), test(to),
-        [](double a, double b) { return std::abs(b - a) <= root_width; }, evaluations);
-    return event_between(kind, orbit_at(segment, low), orbit_at(segment, high));
-  } catch (const NoOrbit&) {
-    return event_between(kind, from, to);
-  }
-}
-
-/// The place where `changed` turns true, between an end where it is false and one where it is true.
-BranchEvent bisect(EventKind kind, const Segment& segment, const BranchPoint& from, const BranchPoint& to,
-                   const std::function<bool(const BranchPoint&)>& changed) {
-  double low = 0, high = segment.length();
-  BranchPoint below = from, above = to;
-  while (high - low > root_width) {
-    const double middle = (low + high) / 2;
-    auto point = segment.at(middle);
-    if (!point || middle <= low || middle >= high) break;
-    if (changed(*point)) {
-      high = middle;
-      above = std::move(*point);
-    } else {
-      low = middle;
-      below = std::move(*point);
-    }
-  }
-  return event_between(kind, below, above);
+/// Difference of the states half a period apart.
+Eigen::VectorXd half_period_difference(const BranchPoint& point) {
+  return point.facts.sections[point.facts.sections.size() / 2] - point.state;
 }
 
 bool opposite(double a, double b) { return (a < 0) != (b < 0); }
-
-/// Where the turns of the orbit are those of one with a shorter period, the turn of the branch is not a fold.
-bool has_shorter_period(const OrbitProblem& problem, const BranchPoint& point) {
-  constexpr double same = 1e-4;
-  if (problem.order == 1 || !problem.turns) return false;
-  const auto sections = problem.turns(point.parameter, point.state);
-  for (std::size_t k = 1; k < sections.size(); ++k) {
-    if ((sections[k] - point.state).cwiseAbs().maxCoeff() < same) return true;
-  }
-  return false;
-}
 
 class Finder {
  public:
@@ -91,24 +54,53 @@ class Finder {
       : problem_(problem), from_(from), to_(to), segment_(problem, from, to) {}
 
   std::vector<BranchEvent> all() {
-    if (!(segment_.length() > 0)) return {};
-    find_turns();
+    if (!(segment_.length() > 0)) throw Broken{};
+    if (!joins_half_period()) find_turns();
     find_doublings();
     find_tori();
-    if (!stability_explained()) {
-      events_.push_back(bisect(EventKind::stability, segment_, from_, to_,
-                               [&](const BranchPoint& point) { return point.unstable != from_.unstable; }));
-    }
-    for (BranchEvent& graze : grazes_between(problem_, from_, to_)) events_.push_back(std::move(graze));
+    if (!stability_explained()) find_change_of_stability();
+    auto grazes = grazes_between(problem_, from_, to_);
+    if (!grazes) throw Broken{};
+    std::ranges::move(*grazes, std::back_inserter(events_));
     std::ranges::stable_sort(events_, {}, [](const BranchEvent& event) { return event.point.arclength; });
     return std::move(events_);
   }
 
  private:
-  bool find(EventKind kind, Test test) {
+  /// Looks for the root of a test that has opposite signs at both ends.
+  bool find(EventKind kind, const Test& test) {
     if (!opposite(test(from_), test(to_))) return false;
-    events_.push_back(locate_root(kind, segment_, test, from_, to_));
+    std::uintmax_t evaluations = root_evaluations;
+    const auto [low, high] = boost::math::tools::toms748_solve(
+        [&](double s) { return test(orbit_at(segment_, s)); }, 0.0, segment_.length(), test(from_), test(to_),
+        [](double a, double b) { return std::abs(b - a) <= root_width; }, evaluations);
+    events_.push_back(event_between(problem_, kind, orbit_at(segment_, low), orbit_at(segment_, high)));
     return true;
+  }
+
+  /// The branch then turns back as its own shift by half a period, which is no fold.
+  bool joins_half_period() {
+    if (problem_.order % 2 != 0 || !problem_.facts) return false;
+    const Eigen::VectorXd before = half_period_difference(from_).normalized();
+    if (!find(EventKind::period_halving,
+              [&](const BranchPoint& point) { return before.dot(half_period_difference(point)); }))
+      return false;
+    ++single_;
+    return true;
+  }
+
+  void find_change_of_stability() {
+    double low = 0, high = segment_.length();
+    BranchPoint below = from_, above = to_;
+    while (high - low > root_width) {
+      const double middle = (low + high) / 2;
+      if (middle <= low || middle >= high) break;
+      BranchPoint point = orbit_at(segment_, middle);
+      const bool changed = point.unstable != from_.unstable;
+      (changed ? high : low) = middle;
+      (changed ? above : below) = std::move(point);
+    }
+    events_.push_back(event_between(problem_, EventKind::stability, below, above));
   }
 
   bool stability_explained() const {
@@ -118,11 +110,6 @@ class Finder {
 
   void find_turns() {
     const bool turns = find(EventKind::fold, fold_test);
-    if (turns && has_shorter_period(problem_, events_.back().point)) {
-      events_.back().kind = EventKind::period_halving;
-      ++single_;
-      return;  // its bordered determinant changes sign as well
-    }
     const bool branches = find(EventKind::branch_point, branching_test);
     if (turns || branches) ++single_;
   }
@@ -149,9 +136,13 @@ class Finder {
 
 }  // namespace
 
-std::vector<BranchEvent> events_between(const OrbitProblem& problem, const BranchPoint& from,
-                                        const BranchPoint& to) {
-  return Finder(problem, from, to).all();
+std::optional<std::vector<BranchEvent>> events_between(const OrbitProblem& problem, const BranchPoint& from,
+                                                       const BranchPoint& to) {
+  try {
+    return Finder(problem, from, to).all();
+  } catch (const Broken&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace rubsweep::branch

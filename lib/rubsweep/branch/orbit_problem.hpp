@@ -30,6 +30,7 @@ struct OrbitFacts {
   bool feasible = true;
   /// In the order of time; phases count from the start of the orbit.
   std::vector<integrate::run::ModeSwitch> switches;
+  std::vector<Eigen::VectorXd> sections;  ///< states where the turns of the period begin
 };
 
 /// Orbits of a map that depends on a parameter: fixed points of `returns`.
@@ -39,8 +40,6 @@ struct OrbitProblem {
   std::function<Evaluation(double parameter, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy)> returns;
   /// Facts of the orbit from `state`; empty where it cannot be followed. May be left out.
   std::function<std::optional<OrbitFacts>(double parameter, const Eigen::VectorXd& state)> facts;
-  /// States where the turns of the orbit begin, the given one first. May be left out for maps of one turn.
-  std::function<std::vector<Eigen::VectorXd>(double parameter, const Eigen::VectorXd& state)> turns;
   int order = 1;                ///< turns of the period
   double low = 0, high = 0;     ///< range of the parameter that is looked at
   double parameter_scale = 1;   ///< > 0: change of the parameter that counts as much as one unit of state

@@ -63,16 +63,6 @@ class SceneOrbits {
     return Evaluation::ok;
   }
 
-  std::vector<Eigen::VectorXd> turns(double parameter, Eigen::VectorXd state) {
-    std::vector<Eigen::VectorXd> sections;
-    SceneAt* at = scene_at(parameter);
-    for (int turn = 0; at != nullptr && turn < order_; ++turn) {
-      sections.push_back(state);
-      if (!at->map(numbers(state))) break;
-    }
-    return sections;
-  }
-
   std::optional<OrbitFacts> facts(double parameter, Eigen::VectorXd state) {
     SceneAt* at = scene_at(parameter);
     if (at == nullptr) return std::nullopt;
@@ -85,6 +75,7 @@ class SceneOrbits {
     OrbitFacts facts;
     std::vector<Eigen::Vector2d> places_m;
     for (int turn = 0; turn < order_; ++turn) {
+      facts.sections.push_back(state);
       at->run.restart(numbers(state));
       if (at->run.advance(request, report) != integrate::run::Outcome::ok) return std::nullopt;
       add(report, turn, facts);
@@ -159,9 +150,6 @@ OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::S
   };
   problem.facts = [orbits](double parameter, const Eigen::VectorXd& state) {
     return orbits->facts(parameter, state);
-  };
-  problem.turns = [orbits](double parameter, const Eigen::VectorXd& state) {
-    return orbits->turns(parameter, state);
   };
   return problem;
 }

@@ -12,6 +12,11 @@ Segment::Segment(const OrbitProblem& problem, const BranchPoint& from, const Bra
       end_(position_of(problem, to)),
       length_(from.tangent.dot(end_ - begin_)) {}
 
+bool Segment::continuous(const OrbitProblem& problem, const BranchPoint& a, const BranchPoint& b) {
+  constexpr double near = 1e-6;
+  return (position_of(problem, a) - position_of(problem, b)).norm() < near;
+}
+
 std::optional<BranchPoint> Segment::at(double s) const {
   if (s <= 0) return from_;
   if (s >= length_) return to_;

@@ -12,6 +12,9 @@ class Segment {
  public:
   Segment(const OrbitProblem& problem, const BranchPoint& from, const BranchPoint& to);
 
+  /// Orbits at two neighbouring places, which are enclosed between these, belong to one branch.
+  static bool continuous(const OrbitProblem& problem, const BranchPoint& a, const BranchPoint& b);
+
   /// Distance of the end; > 0 where `to` lies ahead of `from`.
   double length() const { return length_; }
 
