@@ -26,8 +26,9 @@ void set_range(const RubbranchArguments& arguments, double low, double high, Bra
   family.low = arguments.from.value_or(std::min(low, family.start));
   family.high = arguments.to.value_or(std::max(high, family.start));
   if (!(family.low < family.high) || family.start < family.low || family.start > family.high) {
-    throw ConfigError(fmt::format("--from and --to: the range of {} from {} to {} must hold that of the cell, {}",
-                                  arguments.along, family.low, family.high, family.start));
+    throw ConfigError(
+        fmt::format("--from and --to: the range of {} from {} to {} must hold that of the cell, {}",
+                    arguments.along, family.low, family.high, family.start));
   }
 }
 
@@ -36,7 +37,8 @@ BranchFamily along_speed(const RubbranchArguments& arguments, const sweep::Grid&
   BranchFamily family;
   family.start = arguments.cell.speed_hz;
   const scene::Unbalance unbalance = sweep::unbalance_of(grid, arguments.cell.unbalance);
-  family.scenes = [prepared = std::move(prepared), unbalance](double speed_hz) -> std::optional<scene::Scene> {
+  family.scenes = [prepared = std::move(prepared),
+                   unbalance](double speed_hz) -> std::optional<scene::Scene> {
     if (!(speed_hz > 0)) return std::nullopt;
     return scene_of(scene::build_cell(*prepared, speed_hz, unbalance));
   };
@@ -53,7 +55,8 @@ BranchFamily along_unbalance(const RubbranchArguments& arguments, const sweep::G
       scene::build_cell(*prepared, speed_hz, sweep::unbalance_of(grid, arguments.cell.unbalance));
   BranchFamily family;
   family.start = ratio ? cell.whirl_ratio : cell.eccentricity_m;
-  family.scenes = [prepared = std::move(prepared), speed_hz, ratio](double value) -> std::optional<scene::Scene> {
+  family.scenes = [prepared = std::move(prepared), speed_hz,
+                   ratio](double value) -> std::optional<scene::Scene> {
     if (!(value >= 0)) return std::nullopt;
     const scene::Unbalance unbalance =
         ratio ? scene::Unbalance(scene::WhirlRatio{value}) : scene::Unbalance(scene::Eccentricity{value});
@@ -71,9 +74,10 @@ BranchFamily along_unbalance(const RubbranchArguments& arguments, const sweep::G
 BranchFamily along_key(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const auto value = config::number_at(config, arguments.along);
   if (!value) {
-    throw ConfigError(fmt::format("--along {}: the configuration has no such number, allowed: speed_hz, "
-                                  "whirl_ratio, eccentricity_m, or the key of a number that --set could replace",
-                                  arguments.along));
+    throw ConfigError(
+        fmt::format("--along {}: the configuration has no such number, allowed: speed_hz, "
+                    "whirl_ratio, eccentricity_m, or the key of a number that --set could replace",
+                    arguments.along));
   }
   BranchFamily family;
   family.start = *value;

@@ -70,8 +70,7 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
                                              sweep::unbalance_of(study.grid, arguments.cell.unbalance));
   if (!scene::can_run(cell.start)) return nothing_to_follow("the cell has no motion that could be run");
   response::motion::Workspace workspace;
-  const branch::SettledStart settled =
-      branch::settle_on_orbit(cell, study.solver, study.response, workspace);
+  const branch::SettledStart settled = branch::settle_on_orbit(cell, study.solver, study.response, workspace);
   if (!settled.order) {
     return nothing_to_follow(fmt::format("the cell settles on no periodic orbit in contact, its motion is {}",
                                          to_string(settled.motion_class)));

@@ -19,8 +19,8 @@ struct BranchPoint {
   Eigen::MatrixXd monodromy;
   Eigen::VectorXcd multipliers;  ///< largest modulus first
   int unstable = 0;              ///< multipliers outside the unit circle
-  double branching = 0;          ///< determinant of the bordered derivative, which changes sign at branch points
-  double slope_difference = 0;   ///< relative, of the derivatives by the parameter at two step sizes
+  double branching = 0;  ///< determinant of the bordered derivative, which changes sign at branch points
+  double slope_difference = 0;  ///< relative, of the derivatives by the parameter at two step sizes
   OrbitFacts facts;
 
   bool stable() const { return unstable == 0; }
@@ -31,11 +31,11 @@ enum class EventKind {
   fold,             ///< the branch turns back in the parameter: a multiplier passes +1
   period_doubling,  ///< a multiplier passes -1
   neimark_sacker,   ///< a pair of complex multipliers leaves or enters the unit circle: a torus
-  branch_point,     ///< a multiplier passes +1 while the parameter goes on: a symmetry breaks, or branches cross
-  period_halving,   ///< the branch joins that of an orbit of half its period, and runs back as its own shift
-  graze,            ///< a hit or a pair of changes of contact mode appears or disappears
-  sequence,         ///< the sequence of contact modes changes otherwise
-  stability,        ///< multipliers leave or enter the unit circle in a way none of the above explains
+  branch_point,  ///< a multiplier passes +1 while the parameter goes on: a symmetry breaks, or branches cross
+  period_halving,  ///< the branch joins that of an orbit of half its period, and runs back as its own shift
+  graze,           ///< a hit or a pair of changes of contact mode appears or disappears
+  sequence,        ///< the sequence of contact modes changes otherwise
+  stability,       ///< multipliers leave or enter the unit circle in a way none of the above explains
 };
 
 constexpr std::string_view to_string(EventKind kind) {
@@ -63,15 +63,16 @@ constexpr std::string_view to_string(EventKind kind) {
 struct BranchEvent {
   EventKind kind = EventKind::fold;
   BranchPoint point;
-  double parameter_error = 0;  ///< half-width of the interval in which the root was enclosed, in the parameter
-  std::string detail;          ///< of a graze: contact, and what appears or disappears as the arclength grows
+  double parameter_error =
+      0;               ///< half-width of the interval in which the root was enclosed, in the parameter
+  std::string detail;  ///< of a graze: contact, and what appears or disappears as the arclength grows
 };
 
 /// Why a branch ends.
 enum class Ending {
-  left_range,      ///< the parameter reaches the end of its range; the last point is there
-  closed,          ///< back at the start: the branch is a closed curve
-  off_the_walls,   ///< behind a graze the orbit touches nothing any more: it is the quiet motion from there on
+  left_range,     ///< the parameter reaches the end of its range; the last point is there
+  closed,         ///< back at the start: the branch is a closed curve
+  off_the_walls,  ///< behind a graze the orbit touches nothing any more: it is the quiet motion from there on
   period_halving,  ///< it joins the branch of an orbit of half its period
   infeasible,      ///< no machine or scene beyond
   failed,          ///< the solver cannot make a turn

@@ -61,8 +61,8 @@ std::size_t agreeing(const std::vector<ModeSwitch>& a, std::size_t i, const std:
 }
 
 /// What the stretches that differ say; empty where nothing that is known.
-std::optional<SequenceChange> change_of(const std::vector<ModeSwitch>& rich, const std::vector<ModeSwitch>& poor,
-                                        int contact) {
+std::optional<SequenceChange> change_of(const std::vector<ModeSwitch>& rich,
+                                        const std::vector<ModeSwitch>& poor, int contact) {
   using Kind = SequenceChange::Kind;
   if (rich.empty()) return std::nullopt;
   SequenceChange change{Kind::hit, contact, rich.front().from,
@@ -72,7 +72,8 @@ std::optional<SequenceChange> change_of(const std::vector<ModeSwitch>& rich, con
     if (change.from != contact::Mode::open) change.kind = Kind::interruption;
     return change;
   }
-  if (hits_of(rich) == 1 && hits_of(poor) == 0 && rich.front().to == contact::Mode::open && rich.size() == 2) {
+  if (hits_of(rich) == 1 && hits_of(poor) == 0 && rich.front().to == contact::Mode::open &&
+      rich.size() == 2) {
     change.kind = Kind::parting;
     return change;
   }
@@ -80,21 +81,24 @@ std::optional<SequenceChange> change_of(const std::vector<ModeSwitch>& rich, con
 }
 
 /// The same at one contact, whose sequences differ.
-std::optional<SequenceChange> change_at(const std::vector<ModeSwitch>& rich, const std::vector<ModeSwitch>& poor,
-                                        int contact, double period_rad) {
+std::optional<SequenceChange> change_at(const std::vector<ModeSwitch>& rich,
+                                        const std::vector<ModeSwitch>& poor, int contact, double period_rad) {
   if (rich.empty()) return std::nullopt;
-  if (poor.empty()) return change_of(rich, poor, contact);
   std::size_t most = 0;
   std::optional<SequenceChange> shortest;
+  const auto offer = [&](const std::optional<SequenceChange>& change) {
+    if (change && (!shortest || change->duration_rad < shortest->duration_rad)) shortest = change;
+  };
+  for (std::size_t i = 0; i < rich.size() && poor.empty(); ++i)
+    offer(change_of(stretch(rich, i, rich.size(), period_rad), poor, contact));
   for (std::size_t i = 0; i < rich.size(); ++i) {
     for (std::size_t j = 0; j < poor.size(); ++j) {
       const std::size_t same = agreeing(rich, i, poor, j);
       if (same == 0 || same < most) continue;
       if (same > most) shortest.reset();
       most = same;
-      const auto change = change_of(stretch(rich, i + same, rich.size() - same, period_rad),
-                                    stretch(poor, j + same, poor.size() - same, period_rad), contact);
-      if (change && (!shortest || change->duration_rad < shortest->duration_rad)) shortest = change;
+      offer(change_of(stretch(rich, i + same, rich.size() - same, period_rad),
+                      stretch(poor, j + same, poor.size() - same, period_rad), contact));
     }
   }
   return shortest;

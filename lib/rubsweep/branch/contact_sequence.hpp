@@ -18,18 +18,19 @@ bool same_sequence(Switches a, Switches b);
 /// The sequence with more hits, and of two with as many the one with more changes.
 bool is_richer(Switches a, Switches b);
 
-/// Where the sequence of the richer one of two closed orbits differs from that of the other, at one contact: all
-/// changes but those of one stretch agree.
+/// Where the sequence of the richer one of two closed orbits differs from that of the other, at one contact:
+/// all changes but those of one stretch agree.
 struct SequenceChange {
   enum class Kind {
-    hit,          ///< the stretch is a hit, without which the orbits agree
-    interruption, ///< the stretch leads from a touching mode back to it
-    parting,      ///< the stretch is a flight that parts one hit of the other orbit into two
+    hit,           ///< the stretch is a hit, without which the orbits agree
+    interruption,  ///< the stretch leads from a touching mode back to it
+    parting,       ///< the stretch is a flight that parts one hit of the other orbit into two
   };
   Kind kind = Kind::hit;
   int contact = 0;
   contact::Mode from = contact::Mode::open;  ///< the mode that is interrupted, or that the flight begins in
-  /// Of the stretch, in shaft rotation: zero at the graze, and grows as the square root of the distance to it.
+  /// Of the stretch, in shaft rotation: zero at the graze, and grows as the square root of the distance to
+  /// it.
   double duration_rad = 0;
 };
 

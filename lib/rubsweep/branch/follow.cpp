@@ -13,8 +13,8 @@ namespace rubsweep::branch {
 namespace {
 
 constexpr double gentle_turn = 0.985;  ///< cosine of the angle between tangents that lets the step grow
-constexpr double sharp_turn = 0.94;   ///< and of the one that halves it
-constexpr double most_missed = 0.2;   ///< by the guess, per step
+constexpr double sharp_turn = 0.94;    ///< and of the one that halves it
+constexpr double most_missed = 0.2;    ///< by the guess, per step
 constexpr int easy_iterations = 4;
 
 /// Turns the branch about.
@@ -78,7 +78,8 @@ class Follower {
     if (found.evaluation == Evaluation::failed) return shorten(Ending::failed);
     if (!found.converged) return shorten(Ending::step_too_small);
     // Farther from the guess it may be another branch, or another part of this one.
-    if ((position_of(problem_, found.point) - guess).norm() > most_missed * step_) return shorten(Ending::step_too_small);
+    if ((position_of(problem_, found.point) - guess).norm() > most_missed * step_)
+      return shorten(Ending::step_too_small);
     if (!in_range(problem_, found.point.parameter)) return step_to_end_of_range(found.point);
     auto next = completed(problem_, found.point, here().tangent, here().arclength + step_);
     if (!next) return shorten(Ending::singular);
@@ -104,8 +105,8 @@ class Follower {
     if (!ended_) end(Ending::left_range);
   }
 
-  /// Every orbit is also one of twice its period: a step from an orbit onto one whose turns repeat sooner has left
-  /// the branch.
+  /// Every orbit is also one of twice its period: a step from an orbit onto one whose turns repeat sooner has
+  /// left the branch.
   bool falls_on_shorter_period(const BranchPoint& next) const {
     return repeats_sooner(next) && !repeats_sooner(here());
   }
@@ -141,7 +142,8 @@ class Follower {
     return true;
   }
 
-  /// Whether the start lies between here and `next`, up to a shift by whole turns: the branch then ends there.
+  /// Whether the start lies between here and `next`, up to a shift by whole turns: the branch then ends
+  /// there.
   bool is_closed_by(const BranchPoint& next) {
     if (half_.points.size() < 3) return false;
     constexpr double same = 1e-7;

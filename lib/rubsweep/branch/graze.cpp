@@ -48,9 +48,7 @@ class GrazeSearch {
 
  private:
   double width() const { return high_.s - low_.s; }
-  bool high_is_richer() const {
-    return is_richer(high_.point.facts.switches, low_.point.facts.switches);
-  }
+  bool high_is_richer() const { return is_richer(high_.point.facts.switches, low_.point.facts.switches); }
   const Side& richer() const { return high_is_richer() ? high_ : low_; }
   const Side& poorer() const { return high_is_richer() ? low_ : high_; }
 
@@ -60,8 +58,9 @@ class GrazeSearch {
     return change && change->duration_rad < short_stretch_rad ? change : std::nullopt;
   }
 
-  /// Where the squared duration, linear through the last two looks at the richer side, is zero; a little to the
-  /// richer side of it, so that this side comes near; and just beyond it once it is, so that the other one does.
+  /// Where the squared duration, linear through the last two looks at the richer side, is zero; a little to
+  /// the richer side of it, so that this side comes near; and just beyond it once it is, so that the other
+  /// one does.
   double next_by_root(const SequenceChange& change) {
     const double middle = (low_.s + high_.s) / 2, s = richer().s;
     const double value = change.duration_rad * change.duration_rad;
@@ -94,8 +93,10 @@ class GrazeSearch {
   BranchEvent result() const {
     const auto change =
         sequence_change(richer().point.facts.switches, poorer().point.facts.switches, period_rad_);
-    BranchEvent event{change ? EventKind::graze : EventKind::sequence, high_.point,
-                      std::abs(high_.point.parameter - low_.point.parameter) / 2, {}};
+    BranchEvent event{change ? EventKind::graze : EventKind::sequence,
+                      high_.point,
+                      std::abs(high_.point.parameter - low_.point.parameter) / 2,
+                      {}};
     if (change) {
       event.detail = fmt::format("{} {}", describe(*change), high_is_richer() ? "appears" : "disappears");
     }
@@ -112,7 +113,7 @@ class GrazeSearch {
 }  // namespace
 
 std::optional<std::vector<BranchEvent>> grazes_between(const OrbitProblem& problem, const BranchPoint& from,
-                                        const BranchPoint& to) {
+                                                       const BranchPoint& to) {
   std::vector<BranchEvent> events;
   BranchPoint here = from;
   while (events.size() < most_grazes && !same_sequence(here.facts.switches, to.facts.switches)) {

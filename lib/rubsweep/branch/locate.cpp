@@ -48,6 +48,35 @@ Eigen::VectorXd half_period_difference(const BranchPoint& point) {
 
 bool opposite(double a, double b) { return (a < 0) != (b < 0); }
 
+/// Where the branch joins that of half its period it crosses itself, and Newton's iteration is worth little.
+/// The orbit of half the period is regular there and has a period doubling, which is found to rounding.
+void sharpen_halving(const OrbitProblem& problem, BranchEvent& halving) {
+  constexpr double reach = 1e-4;  ///< of the parameter, in its coordinate
+  if (!problem.half_returns) return;
+  OrbitProblem half = problem;
+  half.returns = problem.half_returns;
+  half.order = problem.order / 2;
+  Eigen::VectorXd state = halving.point.state;
+  const auto test = [&](double parameter) {
+    const Correction found = correct_at(half, state, parameter);
+    if (!found.converged) throw Broken{};
+    return doubling_test(multipliers_of(found.point.monodromy));
+  };
+  const double low = halving.point.parameter - reach * problem.parameter_scale,
+               high = halving.point.parameter + reach * problem.parameter_scale;
+  try {
+    const double at_low = test(low), at_high = test(high);
+    if (!opposite(at_low, at_high)) return;
+    std::uintmax_t evaluations = root_evaluations;
+    const auto [below, above] = boost::math::tools::toms748_solve(
+        test, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(48), evaluations);
+    halving.point.parameter = (below + above) / 2;
+    halving.parameter_error = (above - below) / 2;
+  } catch (const Broken&) {
+    return;  // as it was found
+  }
+}
+
 class Finder {
  public:
   Finder(const OrbitProblem& problem, const BranchPoint& from, const BranchPoint& to)
@@ -86,6 +115,7 @@ class Finder {
               [&](const BranchPoint& point) { return before.dot(half_period_difference(point)); }))
       return false;
     ++single_;
+    sharpen_halving(problem_, events_.back());
     return true;
   }
 

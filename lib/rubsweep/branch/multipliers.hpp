@@ -14,8 +14,8 @@ int count_outside(const Eigen::VectorXcd& multipliers);
 double doubling_test(const Eigen::VectorXcd& multipliers);
 
 /// Product of (a b - 1) over all pairs a, b of multipliers, the determinant of the bialternate product of the
-/// monodromy matrix with itself minus 1: real, smooth, and zero where a complex pair lies on the unit circle, but
-/// also where two real multipliers have the product 1.
+/// monodromy matrix with itself minus 1: real, smooth, and zero where a complex pair lies on the unit circle,
+/// but also where two real multipliers have the product 1.
 double torus_test(const Eigen::VectorXcd& multipliers);
 
 /// Whether of all pairs the one whose product is nearest to 1 is a complex one.

@@ -15,8 +15,8 @@ using Eigen::VectorXd;
 constexpr int newton_iterations = 10;
 constexpr double closed = 1e-12;        ///< return error of an orbit found, per unit of the state's size
 constexpr double nearly_closed = 1e-9;  ///< the same where rounding or the solver's tolerance lets no better
-/// Of the central difference by the parameter, in the coordinate of the parameter: the noise of a turn, 1e-13,
-/// and the error of the formula both stay near 1e-7.
+/// Of the central difference by the parameter, in the coordinate of the parameter: the noise of a turn,
+/// 1e-13, and the error of the formula both stay near 1e-7.
 constexpr double difference_step = 1e-6;
 
 double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
@@ -37,8 +37,10 @@ bool difference(const OrbitProblem& problem, const VectorXd& state, double param
                 VectorXd& slope) {
   const double h = step * problem.parameter_scale;
   VectorXd above = state, below = state;
-  const bool has_above = problem.returns(parameter + h, above, nullptr) == Evaluation::ok && above.allFinite();
-  const bool has_below = problem.returns(parameter - h, below, nullptr) == Evaluation::ok && below.allFinite();
+  const bool has_above =
+      problem.returns(parameter + h, above, nullptr) == Evaluation::ok && above.allFinite();
+  const bool has_below =
+      problem.returns(parameter - h, below, nullptr) == Evaluation::ok && below.allFinite();
   if (has_above && has_below) {
     slope = (above - below) / (2 * step);
     return true;

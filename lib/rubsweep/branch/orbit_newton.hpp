@@ -24,8 +24,8 @@ struct Correction {
   BranchPoint point;  ///< converged: parameter, state and monodromy
 };
 
-/// Newton's iteration from `guess` for an orbit on the plane direction . (position - guess) = 0. The derivative
-/// by the state is the monodromy matrix, that by the parameter a central difference at the guess.
+/// Newton's iteration from `guess` for an orbit on the plane direction . (position - guess) = 0. The
+/// derivative by the state is the monodromy matrix, that by the parameter a central difference at the guess.
 Correction correct(const OrbitProblem& problem, const Position& guess, const Eigen::VectorXd& direction);
 
 /// The same at a fixed parameter.

@@ -33,16 +33,21 @@ struct OrbitFacts {
   std::vector<Eigen::VectorXd> sections;  ///< states where the turns of the period begin
 };
 
-/// Orbits of a map that depends on a parameter: fixed points of `returns`.
+/// Replaces `state` by its image at `parameter` and, where given (not null), `monodromy` by the derivative of
+/// the image by the state.
+using OrbitMap =
+    std::function<Evaluation(double parameter, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy)>;
+
+/// Orbits of a map that depends on a parameter: fixed points of `returns`, the map over the whole period.
 struct OrbitProblem {
-  /// Replaces `state` by its image under the whole period at `parameter` and, where given (not null),
-  /// `monodromy` by the derivative of the image by the state.
-  std::function<Evaluation(double parameter, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy)> returns;
-  /// Facts of the orbit from `state`; empty where it cannot be followed. May be left out.
+  OrbitMap returns;
+  OrbitMap half_returns;  ///< the same over half the period, where it is an even number of turns
+  /// Facts of the orbit from `state`; empty where it cannot be followed. May be left out, and then nothing is
+  /// known of contacts, nor of shorter periods.
   std::function<std::optional<OrbitFacts>(double parameter, const Eigen::VectorXd& state)> facts;
-  int order = 1;                ///< turns of the period
-  double low = 0, high = 0;     ///< range of the parameter that is looked at
-  double parameter_scale = 1;   ///< > 0: change of the parameter that counts as much as one unit of state
+  int order = 1;               ///< turns of the period
+  double low = 0, high = 0;    ///< range of the parameter that is looked at
+  double parameter_scale = 1;  ///< > 0: change of the parameter that counts as much as one unit of state
 };
 
 }  // namespace rubsweep::branch

@@ -52,11 +52,11 @@ class SceneOrbits {
     solver_.relative_tolerance = std::min(solver.relative_tolerance, tolerance_of_orbits);
   }
 
-  Evaluation returns(double parameter, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
+  Evaluation advance(int turns, double parameter, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
     SceneAt* at = scene_at(parameter);
     if (at == nullptr) return Evaluation::infeasible;
     if (monodromy) *monodromy = Eigen::MatrixXd::Identity(state.size(), state.size());
-    for (int turn = 0; turn < order_; ++turn) {
+    for (int turn = 0; turn < turns; ++turn) {
       const bool made = monodromy ? at->map.carry(numbers(state), *monodromy) : at->map(numbers(state));
       if (!made || !state.allFinite()) return Evaluation::failed;
     }
@@ -66,8 +66,7 @@ class SceneOrbits {
   std::optional<OrbitFacts> facts(double parameter, Eigen::VectorXd state) {
     SceneAt* at = scene_at(parameter);
     if (at == nullptr) return std::nullopt;
-    const auto& observed =
-        at->scene.structure.points[static_cast<std::size_t>(at->scene.observed_point)].map;
+    const auto& observed = at->scene.structure.points[static_cast<std::size_t>(at->scene.observed_point)].map;
     integrate::run::TurnRequest request;
     request.samples_per_revolution = samples_per_turn;
     request.peaks = request.switches = true;
@@ -83,8 +82,7 @@ class SceneOrbits {
       const Eigen::Map<const Eigen::MatrixXd> samples(report.samples.data(), state.size(),
                                                       report.sample_count);
       for (Eigen::Index k = 0; k < samples.cols(); ++k) {
-        places_m.emplace_back(at->scene.length_scale_m *
-                              (observed * samples.col(k).head(state.size() / 2)));
+        places_m.emplace_back(at->scene.length_scale_m * (observed * samples.col(k).head(state.size() / 2)));
       }
       std::ranges::copy(report.section, state.begin());
     }
@@ -145,9 +143,13 @@ OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::S
   auto orbits = std::make_shared<SceneOrbits>(std::move(family), order, solver, modes);
   OrbitProblem problem;
   problem.order = order;
-  problem.returns = [orbits](double parameter, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
-    return orbits->returns(parameter, state, monodromy);
+  const auto map_of = [&](int turns) -> OrbitMap {
+    return [orbits, turns](double parameter, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
+      return orbits->advance(turns, parameter, state, monodromy);
+    };
   };
+  problem.returns = map_of(order);
+  if (order % 2 == 0) problem.half_returns = map_of(order / 2);
   problem.facts = [orbits](double parameter, const Eigen::VectorXd& state) {
     return orbits->facts(parameter, state);
   };

@@ -18,8 +18,8 @@ class Segment {
   /// Distance of the end; > 0 where `to` lies ahead of `from`.
   double length() const { return length_; }
 
-  /// The orbit at 0 <= s <= length(), with its tangent, multipliers and facts. Empty where Newton's iteration does
-  /// not find it. `near`: another point of the segment, or none.
+  /// The orbit at 0 <= s <= length(), with its tangent, multipliers and facts. Empty where Newton's iteration
+  /// does not find it. `near`: another point of the segment, or none.
   std::optional<BranchPoint> at(double s) const;
 
  private:

@@ -19,8 +19,8 @@ SettledStart settle_on_orbit(const scene::Cell& cell, const integrate::run::Solv
     start.order.reset();
     return start;
   }
-  start.section = Eigen::Map<const Eigen::VectorXd>(turn.section.data(),
-                                                    static_cast<Eigen::Index>(turn.section.size()));
+  start.section =
+      Eigen::Map<const Eigen::VectorXd>(turn.section.data(), static_cast<Eigen::Index>(turn.section.size()));
   return start;
 }
 

@@ -15,12 +15,14 @@ namespace {
 const Node* child(const Node& node, std::string_view name) {
   if (node.kind == Node::Kind::map) {
     const auto found = std::ranges::find(node.keys, name, &Node::Key::text);
-    return found == node.keys.end() ? nullptr : &node.items[static_cast<std::size_t>(found - node.keys.begin())];
+    return found == node.keys.end() ? nullptr
+                                    : &node.items[static_cast<std::size_t>(found - node.keys.begin())];
   }
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
   const bool is_index = error == std::errc{} && end == name.data() + name.size();
-  return node.kind == Node::Kind::list && is_index && index < node.items.size() ? &node.items[index] : nullptr;
+  return node.kind == Node::Kind::list && is_index && index < node.items.size() ? &node.items[index]
+                                                                                : nullptr;
 }
 
 }  // namespace

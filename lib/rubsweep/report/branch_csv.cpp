@@ -43,8 +43,8 @@ std::pair<double, double> interval(const branch::Branch& branch) {
 
 }  // namespace
 
-std::string branch_comments(const std::string& version, const std::string& digest, const std::string& parameter,
-                            const std::vector<branch::Branch>& branches) {
+std::string branch_comments(const std::string& version, const std::string& digest,
+                            const std::string& parameter, const std::vector<branch::Branch>& branches) {
   std::string text = fmt::format("# rubbranch {}\n# digest {}\n# parameter {}\n", version, digest, parameter);
   for (std::size_t i = 0; i < branches.size(); ++i) {
     text += fmt::format("# branch {}: order {}, ends {} and {}\n", i, branches[i].order,
@@ -74,11 +74,11 @@ std::string branch_events_csv(const std::vector<branch::Branch>& branches) {
                      ",amplitude_m,hits,detail\n";
   for (std::size_t i = 0; i < branches.size(); ++i) {
     for (const branch::BranchEvent& event : branches[i].events) {
-      text += fmt::format("{},{},{},{},{},{}{},{},{},{}\n", i, branch::to_string(event.kind),
-                          csv_number(event.point.parameter), csv_number(event.parameter_error),
-                          csv_number(event.point.arclength), branches[i].order,
-                          multipliers_cells(event.point), csv_number(event.point.facts.amplitude_m),
-                          event.point.facts.hits, event.detail);
+      text +=
+          fmt::format("{},{},{},{},{},{}{},{},{},{}\n", i, branch::to_string(event.kind),
+                      csv_number(event.point.parameter), csv_number(event.parameter_error),
+                      csv_number(event.point.arclength), branches[i].order, multipliers_cells(event.point),
+                      csv_number(event.point.facts.amplitude_m), event.point.facts.hits, event.detail);
     }
   }
   return text;
@@ -90,8 +90,8 @@ std::string branch_summary(const std::string& parameter, const std::vector<branc
     const branch::Branch& branch = branches[i];
     const auto [low, high] = interval(branch);
     const auto stable = std::ranges::count_if(branch.points, &branch::BranchPoint::stable);
-    text += fmt::format("branch {}  order {}, {} {:.10g} to {:.10g}, {} points, {} stable, ends {} and {}\n", i,
-                        branch.order, parameter, low, high, branch.points.size(), stable,
+    text += fmt::format("branch {}  order {}, {} {:.10g} to {:.10g}, {} points, {} stable, ends {} and {}\n",
+                        i, branch.order, parameter, low, high, branch.points.size(), stable,
                         branch::to_string(branch.falling), branch::to_string(branch.rising));
     for (const branch::BranchEvent& event : branch.events) {
       text += fmt::format("  {:<16} {:.12g}", branch::to_string(event.kind), event.point.parameter);
