@@ -291,6 +291,32 @@ TEST(Exact, FrictionThatIsNotSaturatedGoesToTaylorPiecesAndBack) {
 }
 
 /// No cliff: whether a slip bound just holds or just fails changes the section by no more than the tolerance.
+/// Two stiff stops with casings whose modes nearly cancel in the slip: bounds on its rate are a hundred times
+/// what it does. The slip never comes near the end of saturation, and no turn is to be given up for it.
+TEST(Exact, LooseBoundsOnTheSlipShortenStretchesInsteadOfGivingTheTurnUp) {
+  test::OneSideRotor rotor;
+  rotor.damping_ratio = 0.01;
+  rotor.stiffness_n_per_m = 1.245e8;
+  rotor.casing_damping_ratio = 0.05;
+  rotor.casing_mass_kg = 0.05;
+  rotor.casing_stiffness_n_per_m = 7.106e5;
+  rotor.contact_radius_m = 0.005;
+  rotor.friction_coefficient = 0.05;
+  rotor.friction_steepness_s_per_m = 100;
+  rotor.kick_n = 120;
+  rotor.speed_hz = 143;
+  rotor.whirl_ratio = 0.7;
+  model::Machine machine = test::machine_of(rotor);
+  machine.stops.push_back(machine.stops[0]);
+  std::get<model::OneSideGeometry>(machine.stops[1].geometry).angle_deg += 180;
+  const scene::Scene scene =
+      scene::build_cell(machine, rotor.speed_hz, scene::WhirlRatio{rotor.whirl_ratio}).scene;
+  const run::TurnReport exact = run_exact(scene, 4);
+  EXPECT_GT(exact.effort.switches, 10);
+  EXPECT_EQ(exact.effort.taylor_turns + exact.effort.adaptive_turns, 0);
+  EXPECT_LT(difference(exact, run_adaptive(scene, 4, 1e-13)), 1e-8);
+}
+
 TEST(Exact, NearlySaturatedFrictionChangesTheSectionByTheTolerance) {
   test::OneSideRotor rotor;
   run::SolverOptions options;

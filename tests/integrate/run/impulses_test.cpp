@@ -50,6 +50,23 @@ std::vector<double> phases_of(Impulses& impulses, long revolution) {
   return phases;
 }
 
+/// Every impulse up to a phase at once, on the velocities alone and in the unit of the state.
+TEST(Impulses, AreTakenUpToAPhase) {
+  const scene::Scene scene = struck_oscillator(3.0, 0.1);
+  Impulses impulses(scene);
+  impulses.begin_turn(0);
+  const StateScale scale = state_scale(scene);
+  const double jump = impulse_ns / mass_kg / scale.unit_velocity_m_per_s();
+  std::vector<double> state{1, 2, 3, 4, 5};
+  const double first = impulses.next_phase_rad();
+  impulses.take_all(first - 1e-9, scale, state);
+  EXPECT_EQ(state, (std::vector<double>{1, 2, 3, 4, 5}));
+  impulses.take_all(first + 2 * pi / 3 + 1e-9, scale, state);
+  EXPECT_NEAR(state[2], 3 + 2 * jump, 1e-12);
+  EXPECT_EQ((std::vector<double>{state[0], state[1], state[3], state[4]}), (std::vector<double>{1, 2, 4, 5}));
+  EXPECT_NEAR(impulses.next_phase_rad(), first + 4 * pi / 3, 1e-9);
+}
+
 TEST(Impulses, ComeOnceAPeriodWhereverTheRevolutionsEnd) {
   for (const double multiple : {0.1, 1.0 / 3, 1.0, 2.5, 3.57, 7.0}) {
     for (const double phase_periods : {0.0, 0.3, 0.999}) {

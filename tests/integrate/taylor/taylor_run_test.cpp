@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "integrate/rubbing_kit.hpp"
+#include "integrate/taylor/set_c_scene.hpp"
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/hybrid_run.hpp"
@@ -29,31 +30,12 @@ using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 constexpr Complex i{0, 1};
 
-double distance(std::span<const double> a, std::span<const double> b) {
-  double largest = 0;
-  for (std::size_t j = 0; j < a.size(); ++j) largest = std::max(largest, std::abs(a[j] - b[j]));
-  return largest;
-}
-
 run::SolverOptions tight(double tolerance = 1e-13) {
   run::SolverOptions options;
   options.method = run::Method::adaptive;
   options.stepper = run::Stepper::rkf78;
   options.relative_tolerance = tolerance;
   return options;
-}
-
-/// Set C of the annulus: circles and ovals that stay in contact.
-scene::Scene set_c_scene(double speed_hz, double whirl_ratio, std::array<double, 2> offset_m = {0, 0}) {
-  test::OneSideRotor rotor;
-  rotor.damping_ratio = 0.04;
-  rotor.restitution = 0.5;
-  rotor.casing_damping_ratio = 1;
-  rotor.friction_coefficient = 0.02;
-  rotor.kick_n = 150;
-  model::Machine machine = test::machine_of(rotor);
-  machine.stops[0].geometry = model::AnnularGeometry{offset_m};
-  return scene::build_cell(machine, speed_hz, scene::WhirlRatio{whirl_ratio}).scene;
 }
 
 struct Agreement {
@@ -315,34 +297,6 @@ TEST(TaylorRun, KeepsTheEnergyOfAConservativeScene) {
   EXPECT_GT(hits, 100);
 }
 
-/// Halving the duration of one expansion divides its error by 2^(order + 2) in the displacement, which is one
-/// order ahead of the velocity.
-TEST(Expansion, ConvergesWithItsOrder) {
-  scene::Scene scene = set_c_scene(80, 0.6);
-  scene.pulses.clear();
-  scene.contacts[0].surface_speed_m_per_s = 0.2;
-  scene.contacts[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 2, 0}};
-  const std::vector<double> state{1.3, 0.4, 0.1, -0.1, 0.5, -0.9, 0.2, 0.3};
-  const auto system = run::scale<4>(scene);
-  const std::vector<Mode> modes{Mode::sprung};
-  Expansion<4> reference(system, 24);
-  const run::PulseTimes no_pulses(scene, run::state_scale(scene), 2 * std::numbers::pi);
-  reference.expand(state.data(), 0.3, no_pulses, modes);
-  for (const int order : {4, 7, 10}) {
-    Expansion<4> motion(system, order);
-    motion.expand(state.data(), 0.3, no_pulses, modes);
-    std::array<double, 2> errors{};
-    for (std::size_t half = 0; half < 2; ++half) {
-      const double duration = half == 0 ? 0.04 : 0.02;
-      std::array<double, 8> exact{}, here{};
-      reference.put_state(duration, exact.data());
-      motion.put_state(duration, here.data());
-      errors[half] = distance(std::span(exact).first(4), std::span(here).first(4));
-    }
-    EXPECT_NEAR(std::log2(errors[0] / errors[1]), order + 2, 0.5) << order;
-  }
-}
-
 TEST(TaylorRun, NeedsFewerStepsAtHigherOrderForTheSameMotion) {
   scene::Scene scene = set_c_scene(165, 0.6);
   TaylorRun<4> best(scene, {});
@@ -438,58 +392,6 @@ TEST(TaylorRun, PassesOverNoGuardThatTwentyThousandPointsATurnSee) {
     }
   }
   EXPECT_GT(hits, 50);
-}
-
-Eigen::MatrixXd transition_by_dopri5(const scene::Scene& scene) {
-  const auto states = std::size_t(2 * scene.structure.coordinates());
-  adaptive::AdaptiveRun<adaptive::Dopri5<std::vector<double>>, Eigen::Dynamic, false,
-                        response::rotating::VariationalDynamics<Eigen::Dynamic, false>>
-      run(scene, {.relative_tolerance = 1e-13});
-  run::TurnReport turn;
-  EXPECT_EQ(run.advance({}, turn), run::Outcome::ok);
-  return Eigen::Map<const Eigen::MatrixXd>(turn.section.data() + states, Eigen::Index(states),
-                                           Eigen::Index(states));
-}
-
-TEST(TaylorRun, CarriesTangentsAsTheVariationalEquations) {
-  exact::ModeCache modes;
-  scene::Scene flat = test::cell_of({}).scene;
-  flat.displacement_m(1) = 1.1e-3;
-  scene::Scene circle = set_c_scene(80, 0.6), slipping = set_c_scene(90, 0.6, {1e-4, 1e-4});
-  circle.displacement_m.head(2) << 1.5e-3, 0;
-  circle.velocity_m_per_s.head(2) << 0, 0.7;
-  slipping.contacts[0].surface_speed_m_per_s = 0.1;
-  slipping.contacts[0].friction = model::StribeckFriction{{0.05, 30, 3, 0.1, 30, 0.001}};
-  slipping.displacement_m.head(2) << 1.3e-3, 0.2e-3;
-  slipping.velocity_m_per_s.head(2) << 0.1, -0.5;
-  scene::Scene thin = flat;
-  thin.contacts[0].surface_speed_m_per_s = 0.1;
-  thin.contacts[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 30, 0}};
-  for (scene::Scene& scene : std::array{flat, circle, slipping, thin}) {
-    scene.pulses.clear();
-    const Eigen::MatrixXd expected = transition_by_dopri5(scene);
-    TaylorRun<4> run(scene, {});
-    run::TurnReport turn;
-    ASSERT_EQ(run.advance({.tangent_vectors = Eigen::MatrixXd::Identity(8, 8)}, turn), TaylorEnding::ok);
-    EXPECT_GT(turn.contact_fraction, 0.04);
-    ASSERT_TRUE(turn.tangent_vectors.get());
-    const Eigen::MatrixXd all = *turn.tangent_vectors.get();
-    EXPECT_LT((all - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
-    // One direction alone is moved as it is among all.
-    TaylorRun<4> again(scene, {});
-    ASSERT_EQ(again.advance({.tangent_vectors = Eigen::VectorXd::Unit(8, 5)}, turn), TaylorEnding::ok);
-    ASSERT_TRUE(turn.tangent_vectors.get());
-    EXPECT_LT((*turn.tangent_vectors.get() - all.col(5)).cwiseAbs().maxCoeff(),
-              1e-13 * all.cwiseAbs().maxCoeff());
-  }
-  const auto exact = start_hybrid(flat, {}, modes);
-  TaylorRun<4> run(flat, {});
-  run::TurnReport a, b;
-  const run::TurnRequest asked{.tangent_vectors = Eigen::MatrixXd::Identity(8, 8)};
-  ASSERT_EQ(run.advance(asked, a), TaylorEnding::ok);
-  ASSERT_EQ(exact.advance(asked, b), run::Outcome::ok);
-  ASSERT_TRUE(a.tangent_vectors.get() && b.tangent_vectors.get());
-  EXPECT_LT((*a.tangent_vectors.get() - *b.tangent_vectors.get()).cwiseAbs().maxCoeff(), 1e-11);
 }
 
 TEST(TaylorRun, StopsAtImpulsesAndWherePulsesBeginAndEnd) {

@@ -160,7 +160,7 @@ ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
                                               .shortest_to_annular_s = shortest_to_annular * period_s_,
                                               .same_instant_s = same_instant * period_s_});
     ++effort_.steps;
-    if (choice.annular || !renew_slip_watch(report, choice.step_s)) return ExactEnding::beyond;
+    if (choice.annular || !renew_slip_watch(report, choice)) return ExactEnding::beyond;
     if (choice.crossing != StepChoice::none && standstill_ < longest_standstill) {
       land(report, choice.crossing, choice.step_s);
       return switch_mode(report, choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
@@ -300,12 +300,14 @@ bool ExactRun<N>::slip_held(run::TurnReport& report, const State& here) {
   return slip_.held(motion_, here, report.slip_reversed);
 }
 
-/// The bounds of the watch hold over one longest step.
+/// The bounds of the watch hold over one longest stretch.
 template <int N>
-bool ExactRun<N>::renew_slip_watch(run::TurnReport& report, double step_s) {
-  if (motion_.joint() == 0 || slip_.duration_s() + step_s <= motion_.mode().longest_step_s) return true;
+bool ExactRun<N>::renew_slip_watch(run::TurnReport& report, StepChoice& choice) {
+  if (motion_.joint() == 0 || slip_.duration_s() + choice.step_s <= slip_.longest_s()) return true;
   const State here = motion_.physical();
-  return slip_held(report, here) && slip_.begin(motion_, here);
+  if (!slip_held(report, here) || !slip_.begin(motion_, here)) return false;
+  if (choice.step_s > slip_.longest_s()) choice = {.step_s = slip_.longest_s()};
+  return true;
 }
 
 template class ExactRun<2>;

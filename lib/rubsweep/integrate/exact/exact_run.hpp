@@ -8,6 +8,7 @@
 #include "rubsweep/integrate/exact/peak_watch.hpp"
 #include "rubsweep/integrate/exact/sample_watch.hpp"
 #include "rubsweep/integrate/exact/slip_watch.hpp"
+#include "rubsweep/integrate/exact/step_choice.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
@@ -75,7 +76,7 @@ class ExactRun {
   bool switch_mode(run::TurnReport& report, std::size_t guard);
 
   bool slip_held(run::TurnReport& report, const State& here);
-  bool renew_slip_watch(run::TurnReport& report, double step_s);
+  bool renew_slip_watch(run::TurnReport& report, StepChoice& choice);
 
   Motion motion_;
   run::StateScale scale_;  ///< of sections

@@ -55,6 +55,18 @@ bool MachineModes<N>::fits(const scene::Scene& scene) const {
 }
 
 template <int N>
+std::size_t MachineModes<N>::bytes() const {
+  const auto states = static_cast<std::size_t>(2 * system_.coordinates());
+  std::size_t numbers = modes_.size();
+  for (const auto& mode : modes_) {
+    if (!mode) continue;
+    const std::size_t matrices = 3 + mode->steps.size(), columns = 4 * mode->pair_steps.size();
+    numbers += states * (states * matrices + columns + numerics::series_rows * mode->guards.size());
+  }
+  return numbers * sizeof(double);
+}
+
+template <int N>
 const LinearMode<N>* MachineModes<N>::mode(std::size_t joint) {
   if (!made_[joint]) {
     std::vector<contact::Mode> modes;

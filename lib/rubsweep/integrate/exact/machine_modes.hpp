@@ -20,6 +20,9 @@ class MachineModes {
   /// Whether these were made for the same structure, stops and constant forces.
   bool fits(const scene::Scene& scene) const;
 
+  /// About what the flows of all modes made so far take.
+  std::size_t bytes() const;
+
   /// Linear mode of a joint contact mode, numbered mode of contact i times 4^i. Null where the mode has no
   /// equilibrium, as in a structure without springs.
   const LinearMode<N>* mode(std::size_t joint);

@@ -14,7 +14,9 @@ namespace rubsweep::integrate::exact {
 
 /// Watches that friction stays saturated, so that its coefficient is the constant that the linear mode
 /// was made with, over stretches of contact no longer than the mode's longest step. Between two instants T
-/// apart a slip whose rate is at most L stays above (slip at the one + slip at the other - L T) / 2.
+/// apart a slip whose rate is at most L stays above (slip at the one + slip at the other - L T) / 2. Where
+/// nearly equal modes cancel each other L is a hundred times what the slip does: stretches are then so short
+/// that a slip that hardly changes passes.
 template <int N>
 class SlipWatch {
  public:
@@ -32,9 +34,11 @@ class SlipWatch {
     }
   }
 
-  /// Starts a stretch at `physical`, the motion's state; false when friction is not saturated here.
+  /// Starts a stretch at `physical`, the motion's state; false when friction is not saturated here, or so
+  /// little beyond it that the bounds hold over no stretch worth a step.
   bool begin(const ExactMotion<N>& motion, const State& physical) {
     duration_s_ = 0;
+    longest_s_ = motion.mode().longest_step_s;
     may_reverse_ = false;
     for (const TouchWatch<N>& touch : motion.mode().touches) {
       Contact& c = contacts_[touch.contact];
@@ -52,9 +56,12 @@ class SlipWatch {
       const double longest_s = motion.mode().longest_step_s;
       const double rate_bound = c.rate_bound + c.friction_rate + c.friction_swing * longest_s;
       may_reverse_ = may_reverse_ || (c.constant && c.start_m_per_s <= rate_bound * longest_s);
+      const double margin = c.start_m_per_s - c.above_m_per_s;
+      if (share_of_margin * margin < rate_bound * longest_s_)
+        longest_s_ = share_of_margin * margin / rate_bound;
     }
     if (may_reverse_) note(motion, physical);
-    return true;
+    return longest_s_ >= shortest_stretch * motion.mode().longest_step_s;
   }
 
   /// Whether the slip of a constant friction, which holds at every speed and so never ends a stretch, may
@@ -82,6 +89,8 @@ class SlipWatch {
 
   void advance(double duration_s) { duration_s_ += duration_s; }
   double duration_s() const { return duration_s_; }
+  /// How long a stretch that began here may be.
+  double longest_s() const { return longest_s_; }
 
   /// Whether friction was saturated all along the stretch that ends at `physical`; says when the slip there
   /// is reversed.
@@ -154,8 +163,12 @@ class SlipWatch {
            length_m_ * touch.sliding.dot(physical.transpose());
   }
 
+  /// Of twice the margin, the most that a slip that stays the same can be shown to keep.
+  static constexpr double share_of_margin = 1.8;
+  static constexpr double shortest_stretch = 1.0 / 256;  ///< of the mode's longest step
+
   double length_m_;
-  double duration_s_ = 0;
+  double duration_s_ = 0, longest_s_ = 0;
   bool may_reverse_ = false;
   std::vector<Contact> contacts_;
 };

@@ -30,6 +30,10 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s)
   }
 }
 
+double ContactSeries::turn_rate() const {
+  return law_->annular ? (d1[0] * d2[1] - d2[0] * d1[1]) / s_[0] : 0;
+}
+
 ContactSeries::Force ContactSeries::force_term(int k) {
   return law_->annular ? annular_term(k) : flat_term(k);
 }

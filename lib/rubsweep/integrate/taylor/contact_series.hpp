@@ -28,6 +28,8 @@ class ContactSeries {
 
   const ContactLaw& law() const { return *law_; }
   contact::Mode mode() const { return mode_; }
+  /// Angle per unit of time by which the normal turns where the expansion starts; zero at a flat stop.
+  double turn_rate() const;
   /// Slope of a tanh that is not saturated changes along the expansion, and so does viscous friction.
   bool friction_varies() const { return varies_; }
 

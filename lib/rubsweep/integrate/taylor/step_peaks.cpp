@@ -9,7 +9,7 @@
 namespace rubsweep::integrate::taylor {
 namespace {
 
-constexpr double piece_times_fastest = 0.25;  ///< cubics through values and rates have peaks to 1e-5
+constexpr double piece_times_fastest = 0.25;  ///< cubics through values and rates have peaks to 2e-5
 constexpr int most_pieces = 64;
 
 /// Value and rate of what is watched, at the ends of so many pieces that a cubic has its maximum.

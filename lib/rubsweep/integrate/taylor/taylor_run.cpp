@@ -110,20 +110,6 @@ double TaylorRun<N>::next_boundary() const {
 
 /// Of the structure and of the springs that contacts join it with: an underdamped oscillator has eigenvalues
 /// of its undamped frequency's size, an overdamped one none above its damping.
-/// Of the stops that the rotor touches. The slopes of their forces turn at twice that rate.
-template <int N>
-double TaylorRun<N>::fastest_turn_of_normals() {
-  double fastest = 0;
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    const ContactSeries& contact = motion_.contact(i);
-    if (!contact.law().annular || contact.mode() == Mode::open) continue;
-    const double square = contact.d1[0] * contact.d1[0] + contact.d2[0] * contact.d2[0];
-    fastest =
-        std::max(fastest, std::abs(contact.d1[0] * contact.d2[1] - contact.d2[0] * contact.d1[1]) / square);
-  }
-  return fastest;
-}
-
 template <int N>
 double TaylorRun<N>::fastest_rate() const {
   double square = structure_rate_ * structure_rate_;
@@ -139,6 +125,18 @@ double TaylorRun<N>::fastest_rate() const {
 }
 
 template <int N>
+double TaylorRun<N>::longest_step(double fastest) {
+  if (tangents_.count() == 0) return longest_times_fastest / fastest;
+  double turning = 0;
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    if (dynamics_.modes()[i] != Mode::open)
+      turning = std::max(turning, std::abs(motion_.contact(i).turn_rate()));
+  }
+  // The stiffness across a turning normal comes round twice a turn.
+  return longest_times_fastest_of_tangents / (fastest + 2 * turning);
+}
+
+template <int N>
 TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   pulses_.go_to(phase_);
   motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes());
@@ -146,16 +144,11 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   const double fastest = fastest_rate();
   bool friction_varies = false;
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
-    friction_varies = friction_varies || motion_.contact(i).friction_varies();
+    friction_varies = friction_varies || (dynamics_.modes()[i] != Mode::open && motion_.contact(i).friction_varies());
   const double friction_ratio = friction_varies ? dynamics_.friction_ratio(state_) : 0;
   if (friction_ratio > stiff_above_) return TaylorEnding::stiff;
   const double boundary = next_boundary(), left = boundary - phase_;
-  const double times = std::max(1.0, friction_ratio);
-  double wanted = std::min(motion_.converged_rad(), longest_times_fastest / (fastest * times));
-  if (tangents_.count() > 0) {
-    wanted = std::min(wanted,
-                      longest_times_fastest_of_tangents / (fastest * times + 2 * fastest_turn_of_normals()));
-  }
+  double wanted = std::min(motion_.converged_rad(), longest_step(fastest * std::max(1.0, friction_ratio)));
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);
   if (!(wanted > 0)) return TaylorEnding::non_finite;

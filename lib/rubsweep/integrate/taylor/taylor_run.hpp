@@ -64,7 +64,7 @@ class TaylorRun {
   double next_boundary() const;
   TaylorEnding step(run::TurnReport& report);
   double fastest_rate() const;
-  double fastest_turn_of_normals();
+  double longest_step(double fastest);
   Crossing first_crossing(double duration);
   void take(run::TurnReport& report, double fastest, double duration, double end_phase);
   void put_samples(run::TurnReport& report, double end_phase);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+inline double distance(std::span<const double> a, std::span<const double> b) {
+  double largest = 0;
+  for (std::size_t j = 0; j < a.size(); ++j) largest = std::max(largest, std::abs(a[j] - b[j]));
+  return largest;
+}
+
+/// Set C of the annulus: circles and ovals that stay in contact.
+inline scene::Scene set_c_scene(double speed_hz, double whirl_ratio,
+                                std::array<double, 2> offset_m = {0, 0}) {
+  test::OneSideRotor rotor;
+  rotor.damping_ratio = 0.04;
+  rotor.restitution = 0.5;
+  rotor.casing_damping_ratio = 1;
+  rotor.friction_coefficient = 0.02;
+  rotor.kick_n = 150;
+  model::Machine machine = test::machine_of(rotor);
+  machine.stops[0].geometry = model::AnnularGeometry{offset_m};
+  return scene::build_cell(machine, speed_hz, scene::WhirlRatio{whirl_ratio}).scene;
+}
+
+}  // namespace rubsweep::integrate::taylor
