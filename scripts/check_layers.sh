@@ -26,13 +26,14 @@ declare -A below=(
   [response/proof]='response/motion'
   [response/rotating]='response/proof'
   [response]='response/proof response/rotating'
+  [branch]='response'
   [trace]='response'
   [sweep]='response batch'
   [line]='sweep trace'
   [bench]='response'
   [ring]='batch numerics'
   [config]='sweep bench ring'
-  [report]='sweep bench ring line identify'
+  [report]='sweep bench branch ring line trace identify'
   [page]='report'
 )
 
