@@ -40,7 +40,7 @@ std::string keys_that_differ(const fs::path& config_file, const std::string& dig
 
 }  // namespace
 
-FinishedMap read_finished_map(const fs::path& map, double warn_over_clearances) {
+FinishedMap read_finished_map(const fs::path& map, const sweep::Study& study, double warn_over_clearances) {
   std::ifstream stream(map);
   if (!stream) batch::throw_io_error("read", map, errno);
   constexpr std::string_view mark = "# digest ";
@@ -52,7 +52,7 @@ FinishedMap read_finished_map(const fs::path& map, double warn_over_clearances) 
       if (line.starts_with(mark)) found.digest = line.substr(mark.size());
     } else if (!header) {
       header = true;
-      found.known_columns = line == report::map_header();
+      found.known_columns = line == report::map_header(study);
     } else {
       ++found.cells;
       if (found.known_columns) found.summary.add(line);

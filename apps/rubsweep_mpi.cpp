@@ -189,7 +189,7 @@ class Leader {
       sweep::run_cells(
           job_.config.study, chunk, job_.arguments.threads,
           [&](std::size_t cell, const sweep::Row& row) {
-            const std::string line = report::map_line(row);
+            const std::string line = report::map_line(row, job_.config.study);
             const std::lock_guard lock(mutex_);
             journal.append(cell, line);
             keep(line + '\n');
@@ -248,7 +248,7 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
     sweep::run_cells(
         config.study, chunk, threads,
         [&](std::size_t cell, const sweep::Row& row) {
-          const std::string line = report::map_line(row);
+          const std::string line = report::map_line(row, config.study);
           const std::lock_guard lock(mutex);
           journal->append(cell, line);
           lines.append(line).append("\n");

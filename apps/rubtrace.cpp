@@ -142,6 +142,10 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   }
   write_result_files(files, file_names, directory);
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
+  if (arguments.figure && trace.revolutions > 0) {
+    arguments.figure->draw("draw_traces.py", directory, "One cell under the lens");
+    if (!arguments.quiet) fmt::print("figure    {}\n", arguments.figure->file().string());
+  }
   if (!scene::can_run(cell.start)) return cannot_start(cell.start);
   if (trace.outcome == integrate::run::Outcome::ok) return done;
   say(fmt::format("rubtrace: the run failed in revolution {}: {}; the files end there\n",
@@ -152,7 +156,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 int perform(const RubtraceArguments& arguments) {
   if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
-  if (arguments.free_response || arguments.run_up) {
+  if (arguments.free_response || arguments.run_up || arguments.campbell) {
     return run_experiment(arguments, config, directory_of(arguments, config));
   }
   return run(arguments, std::move(config));

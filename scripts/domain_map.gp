@@ -9,21 +9,10 @@ present = ARG4
 labels = ARG5
 speed_label = ARG6
 unbalance_label = ARG7
-in_hz = strstrt(speed_label, "(Hz)") > 0
+in_natural_frequencies = strstrt(speed_label, "natural frequency") > 0
 by_ratio = strstrt(unbalance_label, "whirl ratio") == 1
 
-# Colours: Paul Tol's "muted" scheme, made for colour-blind readers, and some of their own for rare kinds. The last three
-# kinds are hatched.
-kinds = 18
-array kind[kinds] = ["non_contact", "synchronous_circle", "synchronous_circle_backward", "synchronous", "subharmonic_2", \
-  "subharmonic_3", "subharmonic_4", "subharmonic_5", "subharmonic_6", "subharmonic_7", "subharmonic_8", \
-  "quasi_periodic_oval", "quasi_periodic_whip", "quasi_periodic", "chaotic", "unsettled", "initial_contact", "failed"]
-array legend[kinds] = ["no contact", "synchronous circle", "backward circle", "synchronous", "subharmonic 1/2", \
-  "subharmonic 1/3", "subharmonic 1/4", "subharmonic 1/5", "subharmonic 1/6", "subharmonic 1/7", "subharmonic ≤ 1/8", \
-  "quasi-periodic oval", "backward dry whip", "quasi-periodic", "chaotic", "unsettled", "pressed on the wall", "failed"]
-array colour[kinds] = ["#F4F4F4", "#4F9BD0", "#F4A6B8", "#88CCEE", "#CC6677", \
-  "#332288", "#DDCC77", "#117733", "#882255", "#44AA99", "#999933", \
-  "#EE8866", "#7A4F20", "#AA4499", "#000000", "#555555", "#999999", "#CC0000"]
+load ARG0[1:strlen(ARG0) - strlen("domain_map.gp")] . "motion_kinds.gp"
 solid = ""
 hatched = ""
 do for [i = 1:kinds] {
@@ -38,7 +27,7 @@ stats cells index 0 using 3:5 name "LOW" nooutput
 stats cells index 0 using 4:6 name "HIGH" nooutput
 set xrange [LOW_min_x:HIGH_max_x]
 set yrange [LOW_min_y:HIGH_max_y]
-if (!in_hz) {
+if (in_natural_frequencies) {
   do for [n = int(ceil(LOW_min_x)):int(floor(HIGH_max_x))] {
     set arrow from n, graph 0 to n, graph 1 nohead front dashtype 2 linewidth 1.5 linecolor rgb "#444444"
   }
@@ -56,7 +45,7 @@ do for [k = 1:words(labels):3] {
 set title heading
 set xlabel speed_label
 set ylabel unbalance_label
-if (in_hz) { set xtics autofreq out nomirror } else { set xtics 1 out nomirror; set mxtics 2 }
+if (in_natural_frequencies) { set xtics 1 out nomirror; set mxtics 2 } else { set xtics autofreq out nomirror }
 set ytics out nomirror
 set key at screen 0.775, graph 1 left top Left reverse samplen 1.5 spacing 1.4
 set rmargin at screen 0.76

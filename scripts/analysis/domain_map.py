@@ -43,13 +43,13 @@ def kind_of(row):
     return name
 
 
-def read_cells(path, measure, natural_frequency_hz=None):
-    """The cells of a map over its speed and the column `measure`, whirl_ratio or eccentricity_m."""
+def read_cells(path, measure, natural_frequency_hz=None, across="speed_hz"):
+    """The cells of a map over two columns: `across`, the speed where it is not another, and `measure`."""
     cells = []
-    for row in csv_table.read_table(path, "speed_hz", "class", "order", "orbit", "whirl", "comb_spacing", measure):
+    for row in csv_table.read_table(path, across, "class", "order", "orbit", "whirl", "comb_spacing", measure):
         if not row[measure]:
             continue
-        x = csv_table.number(row, "speed_hz") / (natural_frequency_hz or 1)
+        x = csv_table.number(row, across) / (natural_frequency_hz or 1)
         cells.append(Cell(x, csv_table.number(row, measure), kind_of(row)))
     if not cells:
         raise csv_table.TableError(f"{path}: no cells")

@@ -84,6 +84,27 @@ TEST_F(CompareMaps, EqualMapsAreEqual) {
       "4 cells: 4 equal, 0 with another class, 0 with other numbers (beyond 0), 0 in one map only\nequal\n");
 }
 
+TEST_F(CompareMaps, KeysSayWhichCellItIs) {
+  sweep::Study study;
+  study.grid.axes = {{{"kick.force_n"}, {1}, {100, 200}}};
+  auto map = [&](const std::string& name, double other_force_n) {
+    std::string text = map_comments("1", "digest", study) + map_header(study) + "\n";
+    for (const double force_n : {100.0, other_force_n}) {
+      Row cell = cells()[0];
+      cell.key_values = {force_n};
+      text += map_line(cell) + "\n";
+    }
+    return table_of(name, text);
+  };
+  EXPECT_TRUE(compare_maps(map("a.csv", 200), map("b.csv", 200), 0).equal());
+  const MapComparison moved = compare_maps(map("a.csv", 200), map("b.csv", 300), 0);
+  EXPECT_EQ(verdicts(moved), (std::vector{equal, only_in_one, only_in_one}));
+  EXPECT_NE(describe(moved, 0).find(
+                "speed_hz 50, whirl_ratio 0.2, kick.force_n 300: no such cell -> subharmonic 1/2"),
+            std::string::npos);
+  EXPECT_THROW(compare_maps(map("a.csv", 200), table("plain.csv", cells()), 0), IoError);
+}
+
 TEST_F(CompareMaps, ClassAndOrderMustBeTheSame) {
   auto other = cells();
   other[0].order = 4;

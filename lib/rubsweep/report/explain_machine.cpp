@@ -193,8 +193,10 @@ std::string explain_rotor(const scene::PreparedMachine& prepared) {
 
 std::string explain_kick(const model::Machine& machine) {
   if (!machine.kick) return "kick: none\n";
-  const std::string direction =
+  std::string direction =
       machine.kick->angle_deg ? fmt::format(" at {} degrees", *machine.kick->angle_deg) : "";
+  if (machine.kick->phase_deg)
+    direction += fmt::format(", {} degrees after the smallest gap", *machine.kick->phase_deg);
   return fmt::format(
       "kick: half-sine, {} N for {} s{}\n"
       "  none where the quiet whirl itself reaches a wall (whirl ratio 1 and above): the rotor starts at "

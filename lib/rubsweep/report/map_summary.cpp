@@ -29,9 +29,9 @@ double number_in(std::string_view cell) {
   return value;
 }
 
-/// Class and order, and what parts motions that share a class but are not alike: a whip that rolls backward
-/// on its own force from an oval that the unbalance drives, a circle forward from one backward.
-std::string name_of(std::string_view map_line) {
+}  // namespace
+
+std::string motion_name(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), order_column = place_of_column("order"),
                            orbit_column = place_of_column("orbit"), whirl_column = place_of_column("whirl"),
                            comb_column = place_of_column("comb_spacing");
@@ -47,15 +47,13 @@ std::string name_of(std::string_view map_line) {
   return name;
 }
 
-}  // namespace
-
 void MapSummary::add(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), status_column = place_of_column("status"),
                            start_column = place_of_column("start"),
                            last_column = place_of_column("last_contact_revolution"),
                            peak_column = place_of_column("peak_over_clearance");
   ++total_;
-  ++by_name_[name_of(map_line)];
+  ++by_name_[motion_name(map_line)];
   const std::string_view status = cell(map_line, status_column);
   if (status != "ok") ++by_status_[std::string(status)];
   if (cell(map_line, class_column) == to_string(MotionClass::non_contact)) ++non_contact_;
@@ -90,7 +88,8 @@ std::string MapSummary::text() const {
 std::string MapSummary::warning() const {
   if (far_ == 0) return "";
   return fmt::format(
-      "warning: in {} of {} cells the rotor moves farther than {} clearances, at most {:.3g}; hardly a shaft is "
+      "warning: in {} of {} cells the rotor moves farther than {} clearances, at most {:.3g}; hardly a shaft "
+      "is "
       "linear up to there (column peak_over_clearance, key output.warn_over_clearances)\n",
       far_, total_, warn_over_clearances_, largest_over_clearance_);
 }

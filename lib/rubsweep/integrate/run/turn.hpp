@@ -40,6 +40,8 @@ struct TurnRequest {
   /// 2n x m (m <= 2n; 0: none): small changes of the section at the start, to be taken to the end of the turn
   /// by d(section at the end) / d(section at the start).
   Eigen::MatrixXd tangent_vectors{};
+  /// Relative error that one step may add to them, where a step truncates anything.
+  double tangent_accuracy = 4e-12;
 };
 
 /// Tangent vectors at the end of a turn, where the turn was asked for them and could move them. Its memory is
