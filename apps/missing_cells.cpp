@@ -18,8 +18,8 @@
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
-#include "rubsweep/sweep/run_cells.hpp"
 #include "rubsweep/sweep/idle_torsion.hpp"
+#include "rubsweep/sweep/run_cells.hpp"
 #include "rubsweep/sweep/untouched_walls.hpp"
 
 namespace rubsweep::apps {
@@ -38,8 +38,8 @@ MissingCells::MissingCells(const RubsweepArguments& arguments, const sweep::Stud
 bool MissingCells::run() {
   const scene::PreparedMachine prepared = scene::prepare_machine(study_.machine);
   const double slowest_hz = *std::ranges::min_element(study_.grid.speed_hz);
-  for (std::string why :
-       {sweep::why_torsion_is_idle(prepared, slowest_hz), sweep::why_walls_stay_untouched(study_, prepared)}) {
+  for (std::string why : {sweep::why_torsion_is_idle(prepared, slowest_hz),
+                          sweep::why_walls_stay_untouched(study_, prepared)}) {
     if (why.empty()) continue;
     why.pop_back();
     progress_.say(why);

@@ -67,9 +67,10 @@ TEST(RotorKit, DampingThatTurnsWithTheShaftTakesNoPedestals) {
       "{position_m: 0.5, stiffness_x_n_per_m: 1e4, stiffness_y_n_per_m: 1e4}]";
   const model::Machine machine = read_with({supports, "rotor.rotating_damping_ratio=[0.01, 0.002]"});
   EXPECT_EQ(model::kit_of(machine)->rotating_damping_ratio, (std::vector<double>{0.01, 0.002}));
-  EXPECT_EQ(message_of(test_file("rotor_kit.yaml"), {"rotor.rotating_damping_ratio=0.01"}),
-            "--set rotor.rotating_damping_ratio=0.01: rotor.rotating_damping_ratio: turns with the shaft, and "
-            "pedestals do not, allowed: 0 beside pedestals");
+  EXPECT_EQ(
+      message_of(test_file("rotor_kit.yaml"), {"rotor.rotating_damping_ratio=0.01"}),
+      "--set rotor.rotating_damping_ratio=0.01: rotor.rotating_damping_ratio: turns with the shaft, and "
+      "pedestals do not, allowed: 0 beside pedestals");
   EXPECT_EQ(message_of(test_file("rotor_kit.yaml"), {"rotor.rotating_damping_ratio=0"}), "no error");
 }
 

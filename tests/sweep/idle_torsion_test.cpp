@@ -27,7 +27,8 @@ TEST(WhyTorsionIsIdle, SaysSoWhereNoFrictionAsksForTheSlip) {
   EXPECT_NE(why(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}}), "");
   EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0.01}}), "") << "viscous";
   EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}}, 0.1), "") << "a shaft that hardly turns";
-  EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(scene::light_shaft_machine()), 50), "") << "no torsion";
+  EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(scene::light_shaft_machine()), 50), "")
+      << "no torsion";
 }
 
 /// What it says is true: the row is that of the rotor without torsion.
