@@ -279,8 +279,9 @@ TEST(Exact, PeakOfACasingThatRings) {
   scene.velocity_m_per_s(2) = v0;
   const double damped = rate * std::sqrt(1 - ratio * ratio);
   const double at = std::atan2(damped * v0, rate * (rate * x0 + ratio * v0)) / damped;
-  const double peak = std::exp(-ratio * rate * at) *
-                      (x0 * std::cos(damped * at) + (v0 + ratio * rate * x0) / damped * std::sin(damped * at));
+  const double peak =
+      std::exp(-ratio * rate * at) *
+      (x0 * std::cos(damped * at) + (v0 + ratio * rate * x0) / damped * std::sin(damped * at));
   exact::ModeCache modes;
   run::TurnReport turn;
   ASSERT_EQ(start_hybrid(scene, {}, modes).advance({.peaks = true}, turn), run::Outcome::ok);
