@@ -34,12 +34,10 @@ std::string own_name(const RubsweepArguments& arguments) {
 /// What is said of a whole map and its exit code, whoever computed it.
 int report_map(const RubsweepArguments& arguments, const report::MapSummary& summary,
                const sweep::Study& study, MapDirectory& directory) {
-  if (!arguments.quiet) {
-    TerminalView view;
-    if (arguments.progress != batch::ProgressMode::never)
-      view = terminal_view(directory.map(), study.grid, arguments.report);
-    fmt::print("{}{}map: {}\n{}", view.map, summary.text(), directory.map().string(), view.next);
-  }
+  const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
+  const TerminalView view =
+      shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};
+  if (!arguments.quiet) fmt::print("{}{}map: {}\n", view.map, summary.text(), directory.map().string());
   if (arguments.figure) {
     arguments.figure->draw("draw_domain_map.py", directory.map(),
                            study.machine.kick ? "Rub domains after a kick" : "Rub domains");
@@ -55,6 +53,7 @@ int report_map(const RubsweepArguments& arguments, const report::MapSummary& sum
                                    .before_leaving = [&] { directory.leave(); }});
     if (code != done) return code;
   }
+  fmt::print("{}", view.next);
   return summary.has_failed_cells() ? some_cells_failed : done;
 }
 
