@@ -29,10 +29,11 @@ declare -A below=(
   [trace]='response'
   [sweep]='response batch'
   [line]='sweep trace'
+  [ramp]='integrate response/spectrum'
   [bench]='response'
   [ring]='batch numerics'
   [config]='sweep bench ring'
-  [report]='sweep bench ring line identify'
+  [report]='sweep bench ring line ramp identify'
   [page]='report'
 )
 
