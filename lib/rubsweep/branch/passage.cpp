@@ -55,8 +55,10 @@ Way way_between(const sweep::Study& study, const scene::PreparedMachine& prepare
   Way way{scene_orbits(family, order, study.solver, workspace.modes),
           along_speed ? speed_hz : unbalance,
           along_speed ? grid.speed_hz[b.speed] : grid.unbalance[b.unbalance]};
-  way.problem.low = std::min(way.from, way.to);
-  way.problem.high = std::max(way.from, way.to);
+  // Behind the start as well, where a branch may come back after a fold.
+  const double behind = way.from + (way.from - way.to);
+  way.problem.low = std::min(behind, way.to);
+  way.problem.high = std::max(behind, way.to);
   way.problem.parameter_scale = length_of(axis);
   return way;
 }
