@@ -66,7 +66,7 @@ void MissingCells::run_cells(std::span<const std::size_t> cells) {
 }
 
 void MissingCells::write_down(std::size_t cell, const sweep::Row& row) {
-  const std::string line = report::map_line(row);
+  const std::string line = report::map_line(row, study_);
   const std::lock_guard lock(mutex_);
   journal_.append(cell, line);
   partial_.append(line);

@@ -33,7 +33,10 @@ std::string own_name(const RubsweepArguments& arguments) {
 /// What is said of a whole map and its exit code, whoever computed it.
 int report_map(const RubsweepArguments& arguments, const report::MapSummary& summary,
                const sweep::Study& study, MapDirectory& directory) {
-  if (!arguments.quiet) fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+  if (!arguments.quiet) {
+    fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+    warn("rubsweep", summary);
+  }
   if (arguments.report) {
     const std::filesystem::path place = directory.map().parent_path();
     const int code = write_report(place, study, "rubsweep",

@@ -20,7 +20,7 @@ declare -A below=(
   [integrate/exact]='integrate/run numerics'
   [integrate/taylor]='integrate/adaptive'
   [integrate]='integrate/adaptive integrate/exact integrate/taylor'
-  [identify]='scene response/spectrum'
+  [identify]='scene numerics response/spectrum'
   [response/spectrum]='.'
   [response/motion]='response/spectrum integrate'
   [response/proof]='response/motion'
@@ -29,10 +29,11 @@ declare -A below=(
   [branch]='sweep'
   [trace]='response'
   [sweep]='response batch'
+  [line]='sweep trace'
   [bench]='response'
-  [ring]='batch'
+  [ring]='batch numerics'
   [config]='sweep bench ring'
-  [report]='sweep bench branch ring trace identify'
+  [report]='sweep bench branch ring line trace identify'
   [page]='report'
 )
 

@@ -10,7 +10,7 @@ namespace rubsweep::identify {
 
 /// The structure of a machine without its contacts, while the shaft's angle is phi = 2 pi (from t + rate t^2
 /// / 2): the preliminary experiments on a rotor. The unbalance forces e Re(U (phi'^2 - i phi'') e^{i phi}), a
-/// bow Re(bow e^{i phi}). The gyroscopic moment follows phi'; the torque that turns a disc acts along the
+/// bow Re(bow e^{i phi}). The gyroscopic moment and the damping that turns with the shaft follow phi'; the torque that turns a disc acts along the
 /// disc's own axis, which leaves no further term of phi'' (angles small). Faulty bearings strike whenever
 /// phi says so.
 struct LinearRun {

@@ -47,7 +47,7 @@ struct Cell {
 };
 
 /// Scene of a prepared machine at one speed and unbalance: starts on the closed-form quiet whirl with t = 0
-/// at the instant of smallest gap at the first stop; the kick points at that stop's wall unless it has an
+/// at the instant of smallest gap at the first stop, or later by the kick's phase; the kick points at that stop's wall unless it has an
 /// angle of its own. Where the quiet motion itself reaches a wall, the rotor starts at rest in its static
 /// position instead, or as far on the way to it as the walls let it, with the same phase of the unbalance and
 /// without the kick: that motion is what a machine does that is switched on. A bow of the shaft stays what it
