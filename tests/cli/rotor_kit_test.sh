@@ -74,7 +74,7 @@ for range in 10 10:x 20:10 -1:10 10:20:1 10:20:2.5 10:20:30:40; do
   refused "--campbell: '$range' is not allowed, allowed: FROM:TO" --campbell="$range"
 done
 refused '--eccentricity-m belongs to a trace or a run-up' --campbell 10:20 --eccentricity-m 1e-5
-refused '--duration-s belongs to --free-response or --run-up' --campbell 10:20 --duration-s 3
+refused '--duration-s belongs to --free-response' --campbell 10:20 --duration-s 3
 refused '--figure belongs to a trace or to --campbell' --free-response --figure x.png
 refused '--figure: allowed: a name that ends with .png or .svg' --campbell 10:20 --figure x.gif
 refused '--speed-hz belongs to a trace' --free-response --speed-hz 3
