@@ -34,8 +34,8 @@ std::vector<fs::path> files(const fs::path& directory, std::string_view ending) 
   return found;
 }
 
-std::string comments_and_header(const std::string& digest) {
-  return report::map_comments(RUBSWEEP_VERSION, digest) + report::map_header() + '\n';
+std::string comments_and_header(const std::string& digest, const sweep::Study& study) {
+  return report::map_comments(RUBSWEEP_VERSION, digest, study) + report::map_header(study) + '\n';
 }
 
 std::string describe_difference(const batch::JournalHeader& there, const batch::JournalHeader& here) {
@@ -72,7 +72,12 @@ batch::Journal rank_journal(const config::RunConfig& config, int rank) {
 
 MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, std::optional<Share> part,
                            bool fresh, const std::string& program)
-    : directory_(std::move(directory)), name_(name_of(part)), part_(part), header_(header_of(config)) {
+    : directory_(std::move(directory)),
+      name_(name_of(part)),
+      part_(part),
+      header_(header_of(config)),
+      head_(comments_and_header(header_.study_digest, config.study)),
+      warn_over_clearances_(config.warn_over_clearances) {
   allow_as_many_files_as_there_may_be();
   make_directory(directory_);
   // One begins at a time: what one of them reads here, no other removes meanwhile.
@@ -84,7 +89,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   if (fresh) forget();
   refuse_journals_of_others();
   if (fs::exists(map())) {
-    finished_map_ = read_finished_map(map());
+    finished_map_ = read_finished_map(map(), config.study, warn_over_clearances_);
     refuse_map_of_another(*finished_map_, map(), header_);
     // Whoever wrote it may have been killed before they were gone.
     if (!part_) remove_journals();
@@ -212,7 +217,7 @@ void MapDirectory::read_journals() {
 
 void MapDirectory::write_partial(const batch::FinishedCells& finished) const {
   batch::WholeFile file(partial());
-  file.write(comments_and_header(header_.study_digest));
+  file.write(head_);
   const Share share = part_.value_or(Share{});
   for (std::size_t cell = share.index; cell < header_.cells; cell += share.count) {
     if (finished.contains(cell)) file.write(finished.text(cell) + '\n');
@@ -229,9 +234,9 @@ void MapDirectory::remove_journals() const {
 report::MapSummary MapDirectory::write_map() const {
   batch::FinishedCells finished(header_.cells);
   for (const fs::path& journal : journals()) finished.add(journal);
-  report::MapSummary summary;
+  report::MapSummary summary(warn_over_clearances_);
   batch::WholeFile file(map());
-  file.write(comments_and_header(header_.study_digest));
+  file.write(head_);
   for (std::size_t cell = 0; cell < header_.cells; ++cell) {
     if (!finished.contains(cell)) {
       throw IoError(fmt::format("{}: {} of {} cells are not finished", directory_.string(),

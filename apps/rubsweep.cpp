@@ -38,6 +38,7 @@ int report_map(const RubsweepArguments& arguments, const report::MapSummary& sum
   const TerminalView view =
       shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};
   if (!arguments.quiet) fmt::print("{}{}map: {}\n", view.map, summary.text(), directory.map().string());
+  if (!arguments.quiet) warn("rubsweep", summary);
   if (arguments.figure) {
     arguments.figure->draw("draw_domain_map.py", directory.map(),
                            study.machine.kick ? "Rub domains after a kick" : "Rub domains");

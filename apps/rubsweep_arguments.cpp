@@ -84,6 +84,8 @@ std::string rubsweep_help() {
       "  rubsweep configs/minimal.yaml --output /tmp/map --threads 1\n"
       "  rubsweep configs/figure06_one_side.yaml --set stops.0.friction.coefficient=0.2 --output /tmp/mu02\n"
       "  rubsweep configs/figure06_one_side.yaml --explain\n"
+      "  rubsweep configs/kick_and_restitution.yaml\n"
+      "  rubsweep configs/threshold_one_side.yaml\n"
       "  rubsweep configs/figure06_one_side.yaml --shard 2/8\n"
       "  rubsweep configs/figure06_one_side.yaml --report\n"
       "  rubsweep configs/figure06_one_side.yaml --figure map.png\n\n"

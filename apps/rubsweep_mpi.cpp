@@ -82,6 +82,7 @@ ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std
     if (!job->arguments.quiet) {
       say(map_is_there(program_name));
       fmt::print("{}map: {}\n", map->summary.text(), job->directory->map().string());
+      warn(program_name, map->summary);
     }
     job.reset();
     return failed_cells ? some_cells_failed : done;
@@ -188,7 +189,7 @@ class Leader {
       sweep::run_cells(
           job_.config.study, chunk, job_.arguments.threads,
           [&](std::size_t cell, const sweep::Row& row) {
-            const std::string line = report::map_line(row);
+            const std::string line = report::map_line(row, job_.config.study);
             const std::lock_guard lock(mutex_);
             journal.append(cell, line);
             keep(line + '\n');
@@ -247,7 +248,7 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
     sweep::run_cells(
         config.study, chunk, threads,
         [&](std::size_t cell, const sweep::Row& row) {
-          const std::string line = report::map_line(row);
+          const std::string line = report::map_line(row, config.study);
           const std::lock_guard lock(mutex);
           journal->append(cell, line);
           lines.append(line).append("\n");
@@ -276,7 +277,10 @@ int lead(Job& job, int ranks) {
     return 128 + leader.signal();
   }
   const report::MapSummary summary = directory.write_map();
-  if (!quiet) fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+  if (!quiet) {
+    fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+    warn(program_name, summary);
+  }
   return summary.has_failed_cells() ? some_cells_failed : done;
 }
 

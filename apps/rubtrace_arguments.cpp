@@ -38,9 +38,9 @@ po::options_description visible_options() {
       "shapes")("duration-s", po::value<double>()->value_name("T")->default_value(2),
                 "length of the free response")(
       "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
-      "sampling time of the sensors in --free-response and --run-up")(
-      "noise-m", po::value<double>()->value_name("S")->default_value(0),
-      "standard deviation of the sensors' noise in --free-response and --run-up");
+      "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
+      "they show")("noise-m", po::value<double>()->value_name("S")->default_value(0),
+                   "standard deviation of the sensors' noise; likewise");
   add_figure(options, "draw a trace or a Campbell diagram as FILE.png or FILE.svg");
   add_output(options, "write there instead of output.directory + _trace");
   add_set(options);
@@ -135,10 +135,12 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   arguments.sample_s = read<double>(given, "sample-s", "a number > 0", positive).value();
   arguments.noise_m = read<double>(given, "noise-m", "a number >= 0", not_negative).value();
   if (!sampled) {
-    for (const char* name : {"duration-s", "sample-s", "noise-m"}) {
-      if (!given[name].defaulted())
-        throw UsageError(fmt::format("--{} belongs to --free-response or --run-up without stops", name));
-    }
+    if (!given["duration-s"].defaulted()) throw UsageError("--duration-s belongs to --free-response");
+    const bool probes = !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
+    if (probes && (arguments.campbell || arguments.run_up))
+      throw UsageError(
+          "--sample-s and --noise-m belong to a trace, --free-response or --run-up without stops");
+    arguments.probes = probes;
     if (!arguments.campbell && !arguments.run_up) return false;
   }
   for (const char* name : {"speed-hz", "whirl-ratio", "revolutions", "last-revolutions"}) {
@@ -202,6 +204,7 @@ std::string rubtrace_help() {
       "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
       "/tmp/trace\n"
       "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --figure /tmp/trace.png\n"
+      "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
       "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
       "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5\n"
       "  rubtrace configs/minimal.yaml --run-up 20:60:1 --eccentricity-m 2e-4 --with-stops --figure "
@@ -218,6 +221,10 @@ std::string rubtrace_help() {
       "0\n"
       "  events.csv      changes of contact mode: open, clamped, sprung, released; none with contact: "
       "smoothed\n"
+      "  sensors.csv     with --sample-s or --noise-m: what the sensors of a rotor kit read; of a Jeffcott "
+      "rotor "
+      "x and y\n"
+      "  probe_spectrum.csv  full spectrum of the last of these readings, of two sensors at one place\n"
       "  spectrum.csv    full spectrum of the last whole periods in response.window_revolutions revolutions\n"
       "  motion.csv      the row that a map holds of this cell, with its own number of revolutions\n"
       "  config.yaml     the complete configuration, its sweep reduced to this cell\n"

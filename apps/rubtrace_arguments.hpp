@@ -24,8 +24,9 @@ struct RubtraceArguments : StudyArguments {
   bool with_stops = false;                      ///< of the run-up
   std::optional<CampbellSpeeds> campbell = {};  ///< and another one
   double duration_s = 2;                        ///< of the free response
-  double sample_s = 1e-3;                       ///< of the sensors in an experiment
+  double sample_s = 1e-3;                       ///< of the sensors
   double noise_m = 0;
+  bool probes = false;                ///< the sensors look at a trace, too
   std::optional<Figure> figure = {};  ///< drawn of a trace or a Campbell diagram
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};

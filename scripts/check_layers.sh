@@ -26,6 +26,7 @@ declare -A below=(
   [response/proof]='response/motion'
   [response/rotating]='response/proof'
   [response]='response/proof response/rotating'
+  [branch]='sweep'
   [trace]='response'
   [sweep]='response batch'
   [line]='sweep trace'
@@ -33,7 +34,7 @@ declare -A below=(
   [bench]='response'
   [ring]='batch numerics'
   [config]='sweep bench ring'
-  [report]='sweep bench ring line ramp identify'
+  [report]='sweep bench branch ring line ramp trace identify'
   [page]='report'
 )
 

@@ -7,7 +7,16 @@ import configuration
 import domain_map
 import gnuplot
 import map_heading
+import swept_axes
 from command import require_readable, run_program
+
+
+def axis_label(column, natural_hz):
+    """What stands at an axis; keys of the configuration under their own names."""
+    if column == "speed_hz":
+        return "shaft speed (Hz)" if natural_hz is None else "shaft speed / natural frequency"
+    names = {"whirl_ratio": "whirl ratio (quiet whirl / clearance)", "eccentricity_m": "eccentricity (m)"}
+    return names.get(column) or column.replace("_", r"\_")
 
 
 def main(arguments):
@@ -23,16 +32,20 @@ def main(arguments):
     natural_hz = identified_hz
     if "rotor.natural_frequency_hz" in config:
         natural_hz = configuration.number(config["rotor.natural_frequency_hz"])
-    speed_label = "shaft speed (Hz)" if natural_hz is None else "shaft speed / natural frequency"
-    measure, measure_label = "whirl_ratio", "whirl ratio (quiet whirl / clearance)"
-    if "sweep.eccentricity_m.values" in config:
-        measure, measure_label = "eccentricity_m", "eccentricity (m)"
+    across, up = swept_axes.plane(config)
+    if across != "speed_hz":
+        natural_hz = None
 
-    cells = domain_map.read_cells(map_file, measure, natural_hz)
+    cells = domain_map.read_cells(map_file, up, natural_hz, across)
+    boundaries = {}
+    if across == "speed_hz":
+        boundary_file = os.path.join(os.path.dirname(map_file), "boundaries.csv")
+        boundaries = domain_map.read_boundaries(boundary_file, up, natural_hz)
     present = " ".join(sorted({cell.kind for cell in cells}))
     os.makedirs(os.path.dirname(output), exist_ok=True)
     with tempfile.NamedTemporaryFile("w", encoding="utf-8") as file:
         file.writelines(line + "\n" for line in domain_map.cell_lines(cells))
+        file.writelines(line + "\n" for line in domain_map.boundary_lines(boundaries))
         file.flush()
         gnuplot.draw(
             "domain_map.gp",
@@ -41,8 +54,9 @@ def main(arguments):
             map_heading.heading(arguments[2], config, identified_hz),
             f" {present} ",
             domain_map.label_text(domain_map.labels(cells)),
-            speed_label,
-            measure_label,
+            axis_label(across, natural_hz),
+            axis_label(up, None),
+            " ".join(boundaries),
         )
 
 

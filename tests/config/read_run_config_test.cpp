@@ -129,7 +129,7 @@ TEST(ReadRunConfig, ReportsAllProblemsOfAFileAtOnce) {
       "window_revolutions "
       "/ 2\n"
       "test.yaml:24:1: outputs: unknown key (did you mean 'output'?), allowed: base, rotor, stops, kick, "
-      "gravity_m_per_s2, sweep, solver, response, output");
+      "gravity_m_per_s2, sweep, study, solver, response, output");
 }
 
 /// One to four random edits: a byte changed, inserted or removed, a stretch doubled or removed.

@@ -64,6 +64,12 @@ TEST(RampRun, FarFromTheStopsIsThatWithoutStops) {
   expect_as_without_stops(scene::one_side_machine(), {40, 20, -10, 5e-5});
 }
 
+TEST(RampRun, WithDampingThatTurnsIsThatWithoutStops) {
+  model::Machine machine = scene::one_side_machine();
+  std::get<model::JeffcottRotor>(machine.rotor).rotating_damping_ratio = 0.01;
+  expect_as_without_stops(machine, {20, 40, 10, 5e-5});
+}
+
 TEST(RampRun, OfAGyroscopicBowedKitIsThatWithoutStops) {
   model::Machine machine = scene::light_shaft_machine();
   auto& kit = std::get<model::RotorKit>(machine.rotor);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 #include "batch/message_of.hpp"
@@ -82,6 +84,27 @@ TEST_F(CompareMaps, EqualMapsAreEqual) {
       "4 cells: 4 equal, 0 with another class, 0 with other numbers (beyond 0), 0 in one map only\nequal\n");
 }
 
+TEST_F(CompareMaps, KeysSayWhichCellItIs) {
+  sweep::Study study;
+  study.grid.axes = {{{"kick.force_n"}, {1}, {100, 200}}};
+  auto map = [&](const std::string& name, double other_force_n) {
+    std::string text = map_comments("1", "digest", study) + map_header(study) + "\n";
+    for (const double force_n : {100.0, other_force_n}) {
+      Row cell = cells()[0];
+      cell.key_values = {force_n};
+      text += map_line(cell) + "\n";
+    }
+    return table_of(name, text);
+  };
+  EXPECT_TRUE(compare_maps(map("a.csv", 200), map("b.csv", 200), 0).equal());
+  const MapComparison moved = compare_maps(map("a.csv", 200), map("b.csv", 300), 0);
+  EXPECT_EQ(verdicts(moved), (std::vector{equal, only_in_one, only_in_one}));
+  EXPECT_NE(describe(moved, 0).find(
+                "speed_hz 50, whirl_ratio 0.2, kick.force_n 300: no such cell -> subharmonic 1/2"),
+            std::string::npos);
+  EXPECT_THROW(compare_maps(map("a.csv", 200), table("plain.csv", cells()), 0), IoError);
+}
+
 TEST_F(CompareMaps, ClassAndOrderMustBeTheSame) {
   auto other = cells();
   other[0].order = 4;
@@ -150,6 +173,34 @@ TEST_F(CompareMaps, HowLongATransientLastedIsNotCompared) {
   other[0].last_contact_revolution = 77;
   other[0].proof = response::motion::Proof::observed;
   EXPECT_TRUE(compare(cells(), other).equal());
+}
+
+/// A map of an earlier version ends before the columns that were added since.
+TEST_F(CompareMaps, ColumnsThatOneMapLacksAreNotCompared) {
+  const auto without = [](std::string text) {
+    std::string older;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = text.find('\n', at);
+      std::string line = text.substr(at, end - at);
+      if (!line.starts_with('#')) line.resize(line.rfind(',', line.rfind(',') - 1));
+      older += line + '\n';
+      at = end + 1;
+    }
+    return older;
+  };
+  auto rows = cells();
+  rows[0].measures->contact.peak_casing_displacement_m = 1e-4;
+  const auto newer = table("newer.csv", rows);
+  std::ifstream file(newer);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto comparison = compare_maps(newer, table_of("older.csv", without(text)), 1e-9);
+  EXPECT_TRUE(comparison.equal());
+  EXPECT_EQ(comparison.missing_columns,
+            (std::vector<std::string>{"peak_casing_displacement_m", "peak_over_clearance"}));
+  EXPECT_NE(describe(comparison, 1e-9)
+                .find("not compared: peak_casing_displacement_m, peak_over_clearance, which only one of the "
+                      "maps has\n"),
+            std::string::npos);
 }
 
 TEST_F(CompareMaps, ListedCellsAreLeftOut) {

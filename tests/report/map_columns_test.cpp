@@ -9,6 +9,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/report/study_columns.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -54,6 +55,7 @@ TEST(MapColumns, AndClassesStandInTheUserGuideAndInTheHelp) {
     EXPECT_NE(help.find(fmt::format("\n  {} ", word)), std::string::npos) << word;
   };
   for (const MapColumn& column : map_columns()) expect_both(column.name);
+  for (const StudyColumn& column : threshold_columns()) expect_both(column.name);
   for (const auto motion_class : response::motion::motion_classes) expect_both(to_string(motion_class));
 }
 

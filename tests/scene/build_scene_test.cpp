@@ -42,6 +42,19 @@ void expect_smallest_gap_at_start(const Cell& cell) {
   for (int i = 0; i < 360; ++i) EXPECT_GE(at_start, row.dot(cell.quiet.displacement(i * pi / 180)) - 1e-17);
 }
 
+TEST(BuildCell, KicksLaterByThePhase) {
+  model::Machine machine = one_side_machine();
+  const Cell plain = build_cell(machine, 75, WhirlRatio{0.4});
+  machine.kick->phase_deg = 70;
+  const Cell later = build_cell(machine, 75, WhirlRatio{0.4});
+  const Eigen::VectorXd wanted = plain.quiet.displacement(70 * pi / 180);
+  EXPECT_LT((later.scene.displacement_m - wanted).norm(), 1e-15);
+  EXPECT_GT((later.scene.displacement_m - plain.scene.displacement_m).norm(), 1e-4);
+  EXPECT_NEAR(later.eccentricity_m, plain.eccentricity_m, 1e-18);
+  machine.kick->phase_deg = 0;
+  EXPECT_EQ(build_cell(machine, 75, WhirlRatio{0.4}).scene.displacement_m, plain.scene.displacement_m);
+}
+
 TEST(BuildCell, IsTheSceneOfTheEquationsWrittenByHand) {
   const test::OneSideRotor rotor;
   const test::OneSideEquations<double> by_hand(rotor);

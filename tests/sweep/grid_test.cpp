@@ -20,6 +20,33 @@ TEST(Grid, TheMeasureSaysWhatAValueIs) {
   EXPECT_EQ(to_string(UnbalanceMeasure::eccentricity_m), "eccentricity_m");
 }
 
+TEST(Grid, AxesOverKeysAreSlowerThanUnbalance) {
+  const Grid grid{{50, 60},
+                  UnbalanceMeasure::whirl_ratio,
+                  {0.2, 0.6, 0.7},
+                  {{{"a", "b.c"}, {1, -2}, {10, 20}}, {{"d"}, {1}, {7, 8, 9}}}};
+  ASSERT_EQ(cell_count(grid), 2u * 3 * 2 * 3);
+  EXPECT_EQ(key_names(grid), (std::vector<std::string>{"a", "b.c", "d"}));
+  const std::size_t cell = 1 + 2 * (2 + 3 * (1 + 2 * 2));
+  EXPECT_EQ(place_of(grid, cell).speed_hz, 60);
+  EXPECT_EQ(std::get<scene::WhirlRatio>(place_of(grid, cell).unbalance).value, 0.7);
+  const auto values = key_values(grid, cell);
+  ASSERT_EQ(values.size(), 3u);
+  EXPECT_EQ(values[0].value, 20);
+  EXPECT_EQ(values[1].key, "b.c");
+  EXPECT_EQ(values[1].value, -40);
+  EXPECT_EQ(values[2].value, 9);
+}
+
+TEST(Grid, SweptAxesHaveSeveralValues) {
+  const Grid grid{
+      {50}, UnbalanceMeasure::eccentricity_m, {1e-5, 2e-5}, {{{"a"}, {1}, {3}}, {{"b"}, {1}, {4, 5}}}};
+  const auto swept = swept_axes(grid);
+  ASSERT_EQ(swept.size(), 2u);
+  EXPECT_EQ(swept[0].name, "eccentricity_m");
+  EXPECT_EQ(swept[1].name, "b");
+}
+
 TEST(Grid, OneCellOfAGridIsAGridOfItsOwn) {
   for (const auto measure : {UnbalanceMeasure::whirl_ratio, UnbalanceMeasure::eccentricity_m}) {
     const Grid one = grid_of(place_of({{50, 60}, measure, {0.2, 0.6}}, 3));

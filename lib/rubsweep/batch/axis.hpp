@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -26,6 +27,16 @@ inline std::vector<double> evenly_spaced(double from, double to, int count) {
     const double value = from + (to - from) * i / intervals;
     values[static_cast<std::size_t>(i)] = std::clamp(value, low, high);
   }
+  if (count > 1) values.back() = to;
+  return values;
+}
+
+/// The same at equal ratios: `from` and `to` > 0.
+inline std::vector<double> logarithmically_spaced(double from, double to, int count) {
+  std::vector<double> values = evenly_spaced(std::log(from), std::log(to), count);
+  const auto [low, high] = std::minmax(from, to);
+  for (double& value : values) value = std::clamp(std::exp(value), low, high);
+  values.front() = from;
   if (count > 1) values.back() = to;
   return values;
 }

@@ -33,8 +33,13 @@ bool all_different_and_allowed(const std::vector<double>& values, const model::R
          std::set<double>(values.begin(), values.end()).size() == values.size();
 }
 
+enum class Scale { linear, log };
+constexpr Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
+
 std::vector<double> read_spaced(Section& section, const model::Range& range) {
   const std::size_t problems = section.problem_count();
+  Scale scale = Scale::linear;
+  section.field("scale", scale, scales);
   double from = model::required;
   section.field("from", from, range);
   std::optional<double> to;
@@ -49,7 +54,14 @@ std::vector<double> read_spaced(Section& section, const model::Range& range) {
     section.refuse_together("count", {"count", "to"}, "1 value cannot be both from and to",
                             "a count of 2 or more, or no to");
   }
-  std::vector<double> values = batch::evenly_spaced(from, *to, static_cast<int>(count));
+  if (scale == Scale::log && !(std::min(from, *to) > 0)) {
+    section.refuse_together("scale", {"from", "to", "scale"},
+                            "a logarithmic scale has no place for 0 or less", "from and to > 0");
+    return {};
+  }
+  std::vector<double> values = scale == Scale::log
+                                   ? batch::logarithmically_spaced(from, *to, static_cast<int>(count))
+                                   : batch::evenly_spaced(from, *to, static_cast<int>(count));
   if (!all_different_and_allowed(values, range)) {
     section.refuse_together("count", {"from", "to", "count"},
                             fmt::format("from {} to {} there are no {} different values", from, *to, count),
@@ -60,17 +72,22 @@ std::vector<double> read_spaced(Section& section, const model::Range& range) {
 
 }  // namespace
 
-std::vector<double> read_axis(const Value& value, const model::Range& range) {
-  Section section(value, axis_forms);
+std::vector<double> read_axis_values(Section& section, const model::Range& range) {
   std::vector<double> result;
   if (const auto values = section.find("values")) {
-    for (const std::string_view name : {"from", "to", "count"}) {
+    for (const std::string_view name : {"from", "to", "count", "scale"}) {
       if (section.find(name)) section.refuse_together(name, {name}, "given beside values", axis_forms);
     }
     result = read_values(*values, range);
   } else if (section.is_map()) {
     result = read_spaced(section, range);
   }
+  return result;
+}
+
+std::vector<double> read_axis(const Value& value, const model::Range& range) {
+  Section section(value, axis_forms);
+  std::vector<double> result = read_axis_values(section, range);
   section.refuse_unknown_keys();
   return result;
 }

@@ -9,6 +9,7 @@ model::Kick read_kick(const Value& value, const std::optional<model::Range>& pla
   model::Kick kick;
   read_fields(section, kick);
   section.field("angle_deg", kick.angle_deg, model::any_finite);
+  section.field("phase_deg", kick.phase_deg, model::any_finite);
   if (places) section.field("position_m", kick.position_m, *places);
   section.refuse_unknown_keys();
   return kick;
@@ -18,6 +19,7 @@ void print_kick(Printer& printer, const model::Kick& kick) {
   printer.open("kick");
   print_fields(printer, kick);
   printer.field("angle_deg", kick.angle_deg, model::any_finite);
+  printer.field("phase_deg", kick.phase_deg, model::any_finite);
   printer.field("position_m", kick.position_m, model::any_finite);
   printer.close();
 }

@@ -97,4 +97,29 @@ void apply_overrides(Node& root, const std::vector<std::string>& overrides, Diag
   }
 }
 
+void write_number(Node& root, std::string_view path, double value, const Place& place,
+                  Diagnostics& diagnostics) {
+  if (Node* target = node_at(root, path, place, diagnostics)) {
+    *target = Node{.kind = Node::Kind::scalar, .place = place, .text = fmt::format("{}", value)};
+  }
+}
+
+const Node* find_node(const Node& root, std::string_view path) {
+  const Node* node = &root;
+  for (const std::string_view& name : split_path(path)) {
+    std::size_t index = node->items.size();
+    if (node->kind == Node::Kind::map) {
+      const auto key = std::ranges::find(node->keys, name, &Node::Key::text);
+      index = static_cast<std::size_t>(key - node->keys.begin());
+    } else if (node->kind == Node::Kind::list) {
+      const char* end = name.data() + name.size();
+      const auto [stop, error] = std::from_chars(name.data(), end, index);
+      if (error != std::errc{} || stop != end) return nullptr;
+    }
+    if (index >= node->items.size()) return nullptr;
+    node = &node->items[index];
+  }
+  return node;
+}
+
 }  // namespace rubsweep::config

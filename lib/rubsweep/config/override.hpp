@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rubsweep/config/diagnostics.hpp"
@@ -14,5 +15,12 @@ namespace rubsweep::config {
 /// (stribeck and coefficient, values and from/to/count, ...). An override that cannot be applied becomes a
 /// problem and changes no value.
 void apply_overrides(Node& root, const std::vector<std::string>& overrides, Diagnostics& diagnostics);
+
+/// Writes one number as an override does. `place` is that of what is written and of the problems.
+void write_number(Node& root, std::string_view path, double value, const Place& place,
+                  Diagnostics& diagnostics);
+
+/// The node at the end of a dotted path; null where there is none.
+const Node* find_node(const Node& root, std::string_view path);
 
 }  // namespace rubsweep::config

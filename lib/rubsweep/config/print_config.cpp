@@ -7,6 +7,7 @@
 #include "rubsweep/config/rotor.hpp"
 #include "rubsweep/config/solver.hpp"
 #include "rubsweep/config/stop.hpp"
+#include "rubsweep/config/study_kind.hpp"
 #include "rubsweep/config/sweep.hpp"
 
 namespace rubsweep::config {
@@ -18,6 +19,7 @@ void print(Printer& printer, const sweep::Study& study) {
   if (study.machine.kick) print_kick(printer, *study.machine.kick);
   printer.number("gravity_m_per_s2", study.machine.gravity_m_per_s2);
   print_sweep(printer, study.grid);
+  print_study_kind(printer, study);
   print_solver(printer, study.solver);
   print_response(printer, study);
 }
@@ -27,7 +29,7 @@ void print(Printer& printer, const sweep::Study& study) {
 std::string print_config(const RunConfig& config) {
   Printer printer;
   print(printer, config.study);
-  print_output(printer, config.output_directory);
+  print_run_output(printer, config);
   return printer.yaml();
 }
 

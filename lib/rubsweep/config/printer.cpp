@@ -65,6 +65,15 @@ void Printer::text(std::string_view name, std::string_view value) {
   line(name, reads_back_plain(value) ? std::string(value) : in_quotes(name, value));
 }
 
+void Printer::texts(std::string_view name, std::span<const std::string> values) {
+  std::string list;
+  for (const std::string& value : values) {
+    list += list.empty() ? "" : ", ";
+    list += reads_back_plain(value) ? value : in_quotes(name, value);
+  }
+  line(name, "[" + list + "]");
+}
+
 void Printer::open(std::string_view name) {
   line(name, "");
   ++depth_;

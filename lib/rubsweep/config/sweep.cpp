@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "rubsweep/config/axis.hpp"
+#include "rubsweep/config/key_axis.hpp"
 #include "rubsweep/config/section.hpp"
 
 namespace rubsweep::config {
@@ -21,12 +22,17 @@ sweep::Grid read_sweep(const Value& value) {
     grid.measure = sweep::UnbalanceMeasure::eccentricity_m;
     grid.unbalance = read_axis(*eccentricity, model::not_negative);
   }
+  grid.axes = read_key_axes(section);
   section.refuse_unknown_keys();
-  const std::size_t cells = grid.speed_hz.size() * grid.unbalance.size();
-  if (cells > max_cells) {
-    refuse(value, fmt::format("{} x {} = {} cells", grid.speed_hz.size(), grid.unbalance.size(), cells),
-           fmt::format("at most {}", max_cells));
+  std::string product = fmt::format("{} x {}", grid.speed_hz.size(), grid.unbalance.size());
+  // The product of five long axes is more than an integer holds.
+  auto cells = static_cast<double>(grid.speed_hz.size()) * static_cast<double>(grid.unbalance.size());
+  for (const sweep::KeyAxis& axis : grid.axes) {
+    product += fmt::format(" x {}", axis.values.size());
+    cells *= static_cast<double>(axis.values.size());
   }
+  if (cells > static_cast<double>(max_cells))
+    refuse(value, fmt::format("{} = {} cells", product, cells), fmt::format("at most {}", max_cells));
   return grid;
 }
 
@@ -38,6 +44,7 @@ void print_sweep(Printer& printer, const sweep::Grid& grid) {
   printer.open(to_string(grid.measure));
   printer.numbers("values", grid.unbalance);
   printer.close();
+  print_key_axes(printer, grid.axes);
   printer.close();
 }
 

@@ -9,7 +9,8 @@ namespace rubsweep::config {
 
 inline constexpr std::size_t max_cells = 4'000'000;
 
-/// `sweep`: speed_hz and one of whirl_ratio, eccentricity_m, each an axis (see axis.hpp).
+/// `sweep`: speed_hz and one of whirl_ratio, eccentricity_m, each an axis (see axis.hpp), and the axes over
+/// keys (see key_axis.hpp).
 sweep::Grid read_sweep(const Value& value);
 
 /// The values themselves: how they were given is not kept.

@@ -97,6 +97,7 @@ void validate(const Machine& machine) {
   if (machine.kick) {
     Kick::visit_fields(*machine.kick, requiring("kick."));
     if (machine.kick->angle_deg) require("kick.angle_deg", *machine.kick->angle_deg, any_finite);
+    if (machine.kick->phase_deg) require("kick.phase_deg", *machine.kick->phase_deg, any_finite);
     validate_position(machine, machine.kick->position_m, false, "kick.position_m");
   }
   require("gravity_m_per_s2", machine.gravity_m_per_s2, not_negative);

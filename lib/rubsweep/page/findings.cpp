@@ -14,7 +14,8 @@ using Rows = std::vector<std::size_t>;
 
 class Words {
  public:
-  Words(const MapTable& map, const sweep::Grid& grid) : map_(map), measure_(grid.measure) {}
+  Words(const MapTable& map, const sweep::Grid& grid)
+      : map_(map), measure_(grid.measure), keys_(sweep::key_names(grid)) {}
 
   Rows rows_where(const std::function<bool(std::size_t)>& holds) const {
     Rows rows;
@@ -36,7 +37,10 @@ class Words {
                : fmt::format("eccentricity {:.4g} mm", 1e3 * unbalance);
   }
   std::string place(std::size_t row) const {
-    return fmt::format("{:.4g} Hz and {}", speed(row), amount(unbalance(row)));
+    std::string text = fmt::format("{:.4g} Hz and {}", speed(row), amount(unbalance(row)));
+    for (const std::string& key : keys_)
+      text += fmt::format(", {} {:.4g}", key, map_.number(key, row).value_or(0));
+    return text;
   }
   std::string speeds(const Rows& rows) const {
     const auto [low, high] =
@@ -56,13 +60,19 @@ class Words {
  private:
   const MapTable& map_;
   sweep::UnbalanceMeasure measure_;
+  std::vector<std::string> keys_;
 };
+
+/// Words take an s, keys of the configuration stay as they are.
+std::string plural(const std::string& name) {
+  return name.find_first_of("._") == std::string::npos ? name + "s" : "values of " + name;
+}
 
 std::string axis(std::vector<double> values, const std::string& name, const std::string& unit, double scale) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   if (values.size() == 1) return fmt::format("{} {:.4g}{}", name, scale * *low, unit);
-  return fmt::format("{} {}s from {:.4g} to {:.4g}{}", values.size(), name, scale * *low, scale * *high,
-                     unit);
+  return fmt::format("{} {} from {:.4g} to {:.4g}{}", values.size(), plural(name), scale * *low,
+                     scale * *high, unit);
 }
 
 std::string size_of(const MapTable& map, const sweep::Grid& grid) {
@@ -70,7 +80,9 @@ std::string size_of(const MapTable& map, const sweep::Grid& grid) {
   const std::string unbalance = grid.measure == sweep::UnbalanceMeasure::whirl_ratio
                                     ? axis(grid.unbalance, "whirl ratio", "", 1)
                                     : axis(grid.unbalance, "eccentricity value", " mm", 1e3);
-  return fmt::format("{} cells: {}, {}.", map.rows, speed, unbalance);
+  std::string keys;
+  for (const sweep::KeyAxis& swept : grid.axes) keys += ", " + axis(swept.values, swept.keys.front(), "", 1);
+  return fmt::format("{} cells: {}, {}{}.", map.rows, speed, unbalance, keys);
 }
 
 /// The row with the largest number of a column among `rows`; empty where none has one.

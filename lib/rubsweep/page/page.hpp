@@ -22,11 +22,12 @@ struct Wall {
 
 /// All that a page shows.
 struct PageContents {
-  std::string version;                ///< of the program that makes the page
-  std::vector<std::string> findings;  ///< sentences
-  std::string model;                  ///< what is simulated, in words
-  std::string configuration;          ///< YAML
-  sweep::Grid grid;
+  std::string version;                    ///< of the program that makes the page
+  std::vector<std::string> findings;      ///< sentences
+  std::string model;                      ///< what is simulated, in words
+  std::string configuration;              ///< YAML
+  std::array<sweep::SweptAxis, 2> plane;  ///< what the map is drawn over: across, up
+  std::vector<std::string> keys;          ///< columns of the axes over keys of the configuration
   MapTable map;
   std::vector<Wall> walls;
   std::vector<Boundary> boundaries;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
+#include <vector>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/overloaded.hpp"
@@ -36,6 +38,20 @@ std::vector<Wall> walls_of(const sweep::Study& study) {
   return walls;
 }
 
+/// Speed and unbalance, or the two axes with several values where keys are swept.
+std::array<sweep::SweptAxis, 2> plane_of(const sweep::Grid& grid) {
+  const sweep::SweptAxis speed{"speed_hz", grid.speed_hz},
+      unbalance{std::string(to_string(grid.measure)), grid.unbalance};
+  const std::vector<sweep::SweptAxis> swept = sweep::swept_axes(grid);
+  if (grid.axes.empty() || swept.empty()) return {speed, unbalance};
+  if (swept.size() == 1) return {swept[0], swept[0].name == speed.name ? unbalance : speed};
+  if (swept.size() == 2) return {swept[0], swept[1]};
+  std::string names;
+  for (const sweep::SweptAxis& axis : swept) names += (names.empty() ? "" : ", ") + axis.name;
+  throw ConfigError(
+      fmt::format("sweep: {} have several values, allowed: two axes with several values in a report", names));
+}
+
 }  // namespace
 
 std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
@@ -50,12 +66,17 @@ std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
                         .findings = findings(map, grid),
                         .model = report::explain_study(study),
                         .configuration = options.configuration,
-                        .grid = grid,
+                        .plane = plane_of(grid),
+                        .keys = sweep::key_names(grid),
                         .map = {},
                         .walls = walls_of(study),
-                        .boundaries = read_boundaries(directory / "boundaries.csv", to_string(grid.measure)),
+                        .boundaries = {},
                         .orbits = {}};
-  const ThinnedGrid kept = thinned_grid(grid.speed_hz.size(), grid.unbalance.size(), options.most_orbits);
+  // They lie over speed and unbalance.
+  if (grid.axes.empty())
+    contents.boundaries = read_boundaries(directory / "boundaries.csv", to_string(grid.measure));
+  const ThinnedGrid kept =
+      thinned_grid(contents.plane[0].values.size(), contents.plane[1].values.size(), options.most_orbits);
   auto orbits = record_orbits(study, map, kept, options.threads, on_cell, stop);
   if (!orbits) return std::nullopt;
   contents.map = std::move(map);

@@ -26,7 +26,8 @@ struct PageOptions {
 
 /// The page of the finished map `map` of `study`, with the lines of boundaries.csv in `directory` where there
 /// is such a file. `on_cell` follows each recorded cell. Empty when `stop` became true before. Throws IoError
-/// where the map has not as many rows as the study has cells, or boundaries.csv is at fault.
+/// where the map has not as many rows as the study has cells, or boundaries.csv is at fault;
+/// ConfigError where more than two axes have several values.
 std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
                                        const std::filesystem::path& directory, const PageOptions& options,
                                        const std::function<void()>& on_cell, const std::atomic<bool>& stop);

@@ -143,6 +143,12 @@ std::optional<long> settle(const integrate::run::Run& run, const KnownMotion& kn
 std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
                                           std::size_t cell, const KnownMotion& known,
                                           response::motion::Workspace& workspace) {
+  if (!study.grid.axes.empty()) {
+    if (is(known, MotionClass::failed)) return std::nullopt;
+    sweep::Study own = study.with_keys(sweep::key_values(study.grid, cell));
+    own.grid = sweep::grid_of(sweep::place_of(study.grid, cell));
+    return settled_orbit(own, scene::prepare_machine(own.machine), 0, known, workspace);
+  }
   if (is(known, MotionClass::failed) || is(known, MotionClass::initial_contact)) return std::nullopt;
   const auto [speed_hz, unbalance] = sweep::place_of(study.grid, cell);
   const scene::Cell start = scene::build_cell(prepared, speed_hz, unbalance);

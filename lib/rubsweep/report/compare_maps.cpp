@@ -1,11 +1,13 @@
 #include "rubsweep/report/compare_maps.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -20,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 using batch::CsvReader;
-using Key = std::pair<double, double>;
+using Key = std::vector<double>;  ///< speed, unbalance, then the axes over keys
 
 /// The axis holds few values that come again and again; the other measure follows from it.
 std::string second_axis(const fs::path& map) {
@@ -47,12 +49,47 @@ struct CellPlace {
   CsvReader::Place row;
 };
 
+/// What follows `mark` in the comments of a map; empty where nothing does.
+std::string comment(const CsvReader& map, std::string_view mark) {
+  for (const std::string& comment : map.comments()) {
+    if (comment.starts_with(mark)) return comment.substr(mark.size());
+  }
+  return "";
+}
+
+/// The columns of the axes over keys, which hold no comma.
+std::vector<std::string> keys_of(const CsvReader& map) {
+  std::vector<std::string> keys;
+  std::istringstream names(comment(map, "keys "));
+  for (std::string name; std::getline(names, name, ',');) keys.push_back(name);
+  return keys;
+}
+
+/// The columns that say which cell a row is.
+std::vector<std::size_t> key_columns(const CsvReader& map, const std::string& axis,
+                                     const std::vector<std::string>& keys) {
+  std::vector<std::size_t> columns{map.column("speed_hz"), map.column(axis)};
+  for (const std::string& key : keys) columns.push_back(map.column(key));
+  return columns;
+}
+
+Key key_of(const CsvReader& row, const std::vector<std::size_t>& columns) {
+  Key key;
+  for (const std::size_t column : columns) key.push_back(row.number(column));
+  return key;
+}
+
+ComparedCell cell_of(const Key& key, CellVerdict verdict, std::string label_a, std::string label_b) {
+  return {key[0], key[1], {key.begin() + 2, key.end()}, verdict, std::move(label_a), std::move(label_b)};
+}
+
 /// The rows of a map, in the order of their cells.
-std::vector<CellPlace> rows_by_cell(const fs::path& map, const std::string& axis) {
+std::vector<CellPlace> rows_by_cell(const fs::path& map, const std::string& axis,
+                                    const std::vector<std::string>& keys) {
   CsvReader rows(map);
-  const std::size_t speed = rows.column("speed_hz"), unbalance = rows.column(axis);
+  const std::vector<std::size_t> columns = key_columns(rows, axis, keys);
   std::vector<CellPlace> places;
-  while (rows.next()) places.push_back({{rows.number(speed), rows.number(unbalance)}, rows.place()});
+  while (rows.next()) places.push_back({key_of(rows, columns), rows.place()});
   // Rows of one cell stay in the order of the file.
   std::ranges::stable_sort(places, {}, &CellPlace::key);
   const auto twice = std::ranges::adjacent_find(places, {}, &CellPlace::key);
@@ -67,6 +104,10 @@ std::optional<std::size_t> find_cell(const std::vector<CellPlace>& places, const
   const auto place = std::ranges::lower_bound(places, key, {}, &CellPlace::key);
   if (place == places.end() || place->key != key) return std::nullopt;
   return static_cast<std::size_t>(place - places.begin());
+}
+
+bool has(const CsvReader& map, std::string_view column) {
+  return std::ranges::find(map.header(), column) != map.header().end();
 }
 
 /// Of the row that was read last.
@@ -84,13 +125,6 @@ bool repeats(const CsvReader& row) {
   return std::ranges::any_of(motion_classes, [&](MotionClass motion_class) {
     return row_of(motion_class).repeats && row_of(motion_class).word == name;
   });
-}
-
-std::string digest_of(const CsvReader& map) {
-  for (const std::string& comment : map.comments()) {
-    if (comment.starts_with("digest ")) return comment.substr(7);
-  }
-  return "";
 }
 
 /// A pair of rows for one cell, and what their columns say.
@@ -138,6 +172,10 @@ class Columns {
   std::map<std::string, ColumnDifference> found_;
 };
 
+bool is_compared(const MapColumn& column) {
+  return column.comparison == Comparison::text || column.comparison == Comparison::number;
+}
+
 /// True when something differs.
 bool compare_columns(const Pair& pair, std::size_t cell, double tolerance, Columns& columns) {
   bool differs = false;
@@ -146,7 +184,8 @@ bool compare_columns(const Pair& pair, std::size_t cell, double tolerance, Colum
     differs = true;
   };
   for (const MapColumn& column : map_columns()) {
-    if (column.comparison != Comparison::text && column.comparison != Comparison::number) continue;
+    // A map of an earlier version ends before the columns that were added since.
+    if (!is_compared(column) || !has(pair.a, column.name) || !has(pair.b, column.name)) continue;
     const std::string &in_a = text(pair.a, column.name), &in_b = text(pair.b, column.name);
     if (column.comparison == Comparison::text || in_a.empty() || in_b.empty()) {
       if (in_a != in_b) found(column.name, std::nullopt);
@@ -159,7 +198,10 @@ bool compare_columns(const Pair& pair, std::size_t cell, double tolerance, Colum
 }
 
 std::string place(const MapComparison& comparison, const ComparedCell& cell) {
-  return fmt::format("speed_hz {}, {} {}", cell.speed_hz, comparison.axis, cell.unbalance);
+  std::string text = fmt::format("speed_hz {}, {} {}", cell.speed_hz, comparison.axis, cell.unbalance);
+  for (std::size_t i = 0; i < cell.keys.size(); ++i)
+    text += fmt::format(", {} {}", comparison.keys[i], cell.keys[i]);
+  return text;
 }
 
 /// The cells of a kind, the first twenty by name.
@@ -203,18 +245,24 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
   CsvReader a(path_a), b(path_b);
   MapComparison comparison;
   comparison.axis = second_axis(path_a);
-  comparison.digest_a = digest_of(a);
-  comparison.digest_b = digest_of(b);
-  rows_by_cell(path_a, comparison.axis);  // no cell twice
-  const auto rows_b = rows_by_cell(path_b, comparison.axis);
-  const auto left_out = sensitive ? rows_by_cell(*sensitive, comparison.axis) : std::vector<CellPlace>{};
-  const std::size_t speed = a.column("speed_hz"), unbalance = a.column(comparison.axis);
+  comparison.keys = keys_of(a);
+  if (comparison.keys != keys_of(b)) {
+    throw IoError(fmt::format("{}: is swept over other keys than {}: '{}' and '{}'", path_b.string(),
+                              path_a.string(), comment(b, "keys "), comment(a, "keys ")));
+  }
+  comparison.digest_a = comment(a, "digest ");
+  comparison.digest_b = comment(b, "digest ");
+  rows_by_cell(path_a, comparison.axis, comparison.keys);  // no cell twice
+  const auto rows_b = rows_by_cell(path_b, comparison.axis, comparison.keys);
+  const auto left_out =
+      sensitive ? rows_by_cell(*sensitive, comparison.axis, comparison.keys) : std::vector<CellPlace>{};
+  const std::vector<std::size_t> columns_a = key_columns(a, comparison.axis, comparison.keys);
 
   Columns columns;
   std::vector<bool> met(rows_b.size(), false);
   while (a.next()) {
-    const Key key{a.number(speed), a.number(unbalance)};
-    ComparedCell cell{.speed_hz = key.first, .unbalance = key.second, .label_a = label(a), .label_b = ""};
+    const Key key = key_of(a, columns_a);
+    ComparedCell cell = cell_of(key, CellVerdict::equal, label(a), "");
     const auto found = find_cell(rows_b, key);
     if (!found) {
       cell.verdict = CellVerdict::only_in_one;
@@ -236,10 +284,13 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
   for (std::size_t i = 0; i < rows_b.size(); ++i) {
     if (met[i]) continue;
     b.read_at(rows_b[i].row);
-    const Key& key = rows_b[i].key;
-    comparison.cells.push_back({key.first, key.second, CellVerdict::only_in_one, "", label(b)});
+    comparison.cells.push_back(cell_of(rows_b[i].key, CellVerdict::only_in_one, "", label(b)));
   }
   comparison.columns = columns.list();
+  for (const MapColumn& column : map_columns()) {
+    if (is_compared(column) && has(a, column.name) != has(b, column.name))
+      comparison.missing_columns.emplace_back(column.name);
+  }
   return comparison;
 }
 
@@ -259,6 +310,10 @@ std::string describe(const MapComparison& comparison, double tolerance) {
   if (count(CellVerdict::sensitive) > 0) {
     text += fmt::format("not compared: {} sensitive cells, {} of them with another class\n",
                         count(CellVerdict::sensitive), changed);
+  }
+  if (!comparison.missing_columns.empty()) {
+    text += fmt::format("not compared: {}, which only one of the maps has\n",
+                        fmt::join(comparison.missing_columns, ", "));
   }
   text += list_cells(comparison, CellVerdict::classes_differ);
   text += list_columns(comparison);

@@ -11,6 +11,7 @@
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/explain_machine.hpp"
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/sweep/idle_torsion.hpp"
 #include "rubsweep/sweep/untouched_walls.hpp"
 
 namespace rubsweep::report {
@@ -76,23 +77,43 @@ std::string explain_solver(const sweep::Study& study) {
   return text + "contact: located, every change of contact mode is found to rounding\n";
 }
 
+std::string explain_axis(const sweep::KeyAxis& axis) {
+  const auto [least, most] = std::minmax_element(axis.values.begin(), axis.values.end());
+  std::string keys;
+  for (std::size_t i = 0; i < axis.keys.size(); ++i) {
+    keys += (i > 0 ? ", " : "") + axis.keys[i];
+    if (axis.factors[i] != 1) keys += fmt::format(" (times {})", axis.factors[i]);
+  }
+  return fmt::format("{} values of {} from {} to {}\n", axis.values.size(), keys, *least, *most);
+}
+
 }  // namespace
 
 std::string explain_study(const sweep::Study& study) {
   const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
   std::string text = explain_machine(study.machine, *slowest);
-  text +=
-      sweep::why_walls_stay_untouched(study, scene::prepare_machine(study.machine)) + explain_solver(study);
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  text += sweep::why_torsion_is_idle(prepared, *slowest) + sweep::why_walls_stay_untouched(study, prepared) +
+          explain_solver(study);
   text += fmt::format(
       "a cell ends when rest {}is proven, else after {} revolutions, by its last two windows of {}\n",
       study.response.floquet_proof ? "or a stable orbit " : "", study.response.max_revolutions,
       study.response.window_revolutions);
   const bool by_ratio = study.grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
   const auto [least, most] = std::minmax_element(study.grid.unbalance.begin(), study.grid.unbalance.end());
-  return text + fmt::format("sweep: {} cells, {} speeds from {} to {} Hz, {} {} from {} to {}\n",
-                            sweep::cell_count(study.grid), study.grid.speed_hz.size(), *slowest, *fastest,
-                            study.grid.unbalance.size(), by_ratio ? "whirl ratios" : "eccentricities (m)",
-                            *least, *most);
+  text += fmt::format("sweep: {} cells, {} speeds from {} to {} Hz, {} {} from {} to {}\n",
+                      sweep::cell_count(study.grid), study.grid.speed_hz.size(), *slowest, *fastest,
+                      study.grid.unbalance.size(), by_ratio ? "whirl ratios" : "eccentricities (m)", *least,
+                      *most);
+  for (const sweep::KeyAxis& axis : study.grid.axes) text += "  and " + explain_axis(axis);
+  if (study.threshold) {
+    text += fmt::format(
+        "threshold: in each cell, after which of {}  rub goes on; where it begins or ends between two of "
+        "them "
+        "to {} of it\n",
+        explain_axis(study.threshold->axis), study.threshold->tolerance);
+  }
+  return text;
 }
 
 }  // namespace rubsweep::report

@@ -11,6 +11,7 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/study_columns.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -47,6 +48,8 @@ double hits_per_revolution(const Measures& m) { return static_cast<double>(m.con
 double contact_fraction(const Measures& m) { return m.contact.contact_fraction; }
 double peak_displacement_m(const Measures& m) { return m.contact.peak_displacement_m; }
 double peak_contact_force_n(const Measures& m) { return m.contact.peak_contact_force_n; }
+
+double peak_casing_displacement_m(const Measures& m) { return m.contact.peak_casing_displacement_m; }
 
 std::optional<double> dominant_order(const Measures& m) {
   return m.dominant ? std::optional(m.dominant->order) : std::nullopt;
@@ -96,6 +99,10 @@ constexpr std::array columns{
     MapColumn{"revolutions", "", ignored, "revolutions run until the verdict", of_row<&Row::revolutions>},
     MapColumn{"status", "", ignored, "ok, or what happened, joined by ';'", of_row<&Row::status>},
     MapColumn{"start", "", ignored, "how the run began: kick, quiet or contact", of_row<&Row::start>},
+    MapColumn{"peak_casing_displacement_m", "m", number,
+              "largest distance of a casing from its unloaded place", measured<peak_casing_displacement_m>},
+    MapColumn{"peak_over_clearance", "", number, "peak_displacement_m / clearance of the first stop",
+              of_row<&Row::peak_over_clearance>},
 };
 
 }  // namespace
@@ -112,6 +119,7 @@ std::string describe_map_columns() {
   std::string text = "Columns of map.csv, empty where they do not apply:\n";
   for (const MapColumn& column : columns)
     text += fmt::format("  {:<23}  {}\n", column.name, column.description);
+  text += describe_study_columns();
   text += "Classes:\n";
   for (const auto motion_class : response::motion::motion_classes) {
     const auto row = row_of(motion_class);

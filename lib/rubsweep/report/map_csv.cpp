@@ -2,31 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/report/map_columns.hpp"
+#include "rubsweep/report/study_columns.hpp"
 
 namespace rubsweep::report {
 
-std::string map_header() {
+std::string map_header(const sweep::Study& study) {
   std::vector<std::string> names;
   for (const MapColumn& column : map_columns()) names.emplace_back(column.name);
+  for (std::string& name : sweep::key_names(study.grid)) names.push_back(std::move(name));
+  for (const StudyColumn& column : study_columns(study)) names.emplace_back(column.name);
   return batch::csv_row(names);
 }
 
-std::string map_line(const sweep::Row& row) {
+std::string map_line(const sweep::Row& row, const sweep::Study& study) {
   std::vector<std::string> cells;
   for (const MapColumn& column : map_columns()) cells.push_back(column.text(row));
+  for (const double value : row.key_values) cells.push_back(batch::csv_number(value));
+  for (const StudyColumn& column : study_columns(study)) cells.push_back(column.text(row));
   return batch::csv_row(cells);
 }
 
-std::string map_comments(const std::string& version, const std::string& digest) {
+std::string map_comments(const std::string& version, const std::string& digest, const sweep::Study& study) {
+  const std::vector<std::string> keys = sweep::key_names(study.grid);
   return fmt::format(
       "# rubsweep {}\n"
       "# digest {}\n"
-      "# units: SI, named in the columns; orders and ratios are pure numbers; forward whirl is positive\n",
-      version, digest);
+      "# units: SI, named in the columns; orders and ratios are pure numbers; forward whirl is positive\n"
+      "{}",
+      version, digest, keys.empty() ? "" : fmt::format("# keys {}\n", batch::csv_row(keys)));
 }
 
 }  // namespace rubsweep::report

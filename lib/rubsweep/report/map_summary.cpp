@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,13 @@ using response::motion::MotionClass;
 std::string_view cell(std::string_view line, std::size_t column) {
   for (; column > 0; --column) line.remove_prefix(line.find(',') + 1);
   return line.substr(0, line.find(','));
+}
+
+/// 0 where there is none.
+double number_in(std::string_view cell) {
+  double value = 0;
+  std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return value;
 }
 
 }  // namespace
@@ -42,7 +50,8 @@ std::string motion_name(std::string_view map_line) {
 void MapSummary::add(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), status_column = place_of_column("status"),
                            start_column = place_of_column("start"),
-                           last_column = place_of_column("last_contact_revolution");
+                           last_column = place_of_column("last_contact_revolution"),
+                           peak_column = place_of_column("peak_over_clearance");
   ++total_;
   ++by_name_[motion_name(map_line)];
   const std::string_view status = cell(map_line, status_column);
@@ -50,6 +59,9 @@ void MapSummary::add(std::string_view map_line) {
   if (cell(map_line, class_column) == to_string(MotionClass::non_contact)) ++non_contact_;
   if (cell(map_line, start_column) == to_string(sweep::RunStart::kick)) ++kicked_;
   if (!cell(map_line, last_column).empty()) ++touched_;
+  const double peak = number_in(cell(map_line, peak_column));
+  largest_over_clearance_ = std::max(largest_over_clearance_, peak);
+  if (peak > warn_over_clearances_) ++far_;
 }
 
 bool MapSummary::has_failed_cells() const {
@@ -66,7 +78,20 @@ std::string MapSummary::text() const {
     text += fmt::format("{:>8}  {:5.1f} %  {}\n", count, percent, name);
   }
   for (const auto& [status, count] : by_status_) text += fmt::format("{:>8}  status {}\n", count, status);
+  if (far_ > 0) {
+    text += fmt::format("{:>8}  move farther than {} clearances, at most {:.3g}\n", far_,
+                        warn_over_clearances_, largest_over_clearance_);
+  }
   return text + why_all_is_quiet();
+}
+
+std::string MapSummary::warning() const {
+  if (far_ == 0) return "";
+  return fmt::format(
+      "warning: in {} of {} cells the rotor moves farther than {} clearances, at most {:.3g}; hardly a shaft "
+      "is "
+      "linear up to there (column peak_over_clearance, key output.warn_over_clearances)\n",
+      far_, total_, warn_over_clearances_, largest_over_clearance_);
 }
 
 std::string MapSummary::why_all_is_quiet() const {

@@ -17,16 +17,27 @@ std::string motion_name(std::string_view map_line);
 /// map.
 class MapSummary {
  public:
+  /// Cells whose rotor moves farther than so many clearances of the first stop are counted.
+  explicit MapSummary(double warn_over_clearances = 10) : warn_over_clearances_(warn_over_clearances) {}
+
   void add(std::string_view map_line);
 
   bool has_failed_cells() const;
 
   /// Table for a terminal: cells per class and order, circles and ovals by the sense of their whirl, largest
-  /// share first, then every status that is not `ok`, and why nothing rubs where no cell does.
+  /// share first, then every status that is not `ok`, how many cells move farther than the limit, and why
+  /// nothing rubs where no cell does.
   std::string text() const;
+
+  /// One line on the cells that move too far for a linear shaft to be believed; empty where there are none.
+  std::string warning() const;
 
  private:
   std::string why_all_is_quiet() const;
+
+  double warn_over_clearances_;
+  double largest_over_clearance_ = 0;
+  std::size_t far_ = 0;
 
   std::size_t total_ = 0, non_contact_ = 0, kicked_ = 0, touched_ = 0;
   std::map<std::string, std::size_t> by_name_, by_status_;

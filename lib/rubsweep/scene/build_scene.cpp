@@ -140,6 +140,8 @@ Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   scene.structure = assembly.system;
   scene.impulses = assembly.impulses;
   if (assembly.gyroscopic.size() > 0) scene.structure.damping += scene.speed_rad_per_s * assembly.gyroscopic;
+  if (assembly.circulatory.size() > 0)
+    scene.structure.stiffness += scene.speed_rad_per_s * assembly.circulatory;
   return scene;
 }
 
@@ -148,6 +150,13 @@ void forget_what_overflows(Cell& cell) {
   for (double* said : {&cell.whirl_ratio, &cell.eccentricity_m}) {
     if (!std::isfinite(*said)) *said = std::numeric_limits<double>::quiet_NaN();
   }
+}
+
+/// The kick comes when the shaft has turned on from the smallest gap by this angle.
+std::complex<double> phase_of_kick(const model::Machine& machine) {
+  const double phase_deg = machine.kick ? machine.kick->phase_deg.value_or(0) : 0;
+  // Without a phase not a bit of the motion may change.
+  return phase_deg == 0 ? 1.0 : std::polar(1.0, phase_deg * std::numbers::pi / 180);
 }
 
 void start_on_quiet_motion(Cell& cell) {
@@ -195,6 +204,7 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
     scene.harmonic_n =
         cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first, wall) * unit_force;
   }
+  scene.harmonic_n *= phase_of_kick(prepared.machine);
   start_on_quiet_motion(cell);
   return cell;
 }

@@ -38,6 +38,7 @@ class KitBuilder {
   KitAssembly build() {
     allocate();
     add_lateral();
+    if (model::has_rotating_damping(kit_)) add_rotating_damping();
     if (kit_.torsion) add_torsion();
     if (kit_.bow) add_bow();
     add_faults();
@@ -67,6 +68,13 @@ class KitBuilder {
     result_.assembly.gyroscopic.topLeftCorner(n, n) = lateral_.gyroscopic;
     system().unbalance_kg.head(n) = turning(shaft_.unbalance_kg);
     system().weight_kg.head(n) = -lateral_.scatter(1, basis(1).transpose() * shaft_.weight_kg);
+  }
+
+  void add_rotating_damping() {
+    const RotatingDamping added = rotating_damping(shaft_, kit_, result_.reduction, lateral_);
+    result_.assembly.circulatory = Eigen::MatrixXd::Zero(system().coordinates(), system().coordinates());
+    system().damping.topLeftCorner(lateral(), lateral()) += added.damping;
+    result_.assembly.circulatory.topLeftCorner(lateral(), lateral()) = added.circulatory;
   }
 
   /// A load that turns with the shaft, given in the x plane of the full model.

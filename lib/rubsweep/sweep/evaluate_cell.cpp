@@ -1,8 +1,18 @@
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
+#include <vector>
 
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/contact/hertz_line.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/overloaded.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/robustness.hpp"
 
@@ -22,6 +32,21 @@ void add_status(Row& row, std::string_view word) {
   }
 }
 
+/// Whether a force is too large for the stiffness of some stop that has it from a line contact. Where stops
+/// differ the narrowest counts, whichever the force acts at: the word is a doubt.
+bool beyond_hertz(const model::Machine& machine, double force_n) {
+  return std::ranges::any_of(machine.stops, [force_n](const model::Stop& stop) {
+    return stop.hertz && force_n > contact::hertz_force_limit_n(*stop.hertz);
+  });
+}
+
+/// What the size of a measured motion says about the model.
+void doubt(Row& row, const model::Machine& machine, double clearance_m) {
+  if (!row.measures) return;
+  row.peak_over_clearance = row.measures->contact.peak_displacement_m / clearance_m;
+  if (beyond_hertz(machine, row.measures->contact.peak_contact_force_n)) add_status(row, "beyond_hertz");
+}
+
 void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) {
   row.motion_class = run.motion.motion_class;
   row.order = run.motion.order;
@@ -39,14 +64,67 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
   if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
 }
 
-/// The cell of a prepared machine that may differ from the study's.
-Row evaluate(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
+/// The cell at a place, of a prepared machine that may differ from the study's.
+Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
              response::motion::Workspace& workspace) {
-  const scene::Place place = place_of(study.grid, cell);
   const scene::Cell start = scene::build_cell(prepared, place.speed_hz, place.unbalance);
   if (!scene::can_run(start.start)) return row_of(start, place.speed_hz, prepared.machine, nullptr);
   const response::SettledRun run = response::settle(start, study.solver, study.response, workspace);
   return row_of(start, place.speed_hz, prepared.machine, &run);
+}
+
+/// With what robustness asks for.
+Row evaluate_place(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
+                   response::motion::Workspace& workspace) {
+  Row row = evaluate(study, prepared, place, workspace);
+  if (study.robustness == Robustness::on) {
+    row.robust = is_robust(row, study.machine, [&](const model::Machine& machine) {
+      // Only the kick differs: the structure stays.
+      return evaluate(study, scene::PreparedMachine{machine, prepared.assembly, prepared.reduction}, place,
+                      workspace);
+    });
+  }
+  return row;
+}
+
+/// What evaluates a prepared study at a place: evaluate or evaluate_place.
+using Evaluation = Row (*)(const Study&, const scene::PreparedMachine&, const scene::Place&,
+                           response::motion::Workspace&);
+
+/// A cell whose keys hold numbers of their own.
+Row evaluate_keys(const Study& study, std::span<const KeyValue> keys, const scene::Place& place,
+                  response::motion::Workspace& workspace, Evaluation evaluation) {
+  try {
+    const Study varied = study.with_keys(keys);
+    return evaluation(varied, scene::prepare_machine(varied.machine), place, workspace);
+  } catch (const ConfigError&) {
+    // Each number is allowed by itself, which was seen to before; all of them together are not.
+    Row row;
+    row.speed_hz = place.speed_hz;
+    row.whirl_ratio = row.eccentricity_m = std::numeric_limits<double>::quiet_NaN();
+    std::visit(overloaded{[&](const scene::WhirlRatio& ratio) { row.whirl_ratio = ratio.value; },
+                          [&](const scene::Eccentricity& given) { row.eccentricity_m = given.value_m; }},
+               place.unbalance);
+    row.status = "not_allowed";
+    return row;
+  }
+}
+
+/// Where the quiet motion itself reaches a wall no kick is simulated, whatever its numbers.
+bool may_have_threshold(const Row& row, const ThresholdScan& scan) {
+  const bool of_kick =
+      std::ranges::all_of(scan.axis.keys, [](const std::string& key) { return key.starts_with("kick."); });
+  return row.start && (*row.start != RunStart::contact || !of_kick);
+}
+
+std::vector<KeyValue> with(std::vector<KeyValue> keys, const KeyAxis& axis, double value) {
+  for (KeyValue& key : keys_at(axis, value)) keys.push_back(std::move(key));
+  return keys;
+}
+
+Probe probe_of(const Row& row) {
+  return {response::motion::row_of(row.motion_class).rubs,
+          row.motion_class == response::motion::MotionClass::failed, motion_name(row)};
 }
 
 }  // namespace
@@ -68,7 +146,9 @@ Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machi
   row.start = cell.start == scene::Start::contact ? RunStart::contact
               : !cell.scene.pulses.empty()        ? RunStart::kick
                                                   : RunStart::quiet;
-  if (run != nullptr) fill(row, *run, some_friction_keeps_its_direction(machine));
+  if (run == nullptr) return row;
+  fill(row, *run, some_friction_keeps_its_direction(machine));
+  doubt(row, machine, cell.scene.length_scale_m);
   return row;
 }
 
@@ -78,12 +158,15 @@ Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Worksp
 
 Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                   response::motion::Workspace& workspace) {
-  Row row = evaluate(study, prepared, cell, workspace);
-  if (study.robustness == Robustness::on) {
-    row.robust = is_robust(row, study.machine, [&](const model::Machine& machine) {
-      // Only the kick differs: the structure stays.
-      return evaluate(study, scene::PreparedMachine{machine, prepared.assembly, prepared.reduction}, cell,
-                      workspace);
+  const scene::Place place = place_of(study.grid, cell);
+  const std::vector<KeyValue> keys = key_values(study.grid, cell);
+  Row row = keys.empty() ? evaluate_place(study, prepared, place, workspace)
+                         : evaluate_keys(study, keys, place, workspace, evaluate_place);
+  for (const KeyValue& key : keys) row.key_values.push_back(key.value);
+  if (study.threshold && may_have_threshold(row, *study.threshold)) {
+    row.threshold = find_threshold(*study.threshold, [&](double value) {
+      return probe_of(
+          evaluate_keys(study, with(keys, study.threshold->axis, value), place, workspace, evaluate));
     });
   }
   return row;

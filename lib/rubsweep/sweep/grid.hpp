@@ -6,6 +6,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/sweep/key_axis.hpp"
 
 namespace rubsweep::sweep {
 
@@ -31,9 +32,11 @@ struct Grid {
   std::vector<double> speed_hz;
   UnbalanceMeasure measure = UnbalanceMeasure::whirl_ratio;
   std::vector<double> unbalance;
+  std::vector<KeyAxis> axes{};  ///< x, y, z: each slower than those before it
 };
 
-/// Cells of the grid, speed fastest: cell = i_unbalance * speeds + i_speed.
+/// Cells of the grid, speed fastest, then unbalance, then the axes over keys:
+/// cell = (... i_x) * unbalances * speeds + i_unbalance * speeds + i_speed.
 std::size_t cell_count(const Grid& grid);
 
 /// A value of the second axis as the scene takes it.
@@ -41,6 +44,21 @@ scene::Unbalance unbalance_of(const Grid& grid, double value);
 
 /// Where a cell < cell_count(grid) lies.
 scene::Place place_of(const Grid& grid, std::size_t cell);
+
+/// Every key of every axis, in their order: the columns that a map has for them.
+std::vector<std::string> key_names(const Grid& grid);
+
+/// What these keys hold in a cell < cell_count(grid), in the same order.
+std::vector<KeyValue> key_values(const Grid& grid, std::size_t cell);
+
+/// An axis with more than one value.
+struct SweptAxis {
+  std::string name;  ///< speed_hz, the measure of the unbalance, or the first key of the axis
+  std::vector<double> values;
+};
+
+/// The axes with more than one value, fastest first.
+std::vector<SweptAxis> swept_axes(const Grid& grid);
 
 /// The grid of the one cell there.
 Grid grid_of(const scene::Place& place);

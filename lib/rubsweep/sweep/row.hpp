@@ -3,8 +3,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "rubsweep/response/settle.hpp"
+#include "rubsweep/sweep/threshold.hpp"
 
 namespace rubsweep::sweep {
 
@@ -45,8 +47,14 @@ struct Row {
   std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found
   std::optional<long> last_contact_revolution;
   long revolutions = 0;
-  std::string status = "ok";      ///< `ok` or one word per cause, joined by ';'
-  std::optional<RunStart> start;  ///< empty: nothing was run
+  std::string status = "ok";                  ///< `ok` or one word per cause, joined by ';'
+  std::optional<double> peak_over_clearance;  ///< of the measured motion, the first stop's clearance
+  std::optional<RunStart> start;              ///< empty: nothing was run
+  std::vector<double> key_values{};           ///< of the axes over keys, in the order of key_names
+  std::optional<Threshold> threshold{};  ///< of a study that asks for it; empty where no kick was simulated
 };
+
+/// Class and order of a motion, such as "subharmonic 1/2" or "chaotic".
+std::string motion_name(const Row& row);
 
 }  // namespace rubsweep::sweep

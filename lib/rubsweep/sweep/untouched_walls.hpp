@@ -11,7 +11,8 @@ namespace rubsweep::sweep {
 /// that gets that far. Empty where some cell may touch, as far as a bound can tell: the kick counts with its
 /// whole impulse at once and the free vibration by the sizes of its modes, so that a kick much longer than
 /// the rotor's period may be too weak without being named. Looks at every speed of a small grid and at speeds
-/// all over a large one, and at the largest unbalance that leaves a clearance there.
+/// all over a large one, and at the largest unbalance that leaves a clearance there. Empty too where the grid
+/// has axes over keys.
 std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMachine& prepared);
 
 }  // namespace rubsweep::sweep

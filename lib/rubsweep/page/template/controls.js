@@ -3,7 +3,7 @@
 const firstLayers = Object.keys(layerNames);
 
 function layersOf(data) {
-  const skipped = new Set(["speed_hz", "whirl_ratio", "eccentricity_m"]);
+  const skipped = new Set(["speed_hz", "whirl_ratio", "eccentricity_m", ...data.index.keys]);
   const useful = (name) => {
     const column = data.columns.get(name);
     return column && !skipped.has(name) && (name === "class" || (column.words.length ? column.words.some((w) => w !== "")
@@ -77,8 +77,8 @@ function readAddress(data, state) {
   const given = new URLSearchParams(location.hash.slice(1));
   if (layersOf(data).includes(given.get("layer"))) state.layer = given.get("layer");
   const nearest = (axis, text) => d3.minIndex(axis.values, (value) => Math.abs(value - Number(text)));
-  if (!given.has("speed_hz") || !given.has(data.index.measure)) return false;
-  const i = nearest(data.x, given.get("speed_hz")), j = nearest(data.y, given.get(data.index.measure));
+  if (!given.has(data.index.across) || !given.has(data.index.measure)) return false;
+  const i = nearest(data.x, given.get(data.index.across)), j = nearest(data.y, given.get(data.index.measure));
   if (i < 0 || j < 0) return false;
   state.selected = data.cellAt(i, j);
   return true;
@@ -87,7 +87,7 @@ function readAddress(data, state) {
 let addressTimer = 0, ownAddress = "";
 function writeAddress(data, state) {
   const [i, j] = data.placeOf(state.selected);
-  const parts = { speed_hz: data.x.values[i], [data.index.measure]: data.y.values[j], layer: state.layer };
+  const parts = { [data.index.across]: data.x.values[i], [data.index.measure]: data.y.values[j], layer: state.layer };
   ownAddress = "#" + new URLSearchParams(parts);
   // Browsers refuse an address that changes too often, as it does while a key is held.
   clearTimeout(addressTimer);

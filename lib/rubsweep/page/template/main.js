@@ -29,9 +29,11 @@ let asked = 0;
 async function showCell() {
   const cell = state.selected, recorded = data.recordedCell(cell), mine = ++asked;
   document.getElementById("cell-title").textContent = `${placeText(data, cell)}: ${motionText(data, cell)}`;
-  const measure = data.index.measure, option = measure === "whirl_ratio" ? "--whirl-ratio" : "--eccentricity-m";
+  const measure = data.index.measure === "eccentricity_m" ? "eccentricity_m" : "whirl_ratio";
+  const keys = data.index.keys.map((key) => ` --set ${key}=${data.value(key, cell)}`).join("");
   document.getElementById("command").textContent =
-    `rubtrace config.yaml --speed-hz ${data.value("speed_hz", cell)} ${option} ${data.value(measure, cell)}`;
+    `rubtrace config.yaml --speed-hz ${data.value("speed_hz", cell)} --${measure.replace("_", "-")} ` +
+    data.value(measure, cell) + keys;
   d3.select("#numbers").selectAll("tr").data([...data.columns.keys()]).join("tr").selectAll("td")
     .data((name) => [columnTitle(name), quantity(name, data.value(name, cell)).replace(unitOf(name)[1], "")]).join("td")
     .text((text) => text);
@@ -160,7 +162,9 @@ async function begin() {
   if (typeof DecompressionStream === "undefined") throw new Error("this browser is too old: it has no DecompressionStream");
   await data.load();
   document.getElementById("subtitle").textContent =
-    `${data.x.values.length} speeds × ${data.y.values.length} values of the ${unbalanceName(data.index.measure)}; ` +
+    (data.index.across === "speed_hz" ? `${data.x.values.length} speeds`
+      : `${data.x.values.length} values of ${axisName(data.index.across)}`) +
+    ` × ${data.y.values.length} values of the ${axisName(data.index.measure)}; ` +
     document.getElementById("subtitle").textContent;
   view = new MapView(data, state);
   fillLayers(data, state, () => { drawMap(); writeAddress(data, state); });

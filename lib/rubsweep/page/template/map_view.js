@@ -88,18 +88,18 @@ class MapView {
 
   drawAxes() {
     const g = this.parts.axes, ends = { bottom: this.height - margin.bottom, left: margin.left };
-    const [scale, unit] = unitOf(this.data.index.measure);
-    const unbalance = this.y.copy().domain(this.y.domain().map((value) => value * scale));
+    const { across, measure } = this.data.index;
+    const inUnit = (axis, name) => axis.copy().domain(axis.domain().map((value) => value * unitOf(name)[0]));
     g.html("");
     g.append("g").attr("transform", `translate(0,${ends.bottom})`)
-      .call(d3.axisBottom(this.x).ticks(Math.max(3, this.width / 90)));
+      .call(d3.axisBottom(inUnit(this.x, across)).ticks(Math.max(3, this.width / 90)));
     g.append("g").attr("transform", `translate(${ends.left},0)`)
-      .call(d3.axisLeft(unbalance).ticks(Math.max(3, this.height / 60)));
+      .call(d3.axisLeft(inUnit(this.y, measure)).ticks(Math.max(3, this.height / 60)));
     g.append("text").attr("class", "label").attr("text-anchor", "middle")
-      .attr("x", (margin.left + this.width - margin.right) / 2).attr("y", this.height - 8).text("speed (Hz)");
+      .attr("x", (margin.left + this.width - margin.right) / 2).attr("y", this.height - 8).text(axisTitle(across));
     g.append("text").attr("class", "label").attr("text-anchor", "middle")
       .attr("transform", `translate(14,${(margin.top + ends.bottom) / 2}) rotate(-90)`)
-      .text(unbalanceName(this.data.index.measure) + (unit ? ` (${unit})` : ""));
+      .text(axisTitle(measure));
     g.append("text").attr("class", "label").attr("x", margin.left).attr("y", 16)
       .text(this.state.layer === "class" ? "Motion of each cell" : columnTitle(this.state.layer));
   }

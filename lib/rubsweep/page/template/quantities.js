@@ -28,12 +28,17 @@ function columnTitle(name) {
   return unit ? words + " (" + unit + ")" : words;
 }
 
-const unbalanceName = (measure) => (measure === "whirl_ratio" ? "whirl ratio" : "eccentricity");
+const axisNames = { speed_hz: "speed", whirl_ratio: "whirl ratio", eccentricity_m: "eccentricity" };
+const axisName = (name) => axisNames[name] || name;
+function axisTitle(name) {
+  const unit = unitOf(name)[1];
+  return axisName(name) + (unit ? ` (${unit})` : "");
+}
 
 function placeText(data, cell) {
-  const measure = data.index.measure;
-  return quantity("speed_hz", data.value("speed_hz", cell)) + ", " + unbalanceName(measure) + " " +
-    quantity(measure, data.value(measure, cell));
+  const { across, measure } = data.index;
+  return (across === "speed_hz" ? "" : axisName(across) + " ") + quantity(across, data.value(across, cell)) + ", " +
+    axisName(measure) + " " + quantity(measure, data.value(measure, cell));
 }
 
 // "subharmonic 1/3", "quasi-periodic oval"

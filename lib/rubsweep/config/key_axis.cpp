@@ -1,0 +1,84 @@
+#include "rubsweep/config/key_axis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "rubsweep/config/axis.hpp"
+#include "rubsweep/config/text.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+constexpr std::size_t most_keys = 100;
+constexpr std::string_view key_axis_forms =
+    "{key: PATH, from, to, count} or {keys: [PATH, ...], factors: [...], values: [...]}";
+
+void read_keys(Section& section, sweep::KeyAxis& axis) {
+  section.require_exactly_one({"key", "keys"});
+  if (const auto key = section.find("key")) {
+    if (auto text = read_text(*key)) axis.keys.push_back(*std::move(text));
+  }
+  if (const auto keys = section.find("keys")) {
+    for (const Value& item : read_list(*keys, most_keys).value_or(std::vector<Value>{})) {
+      if (auto text = read_text(item)) axis.keys.push_back(*std::move(text));
+    }
+  }
+  axis.factors.assign(axis.keys.size(), 1);
+  if (const auto factors = section.find("factors")) read_numbers(*factors, axis.factors);
+}
+
+void refuse_keys_of_two_axes(const Value& value, const sweep::KeyAxis& axis, std::set<std::string>& taken) {
+  for (const std::string& key : axis.keys) {
+    if (!taken.insert(key).second) {
+      refuse(value, fmt::format("'{}' is swept twice", shown(key)), "every key on one axis only");
+    }
+  }
+}
+
+}  // namespace
+
+sweep::KeyAxis read_key_axis(Section& section) {
+  sweep::KeyAxis axis;
+  read_keys(section, axis);
+  axis.values = read_axis_values(section, model::any_finite);
+  return axis;
+}
+
+std::vector<sweep::KeyAxis> read_key_axes(Section& sweep) {
+  std::vector<sweep::KeyAxis> axes;
+  std::set<std::string> taken;
+  for (const std::string_view name : key_axis_names) {
+    const auto value = sweep.find(name);
+    if (!value) continue;
+    Section section(*value, key_axis_forms);
+    if (!section.is_map()) continue;
+    sweep::KeyAxis axis = read_key_axis(section);
+    section.refuse_unknown_keys();
+    refuse_keys_of_two_axes(*value, axis, taken);
+    axes.push_back(std::move(axis));
+  }
+  return axes;
+}
+
+void print_key_axis(Printer& printer, const sweep::KeyAxis& axis) {
+  const bool plain = std::ranges::all_of(axis.factors, [](double factor) { return factor == 1; });
+  if (axis.keys.size() == 1 && plain) {
+    printer.text("key", axis.keys.front());
+  } else {
+    printer.texts("keys", axis.keys);
+    printer.numbers("factors", axis.factors);
+  }
+  printer.numbers("values", axis.values);
+}
+
+void print_key_axes(Printer& printer, const std::vector<sweep::KeyAxis>& axes) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    printer.open(key_axis_names.at(i));
+    print_key_axis(printer, axes[i]);
+    printer.close();
+  }
+}
+
+}  // namespace rubsweep::config

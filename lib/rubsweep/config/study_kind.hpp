@@ -1,0 +1,16 @@
+#pragma once
+
+#include "rubsweep/config/printer.hpp"
+#include "rubsweep/config/value.hpp"
+#include "rubsweep/sweep/study.hpp"
+
+namespace rubsweep::config {
+
+/// `study`: what is asked of every cell beside its motion.
+/// {kind: threshold, key: PATH, from, to, count, scale, tolerance}: after which numbers rub goes on.
+void read_study_kind(const Value& value, sweep::Study& study);
+
+/// Nothing for a study that asks no more than a map.
+void print_study_kind(Printer& printer, const sweep::Study& study);
+
+}  // namespace rubsweep::config

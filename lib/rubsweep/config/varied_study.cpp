@@ -1,0 +1,129 @@
+#include "rubsweep/config/varied_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/config/key_axis.hpp"
+#include "rubsweep/config/number.hpp"
+#include "rubsweep/config/override.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/section.hpp"
+#include "rubsweep/config/study.hpp"
+#include "rubsweep/config/text.hpp"
+#include "rubsweep/config/unit_slips.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+constexpr std::string_view allowed_keys =
+    "a number of rotor, stops, kick, gravity_m_per_s2, solver or response, as --print-config names it";
+
+/// The study as a document without what no key of an axis may name.
+Node document_of(const sweep::Study& study) {
+  sweep::Study plain = study;
+  plain.threshold.reset();
+  // The largest speed is the one that may be too large for another rotor.
+  plain.grid = {.speed_hz = {*std::ranges::max_element(study.grid.speed_hz)},
+                .measure = study.grid.measure,
+                .unbalance = {study.grid.unbalance.front()}};
+  Diagnostics diagnostics("the printed study", {});
+  auto document = parse_document(print_study(plain), -1, "", diagnostics);
+  diagnostics.throw_if_any();
+  return *std::move(document);
+}
+
+/// What is said of it is said at `place`.
+sweep::Study read_varied(Node document, std::span<const sweep::KeyValue> keys, const Place& place,
+                         Diagnostics& diagnostics) {
+  const std::size_t problems = diagnostics.count();
+  for (const auto& [key, value] : keys) write_number(document, key, value, place, diagnostics);
+  if (diagnostics.count() != problems) return {};
+  const Value root{document, "", diagnostics};
+  Section section(root);
+  sweep::Study study = read_study(section);
+  section.refuse_unknown_keys();
+  if (diagnostics.count() == problems) refuse_unit_slips(root);
+  return study;
+}
+
+void place_all(Node& node, const Place& place) {
+  node.place = place;
+  for (Node::Key& key : node.keys) key.place = place;
+  for (Node& item : node.items) place_all(item, place);
+}
+
+bool holds_a_number(const Node& node) {
+  return node.kind == Node::Kind::scalar && !node.quoted &&
+         parse_number(node.text).error == NumberError::none;
+}
+
+/// A key of which nothing can be said yet may be one that the printed study leaves out.
+bool may_be_swept(const Node& document, const std::string& key, const Place& place,
+                  Diagnostics& diagnostics) {
+  constexpr std::array own_axes{"speed_hz", "whirl_ratio", "eccentricity_m"};
+  const std::string first = key.substr(0, key.find('.'));
+  const auto problem = [&](std::string_view wrong, std::string_view allowed) {
+    diagnostics.add(place, shown(key), wrong, allowed);
+    return false;
+  };
+  if (std::ranges::find(own_axes, key) != own_axes.end())
+    return problem("has an axis of its own", fmt::format("sweep.{}", key));
+  if (first == "sweep" || first == "output" || first == "study" || first == "base")
+    return problem("is no key of an axis", allowed_keys);
+  const Node* node = find_node(document, key);
+  if (node != nullptr && !holds_a_number(*node))
+    return problem(fmt::format("{}, no number", describe(*node)), allowed_keys);
+  return true;
+}
+
+void refuse_impossible(const sweep::KeyAxis& axis, const Place& place, Node document,
+                       Diagnostics& diagnostics) {
+  for (const std::string& key : axis.keys) {
+    if (!may_be_swept(document, key, place, diagnostics)) return;
+  }
+  place_all(document, place);
+  const std::size_t problems = diagnostics.count();
+  for (const double value : axis.values) {
+    read_varied(document, sweep::keys_at(axis, value), place, diagnostics);
+    if (diagnostics.count() != problems) return;
+  }
+}
+
+Place place_of_keys(const Node& axis) {
+  const Node* keys = find_node(axis, "key");
+  if (keys == nullptr) keys = find_node(axis, "keys");
+  return keys->place;
+}
+
+}  // namespace
+
+void vary_keys(const Value& root, sweep::Study& study) {
+  if (study.grid.axes.empty() && !study.threshold) return;
+  Node document = document_of(study);
+  const Node& sweep = *find_node(root.node, "sweep");
+  std::size_t next = 0;
+  for (const std::string_view name : key_axis_names) {
+    const Node* node = find_node(sweep, name);
+    if (node == nullptr) continue;
+    refuse_impossible(study.grid.axes.at(next++), place_of_keys(*node), document, root.diagnostics);
+  }
+  if (study.threshold) {
+    refuse_impossible(study.threshold->axis, place_of_keys(*find_node(root.node, "study")), document,
+                      root.diagnostics);
+  }
+  study.with_keys =
+      [document = std::make_shared<const Node>(std::move(document))](std::span<const sweep::KeyValue> keys) {
+        Diagnostics diagnostics("the study with the keys of a cell", {});
+        sweep::Study varied = read_varied(*document, keys, Place{}, diagnostics);
+        diagnostics.throw_if_any();
+        return varied;
+      };
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/sweep/row.hpp"
+#include "rubsweep/sweep/study.hpp"
+
+namespace rubsweep::report {
+
+/// A column of map.csv that only a study of one kind has, behind those of every map and of the axes over
+/// keys.
+struct StudyColumn {
+  std::string_view name;
+  std::string_view description;                      ///< for --help
+  std::string (*text)(const sweep::Row&) = nullptr;  ///< what stands in the cell; empty: does not apply
+};
+
+/// Those of a study of thresholds.
+std::span<const StudyColumn> threshold_columns();
+
+/// All that a map of this study has.
+std::vector<StudyColumn> study_columns(const sweep::Study& study);
+
+/// Every one with its description, for --help; lines end with '\n'.
+std::string describe_study_columns();
+
+}  // namespace rubsweep::report

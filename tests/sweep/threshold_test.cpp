@@ -1,0 +1,114 @@
+#include "rubsweep/sweep/threshold.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "sweep/one_side_study.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+ThresholdScan scan(std::vector<double> values, double tolerance = 1e-3) {
+  return {{{"kick.force_n"}, {1}, std::move(values)}, tolerance};
+}
+
+TEST(Threshold, FindsEveryIntervalWithItsMotions) {
+  const double begin = 31.41592, gap = 271.8281828, back = 577.21566;
+  const auto threshold = find_threshold(scan({10, 50, 100, 200, 300, 400, 600, 800}), [&](double value) {
+    if (value < begin || (value >= gap && value < back)) return Probe{false, false, "non_contact"};
+    return Probe{true, false, value < 150 ? "subharmonic 1/2" : "chaotic"};
+  });
+  ASSERT_EQ(threshold.intervals.size(), 2u);
+  const auto near = [](double found, double wanted) {
+    EXPECT_LE(std::abs(found / wanted - 1), 1e-3) << found;
+  };
+  near(threshold.intervals[0].from, begin);
+  EXPECT_GE(threshold.intervals[0].from, begin);
+  near(threshold.intervals[0].to, gap);
+  EXPECT_LT(threshold.intervals[0].to, gap);
+  EXPECT_EQ(threshold.intervals[0].motions, (std::vector<std::string>{"subharmonic 1/2", "chaotic"}));
+  near(threshold.intervals[1].from, back);
+  EXPECT_EQ(threshold.intervals[1].to, 800);
+  EXPECT_EQ(threshold.intervals[1].motions, std::vector<std::string>{"chaotic"});
+}
+
+TEST(Threshold, TriesNothingTwiceAndNoMoreThanBisectionNeeds) {
+  std::vector<double> tried;
+  const auto threshold = find_threshold(scan({1, 2, 4, 8}), [&](double value) {
+    EXPECT_EQ(std::ranges::count(tried, value), 0);
+    tried.push_back(value);
+    return Probe{value > 3, false, "chaotic"};
+  });
+  EXPECT_EQ(threshold.probes, tried.size());
+  EXPECT_EQ(tried.size(), 4 + 10u);  // a factor of 2 to 1e-3: ln 2 / 1e-3 < 2^10
+}
+
+TEST(Threshold, HasNoIntervalWhereNothingRubs) {
+  const auto threshold = find_threshold(scan({1, 2}), [](double) {
+    return Probe{false, false, "non_contact"};
+  });
+  EXPECT_TRUE(threshold.intervals.empty());
+  EXPECT_EQ(threshold.probes, 2u);
+}
+
+TEST(Threshold, CountsWhatFailedAsNotRubbing) {
+  const auto threshold = find_threshold(scan({1, 2, 3}, 0.4), [](double value) {
+    return Probe{value > 2.5, value<1.5, value> 2.5 ? "synchronous" : "failed"};
+  });
+  EXPECT_EQ(threshold.failed, 1u);
+  ASSERT_EQ(threshold.intervals.size(), 1u);
+}
+
+TEST(Threshold, EndsAboutZeroToo) {
+  const auto threshold = find_threshold(scan({-180, 0, 180}), [](double value) {
+    return Probe{value >= 0, false, "synchronous"};
+  });
+  EXPECT_EQ(threshold.intervals.at(0).from, 0);
+  EXPECT_LT(threshold.probes, 40u);
+}
+
+/// The same cell simulated by itself, with the force in the machine.
+TEST(Threshold, OfACellIsWhereItsOwnRunChanges) {
+  Study study = one_side_study({75}, {0.4});
+  study.response.max_revolutions = 400;
+  study.threshold = scan({10, 20, 40, 80});
+  study.with_keys = [machine = study](std::span<const KeyValue> keys) {
+    Study varied = machine;
+    for (const KeyValue& key : keys) {
+      EXPECT_EQ(key.key, "kick.force_n");
+      varied.machine.kick->force_n = key.value;
+    }
+    return varied;
+  };
+  response::motion::Workspace workspace;
+  const Row row = evaluate_cell(study, 0, workspace);
+  ASSERT_TRUE(row.threshold);
+  ASSERT_FALSE(row.threshold->intervals.empty());
+  const RubInterval& first = row.threshold->intervals.front();
+  EXPECT_GT(first.from, 10);
+  const auto motion_after = [&](double force_n) {
+    Study own = one_side_study({75}, {0.4});
+    own.response.max_revolutions = 400;
+    own.machine.kick->force_n = force_n;
+    return motion_name(evaluate_cell(own, 0, workspace));
+  };
+  EXPECT_EQ(motion_after(first.from), first.motions.front());
+  EXPECT_EQ(motion_after(first.from * (1 - 1e-3)), "non_contact");
+}
+
+TEST(Threshold, OfAKickIsNotAskedForWhereNoneIsSimulated) {
+  Study study = one_side_study({75}, {1.2});
+  study.threshold = scan({10, 20});
+  study.with_keys = [](std::span<const KeyValue>) -> Study {
+    ADD_FAILURE() << "nothing to try";
+    return {};
+  };
+  response::motion::Workspace workspace;
+  EXPECT_FALSE(evaluate_cell(study, 0, workspace).threshold);
+}
+
+}  // namespace
+}  // namespace rubsweep::sweep
