@@ -8,13 +8,14 @@
 namespace rubsweep::branch {
 namespace {
 
-/// Five cells in a row: two of family 0, whose orbit goes on to the third and folds before the fourth; the last one
-/// has an orbit that could not be followed.
+/// Five cells in a row: two of family 0, whose orbit goes on to the third and folds before the fourth; the
+/// last one has an orbit that could not be followed.
 TEST(Attribution, BasinCeasesAndUnresolved) {
   sweep::Grid grid;
   grid.speed_hz = {10, 20, 30, 40, 50};
   grid.unbalance = {0.5};
-  const std::array<std::string, 5> labels{"subharmonic_2", "subharmonic_2", "non_contact", "chaotic", "subharmonic_3"};
+  const std::array<std::string, 5> labels{"subharmonic_2", "subharmonic_2", "non_contact", "chaotic",
+                                          "subharmonic_3"};
   Family first{0, {{0, {}}, {1, {}}, {2, {}}}, {{2, 3, 35, 0.5, "fold"}}, {0, 1}};
   Family last{4, {{4, {}}}, {{4, 3, 45, 0.5, "step_too_small"}}, {4}};
   const auto edges = attribute(grid, labels, {first, last});
@@ -32,7 +33,8 @@ TEST(Attribution, BasinCeasesAndUnresolved) {
   EXPECT_EQ(ceases[0].kind, "fold");
 }
 
-/// Of two orbits side by side one goes on into the other's cell: what the map shows there ceases all the same.
+/// Of two orbits side by side one goes on into the other's cell: what the map shows there ceases all the
+/// same.
 TEST(Attribution, WhatCeasesOnOneSideIsStronger) {
   sweep::Grid grid;
   grid.speed_hz = {10, 20};

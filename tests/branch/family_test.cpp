@@ -20,8 +20,9 @@ sweep::Study study() {
   return study;
 }
 
-/// The half orbit of the reference machine at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz: the family is in
-/// the cells between, and ends at these folds, which continuation along the whole branch finds as well.
+/// The half orbit of the reference machine at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz: the
+/// family is in the cells between, and ends at these folds, which continuation along the whole branch finds
+/// as well.
 TEST(Families, TheHalfOrbitOfAMap) {
   const std::atomic<bool> stop{false};
   const std::vector<std::size_t> proven{7};  // 75 Hz, 0.4
@@ -50,8 +51,10 @@ TEST(Families, TheHalfOrbitOfAMap) {
   ASSERT_TRUE(start);
   const Branch branch = follow_both_ways(problem, *start, {});
   ASSERT_EQ(branch.events.size(), 2u);
-  EXPECT_NEAR(std::max(branch.events[0].point.parameter, branch.events[1].point.parameter), high->speed_hz, 1e-8);
-  EXPECT_NEAR(std::min(branch.events[0].point.parameter, branch.events[1].point.parameter), low->speed_hz, 1e-8);
+  EXPECT_NEAR(std::max(branch.events[0].point.parameter, branch.events[1].point.parameter), high->speed_hz,
+              1e-8);
+  EXPECT_NEAR(std::min(branch.events[0].point.parameter, branch.events[1].point.parameter), low->speed_hz,
+              1e-8);
 }
 
 TEST(Families, DoNotDependOnTheNumberOfThreads) {

@@ -14,7 +14,8 @@ sweep::Grid grid() {
   return grid;
 }
 
-/// A family in these cells, which ends halfway to every other cell, to the right by a fold and else by a doubling.
+/// A family in these cells, which ends halfway to every other cell, to the right by a fold and else by a
+/// doubling.
 Family family_in(const std::vector<std::size_t>& cells) {
   Family family;
   family.seed = cells.front();
@@ -22,10 +23,13 @@ Family family_in(const std::vector<std::size_t>& cells) {
   for (const std::size_t cell : cells) {
     for (const std::size_t next : neighbours_of(grid(), cell)) {
       if (family.orbits.contains(next)) continue;
-      const auto at = [](std::size_t i) { return std::pair(grid().speed_hz[i % 4], grid().unbalance[i / 4]); };
+      const auto at = [](std::size_t i) {
+        return std::pair(grid().speed_hz[i % 4], grid().unbalance[i / 4]);
+      };
       const auto [x1, y1] = at(cell);
       const auto [x2, y2] = at(next);
-      family.ends.push_back({cell, next, (x1 + x2) / 2, (y1 + y2) / 2, next == cell + 1 ? "fold" : "doubling"});
+      family.ends.push_back(
+          {cell, next, (x1 + x2) / 2, (y1 + y2) / 2, next == cell + 1 ? "fold" : "doubling"});
     }
   }
   return family;
@@ -58,8 +62,7 @@ TEST(Outline, EndsWhereTheMapDoes) {
   const auto lines = outline_of(grid(), family_in({0, 1, 4, 5, 8, 9}));
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].kind, "fold");
-  EXPECT_EQ(lines[0].points,
-            (std::vector<std::array<double, 2>>{{25, 0.1}, {25, 0.2}, {25, 0.3}}));
+  EXPECT_EQ(lines[0].points, (std::vector<std::array<double, 2>>{{25, 0.1}, {25, 0.2}, {25, 0.3}}));
 }
 
 TEST(Outline, NoneAroundTheWholeMap) {
