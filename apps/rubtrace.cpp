@@ -17,9 +17,9 @@
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
-#include "rubsweep/integrate/start.hpp"
 #include "rubsweep/identify/experiment.hpp"
 #include "rubsweep/identify/linear_run.hpp"
+#include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/experiment_tables.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/trace_csv.hpp"
@@ -35,8 +35,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every file that a trace may leave.
-constexpr std::array<std::string_view, 8> file_names{"config.yaml", "motion.csv",  "trajectory.csv",
-                                                     "section.csv", "events.csv",  "spectrum.csv",
+constexpr std::array<std::string_view, 8> file_names{"config.yaml", "motion.csv",        "trajectory.csv",
+                                                     "section.csv", "events.csv",        "spectrum.csv",
                                                      "sensors.csv", "probe_spectrum.csv"};
 
 fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {
@@ -87,15 +87,16 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
                            const sweep::Study& study, response::motion::Workspace& workspace,
                            ResultFiles& files) {
-  files["sensors.csv"] = report::sensors_csv(
-      {.from_hz = speed_hz, .sample_s = probes.sample_s, .samples = static_cast<int>(trace.readings_m.rows())},
-      trace.readings_m);
+  files["sensors.csv"] = report::sensors_csv({.from_hz = speed_hz,
+                                              .sample_s = probes.sample_s,
+                                              .samples = static_cast<int>(trace.readings_m.rows())},
+                                             trace.readings_m);
   const auto pair = trace::pair_of(probes.angle_deg, places_of_sensors(study.machine));
   if (!pair) return "probes    no two of them see one place from two directions\n";
   const auto z = trace::displacement_of(trace.readings_m, *pair, probes.angle_deg);
   const int turns = static_cast<int>(std::min<long>(trace.revolutions, study.response.window_revolutions));
-  const trace::ProbePeriod period = trace::find_period(z, probes.sample_s, speed_hz, probes.noise_m, turns,
-                                                       study.response.max_order);
+  const trace::ProbePeriod period =
+      trace::find_period(z, probes.sample_s, speed_hz, probes.noise_m, turns, study.response.max_order);
   const auto spectrum = trace::probe_spectrum(z, probes.sample_s, speed_hz, turns, period.period.value_or(1),
                                               workspace.spectrum);
   files["probe_spectrum.csv"] = report::spectrum_csv(spectrum, speed_hz);
@@ -105,12 +106,11 @@ std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probe
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
   config.study.grid = sweep::grid_of({arguments.speed_hz, arguments.unbalance});
   const sweep::Study& study = config.study;
-  trace::TraceOptions options{
-      .speed_hz = arguments.speed_hz,
-      .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
-      .samples_per_revolution = study.response.samples_per_revolution,
-      .window_revolutions = study.response.window_revolutions,
-      .trajectory_revolutions = arguments.last_revolutions};
+  trace::TraceOptions options{.speed_hz = arguments.speed_hz,
+                              .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
+                              .samples_per_revolution = study.response.samples_per_revolution,
+                              .window_revolutions = study.response.window_revolutions,
+                              .trajectory_revolutions = arguments.last_revolutions};
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   if (arguments.probes) options.probes = probes_of(arguments, prepared, options.revolutions);
   refuse_more_memory_than_there_is(options, study.machine.stops.size());

@@ -30,10 +30,11 @@ declare -A below=(
   [trace]='response'
   [sweep]='response batch'
   [line]='sweep trace'
+  [ramp]='integrate response/spectrum'
   [bench]='response'
   [ring]='batch numerics'
   [config]='sweep bench ring'
-  [report]='sweep bench branch ring line trace identify'
+  [report]='sweep bench branch ring line ramp trace identify'
   [page]='report'
 )
 

@@ -67,7 +67,7 @@ plot for [k = 1:words(solid)] cells index 0 using (x_if(at(solid, k))):2:3:4:5:6
      for [k = 1:words(hatched)] cells index 0 using (x_if(at(hatched, k))):2:3:4:5:6 with boxxyerror \
        linecolor rgb colour[at(hatched, k)] linewidth 0.5 fillstyle pattern (at(hatched, k) - kinds + 6) border \
        title legend[at(hatched, k)], \
-     for [k = 1:words(boundaries)] cells index k using 1:2 with lines linecolor rgb "#000000" linewidth 1.3 \
+     for [k = 1:words(boundaries)] cells index (k > words(boundaries) ? 0 : k) using 1:2 with lines linecolor rgb "#000000" linewidth 1.3 \
        dashtype boundary_dash(k) title boundary_name(k)
 set terminal svg size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
 set output output . ".svg"

@@ -13,10 +13,10 @@ namespace rubsweep::machine_search {
 namespace {
 
 // Coarse grids: enough speeds to meet every tongue, ratios where the findings differ. A cell of the annulus
-// costs a hundred times as much, so that its maps are coarser. Their speeds are the same, two of them slightly
-// above twice and two slightly above three times the natural frequency, where the paper has its subharmonics,
-// and close together where circles end. The rows of both have the same unbalance: an offset of a quarter
-// leaves three quarters of the clearance.
+// costs a hundred times as much, so that its maps are coarser. Their speeds are the same, two of them
+// slightly above twice and two slightly above three times the natural frequency, where the paper has its
+// subharmonics, and close together where circles end. The rows of both have the same unbalance: an offset of
+// a quarter leaves three quarters of the clearance.
 constexpr const char* one_side_grid =
     "sweep: {speed_hz: {from: 50, to: 215, count: 34}, whirl_ratio: {values: [0.04, 0.07, 0.1, 0.2, 0.4, "
     "0.7]}}\n"

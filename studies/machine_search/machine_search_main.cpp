@@ -1,7 +1,8 @@
-// machine_search SEED RANDOM NEARBY [KEPT [START.csv]]: looks for one machine whose five maps show as much as possible of
-// what Ishibashi & Kawai report. Evaluates the starting points, RANDOM machines drawn from the ranges of
-// candidate.hpp, then NEARBY machines near the KEPT (10) best ones. START.csv lists further machines to begin
-// with, by the names of the columns that are printed. Prints one CSV line a machine as it goes; `complete` tells machines that were given up early. One thread; the lines depend on the arguments
+// machine_search SEED RANDOM NEARBY [KEPT [START.csv]]: looks for one machine whose five maps show as much as
+// possible of what Ishibashi & Kawai report. Evaluates the starting points, RANDOM machines drawn from the
+// ranges of candidate.hpp, then NEARBY machines near the KEPT (10) best ones. START.csv lists further
+// machines to begin with, by the names of the columns that are printed. Prints one CSV line a machine as it
+// goes; `complete` tells machines that were given up early. One thread; the lines depend on the arguments
 // alone, but for the processor time.
 
 #include <fmt/format.h>

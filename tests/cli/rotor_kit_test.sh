@@ -45,6 +45,15 @@ expect_exit 0 "$minimal" --campbell 0:100 --output jeffcott
 expect_exit 0 "$kit" --speed-hz 70 --whirl-ratio 0.7 "${small[@]}" --last-revolutions 2 --output rub
 expect_contains stdout 'motion    subharmonic 1/2'
 
+# The same run as the probes see it every 1 ms: 200 turns of 1 / 70 s.
+expect_exit 0 "$kit" --speed-hz 70 --whirl-ratio 0.7 "${small[@]}" --last-revolutions 2 --noise-m 2e-6 --output probed
+expect_contains stdout 'probes    repeats after 2 turns by 914 readings of sensors 0 (0 deg) and 1 (90 deg) every 0.001 s'
+expect_files probed config.yaml events.csv motion.csv probe_spectrum.csv section.csv sensors.csv spectrum.csv trajectory.csv
+[[ $(wc -l <probed/sensors.csv) == 2859 ]] || fail 'not 2858 readings'
+expect_same probed/motion.csv rub/motion.csv
+expect_exit 0 "$kit" --speed-hz 70 --whirl-ratio 0.7 "${small[@]}" --sample-s 1e-3 --set rotor.sensors.1.angle_deg=0 --output one_direction
+expect_contains stdout 'probes    no two of them see one place from two directions'
+
 rubsweep=$sweep
 expect_exit 0 "$kit" "${small[@]}" --set sweep.speed_hz='{values: [70, 100]}' --set sweep.whirl_ratio='{values: [0.7]}' \
   --output map --quiet
@@ -65,7 +74,7 @@ for range in 10 10:x 20:10 -1:10 10:20:1 10:20:2.5 10:20:30:40; do
   refused "--campbell: '$range' is not allowed, allowed: FROM:TO" --campbell="$range"
 done
 refused '--eccentricity-m belongs to a trace or a run-up' --campbell 10:20 --eccentricity-m 1e-5
-refused '--duration-s belongs to --free-response or --run-up' --campbell 10:20 --duration-s 3
+refused '--duration-s belongs to --free-response' --campbell 10:20 --duration-s 3
 refused '--figure belongs to a trace or to --campbell' --free-response --figure x.png
 refused '--figure: allowed: a name that ends with .png or .svg' --campbell 10:20 --figure x.gif
 refused '--speed-hz belongs to a trace' --free-response --speed-hz 3
@@ -75,3 +84,4 @@ refused "--run-up: '10:20' is not allowed" --run-up 10:20 --eccentricity-m 1e-5
 refused "--run-up: '10:x:1' is not allowed" --run-up 10:x:1 --eccentricity-m 1e-5
 refused '--run-up: allowed: speeds > 0' --run-up 10:20:-1 --eccentricity-m 1e-5
 refused '--sample-s: allowed: long enough' --free-response --sample-s 1e-9
+refused '--sample-s: allowed: long enough' --speed-hz 70 --whirl-ratio 0.7 --sample-s 1e-9

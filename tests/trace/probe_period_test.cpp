@@ -69,7 +69,9 @@ TEST(FindPeriod, ALineAboveHalfTheSamplingRateIsFoldedWhereNoLineBelongs) {
     response::spectrum::SpectrumWorkspace workspace;
     return probe_spectrum(z, 1e-3, 70, 64, 1, workspace);
   }();
-  const auto at = [&](double order) { return spectrum.amplitude(static_cast<int>(std::lround(order * spectrum.turns))); };
+  const auto at = [&](double order) {
+    return spectrum.amplitude(static_cast<int>(std::lround(order * spectrum.turns)));
+  };
   EXPECT_EQ(spectrum.turns % 7, 0);
   EXPECT_NEAR(at(1), 4e-4, 1e-12);
   EXPECT_NEAR(at(10 - 100.0 / 7), 1e-4, 1e-12);

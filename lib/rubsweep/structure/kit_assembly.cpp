@@ -71,8 +71,8 @@ class KitBuilder {
     system().weight_kg.head(n) = -lateral_.scatter(1, basis(1).transpose() * shaft_.weight_kg);
   }
 
-  /// A force -D (u' + w v) in the x plane and -D (v' - w u) in the y plane, with one operator D on the deflected
-  /// line because it turns: the modes of the x plane have the ratios asked for.
+  /// A force -D (u' + w v) in the x plane and -D (v' - w u) in the y plane, with one operator D on the
+  /// deflected line because it turns: the modes of the x plane have the ratios asked for.
   void add_rotating_damping() {
     const auto& ratios = kit_.rotating_damping_ratio;
     const auto& numbers = result_.reduction.mode_number[0];
@@ -96,7 +96,8 @@ class KitBuilder {
         Eigen::MatrixXd& matrix = a == b ? system().damping : result_.assembly.circulatory;
         for (Eigen::Index i = 0; i < block.rows(); ++i) {
           for (Eigen::Index k = 0; k < block.cols(); ++k)
-            matrix(lateral_.index(a, i), lateral_.index(b, k)) += a == 1 && b == 0 ? -block(i, k) : block(i, k);
+            matrix(lateral_.index(a, i), lateral_.index(b, k)) +=
+                a == 1 && b == 0 ? -block(i, k) : block(i, k);
         }
       }
     }

@@ -47,7 +47,7 @@ struct Row {
   std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found
   std::optional<long> last_contact_revolution;
   long revolutions = 0;
-  std::string status = "ok";  ///< `ok` or one word per cause, joined by ';'
+  std::string status = "ok";                  ///< `ok` or one word per cause, joined by ';'
   std::optional<double> peak_over_clearance;  ///< of the measured motion, the first stop's clearance
   std::optional<RunStart> start;              ///< empty: nothing was run
   std::vector<double> key_values{};           ///< of the axes over keys, in the order of key_names
