@@ -76,7 +76,8 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
       name_(name_of(part)),
       part_(part),
       header_(header_of(config)),
-      head_(comments_and_header(header_.study_digest, config.study)) {
+      head_(comments_and_header(header_.study_digest, config.study)),
+      refined_(config.study.grid.refinement.has_value()) {
   allow_as_many_files_as_there_may_be();
   make_directory(directory_);
   // One begins at a time: what one of them reads here, no other removes meanwhile.
@@ -89,6 +90,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   refuse_journals_of_others();
   if (fs::exists(map())) {
     finished_map_ = read_finished_map(map(), config.study);
+    if (refined_) finished_map_->cells = header_.cells;  // how many it wanted is for it alone to know
     refuse_map_of_another(*finished_map_, map(), header_);
     // Whoever wrote it may have been killed before they were gone.
     if (!part_) remove_journals();
@@ -230,6 +232,15 @@ void MapDirectory::remove_journals() const {
   for (const fs::path& journal : journals()) fs::remove(journal);
 }
 
+void MapDirectory::for_each_finished(
+    const std::function<void(std::size_t cell, const std::string& line)>& visit) const {
+  batch::FinishedCells finished(header_.cells);
+  for (const fs::path& journal : journals()) finished.add(journal);
+  for (std::size_t cell = 0; cell < header_.cells; ++cell) {
+    if (finished.contains(cell)) visit(cell, finished.text(cell));
+  }
+}
+
 report::MapSummary MapDirectory::write_map() const {
   batch::FinishedCells finished(header_.cells);
   for (const fs::path& journal : journals()) finished.add(journal);
@@ -237,6 +248,7 @@ report::MapSummary MapDirectory::write_map() const {
   batch::WholeFile file(map());
   file.write(head_);
   for (std::size_t cell = 0; cell < header_.cells; ++cell) {
+    if (refined_ && !finished.contains(cell)) continue;
     if (!finished.contains(cell)) {
       throw IoError(fmt::format("{}: {} of {} cells are not finished", directory_.string(),
                                 header_.cells - finished.count(), header_.cells));

@@ -9,6 +9,7 @@ lib=${1:-$(dirname "${BASH_SOURCE[0]}")/../lib}
 # What each folder may include directly; what those may include comes with them. `.` is LIB/rubsweep itself.
 declare -A below=(
   [.]=''
+  [basin]='.'
   [batch]='.'
   [model]='.'
   [contact]='model'
@@ -27,7 +28,7 @@ declare -A below=(
   [response/rotating]='response/proof'
   [response]='response/proof response/rotating'
   [trace]='response'
-  [sweep]='response batch'
+  [sweep]='basin response batch'
   [bench]='response'
   [ring]='batch'
   [config]='sweep bench ring'

@@ -41,6 +41,11 @@ std::string name_of(std::string_view map_line) {
 
 }  // namespace
 
+std::string label_of(std::string_view map_line) {
+  static const std::size_t class_column = place_of_column("class"), order_column = place_of_column("order");
+  return fmt::format("{},{}", cell(map_line, class_column), cell(map_line, order_column));
+}
+
 void MapSummary::add(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), status_column = place_of_column("status"),
                            start_column = place_of_column("start"),
