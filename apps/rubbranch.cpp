@@ -11,6 +11,7 @@
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubbranch_arguments.hpp"
+#include "rubbranch_map.hpp"
 #include "rubsweep/branch/doubling.hpp"
 #include "rubsweep/branch/follow.hpp"
 #include "rubsweep/branch/settled_start.hpp"
@@ -97,6 +98,7 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
 
 int perform(const RubbranchArguments& arguments) {
   if (answered("rubbranch", arguments.action, rubbranch_help)) return done;
+  if (!arguments.map.empty()) return run_on_map(arguments);
   return run(arguments, config::read_run_config(arguments.config, arguments.overrides));
 }
 

@@ -15,11 +15,13 @@
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
+#include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep_arguments.hpp"
+#include "terminal_map.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -33,9 +35,15 @@ std::string own_name(const RubsweepArguments& arguments) {
 /// What is said of a whole map and its exit code, whoever computed it.
 int report_map(const RubsweepArguments& arguments, const report::MapSummary& summary,
                const sweep::Study& study, MapDirectory& directory) {
-  if (!arguments.quiet) {
-    fmt::print("{}map: {}\n", summary.text(), directory.map().string());
-    warn("rubsweep", summary);
+  const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
+  const TerminalView view =
+      shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};
+  if (!arguments.quiet) fmt::print("{}{}map: {}\n", view.map, summary.text(), directory.map().string());
+  if (!arguments.quiet) warn("rubsweep", summary);
+  if (arguments.figure) {
+    arguments.figure->draw("draw_domain_map.py", directory.map(),
+                           study.machine.kick ? "Rub domains after a kick" : "Rub domains");
+    if (!arguments.quiet) fmt::print("figure: {}\n", arguments.figure->file().string());
   }
   if (arguments.report) {
     const std::filesystem::path place = directory.map().parent_path();
@@ -47,10 +55,13 @@ int report_map(const RubsweepArguments& arguments, const report::MapSummary& sum
                                    .before_leaving = [&] { directory.leave(); }});
     if (code != done) return code;
   }
+  fmt::print("{}", view.next);
   return summary.has_failed_cells() ? some_cells_failed : done;
 }
 
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
+  if (arguments.shard || arguments.merge) report::refuse_refinement(config.study.grid, "a map in shards");
+  if (arguments.report) report::refuse_refinement(config.study.grid, "a report");
   report::refuse_more_memory_than(machine_memory_bytes(), config.study,
                                   {batch::thread_count(arguments.threads)});
   batch::require_threads(arguments.threads, 1);

@@ -9,6 +9,7 @@ lib=${1:-$(dirname "${BASH_SOURCE[0]}")/../lib}
 # What each folder may include directly; what those may include comes with them. `.` is LIB/rubsweep itself.
 declare -A below=(
   [.]=''
+  [basin]='.'
   [batch]='.'
   [model]='.'
   [contact]='model'
@@ -26,14 +27,15 @@ declare -A below=(
   [response/proof]='response/motion'
   [response/rotating]='response/proof'
   [response]='response/proof response/rotating'
-  [branch]='response'
+  [branch]='sweep'
   [trace]='response'
-  [sweep]='response batch'
+  [sweep]='basin response batch'
   [line]='sweep trace'
+  [ramp]='integrate response/spectrum'
   [bench]='response'
   [ring]='batch numerics'
   [config]='sweep bench ring'
-  [report]='sweep bench branch ring line trace identify'
+  [report]='sweep bench branch ring line ramp trace identify'
   [page]='report'
 )
 

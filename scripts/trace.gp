@@ -27,6 +27,7 @@ height = title_px + rows * row_px
 x_at(px) = real(px) / width
 y_at(row, px) = 1 - real(title_px + row * row_px - bottom_px - px) / height
 file(row, name) = sprintf("%s/%d.%s", directory, row, name)
+probe_file(row, what) = file(row, probed[row] ? "probe_" . what : what)  # gnuplot reads the body of an empty loop, too
 at(list, k) = k > words(list) ? NaN : real(word(list, k))  # gnuplot reads the body of an empty loop, too
 largest(a, b) = a > b ? a : b
 
@@ -163,7 +164,7 @@ do for [format in "png svg"] {
         with lines linecolor rgb rotor linewidth 1.2 notitle, \
       file(row, "history") using (($1 - origin) * unit):($3 * 1e3) \
         with lines linecolor rgb rotor linewidth 1.2 notitle, \
-      for [k = 1:probed[row]] file(row, "probe_history") using (($1 - origin) * unit):($2 * 1e3) \
+      for [k = 1:probed[row]] probe_file(row, "history") using (($1 - origin) * unit):($2 * 1e3) \
         with points pointtype 6 pointsize 0.8 linecolor rgb probe notitle
 
     # Orbit.
@@ -194,7 +195,7 @@ do for [format in "png svg"] {
           (at(walls[row], k + 1) * at(walls[row], k + 2) + t * at(walls[row], k)) \
         with lines dashtype 2 linecolor rgb "black" notitle, \
       file(row, "orbit") using ($1 * 1e3):($2 * 1e3) with lines linecolor rgb rotor linewidth 1.2 notitle, \
-      for [k = 1:probed[row]] file(row, "probe_orbit") using ($1 * 1e3):($2 * 1e3) \
+      for [k = 1:probed[row]] probe_file(row, "orbit") using ($1 * 1e3):($2 * 1e3) \
         with points pointtype 6 pointsize 0.8 linecolor rgb probe notitle, \
       file(row, "section") using ($1 * 1e3):($2 * 1e3) with points pointtype 7 pointsize 1.1 linecolor rgb point notitle
 
@@ -213,7 +214,7 @@ do for [format in "png svg"] {
     set mxtics order[row] > 1 ? order[row] : 1
     set ytics step(1.4 * S_max_y, 7)
     plot file(row, "spectrum") using 1:($2 * 1e3) with impulses linecolor rgb rotor linewidth 2 notitle, \
-      for [k = 1:probed[row]] file(row, "probe_spectrum") using 1:($2 > 0.004 * S_max_y * 1e-3 ? $2 * 1e3 : NaN) \
+      for [k = 1:probed[row]] probe_file(row, "spectrum") using 1:($2 > 0.004 * S_max_y * 1e-3 ? $2 * 1e3 : NaN) \
         with points pointtype 6 pointsize 0.8 linecolor rgb probe notitle, \
       file(row, "labels") using 1:($2 * 1e3):3 \
         with labels rotate by 90 left offset 0, 0.4 font ",16" notitle

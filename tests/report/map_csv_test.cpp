@@ -43,9 +43,11 @@ Row full_row() {
   row.order = 2;
   row.measures.emplace();
   row.measures->turns = 48;
-  row.measures->contact = {
-      .hits = 72, .contact_fraction = 0.125, .peak_displacement_m = 2.5e-3, .peak_contact_force_n = 1234.5,
-      .peak_casing_displacement_m = 3e-4};
+  row.measures->contact = {.hits = 72,
+                           .contact_fraction = 0.125,
+                           .peak_displacement_m = 2.5e-3,
+                           .peak_contact_force_n = 1234.5,
+                           .peak_casing_displacement_m = 3e-4};
   row.peak_over_clearance = 2.5;
   row.measures->amplitude_1x_forward_m = 4.56e-4;
   row.measures->amplitude_1x_backward_m = 2e-5;

@@ -104,7 +104,8 @@ TEST(MapSummary, WarnsOfCellsThatMoveFartherThanTheLimit) {
   far.peak_over_clearance = 10.5;
   farther.peak_over_clearance = 39.25;
   const MapSummary summary = summary_of({near, far, farther, row(MotionClass::non_contact)});
-  EXPECT_NE(summary.text().find("       2  move farther than 10 clearances, at most 39.2\n"), std::string::npos)
+  EXPECT_NE(summary.text().find("       2  move farther than 10 clearances, at most 39.2\n"),
+            std::string::npos)
       << summary.text();
   EXPECT_TRUE(summary.warning().starts_with(
       "warning: in 2 of 4 cells the rotor moves farther than 10 clearances, at most 39.2;"))

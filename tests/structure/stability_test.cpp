@@ -49,8 +49,8 @@ TEST(GrowthPerS, IsTheRootOfTheComplexEquation) {
 }
 
 /// A slender shaft in bearings that hardly move, with ratios that are the same for every mode: its first mode
-/// is a Jeffcott rotor of its own, but for the little that discs in its middle and the thin shaft turn about a
-/// diameter.
+/// is a Jeffcott rotor of its own, but for the little that discs in its middle and the thin shaft turn about
+/// a diameter.
 TEST(InstabilityHz, OfARotorKitIsThatOfItsFirstMode) {
   model::RotorKit kit;
   kit.shaft = {{.length_m = 0.46,

@@ -17,13 +17,6 @@ constexpr double sharp_turn = 0.94;    ///< and of the one that halves it
 constexpr double most_missed = 0.2;    ///< by the guess, per step
 constexpr int easy_iterations = 4;
 
-/// Turns the branch about.
-BranchPoint reversed(BranchPoint point) {
-  point.tangent = -point.tangent;
-  point.branching = -point.branching;  // its last row is the tangent
-  return point;
-}
-
 bool in_range(const OrbitProblem& problem, double parameter) {
   return parameter >= problem.low && parameter <= problem.high;
 }
@@ -94,9 +87,9 @@ class Follower {
     const double parameter = std::clamp(beyond.parameter, problem_.low, problem_.high);
     if (here().parameter == parameter) return end(Ending::left_range);
     const double share = (parameter - here().parameter) / (beyond.parameter - here().parameter);
-    const Correction found =
-        correct_at(problem_, here().state + share * (beyond.state - here().state), parameter);
+    Correction found = correct_at(problem_, here().state + share * (beyond.state - here().state), parameter);
     if (!found.converged) return shorten(Ending::step_too_small);
+    found.point.parameter = parameter;  // not as its coordinate rounds it
     const double length =
         here().tangent.dot(position_of(problem_, found.point) - position_of(problem_, here()));
     auto last = completed(problem_, found.point, here().tangent, here().arclength + length);
@@ -114,7 +107,7 @@ class Follower {
   /// False where what lies between here and `next` is not one piece of a branch.
   bool accept(BranchPoint next) {
     if (is_closed_by(next)) return true;
-    auto events = events_between(problem_, here(), next);
+    auto events = events_between(problem_, here(), next, options_.every_graze);
     if (!events) return false;
     for (BranchEvent& event : *events) {
       half_.events.push_back(std::move(event));
@@ -159,7 +152,7 @@ class Follower {
       const Segment segment(problem_, here(), next);
       const auto there = segment.at(ahead);
       if (!there || (position_of(problem_, *there) - b).norm() > same) continue;
-      auto events = events_between(problem_, here(), *there);
+      auto events = events_between(problem_, here(), *there, options_.every_graze);
       if (!events) continue;
       std::ranges::move(*events, std::back_inserter(half_.events));
       half_.points.push_back(*there);
@@ -178,7 +171,7 @@ class Follower {
 };
 
 /// Its arclengths as those of the other side: below 0.
-void turn_about(HalfBranch& half) {
+void turn_half_about(HalfBranch& half) {
   for (BranchPoint& point : half.points) point.arclength = -point.arclength;
   for (BranchEvent& event : half.events) event.point.arclength = -event.point.arclength;
   std::ranges::reverse(half.points);
@@ -196,6 +189,12 @@ std::optional<BranchPoint> orbit_from(const OrbitProblem& problem, const Eigen::
   return completed(problem, found.point, along_parameter, 0);
 }
 
+BranchPoint turned_about(BranchPoint point) {
+  point.tangent = -point.tangent;
+  point.branching = -point.branching;  // its last row is the tangent
+  return point;
+}
+
 HalfBranch follow(const OrbitProblem& problem, const BranchPoint& start, const FollowOptions& options) {
   return Follower(problem, start, options).run();
 }
@@ -206,9 +205,9 @@ Branch follow_both_ways(const OrbitProblem& problem, const BranchPoint& start, c
   HalfBranch rising = follow(problem, start, options);
   branch.rising = branch.falling = rising.ending;
   if (rising.ending != Ending::closed) {
-    HalfBranch falling = follow(problem, reversed(start), options);
+    HalfBranch falling = follow(problem, turned_about(start), options);
     branch.falling = falling.ending;
-    turn_about(falling);
+    turn_half_about(falling);
     falling.points.pop_back();  // the start, which is the first of the other side
     branch.points = std::move(falling.points);
     branch.events = std::move(falling.events);

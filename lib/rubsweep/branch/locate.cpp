@@ -82,15 +82,13 @@ class Finder {
   Finder(const OrbitProblem& problem, const BranchPoint& from, const BranchPoint& to)
       : problem_(problem), from_(from), to_(to), segment_(problem, from, to) {}
 
-  std::vector<BranchEvent> all() {
+  std::vector<BranchEvent> all(bool every_graze) {
     if (!(segment_.length() > 0)) throw Broken{};
     if (!joins_half_period()) find_turns();
     find_doublings();
     find_tori();
     if (!stability_explained()) find_change_of_stability();
-    auto grazes = grazes_between(problem_, from_, to_);
-    if (!grazes) throw Broken{};
-    std::ranges::move(*grazes, std::back_inserter(events_));
+    if (every_graze || from_.facts.touched != to_.facts.touched) find_grazes();
     std::ranges::stable_sort(events_, {}, [](const BranchEvent& event) { return event.point.arclength; });
     return std::move(events_);
   }
@@ -117,6 +115,12 @@ class Finder {
     ++single_;
     sharpen_halving(problem_, events_.back());
     return true;
+  }
+
+  void find_grazes() {
+    auto grazes = grazes_between(problem_, from_, to_);
+    if (!grazes) throw Broken{};
+    std::ranges::move(*grazes, std::back_inserter(events_));
   }
 
   void find_change_of_stability() {
@@ -167,9 +171,9 @@ class Finder {
 }  // namespace
 
 std::optional<std::vector<BranchEvent>> events_between(const OrbitProblem& problem, const BranchPoint& from,
-                                                       const BranchPoint& to) {
+                                                       const BranchPoint& to, bool every_graze) {
   try {
-    return Finder(problem, from, to).all();
+    return Finder(problem, from, to).all(every_graze);
   } catch (const Broken&) {
     return std::nullopt;
   }

@@ -18,6 +18,6 @@ namespace rubsweep::branch {
 /// bisection of that count. Empty where the piece between the points is not continuous: an orbit on the way
 /// is not found, or the two points belong to different branches.
 std::optional<std::vector<BranchEvent>> events_between(const OrbitProblem& problem, const BranchPoint& from,
-                                                       const BranchPoint& to);
+                                                       const BranchPoint& to, bool every_graze);
 
 }  // namespace rubsweep::branch

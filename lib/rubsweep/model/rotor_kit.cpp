@@ -87,7 +87,8 @@ bool has_rotating_damping(const RotorKit& kit) {
 }
 
 bool has_pedestals(const RotorKit& kit) {
-  return std::ranges::any_of(kit.supports, [](const Support& support) { return support.pedestal.has_value(); });
+  return std::ranges::any_of(kit.supports,
+                             [](const Support& support) { return support.pedestal.has_value(); });
 }
 
 Range coupling_places(const RotorKit& kit) {
@@ -132,8 +133,8 @@ void validate(const RotorKit& kit, const std::string& path) {
                kit.bow->shape);
   }
   if (kit.torsion) require_fields(*kit.torsion, path + "torsion.");
-  for (const auto& [name, ratios] :
-       {std::pair("damping_ratio", &kit.damping_ratio), {"rotating_damping_ratio", &kit.rotating_damping_ratio}}) {
+  for (const auto& [name, ratios] : {std::pair("damping_ratio", &kit.damping_ratio),
+                                     {"rotating_damping_ratio", &kit.rotating_damping_ratio}}) {
     if (ratios->empty()) throw ConfigError(path + name + ": at least one number is needed");
     for (const double ratio : *ratios) require(path + name, ratio, RotorKit::damping_ratio_range);
   }

@@ -183,9 +183,9 @@ struct RotorKit {
   std::vector<double> damping_ratio{0};  ///< structural, of mode 1, 2, ...; the last one goes on
   /// The same of the damping that turns with the shaft; without pedestals, which do not.
   std::vector<double> rotating_damping_ratio{0};
-  std::optional<int> modes;              ///< bending modes kept in each plane; empty: as many as it takes
-  double modes_up_to_hz = 2000;          ///< up to where the reduced rotor answers as the full one
-  int elements = 24;                     ///< least number of beam elements along the whole shaft
+  std::optional<int> modes;      ///< bending modes kept in each plane; empty: as many as it takes
+  double modes_up_to_hz = 2000;  ///< up to where the reduced rotor answers as the full one
+  int elements = 24;             ///< least number of beam elements along the whole shaft
 
   static constexpr Range damping_ratio_range{.low = 0, .high = 1};
   static constexpr int most_modes = 40;

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "rubsweep/report/map_summary.hpp"
 
 namespace rubsweep::report {
 namespace {
 
-constexpr std::size_t most_rows = 20, label_width = 10;
+constexpr std::size_t most_rows = 20, label_width = 14;
 
 /// How the motions whose name begins so are shown; the first that fits. Colours as in
 /// scripts/motion_kinds.gp.
@@ -54,6 +55,19 @@ std::string shown(const Sign& sign, bool coloured) {
                      sign.character);
 }
 
+/// What each sign means, by its character; those of long periods together.
+std::vector<std::pair<std::string, Sign>> legend_of(const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, Sign>> legend;
+  for (const std::string& name : names) {
+    const Sign sign = sign_of(name);
+    const std::string meaning = sign.character == '+' ? "subharmonic of more than 9 turns" : name;
+    const bool known = std::ranges::any_of(legend, [&](const auto& entry) { return entry.first == meaning; });
+    if (!known) legend.emplace_back(meaning, sign);
+  }
+  std::ranges::stable_sort(legend, {}, [](const auto& entry) { return entry.second.character; });
+  return legend;
+}
+
 /// The middle value of the i-th of `parts` equal parts of a range.
 std::size_t middle_of(std::size_t i, std::size_t parts, std::size_t values) {
   return (2 * i + 1) * values / (2 * parts);
@@ -87,14 +101,14 @@ std::string TerminalMap::text(std::size_t width, bool coloured) const {
   const std::size_t between = columns > from.size() + to.size() ? columns - from.size() - to.size() : 1;
   text += fmt::format("{:>{}} {}{:{}}{}\n", to_string(grid_.measure), label_width, from, "", between, to);
   std::size_t used = 0;
-  for (const std::string& name : names_) {
-    const std::string entry = fmt::format("  {} {}", sign_of(name).character, name);
-    if (used + entry.size() > width && used > 0) {
+  for (const auto& [name, sign] : legend_of(names_)) {
+    const std::size_t size = name.size() + 4;
+    if (used + size > width && used > 0) {
       legend += '\n';
       used = 0;
     }
-    used += entry.size();
-    legend += fmt::format("  {} {}", shown(sign_of(name), coloured), name);
+    used += size;
+    legend += fmt::format("  {} {}", shown(sign, coloured), name);
   }
   return text + legend + '\n';
 }

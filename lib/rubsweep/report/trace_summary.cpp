@@ -79,10 +79,10 @@ std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& w
 
 std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePair& pair,
                           const trace::Probes& probes) {
-  const std::string what =
-      period.period ? *period.period == 1 ? std::string("repeats every turn")
-                                          : fmt::format("repeats after {} turns", *period.period)
-                    : std::string("repeats after none of the numbers of turns looked for");
+  const std::string what = period.period
+                               ? *period.period == 1 ? std::string("repeats every turn")
+                                                     : fmt::format("repeats after {} turns", *period.period)
+                               : std::string("repeats after none of the numbers of turns looked for");
   return fmt::format(
       "probes    {} by {} readings of sensors {} ({:g} deg) and {} ({:g} deg) every {:g} s, noise {:g} m: "
       "{:.2g} % of the energy off the lines, {:.2g} % allowed\n",

@@ -25,7 +25,8 @@ ProbeReader::ProbeReader(const scene::Scene& scene, double speed_hz, Probes prob
 
 void ProbeReader::add(const integrate::run::TurnReport& turn) {
   for (;; ++count_) {
-    const double turns = static_cast<double>(count_) * probes_.sample_s * speed_hz_ - static_cast<double>(turn_);
+    const double turns =
+        static_cast<double>(count_) * probes_.sample_s * speed_hz_ - static_cast<double>(turn_);
     if (turns >= 1) break;
     for (Eigen::Index probe = 0; probe < probes_.rows.rows(); ++probe)
       readings_m_.push_back(reading(turn, std::max(0.0, turns), probe));
@@ -39,13 +40,15 @@ double ProbeReader::reading(const integrate::run::TurnReport& turn, double turns
   const double place = turns * turn.sample_count;
   const int k = std::min(static_cast<int>(place), turn.sample_count - 1);
   const double x = place - k, y = 1 - x, h = 2 * std::numbers::pi / turn.sample_count;
-  const double* from = turn.samples.data() + static_cast<std::ptrdiff_t>(k) * static_cast<std::ptrdiff_t>(states_);
+  const double* from =
+      turn.samples.data() + static_cast<std::ptrdiff_t>(k) * static_cast<std::ptrdiff_t>(states_);
   const double* to = k + 1 < turn.sample_count ? from + states_ : turn.section.data();
   using Part = Eigen::Map<const Eigen::VectorXd>;
   const auto row = probes_.rows.row(probe);
   const double a = row.dot(Part(from, n)), a_rate = row.dot(Part(from + n, n)), b = row.dot(Part(to, n)),
                b_rate = row.dot(Part(to + n, n));
-  return length_m_ * (y * y * ((1 + 2 * x) * a + x * h * a_rate) + x * x * ((1 + 2 * y) * b - y * h * b_rate));
+  return length_m_ *
+         (y * y * ((1 + 2 * x) * a + x * h * a_rate) + x * x * ((1 + 2 * y) * b - y * h * b_rate));
 }
 
 Eigen::MatrixXd ProbeReader::readings_m() const {

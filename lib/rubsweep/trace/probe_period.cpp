@@ -26,8 +26,8 @@ Complex geometric(double step_rad, std::size_t count) {
   return sum;
 }
 
-/// Energy per reading that lines at multiples of 1/n, 0X included, leave of `z`. The readings are equidistant, so
-/// that the normal equations have one number for each difference of two lines.
+/// Energy per reading that lines at multiples of 1/n, 0X included, leave of `z`. The readings are
+/// equidistant, so that the normal equations have one number for each difference of two lines.
 double left_by_lines(std::span<const Complex> z, double turns_per_reading, int n) {
   const double highest = std::min(highest_order, below_folding / turns_per_reading);
   const int k_most = static_cast<int>(std::floor(highest * n));
@@ -84,7 +84,8 @@ std::optional<ProbePair> pair_of(const std::vector<double>& angle_deg, const std
 
 std::vector<Complex> displacement_of(const Eigen::MatrixXd& readings_m, const ProbePair& pair,
                                      const std::vector<double>& angle_deg) {
-  const double a = angle_deg[pair.first] * degree, b = angle_deg[pair.second] * degree, sine = std::sin(b - a);
+  const double a = angle_deg[pair.first] * degree, b = angle_deg[pair.second] * degree,
+               sine = std::sin(b - a);
   std::vector<Complex> z;
   for (Eigen::Index k = 0; k < readings_m.rows(); ++k) {
     const double first = readings_m(k, static_cast<Eigen::Index>(pair.first)),

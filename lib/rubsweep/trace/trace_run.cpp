@@ -32,8 +32,9 @@ class Recorder {
   void add_samples(const integrate::run::TurnReport& turn) {
     std::vector<TracedState> states;
     for (int k = 0; k * refinement_ < turn.sample_count; ++k) {
-      const auto scaled = std::span(turn.samples)
-                              .subspan(static_cast<std::size_t>(k * refinement_) * reader_.size(), reader_.size());
+      const auto scaled =
+          std::span(turn.samples)
+              .subspan(static_cast<std::size_t>(k * refinement_) * reader_.size(), reader_.size());
       if (std::any_of(scaled.begin(), scaled.end(), [](double value) { return std::isnan(value); })) break;
       states.push_back({sample_time_s(k), reader_.read(scaled)});
       const Eigen::Vector2d& z = states.back().state.displacement_m;
@@ -111,8 +112,10 @@ double trace_bytes(const TraceOptions& options, std::size_t stops) {
       std::min(options.revolutions, options.trajectory_revolutions.value_or(options.revolutions));
   double reading_bytes = 0;
   if (options.probes) {
-    const double readings = static_cast<double>(options.revolutions) / (options.speed_hz * options.probes->sample_s);
-    reading_bytes = copies * readings * number_bytes * static_cast<double>(4 + 2 * options.probes->rows.rows());
+    const double readings =
+        static_cast<double>(options.revolutions) / (options.speed_hz * options.probes->sample_s);
+    reading_bytes =
+        copies * readings * number_bytes * static_cast<double>(4 + 2 * options.probes->rows.rows());
   }
   return reading_bytes + copies * section_bytes * static_cast<double>(options.revolutions) +
          copies * sample_bytes * static_cast<double>(kept) * options.samples_per_revolution +

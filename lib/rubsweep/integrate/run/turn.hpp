@@ -75,9 +75,9 @@ struct TurnReport {
   int hits = 0;                 ///< open -> touching, all contacts together
   double contact_fraction = 0;  ///< share of the turn with at least one contact touching
   double peak_displacement_m = 0;
-  double peak_contact_force_n = 0;  ///< largest normal force at any one contact
+  double peak_contact_force_n = 0;        ///< largest normal force at any one contact
   double peak_casing_displacement_m = 0;  ///< largest distance of any casing from its unloaded place
-  bool touched = false;             ///< some contact was touching at some time in the turn
+  bool touched = false;                   ///< some contact was touching at some time in the turn
   bool touching_at_end = false;
   bool slip_reversed = false;  ///< a slip speed was <= 0 while touching
   Effort effort;               ///< of the whole run so far

@@ -82,13 +82,18 @@ double largest_force(const ContactSeries& contact, int order, double fastest, do
   return largest_of(force, fastest, duration_rad);
 }
 
-template LargestDisplacements largest_displacements<2>(const Expansion<2>&,
-    const run::ScaledSystem<2>&, double, double, std::vector<double>&, std::vector<double>&);
-template LargestDisplacements largest_displacements<4>(const Expansion<4>&,
-    const run::ScaledSystem<4>&, double, double, std::vector<double>&, std::vector<double>&);
-template LargestDisplacements largest_displacements<6>(const Expansion<6>&,
-    const run::ScaledSystem<6>&, double, double, std::vector<double>&, std::vector<double>&);
+template LargestDisplacements largest_displacements<2>(const Expansion<2>&, const run::ScaledSystem<2>&,
+                                                       double, double, std::vector<double>&,
+                                                       std::vector<double>&);
+template LargestDisplacements largest_displacements<4>(const Expansion<4>&, const run::ScaledSystem<4>&,
+                                                       double, double, std::vector<double>&,
+                                                       std::vector<double>&);
+template LargestDisplacements largest_displacements<6>(const Expansion<6>&, const run::ScaledSystem<6>&,
+                                                       double, double, std::vector<double>&,
+                                                       std::vector<double>&);
 template LargestDisplacements largest_displacements<Eigen::Dynamic>(const Expansion<Eigen::Dynamic>&,
-    const run::ScaledSystem<Eigen::Dynamic>&, double, double, std::vector<double>&, std::vector<double>&);
+                                                                    const run::ScaledSystem<Eigen::Dynamic>&,
+                                                                    double, double, std::vector<double>&,
+                                                                    std::vector<double>&);
 
 }  // namespace rubsweep::integrate::taylor
