@@ -60,6 +60,7 @@ expect_exit 0 "$kit" "${small[@]}" --set sweep.speed_hz='{values: [70, 100]}' --
 [[ $(cells map/map.csv class order | head -n 1) == subharmonic,2 ]] || fail "another label: $(rows map/map.csv)"
 
 # Run-up through rub: it begins where the whirl grows to the clearance, near where it does at steady speeds.
+rubsweep=$trace
 expect_exit 0 "$minimal" --run-up 24:50:4 --eccentricity-m 2e-4 --with-stops --output through
 expect_files through config.yaml envelope.csv orbits.csv quasi_static.csv rub.csv spectrogram.csv
 [[ $(count_rows through/rub.csv "source == 'ramp' and 27 < from_hz < 29 and 42 < to_hz < 47") == 1 ]] || fail "other rub: $(<through/rub.csv)"
@@ -72,7 +73,6 @@ expect_exit 0 "$kit" --run-up 24:40:8 --eccentricity-m 2e-4 --with-stops --set r
 [[ $(count_rows kit_through/rub.csv "source == 'ramp'") -ge 1 ]] || fail 'the kit does not rub'
 
 # Command line of the experiments.
-rubsweep=$trace
 # refused TEXT ARGUMENT...
 refused() {
   local text=$1
