@@ -77,7 +77,8 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
       part_(part),
       header_(header_of(config)),
       head_(comments_and_header(header_.study_digest, config.study)),
-      warn_over_clearances_(config.warn_over_clearances) {
+      warn_over_clearances_(config.warn_over_clearances),
+      refined_(config.study.grid.refinement.has_value()) {
   allow_as_many_files_as_there_may_be();
   make_directory(directory_);
   // One begins at a time: what one of them reads here, no other removes meanwhile.
@@ -90,6 +91,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   refuse_journals_of_others();
   if (fs::exists(map())) {
     finished_map_ = read_finished_map(map(), config.study, warn_over_clearances_);
+    if (refined_) finished_map_->cells = header_.cells;  // how many it wanted is for it alone to know
     refuse_map_of_another(*finished_map_, map(), header_);
     // Whoever wrote it may have been killed before they were gone.
     if (!part_) remove_journals();
@@ -231,6 +233,15 @@ void MapDirectory::remove_journals() const {
   for (const fs::path& journal : journals()) fs::remove(journal);
 }
 
+void MapDirectory::for_each_finished(
+    const std::function<void(std::size_t cell, const std::string& line)>& visit) const {
+  batch::FinishedCells finished(header_.cells);
+  for (const fs::path& journal : journals()) finished.add(journal);
+  for (std::size_t cell = 0; cell < header_.cells; ++cell) {
+    if (finished.contains(cell)) visit(cell, finished.text(cell));
+  }
+}
+
 report::MapSummary MapDirectory::write_map() const {
   batch::FinishedCells finished(header_.cells);
   for (const fs::path& journal : journals()) finished.add(journal);
@@ -238,6 +249,7 @@ report::MapSummary MapDirectory::write_map() const {
   batch::WholeFile file(map());
   file.write(head_);
   for (std::size_t cell = 0; cell < header_.cells; ++cell) {
+    if (refined_ && !finished.contains(cell)) continue;
     if (!finished.contains(cell)) {
       throw IoError(fmt::format("{}: {} of {} cells are not finished", directory_.string(),
                                 header_.cells - finished.count(), header_.cells));

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,7 +53,11 @@ class MapDirectory {
   /// Where finished cells can be watched: holds those that were finished when the work began.
   std::filesystem::path partial() const { return path(".partial.csv"); }
 
-  /// Writes map.csv from every journal and removes those; only when no cell is missing. Throws IoError.
+  /// Every finished cell with its line, ascending. Throws IoError.
+  void for_each_finished(const std::function<void(std::size_t cell, const std::string& line)>& visit) const;
+
+  /// Writes map.csv from every journal and removes those; only when no cell is missing, or when a refined map
+  /// wants no more. Throws IoError.
   report::MapSummary write_map() const;
 
   std::filesystem::path map() const { return directory_ / "map.csv"; }
@@ -83,6 +88,7 @@ class MapDirectory {
   std::size_t cells_ = 0;
   std::vector<std::size_t> missing_;
   std::optional<FinishedMap> finished_map_;
+  bool refined_ = false;  ///< the map holds some of the cells
 };
 
 /// Opens the journal of another process that helps the one whose MapDirectory this is. Throws IoError.

@@ -15,7 +15,9 @@
 #include "program.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
+#include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/idle_torsion.hpp"
@@ -35,7 +37,38 @@ MissingCells::MissingCells(const RubsweepArguments& arguments, const sweep::Stud
       progress_(directory.cells(), arguments.quiet ? batch::ProgressMode::never : arguments.progress, stderr,
                 directory.finished()) {}
 
+/// Round after round of the cells that those before them ask for.
+bool MissingCells::run_refined() {
+  const auto number_of = [&](const std::string& line) {
+    return numbers_.try_emplace(report::label_of(line), static_cast<int>(numbers_.size())).first->second;
+  };
+  labels_.assign(sweep::cell_count(study_.grid), sweep::unknown_label);
+  std::optional<Watch> watch(
+      std::in_place, [this] { refresh(); }, [this] { leave(); });
+  while (true) {
+    directory_.for_each_finished(
+        [&](std::size_t cell, const std::string& line) { labels_[cell] = number_of(line); });
+    const std::vector<std::size_t> wanted = sweep::wanted_cells(study_.grid, labels_);
+    if (wanted.empty()) break;
+    run_cells(wanted);
+    if (stop_) {
+      watch.reset();
+      say_interrupted();
+      return false;
+    }
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    complete_ = true;
+  }
+  watch.reset();
+  progress_.finish();
+  if (!arguments_.quiet) say(report::describe_refinement(study_.grid, labels_));
+  return true;
+}
+
 bool MissingCells::run() {
+  if (study_.grid.refinement) return run_refined();
   const scene::PreparedMachine prepared = scene::prepare_machine(study_.machine);
   const double slowest_hz = *std::ranges::min_element(study_.grid.speed_hz);
   for (std::string why : {sweep::why_torsion_is_idle(prepared, slowest_hz),
@@ -92,7 +125,7 @@ void MissingCells::refresh() {
 /// Nothing can get into the journal any more once the mutex is held.
 void MissingCells::leave() {
   const std::lock_guard lock(mutex_);
-  if (all_finished()) return;
+  if (all_finished() || complete_) return;
   say_interrupted();
   directory_.leave();
   std::_Exit(128 + caught_signal());

@@ -2,9 +2,11 @@
 
 #include <atomic>
 #include <cstddef>
+#include <map>
 #include <mutex>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "map_directory.hpp"
 #include "rubsweep/batch/journal.hpp"
@@ -28,6 +30,7 @@ class MissingCells {
 
  private:
   bool all_finished() const { return finished_ == directory_.missing().size(); }
+  bool run_refined();
   void run_cells(std::span<const std::size_t> cells);
   void write_down(std::size_t cell, const sweep::Row& row);
   bool say_progress(const std::string& text);
@@ -44,6 +47,9 @@ class MissingCells {
   batch::LineLog partial_;
   batch::Progress progress_;
   std::size_t finished_ = 0;
+  bool complete_ = false;               ///< a refined map wants no more cells
+  std::vector<int> labels_;             ///< of a refined map
+  std::map<std::string, int> numbers_;  ///< of its labels
 };
 
 }  // namespace rubsweep::apps

@@ -15,6 +15,7 @@
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
+#include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
@@ -59,6 +60,8 @@ int report_map(const RubsweepArguments& arguments, const report::MapSummary& sum
 }
 
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
+  if (arguments.shard || arguments.merge) report::refuse_refinement(config.study.grid, "a map in shards");
+  if (arguments.report) report::refuse_refinement(config.study.grid, "a report");
   report::refuse_more_memory_than(machine_memory_bytes(), config.study,
                                   {batch::thread_count(arguments.threads)});
   batch::require_threads(arguments.threads, 1);

@@ -29,6 +29,7 @@
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
+#include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
@@ -69,6 +70,7 @@ ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  report::refuse_refinement(config.study.grid, "a map of several processes");
   report::refuse_more_memory_than(memory_bytes, config.study,
                                   {batch::thread_count(arguments.threads), ranks});
   config.output_directory = fs::absolute(arguments.output.value_or(config.output_directory));

@@ -9,6 +9,7 @@ lib=${1:-$(dirname "${BASH_SOURCE[0]}")/../lib}
 # What each folder may include directly; what those may include comes with them. `.` is LIB/rubsweep itself.
 declare -A below=(
   [.]=''
+  [basin]='.'
   [batch]='.'
   [model]='.'
   [contact]='model'
@@ -28,7 +29,7 @@ declare -A below=(
   [response]='response/proof response/rotating'
   [branch]='sweep'
   [trace]='response'
-  [sweep]='response batch'
+  [sweep]='basin response batch'
   [line]='sweep trace'
   [ramp]='integrate response/spectrum'
   [bench]='response'

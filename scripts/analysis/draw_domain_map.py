@@ -7,6 +7,7 @@ import configuration
 import domain_map
 import gnuplot
 import map_heading
+import refined_map
 import swept_axes
 from command import require_readable, run_program
 
@@ -41,6 +42,10 @@ def main(arguments):
     if across == "speed_hz":
         boundary_file = os.path.join(os.path.dirname(map_file), "boundaries.csv")
         boundaries = domain_map.read_boundaries(boundary_file, up, natural_hz)
+    if "sweep.refine.levels" in config:
+        columns = [swept_axes.values(config, axis) for axis in (across, up)]
+        columns[0] = [value / (natural_hz or 1) for value in columns[0]]
+        cells = refined_map.painted_cells(cells, *columns, int(config["sweep.refine.levels"]))
     present = " ".join(sorted({cell.kind for cell in cells}))
     os.makedirs(os.path.dirname(output), exist_ok=True)
     with tempfile.NamedTemporaryFile("w", encoding="utf-8") as file:

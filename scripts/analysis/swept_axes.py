@@ -27,6 +27,15 @@ def plane(config):
     return swept[0], unbalance if swept[0] == "speed_hz" else "speed_hz"
 
 
+def values(config, column):
+    """The values of the axis that is this column, in the order of the configuration."""
+    for name in ("speed_hz", "whirl_ratio", "eccentricity_m", "x", "y", "z"):
+        first = config.get(f"sweep.{name}.key") or config.get(f"sweep.{name}.keys", name).strip("[]").split(",")[0]
+        if first == column:
+            return _values(config, f"sweep.{name}")
+    raise configuration.ConfigurationError(f"no axis is called {column}")
+
+
 def _values(config, path):
     text = config.get(f"{path}.values")
     return configuration.numbers(text) if text else []

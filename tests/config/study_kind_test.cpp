@@ -37,9 +37,32 @@ TEST(StudyKind, IsPrintedAndCountsInTheDigest) {
   EXPECT_EQ(print_config(read_run_config_text(print_config(finer), "printed", {})), print_config(finer));
 }
 
+TEST(StudyKind, ReadsAndPrintsBasins) {
+  const RunConfig config = with(
+      "{kind: basin, samples: 100, over: [{key: kick.force_n, from: 1, to: 400, scale: log}, "
+      "{key: kick.angle_deg, from: 0, to: 360}]}");
+  ASSERT_TRUE(config.study.basin);
+  EXPECT_EQ(config.study.basin->samples, 100u);
+  ASSERT_EQ(config.study.basin->over.size(), 2u);
+  EXPECT_TRUE(config.study.basin->over[0].logarithmic);
+  EXPECT_EQ(config.study.basin->over[1].to, 360);
+  EXPECT_EQ(print_config(read_run_config_text(print_config(config), "printed", {})), print_config(config));
+}
+
+TEST(StudyKind, RefusesBasinsThatCannotBeDrawn) {
+  EXPECT_EQ(problem("{kind: basin, samples: 0, over: [{key: kick.force_n, from: 1, to: 400}]}"),
+            "study.samples: 0 is out of range, allowed: an integer from 1 to 1000000");
+  EXPECT_EQ(problem("{kind: basin, samples: 9, over: [{key: kick.force_n, from: -1, to: 400}]}"),
+            "kick.force_n: -1 is out of range, allowed: a number >= 0");
+  EXPECT_EQ(problem("{kind: basin, samples: 9, over: [{key: kick.force_n, from: 0, to: 4, scale: log}]}"),
+            "study.over.0.scale: a logarithmic scale has no place for 0 or less, allowed: from and to > 0");
+  EXPECT_EQ(problem("{kind: basin, samples: 9, over: [{key: kick.force_n, from: 0, to: 0}]}"),
+            "study.over.0.to: is no other number than from, allowed: another number");
+}
+
 TEST(StudyKind, RefusesWhatIsNoScan) {
   EXPECT_EQ(problem("{kind: treshold}"),
-            "study.kind: 'treshold' is unknown (did you mean 'threshold'?), allowed: threshold");
+            "study.kind: 'treshold' is unknown (did you mean 'threshold'?), allowed: threshold, basin");
   EXPECT_EQ(problem("{kind: threshold, key: kick.force_n, values: [20, 10]}"),
             "study.values: does not ascend, allowed: two values or more, each larger than the one before");
   EXPECT_EQ(

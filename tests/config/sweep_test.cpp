@@ -54,6 +54,16 @@ TEST(Sweep, TakesEitherMeasureOfUnbalance) {
   EXPECT_EQ(eccentricity.unbalance, std::vector<double>{1e-5});
 }
 
+TEST(Sweep, ReadsItsRefinement) {
+  EXPECT_FALSE(grid_with({}).refinement);
+  const auto refinement = grid_with({"sweep.refine={levels: 3, probes: 2}"}).refinement;
+  ASSERT_TRUE(refinement);
+  EXPECT_EQ(refinement->levels, 3);
+  EXPECT_EQ(refinement->probes, 2);
+  EXPECT_EQ(message_of(test_file("minimal.yaml"), {"sweep.refine={probes: 2}"}),
+            "--set sweep.refine={probes: 2}: sweep.refine.levels: missing, allowed: an integer from 1 to 12");
+}
+
 TEST(Sweep, RefusesZeroAsOneValueTwice) {
   EXPECT_EQ(
       message_of(test_file("minimal.yaml"), {"sweep.whirl_ratio={values: [0, -0]}"}),

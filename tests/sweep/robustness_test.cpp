@@ -38,6 +38,22 @@ TEST(IsRobust, KicksALittleWeakerAndALittleStronger) {
   EXPECT_EQ(forces_n, (std::vector{200 * (1 - 1e-6), 200 * (1 + 1e-6)}));
 }
 
+TEST(RobustShare, CountsTheNeighboursThatKeepClassAndOrder) {
+  const Row found = row(MotionClass::subharmonic, 2);
+  std::vector<double> forces_n;
+  const auto share =
+      robust_share(found, kicked(), {.count = 4, .part = 0.1}, [&](const model::Machine& machine) {
+        forces_n.push_back(machine.kick->force_n);
+        return machine.kick->force_n > 215 ? row(MotionClass::subharmonic, 3) : found;
+      });
+  EXPECT_EQ(share, 0.75);
+  ASSERT_EQ(forces_n.size(), 4u);
+  const std::vector<double> wanted{180, 190, 210, 220};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(forces_n[i], wanted[i], 1e-12);
+  EXPECT_FALSE(
+      robust_share(row(MotionClass::failed), kicked(), {}, [](const model::Machine&) { return Row{}; }));
+}
+
 TEST(IsRobust, NotWhereEitherChangesClassOrOrder) {
   const Row found = row(MotionClass::subharmonic, 2);
   for (const Row& other :

@@ -14,8 +14,9 @@ constexpr IntegerRange window{2, 4096};
 constexpr IntegerRange order{1, 1024};
 
 constexpr Words<bool, 2> on_off{{"off", "on"}, {false, true}};
-constexpr Words<sweep::Robustness, 2> switches{{"off", "on"},
-                                               {sweep::Robustness::off, sweep::Robustness::on}};
+constexpr Words<sweep::Robustness, 3> switches{
+    {"off", "on", "probability"},
+    {sweep::Robustness::off, sweep::Robustness::on, sweep::Robustness::probability}};
 
 void visit_fields(auto& study, auto&& visit) {
   auto& response = study.response;
@@ -25,6 +26,14 @@ void visit_fields(auto& study, auto&& visit) {
   visit("max_order", response.max_order, order);
   visit("floquet_proof", response.floquet_proof, on_off);
   visit("robustness", study.robustness, switches);
+}
+
+// Only with robustness: probability, so that the configurations of other maps stay as they are.
+void visit_neighbours(auto& neighbours, auto&& visit) {
+  constexpr IntegerRange counts{2, 1000, true};
+  constexpr model::Range parts{.low = 0, .high = 1, .low_open = true, .high_open = true};
+  visit("robustness_neighbours", neighbours.count, counts);
+  visit("robustness_part", neighbours.part, parts);
 }
 
 void refuse_contradictions(const Section& section, const response::motion::ResponseOptions& options) {
@@ -52,6 +61,11 @@ void read_response(const Value& value, sweep::Study& study) {
   const std::size_t problems = section.problem_count();
   visit_fields(study,
                [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
+  visit_neighbours(study.neighbours, [&](auto name, auto& field, const auto& allowed) {
+    section.field(name, field, allowed);
+    if (study.robustness != sweep::Robustness::probability && section.find(name))
+      section.refuse_together(name, {name}, "says nothing without robustness: probability", "no such key");
+  });
   if (section.problem_count() == problems) refuse_contradictions(section, study.response);
   section.refuse_unknown_keys();
 }
@@ -60,6 +74,11 @@ void print_response(Printer& printer, const sweep::Study& study) {
   printer.open("response");
   visit_fields(
       study, [&](auto name, const auto& field, const auto& allowed) { printer.field(name, field, allowed); });
+  if (study.robustness == sweep::Robustness::probability) {
+    visit_neighbours(study.neighbours, [&](auto name, const auto& field, const auto& allowed) {
+      printer.field(name, field, allowed);
+    });
+  }
   printer.close();
 }
 

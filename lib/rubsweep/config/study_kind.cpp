@@ -1,17 +1,24 @@
 #include "rubsweep/config/study_kind.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <set>
+#include <string>
 
+#include "rubsweep/basin/low_discrepancy.hpp"
 #include "rubsweep/config/key_axis.hpp"
 #include "rubsweep/config/section.hpp"
+#include "rubsweep/config/text.hpp"
 
 namespace rubsweep::config {
 namespace {
 
 constexpr std::string_view threshold_kind = "threshold";
-constexpr std::array kinds{threshold_kind};
+constexpr std::string_view basin_kind = "basin";
+constexpr std::array kinds{threshold_kind, basin_kind};
 constexpr model::Range tolerances{.low = 1e-12, .high = 0.5};
 
 sweep::ThresholdScan read_threshold(Section& section) {
@@ -27,23 +34,85 @@ sweep::ThresholdScan read_threshold(Section& section) {
   return scan;
 }
 
+enum class Scale { linear, log };
+constexpr Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
+
+sweep::DrawnKey read_drawn_key(const Value& value) {
+  Section section(value, "{key: PATH, from, to}");
+  sweep::DrawnKey drawn{{}, model::required, model::required};
+  Scale scale = Scale::linear;
+  if (const auto key = section.require("key", "a key of the configuration"))
+    drawn.key = read_text(*key).value_or("");
+  const std::size_t problems = section.problem_count();
+  section.field("from", drawn.from, model::any_finite);
+  section.field("to", drawn.to, model::any_finite);
+  section.field("scale", scale, scales);
+  drawn.logarithmic = scale == Scale::log;
+  if (section.problem_count() == problems && section.is_map()) {
+    if (drawn.from == drawn.to)
+      section.refuse_together("to", {"from", "to"}, "is no other number than from", "another number");
+    if (drawn.logarithmic && !(std::min(drawn.from, drawn.to) > 0)) {
+      section.refuse_together("scale", {"from", "to", "scale"},
+                              "a logarithmic scale has no place for 0 or less", "from and to > 0");
+    }
+  }
+  section.refuse_unknown_keys();
+  return drawn;
+}
+
+sweep::BasinSampling read_basin(Section& section) {
+  constexpr IntegerRange counts{1, 1'000'000};
+  sweep::BasinSampling sampling;
+  long samples = 0;
+  if (section.require("samples", describe(counts))) section.field("samples", samples, counts);
+  sampling.samples = static_cast<std::size_t>(samples);
+  const auto over = section.require("over", "a list of {key: PATH, from, to}");
+  if (!over) return sampling;
+  std::set<std::string> taken;
+  for (const Value& item : read_list(*over, basin::most_dimensions).value_or(std::vector<Value>{})) {
+    sampling.over.push_back(read_drawn_key(item));
+    const std::string& key = sampling.over.back().key;
+    if (!taken.insert(key).second)
+      refuse(item, fmt::format("'{}' is drawn twice", shown(key)), "every key once");
+  }
+  return sampling;
+}
+
 }  // namespace
 
 void read_study_kind(const Value& value, sweep::Study& study) {
   Section section(value);
   const auto kind = section.require_kind("kind", kinds);
   if (!kind) return;
-  study.threshold = read_threshold(section);
+  if (kinds[*kind] == threshold_kind) study.threshold = read_threshold(section);
+  if (kinds[*kind] == basin_kind) study.basin = read_basin(section);
   section.refuse_unknown_keys();
 }
 
 void print_study_kind(Printer& printer, const sweep::Study& study) {
-  if (!study.threshold) return;
-  printer.open("study");
-  printer.word("kind", threshold_kind);
-  print_key_axis(printer, study.threshold->axis);
-  printer.number("tolerance", study.threshold->tolerance);
-  printer.close();
+  if (study.threshold) {
+    printer.open("study");
+    printer.word("kind", threshold_kind);
+    print_key_axis(printer, study.threshold->axis);
+    printer.number("tolerance", study.threshold->tolerance);
+    printer.close();
+  }
+  if (study.basin) {
+    printer.open("study");
+    printer.word("kind", basin_kind);
+    printer.integer("samples", static_cast<long>(study.basin->samples));
+    printer.open("over");
+    for (const sweep::DrawnKey& drawn : study.basin->over) {
+      printer.open_item();
+      printer.text("key", drawn.key);
+      printer.number("from", drawn.from);
+      printer.number("to", drawn.to);
+      if (drawn.logarithmic) printer.word("scale", "log");
+      printer.close();
+    }
+    printer.close();
+    printer.close();
+  }
 }
 
 }  // namespace rubsweep::config

@@ -7,6 +7,26 @@
 #include "rubsweep/config/section.hpp"
 
 namespace rubsweep::config {
+namespace {
+
+void visit_fields(auto& refinement, auto&& visit) {
+  constexpr IntegerRange levels{1, 12}, probes{0, 1000};
+  visit("levels", refinement.levels, levels);
+  visit("probes", refinement.probes, probes);
+}
+
+sweep::Refinement read_refinement(const Value& value) {
+  Section section(value);
+  sweep::Refinement refinement;
+  section.require("levels", "an integer from 1 to 12");
+  visit_fields(refinement,
+               [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
+  section.refuse_unknown_keys();
+  return refinement;
+}
+
+}  // namespace
+
 sweep::Grid read_sweep(const Value& value) {
   Section section(value);
   sweep::Grid grid;
@@ -23,6 +43,7 @@ sweep::Grid read_sweep(const Value& value) {
     grid.unbalance = read_axis(*eccentricity, model::not_negative);
   }
   grid.axes = read_key_axes(section);
+  if (const auto refine = section.find("refine")) grid.refinement = read_refinement(*refine);
   section.refuse_unknown_keys();
   std::string product = fmt::format("{} x {}", grid.speed_hz.size(), grid.unbalance.size());
   // The product of five long axes is more than an integer holds.
@@ -45,6 +66,13 @@ void print_sweep(Printer& printer, const sweep::Grid& grid) {
   printer.numbers("values", grid.unbalance);
   printer.close();
   print_key_axes(printer, grid.axes);
+  if (grid.refinement) {
+    printer.open("refine");
+    visit_fields(*grid.refinement, [&](auto name, const auto& field, const auto& allowed) {
+      printer.field(name, field, allowed);
+    });
+    printer.close();
+  }
   printer.close();
 }
 

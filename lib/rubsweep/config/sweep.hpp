@@ -10,7 +10,7 @@ namespace rubsweep::config {
 inline constexpr std::size_t max_cells = 4'000'000;
 
 /// `sweep`: speed_hz and one of whirl_ratio, eccentricity_m, each an axis (see axis.hpp), and the axes over
-/// keys (see key_axis.hpp).
+/// keys (see key_axis.hpp), and `refine`: {levels, probes} (see sweep/refinement.hpp).
 sweep::Grid read_sweep(const Value& value);
 
 /// The values themselves: how they were given is not kept.

@@ -28,6 +28,7 @@ constexpr std::string_view allowed_keys =
 Node document_of(const sweep::Study& study) {
   sweep::Study plain = study;
   plain.threshold.reset();
+  plain.basin.reset();
   // The largest speed is the one that may be too large for another rotor.
   plain.grid = {.speed_hz = {*std::ranges::max_element(study.grid.speed_hz)},
                 .measure = study.grid.measure,
@@ -104,7 +105,7 @@ Place place_of_keys(const Node& axis) {
 }  // namespace
 
 void vary_keys(const Value& root, sweep::Study& study) {
-  if (study.grid.axes.empty() && !study.threshold) return;
+  if (study.grid.axes.empty() && !study.threshold && !study.basin) return;
   Node document = document_of(study);
   const Node& sweep = *find_node(root.node, "sweep");
   std::size_t next = 0;
@@ -116,6 +117,14 @@ void vary_keys(const Value& root, sweep::Study& study) {
   if (study.threshold) {
     refuse_impossible(study.threshold->axis, place_of_keys(*find_node(root.node, "study")), document,
                       root.diagnostics);
+  }
+  if (study.basin) {
+    const Node& over = *find_node(root.node, "study.over");
+    for (std::size_t i = 0; i < study.basin->over.size(); ++i) {
+      const sweep::DrawnKey& drawn = study.basin->over[i];
+      refuse_impossible({{drawn.key}, {1}, {drawn.from, drawn.to}}, place_of_keys(over.items.at(i)), document,
+                        root.diagnostics);
+    }
   }
   study.with_keys =
       [document = std::make_shared<const Node>(std::move(document))](std::span<const sweep::KeyValue> keys) {

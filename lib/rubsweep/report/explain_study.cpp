@@ -113,6 +113,19 @@ std::string explain_study(const sweep::Study& study) {
         "to {} of it\n",
         explain_axis(study.threshold->axis), study.threshold->tolerance);
   }
+  if (study.basin) {
+    text += fmt::format("basins: in each cell, where {} starts lead, drawn over", study.basin->samples);
+    for (const sweep::DrawnKey& drawn : study.basin->over)
+      text += fmt::format(" {} from {} to {}", drawn.key, drawn.from, drawn.to);
+    text += "\n";
+  }
+  if (study.grid.refinement) {
+    text += fmt::format(
+        "refined: from every {}th cell on, only where labels differ; no island that holds a square of {} x "
+        "{} "
+        "cells is missed\n",
+        1 << study.grid.refinement->levels, sweep::island_bound(study.grid), sweep::island_bound(study.grid));
+  }
   return text;
 }
 

@@ -47,6 +47,11 @@ std::string motion_name(std::string_view map_line) {
   return name;
 }
 
+std::string label_of(std::string_view map_line) {
+  static const std::size_t class_column = place_of_column("class"), order_column = place_of_column("order");
+  return fmt::format("{},{}", cell(map_line, class_column), cell(map_line, order_column));
+}
+
 void MapSummary::add(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), status_column = place_of_column("status"),
                            start_column = place_of_column("start"),

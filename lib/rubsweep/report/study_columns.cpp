@@ -52,20 +52,84 @@ constexpr std::array of_thresholds{
     StudyColumn{"failed_probes", "of them, those whose run failed", failed_probes},
 };
 
+std::string attractors(const Row& row) {
+  return row.basins ? fmt::format("{}", row.basins->attractors.size()) : "";
+}
+
+/// "non_contact 0.6+-0.01; subharmonic 1/2 0.4+-0.01 (1.9 mm)".
+std::string basins(const Row& row) {
+  std::string text;
+  if (!row.basins) return text;
+  for (const sweep::Attractor& attractor : row.basins->attractors) {
+    text += fmt::format("{}{} {}+-{:.2g}", text.empty() ? "" : "; ", attractor.motion.name, attractor.share,
+                        attractor.standard_error);
+    if (attractor.motion.repeats) text += fmt::format(" ({:.4g} mm)", 1e3 * attractor.motion.orbit_m.front());
+  }
+  return text;
+}
+
+/// All attractors that rub together.
+std::string rub_probability(const Row& row) {
+  if (!row.basins) return "";
+  double share = 0;
+  for (const sweep::Attractor& attractor : row.basins->attractors) {
+    if (attractor.motion.rubs) share += attractor.share;
+  }
+  return batch::csv_number(share);
+}
+
+std::string failed_samples(const Row& row) { return row.basins ? fmt::format("{}", row.basins->failed) : ""; }
+
+std::string level(const Row& row) {
+  return row.refinement_level ? fmt::format("{}", *row.refinement_level) : "";
+}
+
+std::string share(const Row& row) { return row.robust_share ? batch::csv_number(*row.robust_share) : ""; }
+
+constexpr std::array of_basins{
+    StudyColumn{"attractors", "how many motions the samples lead to, told apart by their orbits", attractors},
+    StudyColumn{"rub_probability", "share of the samples after which rub goes on", rub_probability},
+    StudyColumn{"basins", "share of each attractor, its standard error, and its largest displacement",
+                basins},
+    StudyColumn{"failed_samples", "samples whose run failed", failed_samples},
+};
+
+constexpr std::array of_refinement{
+    StudyColumn{"level", "how often the block of the cell was split before it was met", level}};
+
+constexpr std::array of_robustness{StudyColumn{
+    "robust_share", "share of the neighbouring kicks that lead to the same class and order", share}};
+
 }  // namespace
 
 std::span<const StudyColumn> threshold_columns() { return of_thresholds; }
+std::span<const StudyColumn> basin_columns() { return of_basins; }
+std::span<const StudyColumn> refinement_columns() { return of_refinement; }
+std::span<const StudyColumn> robustness_columns() { return of_robustness; }
 
 std::vector<StudyColumn> study_columns(const sweep::Study& study) {
   std::vector<StudyColumn> columns;
-  if (study.threshold) columns.assign(of_thresholds.begin(), of_thresholds.end());
+  const auto add = [&](std::span<const StudyColumn> more) {
+    columns.insert(columns.end(), more.begin(), more.end());
+  };
+  if (study.robustness == sweep::Robustness::probability) add(of_robustness);
+  if (study.grid.refinement) add(of_refinement);
+  if (study.threshold) add(of_thresholds);
+  if (study.basin) add(of_basins);
   return columns;
 }
 
 std::string describe_study_columns() {
-  std::string text = "Columns behind them with study.kind threshold:\n";
-  for (const StudyColumn& column : of_thresholds)
-    text += fmt::format("  {:<23}  {}\n", column.name, column.description);
+  std::string text;
+  const auto describe = [&](std::string_view when, std::span<const StudyColumn> columns) {
+    text += fmt::format("Columns behind them with {}:\n", when);
+    for (const StudyColumn& column : columns)
+      text += fmt::format("  {:<23}  {}\n", column.name, column.description);
+  };
+  describe("response.robustness probability", of_robustness);
+  describe("sweep.refine", of_refinement);
+  describe("study.kind threshold", of_thresholds);
+  describe("study.kind basin", of_basins);
   return text;
 }
 

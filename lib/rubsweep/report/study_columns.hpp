@@ -18,8 +18,11 @@ struct StudyColumn {
   std::string (*text)(const sweep::Row&) = nullptr;  ///< what stands in the cell; empty: does not apply
 };
 
-/// Those of a study of thresholds.
+/// Those of a study of thresholds, of basins, of a refined map, and of robustness as a probability.
 std::span<const StudyColumn> threshold_columns();
+std::span<const StudyColumn> basin_columns();
+std::span<const StudyColumn> refinement_columns();
+std::span<const StudyColumn> robustness_columns();
 
 /// All that a map of this study has.
 std::vector<StudyColumn> study_columns(const sweep::Study& study);

@@ -77,12 +77,15 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const s
 Row evaluate_place(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
                    response::motion::Workspace& workspace) {
   Row row = evaluate(study, prepared, place, workspace);
-  if (study.robustness == Robustness::on) {
-    row.robust = is_robust(row, study.machine, [&](const model::Machine& machine) {
-      // Only the kick differs: the structure stays.
-      return evaluate(study, scene::PreparedMachine{machine, prepared.assembly, prepared.reduction}, place,
-                      workspace);
-    });
+  const auto with_kick_of = [&](const model::Machine& machine) {
+    // Only the kick differs: the structure stays.
+    return evaluate(study, scene::PreparedMachine{machine, prepared.assembly, prepared.reduction}, place,
+                    workspace);
+  };
+  if (study.robustness == Robustness::on) row.robust = is_robust(row, study.machine, with_kick_of);
+  if (study.robustness == Robustness::probability) {
+    row.robust_share = robust_share(row, study.machine, study.neighbours, with_kick_of);
+    if (row.robust_share) row.robust = *row.robust_share == 1;
   }
   return row;
 }
@@ -111,15 +114,25 @@ Row evaluate_keys(const Study& study, std::span<const KeyValue> keys, const scen
 }
 
 /// Where the quiet motion itself reaches a wall no kick is simulated, whatever its numbers.
-bool may_have_threshold(const Row& row, const ThresholdScan& scan) {
+bool may_be_varied(const Row& row, std::span<const KeyValue> keys) {
   const bool of_kick =
-      std::ranges::all_of(scan.axis.keys, [](const std::string& key) { return key.starts_with("kick."); });
+      std::ranges::all_of(keys, [](const KeyValue& key) { return key.key.starts_with("kick."); });
   return row.start && (*row.start != RunStart::contact || !of_kick);
 }
 
-std::vector<KeyValue> with(std::vector<KeyValue> keys, const KeyAxis& axis, double value) {
-  for (KeyValue& key : keys_at(axis, value)) keys.push_back(std::move(key));
+std::vector<KeyValue> with(std::vector<KeyValue> keys, std::vector<KeyValue> others) {
+  for (KeyValue& key : others) keys.push_back(std::move(key));
   return keys;
+}
+
+SampledMotion sampled_motion(const Row& row) {
+  const auto kind = response::motion::row_of(row.motion_class);
+  SampledMotion motion{motion_name(row), !row.measures, kind.rubs, kind.repeats, {}};
+  if (!row.measures) return motion;
+  const response::motion::Measures& measures = *row.measures;
+  motion.orbit_m = {measures.contact.peak_displacement_m, measures.amplitude_1x_forward_m,
+                    measures.amplitude_1x_backward_m};
+  return motion;
 }
 
 Probe probe_of(const Row& row) {
@@ -163,11 +176,17 @@ Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, st
   Row row = keys.empty() ? evaluate_place(study, prepared, place, workspace)
                          : evaluate_keys(study, keys, place, workspace, evaluate_place);
   for (const KeyValue& key : keys) row.key_values.push_back(key.value);
-  if (study.threshold && may_have_threshold(row, *study.threshold)) {
-    row.threshold = find_threshold(*study.threshold, [&](double value) {
-      return probe_of(
-          evaluate_keys(study, with(keys, study.threshold->axis, value), place, workspace, evaluate));
-    });
+  if (study.grid.refinement) row.refinement_level = refinement_level(study.grid, cell);
+  const auto run = [&](std::vector<KeyValue> others) {
+    return evaluate_keys(study, with(keys, std::move(others)), place, workspace, evaluate);
+  };
+  if (study.threshold && may_be_varied(row, keys_at(study.threshold->axis, 1))) {
+    row.threshold = find_threshold(
+        *study.threshold, [&](double value) { return probe_of(run(keys_at(study.threshold->axis, value))); });
+  }
+  if (study.basin && may_be_varied(row, draw(*study.basin, 0))) {
+    row.basins = sample_basins(
+        *study.basin, [&](const std::vector<KeyValue>& drawn) { return sampled_motion(run(drawn)); });
   }
   return row;
 }

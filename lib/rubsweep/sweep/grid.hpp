@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/key_axis.hpp"
+#include "rubsweep/sweep/refinement.hpp"
 
 namespace rubsweep::sweep {
 
@@ -32,7 +34,8 @@ struct Grid {
   std::vector<double> speed_hz;
   UnbalanceMeasure measure = UnbalanceMeasure::whirl_ratio;
   std::vector<double> unbalance;
-  std::vector<KeyAxis> axes{};  ///< x, y, z: each slower than those before it
+  std::vector<KeyAxis> axes{};             ///< x, y, z: each slower than those before it
+  std::optional<Refinement> refinement{};  ///< empty: every cell is computed
 };
 
 /// Cells of the grid, speed fastest, then unbalance, then the axes over keys:

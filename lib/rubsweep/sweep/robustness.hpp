@@ -5,6 +5,7 @@
 
 #include "rubsweep/model/machine.hpp"
 #include "rubsweep/sweep/row.hpp"
+#include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::sweep {
 
@@ -17,5 +18,11 @@ inline constexpr double robustness_change = 1e-6;
 /// runs the same cell with another machine; it is called at most twice.
 std::optional<bool> is_robust(const Row& row, const model::Machine& machine,
                               const std::function<Row(const model::Machine&)>& evaluate);
+
+/// Share of the neighbouring kicks after which the cell keeps its class and order: forces that differ by
+/// equal steps up to `neighbours.part`, in both directions. Empty where is_robust is.
+std::optional<double> robust_share(const Row& row, const model::Machine& machine,
+                                   const Neighbours& neighbours,
+                                   const std::function<Row(const model::Machine&)>& evaluate);
 
 }  // namespace rubsweep::sweep

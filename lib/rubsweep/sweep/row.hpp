@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/response/settle.hpp"
+#include "rubsweep/sweep/basin_sampling.hpp"
 #include "rubsweep/sweep/threshold.hpp"
 
 namespace rubsweep::sweep {
@@ -50,7 +51,10 @@ struct Row {
   std::string status = "ok";                  ///< `ok` or one word per cause, joined by ';'
   std::optional<double> peak_over_clearance;  ///< of the measured motion, the first stop's clearance
   std::optional<RunStart> start;              ///< empty: nothing was run
-  std::vector<double> key_values{};           ///< of the axes over keys, in the order of key_names
+  std::optional<double> robust_share{};       ///< see the function; empty unless asked for
+  std::optional<int> refinement_level{};      ///< of a refined map
+  std::optional<Basins> basins{};  ///< of a study that asks for them; empty where no kick was simulated
+  std::vector<double> key_values{};  ///< of the axes over keys, in the order of key_names
   std::optional<Threshold> threshold{};  ///< of a study that asks for it; empty where no kick was simulated
 };
 

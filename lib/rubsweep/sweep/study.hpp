@@ -7,13 +7,21 @@
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/model/machine.hpp"
 #include "rubsweep/response/motion/options.hpp"
+#include "rubsweep/sweep/basin_sampling.hpp"
 #include "rubsweep/sweep/grid.hpp"
 #include "rubsweep/sweep/threshold.hpp"
 
 namespace rubsweep::sweep {
 
-/// Whether each cell is run twice more to tell how firmly it holds its class (see is_robust).
-enum class Robustness { off, on };
+/// Whether each cell is run again with other kicks to tell how firmly it holds its class (see is_robust and
+/// robust_share).
+enum class Robustness { off, on, probability };
+
+/// Kicks beside that of the configuration, for Robustness::probability.
+struct Neighbours {
+  int count = 8;       ///< even: half of them weaker, half stronger
+  double part = 0.01;  ///< largest relative change of the force, in (0, 1)
+};
 
 /// Everything that decides the numbers of a map: never paths, threads or times.
 struct Study {
@@ -22,6 +30,8 @@ struct Study {
   integrate::run::SolverOptions solver;
   response::motion::ResponseOptions response;
   Robustness robustness = Robustness::off;
+  Neighbours neighbours{};
+  std::optional<BasinSampling> basin{};      ///< each cell is also asked where these starts lead
   std::optional<ThresholdScan> threshold{};  ///< each cell is also asked after which of these numbers it rubs
   /// This study with other numbers under some of its keys, and with a grid that says nothing. Throws
   /// ConfigError where they are not allowed. Whoever reads the study fills it, and leaves it empty where

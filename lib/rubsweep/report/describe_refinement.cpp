@@ -1,0 +1,34 @@
+#include "rubsweep/report/describe_refinement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::report {
+
+std::string describe_refinement(const sweep::Grid& grid, std::span<const int> labels) {
+  const auto known = static_cast<double>(
+      labels.size() - static_cast<std::size_t>(std::ranges::count(labels, sweep::unknown_label)));
+  const std::size_t side = sweep::island_bound(grid);
+  std::string text = fmt::format(
+      "refined: {} of {} cells computed ({:.2f} %); an island that holds a square of {} x {} cells is not "
+      "missed\n",
+      known, labels.size(), 100 * known / static_cast<double>(labels.size()), side, side);
+  if (const auto exponent = sweep::boundary_exponent(grid, labels)) {
+    text += fmt::format(
+        "boundaries: uncertainty exponent {:.2f} (1: lines; where it is less, more levels gain "
+        "less)\n",
+        *exponent);
+  }
+  return text;
+}
+
+void refuse_refinement(const sweep::Grid& grid, std::string_view what) {
+  if (grid.refinement)
+    throw ConfigError(
+        fmt::format("sweep.refine: {} needs every cell, allowed: a sweep without refine", what));
+}
+
+}  // namespace rubsweep::report

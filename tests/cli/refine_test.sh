@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# sweep.refine: the computed cells are those of the full map, the others are painted as they are there, and neither
+# threads nor a kill change which cells are computed.
+source "$(dirname "$0")/support.sh"
+set -m
+trap 'kill -KILL %% 2>/dev/null || true; rm -rf "$work"' EXIT
+
+grid=("$minimal" --set 'sweep={speed_hz: {from: 60, to: 100, count: 41}, whirl_ratio: {from: 0.1, to: 0.9, count: 33}}')
+refine=(--set 'sweep.refine={levels: 3, probes: 1}')
+expect_exit 0 "${grid[@]}" "${refine[@]}" --explain
+expect_matches stdout 'refined: from every 8th cell on, .*square of [0-9]+ x [0-9]+ cells'
+expect_exit 0 "${grid[@]}" --output full --quiet
+header+=,level
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output whole --threads 1
+expect_files whole config.yaml map.csv
+expect_whole_rows whole/map.csv
+expect_matches stderr 'refined: [0-9]+ of 1353 cells computed'
+computed=$(rows whole/map.csv | wc -l)
+((computed < 1353 && computed > 100)) || fail "$computed of 1353 cells were computed"
+# Every computed row is the row of the full map, with its level behind it.
+rows whole/map.csv | cut -d, -f1-24 | grep -vxF -f <(rows full/map.csv) && fail 'a computed cell is another one'
+[[ $(cells whole/map.csv level | sort -u | tr '\n' ' ') == '0 1 2 3 ' ]] || fail 'not the levels'
+
+PYTHONPATH=$top/scripts/analysis python3 -B - <<'END' || fail 'painted cells differ from the full map'
+import csv_table, refined_map
+def labels(path):
+    return {(float(r["speed_hz"]), float(r["whirl_ratio"])): (r["class"], r["order"]) for r in csv_table.read_table(path)}
+full, known = labels("full/map.csv"), labels("whole/map.csv")
+across, up = (sorted({place[axis] for place in full}) for axis in (0, 1))
+places = {(across.index(x), up.index(y)): label for (x, y), label in known.items()}
+painted = refined_map.painted(places, len(across), len(up), 3)
+equal = sum(painted[across.index(x), up.index(y)] == label for (x, y), label in full.items())
+print(f"{len(known)} of {len(full)} cells computed, {equal} equal")
+assert equal >= 0.98 * len(full)
+END
+
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output threads --threads 3 --quiet
+expect_same threads/map.csv whole/map.csv
+for cells in 20 200; do
+  "$rubsweep" "${grid[@]}" "${refine[@]}" --output killed --threads 1 >stdout 2>stderr </dev/null &
+  until [[ -e killed/map.partial.csv ]] && (($(rows killed/map.partial.csv | wc -l) >= cells)); do
+    kill -0 $! 2>/dev/null || break
+    sleep 0.002
+  done
+  kill -KILL %% 2>/dev/null || true
+  wait %% 2>/dev/null || true
+done
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output killed
+expect_same killed/map.csv whole/map.csv
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output killed
+expect_contains stderr 'the map is there'
+
+expect_exit 2 "${grid[@]}" "${refine[@]}" --output parts --shard 1/2
+expect_contains stderr 'sweep.refine: a map in shards needs every cell'
+expect_exit 2 "${grid[@]}" "${refine[@]}" --output report --report
+expect_contains stderr 'sweep.refine: a report needs every cell'
+if command -v gnuplot >/dev/null; then
+  "$top/scripts/domain_map.sh" whole/map.csv "$PWD/picture" 'Refined'
+  [[ -s picture.png ]] || fail 'there is no picture.png'
+fi
