@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "program.hpp"
 #include "rubsweep/config/differing_keys.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
@@ -39,11 +40,12 @@ std::string keys_that_differ(const fs::path& config_file, const std::string& dig
 
 }  // namespace
 
-FinishedMap read_finished_map(const fs::path& map, const sweep::Study& study) {
+FinishedMap read_finished_map(const fs::path& map, const sweep::Study& study, double warn_over_clearances) {
   std::ifstream stream(map);
   if (!stream) batch::throw_io_error("read", map, errno);
   constexpr std::string_view mark = "# digest ";
   FinishedMap found;
+  found.summary = report::MapSummary(warn_over_clearances);
   bool header = false;
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with('#')) {
@@ -58,6 +60,11 @@ FinishedMap read_finished_map(const fs::path& map, const sweep::Study& study) {
   }
   if (stream.bad()) batch::throw_io_error("read", map, EIO);
   return found;
+}
+
+void warn(std::string_view program, const report::MapSummary& summary) {
+  const std::string warning = summary.warning();
+  if (!warning.empty()) say(fmt::format("{}: {}", program, warning));
 }
 
 std::string map_is_there(std::string_view program) {

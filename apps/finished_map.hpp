@@ -19,8 +19,12 @@ struct FinishedMap {
   report::MapSummary summary;  ///< of known columns
 };
 
-/// Reads the map of `study` a row at a time. Throws IoError.
-FinishedMap read_finished_map(const std::filesystem::path& map, const sweep::Study& study);
+/// Reads the map of `study` a row at a time; its summary warns above so many clearances. Throws IoError.
+FinishedMap read_finished_map(const std::filesystem::path& map, const sweep::Study& study,
+                              double warn_over_clearances);
+
+/// Says on stderr what makes the numbers of a whole map doubtful, where something does.
+void warn(std::string_view program, const report::MapSummary& summary);
 
 /// What `program` says on stderr where it finds the whole map of its study.
 std::string map_is_there(std::string_view program);

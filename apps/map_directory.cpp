@@ -77,6 +77,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
       part_(part),
       header_(header_of(config)),
       head_(comments_and_header(header_.study_digest, config.study)),
+      warn_over_clearances_(config.warn_over_clearances),
       refined_(config.study.grid.refinement.has_value()) {
   allow_as_many_files_as_there_may_be();
   make_directory(directory_);
@@ -89,7 +90,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   if (fresh) forget();
   refuse_journals_of_others();
   if (fs::exists(map())) {
-    finished_map_ = read_finished_map(map(), config.study);
+    finished_map_ = read_finished_map(map(), config.study, warn_over_clearances_);
     if (refined_) finished_map_->cells = header_.cells;  // how many it wanted is for it alone to know
     refuse_map_of_another(*finished_map_, map(), header_);
     // Whoever wrote it may have been killed before they were gone.
@@ -244,7 +245,7 @@ void MapDirectory::for_each_finished(
 report::MapSummary MapDirectory::write_map() const {
   batch::FinishedCells finished(header_.cells);
   for (const fs::path& journal : journals()) finished.add(journal);
-  report::MapSummary summary;
+  report::MapSummary summary(warn_over_clearances_);
   batch::WholeFile file(map());
   file.write(head_);
   for (std::size_t cell = 0; cell < header_.cells; ++cell) {

@@ -83,6 +83,7 @@ class MapDirectory {
   std::optional<Share> part_;
   batch::JournalHeader header_;
   std::string head_;  ///< of the map: what stands above its rows
+  double warn_over_clearances_ = 0;
   std::optional<batch::FileLock> own_lock_, directory_lock_;
   std::size_t cells_ = 0;
   std::vector<std::size_t> missing_;

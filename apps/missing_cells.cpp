@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +20,7 @@
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
+#include "rubsweep/sweep/idle_torsion.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
 #include "rubsweep/sweep/untouched_walls.hpp"
 
@@ -67,8 +69,11 @@ bool MissingCells::run_refined() {
 
 bool MissingCells::run() {
   if (study_.grid.refinement) return run_refined();
-  std::string why = sweep::why_walls_stay_untouched(study_, scene::prepare_machine(study_.machine));
-  if (!why.empty()) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(study_.machine);
+  const double slowest_hz = *std::ranges::min_element(study_.grid.speed_hz);
+  for (std::string why : {sweep::why_torsion_is_idle(prepared, slowest_hz),
+                          sweep::why_walls_stay_untouched(study_, prepared)}) {
+    if (why.empty()) continue;
     why.pop_back();
     progress_.say(why);
   }

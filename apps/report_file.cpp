@@ -23,6 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string interrupted(std::string_view program) {
+  return fmt::format("{}: interrupted, no report was written; the map is as it was\n", program);
+}
+
+}  // namespace
+
 page::MapTable read_map_of(const sweep::Study& study, const fs::path& path) {
   page::MapTable map = page::read_map_table(path);
   const std::string digest = config::study_digest(study);
@@ -32,12 +38,6 @@ page::MapTable read_map_of(const sweep::Study& study, const fs::path& path) {
                   "allowed: the map and the config.yaml of one run",
                   path.string(), map.digest.empty() ? "none" : map.digest, digest));
 }
-
-std::string interrupted(std::string_view program) {
-  return fmt::format("{}: interrupted, no report was written; the map is as it was\n", program);
-}
-
-}  // namespace
 
 int write_report(const fs::path& directory, const sweep::Study& study, std::string_view program,
                  const ReportOptions& options) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "rubsweep/batch/progress.hpp"
+#include "rubsweep/page/map_table.hpp"
 #include "rubsweep/page/report_page.hpp"
 #include "rubsweep/sweep/study.hpp"
 
@@ -21,6 +22,9 @@ struct ReportOptions {
   /// Called before the process ends because cells still ran half a second after a signal.
   std::function<void()> before_leaving = [] {};
 };
+
+/// The map at `path`. Throws ConfigError where it is not one of `study`, and IoError.
+page::MapTable read_map_of(const sweep::Study& study, const std::filesystem::path& path);
 
 /// Writes the report of the map in `directory`, of `study`, and returns an exit code: 128 + signal when a
 /// signal came before it was written; then an older report is as it was. Throws ConfigError where the map is

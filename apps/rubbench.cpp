@@ -126,7 +126,7 @@ std::vector<scene::Place> places_to_time(const RubbenchArguments& arguments, con
                                          const std::vector<scene::Place>& to_label,
                                          const std::vector<bench::LabelledCell>& labelled) {
   std::vector<scene::Place> places;
-  for (const BenchCell& cell : arguments.cells)
+  for (const CellArgument& cell : arguments.cells)
     places.push_back(place_at(grid, cell.speed_hz, cell.unbalance));
   if (places.empty())
     places.push_back(central_rub(to_label, labelled, std::min(arguments.label_speeds, grid.speed_hz.size())));

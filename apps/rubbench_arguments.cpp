@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "command_line.hpp"
@@ -54,17 +54,6 @@ std::optional<Number> number(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
-}
-
-BenchCell read_cell(const std::string& text) {
-  const auto parts = split(text, ',');
-  if (parts.size() == 2) {
-    const auto speed = number<double>(parts[0]), unbalance = number<double>(parts[1]);
-    if (speed && unbalance && std::isfinite(*speed) && *speed > 0 && std::isfinite(*unbalance) &&
-        *unbalance >= 0)
-      return {*speed, *unbalance};
-  }
-  throw UsageError(fmt::format("--cell {}: allowed: SPEED_HZ,UNBALANCE, a number > 0 and one >= 0", text));
 }
 
 std::vector<integrate::run::Stepper> read_steppers(const std::string& text) {

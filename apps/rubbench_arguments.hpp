@@ -4,18 +4,13 @@
 #include <vector>
 
 #include "action.hpp"
+#include "cell_argument.hpp"
 #include "rubsweep/bench/work_precision.hpp"
 
 namespace rubsweep::apps {
 
-/// A cell by its numbers on the two axes of the sweep.
-struct BenchCell {
-  double speed_hz = 0;
-  double unbalance = 0;
-};
-
 struct RubbenchArguments : StudyArguments {
-  std::vector<BenchCell> cells = {};  ///< empty: one is chosen
+  std::vector<CellArgument> cells = {};  ///< empty: one is chosen
   std::vector<integrate::run::Stepper> steppers = {};
   std::vector<double> relative_tolerances = {};
   bench::WorkPrecisionOptions work = {};

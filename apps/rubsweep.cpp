@@ -21,6 +21,7 @@
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep_arguments.hpp"
+#include "terminal_map.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -34,7 +35,16 @@ std::string own_name(const RubsweepArguments& arguments) {
 /// What is said of a whole map and its exit code, whoever computed it.
 int report_map(const RubsweepArguments& arguments, const report::MapSummary& summary,
                const sweep::Study& study, MapDirectory& directory) {
-  if (!arguments.quiet) fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+  const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
+  const TerminalView view =
+      shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};
+  if (!arguments.quiet) fmt::print("{}{}map: {}\n", view.map, summary.text(), directory.map().string());
+  if (!arguments.quiet) warn("rubsweep", summary);
+  if (arguments.figure) {
+    arguments.figure->draw("draw_domain_map.py", directory.map(),
+                           study.machine.kick ? "Rub domains after a kick" : "Rub domains");
+    if (!arguments.quiet) fmt::print("figure: {}\n", arguments.figure->file().string());
+  }
   if (arguments.report) {
     const std::filesystem::path place = directory.map().parent_path();
     const int code = write_report(place, study, "rubsweep",
@@ -45,6 +55,7 @@ int report_map(const RubsweepArguments& arguments, const report::MapSummary& sum
                                    .before_leaving = [&] { directory.leave(); }});
     if (code != done) return code;
   }
+  fmt::print("{}", view.next);
   return summary.has_failed_cells() ? some_cells_failed : done;
 }
 

@@ -17,6 +17,7 @@ constexpr std::size_t most_shards = 10000;
 po::options_description visible_options() {
   po::options_description options("Options");
   add_output(options, "write there instead of output.directory");
+  add_figure(options, "also draw the map as FILE.png or FILE.svg");
   add_threads(options, "threads; 0: one per processor");
   add_set(options);
   options.add_options()("fresh",
@@ -56,6 +57,9 @@ void read_division(const po::variables_map& given, RubsweepArguments& arguments)
   arguments.report = given.count("report") != 0;
   if (arguments.report && arguments.shard)
     throw UsageError("--report needs the whole map: give it to --merge instead of --shard");
+  if (given.count("figure") != 0 && arguments.shard)
+    throw UsageError("--figure needs the whole map: give it to --merge instead of --shard");
+  if (arguments.action == Action::run) arguments.figure = figure_of(given);
 }
 
 }  // namespace
@@ -83,7 +87,9 @@ std::string rubsweep_help() {
       "  rubsweep configs/kick_and_restitution.yaml\n"
       "  rubsweep configs/threshold_one_side.yaml\n"
       "  rubsweep configs/figure06_one_side.yaml --shard 2/8\n"
-      "  rubsweep configs/figure06_one_side.yaml --report\n\n"
+      "  rubsweep configs/figure06_one_side.yaml --report\n"
+      "  rubsweep configs/figure06_one_side.yaml --figure map.png\n\n"
+      "On a terminal the map is also shown in characters, with commands that look closer.\n\n"
       "Writes DIR/map.csv (one row per cell, speed fastest) and DIR/config.yaml (the complete "
       "configuration);\n"
       "finished cells can be watched in DIR/map.partial.csv while the sweep runs. However a run ends before "

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "action.hpp"
+#include "figure.hpp"
 #include "map_directory.hpp"
 #include "rubsweep/batch/progress.hpp"
 
@@ -12,10 +13,11 @@ namespace rubsweep::apps {
 struct RubsweepArguments : StudyArguments {
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;
-  bool fresh = false;               ///< forget what earlier runs finished
-  bool merge = false;               ///< only put together what shards finished
-  std::optional<Share> shard = {};  ///< compute this part alone
-  bool report = false;              ///< also make report.html of the finished map
+  bool fresh = false;                 ///< forget what earlier runs finished
+  bool merge = false;                 ///< only put together what shards finished
+  std::optional<Share> shard = {};    ///< compute this part alone
+  std::optional<Figure> figure = {};  ///< also draw the finished map
+  bool report = false;                ///< also make report.html of the finished map
 };
 
 /// Throws UsageError (program.hpp).

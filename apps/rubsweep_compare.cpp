@@ -1,9 +1,5 @@
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +10,7 @@
 #include <string>
 
 #include "action.hpp"
+#include "child_process.hpp"
 #include "command_line.hpp"
 #include "exit_code.hpp"
 #include "program.hpp"
@@ -70,23 +67,6 @@ po::variables_map parse(int argc, char** argv) {
   return read_command_line(argc, argv, all, positional);
 }
 
-/// Gnuplot, between a script and a picture that are open already; true when it could.
-bool run_gnuplot(int script, int picture) {
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, script, STDIN_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, picture, STDOUT_FILENO);
-  std::string name = "gnuplot";
-  const std::array<char*, 2> arguments{name.data(), nullptr};
-  pid_t process = 0;
-  const int error = ::posix_spawnp(&process, name.c_str(), &actions, nullptr, arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw IoError(fmt::format("gnuplot cannot be started: {}", std::strerror(error)));
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
 /// The picture appears whole or not at all, and gnuplot never gets to see its name.
 void draw(const std::string& script, const fs::path& picture) {
   batch::WholeFile file(picture);
@@ -94,7 +74,7 @@ void draw(const std::string& script, const fs::path& picture) {
   if (!input || std::fputs(script.c_str(), input.get()) < 0 || std::fflush(input.get()) != 0)
     throw IoError(fmt::format("a temporary file: {}", std::strerror(errno)));
   std::rewind(input.get());
-  if (!run_gnuplot(::fileno(input.get()), file.descriptor()))
+  if (!run_child({"gnuplot"}, {.input = ::fileno(input.get()), .output = file.descriptor()}))
     throw IoError(fmt::format("{}: gnuplot could not draw it", picture.string()));
   file.commit();
 }

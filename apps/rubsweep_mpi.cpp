@@ -66,7 +66,7 @@ struct Job {
 ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::optional<Job>& job) {
   RubsweepArguments arguments = parse_rubsweep_arguments(argc, argv);
   if (answered(program_name, arguments.action, help)) return done;
-  if (arguments.action != Action::run || arguments.shard || arguments.merge) {
+  if (arguments.action != Action::run || arguments.shard || arguments.merge || arguments.figure) {
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
@@ -84,6 +84,7 @@ ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std
     if (!job->arguments.quiet) {
       say(map_is_there(program_name));
       fmt::print("{}map: {}\n", map->summary.text(), job->directory->map().string());
+      warn(program_name, map->summary);
     }
     job.reset();
     return failed_cells ? some_cells_failed : done;
@@ -278,7 +279,10 @@ int lead(Job& job, int ranks) {
     return 128 + leader.signal();
   }
   const report::MapSummary summary = directory.write_map();
-  if (!quiet) fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+  if (!quiet) {
+    fmt::print("{}map: {}\n", summary.text(), directory.map().string());
+    warn(program_name, summary);
+  }
   return summary.has_failed_cells() ? some_cells_failed : done;
 }
 

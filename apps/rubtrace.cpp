@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "exit_code.hpp"
 #include "experiment.hpp"
@@ -15,11 +17,15 @@
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/identify/experiment.hpp"
+#include "rubsweep/identify/linear_run.hpp"
 #include "rubsweep/integrate/start.hpp"
+#include "rubsweep/report/experiment_tables.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/trace_csv.hpp"
 #include "rubsweep/report/trace_summary.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/trace/probe_period.hpp"
 #include "rubsweep/trace/trace_run.hpp"
 #include "rubtrace_arguments.hpp"
 
@@ -29,8 +35,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every file that a trace may leave.
-constexpr std::array<std::string_view, 6> file_names{"config.yaml", "motion.csv", "trajectory.csv",
-                                                     "section.csv", "events.csv", "spectrum.csv"};
+constexpr std::array<std::string_view, 8> file_names{"config.yaml", "motion.csv",        "trajectory.csv",
+                                                     "section.csv", "events.csv",        "spectrum.csv",
+                                                     "sensors.csv", "probe_spectrum.csv"};
 
 fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {
   return arguments.output.value_or(directory_beside(config.output_directory, "_trace"));
@@ -57,21 +64,60 @@ void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::s
       options.revolutions, needed / 1e9, there / 1e9));
 }
 
+trace::Probes probes_of(const RubtraceArguments& arguments, const scene::PreparedMachine& prepared,
+                        long revolutions) {
+  const double readings = static_cast<double>(revolutions) / (arguments.speed_hz * arguments.sample_s);
+  if (readings > identify::most_samples) {
+    throw UsageError(
+        fmt::format("--sample-s: allowed: long enough for {} samples or fewer", identify::most_samples));
+  }
+  const identify::SensorRows sensors = identify::sensor_rows(prepared);
+  return {sensors.rows, sensors.angle_deg, arguments.sample_s, arguments.noise_m};
+}
+
+std::vector<double> places_of_sensors(const model::Machine& machine) {
+  std::vector<double> places;
+  if (const model::RotorKit* kit = model::kit_of(machine)) {
+    for (const model::Sensor& sensor : kit->sensors) places.push_back(sensor.position_m);
+  }
+  return places;
+}
+
+/// Adds what the probes read, and says what they show beside the section.
+std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
+                           const sweep::Study& study, response::motion::Workspace& workspace,
+                           ResultFiles& files) {
+  files["sensors.csv"] = report::sensors_csv({.from_hz = speed_hz,
+                                              .sample_s = probes.sample_s,
+                                              .samples = static_cast<int>(trace.readings_m.rows())},
+                                             trace.readings_m);
+  const auto pair = trace::pair_of(probes.angle_deg, places_of_sensors(study.machine));
+  if (!pair) return "probes    no two of them see one place from two directions\n";
+  const auto z = trace::displacement_of(trace.readings_m, *pair, probes.angle_deg);
+  const int turns = static_cast<int>(std::min<long>(trace.revolutions, study.response.window_revolutions));
+  const trace::ProbePeriod period =
+      trace::find_period(z, probes.sample_s, speed_hz, probes.noise_m, turns, study.response.max_order);
+  const auto spectrum = trace::probe_spectrum(z, probes.sample_s, speed_hz, turns, period.period.value_or(1),
+                                              workspace.spectrum);
+  files["probe_spectrum.csv"] = report::spectrum_csv(spectrum, speed_hz);
+  return report::probe_summary(period, *pair, probes);
+}
+
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
   config.study.grid = sweep::grid_of({arguments.speed_hz, arguments.unbalance});
   const sweep::Study& study = config.study;
-  const trace::TraceOptions options{
-      .speed_hz = arguments.speed_hz,
-      .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
-      .samples_per_revolution = study.response.samples_per_revolution,
-      .window_revolutions = study.response.window_revolutions,
-      .trajectory_revolutions = arguments.last_revolutions};
+  trace::TraceOptions options{.speed_hz = arguments.speed_hz,
+                              .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
+                              .samples_per_revolution = study.response.samples_per_revolution,
+                              .window_revolutions = study.response.window_revolutions,
+                              .trajectory_revolutions = arguments.last_revolutions};
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  if (arguments.probes) options.probes = probes_of(arguments, prepared, options.revolutions);
   refuse_more_memory_than_there_is(options, study.machine.stops.size());
   const fs::path directory = directory_of(arguments, config);
   make_directory(directory);
 
   response::motion::Workspace workspace;
-  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   const sweep::Row row = sweep::evaluate_cell(study, prepared, 0, workspace);
   ResultFiles files{{"config.yaml", config::print_config(config)},
                     {"motion.csv", report::map_comments(RUBSWEEP_VERSION, config::study_digest(study)) +
@@ -91,9 +137,15 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
     files["events.csv"] = report::events_csv(trace);
     files["spectrum.csv"] = report::spectrum_csv(window.spectrum, arguments.speed_hz);
     summary += report::trace_summary(trace, window, cell.scene.length_scale_m);
+    if (options.probes)
+      summary += look_by_probes(trace, *options.probes, arguments.speed_hz, study, workspace, files);
   }
   write_result_files(files, file_names, directory);
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
+  if (arguments.figure && trace.revolutions > 0) {
+    arguments.figure->draw("draw_traces.py", directory, "One cell under the lens");
+    if (!arguments.quiet) fmt::print("figure    {}\n", arguments.figure->file().string());
+  }
   if (!scene::can_run(cell.start)) return cannot_start(cell.start);
   if (trace.outcome == integrate::run::Outcome::ok) return done;
   say(fmt::format("rubtrace: the run failed in revolution {}: {}; the files end there\n",
@@ -104,7 +156,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 int perform(const RubtraceArguments& arguments) {
   if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
-  if (arguments.free_response || arguments.run_up) {
+  if (arguments.free_response || arguments.run_up || arguments.campbell) {
     return run_experiment(arguments, config, directory_of(arguments, config));
   }
   return run(arguments, std::move(config));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "command_line.hpp"
 #include "program.hpp"
@@ -28,11 +29,15 @@ po::options_description visible_options() {
       "it")(
       "run-up", po::value<std::string>()->value_name("FROM:TO:RATE"),
       "instead: speed ramp without stops in Hz:Hz:Hz/s with --eccentricity-m; Bode plot and critical speed")(
-      "duration-s", po::value<double>()->value_name("T")->default_value(2), "length of the free response")(
+      "campbell", po::value<std::string>()->value_name("FROM:TO[:COUNT]"),
+      "instead: whirl frequencies without stops over COUNT (101) shaft speeds in Hz; critical speeds, "
+      "shapes")("duration-s", po::value<double>()->value_name("T")->default_value(2),
+                "length of the free response")(
       "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
-      "sampling time of the sensors in --free-response and --run-up")(
-      "noise-m", po::value<double>()->value_name("S")->default_value(0),
-      "standard deviation of the sensors' noise in --free-response and --run-up");
+      "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
+      "they show")("noise-m", po::value<double>()->value_name("S")->default_value(0),
+                   "standard deviation of the sensors' noise; likewise");
+  add_figure(options, "draw a trace or a Campbell diagram as FILE.png or FILE.svg");
   add_output(options, "write there instead of output.directory + _trace");
   add_set(options);
   add_last(options);
@@ -52,32 +57,57 @@ std::optional<Number> read(const po::variables_map& given, const char* name, con
 bool not_negative(double value) { return std::isfinite(value) && value >= 0; }
 bool at_least_one(long value) { return value >= 1; }
 
-double number_in(const std::string& text, const std::string& whole) {
-  std::size_t used = 0;
-  double value = 0;
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::logic_error&) {
-    used = 0;
+/// The finite numbers between the colons of a text; empty where one is none.
+std::optional<std::vector<double>> numbers_between_colons(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::string part = text.substr(begin, text.find(':', begin) - begin);
+    std::size_t used = 0;
+    try {
+      numbers.push_back(std::stod(part, &used));
+    } catch (const std::logic_error&) {
+      return std::nullopt;
+    }
+    if (used != part.size() || !std::isfinite(numbers.back())) return std::nullopt;
+    begin += part.size() + 1;
   }
-  if (used == 0 || used != text.size() || !std::isfinite(value)) {
-    throw UsageError(
-        fmt::format("--run-up: '{}' is not allowed, allowed: FROM:TO:RATE, three numbers", whole));
-  }
-  return value;
+  return numbers;
 }
 
 SpeedRamp ramp_of(const std::string& text) {
-  const auto first = text.find(':'), last = text.rfind(':');
-  if (first == last)
-    throw UsageError(fmt::format("--run-up: '{}' is not allowed, allowed: FROM:TO:RATE", text));
-  const SpeedRamp ramp{number_in(text.substr(0, first), text),
-                       number_in(text.substr(first + 1, last - first - 1), text),
-                       number_in(text.substr(last + 1), text)};
+  const auto numbers = numbers_between_colons(text);
+  if (!numbers || numbers->size() != 3) {
+    throw UsageError(
+        fmt::format("--run-up: '{}' is not allowed, allowed: FROM:TO:RATE, three numbers", text));
+  }
+  const SpeedRamp ramp{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
   if (ramp.from_hz <= 0 || ramp.to_hz <= 0 || (ramp.to_hz - ramp.from_hz) * ramp.rate_hz_per_s <= 0) {
     throw UsageError("--run-up: allowed: speeds > 0, and a rate that leads from the first to the second");
   }
   return ramp;
+}
+
+CampbellSpeeds campbell_speeds_of(const std::string& text) {
+  constexpr double most = 10000;
+  const auto numbers = numbers_between_colons(text);
+  CampbellSpeeds speeds;
+  bool good = numbers && (numbers->size() == 2 || numbers->size() == 3);
+  if (good && numbers->size() == 3) {
+    const double count = (*numbers)[2];
+    good = count >= 2 && count <= most && count == std::floor(count);
+    if (good) speeds.count = static_cast<int>(count);
+  }
+  if (good) {
+    speeds.from_hz = (*numbers)[0];
+    speeds.to_hz = (*numbers)[1];
+    good = speeds.from_hz >= 0 && speeds.to_hz > speeds.from_hz;
+  }
+  if (good) return speeds;
+  throw UsageError(
+      fmt::format("--campbell: '{}' is not allowed, allowed: FROM:TO or FROM:TO:COUNT with 0 <= FROM < TO "
+                  "and a COUNT from 2 to "
+                  "{}",
+                  text, most));
 }
 
 bool positive(double value) { return not_negative(value) && value > 0; }
@@ -86,21 +116,34 @@ bool positive(double value) { return not_negative(value) && value > 0; }
 bool read_experiment(const po::variables_map& given, RubtraceArguments& arguments) {
   arguments.free_response = given.count("free-response") != 0;
   if (given.count("run-up") != 0) arguments.run_up = ramp_of(given["run-up"].as<std::string>());
+  if (given.count("campbell") != 0)
+    arguments.campbell = campbell_speeds_of(given["campbell"].as<std::string>());
+  if (arguments.figure && (arguments.free_response || arguments.run_up))
+    throw UsageError("--figure belongs to a trace or to --campbell");
+  const bool sampled = arguments.free_response || arguments.run_up;
+  if (static_cast<int>(arguments.free_response) + arguments.run_up.has_value() +
+          arguments.campbell.has_value() >
+      1)
+    throw UsageError("--free-response, --run-up and --campbell exclude each other");
   arguments.duration_s = read<double>(given, "duration-s", "a number > 0", positive).value();
   arguments.sample_s = read<double>(given, "sample-s", "a number > 0", positive).value();
   arguments.noise_m = read<double>(given, "noise-m", "a number >= 0", not_negative).value();
-  if (!arguments.free_response && !arguments.run_up) {
-    for (const char* name : {"duration-s", "sample-s", "noise-m"}) {
-      if (!given[name].defaulted())
-        throw UsageError(fmt::format("--{} belongs to --free-response or --run-up", name));
-    }
-    return false;
+  if (!sampled) {
+    if (!given["duration-s"].defaulted()) throw UsageError("--duration-s belongs to --free-response");
+    const bool probes = !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
+    if (probes && arguments.campbell)
+      throw UsageError("--sample-s and --noise-m belong to a trace, --free-response or --run-up");
+    arguments.probes = probes;
+    if (!arguments.campbell) return false;
   }
-  if (arguments.free_response && arguments.run_up)
-    throw UsageError("--free-response and --run-up exclude each other");
   for (const char* name : {"speed-hz", "whirl-ratio", "revolutions", "last-revolutions"}) {
     if (given.count(name) != 0)
       throw UsageError(fmt::format("--{} belongs to a trace, not to an experiment", name));
+  }
+  if (arguments.campbell) {
+    if (given.count("eccentricity-m") != 0)
+      throw UsageError("--eccentricity-m belongs to a trace or a run-up, not to --campbell");
+    return true;
   }
   double duration_s = arguments.duration_s;
   if (auto& ramp = arguments.run_up) {
@@ -132,6 +175,7 @@ RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
   const po::variables_map given = read_study_command_line(argc, argv, visible_options());
   RubtraceArguments arguments{study_arguments(given, "rubtrace")};
   if (arguments.action != Action::run) return arguments;
+  arguments.figure = figure_of(given);
   if (read_experiment(given, arguments)) return arguments;
   const auto speed_hz = read<double>(given, "speed-hz", "a number > 0", positive);
   if (!speed_hz) throw UsageError("the shaft speed is needed: --speed-hz S");
@@ -151,9 +195,11 @@ std::string rubtrace_help() {
       "  rubtrace configs/figure06_one_side.yaml --speed-hz 75 --whirl-ratio 0.3\n"
       "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
       "/tmp/trace\n"
-      "  scripts/trace.sh /tmp/trace /tmp/picture 'A trace'      (draws it)\n"
+      "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --figure /tmp/trace.png\n"
+      "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
       "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
-      "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5\n\n"
+      "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5\n"
+      "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n\n"
       "From a whirl ratio of 1, where the quiet whirl itself reaches the wall, the run starts at rest and "
       "without a "
       "kick.\n\n"
@@ -165,13 +211,23 @@ std::string rubtrace_help() {
       "0\n"
       "  events.csv      changes of contact mode: open, clamped, sprung, released; none with contact: "
       "smoothed\n"
+      "  sensors.csv     with --sample-s or --noise-m: what the sensors of a rotor kit read; of a Jeffcott "
+      "rotor "
+      "x and y\n"
+      "  probe_spectrum.csv  full spectrum of the last of these readings, of two sensors at one place\n"
       "  spectrum.csv    full spectrum of the last whole periods in response.window_revolutions revolutions\n"
       "  motion.csv      the row that a map holds of this cell, with its own number of revolutions\n"
       "  config.yaml     the complete configuration, its sweep reduced to this cell\n"
       "An experiment writes sensors.csv (what the sensors of a rotor kit read; of a Jeffcott rotor x and y), "
       "bode.csv "
       "(run-up:\n"
-      "1X amplitude and phase over speed), identification.csv (quantity, sensor, value) and config.yaml.\n\n"
+      "1X amplitude and phase over speed), identification.csv (quantity, sensor, value) and config.yaml. A "
+      "Campbell\n"
+      "diagram is campbell.csv (frequency and damping of each whirl mode over speed), critical_speeds.csv, "
+      "mode_shapes.csv\n"
+      "(along the shaft, at the first critical speed of each mode) and config.yaml; modes that come below "
+      "twice "
+      "TO.\n\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 the run failed, the files end at "
       "the\n"
       "failure, or there was nothing to run (motion.csv and config.yaml only). An interrupted run writes "

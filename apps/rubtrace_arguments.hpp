@@ -4,6 +4,7 @@
 #include <string>
 
 #include "action.hpp"
+#include "figure.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::apps {
@@ -14,14 +15,23 @@ struct SpeedRamp {
   double eccentricity_m = 0;
 };
 
+/// Speeds of a Campbell diagram, evenly spaced.
+struct CampbellSpeeds {
+  double from_hz = 0, to_hz = 0;
+  int count = 101;
+};
+
 struct RubtraceArguments : StudyArguments {
-  double speed_hz = 0;                   ///< of a trace
-  scene::Unbalance unbalance = {};       ///< of a trace
-  bool free_response = false;            ///< an experiment without contact instead of a trace
-  std::optional<SpeedRamp> run_up = {};  ///< another one
-  double duration_s = 2;                 ///< of the free response
-  double sample_s = 1e-3;                ///< of the sensors in an experiment
+  double speed_hz = 0;                          ///< of a trace
+  scene::Unbalance unbalance = {};              ///< of a trace
+  bool free_response = false;                   ///< an experiment without contact instead of a trace
+  std::optional<SpeedRamp> run_up = {};         ///< another one
+  std::optional<CampbellSpeeds> campbell = {};  ///< and another one
+  double duration_s = 2;                        ///< of the free response
+  double sample_s = 1e-3;                       ///< of the sensors
   double noise_m = 0;
+  bool probes = false;                ///< the sensors look at a trace, too
+  std::optional<Figure> figure = {};  ///< drawn of a trace or a Campbell diagram
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};
 };

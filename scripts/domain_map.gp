@@ -1,6 +1,7 @@
 # Draws the cells that analysis/domain_map.py lays out, one colour per class and order.
-# gnuplot -c domain_map.gp CELLS OUTPUT_BASENAME HEADING PRESENT LABELS SPEED_LABEL UNBALANCE_LABEL
-# PRESENT: the kinds in CELLS, a blank around each; LABELS: x y text x y text ...; the other two stand at the axes.
+# gnuplot -c domain_map.gp CELLS OUTPUT_BASENAME HEADING PRESENT LABELS SPEED_LABEL UNBALANCE_LABEL BOUNDARIES
+# PRESENT: the kinds in CELLS, a blank around each; LABELS: x y text x y text ...; the other two stand at the axes;
+# BOUNDARIES: the kinds of lines in CELLS behind the cells, a block for each.
 
 cells = ARG1
 output = ARG2
@@ -9,21 +10,14 @@ present = ARG4
 labels = ARG5
 speed_label = ARG6
 unbalance_label = ARG7
+boundaries = ARG8
+boundary_dash(k) = word(boundaries, k) eq "fold" ? 1 : word(boundaries, k) eq "doubling" ? 2 : word(boundaries, k) eq "torus" ? 3 : 4
+boundary_name(k) = word(boundaries, k) eq "fold" ? "orbit ends in a fold" : word(boundaries, k) eq "doubling" ? "period doubles" : \
+  word(boundaries, k) eq "torus" ? "torus" : "orbit ends otherwise"
 in_natural_frequencies = strstrt(speed_label, "natural frequency") > 0
 by_ratio = strstrt(unbalance_label, "whirl ratio") == 1
 
-# Colours: Paul Tol's "muted" scheme, made for colour-blind readers, and some of their own for rare kinds. The last three
-# kinds are hatched.
-kinds = 18
-array kind[kinds] = ["non_contact", "synchronous_circle", "synchronous_circle_backward", "synchronous", "subharmonic_2", \
-  "subharmonic_3", "subharmonic_4", "subharmonic_5", "subharmonic_6", "subharmonic_7", "subharmonic_8", \
-  "quasi_periodic_oval", "quasi_periodic_whip", "quasi_periodic", "chaotic", "unsettled", "initial_contact", "failed"]
-array legend[kinds] = ["no contact", "synchronous circle", "backward circle", "synchronous", "subharmonic 1/2", \
-  "subharmonic 1/3", "subharmonic 1/4", "subharmonic 1/5", "subharmonic 1/6", "subharmonic 1/7", "subharmonic ≤ 1/8", \
-  "quasi-periodic oval", "backward dry whip", "quasi-periodic", "chaotic", "unsettled", "pressed on the wall", "failed"]
-array colour[kinds] = ["#F4F4F4", "#4F9BD0", "#F4A6B8", "#88CCEE", "#CC6677", \
-  "#332288", "#DDCC77", "#117733", "#882255", "#44AA99", "#999933", \
-  "#EE8866", "#7A4F20", "#AA4499", "#000000", "#555555", "#999999", "#CC0000"]
+load ARG0[1:strlen(ARG0) - strlen("domain_map.gp")] . "motion_kinds.gp"
 solid = ""
 hatched = ""
 do for [i = 1:kinds] {
@@ -72,7 +66,9 @@ plot for [k = 1:words(solid)] cells index 0 using (x_if(at(solid, k))):2:3:4:5:6
        linecolor rgb colour[at(solid, k)] linewidth 0.5 fillstyle solid 1 border title legend[at(solid, k)], \
      for [k = 1:words(hatched)] cells index 0 using (x_if(at(hatched, k))):2:3:4:5:6 with boxxyerror \
        linecolor rgb colour[at(hatched, k)] linewidth 0.5 fillstyle pattern (at(hatched, k) - kinds + 6) border \
-       title legend[at(hatched, k)]
+       title legend[at(hatched, k)], \
+     for [k = 1:words(boundaries)] cells index (k > words(boundaries) ? 0 : k) using 1:2 with lines linecolor rgb "#000000" linewidth 1.3 \
+       dashtype boundary_dash(k) title boundary_name(k)
 set terminal svg size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
 set output output . ".svg"
 replot

@@ -38,7 +38,7 @@ strike() {
   echo "\$ $* &    kill -$signal when $cells cells are finished"
   eval "exec $*" >said 2>&1 &
   running=$!
-  until (($(cat "$directory"/*.journal 2>/dev/null | grep -c ',ok,kick$' || true) >= cells)); do
+  until (($(cat "$directory"/*.journal 2>/dev/null | grep -c ',ok,kick,' || true) >= cells)); do
     kill -0 $running 2>/dev/null || break
     sleep 0.01
   done
@@ -103,7 +103,7 @@ if command -v rubsweep-mpi >/dev/null; then
   code=0
   mpirun -n 3 --oversubscribe rubsweep-mpi sweep.yaml --output ranks --threads 1 >said 2>&1 &
   running=$!
-  until grep -qs ',ok,kick$' ranks/map.rank-2.journal; do
+  until grep -qs ',ok,kick,' ranks/map.rank-2.journal; do
     kill -0 $running 2>/dev/null || break
     sleep 0.01
   done
@@ -111,7 +111,7 @@ if command -v rubsweep-mpi >/dev/null; then
   kill -KILL "${ranks[-1]}" 2>/dev/null || true
   wait $running 2>/dev/null || code=$?
   grep -m 1 'exited on signal' said || true
-  echo "exit code $code, $(cat ranks/*.journal | grep -c ',ok,kick$') cells in the journals"
+  echo "exit code $code, $(cat ranks/*.journal | grep -c ',ok,kick,') cells in the journals"
   show 0 'mpirun -n 2 --oversubscribe rubsweep-mpi sweep.yaml --output ranks --threads 1'
   same ranks
 fi

@@ -13,6 +13,7 @@ rotor = "#332288"
 wall = "#CC6677"
 point = "#882255"
 kick = "#DDCC77"
+probe = "#117733"
 solid = "#E4E4E4"
 
 # Pixels. The orbit's panel is square.
@@ -26,6 +27,7 @@ height = title_px + rows * row_px
 x_at(px) = real(px) / width
 y_at(row, px) = 1 - real(title_px + row * row_px - bottom_px - px) / height
 file(row, name) = sprintf("%s/%d.%s", directory, row, name)
+probe_file(row, what) = file(row, probed[row] ? "probe_" . what : what)  # gnuplot reads the body of an empty loop, too
 at(list, k) = k > words(list) ? NaN : real(word(list, k))  # gnuplot reads the body of an empty loop, too
 largest(a, b) = a > b ? a : b
 
@@ -48,6 +50,7 @@ high(x, nx, ny, c) = abs(ny) < 1e-6 ? (nx * x < c ? NaN : reach) : ny > 0 ? reac
 array walls_reach[rows]  # the far side of the farthest wall, in mm
 any_moving_wall = 0
 any_kick = 0
+any_probe = 0
 highest = 2
 do for [row = 1:rows] {
   # The spectra go on to the last line above 1 % of the largest in any row.
@@ -61,6 +64,7 @@ do for [row = 1:rows] {
     walls_reach[row] = largest(walls_reach[row], at(rings[row], k) + offset)
   }
   if (words(moving_walls[row])) { any_moving_wall = 1 }
+  if (probed[row]) { any_probe = 1 }
   if (kick_s[row] > 0 && from[row] == 0) { any_kick = 1 }
 }
 
@@ -86,7 +90,7 @@ do for [format in "png svg"] {
   set label 1 heading at screen 0.5, 1 - 30.0 / height center font ":Bold,24"
 
   # Legend, across the whole picture; only what some row shows.
-  at_px = 0.5 * (width - 940 - (any_moving_wall ? 300 : 0) - (any_kick ? 130 : 0))
+  at_px = 0.5 * (width - 940 - (any_moving_wall ? 300 : 0) - (any_kick ? 130 : 0) - (any_probe ? 240 : 0))
   at_y = 1 - 78.0 / height
   set arrow from screen x_at(at_px), at_y to screen x_at(at_px + 60), at_y nohead linecolor rgb rotor linewidth 2
   set label 2 "rotor" at screen x_at(at_px + 72), at_y left
@@ -102,6 +106,11 @@ do for [format in "png svg"] {
   set label 5 "" at screen x_at(at_px), at_y point pointtype 7 pointsize 1.1 linecolor rgb point
   set label 6 "once per revolution" at screen x_at(at_px + 20), at_y left
   at_px = at_px + 360
+  if (any_probe) {
+    set label 8 "" at screen x_at(at_px), at_y point pointtype 6 pointsize 0.8 linecolor rgb probe
+    set label 9 "probes read" at screen x_at(at_px + 20), at_y left
+    at_px = at_px + 240
+  }
   if (any_kick) {
     set object rectangle from screen x_at(at_px), at_y - 12.0 / height \
       to screen x_at(at_px + 40), at_y + 12.0 / height fillcolor rgb kick fillstyle solid 0.6 noborder
@@ -154,7 +163,9 @@ do for [format in "png svg"] {
       [begin * unit:(begin < 0 ? 0 : end * unit)] before_kick(row, x / unit) * 1e3 \
         with lines linecolor rgb rotor linewidth 1.2 notitle, \
       file(row, "history") using (($1 - origin) * unit):($3 * 1e3) \
-        with lines linecolor rgb rotor linewidth 1.2 notitle
+        with lines linecolor rgb rotor linewidth 1.2 notitle, \
+      for [k = 1:probed[row]] probe_file(row, "history") using (($1 - origin) * unit):($2 * 1e3) \
+        with points pointtype 6 pointsize 0.8 linecolor rgb probe notitle
 
     # Orbit.
     @clear_panel
@@ -184,6 +195,8 @@ do for [format in "png svg"] {
           (at(walls[row], k + 1) * at(walls[row], k + 2) + t * at(walls[row], k)) \
         with lines dashtype 2 linecolor rgb "black" notitle, \
       file(row, "orbit") using ($1 * 1e3):($2 * 1e3) with lines linecolor rgb rotor linewidth 1.2 notitle, \
+      for [k = 1:probed[row]] probe_file(row, "orbit") using ($1 * 1e3):($2 * 1e3) \
+        with points pointtype 6 pointsize 0.8 linecolor rgb probe notitle, \
       file(row, "section") using ($1 * 1e3):($2 * 1e3) with points pointtype 7 pointsize 1.1 linecolor rgb point notitle
 
     # Full spectrum.
@@ -201,6 +214,8 @@ do for [format in "png svg"] {
     set mxtics order[row] > 1 ? order[row] : 1
     set ytics step(1.4 * S_max_y, 7)
     plot file(row, "spectrum") using 1:($2 * 1e3) with impulses linecolor rgb rotor linewidth 2 notitle, \
+      for [k = 1:probed[row]] probe_file(row, "spectrum") using 1:($2 > 0.004 * S_max_y * 1e-3 ? $2 * 1e3 : NaN) \
+        with points pointtype 6 pointsize 0.8 linecolor rgb probe notitle, \
       file(row, "labels") using 1:($2 * 1e3):3 \
         with labels rotate by 90 left offset 0, 0.4 font ",16" notitle
     @clear_panel

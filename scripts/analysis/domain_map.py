@@ -6,6 +6,7 @@ quasi_periodic_oval and, whirling backward, quasi_periodic_whip.
 """
 
 import math
+import os
 from dataclasses import dataclass
 
 import csv_table
@@ -54,6 +55,40 @@ def read_cells(path, measure, natural_frequency_hz=None, across="speed_hz"):
     if not cells:
         raise csv_table.TableError(f"{path}: no cells")
     return cells
+
+
+def boundary_kind(kind):
+    """How the picture parts the kinds of boundaries.csv."""
+    named = {"fold": "fold", "period_doubling": "doubling", "period_halving": "doubling", "neimark_sacker": "torus"}
+    return named.get(kind, "other")
+
+
+def read_boundaries(path, measure, natural_frequency_hz=None):
+    """The lines of boundaries.csv by what the picture calls them, each a list of points; nothing where there is no such
+    file."""
+    found = {}
+    if not os.path.exists(path):
+        return found
+    line = []
+    for row in csv_table.read_table(path, "family", "kind", "speed_hz", measure):
+        if not row["speed_hz"]:
+            line = []
+            continue
+        if not line:
+            found.setdefault(boundary_kind(row["kind"]), []).append(line)
+        line.append((csv_table.number(row, "speed_hz") / (natural_frequency_hz or 1), csv_table.number(row, measure)))
+    return dict(sorted(found.items()))
+
+
+def boundary_lines(boundaries):
+    """A block of lines for every kind, two empty lines before each block and one behind each line of a boundary."""
+    for lines in boundaries.values():
+        yield "\n"
+        for line in lines:
+            # A single point would not be seen.
+            for x, y in line if len(line) > 1 else line * 2:
+                yield f"{_digits(x)} {_digits(y)}"
+            yield ""
 
 
 def edges(values):

@@ -42,10 +42,15 @@ def main(arguments):
         columns = [swept_axes.values(config, axis) for axis in (across, up)]
         columns[0] = [value / (natural_hz or 1) for value in columns[0]]
         cells = refined_map.painted_cells(cells, *columns, int(config["sweep.refine.levels"]))
+    boundaries = {}
+    if across == "speed_hz":
+        boundary_file = os.path.join(os.path.dirname(map_file), "boundaries.csv")
+        boundaries = domain_map.read_boundaries(boundary_file, up, natural_hz)
     present = " ".join(sorted({cell.kind for cell in cells}))
     os.makedirs(os.path.dirname(output), exist_ok=True)
     with tempfile.NamedTemporaryFile("w", encoding="utf-8") as file:
         file.writelines(line + "\n" for line in domain_map.cell_lines(cells))
+        file.writelines(line + "\n" for line in domain_map.boundary_lines(boundaries))
         file.flush()
         gnuplot.draw(
             "domain_map.gp",
@@ -56,6 +61,7 @@ def main(arguments):
             domain_map.label_text(domain_map.labels(cells)),
             axis_label(across, natural_hz),
             axis_label(up, None),
+            " ".join(boundaries),
         )
 
 

@@ -180,9 +180,11 @@ def lay_out(directory, work, row_number, revolutions):
     _write(base + ".spectrum", spectrum, "order", "amplitude_m")
     _write_labels(base + ".labels", spectrum, motion)
 
+    probed = lay_out_probes(directory, work, row_number, shown, motion.speed_hz, config)
     moving_walls = [(4 + k, rest_mm) for k, (_, rest_mm) in enumerate(stops.moving)]
     return {
         "row_title": _quoted(title(motion, natural_hz and configuration.number(natural_hz))),
+        "probed": int(probed),
         "from": shown.begin,
         "to": shown.end,
         "speed_hz": motion.speed,
@@ -196,6 +198,30 @@ def lay_out(directory, work, row_number, revolutions):
         "walls": _quoted(_triples(stops.walls)),
         "rings": _quoted(_triples(stops.rings)),
     }
+
+
+def see_x_and_y(config):
+    """Whether sensors 0 and 1 read x and y, as they do of a Jeffcott rotor."""
+    angles = [config.get(f"rotor.sensors.{i}.angle_deg") for i in (0, 1)]
+    if angles == [None, None]:
+        return config.get("rotor.kind") == "jeffcott"
+    return None not in angles and [configuration.number(angle) for angle in angles] == [0, 90]
+
+
+def lay_out_probes(directory, work, row_number, shown, speed_hz, config):
+    """What the sensors read, where they looked and see x and y: at instants of their own."""
+    readings = os.path.join(directory, "sensors.csv")
+    spectrum = os.path.join(directory, "probe_spectrum.csv")
+    if not (os.path.exists(readings) and os.path.exists(spectrum) and see_x_and_y(config)):
+        return False
+    rows = list(csv_table.read_table(readings, "t_s", "sensor_0_m", "sensor_1_m"))
+    base = os.path.join(work, str(row_number))
+    _write(base + ".probe_history",
+           csv_table.between(rows, "t_s", shown.begin / speed_hz, shown.end / speed_hz), "t_s", "sensor_1_m")
+    _write(base + ".probe_orbit", csv_table.between(rows, "t_s", shown.orbit_from / speed_hz), "sensor_0_m", "sensor_1_m")
+    lines = csv_table.between(csv_table.read_table(spectrum, "order", "amplitude_m"), "order", -LARGEST_ORDER, LARGEST_ORDER)
+    _write(base + ".probe_spectrum", lines, "order", "amplitude_m")
+    return True
 
 
 def _write(path, rows, *names):

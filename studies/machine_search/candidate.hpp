@@ -32,7 +32,7 @@ struct Parameter {
 
 inline constexpr std::array<Parameter, 9> parameters{{
     {"rotor_damping_ratio", &Candidate::rotor_damping_ratio, 0.004, 0.04},
-    {"contact_length_m", &Candidate::contact_length_m, 0.003, 0.01},
+    {"contact_length_m", &Candidate::contact_length_m, 0.0015, 0.01},
     {"restitution_delivered", &Candidate::restitution_delivered, 0.5, 0.95},
     {"casing_mass_kg", &Candidate::casing_mass_kg, 0.01, 0.3},
     {"casing_frequency_hz", &Candidate::casing_frequency_hz, 200, 1500},

@@ -175,7 +175,7 @@ std::vector<Mark> annulus_marks(const Rows& map) {
     oval_least = std::min(oval_least, row.whirl_ratio);
   }
   return {{"circle", circle_top > 0 ? std::clamp(circle_top - 1.5, 0.0, 1.0) : 0, 1},
-          {"oval", std::min(1.0, ovals / 4), 1},
+          {"oval", std::min(1.0, ovals / 6), 1},
           {"oval_small", ovals > 0 && circle_top > 0 && oval_least < circle_least ? 1.0 : 0.0, 1},
           {"no_whip", 1 - share(whips, static_cast<double>(map.size())), 1}};
 }

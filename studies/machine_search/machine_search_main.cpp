@@ -1,7 +1,8 @@
-// machine_search SEED RANDOM NEARBY [KEPT]: looks for one machine whose five maps show as much as possible of
-// what Ishibashi & Kawai report. Evaluates the starting points, RANDOM machines drawn from the ranges of
-// candidate.hpp, then NEARBY machines near the KEPT (10) best ones. Prints one CSV line a machine as it goes;
-// the last column tells machines that were given up early. One thread; the lines depend on the arguments
+// machine_search SEED RANDOM NEARBY [KEPT [START.csv]]: looks for one machine whose five maps show as much as
+// possible of what Ishibashi & Kawai report. Evaluates the starting points, RANDOM machines drawn from the
+// ranges of candidate.hpp, then NEARBY machines near the KEPT (10) best ones. START.csv lists further
+// machines to begin with, by the names of the columns that are printed. Prints one CSV line a machine as it
+// goes; `complete` tells machines that were given up early. One thread; the lines depend on the arguments
 // alone, but for the processor time.
 
 #include <fmt/format.h>
@@ -10,12 +11,14 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "machine_search/evaluation.hpp"
+#include "rubsweep/batch/csv_table.hpp"
 
 namespace {
 
@@ -38,6 +41,8 @@ class Search {
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     if (best_.size() > kept_) best_.resize(kept_);
   }
+
+  bool found_some() const { return !best_.empty(); }
 
   /// One of the best, the better ones more often.
   const Candidate& one_of_the_best(std::mt19937_64& random) const {
@@ -72,25 +77,44 @@ std::optional<std::size_t> whole_number(const char* text) {
   return error == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
 }
 
+std::vector<Candidate> candidates_in(const char* path) {
+  rubsweep::batch::CsvReader rows(path);
+  std::vector<Candidate> candidates;
+  while (rows.next()) {
+    Candidate& candidate = candidates.emplace_back();
+    for (const Parameter& parameter : parameters)
+      candidate.*parameter.field = rows.number(rows.column(parameter.name));
+  }
+  return candidates;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::vector<std::size_t> numbers;
-  for (int i = 1; i < argc; ++i) {
+  for (int i = 1; i < std::min(argc, 5); ++i) {
     if (const auto number = whole_number(argv[i])) numbers.push_back(*number);
   }
-  if ((argc != 4 && argc != 5) || numbers.size() + 1 != static_cast<std::size_t>(argc) ||
-      (argc == 5 && numbers[3] == 0)) {
-    fmt::print(stderr, "usage: machine_search SEED RANDOM NEARBY [KEPT]\n");
+  if (argc < 4 || argc > 6 || numbers.size() + 1 != static_cast<std::size_t>(std::min(argc, 5)) ||
+      (argc >= 5 && numbers[3] == 0)) {
+    fmt::print(stderr, "usage: machine_search SEED RANDOM NEARBY [KEPT [START.csv]]\n");
     return 1;
   }
-  std::mt19937_64 random(numbers[0]);
-  Search search(numbers.size() == 4 ? numbers[3] : 10);
-  for (const Candidate& candidate : starting_points) search.look_at(candidate, "start");
-  for (std::size_t i = 0; i < numbers[1]; ++i) search.look_at(random_candidate(random), "random");
-  for (std::size_t i = 0; i < numbers[2]; ++i) {
-    const double spread = i % 2 == 0 ? 0.1 : 0.4;
-    search.look_at(perturbed(search.one_of_the_best(random), spread, random), "nearby");
+  try {
+    std::mt19937_64 random(numbers[0]);
+    Search search(numbers.size() == 4 ? numbers[3] : 10);
+    for (const Candidate& candidate : starting_points) search.look_at(candidate, "start");
+    if (argc == 6) {
+      for (const Candidate& candidate : candidates_in(argv[5])) search.look_at(candidate, "file");
+    }
+    for (std::size_t i = 0; i < numbers[1]; ++i) search.look_at(random_candidate(random), "random");
+    for (std::size_t i = 0; i < numbers[2] && search.found_some(); ++i) {
+      const double spread = i % 2 == 0 ? 0.1 : 0.4;
+      search.look_at(perturbed(search.one_of_the_best(random), spread, random), "nearby");
+    }
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "machine_search: {}\n", error.what());
+    return 3;
   }
   return 0;
 }

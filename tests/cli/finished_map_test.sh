@@ -62,7 +62,7 @@ expect_empty stderr
 [[ map/map.csv -ot before/map.csv ]] && fail 'the map was not computed anew'
 expect_as_before
 cp -r map failed
-sed -i 's/,non_contact,\(.*\),ok,kick$/,failed,\1,step_limit,kick/' failed/map.csv
+sed -i 's/,non_contact,\(.*\),ok,kick,/,failed,\1,step_limit,kick,/' failed/map.csv
 expect_exit 4 "${cell[@]}" --output failed
 expect_contains stdout 'status step_limit'
 

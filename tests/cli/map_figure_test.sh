@@ -43,6 +43,18 @@ expect_contains out/kit.svg 'shaft speed (Hz)'
 NATURAL_FREQUENCY_HZ=30 draw 0 domain_map.sh kit/map.csv out/kit Heading
 expect_contains out/kit.svg 'shaft speed / natural frequency'
 
+# rubsweep draws it itself, of a map that it makes or finds.
+expect_exit 0 "$minimal" --output ratio --figure pictures/own.svg --fresh \
+  --set 'sweep={speed_hz: {values: [60, 75, 90]}, whirl_ratio: {values: [0.4, 0.8, 1.2]}}'
+expect_contains stdout 'figure: pictures/own.svg'
+expect_contains pictures/own.svg 'Rub domains after a kick'
+draw 0 domain_map.sh ratio/map.csv out/own 'Rub domains after a kick'
+expect_same out/own.svg pictures/own.svg
+expect_exit 1 "$minimal" --shard 1/2 --figure x.png
+expect_contains stderr '--figure needs the whole map'
+expect_exit 1 "$minimal" --figure x.pdf
+expect_contains stderr '--figure: allowed: a name that ends with .png or .svg'
+
 # A whip and an oval, circles forward and backward: each has its own colour and name.
 mkdir motions
 cp ratio/config.yaml motions

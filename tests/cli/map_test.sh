@@ -6,7 +6,7 @@ expect_exit 0 "$minimal"
 expect_files results minimal minimal/config.yaml minimal/map.csv
 map=results/minimal/map.csv
 expect_contains stdout "map: $map"
-expect_empty stderr
+expect_contains stderr 'rubsweep: warning: in 2 of 24 cells the rotor moves farther than 10 clearances'
 expect_whole_rows "$map"
 expect_contains "$map" "# rubsweep $version"
 expect_matches "$map" '^# digest [0-9a-f-]{36}$'

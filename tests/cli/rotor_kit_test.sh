@@ -24,8 +24,35 @@ expect_files run_up bode.csv config.yaml identification.csv sensors.csv
 identified run_up/identification.csv critical_speed_hz 0 29 31.5
 identified run_up/identification.csv critical_speed_hz 1 29 31.5
 
+# Whirl modes over the speed: the lowest critical speed is that of the run-up, and the gyroscopic moment parts the modes.
+expect_exit 0 "$kit" --campbell 0:200:21 --output campbell
+expect_files campbell campbell.csv config.yaml critical_speeds.csv mode_shapes.csv
+[[ $(head -n 1 campbell/campbell.csv) == speed_hz,mode,whirl,forward_share,frequency_hz,damping_ratio ]] || fail 'another header'
+[[ $(count_rows campbell/campbell.csv 'speed_hz == 200') == 7 ]] || fail 'not seven modes below 400 Hz'
+[[ $(count_rows campbell/critical_speeds.csv "whirl == 'forward' and 29 < speed_hz < 31") == 1 ]] ||
+  fail "another first critical speed: $(<campbell/critical_speeds.csv)"
+[[ $(count_rows campbell/critical_speeds.csv "whirl == 'forward' and 110 < speed_hz < 120") == 1 &&
+  $(count_rows campbell/critical_speeds.csv "whirl == 'backward' and 95 < speed_hz < 105") == 1 ]] ||
+  fail "the second mode does not part: $(<campbell/critical_speeds.csv)"
+expect_contains stdout 'critical  29.8568 Hz, mode 2, forward'
+# A directory never mixes two experiments.
+expect_exit 0 "$kit" --free-response --duration-s 0.1 --set rotor.modes=2 --output campbell --quiet
+expect_files campbell config.yaml identification.csv sensors.csv
+expect_exit 0 "$minimal" --campbell 0:100 --output jeffcott
+[[ $(count_rows jeffcott/critical_speeds.csv 'abs(speed_hz - 29.99399939987997) < 1e-9') == 2 ]] ||
+  fail "another critical speed of a Jeffcott rotor: $(<jeffcott/critical_speeds.csv)"
+
 expect_exit 0 "$kit" --speed-hz 70 --whirl-ratio 0.7 "${small[@]}" --last-revolutions 2 --output rub
 expect_contains stdout 'motion    subharmonic 1/2'
+
+# The same run as the probes see it every 1 ms: 200 turns of 1 / 70 s.
+expect_exit 0 "$kit" --speed-hz 70 --whirl-ratio 0.7 "${small[@]}" --last-revolutions 2 --noise-m 2e-6 --output probed
+expect_contains stdout 'probes    repeats after 2 turns by 914 readings of sensors 0 (0 deg) and 1 (90 deg) every 0.001 s'
+expect_files probed config.yaml events.csv motion.csv probe_spectrum.csv section.csv sensors.csv spectrum.csv trajectory.csv
+[[ $(wc -l <probed/sensors.csv) == 2859 ]] || fail 'not 2858 readings'
+expect_same probed/motion.csv rub/motion.csv
+expect_exit 0 "$kit" --speed-hz 70 --whirl-ratio 0.7 "${small[@]}" --sample-s 1e-3 --set rotor.sensors.1.angle_deg=0 --output one_direction
+expect_contains stdout 'probes    no two of them see one place from two directions'
 
 rubsweep=$sweep
 expect_exit 0 "$kit" "${small[@]}" --set sweep.speed_hz='{values: [70, 100]}' --set sweep.whirl_ratio='{values: [0.7]}' \
@@ -41,11 +68,20 @@ refused() {
   expect_exit 1 "$kit" "$@"
   expect_contains stderr "rubtrace: $text"
 }
-refused '--free-response and --run-up exclude each other' --free-response --run-up 10:20:1
+refused '--free-response, --run-up and --campbell exclude each other' --free-response --run-up 10:20:1
+refused '--free-response, --run-up and --campbell exclude each other' --campbell 10:20 --run-up 10:20:1
+for range in 10 10:x 20:10 -1:10 10:20:1 10:20:2.5 10:20:30:40; do
+  refused "--campbell: '$range' is not allowed, allowed: FROM:TO" --campbell="$range"
+done
+refused '--eccentricity-m belongs to a trace or a run-up' --campbell 10:20 --eccentricity-m 1e-5
+refused '--duration-s belongs to --free-response' --campbell 10:20 --duration-s 3
+refused '--figure belongs to a trace or to --campbell' --free-response --figure x.png
+refused '--figure: allowed: a name that ends with .png or .svg' --campbell 10:20 --figure x.gif
 refused '--speed-hz belongs to a trace' --free-response --speed-hz 3
-refused '--noise-m belongs to --free-response or --run-up' --speed-hz 3 --whirl-ratio 0.1 --noise-m 1
+refused '--duration-s belongs to --free-response' --speed-hz 3 --whirl-ratio 0.1 --duration-s 1
 refused 'the unbalance of the run-up is needed' --run-up 10:20:1
 refused "--run-up: '10:20' is not allowed" --run-up 10:20 --eccentricity-m 1e-5
 refused "--run-up: '10:x:1' is not allowed" --run-up 10:x:1 --eccentricity-m 1e-5
 refused '--run-up: allowed: speeds > 0' --run-up 10:20:-1 --eccentricity-m 1e-5
 refused '--sample-s: allowed: long enough' --free-response --sample-s 1e-9
+refused '--sample-s: allowed: long enough' --speed-hz 70 --whirl-ratio 0.7 --sample-s 1e-9

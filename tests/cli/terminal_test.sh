@@ -17,7 +17,34 @@ at_terminal "$run --progress never"
 grep -q 'cells' stdout && fail 'progress in spite of never'
 at_terminal "$run --quiet"
 expect_empty stdout
-# Only stderr matters.
+# Only stderr matters to the progress, only stdout to the map in characters.
 at_terminal "$run 2>progress"
 expect_empty progress
 expect_contains stdout 'map: '
+expect_matches stdout '^ +0\.2 \.'
+at_terminal "$run >file"
+! grep -q whirl_ratio file || fail 'the map in characters is in a file'
+expect_contains file 'map: '
+at_terminal "$run --progress never"
+! grep -q whirl_ratio stdout || fail 'a map in characters in spite of never'
+
+# The map, its summary, and commands that can be taken as they are.
+expect_exit 0 "$minimal" --output 'a map' --quiet
+at_terminal "$(printf '%q ' "$rubsweep" "$minimal" --output 'a map')"
+tr -d '\r' <stdout >screen
+[[ $(sed -n 1,6p screen | grep -c '^.\{15\}[.2-9]\{6\}$') == 4 ]] || fail "no map in characters: $(<screen)"
+expect_contains screen '  2 subharmonic 1/2'
+expect_matches screen '^ +5 +20\.8 %  subharmonic 1/2$'
+expect_contains screen "next: rubreport 'a map'"
+next=$(sed -n 's/^next: \(rubtrace .*\) --figure cell.png  # \(.*\)$/\1/p' screen)
+[[ -n $next ]] || fail 'no next command'
+(
+  PATH=$(dirname "$rubsweep"):$PATH
+  eval "$next --output trace" >stdout 2>stderr || fail "$next: exit code $?"
+)
+expect_contains stdout 'motion    subharmonic 1/2'
+export COLORTERM=truecolor
+at_terminal "$(printf '%q ' "$rubsweep" "$minimal" --output 'a map')"
+expect_contains stdout $'\x1b[48;2;204;102;119m'
+NO_COLOR=1 at_terminal "$(printf '%q ' "$rubsweep" "$minimal" --output 'a map')"
+! grep -q $'\x1b\[48;2' stdout || fail 'colours in spite of NO_COLOR'

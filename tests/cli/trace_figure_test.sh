@@ -61,3 +61,22 @@ expect_contains stderr 'usage: trace.sh'
 draw 3 nowhere out/nothing Heading
 expect_matches stderr '^trace.sh: cannot read .*/nowhere/trajectory.csv$'
 expect_missing out/nothing.png
+
+# The programs draw it themselves, with the same script, and say so before they run when they cannot.
+expect_exit 0 "$minimal" --speed-hz 90 --whirl-ratio 0.6 --revolutions 100 --output own --figure pictures/own.png
+expect_contains stdout 'figure    pictures/own.png'
+expect_files pictures own.png
+draw 0 own out/own 'One cell under the lens'
+cmp out/own.png pictures/own.png || fail 'another picture'
+expect_exit 0 "$top/configs/rotor_kit.yaml" --campbell 0:200:11 --output campbell --figure pictures/campbell.svg --quiet
+expect_empty stdout
+expect_contains pictures/campbell.svg 'critical speed'
+expect_contains pictures/campbell.svg 'place along the shaft (mm)'
+expect_exit 0 "$minimal" --campbell 0:100 --output jeffcott --figure pictures/jeffcott.svg --quiet
+expect_contains pictures/jeffcott.svg 'whirl frequency (Hz)'
+! grep -q 'place along the shaft' pictures/jeffcott.svg || fail 'a Jeffcott rotor has no shaft to bend'
+mkdir bin
+ln -s "$(command -v python3)" bin/python3
+PATH=$work/bin expect_exit 3 "$minimal" --speed-hz 90 --whirl-ratio 0.6 --output none --figure none.png
+/usr/bin/grep -qF -- '--figure: there is no program called gnuplot to draw with' stderr || fail 'no word of gnuplot'
+expect_missing none

@@ -138,7 +138,10 @@ TEST(PrintConfig, FitsTheReaderAtItsLargest) {
 TEST(PrintStudy, IsTheConfigurationWithoutItsOutput) {
   RunConfig config = read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", {});
   const std::string study = print_study(config.study);
-  EXPECT_EQ(print_config(config), study + "output:\n  directory: results/one_side\n");
+  EXPECT_EQ(print_config(config),
+            study + "output:\n  directory: results/one_side\n  warn_over_clearances: 10\n");
+  config.warn_over_clearances = 3;
+  EXPECT_EQ(print_study(config.study), study) << "no part of the digest";
 }
 
 TEST(PrintConfig, ShowsEveryDefault) {

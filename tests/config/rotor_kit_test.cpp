@@ -55,8 +55,23 @@ TEST(RotorKit, OtherForms) {
   const model::RotorKit& kit = *model::kit_of(machine);
   EXPECT_FALSE(kit.modes);
   EXPECT_EQ(kit.damping_ratio, (std::vector<double>{0.03}));
+  EXPECT_EQ(kit.rotating_damping_ratio, (std::vector<double>{0}));
   EXPECT_EQ(std::get<model::BowMode>(kit.bow->shape).mode, 2);
   EXPECT_EQ(std::get<model::BowMode>(kit.bow->shape).amplitude_m, 1e-4);
+}
+
+/// A pedestal does not turn.
+TEST(RotorKit, DampingThatTurnsWithTheShaftTakesNoPedestals) {
+  const std::string supports =
+      "rotor.supports=[{position_m: 0, stiffness_x_n_per_m: 1e4, stiffness_y_n_per_m: 1e4}, "
+      "{position_m: 0.5, stiffness_x_n_per_m: 1e4, stiffness_y_n_per_m: 1e4}]";
+  const model::Machine machine = read_with({supports, "rotor.rotating_damping_ratio=[0.01, 0.002]"});
+  EXPECT_EQ(model::kit_of(machine)->rotating_damping_ratio, (std::vector<double>{0.01, 0.002}));
+  EXPECT_EQ(
+      message_of(test_file("rotor_kit.yaml"), {"rotor.rotating_damping_ratio=0.01"}),
+      "--set rotor.rotating_damping_ratio=0.01: rotor.rotating_damping_ratio: turns with the shaft, and "
+      "pedestals do not, allowed: 0 beside pedestals");
+  EXPECT_EQ(message_of(test_file("rotor_kit.yaml"), {"rotor.rotating_damping_ratio=0"}), "no error");
 }
 
 TEST(RotorKit, WhatIsPrintedReadsBackTheSame) {

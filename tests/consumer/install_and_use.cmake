@@ -47,3 +47,17 @@ string(FIND "${output}" "${VERSION}" place)
 if(place EQUAL -1)
   message(FATAL_ERROR "rubsweep --version does not name ${VERSION}:\n${output}")
 endif()
+
+# An installed program draws with the scripts that are installed beside it.
+find_program(gnuplot gnuplot)
+if(gnuplot)
+  set(draw ${work}/prefix/bin/rubtrace ${EXAMPLES}/../configs/minimal.yaml --campbell 0:100 --output ${work}/campbell
+    --figure ${work}/campbell.png)
+  run(${draw})
+  file(GLOB_RECURSE script ${work}/prefix/*/rubsweep/scripts/campbell.gp)
+  file(REMOVE ${script} ${work}/campbell.png)
+  execute_process(COMMAND ${draw} RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+  if(status EQUAL 0 OR NOT script OR EXISTS ${work}/campbell.png)
+    message(FATAL_ERROR "rubtrace did not draw with the installed ${script}")
+  endif()
+endif()

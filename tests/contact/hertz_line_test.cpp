@@ -95,5 +95,20 @@ TEST(HertzLine, AContactWiderThanLongIsRefused) {
   EXPECT_THROW(hertz_stiffness_n_per_m(contact), ConfigError);
 }
 
+/// At the limit the secant is as much stiffer as is tolerated, by the approach itself.
+TEST(HertzLine, TheForceLimitIsWhereTheSecantIsATenthStiffer) {
+  using enum model::HertzShape;
+  for (const auto shape : {cylinder, flat, hole}) {
+    auto contact = steel_on_brass(shape, 6e-3);
+    for (const double design_force_n : {20.0, 250.0, 1500.0}) {
+      contact.design_force_n = design_force_n;
+      const double limit_n = hertz_force_limit_n(contact);
+      EXPECT_GT(limit_n, design_force_n);
+      const double secant = limit_n / hertz_approach_m(contact, limit_n);
+      EXPECT_NEAR(secant, 1.1 * hertz_stiffness_n_per_m(contact), 1e-9 * secant) << design_force_n;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rubsweep::contact

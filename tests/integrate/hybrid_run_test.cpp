@@ -206,6 +206,8 @@ TEST(Exact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
     for (std::size_t i = 0; i < a.samples.size(); ++i) EXPECT_NEAR(a.samples[i], b.samples[i], 1e-9);
     EXPECT_NEAR(a.peak_displacement_m, b.peak_displacement_m, 1e-5 * b.peak_displacement_m);
     EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-5 * b.peak_contact_force_n);
+    EXPECT_NEAR(a.peak_casing_displacement_m, b.peak_casing_displacement_m,
+                5e-5 * b.peak_casing_displacement_m);
     EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 1e-9);
     EXPECT_EQ(a.hits, b.hits);
     EXPECT_EQ(a.touching_at_end, b.touching_at_end);
@@ -261,6 +263,35 @@ TEST(Exact, PeakForceOfATurnThatStartsInContact) {
   }
 }
 
+/// A casing that rings a hundred times a turn where nothing touches it: x = (x0 cos + (v0 + z w x0) / wd sin)
+/// e^{-z w t} has its largest value at tan(wd t) = wd v0 / (w (w x0 + z v0)).
+TEST(Exact, PeakOfACasingThatRings) {
+  scene::Scene scene = test::cell_of({}).scene;
+  scene.pulses.clear();
+  const double ratio = 0.03, rate = 100 * scene.speed_rad_per_s, mass = scene.structure.mass(2, 2);
+  for (const Eigen::Index k : {2, 3}) {
+    scene.structure.stiffness(k, k) = mass * rate * rate;
+    scene.structure.damping(k, k) = 2 * ratio * mass * rate;
+  }
+  // Away from the rotor, across and towards the wall.
+  const double x0 = 3e-5, v0 = 0.2;
+  scene.displacement_m(2) = x0;
+  scene.velocity_m_per_s(2) = v0;
+  const double damped = rate * std::sqrt(1 - ratio * ratio);
+  const double at = std::atan2(damped * v0, rate * (rate * x0 + ratio * v0)) / damped;
+  const double peak =
+      std::exp(-ratio * rate * at) *
+      (x0 * std::cos(damped * at) + (v0 + ratio * rate * x0) / damped * std::sin(damped * at));
+  exact::ModeCache modes;
+  run::TurnReport turn;
+  ASSERT_EQ(start_hybrid(scene, {}, modes).advance({.peaks = true}, turn), run::Outcome::ok);
+  EXPECT_FALSE(turn.touched);
+  EXPECT_NEAR(turn.peak_casing_displacement_m, peak, 5e-5 * peak);
+  ASSERT_EQ(start_hybrid(scene, {}, modes).advance({.samples_per_revolution = 64, .peaks = true}, turn),
+            run::Outcome::ok);
+  EXPECT_NEAR(turn.peak_casing_displacement_m, peak, 5e-5 * peak);
+}
+
 TEST(Exact, PeaksDoNotDependOnSamples) {
   const auto scene = test::cell_of({}).scene;
   exact::ModeCache modes;
@@ -274,6 +305,9 @@ TEST(Exact, PeaksDoNotDependOnSamples) {
     touched += a.touched;
     EXPECT_NEAR(a.peak_displacement_m, b.peak_displacement_m, 1e-5 * b.peak_displacement_m) << k;
     EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-6 * b.peak_contact_force_n) << k;
+    EXPECT_NEAR(a.peak_casing_displacement_m, b.peak_casing_displacement_m,
+                5e-5 * b.peak_casing_displacement_m)
+        << k;
   }
   EXPECT_GT(touched, 5);
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 #include "batch/message_of.hpp"
@@ -171,6 +173,34 @@ TEST_F(CompareMaps, HowLongATransientLastedIsNotCompared) {
   other[0].last_contact_revolution = 77;
   other[0].proof = response::motion::Proof::observed;
   EXPECT_TRUE(compare(cells(), other).equal());
+}
+
+/// A map of an earlier version ends before the columns that were added since.
+TEST_F(CompareMaps, ColumnsThatOneMapLacksAreNotCompared) {
+  const auto without = [](std::string text) {
+    std::string older;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = text.find('\n', at);
+      std::string line = text.substr(at, end - at);
+      if (!line.starts_with('#')) line.resize(line.rfind(',', line.rfind(',') - 1));
+      older += line + '\n';
+      at = end + 1;
+    }
+    return older;
+  };
+  auto rows = cells();
+  rows[0].measures->contact.peak_casing_displacement_m = 1e-4;
+  const auto newer = table("newer.csv", rows);
+  std::ifstream file(newer);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto comparison = compare_maps(newer, table_of("older.csv", without(text)), 1e-9);
+  EXPECT_TRUE(comparison.equal());
+  EXPECT_EQ(comparison.missing_columns,
+            (std::vector<std::string>{"peak_casing_displacement_m", "peak_over_clearance"}));
+  EXPECT_NE(describe(comparison, 1e-9)
+                .find("not compared: peak_casing_displacement_m, peak_over_clearance, which only one of the "
+                      "maps has\n"),
+            std::string::npos);
 }
 
 TEST_F(CompareMaps, ListedCellsAreLeftOut) {

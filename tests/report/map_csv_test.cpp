@@ -43,8 +43,12 @@ Row full_row() {
   row.order = 2;
   row.measures.emplace();
   row.measures->turns = 48;
-  row.measures->contact = {
-      .hits = 72, .contact_fraction = 0.125, .peak_displacement_m = 2.5e-3, .peak_contact_force_n = 1234.5};
+  row.measures->contact = {.hits = 72,
+                           .contact_fraction = 0.125,
+                           .peak_displacement_m = 2.5e-3,
+                           .peak_contact_force_n = 1234.5,
+                           .peak_casing_displacement_m = 3e-4};
+  row.peak_over_clearance = 2.5;
   row.measures->amplitude_1x_forward_m = 4.56e-4;
   row.measures->amplitude_1x_backward_m = 2e-5;
   row.measures->dominant = {.order = -0.5, .amplitude_m = 1.5e-3};
@@ -74,7 +78,7 @@ constexpr const char* contract =
     "m,"
     "dominant_order,dominant_amplitude_m,floquet_modulus,lyapunov_per_revolution,last_contact_revolution,"
     "revolutions,"
-    "status,start";
+    "status,start,peak_casing_displacement_m,peak_over_clearance";
 
 TEST(MapHeader, IsTheContract) { EXPECT_EQ(map_header(), contract); }
 
@@ -82,17 +86,17 @@ TEST(MapLine, OfARowWithEverything) {
   EXPECT_EQ(
       map_line(full_row()),
       "75,0.4,0.000336,subharmonic,2,oval,backward,observed,yes,,1.5,0.125,0.0025,1234.5,0.000456,2e-05,"
-      "-0.5,0.0015,,,600,600,ok,kick");
+      "-0.5,0.0015,,,600,600,ok,kick,3e-04,2.5");
 }
 
-TEST(MapLine, HowTheRunStartedStandsLast) {
+TEST(MapLine, HowTheRunStarted) {
   Row row = full_row();
   EXPECT_EQ(by_column(map_line(row)).at("start"), "kick");
   row.start = sweep::RunStart::quiet;
   EXPECT_EQ(by_column(map_line(row)).at("start"), "quiet");
   row.start = sweep::RunStart::contact;
   EXPECT_EQ(by_column(map_line(row)).at("start"), "contact");
-  EXPECT_TRUE(map_line(row).ends_with(",ok,contact"));
+  EXPECT_TRUE(map_line(row).ends_with(",ok,contact,3e-04,2.5"));
 }
 
 TEST(MapLine, ASensitiveCellSaysSo) {
@@ -119,7 +123,7 @@ TEST(MapLine, CombSpacingAndExponentStandInTheirOwnColumns) {
 }
 
 TEST(MapLine, WhatDoesNotApplyIsEmpty) {
-  EXPECT_EQ(map_line(failed_row()), "60,0.5,,failed,,,,,,,,,,,,,,,,,,0,unreachable,");
+  EXPECT_EQ(map_line(failed_row()), "60,0.5,,failed,,,,,,,,,,,,,,,,,,0,unreachable,,,");
 }
 
 TEST(MapLine, ARotorAtRestHasNoOrbitWhirlOrDominantLine) {
@@ -154,6 +158,8 @@ TEST(MapLine, NumbersReadBackToTheSameBits) {
         {"contact_fraction", &m.contact.contact_fraction},
         {"peak_displacement_m", &m.contact.peak_displacement_m},
         {"peak_contact_force_n", &m.contact.peak_contact_force_n},
+        {"peak_casing_displacement_m", &m.contact.peak_casing_displacement_m},
+        {"peak_over_clearance", &*row.peak_over_clearance},
         {"amplitude_1x_forward_m", &m.amplitude_1x_forward_m},
         {"amplitude_1x_backward_m", &m.amplitude_1x_backward_m},
         {"dominant_order", &m.dominant->order},

@@ -98,6 +98,26 @@ TEST(MapSummary, SaysWhyNothingRubs) {
   EXPECT_EQ(summary_of({kicked, row(MotionClass::synchronous, 1)}).text().find("touched"), std::string::npos);
 }
 
+TEST(MapSummary, WarnsOfCellsThatMoveFartherThanTheLimit) {
+  Row near = row(MotionClass::subharmonic, 2), far = near, farther = near;
+  near.peak_over_clearance = 10;
+  far.peak_over_clearance = 10.5;
+  farther.peak_over_clearance = 39.25;
+  const MapSummary summary = summary_of({near, far, farther, row(MotionClass::non_contact)});
+  EXPECT_NE(summary.text().find("       2  move farther than 10 clearances, at most 39.2\n"),
+            std::string::npos)
+      << summary.text();
+  EXPECT_TRUE(summary.warning().starts_with(
+      "warning: in 2 of 4 cells the rotor moves farther than 10 clearances, at most 39.2;"))
+      << summary.warning();
+  EXPECT_EQ(summary_of({near}).warning(), "");
+  EXPECT_EQ(summary_of({near}).text().find("clearances"), std::string::npos);
+  MapSummary strict(5);
+  strict.add(map_line(near));
+  EXPECT_NE(strict.warning().find("in 1 of 1 cells the rotor moves farther than 5 clearances"),
+            std::string::npos);
+}
+
 TEST(MapSummary, OfNothingIsEmpty) { EXPECT_EQ(MapSummary().text(), ""); }
 
 }  // namespace

@@ -168,5 +168,20 @@ TEST(ExponentOf, RefusesFewerThanFortyContributions) {
   EXPECT_THROW(exponent_of(std::vector<double>(39)), SolverError);
 }
 
+/// The mean of an oscillation that never comes round: smooth weights find it to a millionth where equal ones
+/// are a thousandth off.
+TEST(BumpMean, ConvergesFastOnQuasiPeriodicContributions) {
+  std::vector<double> contributions;
+  double sum = 0;
+  for (int k = 0; k < 400; ++k) {
+    contributions.push_back(0.3 + std::cos(2.39996322972865332 * k + 0.2));
+    sum += contributions.back();
+  }
+  EXPECT_NEAR(bump_mean(contributions), 0.3, 1e-6);
+  EXPECT_GT(std::abs(sum / 400 - 0.3), 1e-4);
+  EXPECT_EQ(bump_mean({}), 0);
+  EXPECT_NEAR(bump_mean(std::vector<double>(7, 1.5)), 1.5, 1e-15);
+}
+
 }  // namespace
 }  // namespace rubsweep::response

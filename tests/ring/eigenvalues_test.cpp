@@ -9,7 +9,7 @@
 #include "ring/multiprecision.hpp"
 #include "ring/random_system.hpp"
 #include "rubsweep/error.hpp"
-#include "rubsweep/ring/assignment.hpp"
+#include "rubsweep/numerics/assignment.hpp"
 
 namespace rubsweep::ring {
 namespace {
@@ -24,7 +24,7 @@ double distance(const Eigen::VectorXcd& a, const std::vector<Complex>& b) {
     for (Eigen::Index j = 0; j < a.size(); ++j) cost(i, j) = std::abs(a(i) - b[static_cast<std::size_t>(j)]);
   }
   double largest = 0;
-  const auto match = cheapest_assignment(cost);
+  const auto match = numerics::cheapest_assignment(cost);
   for (Eigen::Index i = 0; i < a.size(); ++i)
     largest = std::max(largest, cost(i, match[static_cast<std::size_t>(i)]));
   return largest / size_of(a);

@@ -42,6 +42,7 @@ class LayOut(FileTest):
             self.lay_out(),
             {
                 "row_title": '"subharmonic 1/2: 50 Hz = 1.67 × natural frequency, whirl ratio 0.6"',
+                "probed": 0,
                 "from": 0,
                 "to": 10,
                 "speed_hz": "50",
@@ -65,6 +66,20 @@ class LayOut(FileTest):
         self.assertEqual(self.read("1.section").split("\n")[:2], ["7e-4 1e-3", "8e-4 1e-3"])
         self.assertEqual(self.read("1.spectrum"), "0 0\n0.5 1e-3\n1 0\n")
         self.assertEqual(self.read("1.labels"), "0.5 1e-3 1/2X\n")
+
+    def test_readings_of_probes_that_see_x_and_y(self):
+        self.write("sensors.csv", "t_s,speed_hz,shaft_angle_rad,sensor_0_m,sensor_1_m\n" +
+                   "".join(f"{k / 1000},50,0,{k},{-k}\n" for k in range(200)))
+        self.write("probe_spectrum.csv", "order,frequency_hz,amplitude_m\n-8.5,0,9\n0.5,25,1e-3\n")
+        for kit, probed in (("kind: jeffcott", 1), ("kind: rotor_kit", 0),
+                            ("kind: rotor_kit\n  sensors:\n    - angle_deg: 0\n    - angle_deg: 90", 1),
+                            ("kind: rotor_kit\n  sensors:\n    - angle_deg: 45\n    - angle_deg: 135", 0)):
+            self.write("config.yaml", CONFIG.replace("rotor:", "rotor:\n  " + kit))
+            self.assertEqual(self.lay_out(-1)["probed"], probed, kit)
+        self.assertEqual(self.read("1.probe_history").split("\n")[0], "0.18 -180")
+        # The orbit from revolution 6 on, 120 ms.
+        self.assertEqual(self.read("1.probe_orbit").split("\n")[0], "120 -120")
+        self.assertEqual(self.read("1.probe_spectrum"), "0.5 1e-3\n")
 
     def test_a_run_that_started_in_contact_has_no_kick(self):
         self.write("motion.csv", MOTION.replace(",kick", ",contact"))

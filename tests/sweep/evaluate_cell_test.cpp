@@ -48,6 +48,8 @@ class ByHand {
   std::complex<double> displacement_m() const { return {state_[0], state_[1]}; }
   bool touches() const { return equations_.penetration(state_) > 0; }
 
+  double casing_m() const { return std::hypot(state_[2], state_[3]); }
+
   double normal_force_n() const {
     const double spring = equations_.K * equations_.penetration(state_);
     const double damper = equations_.d * equations_.closing_speed(state_);
@@ -208,7 +210,7 @@ TEST(EvaluateCell, SubharmonicRowHoldsTheNumbersOfTheMotionByHand) {
   by_hand.advance(298);
   const auto section = by_hand.displacement_m();
   std::complex<double> half, forward, backward;
-  double peak_m = 0, peak_n = 0;
+  double peak_m = 0, peak_n = 0, casing_m = 0;
   int touching = 0, hits = 0;
   const int steps = 2 * ByHand::steps_per_turn;
   for (int i = 0; i < steps; ++i) {
@@ -221,6 +223,7 @@ TEST(EvaluateCell, SubharmonicRowHoldsTheNumbersOfTheMotionByHand) {
     forward += z * std::polar(1.0 / steps, -phase);
     backward += z * std::polar(1.0 / steps, phase);
     peak_m = std::max(peak_m, std::abs(z));
+    casing_m = std::max(casing_m, by_hand.casing_m());
     const bool touched = by_hand.touches();
     if (touched) peak_n = std::max(peak_n, by_hand.normal_force_n());
     by_hand.advance_one_step();
@@ -235,6 +238,8 @@ TEST(EvaluateCell, SubharmonicRowHoldsTheNumbersOfTheMotionByHand) {
   EXPECT_NEAR(m.amplitude_1x_backward_m, std::abs(backward), 1e-7 * std::abs(half));
   EXPECT_NEAR(m.contact.peak_displacement_m, peak_m, 1e-5 * peak_m);
   EXPECT_NEAR(m.contact.peak_contact_force_n, peak_n, 1e-4 * peak_n);
+  EXPECT_NEAR(m.contact.peak_casing_displacement_m, casing_m, 1e-4 * casing_m);
+  EXPECT_NEAR(row.peak_over_clearance.value(), peak_m / 1e-3, 1e-5 * peak_m / 1e-3);
   EXPECT_NEAR(m.contact.contact_fraction, 1.0 * touching / steps, 2.0 / steps);
   EXPECT_EQ(m.contact.hits * 2, hits * m.turns);
 }
@@ -290,6 +295,75 @@ TEST(EvaluateCell, DependsOnItsArgumentsAlone) {
   response::motion::Workspace workspace;
   evaluate_cell(other, 0, workspace);
   EXPECT_EQ(report::map_line(evaluate_cell(study, 0, workspace)), fresh);
+}
+
+/// A casing that nothing touches hangs on its spring.
+TEST(EvaluateCell, ACasingAtRestHangsByItsWeight) {
+  Study study = one_side_study({75}, {0.4});
+  study.machine.kick.reset();
+  study.machine.gravity_m_per_s2 = 9.81;
+  const Row row = evaluate(study);
+  ASSERT_EQ(to_string(row.motion_class), "non_contact");
+  const model::Casing& casing = study.machine.stops[0].casing.value();
+  const double sag_m = casing.mass_kg * 9.81 / casing.stiffness_n_per_m;
+  EXPECT_NEAR(row.measures->contact.peak_casing_displacement_m, sag_m, 1e-12 * sag_m);
+}
+
+/// The word comes and goes with the force for which the stiffness was made; the stiffness itself stays.
+TEST(EvaluateCell, BeyondHertzIsAStatusOfForcesAboveTheDesignForce) {
+  Study study = one_side_study({75}, {0.4});
+  const double peak_n = evaluate(study).measures->contact.peak_contact_force_n;
+  auto& hertz = study.machine.stops[0].hertz.emplace();
+  hertz.length_m = 0.006;
+  hertz.rotor = {0.005, 2.06e11, 0.3};
+  hertz.casing = {0, 1.03e11, 0.34};
+  hertz.casing_shape = model::HertzShape::flat;
+  hertz.design_force_n = peak_n;
+  EXPECT_EQ(evaluate(study).status, "ok");
+  hertz.design_force_n = peak_n / 10;
+  const Row row = evaluate(study);
+  EXPECT_EQ(row.status, "beyond_hertz");
+  EXPECT_EQ(row.measures->contact.peak_contact_force_n, peak_n);
+}
+
+/// Above the threshold 30 Hz (1 + 0.02 / 0.04) the quiet whirl does not last, kick or no kick.
+TEST(EvaluateCell, DampingThatTurnsWithTheShaftLeavesNoQuietWhirlAboveItsThreshold) {
+  Study study = one_side_study({40, 50}, {0.2});
+  auto& rotor = std::get<model::JeffcottRotor>(study.machine.rotor);
+  rotor.damping_ratio = 0.02;
+  rotor.rotating_damping_ratio = 0.04;
+  study.machine.kick.reset();
+  const Row below = evaluate(study, 0), above = evaluate(study, 1);
+  EXPECT_EQ(to_string(below.motion_class), "non_contact");
+  EXPECT_EQ(below.proof, response::motion::Proof::rest);
+  EXPECT_NE(to_string(above.motion_class), "non_contact");
+  EXPECT_NE(above.proof, response::motion::Proof::rest);
+  study.response.max_revolutions = 130;
+  study.response.exponent = false;
+  const Row early = evaluate(study, 1);
+  EXPECT_EQ(early.last_contact_revolution.has_value(), false) << "rounding has not grown to a contact yet";
+  EXPECT_EQ(to_string(early.motion_class), "unsettled");
+}
+
+/// The circulatory stiffness is not symmetric: all solvers must agree on what it does.
+TEST(EvaluateCell, SolversAgreeWithDampingThatTurns) {
+  Study study = one_side_study({75, 110}, {0.4});
+  auto& rotor = std::get<model::JeffcottRotor>(study.machine.rotor);
+  rotor.rotating_damping_ratio = 0.004;
+  study.response = {.max_revolutions = 300};
+  for (const std::size_t cell : {0u, 1u}) {
+    study.solver = {};
+    const Row exact = evaluate(study, cell);
+    study.solver.method = integrate::run::Method::adaptive;
+    study.solver.relative_tolerance = 1e-11;
+    const Row adaptive = evaluate(study, cell);
+    EXPECT_EQ(to_string(exact.motion_class), to_string(adaptive.motion_class));
+    EXPECT_EQ(exact.order, adaptive.order);
+    EXPECT_NEAR(exact.measures->contact.peak_displacement_m, adaptive.measures->contact.peak_displacement_m,
+                5e-6 * exact.measures->contact.peak_displacement_m);
+    ASSERT_TRUE(exact.floquet_modulus && adaptive.floquet_modulus);
+    EXPECT_NEAR(*exact.floquet_modulus, *adaptive.floquet_modulus, 1e-5);
+  }
 }
 
 }  // namespace

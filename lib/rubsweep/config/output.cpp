@@ -3,11 +3,18 @@
 #include "rubsweep/config/section.hpp"
 
 namespace rubsweep::config {
+namespace {
+
+std::filesystem::path read_directory(Section& section) {
+  const auto text = section.require("directory", "a path");
+  return text ? read_text(*text).value_or("") : std::string();
+}
+
+}  // namespace
 
 std::filesystem::path read_output(const Value& value) {
   Section section(value);
-  std::string directory;
-  if (const auto text = section.require("directory", "a path")) directory = read_text(*text).value_or("");
+  const std::filesystem::path directory = read_directory(section);
   section.refuse_unknown_keys();
   return directory;
 }
@@ -15,6 +22,20 @@ std::filesystem::path read_output(const Value& value) {
 void print_output(Printer& printer, const std::filesystem::path& directory) {
   printer.open("output");
   printer.text("directory", directory.string());
+  printer.close();
+}
+
+void read_run_output(const Value& value, RunConfig& config) {
+  Section section(value);
+  config.output_directory = read_directory(section);
+  section.field("warn_over_clearances", config.warn_over_clearances, model::positive);
+  section.refuse_unknown_keys();
+}
+
+void print_run_output(Printer& printer, const RunConfig& config) {
+  printer.open("output");
+  printer.text("directory", config.output_directory.string());
+  printer.number("warn_over_clearances", config.warn_over_clearances);
   printer.close();
 }
 

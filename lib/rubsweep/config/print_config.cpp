@@ -29,7 +29,7 @@ void print(Printer& printer, const sweep::Study& study) {
 std::string print_config(const RunConfig& config) {
   Printer printer;
   print(printer, config.study);
-  print_output(printer, config.output_directory);
+  print_run_output(printer, config);
   return printer.yaml();
 }
 

@@ -20,7 +20,7 @@ RunConfig read_sections(const Value& root) {
   section.find(base_key);  // resolved before; still a name that a misspelt key may mean
   RunConfig config;
   config.study = read_study(section);
-  if (const auto value = section.require("output", "a map")) config.output_directory = read_output(*value);
+  if (const auto value = section.require("output", "a map")) read_run_output(*value, config);
   section.refuse_unknown_keys();
   return config;
 }

@@ -97,12 +97,18 @@ model::Bow read_bow(const Value& value, const model::Range& range) {
   return bow;
 }
 
-void read_damping_ratio(const Value& value, model::RotorKit& kit) {
+void read_damping_ratio(const Value& value, std::vector<double>& ratios) {
   if (value.node.kind == Node::Kind::list) {
-    kit.damping_ratio = read_number_list(value, model::RotorKit::damping_ratio_range);
+    ratios = read_number_list(value, model::RotorKit::damping_ratio_range);
   } else if (const auto ratio = read_number(value, model::RotorKit::damping_ratio_range)) {
-    kit.damping_ratio = {*ratio};
+    ratios = {*ratio};
   }
+}
+
+void read_rotating_damping_ratio(const Value& value, model::RotorKit& kit) {
+  read_damping_ratio(value, kit.rotating_damping_ratio);
+  if (model::has_rotating_damping(kit) && model::has_pedestals(kit))
+    refuse(value, "turns with the shaft, and pedestals do not", "0 beside pedestals");
 }
 
 void read_modes(const Value& value, model::RotorKit& kit) {
@@ -183,7 +189,8 @@ model::RotorKit read_rotor_kit(Section& section) {
   list("sensors", kit.sensors, nothing_more);
   if (const auto value = section.find("bow")) kit.bow = read_bow(*value, places(kit));
   read_inner(section, "torsion", kit.torsion);
-  if (const auto value = section.find("damping_ratio")) read_damping_ratio(*value, kit);
+  if (const auto value = section.find("damping_ratio")) read_damping_ratio(*value, kit.damping_ratio);
+  if (const auto value = section.find("rotating_damping_ratio")) read_rotating_damping_ratio(*value, kit);
   if (const auto value = section.find("modes")) read_modes(*value, kit);
   section.field("modes_up_to_hz", kit.modes_up_to_hz, model::physical::frequency_hz);
   section.field("elements", kit.elements, element_counts);
@@ -204,6 +211,7 @@ void print_rotor_kit(Printer& printer, const model::RotorKit& kit) {
   if (kit.bow) print_bow(printer, *kit.bow);
   print_inner(printer, "torsion", kit.torsion);
   printer.numbers("damping_ratio", kit.damping_ratio);
+  printer.numbers("rotating_damping_ratio", kit.rotating_damping_ratio);
   if (kit.modes) {
     printer.integer("modes", *kit.modes);
   } else {

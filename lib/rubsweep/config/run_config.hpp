@@ -10,6 +10,7 @@ namespace rubsweep::config {
 struct RunConfig {
   sweep::Study study;
   std::filesystem::path output_directory;
+  double warn_over_clearances = 10;  ///< cells whose rotor moves farther are counted and warned of
 };
 
 }  // namespace rubsweep::config

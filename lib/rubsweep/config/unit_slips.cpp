@@ -89,7 +89,9 @@ void refuse_unit_slips(const Value& root) {
   const auto rotor = child(whole, "rotor");
   // A Jeffcott rotor alone has one.
   if (const auto frequency_hz = number(child(rotor, "natural_frequency_hz"))) {
-    if (const auto ratio = child(rotor, "damping_ratio")) check_damping(*ratio);
+    for (const std::string_view name : {"damping_ratio", "rotating_damping_ratio"}) {
+      if (const auto ratio = child(rotor, name)) check_damping(*ratio);
+    }
     if (const auto duration = child(child(whole, "kick"), "duration_s")) check_kick(*duration, *frequency_hz);
     check_speeds(child(child(whole, "sweep"), "speed_hz"), *frequency_hz);
   }

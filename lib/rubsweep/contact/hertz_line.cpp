@@ -19,6 +19,12 @@ double both_compliances(const model::HertzLine& contact) {
          compliance(contact.casing.youngs_modulus_pa, contact.casing.poisson_ratio);
 }
 
+/// Approach / (2 F (k0 + k1) / (pi L)).
+double shape_factor(const model::HertzLine& contact, double force_n) {
+  const double slenderness = contact.length_m / (2 * hertz_half_width_m(contact, force_n));
+  return 2 * std::numbers::ln2 + 0.5 + std::log(slenderness);
+}
+
 }  // namespace
 
 double relative_radius_m(const model::HertzLine& contact) {
@@ -41,9 +47,13 @@ double hertz_half_width_m(const model::HertzLine& contact, double force_n) {
 }
 
 double hertz_approach_m(const model::HertzLine& contact, double force_n) {
-  const double slenderness = contact.length_m / (2 * hertz_half_width_m(contact, force_n));
-  return 2 * force_n * both_compliances(contact) / (pi * contact.length_m) *
-         (2 * std::numbers::ln2 + 0.5 + std::log(slenderness));
+  return 2 * force_n * both_compliances(contact) / (pi * contact.length_m) * shape_factor(contact, force_n);
+}
+
+double hertz_force_limit_n(const model::HertzLine& contact) {
+  const double factor = shape_factor(contact, contact.design_force_n);
+  return contact.design_force_n *
+         std::exp(2 * factor * hertz_secant_tolerance / (1 + hertz_secant_tolerance));
 }
 
 double hertz_stiffness_n_per_m(const model::HertzLine& contact) {

@@ -19,6 +19,14 @@ double hertz_approach_m(const model::HertzLine& contact, double force_n);
 /// wide for its length, so that no approach comes out.
 double hertz_stiffness_n_per_m(const model::HertzLine& contact);
 
+/// The secant stiffness of a line contact grows with the logarithm of the force. Up to this force, in
+/// newtons, it exceeds the one at the design force by no more than `hertz_secant_tolerance`; beyond it a
+/// stiffness that does not depend on the force makes contacts too long and too deep. The closed form is that
+/// of the approach: with D = 2 ln 2 + 1/2 + ln(L / 2b) at the design force F, the secant at F' is D / (D -
+/// ln(F' / F) / 2) of that at F.
+double hertz_force_limit_n(const model::HertzLine& contact);
+inline constexpr double hertz_secant_tolerance = 0.1;
+
 /// Relative radius: 1/R = 1/R_rotor + 1/R_casing for a cylinder, 1/R_rotor for a flat, 1/R_rotor - 1/R_casing
 /// in a hole.
 double relative_radius_m(const model::HertzLine& contact);

@@ -33,6 +33,9 @@ class Structure {
     gyroscopic_ = prepared.assembly.gyroscopic.size() > 0
                       ? Eigen::MatrixXd(mass_.solve(prepared.assembly.gyroscopic))
                       : Eigen::MatrixXd::Zero(damping_.rows(), damping_.cols());
+    circulatory_ = prepared.assembly.circulatory.size() > 0
+                       ? Eigen::MatrixXd(mass_.solve(prepared.assembly.circulatory))
+                       : Eigen::MatrixXd::Zero(damping_.rows(), damping_.cols());
     unbalance_ = run.eccentricity_m * solve(system.unbalance_kg);
     bow_ = prepared.assembly.bow_n.size() > 0 ? solve(prepared.assembly.bow_n)
                                               : Eigen::VectorXcd(Eigen::VectorXcd::Zero(unbalance_.size()));
@@ -55,6 +58,7 @@ class Structure {
     acceleration.noalias() -= stiffness_ * q;
     acceleration.noalias() -= damping_ * v;
     acceleration.noalias() -= speed * (gyroscopic_ * v);
+    acceleration.noalias() -= speed * (circulatory_ * q);
     for (const Pulse& pulse : pulses_) {
       const double since_s = t + pulse.elapsed_s;
       if (since_s >= 0 && since_s < pulse.duration_s)
@@ -77,7 +81,7 @@ class Structure {
 
   LinearRun run_;
   Eigen::LDLT<Eigen::MatrixXd> mass_;
-  Eigen::MatrixXd stiffness_, damping_, gyroscopic_;
+  Eigen::MatrixXd stiffness_, damping_, gyroscopic_, circulatory_;
   Eigen::VectorXcd unbalance_, bow_;
   Eigen::VectorXd constant_;
   std::vector<Pulse> pulses_;
@@ -90,6 +94,7 @@ State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run
   structure::LinearSystem system = prepared.assembly.system;
   const double w = 2 * pi * run.from_hz;
   if (prepared.assembly.gyroscopic.size() > 0) system.damping += w * prepared.assembly.gyroscopic;
+  if (prepared.assembly.circulatory.size() > 0) system.stiffness += w * prepared.assembly.circulatory;
   Eigen::VectorXcd force = run.eccentricity_m * w * w * system.unbalance_kg;
   if (prepared.assembly.bow_n.size() > 0) force += prepared.assembly.bow_n;
   const scene::QuietMotion quiet = scene::quiet_motion(system, w, force, constant_n);

@@ -82,6 +82,15 @@ double shaft_length_m(const RotorKit& kit) {
   return length;
 }
 
+bool has_rotating_damping(const RotorKit& kit) {
+  return std::ranges::any_of(kit.rotating_damping_ratio, [](double ratio) { return ratio > 0; });
+}
+
+bool has_pedestals(const RotorKit& kit) {
+  return std::ranges::any_of(kit.supports,
+                             [](const Support& support) { return support.pedestal.has_value(); });
+}
+
 Range coupling_places(const RotorKit& kit) {
   constexpr double margin = 1e-6;
   const double length = shaft_length_m(kit);
@@ -124,9 +133,15 @@ void validate(const RotorKit& kit, const std::string& path) {
                kit.bow->shape);
   }
   if (kit.torsion) require_fields(*kit.torsion, path + "torsion.");
-  if (kit.damping_ratio.empty()) throw ConfigError(path + "damping_ratio: at least one number is needed");
-  for (const double ratio : kit.damping_ratio) {
-    require(path + "damping_ratio", ratio, RotorKit::damping_ratio_range);
+  for (const auto& [name, ratios] : {std::pair("damping_ratio", &kit.damping_ratio),
+                                     {"rotating_damping_ratio", &kit.rotating_damping_ratio}}) {
+    if (ratios->empty()) throw ConfigError(path + name + ": at least one number is needed");
+    for (const double ratio : *ratios) require(path + name, ratio, RotorKit::damping_ratio_range);
+  }
+  if (has_rotating_damping(kit) && has_pedestals(kit)) {
+    throw ConfigError(path +
+                      "rotating_damping_ratio: turns with the shaft, and pedestals do not, allowed: 0 beside "
+                      "pedestals");
   }
   if (kit.modes) require(path + "modes", *kit.modes, Range{.low = 1, .high = RotorKit::most_modes});
   require(path + "modes_up_to_hz", kit.modes_up_to_hz, physical::frequency_hz);

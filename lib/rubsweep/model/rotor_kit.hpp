@@ -181,9 +181,11 @@ struct RotorKit {
   std::optional<Torsion> torsion;
   std::vector<Sensor> sensors;
   std::vector<double> damping_ratio{0};  ///< structural, of mode 1, 2, ...; the last one goes on
-  std::optional<int> modes;              ///< bending modes kept in each plane; empty: as many as it takes
-  double modes_up_to_hz = 2000;          ///< up to where the reduced rotor answers as the full one
-  int elements = 24;                     ///< least number of beam elements along the whole shaft
+  /// The same of the damping that turns with the shaft; without pedestals, which do not.
+  std::vector<double> rotating_damping_ratio{0};
+  std::optional<int> modes;      ///< bending modes kept in each plane; empty: as many as it takes
+  double modes_up_to_hz = 2000;  ///< up to where the reduced rotor answers as the full one
+  int elements = 24;             ///< least number of beam elements along the whole shaft
 
   static constexpr Range damping_ratio_range{.low = 0, .high = 1};
   static constexpr int most_modes = 40;
@@ -195,6 +197,12 @@ bool supports_hold(const RotorKit& kit, int plane);
 
 /// Sum of the lengths of the segments.
 double shaft_length_m(const RotorKit& kit);
+
+/// Whether some damping turns with the shaft.
+bool has_rotating_damping(const RotorKit& kit);
+
+/// Whether some support has a housing with a mass of its own.
+bool has_pedestals(const RotorKit& kit);
 
 /// Where a coupling may stand: off both ends, so that there is shaft on either side of it.
 Range coupling_places(const RotorKit& kit);

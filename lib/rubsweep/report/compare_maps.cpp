@@ -1,6 +1,7 @@
 #include "rubsweep/report/compare_maps.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,6 +106,10 @@ std::optional<std::size_t> find_cell(const std::vector<CellPlace>& places, const
   return static_cast<std::size_t>(place - places.begin());
 }
 
+bool has(const CsvReader& map, std::string_view column) {
+  return std::ranges::find(map.header(), column) != map.header().end();
+}
+
 /// Of the row that was read last.
 const std::string& text(const CsvReader& row, std::string_view name) { return row.cells()[row.column(name)]; }
 
@@ -167,6 +172,10 @@ class Columns {
   std::map<std::string, ColumnDifference> found_;
 };
 
+bool is_compared(const MapColumn& column) {
+  return column.comparison == Comparison::text || column.comparison == Comparison::number;
+}
+
 /// True when something differs.
 bool compare_columns(const Pair& pair, std::size_t cell, double tolerance, Columns& columns) {
   bool differs = false;
@@ -175,7 +184,8 @@ bool compare_columns(const Pair& pair, std::size_t cell, double tolerance, Colum
     differs = true;
   };
   for (const MapColumn& column : map_columns()) {
-    if (column.comparison != Comparison::text && column.comparison != Comparison::number) continue;
+    // A map of an earlier version ends before the columns that were added since.
+    if (!is_compared(column) || !has(pair.a, column.name) || !has(pair.b, column.name)) continue;
     const std::string &in_a = text(pair.a, column.name), &in_b = text(pair.b, column.name);
     if (column.comparison == Comparison::text || in_a.empty() || in_b.empty()) {
       if (in_a != in_b) found(column.name, std::nullopt);
@@ -277,6 +287,10 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
     comparison.cells.push_back(cell_of(rows_b[i].key, CellVerdict::only_in_one, "", label(b)));
   }
   comparison.columns = columns.list();
+  for (const MapColumn& column : map_columns()) {
+    if (is_compared(column) && has(a, column.name) != has(b, column.name))
+      comparison.missing_columns.emplace_back(column.name);
+  }
   return comparison;
 }
 
@@ -296,6 +310,10 @@ std::string describe(const MapComparison& comparison, double tolerance) {
   if (count(CellVerdict::sensitive) > 0) {
     text += fmt::format("not compared: {} sensitive cells, {} of them with another class\n",
                         count(CellVerdict::sensitive), changed);
+  }
+  if (!comparison.missing_columns.empty()) {
+    text += fmt::format("not compared: {}, which only one of the maps has\n",
+                        fmt::join(comparison.missing_columns, ", "));
   }
   text += list_cells(comparison, CellVerdict::classes_differ);
   text += list_columns(comparison);

@@ -36,11 +36,12 @@ struct ColumnDifference {
 };
 
 struct MapComparison {
-  std::string axis;                       ///< second axis: whirl_ratio or eccentricity_m
-  std::vector<std::string> keys;          ///< columns of the axes over keys of the configuration
-  std::vector<ComparedCell> cells;        ///< of A in its order, then those that only B has
-  std::vector<ColumnDifference> columns;  ///< that differ, of cells with equal class and order
-  std::string digest_a, digest_b;         ///< empty where a file says none
+  std::string axis;                          ///< second axis: whirl_ratio or eccentricity_m
+  std::vector<std::string> keys;             ///< columns of the axes over keys of the configuration
+  std::vector<ComparedCell> cells;           ///< of A in its order, then those that only B has
+  std::vector<ColumnDifference> columns;     ///< that differ, of cells with equal class and order
+  std::vector<std::string> missing_columns;  ///< that only one of the maps has: not compared
+  std::string digest_a, digest_b;            ///< empty where a file says none
 
   std::size_t count(CellVerdict verdict) const;
   bool equal() const;  ///< nothing but equal and sensitive cells
@@ -50,9 +51,10 @@ struct MapComparison {
 /// or subharmonic in both, orbit and whirl must be equal too and every measured number within `tolerance`
 /// relative to the larger of both, lengths relative to the cell's peak displacement; numbers of motions that
 /// never repeat, and how long a transient lasted, are no property of the cell. `sensitive` is a
-/// table of cells to leave out, with columns speed_hz and the second axis. Throws IoError when a column is
-/// missing or a number is none, when a map holds a cell twice, when the
-/// maps are swept over different keys, or a file cannot be read.
+/// table of cells to leave out, with columns speed_hz and the second axis. Measured columns that a map of
+/// another version lacks are left out. Throws IoError when a column that says which cell and class it is is
+/// missing or a number is none, when a map holds a cell twice, when the maps are swept over different keys,
+/// or a file cannot be read.
 ///
 /// The maps are read a row at a time; of their cells only places and verdicts are kept.
 MapComparison compare_maps(const std::filesystem::path& a, const std::filesystem::path& b, double tolerance,

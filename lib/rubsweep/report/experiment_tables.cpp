@@ -11,22 +11,6 @@ namespace {
 
 using batch::csv_number;
 
-std::string sensors_csv(const identify::LinearRun& run, const Eigen::MatrixXd& signal_m) {
-  std::string text = "t_s,speed_hz,shaft_angle_rad";
-  for (Eigen::Index i = 0; i < signal_m.cols(); ++i) text += fmt::format(",sensor_{}_m", i);
-  text += '\n';
-  for (Eigen::Index k = 0; k < signal_m.rows(); ++k) {
-    const double t = static_cast<double>(k) * run.sample_s;
-    text += csv_number(t);
-    for (const double value : {identify::shaft_speed_hz(run, t), identify::shaft_angle_rad(run, t)}) {
-      text.append(",").append(csv_number(value));
-    }
-    for (Eigen::Index i = 0; i < signal_m.cols(); ++i) text.append(",").append(csv_number(signal_m(k, i)));
-    text += '\n';
-  }
-  return text;
-}
-
 std::string bode_csv(const std::vector<std::vector<identify::BodePoint>>& plots) {
   std::string text = "speed_hz";
   for (std::size_t i = 0; i < plots.size(); ++i)
@@ -55,6 +39,22 @@ ExperimentTables begun(const identify::LinearRun& run, const Eigen::MatrixXd& si
 }
 
 }  // namespace
+
+std::string sensors_csv(const identify::LinearRun& run, const Eigen::MatrixXd& signal_m) {
+  std::string text = "t_s,speed_hz,shaft_angle_rad";
+  for (Eigen::Index i = 0; i < signal_m.cols(); ++i) text += fmt::format(",sensor_{}_m", i);
+  text += '\n';
+  for (Eigen::Index k = 0; k < signal_m.rows(); ++k) {
+    const double t = static_cast<double>(k) * run.sample_s;
+    text += csv_number(t);
+    for (const double value : {identify::shaft_speed_hz(run, t), identify::shaft_angle_rad(run, t)}) {
+      text.append(",").append(csv_number(value));
+    }
+    for (Eigen::Index i = 0; i < signal_m.cols(); ++i) text.append(",").append(csv_number(signal_m(k, i)));
+    text += '\n';
+  }
+  return text;
+}
 
 ExperimentTables tables_of(const identify::FreeResponse& response) {
   ExperimentTables tables = begun(response.run, response.signal_m);

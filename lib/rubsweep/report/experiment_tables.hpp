@@ -14,6 +14,9 @@ struct ExperimentTables {
   std::string summary;             ///< for a terminal
 };
 
+/// t_s, speed_hz, shaft_angle_rad, then sensor_i_m: samples x sensors of a run at this speed.
+std::string sensors_csv(const identify::LinearRun& run, const Eigen::MatrixXd& signal_m);
+
 ExperimentTables tables_of(const identify::FreeResponse& response);
 ExperimentTables tables_of(const identify::RunUp& run_up);
 

@@ -10,6 +10,7 @@
 #include "rubsweep/contact/restitution.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/structure/stability.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -134,6 +135,17 @@ std::string explain_faults(const model::RotorKit& kit) {
   return text;
 }
 
+std::string explain_rotating_damping(const scene::PreparedMachine& prepared, const model::RotorKit& kit) {
+  if (!model::has_rotating_damping(kit)) return "";
+  const double highest_hz = 20 * prepared.reduction->frequency_hz[0](0);
+  const auto from_hz = structure::instability_hz(prepared.assembly, highest_hz);
+  return fmt::format(
+      "  damping that turns with the shaft: ratio {} and so on by mode; the quiet whirl is {}\n",
+      kit.rotating_damping_ratio.front(),
+      from_hz ? fmt::format("unstable from {:.6g} Hz on and grows until it touches", *from_hz)
+              : fmt::format("stable up to {:.4g} Hz", highest_hz));
+}
+
 std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit) {
   const structure::Reduction& reduction = *prepared.reduction;
   std::string text = fmt::format(
@@ -141,6 +153,7 @@ std::string explain_kit(const scene::PreparedMachine& prepared, const model::Rot
       "couplings{}{}\n",
       model::shaft_length_m(kit), kit.elements, kit.discs.size(), kit.supports.size(), kit.couplings.size(),
       kit.bow ? ", residual bow" : "", kit.torsion ? ", torsion against the drive (1 coordinate)" : "");
+  text += explain_rotating_damping(prepared, kit);
   const std::string faults = explain_faults(kit);
   text += faults;
   text += "  reduced in x to " + explain_plane(reduction, 0);
@@ -157,14 +170,27 @@ std::string explain_kit(const scene::PreparedMachine& prepared, const model::Rot
   return text + "left out: modes that no stop and no sensor sees, and those above the last one listed\n";
 }
 
+std::string explain_rotating_damping(const model::JeffcottRotor& rotor) {
+  if (rotor.rotating_damping_ratio == 0) return "";
+  return fmt::format(
+      "  damping that turns with the shaft: ratio {}; from {:.6g} Hz on the quiet whirl is unstable and "
+      "grows "
+      "until it touches\n",
+      rotor.rotating_damping_ratio,
+      rotor.natural_frequency_hz * (1 + rotor.damping_ratio / rotor.rotating_damping_ratio));
+}
+
 std::string explain_rotor(const scene::PreparedMachine& prepared) {
   return std::visit(
-      overloaded{[](const model::JeffcottRotor& rotor) {
-                   return fmt::format(
-                       "rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio {}\n",
-                       rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio);
-                 },
-                 [&](const model::RotorKit& kit) { return explain_kit(prepared, kit); }},
+      overloaded{
+          [](const model::JeffcottRotor& rotor) {
+            return fmt::format(
+                       "rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio "
+                       "{}\n",
+                       rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio) +
+                   explain_rotating_damping(rotor);
+          },
+          [&](const model::RotorKit& kit) { return explain_kit(prepared, kit); }},
       prepared.machine.rotor);
 }
 

@@ -49,6 +49,8 @@ double contact_fraction(const Measures& m) { return m.contact.contact_fraction; 
 double peak_displacement_m(const Measures& m) { return m.contact.peak_displacement_m; }
 double peak_contact_force_n(const Measures& m) { return m.contact.peak_contact_force_n; }
 
+double peak_casing_displacement_m(const Measures& m) { return m.contact.peak_casing_displacement_m; }
+
 std::optional<double> dominant_order(const Measures& m) {
   return m.dominant ? std::optional(m.dominant->order) : std::nullopt;
 }
@@ -97,6 +99,10 @@ constexpr std::array columns{
     MapColumn{"revolutions", "", ignored, "revolutions run until the verdict", of_row<&Row::revolutions>},
     MapColumn{"status", "", ignored, "ok, or what happened, joined by ';'", of_row<&Row::status>},
     MapColumn{"start", "", ignored, "how the run began: kick, quiet or contact", of_row<&Row::start>},
+    MapColumn{"peak_casing_displacement_m", "m", number,
+              "largest distance of a casing from its unloaded place", measured<peak_casing_displacement_m>},
+    MapColumn{"peak_over_clearance", "", number, "peak_displacement_m / clearance of the first stop",
+              of_row<&Row::peak_over_clearance>},
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,9 +22,16 @@ std::string_view cell(std::string_view line, std::size_t column) {
   return line.substr(0, line.find(','));
 }
 
-/// Class and order, and what parts motions that share a class but are not alike: a whip that rolls backward
-/// on its own force from an oval that the unbalance drives, a circle forward from one backward.
-std::string name_of(std::string_view map_line) {
+/// 0 where there is none.
+double number_in(std::string_view cell) {
+  double value = 0;
+  std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return value;
+}
+
+}  // namespace
+
+std::string motion_name(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), order_column = place_of_column("order"),
                            orbit_column = place_of_column("orbit"), whirl_column = place_of_column("whirl"),
                            comb_column = place_of_column("comb_spacing");
@@ -39,8 +47,6 @@ std::string name_of(std::string_view map_line) {
   return name;
 }
 
-}  // namespace
-
 std::string label_of(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), order_column = place_of_column("order");
   return fmt::format("{},{}", cell(map_line, class_column), cell(map_line, order_column));
@@ -49,14 +55,18 @@ std::string label_of(std::string_view map_line) {
 void MapSummary::add(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), status_column = place_of_column("status"),
                            start_column = place_of_column("start"),
-                           last_column = place_of_column("last_contact_revolution");
+                           last_column = place_of_column("last_contact_revolution"),
+                           peak_column = place_of_column("peak_over_clearance");
   ++total_;
-  ++by_name_[name_of(map_line)];
+  ++by_name_[motion_name(map_line)];
   const std::string_view status = cell(map_line, status_column);
   if (status != "ok") ++by_status_[std::string(status)];
   if (cell(map_line, class_column) == to_string(MotionClass::non_contact)) ++non_contact_;
   if (cell(map_line, start_column) == to_string(sweep::RunStart::kick)) ++kicked_;
   if (!cell(map_line, last_column).empty()) ++touched_;
+  const double peak = number_in(cell(map_line, peak_column));
+  largest_over_clearance_ = std::max(largest_over_clearance_, peak);
+  if (peak > warn_over_clearances_) ++far_;
 }
 
 bool MapSummary::has_failed_cells() const {
@@ -73,7 +83,20 @@ std::string MapSummary::text() const {
     text += fmt::format("{:>8}  {:5.1f} %  {}\n", count, percent, name);
   }
   for (const auto& [status, count] : by_status_) text += fmt::format("{:>8}  status {}\n", count, status);
+  if (far_ > 0) {
+    text += fmt::format("{:>8}  move farther than {} clearances, at most {:.3g}\n", far_,
+                        warn_over_clearances_, largest_over_clearance_);
+  }
   return text + why_all_is_quiet();
+}
+
+std::string MapSummary::warning() const {
+  if (far_ == 0) return "";
+  return fmt::format(
+      "warning: in {} of {} cells the rotor moves farther than {} clearances, at most {:.3g}; hardly a shaft "
+      "is "
+      "linear up to there (column peak_over_clearance, key output.warn_over_clearances)\n",
+      far_, total_, warn_over_clearances_, largest_over_clearance_);
 }
 
 std::string MapSummary::why_all_is_quiet() const {

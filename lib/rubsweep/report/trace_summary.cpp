@@ -77,6 +77,20 @@ std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& w
                    effort_text(trace.effort, trace.revolutions));
 }
 
+std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePair& pair,
+                          const trace::Probes& probes) {
+  const std::string what = period.period
+                               ? *period.period == 1 ? std::string("repeats every turn")
+                                                     : fmt::format("repeats after {} turns", *period.period)
+                               : std::string("repeats after none of the numbers of turns looked for");
+  return fmt::format(
+      "probes    {} by {} readings of sensors {} ({:g} deg) and {} ({:g} deg) every {:g} s, noise {:g} m: "
+      "{:.2g} % of the energy off the lines, {:.2g} % allowed\n",
+      what, period.readings, pair.first, probes.angle_deg[pair.first], pair.second,
+      probes.angle_deg[pair.second], probes.sample_s, probes.noise_m, 100 * period.unexplained_share,
+      100 * period.allowed_share);
+}
+
 std::vector<SpectralLine> largest_lines(const response::spectrum::FullSpectrum& spectrum, std::size_t count,
                                         double clearance_m) {
   const int first = spectrum.first_line(), last = spectrum.last_line();

@@ -5,6 +5,7 @@
 
 #include "rubsweep/response/motion/motion.hpp"
 #include "rubsweep/sweep/row.hpp"
+#include "rubsweep/trace/probe_period.hpp"
 #include "rubsweep/trace/trace_run.hpp"
 
 namespace rubsweep::report {
@@ -22,5 +23,9 @@ std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& w
 /// 1e-6 of the clearance).
 std::vector<response::spectrum::SpectralLine> largest_lines(const response::spectrum::FullSpectrum& spectrum,
                                                             std::size_t count, double clearance_m);
+
+/// What a pair of probes says of the same run, one line. `angle_deg`: of all probes.
+std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePair& pair,
+                          const trace::Probes& probes);
 
 }  // namespace rubsweep::report

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/response/exponent.hpp"
+#include "rubsweep/response/followed.hpp"
 #include "rubsweep/response/growth.hpp"
 #include "rubsweep/response/motion/motion.hpp"
 #include "rubsweep/response/spectrum/full_spectrum.hpp"
@@ -17,12 +17,8 @@ namespace rubsweep::response {
 inline constexpr double chaos_floor = 0.01;
 /// An exponent nearer to zero than this counts as zero, whatever its bar: 2000 turns could not tell.
 inline constexpr double zero_exponent = 5e-4;
-/// A section that returns closer than this, in units of the clearance, is not known to be a torus.
-inline constexpr double significant_return = 1e-4;
-/// The rate at which the closest return grows or shrinks must be known to within `known_rate` per turn, and
-/// counts as zero below `zero_rate`, whatever its bar: 5 % in 2560 turns.
+/// The rate at which the closest return grows or shrinks must be known to within this, per turn.
 inline constexpr double known_rate = 5e-4;
-inline constexpr double zero_rate = 2e-5;
 
 /// What a motion without a period turned out to be.
 struct Aperiodic {
@@ -40,9 +36,8 @@ struct Aperiodic {
 ///   (`returns_after`), or when the exponent is below -chaos_floor beyond its bar: still settling.
 /// - Chaotic when the exponent is positive beyond its bar and above chaos_floor, and still is after 1280
 /// turns.
-/// - Quasi-periodic when the exponent is zero within its bar, which lies within +-chaos_floor; the closest
-///   return within window / 2 turns is significant and neither grows nor shrinks; and both halves of the last
-///   four fifths of the turns hold the same discrete lines.
+/// - Quasi-periodic when the exponent is zero within its bar, which lies within +-chaos_floor, and the motion
+///   returns like a torus.
 /// - Else unsettled.
 Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
                              std::vector<double> section,

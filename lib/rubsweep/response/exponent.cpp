@@ -28,6 +28,17 @@ double hann_mean(std::span<const double> block) {
 
 }  // namespace
 
+double bump_mean(std::span<const double> contributions) {
+  double sum = 0, weights = 0;
+  for (std::size_t i = 0; i < contributions.size(); ++i) {
+    const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(contributions.size());
+    const double weight = std::exp(-1 / (x * (1 - x)));
+    sum += weight * contributions[i];
+    weights += weight;
+  }
+  return weights > 0 ? sum / weights : 0;
+}
+
 motion::Exponent exponent_of(std::span<const double> contributions) {
   if (contributions.size() < fewest) {
     throw SolverError(

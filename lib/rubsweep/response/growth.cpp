@@ -16,18 +16,12 @@ struct Tangent {
   std::vector<double> before{};
 
   std::optional<double> operator()(std::span<double> section) {
-    if (direction.size() == 0) start(section.size());
+    if (direction.size() == 0) direction = first_disturbance(section.size()).normalized();
     before.assign(section.begin(), section.end());
     bool moved = false;
-    if (!map.carry_exactly(section, direction, moved)) return std::nullopt;
+    if (!map.carry_exactly(section, direction, moved, growth_accuracy)) return std::nullopt;
     if (!moved && !by_second_run(before, section)) return std::nullopt;
-    const double factor = direction.norm();
-    if (!(factor > lost)) {
-      start(section.size());
-      return std::log(lost);
-    }
-    direction /= factor;
-    return std::log(factor);
+    return take_growth(direction);
   }
 
   bool by_second_run(std::span<double> section, std::span<const double> after) {
@@ -38,8 +32,6 @@ struct Tangent {
       direction(static_cast<Eigen::Index>(i), 0) = (section[i] - after[i]) / separation;
     return true;
   }
-
-  void start(std::size_t states) { direction = first_disturbance(states).normalized(); }
 };
 
 }  // namespace
@@ -54,6 +46,16 @@ Eigen::VectorXd first_disturbance(std::size_t states) {
     square += share * share;
   }
   return separation * shares / std::sqrt(square);
+}
+
+double take_growth(Eigen::MatrixXd& direction) {
+  const double factor = direction.norm();
+  if (!(factor > lost)) {
+    direction = first_disturbance(static_cast<std::size_t>(direction.size())).normalized();
+    return std::log(lost);
+  }
+  direction /= factor;
+  return std::log(factor);
 }
 
 Growth tangent_growth(proof::SceneMap& map) { return Tangent{map}; }

@@ -11,6 +11,9 @@
 
 namespace rubsweep::response {
 
+/// Relative error a step that a disturbance may have whose growth alone counts: no exponent is known as well.
+inline constexpr double growth_accuracy = 1e-6;
+
 /// One turn of a motion and of a small disturbance of it: moves the section and returns ln of the factor that
 /// the disturbance grew by. Empty: the turn could not be made.
 using Growth = std::function<std::optional<double>(std::span<double> section)>;
@@ -31,5 +34,9 @@ Eigen::VectorXd first_disturbance(std::size_t states);
 /// J.-M. Strelcyn, Phys. Rev. A 14 (1976) 2338: the mean of what is returned tends to the largest exponent.
 /// `map` must outlive what is returned.
 Growth tangent_growth(proof::SceneMap& map);
+
+/// ln of the factor that a disturbance of unit length has grown by to `direction`, which is given unit length
+/// again. One that is shrunk to nothing starts anew.
+double take_growth(Eigen::MatrixXd& direction);
 
 }  // namespace rubsweep::response

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/response/aperiodic.hpp"
@@ -19,6 +20,7 @@
 #include "rubsweep/response/rotating/symmetry.hpp"
 #include "rubsweep/response/spectrum/comb.hpp"
 #include "rubsweep/response/spectrum/comb_line.hpp"
+#include "rubsweep/response/torus_watch.hpp"
 
 namespace rubsweep::response {
 namespace {
@@ -85,7 +87,7 @@ motion::Motion verdict(const scene::Scene& scene, const integrate::run::SolverOp
   motion::Motion motion = motion::settle_verdict(previous, last);
   if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return motion;
   if (rotating::rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
-  if (motion.motion_class == motion::MotionClass::unsettled &&
+  if (options.exponent && motion.motion_class == motion::MotionClass::unsettled &&
       integrate::run::same_every_turn(scene.impulses))
     follow_on(scene, solver, options, section, workspace, motion);
   return motion;
@@ -129,13 +131,40 @@ void conclude(const motion::ProvenMotion& proven, SettledRun& run) {
 }
 
 /// What the end of a whole run shows.
-void conclude(const motion::Motion& seen, const scene::Cell& cell, SettledRun& run) {
+void conclude(const motion::Motion& seen, const scene::Cell& cell, const proof::RestProof& rest,
+              SettledRun& run) {
   run.motion = seen;
-  // Two windows without contact do not last where the quiet motion itself touches: the whirl is still
-  // growing.
-  if (run.motion.motion_class == motion::MotionClass::non_contact && cell.start != scene::Start::quiet)
+  // Two windows without contact do not last where the quiet motion itself touches, or where a vibration about
+  // it grows, as by damping that turns with the shaft: the whirl is still growing.
+  const bool lasts = cell.start == scene::Start::quiet && !rest.vibration_grows();
+  if (run.motion.motion_class == motion::MotionClass::non_contact && !lasts)
     run.motion.motion_class = motion::MotionClass::unsettled;
   if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
+}
+
+/// Where turns are dear, which is at annular stops: between flat ones a run to its end costs less than the
+/// tangent vector of a watch.
+bool worth_watching(const scene::Scene& scene, const motion::ResponseOptions& options, double kick_turns) {
+  const bool annular =
+      std::ranges::any_of(scene.contacts, [](const scene::Contact& c) { return contact::annular(c.wall); });
+  return annular && options.floquet_proof && kick_turns <= TorusWatch::settled_after &&
+         integrate::run::same_every_turn(scene.impulses) && !rotating::rotationally_symmetric(scene);
+}
+
+/// Whether the two windows up to now show neither period nor rest and the watch sees a torus.
+bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
+                       const motion::ResponseOptions& options, motion::Workspace& workspace,
+                       SettledRun& run) {
+  const auto exponent = torus.look(workspace.spectrum);
+  if (!exponent) return false;
+  const auto previous = motion::classify_window(record.window(0), options, workspace.spectrum),
+             last = motion::classify_window(record.window(1), options, workspace.spectrum);
+  if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return false;
+  run.motion = motion::settle_verdict(previous, last);
+  run.motion.motion_class = motion::MotionClass::quasi_periodic;
+  run.motion.exponent = exponent;
+  run.proof = motion::Proof::observed;
+  return true;
 }
 
 void conclude_at_rest(const scene::Cell& cell, const motion::ResponseOptions& options,
@@ -153,16 +182,18 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   const integrate::run::Run motion = integrate::start(cell.scene, solver, workspace.modes);
   proof::RestProof rest(cell);
   MotionProof proof(cell.scene, solver, options, workspace);
-  motion::Record record(cell.scene, options);
-  const long first_recorded = options.max_revolutions - 2L * options.window_revolutions;
   const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
+  TorusWatch torus(cell.scene, options, worth_watching(cell.scene, options, kick_turns));
+  motion::Record record(cell.scene, options);
   integrate::run::TurnRequest request;
   integrate::run::TurnReport turn;
   while (run.revolutions < options.max_revolutions) {
+    const long first_recorded = torus.next_look() - 2L * options.window_revolutions;
     request.samples_per_revolution = proof.samples_wanted();
     if (run.revolutions >= first_recorded) request.samples_per_revolution = options.samples_per_revolution;
+    request.peaks = run.revolutions >= first_recorded;
+    torus.ask(run.revolutions, request);
     if (run.revolutions == first_recorded) {
-      request.peaks = true;
       record.begin(first_recorded == 0 ? integrate::run::scaled_initial_state(cell.scene) : turn.section);
     }
     run.outcome = motion.advance(request, turn);
@@ -172,6 +203,8 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
       return run;
     }
     ++run.revolutions;
+    torus.add(request, turn);
+    run.section = turn.section;
     if (turn.touched) run.last_contact_revolution = run.revolutions;
     run.slip_reversed = run.slip_reversed || turn.slip_reversed;
     if (run.revolutions > first_recorded) record.add(turn);
@@ -184,8 +217,11 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
       conclude_at_rest(cell, options, workspace, run);
       return run;
     }
+    if (run.revolutions == torus.next_look() && run.revolutions < options.max_revolutions &&
+        conclude_on_torus(torus, record, options, workspace, run))
+      return run;
   }
-  conclude(verdict(cell.scene, solver, options, record, turn.section, workspace), cell, run);
+  conclude(verdict(cell.scene, solver, options, record, turn.section, workspace), cell, rest, run);
   return run;
 }
 
@@ -200,6 +236,13 @@ motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseO
     displacement_m.emplace_back(z.x(), z.y());
     peak = std::max(peak, z.norm());
   }
+  // Nothing that turns with the shaft moves a casing that is not touched.
+  double casing = 0;
+  for (const scene::Contact& contact : cell.scene.contacts) {
+    if (!contact.casing_point) continue;
+    const auto& point = cell.scene.structure.points[static_cast<std::size_t>(*contact.casing_point)];
+    casing = std::max(casing, (point.map * cell.quiet.mean).norm());
+  }
   const std::array<double, 2> rest{0, 0};
   motion::Window window;
   window.turns = 1;
@@ -208,7 +251,8 @@ motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseO
   window.displacement_m = displacement_m;
   window.states = 1;
   window.section = rest;
-  const std::array<motion::ContactFacts, 1> facts{{{.peak_displacement_m = peak}}};
+  const std::array<motion::ContactFacts, 1> facts{
+      {{.peak_displacement_m = peak, .peak_casing_displacement_m = casing}}};
   window.contact = facts;
   return motion::classify_window(window, options, workspace.spectrum).measures;
 }

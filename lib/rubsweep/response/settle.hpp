@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
@@ -23,6 +24,8 @@ struct SettledRun {
   std::optional<long> last_contact_revolution;  ///< 1 for the first; empty: the wall was never touched
   bool slip_reversed = false;                   ///< some slip speed was <= 0 while touching
   integrate::run::Effort effort;
+  /// The state after these revolutions, scaled as TurnReport::section; empty where there was none.
+  std::vector<double> section;
 };
 
 /// Runs `cell` turn by turn until its motion is known: at once when rest or a stable orbit (of up to twice

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "rubsweep/ring/assignment.hpp"
+#include "rubsweep/numerics/assignment.hpp"
 
 namespace rubsweep::ring {
 namespace {
@@ -48,7 +48,7 @@ std::vector<int> first_modes(const Spectrum& spectrum) {
     const auto shape = spectrum.vectors.col(pairs[static_cast<std::size_t>(p)].first).head(modes);
     for (Index k = 2; k < modes; ++k) cost(p, k) = -std::norm(shape(k)) / shape.squaredNorm();
   }
-  const auto taken = cheapest_assignment(cost);
+  const auto taken = numerics::cheapest_assignment(cost);
   std::vector<Index> ring;
   std::vector<int> mode(static_cast<std::size_t>(2 * modes));
   const auto give = [&](Index pair, int name) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/ring/assignment.hpp"
+#include "rubsweep/numerics/assignment.hpp"
 #include "rubsweep/ring/mode_names.hpp"
 
 namespace rubsweep::ring {
@@ -62,7 +62,7 @@ class Tracker {
     TrackPoint to{speed, asked, spectrum(form_, speed), {}};
     const double size = std::max(size_of(from.spectrum.values), size_of(to.spectrum.values));
     const MatrixXd cost = continuation_costs(from, to, size);
-    const auto taken = cheapest_assignment(cost);
+    const auto taken = numerics::cheapest_assignment(cost);
     // At a crossing or a merger the doubt never ends; the cheapest assignment is as good as any there.
     const bool may_halve = halvings < most_halvings && track_.points.size() < most_points_;
     if (may_halve && is_doubtful(cost, taken, from, to, size)) {

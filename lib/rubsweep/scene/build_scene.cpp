@@ -140,6 +140,8 @@ Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   scene.structure = assembly.system;
   scene.impulses = assembly.impulses;
   if (assembly.gyroscopic.size() > 0) scene.structure.damping += scene.speed_rad_per_s * assembly.gyroscopic;
+  if (assembly.circulatory.size() > 0)
+    scene.structure.stiffness += scene.speed_rad_per_s * assembly.circulatory;
   return scene;
 }
 

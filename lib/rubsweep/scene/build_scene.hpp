@@ -47,12 +47,12 @@ struct Cell {
 };
 
 /// Scene of a prepared machine at one speed and unbalance: starts on the closed-form quiet whirl with t = 0
-/// at the instant of smallest gap at the first stop, or later by the kick's phase; the kick points at that stop's wall unless it has an
-/// angle of its own. Where the quiet motion itself reaches a wall, the rotor starts at rest in its static
-/// position instead, or as far on the way to it as the walls let it, with the same phase of the unbalance and
-/// without the kick: that motion is what a machine does that is switched on. A bow of the shaft stays what it
-/// is whatever the unbalance; where two eccentricities give the whirl ratio, the larger one is taken.
-/// speed_hz > 0.
+/// at the instant of smallest gap at the first stop, or later by the kick's phase; the kick points at that
+/// stop's wall unless it has an angle of its own. Where the quiet motion itself reaches a wall, the rotor
+/// starts at rest in its static position instead, or as far on the way to it as the walls let it, with the
+/// same phase of the unbalance and without the kick: that motion is what a machine does that is switched on.
+/// A bow of the shaft stays what it is whatever the unbalance; where two eccentricities give the whirl ratio,
+/// the larger one is taken. speed_hz > 0.
 Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance);
 
 /// The same for a single cell. Throws ConfigError where `machine` is not valid.

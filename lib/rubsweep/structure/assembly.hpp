@@ -10,9 +10,11 @@ namespace rubsweep::structure {
 
 /// A rotor and its casings as one linear system; the numbers index `system.points`.
 struct Assembly {
-  LinearSystem system;         ///< without the part of the damping that grows with the speed
-  Eigen::MatrixXd gyroscopic;  ///< n x n or empty: at a speed w the damping is system.damping + w gyroscopic
-  Eigen::VectorXcd bow_n;      ///< n or empty: a residual bow forces Re(bow_n e^{i w t}) at any speed w
+  LinearSystem system;          ///< without the part of the damping that grows with the speed
+  Eigen::MatrixXd gyroscopic;   ///< n x n or empty: at a speed w the damping is system.damping + w gyroscopic
+  Eigen::MatrixXd circulatory;  ///< n x n or empty: damping that turns with the shaft makes the stiffness
+                                ///< system.stiffness + w circulatory, which is not symmetric
+  Eigen::VectorXcd bow_n;       ///< n or empty: a residual bow forces Re(bow_n e^{i w t}) at any speed w
   std::vector<ImpulseTrain> impulses;             ///< of faulty bearings
   std::vector<int> rotor_points;                  ///< one per stop
   std::vector<std::optional<int>> casing_points;  ///< one per stop; empty: rigid casing, no state

@@ -20,6 +20,14 @@ Assembly assemble_jeffcott(const model::JeffcottRotor& rotor,
   const double omega0 = 2 * std::numbers::pi * rotor.natural_frequency_hz;
   // Multiplied in the order of w^2 M, so that at the natural frequency K - w^2 M is zero to the last bit.
   add_body(system, 0, rotor.mass_kg, omega0 * omega0 * rotor.mass_kg, rotor.damping_ratio);
+  if (rotor.rotating_damping_ratio > 0) {
+    const double damping = 2 * rotor.rotating_damping_ratio * omega0 * rotor.mass_kg;
+    assembly.circulatory = Eigen::MatrixXd::Zero(n, n);
+    assembly.circulatory(0, 1) = damping;
+    assembly.circulatory(1, 0) = -damping;
+    system.damping(0, 0) += damping;
+    system.damping(1, 1) += damping;
+  }
   system.unbalance_kg(0) = rotor.mass_kg;
   system.unbalance_kg(1) = std::complex<double>(0, -rotor.mass_kg);
 

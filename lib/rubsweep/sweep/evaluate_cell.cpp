@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/contact/hertz_line.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/scene/build_scene.hpp"
@@ -28,6 +30,21 @@ void add_status(Row& row, std::string_view word) {
   } else {
     row.status.append(";").append(word);
   }
+}
+
+/// Whether a force is too large for the stiffness of some stop that has it from a line contact. Where stops
+/// differ the narrowest counts, whichever the force acts at: the word is a doubt.
+bool beyond_hertz(const model::Machine& machine, double force_n) {
+  return std::ranges::any_of(machine.stops, [force_n](const model::Stop& stop) {
+    return stop.hertz && force_n > contact::hertz_force_limit_n(*stop.hertz);
+  });
+}
+
+/// What the size of a measured motion says about the model.
+void doubt(Row& row, const model::Machine& machine, double clearance_m) {
+  if (!row.measures) return;
+  row.peak_over_clearance = row.measures->contact.peak_displacement_m / clearance_m;
+  if (beyond_hertz(machine, row.measures->contact.peak_contact_force_n)) add_status(row, "beyond_hertz");
 }
 
 void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) {
@@ -51,24 +68,9 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
 Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
              response::motion::Workspace& workspace) {
   const scene::Cell start = scene::build_cell(prepared, place.speed_hz, place.unbalance);
-  Row row;
-  row.speed_hz = place.speed_hz;
-  row.whirl_ratio = start.whirl_ratio;
-  row.eccentricity_m = start.eccentricity_m;
-  if (start.start == scene::Start::unreachable) {
-    row.status = "unreachable";
-    return row;
-  }
-  if (start.start == scene::Start::initial_contact) {
-    row.motion_class = response::motion::MotionClass::initial_contact;
-    return row;
-  }
-  row.start = start.start == scene::Start::contact ? RunStart::contact
-              : !start.scene.pulses.empty()        ? RunStart::kick
-                                                   : RunStart::quiet;
-  fill(row, response::settle(start, study.solver, study.response, workspace),
-       some_friction_keeps_its_direction(prepared.machine));
-  return row;
+  if (!scene::can_run(start.start)) return row_of(start, place.speed_hz, prepared.machine, nullptr);
+  const response::SettledRun run = response::settle(start, study.solver, study.response, workspace);
+  return row_of(start, place.speed_hz, prepared.machine, &run);
 }
 
 /// With what robustness asks for.
@@ -139,6 +141,29 @@ Probe probe_of(const Row& row) {
 }
 
 }  // namespace
+
+Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machine,
+           const response::SettledRun* run) {
+  Row row;
+  row.speed_hz = speed_hz;
+  row.whirl_ratio = cell.whirl_ratio;
+  row.eccentricity_m = cell.eccentricity_m;
+  if (cell.start == scene::Start::unreachable) {
+    row.status = "unreachable";
+    return row;
+  }
+  if (cell.start == scene::Start::initial_contact) {
+    row.motion_class = response::motion::MotionClass::initial_contact;
+    return row;
+  }
+  row.start = cell.start == scene::Start::contact ? RunStart::contact
+              : !cell.scene.pulses.empty()        ? RunStart::kick
+                                                  : RunStart::quiet;
+  if (run == nullptr) return row;
+  fill(row, *run, some_friction_keeps_its_direction(machine));
+  doubt(row, machine, cell.scene.length_scale_m);
+  return row;
+}
 
 Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Workspace& workspace) {
   return evaluate_cell(study, scene::prepare_machine(study.machine), cell, workspace);

@@ -2,12 +2,18 @@
 
 #include <cstddef>
 
-#include "rubsweep/response/spectrum/full_spectrum.hpp"
+#include "rubsweep/response/motion/workspace.hpp"
+#include "rubsweep/response/settle.hpp"
+#include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/row.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::sweep {
+
+/// The row of a cell of `machine` at a speed, and of its run; null: it could not run.
+Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machine,
+           const response::SettledRun* run);
 
 /// Runs one cell from kick to verdict. Depends on its arguments alone, so that any thread may run any cell.
 /// A cell that fails numerically is a row of class `failed` whose status names the cause.

@@ -13,13 +13,24 @@ namespace rubsweep::sweep {
 
 /// How the run of a cell began.
 enum class RunStart {
-  kick,    ///< on the quiet whirl, kicked
-  quiet,   ///< on the quiet whirl; there is no kick
-  contact  ///< at rest in the static position, not kicked: the quiet motion itself reaches a wall
+  kick,      ///< on the quiet whirl, kicked
+  quiet,     ///< on the quiet whirl; there is no kick
+  contact,   ///< at rest in the static position, not kicked: the quiet motion itself reaches a wall
+  handed_on  ///< on the motion of the cell before it on a line, never in a map
 };
 
 constexpr std::string_view to_string(RunStart start) {
-  return start == RunStart::kick ? "kick" : start == RunStart::quiet ? "quiet" : "contact";
+  switch (start) {
+    case RunStart::kick:
+      return "kick";
+    case RunStart::quiet:
+      return "quiet";
+    case RunStart::contact:
+      return "contact";
+    case RunStart::handed_on:
+      return "handed_on";
+  }
+  return "";
 }
 
 /// All that survives of one cell: one row of the map. What does not apply is empty.
@@ -37,10 +48,11 @@ struct Row {
   std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found
   std::optional<long> last_contact_revolution;
   long revolutions = 0;
-  std::string status = "ok";              ///< `ok` or one word per cause, joined by ';'
-  std::optional<RunStart> start;          ///< empty: nothing was run
-  std::optional<double> robust_share{};   ///< see the function; empty unless asked for
-  std::optional<int> refinement_level{};  ///< of a refined map
+  std::string status = "ok";                  ///< `ok` or one word per cause, joined by ';'
+  std::optional<double> peak_over_clearance;  ///< of the measured motion, the first stop's clearance
+  std::optional<RunStart> start;              ///< empty: nothing was run
+  std::optional<double> robust_share{};       ///< see the function; empty unless asked for
+  std::optional<int> refinement_level{};      ///< of a refined map
   std::optional<Basins> basins{};        ///< of a study that asks for them; empty where no kick was simulated
   std::vector<double> key_values{};      ///< of the axes over keys, in the order of key_names
   std::optional<Threshold> threshold{};  ///< of a study that asks for it; empty where no kick was simulated

@@ -20,6 +20,10 @@ class Recorder {
   Recorder(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
            const TraceOptions& options, Trace& trace)
       : reader_(scene, solver), options_(options), trace_(trace) {
+    if (options.probes) {
+      refinement_ = probe_refinement(options.samples_per_revolution);
+      probes_.emplace(scene, options.speed_hz, *options.probes);
+    }
     trace.stops = reader_.stops();
     add_section(integrate::run::scaled_initial_state(scene));
   }
@@ -27,9 +31,10 @@ class Recorder {
   /// The part of a turn before its failure, or a whole turn's samples and events.
   void add_samples(const integrate::run::TurnReport& turn) {
     std::vector<TracedState> states;
-    for (int k = 0; k < turn.sample_count; ++k) {
+    for (int k = 0; k * refinement_ < turn.sample_count; ++k) {
       const auto scaled =
-          std::span(turn.samples).subspan(static_cast<std::size_t>(k) * reader_.size(), reader_.size());
+          std::span(turn.samples)
+              .subspan(static_cast<std::size_t>(k * refinement_) * reader_.size(), reader_.size());
       if (std::any_of(scaled.begin(), scaled.end(), [](double value) { return std::isnan(value); })) break;
       states.push_back({sample_time_s(k), reader_.read(scaled)});
       const Eigen::Vector2d& z = states.back().state.displacement_m;
@@ -50,6 +55,7 @@ class Recorder {
   /// What is only known at the end of a whole turn, after its samples.
   void end_turn(const integrate::run::TurnReport& turn) {
     ++trace_.revolutions;
+    if (probes_) probes_->add(turn);
     trace_.turns.push_back(response::motion::facts_of(turn));
     if (turn.touched) trace_.last_contact_revolution = trace_.revolutions;
     add_section(turn.section);
@@ -58,7 +64,11 @@ class Recorder {
     if (z.size() > kept) z.erase(z.begin(), z.end() - static_cast<std::ptrdiff_t>(kept));
   }
 
+  /// Samples that are asked of every turn.
+  int samples_wanted() const { return refinement_ * options_.samples_per_revolution; }
+
   void finish() {
+    if (probes_) trace_.readings_m = probes_->readings_m();
     // Samples of a turn that failed make no whole revolution.
     const long whole = std::min<long>(trace_.revolutions, options_.window_revolutions);
     trace_.displacement_m.resize(std::min(trace_.displacement_m.size(), samples_of(whole)));
@@ -84,6 +94,8 @@ class Recorder {
   StateReader reader_;
   const TraceOptions& options_;
   Trace& trace_;
+  int refinement_ = 1;  ///< only every so-many-th sample is traced; the probes look at all
+  std::optional<ProbeReader> probes_;
   std::deque<std::vector<TracedState>> trajectory_;  ///< one turn each
 };
 
@@ -98,7 +110,14 @@ double trace_bytes(const TraceOptions& options, std::size_t stops) {
                sample_bytes = state_bytes + number_bytes * static_cast<double>(5 + 5 * stops);
   const long kept =
       std::min(options.revolutions, options.trajectory_revolutions.value_or(options.revolutions));
-  return copies * section_bytes * static_cast<double>(options.revolutions) +
+  double reading_bytes = 0;
+  if (options.probes) {
+    const double readings =
+        static_cast<double>(options.revolutions) / (options.speed_hz * options.probes->sample_s);
+    reading_bytes =
+        copies * readings * number_bytes * static_cast<double>(4 + 2 * options.probes->rows.rows());
+  }
+  return reading_bytes + copies * section_bytes * static_cast<double>(options.revolutions) +
          copies * sample_bytes * static_cast<double>(kept) * options.samples_per_revolution +
          sizeof(response::motion::ContactFacts) * static_cast<double>(options.revolutions);
 }
@@ -108,7 +127,7 @@ Trace trace_run(const integrate::run::Cursor& cursor, const scene::Scene& scene,
   Trace trace;
   Recorder recorder(scene, solver, options, trace);
   const integrate::run::TurnRequest everything{
-      .samples_per_revolution = options.samples_per_revolution, .peaks = true, .switches = true};
+      .samples_per_revolution = recorder.samples_wanted(), .peaks = true, .switches = true};
   integrate::run::TurnReport turn;
   while (trace.revolutions < options.revolutions) {
     trace.outcome = cursor(everything, turn);

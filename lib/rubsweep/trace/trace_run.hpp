@@ -10,6 +10,7 @@
 #include "rubsweep/response/motion/motion.hpp"
 #include "rubsweep/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/scene/scene.hpp"
+#include "rubsweep/trace/probe.hpp"
 #include "rubsweep/trace/trace_state.hpp"
 
 namespace rubsweep::trace {
@@ -20,6 +21,7 @@ struct TraceOptions {
   int samples_per_revolution = 0;              ///< >= 4
   int window_revolutions = 0;                  ///< >= 1: the end of the run that `last_window` may look at
   std::optional<long> trajectory_revolutions;  ///< only so many last ones go into the trajectory; empty: all
+  std::optional<Probes> probes = std::nullopt;
 };
 
 /// About how many bytes a trace and the tables made of it take in memory, changes of contact mode left out.
@@ -48,6 +50,7 @@ struct Trace {
   std::vector<response::motion::ContactFacts> turns;  ///< one per whole revolution
   /// Samples of the last window, or of the whole run if shorter.
   std::vector<std::complex<double>> displacement_m;
+  Eigen::MatrixXd readings_m;  ///< of the probes, readings x probes: from the start through all whole turns
   std::optional<long> last_contact_revolution;  ///< 1 for the first; empty: no wall was touched
   integrate::run::Effort effort;
 };

@@ -85,12 +85,14 @@ TEST(MeasureCycle, HitsAreThoseOfAWindow) {
   arc.contact_fraction = 0.7;
   arc.peak_displacement_m = 1.4e-3;
   arc.peak_contact_force_n = 12;
+  arc.peak_casing_displacement_m = 2e-4;
   const motion::Measures m = measure(arc);
   EXPECT_EQ(m.turns, 64);
   EXPECT_EQ(m.contact.hits, 77);  // 3 in 2.5 turns: 76.8 in 64
   EXPECT_EQ(m.contact.contact_fraction, 0.7);
   EXPECT_EQ(m.contact.peak_displacement_m, 1.4e-3);
   EXPECT_EQ(m.contact.peak_contact_force_n, 12);
+  EXPECT_EQ(m.contact.peak_casing_displacement_m, 2e-4);
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ TEST(RotatingFlow, OneTurnIsThatOfTheAdaptiveSolver) {
   EXPECT_NEAR(arc->contact_fraction, turn.contact_fraction, 1e-8);
   EXPECT_NEAR(arc->peak_displacement_m, turn.peak_displacement_m, 1e-11);
   EXPECT_NEAR(arc->peak_contact_force_n, turn.peak_contact_force_n, 1e-3);
+  EXPECT_NEAR(arc->peak_casing_displacement_m, turn.peak_casing_displacement_m, 1e-10);
   const VectorXd section = Eigen::Map<const VectorXd>(turn.section.data(), 8);
   EXPECT_LT((arc->end - section).cwiseAbs().maxCoeff(), 1e-8);
   const MatrixXd samples = Eigen::Map<const MatrixXd>(turn.samples.data(), 8, 16);

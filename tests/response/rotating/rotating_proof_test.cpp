@@ -43,6 +43,8 @@ TEST(RotatingProof, TheCircleIsWhatALongRunShows) {
   EXPECT_EQ(b.contact.hits, 0);
   EXPECT_NEAR(a.amplitude_1x_forward_m, b.amplitude_1x_forward_m, 1e-10);
   EXPECT_NEAR(a.contact.peak_displacement_m, b.contact.peak_displacement_m, 1e-10);
+  EXPECT_NEAR(a.contact.peak_casing_displacement_m, b.contact.peak_casing_displacement_m, 1e-10);
+  EXPECT_GT(a.contact.peak_casing_displacement_m, 1e-6);
   EXPECT_NEAR(a.contact.contact_fraction, b.contact.contact_fraction, 1e-12);
   EXPECT_FALSE(a.comb_spacing);
 }
@@ -61,6 +63,7 @@ TEST(RotatingProof, TheOvalIsWhatALongRunShows) {
   EXPECT_NEAR(a.contact.hits, b.contact.hits, 1);
   EXPECT_NEAR(a.contact.peak_displacement_m, b.contact.peak_displacement_m, 1e-9);
   EXPECT_NEAR(a.contact.peak_contact_force_n, b.contact.peak_contact_force_n, 1e-3);
+  EXPECT_NEAR(a.contact.peak_casing_displacement_m, b.contact.peak_casing_displacement_m, 1e-9);
 }
 
 /// Multiplier -0.9915: the transient alternates for a thousand turns, and a run of 600 takes it for the

@@ -26,9 +26,11 @@ class AdaptiveRun {
  public:
   using State = typename StepMethod::State;
 
-  AdaptiveRun(const scene::Scene& scene, const run::SolverOptions& options)
+  /// `of_the_law`: what the law is made of beside the system and the width of its blend.
+  template <class... OfTheLaw>
+  AdaptiveRun(const scene::Scene& scene, const run::SolverOptions& options, const OfTheLaw&... of_the_law)
       : system_(run::scale<N>(scene)),
-        dynamics_(system_, options.smoothing_m / system_.scale.length_m),
+        dynamics_(system_, options.smoothing_m / system_.scale.length_m, of_the_law...),
         method_(options),
         pulses_(scene, system_.scale, full_turn),
         impulses_(scene),

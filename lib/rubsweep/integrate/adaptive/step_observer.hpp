@@ -110,18 +110,23 @@ class StepObserver {
 
   template <class State, class Dynamics>
   void watch_displacement(const Step<State>& step, const Dynamics& dynamics, double h) {
-    const auto square_and_slope = [&](const State& state) {
-      const auto& map = dynamics.system().observed;
-      const Eigen::Index n = map.cols();
-      const Eigen::Vector2d z = map * Eigen::Map<const Eigen::VectorXd>(&state[0], n);
-      const Eigen::Vector2d v = map * Eigen::Map<const Eigen::VectorXd>(&state[0] + n, n);
-      return std::pair{z.squaredNorm(), 2 * z.dot(v)};
+    const auto largest_of = [&](const auto& map) {
+      const auto square_and_slope = [&](const State& state) {
+        const Eigen::Index n = map.cols();
+        const Eigen::Vector2d z = map * Eigen::Map<const Eigen::VectorXd>(&state[0], n);
+        const Eigen::Vector2d v = map * Eigen::Map<const Eigen::VectorXd>(&state[0] + n, n);
+        return std::pair{z.squaredNorm(), 2 * z.dot(v)};
+      };
+      const auto [start, start_slope] = square_and_slope(step.start);
+      const auto [end, end_slope] = square_and_slope(step.end);
+      const double square = numerics::cubic_maximum(start, h * start_slope, end, h * end_slope);
+      return std::sqrt(square) * dynamics.system().scale.length_m;
     };
-    const auto [start, start_slope] = square_and_slope(step.start);
-    const auto [end, end_slope] = square_and_slope(step.end);
-    const double peak = std::sqrt(numerics::cubic_maximum(start, h * start_slope, end, h * end_slope));
     report_.peak_displacement_m =
-        std::max(report_.peak_displacement_m, peak * dynamics.system().scale.length_m);
+        std::max(report_.peak_displacement_m, largest_of(dynamics.system().observed));
+    for (const auto& casing : dynamics.system().casings)
+      report_.peak_casing_displacement_m =
+          std::max(report_.peak_casing_displacement_m, largest_of(casing.map));
   }
 
   const run::TurnRequest& request_;

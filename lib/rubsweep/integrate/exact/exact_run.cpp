@@ -105,13 +105,14 @@ bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& r
 /// Longest landing.
 template <int N>
 double ExactRun<N>::reach_s() const {
-  return force_by_steps() ? peak_reach_s(motion_) : motion_.reach_s();
+  return peaks_by_steps() ? peak_reach_s(motion_) : motion_.reach_s();
 }
 
-/// Peaks of a contact force are to be looked for between the ends of short steps.
+/// Peaks of a contact force or of a casing's displacement are to be looked for between the ends of short
+/// steps.
 template <int N>
-bool ExactRun<N>::force_by_steps() const {
-  return peaks_wanted_ && motion_.mode().pushes && !motion_.mode().paired;
+bool ExactRun<N>::peaks_by_steps() const {
+  return peaks_wanted_ && !motion_.mode().paired && (motion_.mode().pushes || peaks_.watches_casings());
 }
 
 /// Where the motion stands at the end of the last turn only its phase starts again, from exactly zero.
@@ -185,7 +186,7 @@ ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
 template <int N>
 double ExactRun<N>::shorten_for_peaks(double step_s) const {
   if (!samples_.ahead(motion_)) step_s = std::min(step_s, period_s_ / steps_per_turn_when_watched);
-  return force_by_steps() ? std::min(step_s, reach_s()) : step_s;
+  return peaks_by_steps() ? std::min(step_s, reach_s()) : step_s;
 }
 
 template <int N>

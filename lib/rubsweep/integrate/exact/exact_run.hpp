@@ -67,7 +67,7 @@ class ExactRun {
   double next_impulse_s() const { return impulses_.next_phase_rad() / speed_; }
   double next_boundary() const;
   double reach_s() const;
-  bool force_by_steps() const;
+  bool peaks_by_steps() const;
   bool pass_boundary(run::TurnReport& report);
   bool apply_impulses(run::TurnReport& report);
   void passed(run::TurnReport& report, double duration_s);

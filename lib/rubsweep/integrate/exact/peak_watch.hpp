@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "rubsweep/integrate/exact/exact_motion.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
@@ -21,37 +22,49 @@ double peak_reach_s(const ExactMotion<N>& motion) {
   return 0.25 * motion.reach_s();
 }
 
-/// Largest displacement and contact force of an exact run: of the displacement from values and rates at the
-/// ends of its steps, of a force by certified steps towards the instants where it may exceed what is known.
+/// Largest displacements and contact force of an exact run: of the rotor's displacement from values and rates
+/// at the ends of its steps, of a force by certified steps towards the instants where it may exceed what is
+/// known, of a casing's displacement by steps as short as its vibration asks for, where its energy does not
+/// show that it stays below what is known.
 template <int N>
 class PeakWatch {
  public:
   using State = typename ExactTypes<N>::State;
 
   explicit PeakWatch(const MachineModes<N>& modes, double length_m)
-      : observed_(modes.system().observed), length_m_(length_m) {}
+      : observed_(modes.system().observed), length_m_(length_m) {
+    for (const auto& casing : modes.system().casings)
+      casings_.push_back({casing.contact, casing.map, casing.sag, casing.rate});
+  }
+
+  bool watches_casings() const { return !casings_.empty(); }
 
   /// From here on, in the motion's present mode.
   void begin(const ExactMotion<N>& motion) {
-    now_ = square_of_displacement(motion.physical());
+    start_state_ = motion.physical();
+    now_ = square_of(observed_, start_state_);
     start_ = motion.here();
   }
 
   /// A step of `duration_s` in one mode ends here, `since_look_s` after the last state that was passed or the
   /// step's start.
   void step(const ExactMotion<N>& motion, double duration_s, double since_look_s, run::TurnReport& report) {
-    pass(motion.physical(), since_look_s, report);
+    const State end = motion.physical();
+    pass(end, since_look_s, report);
     const Instant& here = motion.here();
     for (std::size_t t = 0; t < motion.mode().touches.size(); ++t) {
       if (motion.mode().touches[t].pushes)
         raise_force(motion, t, here, duration_s, report.peak_contact_force_n);
     }
+    for (const Casing& casing : casings_)
+      raise_casing(motion, casing, end, duration_s, report.peak_casing_displacement_m);
     start_ = here;
+    start_state_ = end;
   }
 
   /// The same at a state between the ends of steps, for the displacement alone.
   void pass(const State& here, double duration_s, run::TurnReport& report) {
-    const ValueAndRate last = std::exchange(now_, square_of_displacement(here));
+    const ValueAndRate last = std::exchange(now_, square_of(observed_, here));
     const double known = report.peak_displacement_m / length_m_;
     if (ceiling(last, now_, duration_s) <= known * known) return;
     const double square = std::max(0.0, largest(last, now_, duration_s));
@@ -60,6 +73,8 @@ class PeakWatch {
 
  private:
   using Instant = typename ExactMotion<N>::Instant;
+  using Map = Eigen::Matrix<double, 2, N>;
+  using Casing = run::ScaledCasing<N>;
   struct ValueAndRate {
     double value = 0, rate = 0;
   };
@@ -74,11 +89,33 @@ class PeakWatch {
     return std::max(a.value, b.value) + 0.1482 * duration_s * (std::abs(a.rate) + std::abs(b.rate));
   }
 
-  ValueAndRate square_of_displacement(const State& here) const {
+  static ValueAndRate square_of(const Map& map, const State& here) {
     const Eigen::Index n = here.size() / 2;
-    const Eigen::Vector2d z = observed_ * here.template head<N>(n),
-                          v = observed_ * here.template segment<N>(n, n);
+    const Eigen::Vector2d z = map * here.template head<N>(n), v = map * here.template segment<N>(n, n);
     return {z.squaredNorm(), 2 * z.dot(v)};
+  }
+
+  /// From the step's start to its end. A casing that is not touched vibrates at its own rate, one that is
+  /// touched as fast as the contact makes it. In a mode without pairs the run's own steps are short enough.
+  void raise_casing(const ExactMotion<N>& motion, const Casing& casing, const State& end, double duration_s,
+                    double& known_m) {
+    const bool open = motion.mode().modes[casing.contact] == contact::Mode::open;
+    if (open && casing.reach(start_state_) * length_m_ <= known_m) return;
+    const double reach_s = open ? std::max(0.25 / casing.rate, peak_reach_s(motion)) : peak_reach_s(motion);
+    ValueAndRate from = square_of(casing.map, start_state_);
+    double square = from.value, left_s = duration_s;
+    const int k = numerics::exact_step_below(reach_s * motion.mode().longest_steps_per_s);
+    if (motion.mode().paired && left_s > reach_s && k < numerics::exact_step_count) {
+      const double size_s = motion.mode().longest_step_s * numerics::exact_step_size(k);
+      for (at_ = start_; left_s > size_s; left_s -= size_s) {
+        motion.ahead_by_table(at_, k);
+        const ValueAndRate to = square_of(casing.map, motion.physical(at_));
+        square = std::max(square, largest(from, to, size_s));
+        from = to;
+      }
+    }
+    square = std::max(square, largest(from, square_of(casing.map, end), left_s));
+    known_m = std::max(known_m, length_m_ * std::sqrt(square));
   }
 
   /// From the step's start to its end `here`. Where the force may exceed what is known the steps are so short
@@ -106,8 +143,10 @@ class PeakWatch {
     known_n = std::max(known_n, largest(from, motion.force(t, here), left_s));
   }
 
-  Eigen::Matrix<double, 2, N> observed_;
+  Map observed_;
   double length_m_;
+  std::vector<Casing> casings_;
+  State start_state_;   ///< of the step
   ValueAndRate now_;    ///< square of the observed displacement
   Instant start_, at_;  ///< of the step; what `raise_force` moves along it
 };

@@ -1,6 +1,7 @@
 #include "rubsweep/integrate/run/scaled_system.hpp"
 
 #include <Eigen/Cholesky>
+#include <cmath>
 #include <numbers>
 
 #include "rubsweep/error.hpp"
@@ -35,6 +36,19 @@ ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene
   scaled.slip_scale_m_per_s = scale.unit_velocity_m_per_s();
   scaled.surface_speed_m_per_s = contact.surface_speed_m_per_s;
   return scaled;
+}
+
+/// `system` has its structure and its constant forces.
+template <int N>
+ScaledCasing<N> scale_casing(std::size_t contact, const structure::Point& point,
+                             const ScaledSystem<N>& system) {
+  ScaledCasing<N> casing;
+  casing.contact = contact;
+  casing.map = point.map;
+  // Both coordinates of a casing are alike and coupled to nothing.
+  casing.rate = std::sqrt(casing.map.row(0).dot(casing.map.row(0) * system.stiffness));
+  casing.sag = casing.map * system.constant / (casing.rate * casing.rate);
+  return casing;
 }
 
 template <int N>
@@ -72,6 +86,10 @@ ScaledSystem<N> scale(const scene::Scene& scene, const StateScale& scale) {
   scale_forcing(scene, mass, system);
   system.observed = scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
   for (const scene::Contact& contact : scene.contacts) {
+    if (contact.casing_point) {
+      const auto& point = scene.structure.points[static_cast<std::size_t>(*contact.casing_point)];
+      system.casings.push_back(scale_casing<N>(system.contacts.size(), point, system));
+    }
     system.contacts.push_back(scale_contact<N>(contact, scene, scale, mass));
   }
   return system;

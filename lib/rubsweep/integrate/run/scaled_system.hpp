@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -40,6 +41,24 @@ struct ScaledPulse {
   double rate = 0;  ///< angle of the half-sine per radian of rotation
 };
 
+/// The casing behind a contact. Nothing but the contact and its own spring acts on it, so that its vibration
+/// while the contact is open is an oscillator's, whose energy never grows.
+template <int N>
+struct ScaledCasing {
+  std::size_t contact = 0;
+  Eigen::Matrix<double, 2, N> map;  ///< (x, y) in units of L
+  Eigen::Vector2d sag;              ///< where constant forces hold it
+  double rate = 0;                  ///< its undamped angular frequency
+
+  /// No displacement from here on is larger while the contact is open: the energy bounds the vibration.
+  template <class State>
+  double reach(const State& state) const {
+    const Eigen::Index n = state.size() / 2;
+    const Eigen::Vector2d z = map * state.head(n) - sag, v = map * state.tail(n) / rate;
+    return sag.norm() + std::sqrt(z.squaredNorm() + v.squaredNorm());
+  }
+};
+
 /// A scene in the units of a StateScale. That of its sections makes every tolerance a pure number: length in
 /// L = scene.length_scale_m, time in radians of shaft rotation. With the mass matrix already divided out, its
 /// equations of motion are
@@ -59,6 +78,7 @@ struct ScaledSystem {
   std::vector<ScaledPulse<N>> pulses;    ///< as those of the scene; PulseTimes says when they act
   Eigen::Matrix<double, 2, N> observed;  ///< (x, y) of the observed point in units of L
   std::vector<ScaledContact<N>> contacts;
+  std::vector<ScaledCasing<N>> casings;  ///< those that move
   StateScale scale;
 
   Eigen::Index coordinates() const { return stiffness_diagonal.size(); }

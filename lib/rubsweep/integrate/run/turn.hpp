@@ -40,6 +40,8 @@ struct TurnRequest {
   /// 2n x m (m <= 2n; 0: none): small changes of the section at the start, to be taken to the end of the turn
   /// by d(section at the end) / d(section at the start).
   Eigen::MatrixXd tangent_vectors{};
+  /// Relative error that one step may add to them, where a step truncates anything.
+  double tangent_accuracy = 4e-12;
 };
 
 /// Tangent vectors at the end of a turn, where the turn was asked for them and could move them. Its memory is
@@ -73,8 +75,9 @@ struct TurnReport {
   int hits = 0;                 ///< open -> touching, all contacts together
   double contact_fraction = 0;  ///< share of the turn with at least one contact touching
   double peak_displacement_m = 0;
-  double peak_contact_force_n = 0;  ///< largest normal force at any one contact
-  bool touched = false;             ///< some contact was touching at some time in the turn
+  double peak_contact_force_n = 0;        ///< largest normal force at any one contact
+  double peak_casing_displacement_m = 0;  ///< largest distance of any casing from its unloaded place
+  bool touched = false;                   ///< some contact was touching at some time in the turn
   bool touching_at_end = false;
   bool slip_reversed = false;  ///< a slip speed was <= 0 while touching
   Effort effort;               ///< of the whole run so far
@@ -85,7 +88,7 @@ struct TurnReport {
     switches.clear();
     tangent_vectors.clear();
     hits = 0;
-    contact_fraction = peak_displacement_m = peak_contact_force_n = 0;
+    contact_fraction = peak_displacement_m = peak_contact_force_n = peak_casing_displacement_m = 0;
     touched = touching_at_end = slip_reversed = false;
   }
 

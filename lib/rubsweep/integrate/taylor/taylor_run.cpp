@@ -16,10 +16,14 @@ using contact::Mode;
 /// has of rounding as the motion does, within 8^25 / 25! = 2e-3.
 constexpr double longest_times_fastest = 8;
 constexpr double same_instant = 1e-13;  ///< radians: landings nearer than that make no progress
-/// The same where tangent vectors are carried: they excite every mode, by as much as themselves, whatever the
-/// motion does. Of e^x what order 20 leaves out is x^21 / 21! = 4e-12 there.
-constexpr double longest_times_fastest_of_tangents = 2.5;
 constexpr int longest_standstill = 16;  ///< landings without progress before one is stepped over
+
+/// The same where tangent vectors are carried: they excite every mode, by as much as themselves, whatever the
+/// motion does. Of e^x what is left out of order 20 is x^21 / 21!: 2.5 for 4e-12.
+double longest_times_fastest_of_tangents(double accuracy) {
+  constexpr int next = TangentExpansion<2>::order + 1;
+  return std::min(longest_times_fastest, std::pow(accuracy * std::tgamma(next + 1), 1.0 / next));
+}
 
 }  // namespace
 
@@ -36,7 +40,8 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       max_steps_(options.max_steps_per_revolution),
       state_(run::scaled_initial_state(scene)),
       rate_(state_.size()),
-      probe_(state_.size()) {
+      probe_(state_.size()),
+      other_probe_(state_.size()) {
   dynamics_.follow(pulses_);
 }
 
@@ -65,6 +70,8 @@ TaylorEnding TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnRep
   start_ = state_;
   start_modes_ = dynamics_.modes();
   tangents_.begin(request.tangent_vectors);
+  if (tangents_.count() > 0)
+    longest_of_tangents_ = longest_times_fastest_of_tangents(request.tangent_accuracy);
   step_limit_ = effort_.steps + max_steps_;
   TaylorEnding ending = TaylorEnding::ok;
   while (ending == TaylorEnding::ok && phase_ < end_phase_) {
@@ -133,7 +140,7 @@ double TaylorRun<N>::longest_step(double fastest) {
       turning = std::max(turning, std::abs(motion_.contact(i).turn_rate()));
   }
   // The stiffness across a turning normal comes round twice a turn.
-  return longest_times_fastest_of_tangents / (fastest + 2 * turning);
+  return longest_of_tangents_ / (fastest + 2 * turning);
 }
 
 template <int N>
@@ -144,7 +151,8 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   const double fastest = fastest_rate();
   bool friction_varies = false;
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
-    friction_varies = friction_varies || (dynamics_.modes()[i] != Mode::open && motion_.contact(i).friction_varies());
+    friction_varies =
+        friction_varies || (dynamics_.modes()[i] != Mode::open && motion_.contact(i).friction_varies());
   const double friction_ratio = friction_varies ? dynamics_.friction_ratio(state_) : 0;
   if (friction_ratio > stiff_above_) return TaylorEnding::stiff;
   const double boundary = next_boundary(), left = boundary - phase_;
@@ -223,8 +231,11 @@ void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duratio
     report.contact_fraction += duration / full_turn;
   }
   if (!peaks_wanted_) return;
-  const double peak = largest_displacement(motion_, system_, fastest, duration, probe_);
-  report.peak_displacement_m = std::max(report.peak_displacement_m, peak * system_.scale.length_m);
+  const auto [observed, casing] =
+      largest_displacements(motion_, system_, fastest, duration, probe_, other_probe_);
+  const double length_m = system_.scale.length_m;
+  report.peak_displacement_m = std::max(report.peak_displacement_m, observed * length_m);
+  report.peak_casing_displacement_m = std::max(report.peak_casing_displacement_m, casing * length_m);
 }
 
 template <int N>

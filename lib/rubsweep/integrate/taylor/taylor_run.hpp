@@ -82,8 +82,9 @@ class TaylorRun {
   run::Impulses impulses_;
   double structure_rate_ = 0;  ///< fastest of the structure without contacts, per radian
   double stiff_above_ = 0;
+  double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
   long max_steps_ = 0, step_limit_ = 0;
-  std::vector<double> state_, start_, rate_, probe_;
+  std::vector<double> state_, start_, rate_, probe_, other_probe_;
   std::vector<contact::Mode> start_modes_, modes_before_;
   double phase_ = 0, end_phase_ = full_turn;
   bool entered_ = false;

@@ -8,7 +8,8 @@ ContactFacts facts_of(const integrate::run::TurnReport& turn) {
   return {.hits = turn.hits,
           .contact_fraction = turn.contact_fraction,
           .peak_displacement_m = turn.peak_displacement_m,
-          .peak_contact_force_n = turn.peak_contact_force_n};
+          .peak_contact_force_n = turn.peak_contact_force_n,
+          .peak_casing_displacement_m = turn.peak_casing_displacement_m};
 }
 
 ContactFacts together(std::span<const ContactFacts> turns) {
@@ -18,6 +19,8 @@ ContactFacts together(std::span<const ContactFacts> turns) {
     all.contact_fraction += turn.contact_fraction;
     all.peak_displacement_m = std::max(all.peak_displacement_m, turn.peak_displacement_m);
     all.peak_contact_force_n = std::max(all.peak_contact_force_n, turn.peak_contact_force_n);
+    all.peak_casing_displacement_m =
+        std::max(all.peak_casing_displacement_m, turn.peak_casing_displacement_m);
   }
   if (!turns.empty()) all.contact_fraction /= static_cast<double>(turns.size());
   return all;

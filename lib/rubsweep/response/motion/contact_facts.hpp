@@ -11,7 +11,8 @@ struct ContactFacts {
   int hits = 0;                    ///< contacts that began
   double contact_fraction = 0;     ///< time in contact / time; 1 with 0 hits is a rotor that slides all along
   double peak_displacement_m = 0;  ///< largest |z|
-  double peak_contact_force_n = 0;  ///< largest total force at one stop
+  double peak_contact_force_n = 0;        ///< largest total force at one stop
+  double peak_casing_displacement_m = 0;  ///< largest distance of a casing from its unloaded place
 };
 
 /// Of one turn that was made.

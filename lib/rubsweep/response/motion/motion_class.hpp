@@ -19,7 +19,7 @@ enum class MotionClass {
 };
 
 /// All that is said about one class. Maps, summaries, comparisons and help texts read it here; the colours of
-/// figures are in scripts/domain_map.gp.
+/// figures are in scripts/motion_kinds.gp.
 struct MotionClassRow {
   std::string_view word;         ///< its name in map.csv
   std::string_view description;  ///< for help texts

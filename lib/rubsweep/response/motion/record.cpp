@@ -14,7 +14,9 @@ Record::Record(const scene::Scene& scene, const ResponseOptions& options)
 }
 
 void Record::begin(std::span<const double> section) {
-  section_.insert(section_.end(), section.begin(), section.end());
+  displacement_m_.clear();
+  facts_.clear();
+  section_.assign(section.begin(), section.end());
 }
 
 void Record::add(const integrate::run::TurnReport& turn) {

@@ -18,7 +18,7 @@ class Record {
  public:
   Record(const scene::Scene& scene, const ResponseOptions& options);
 
-  /// Section at the start of the first recorded turn.
+  /// Forgets what was recorded; `section` is that at the start of the first turn that will be.
   void begin(std::span<const double> section);
 
   /// A turn with `samples_per_revolution` samples and peaks; two windows of them fill the record.

@@ -18,7 +18,8 @@ RestProof::RestProof(const scene::Cell& cell) {
   if (!scene.impulses.empty() || cell.start != scene::Start::quiet) return;
   const auto system = integrate::run::scale<Eigen::Dynamic>(scene);
   const auto form = numerics::modal_form(system.stiffness, system.damping);
-  if (!form || form->growth > growth_tolerance) return;
+  grows_ = form && form->growth > growth_tolerance;
+  if (!form || grows_) return;
   usable_ = true;
   to_modes_ = form->inverse;
 

@@ -20,6 +20,9 @@ class RestProof {
   /// no modal form, or impulses keep on disturbing the rotor.
   explicit RestProof(const scene::Cell& cell);
 
+  /// Whether the quiet motion is known not to last, because some free vibration about it grows.
+  bool vibration_grows() const { return grows_; }
+
   /// `section`: scaled state at the start of a revolution with every contact open and the kick over, as
   /// TurnReport::section.
   bool proves(std::span<const double> section);
@@ -30,7 +33,7 @@ class RestProof {
     Eigen::VectorXd pair_weight;   ///< |r basis_j|
   };
 
-  bool usable_ = false;
+  bool usable_ = false, grows_ = false;
   Eigen::MatrixXd to_modes_;
   Eigen::VectorXd quiet_;  ///< scaled state of the quiet motion at phase 0
   std::vector<Bound> bounds_;

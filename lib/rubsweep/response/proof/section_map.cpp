@@ -42,7 +42,9 @@ bool SceneMap::operator()(std::span<double> section) {
   return advance(section);
 }
 
-bool SceneMap::carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved) {
+bool SceneMap::carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved,
+                             double accuracy) {
+  request_.tangent_accuracy = accuracy;
   request_.tangent_vectors = disturbances;
   const bool made = advance(section);
   const Eigen::MatrixXd* at_end = made ? report_.tangent_vectors.get() : nullptr;

@@ -31,7 +31,8 @@ class SceneMap {
 
   /// The same only where the solver that makes the turn moves tangent vectors: `moved` says so, else
   /// `disturbances` stays.
-  bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved);
+  bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved,
+                     double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 
   /// The exact solver makes the turns, as far as they have closed forms.
   bool exact() const { return exact_; }

@@ -88,7 +88,8 @@ motion::Measures measure_cycle(const scene::Scene& scene, const RotatingArc& onc
   measures.contact = {.hits = static_cast<int>(std::lround(once.hits * options.window_revolutions / turns)),
                       .contact_fraction = std::min(1.0, once.contact_fraction),
                       .peak_displacement_m = once.peak_displacement_m,
-                      .peak_contact_force_n = once.peak_contact_force_n};
+                      .peak_contact_force_n = once.peak_contact_force_n,
+                      .peak_casing_displacement_m = once.peak_casing_displacement_m};
   // The mean of such a motion lies in the centre.
   measures.orbit = spectrum::is_circle(w, 0) ? spectrum::OrbitKind::circle : spectrum::OrbitKind::oval;
   measures.comb_spacing = spacing;

@@ -30,6 +30,7 @@ void add_measures(const integrate::run::TurnReport& turn, RotatingArc& arc) {
   arc.contact_fraction += turn.contact_fraction * full_turn / arc.angle_rad;
   arc.peak_displacement_m = std::max(arc.peak_displacement_m, turn.peak_displacement_m);
   arc.peak_contact_force_n = std::max(arc.peak_contact_force_n, turn.peak_contact_force_n);
+  arc.peak_casing_displacement_m = std::max(arc.peak_casing_displacement_m, turn.peak_casing_displacement_m);
 }
 
 enum class Followed { made, stiff, failed };

@@ -18,6 +18,7 @@ struct RotatingArc {
   double contact_fraction = 0;
   double peak_displacement_m = 0;  ///< this and what follows only where samples are asked for
   double peak_contact_force_n = 0;
+  double peak_casing_displacement_m = 0;
   Eigen::MatrixXd samples;  ///< 2n x count: states in the fixed frame at phases 2 pi k / N before the end
 };
 

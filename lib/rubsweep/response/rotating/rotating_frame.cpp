@@ -69,6 +69,13 @@ double RotatingField::contact_force_n(const VectorXd& state) const {
   });
 }
 
+double RotatingField::casing_displacement_m(const VectorXd& state) const {
+  double largest = 0;
+  for (const auto& casing : system_.casings)
+    largest = std::max(largest, (casing.map * state.head(system_.coordinates())).norm());
+  return largest * system_.scale.length_m;
+}
+
 bool RotatingField::touches(const VectorXd& state) const {
   return at(state, [&](const auto& law) {
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {

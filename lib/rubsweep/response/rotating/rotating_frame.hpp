@@ -37,6 +37,9 @@ class RotatingField {
   /// Largest normal force at any one contact, in newtons.
   double contact_force_n(const Eigen::VectorXd& state) const;
 
+  /// Largest distance of any casing from its unloaded place, in metres.
+  double casing_displacement_m(const Eigen::VectorXd& state) const;
+
   /// Some contact penetrates.
   bool touches(const Eigen::VectorXd& state) const;
 

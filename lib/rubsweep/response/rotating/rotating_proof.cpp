@@ -100,6 +100,7 @@ motion::ProvenMotion RotatingProof::measured(const RotatingEquilibrium& circle) 
   const VectorXd& state = circle.state;
   const auto& map = scene_.structure.points[static_cast<std::size_t>(scene_.observed_point)].map;
   const Eigen::Vector2d z = scene_.length_scale_m * (map * state.head(map.cols()));
+  const double casing_m = field_.casing_displacement_m(state);
   std::vector<std::complex<double>> displacement_m;
   for (int k = 0; k < options_.samples_per_revolution; ++k) {
     displacement_m.push_back(std::complex(z.x(), z.y()) *
@@ -117,7 +118,8 @@ motion::ProvenMotion RotatingProof::measured(const RotatingEquilibrium& circle) 
   const std::array<motion::ContactFacts, 1> facts{{{.hits = 0,
                                                     .contact_fraction = 1,
                                                     .peak_displacement_m = z.norm(),
-                                                    .peak_contact_force_n = field_.contact_force_n(state)}}};
+                                                    .peak_contact_force_n = field_.contact_force_n(state),
+                                                    .peak_casing_displacement_m = casing_m}}};
   window.contact = facts;
   return {motion::MotionClass::synchronous, 1, motion::measure_window(window, workspace_.spectrum),
           circle.floquet_modulus};

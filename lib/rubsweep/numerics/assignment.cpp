@@ -1,8 +1,8 @@
-#include "rubsweep/ring/assignment.hpp"
+#include "rubsweep/numerics/assignment.hpp"
 
 #include <limits>
 
-namespace rubsweep::ring {
+namespace rubsweep::numerics {
 namespace {
 
 using Eigen::Index;
@@ -99,4 +99,4 @@ std::vector<Index> cheapest_assignment(const Eigen::MatrixXd& cost) {
   return matching.column_of_rows();
 }
 
-}  // namespace rubsweep::ring
+}  // namespace rubsweep::numerics

@@ -1,4 +1,4 @@
-#include "rubsweep/ring/assignment.hpp"
+#include "rubsweep/numerics/assignment.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-namespace rubsweep::ring {
+namespace rubsweep::numerics {
 namespace {
 
 double total(const Eigen::MatrixXd& cost, const std::vector<Eigen::Index>& columns) {
@@ -35,4 +35,4 @@ TEST(CheapestAssignment, IsTheCheapestOfAllPermutations) {
 }
 
 }  // namespace
-}  // namespace rubsweep::ring
+}  // namespace rubsweep::numerics

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "rubbranch_arguments.hpp"
+#include "rubsweep/branch/scene_orbits.hpp"
+#include "rubsweep/config/run_config.hpp"
+
+namespace rubsweep::apps {
+
+/// The scenes of a cell as one parameter changes.
+struct BranchFamily {
+  branch::SceneFamily scenes;
+  double start = 0;          ///< value of the parameter at the cell
+  double low = 0, high = 0;  ///< its range
+};
+
+/// Throws ConfigError where the configuration has no such number, or where the cell is outside of the range.
+BranchFamily branch_family(const RubbranchArguments& arguments, const config::RunConfig& config);
+
+}  // namespace rubsweep::apps

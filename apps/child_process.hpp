@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubsweep::apps {
+
+/// Where a command is found among the directories of PATH; empty where there is none.
+std::optional<std::filesystem::path> find_command(const std::string& name);
+
+/// Descriptors that a child gets as its standard input and output; empty: those of this process.
+struct ChildStreams {
+  std::optional<int> input = {}, output = {};
+};
+
+/// Runs a command of PATH with its arguments, the name first, and waits for its end; true when it exits with
+/// 0. Throws IoError where it cannot be started.
+bool run_child(std::vector<std::string> command, const ChildStreams& streams = {});
+
+}  // namespace rubsweep::apps

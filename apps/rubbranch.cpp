@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "branch_family.hpp"
+#include "exit_code.hpp"
+#include "program.hpp"
+#include "result_files.hpp"
+#include "rubbranch_arguments.hpp"
+#include "rubbranch_map.hpp"
+#include "rubsweep/branch/doubling.hpp"
+#include "rubsweep/branch/follow.hpp"
+#include "rubsweep/branch/settled_start.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/report/branch_csv.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> file_names{"config.yaml", "branch.csv", "events.csv"};
+
+branch::OrbitProblem problem_of(const BranchFamily& family, int order, const sweep::Study& study,
+                                response::motion::Workspace& workspace) {
+  branch::OrbitProblem problem = branch::scene_orbits(family.scenes, order, study.solver, workspace.modes);
+  problem.low = family.low;
+  problem.high = family.high;
+  problem.parameter_scale = family.high - family.low;
+  return problem;
+}
+
+/// Of every period doubling of a branch the one with twice the period, as far as one is found.
+void add_doubled(const BranchFamily& family, const branch::FollowOptions& options, const sweep::Study& study,
+                 response::motion::Workspace& workspace, std::vector<branch::Branch>& branches) {
+  const branch::Branch single = branches.front();
+  const branch::OrbitProblem problem = problem_of(family, 2 * single.order, study, workspace);
+  for (const branch::BranchEvent& event : single.events) {
+    if (event.kind != branch::EventKind::period_doubling) continue;
+    const auto start = branch::doubled_start(problem, event.point);
+    if (!start) {
+      say(fmt::format("rubbranch: no orbit of twice the period is found beside the doubling at {:.10g}\n",
+                      event.point.parameter));
+      continue;
+    }
+    branch::HalfBranch half = branch::follow(problem, *start, options);
+    branches.push_back({problem.order, std::move(half.points), std::move(half.events),
+                        branch::Ending::period_halving, half.ending});
+  }
+}
+
+int nothing_to_follow(const std::string& why) {
+  say(fmt::format("rubbranch: {}; nothing is written\n", why));
+  return some_cells_failed;
+}
+
+int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
+  const sweep::Study& study = config.study;
+  const BranchFamily family = branch_family(arguments, config);
+  const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_branch"));
+  make_directory(directory);
+
+  const scene::Cell cell = scene::build_cell(study.machine, arguments.cell.speed_hz,
+                                             sweep::unbalance_of(study.grid, arguments.cell.unbalance));
+  if (!scene::can_run(cell.start)) return nothing_to_follow("the cell has no motion that could be run");
+  response::motion::Workspace workspace;
+  const branch::SettledStart settled = branch::settle_on_orbit(cell, study.solver, study.response, workspace);
+  if (!settled.order) {
+    return nothing_to_follow(fmt::format("the cell settles on no periodic orbit in contact, its motion is {}",
+                                         to_string(settled.motion_class)));
+  }
+  const branch::OrbitProblem problem = problem_of(family, *settled.order, study, workspace);
+  const auto start = branch::orbit_from(problem, settled.section, family.start);
+  if (!start) return nothing_to_follow("Newton's iteration does not find the orbit that the cell settles on");
+  branch::FollowOptions options;
+  options.most_points = arguments.most_points;
+  std::vector<branch::Branch> branches{branch::follow_both_ways(problem, *start, options)};
+  if (arguments.switch_at_doublings) add_doubled(family, options, study, workspace, branches);
+
+  const std::string comments =
+      report::branch_comments(RUBSWEEP_VERSION, config::study_digest(study), arguments.along, branches);
+  const ResultFiles files{{"config.yaml", config::print_config(config)},
+                          {"branch.csv", comments + report::branch_csv(branches)},
+                          {"events.csv", comments + report::branch_events_csv(branches)}};
+  write_result_files(files, file_names, directory);
+  if (!arguments.quiet) {
+    fmt::print("{}{}", report::branch_summary(arguments.along, branches), files_line(files, directory));
+  }
+  return done;
+}
+
+int perform(const RubbranchArguments& arguments) {
+  if (answered("rubbranch", arguments.action, rubbranch_help)) return done;
+  if (!arguments.map.empty()) return run_on_map(arguments);
+  return run(arguments, config::read_run_config(arguments.config, arguments.overrides));
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  using namespace rubsweep::apps;
+  return run_program("rubbranch", [&] { return perform(parse_rubbranch_arguments(argc, argv)); });
+}

@@ -1,0 +1,119 @@
+#include "rubbranch_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "command_line.hpp"
+#include "program.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+constexpr int usual_points = 2000;
+
+po::options_description visible_options() {
+  po::options_description options("Options");
+  options.add_options()("cell", po::value<std::string>()->value_name("SPEED_HZ,UNBALANCE"),
+                        "the cell whose settled orbit is followed, the unbalance as the sweep has it (whirl "
+                        "ratio or eccentricity in metres)")(
+      "along", po::value<std::string>()->value_name("KEY")->default_value("speed_hz"),
+      "the parameter that changes: speed_hz, whirl_ratio, eccentricity_m, or any number of the configuration "
+      "by its key, as --set names it")(
+      "from", po::value<double>()->value_name("A"),
+      "smallest value of the parameter; default: that of the sweep, for a key half of what it is")(
+      "to", po::value<double>()->value_name("B"),
+      "largest value; default: that of the sweep, for a key twice what it is")(
+      "switch", "at each period doubling follow the orbit of twice the period as well")(
+      "points", po::value<int>()->value_name("N")->default_value(usual_points),
+      "orbits to find at most on each side of the cell")(
+      "map", po::value<std::string>()->value_name("DIR"),
+      "instead of a cell: every family of orbits of the finished map in DIR, to its boundaries");
+  add_threads(options, "threads for --map; 0: one per processor");
+  add_output(options, "write there instead of output.directory + _branch");
+  add_set(options);
+  add_last(options);
+  return options;
+}
+
+/// What stands in place of a configuration file.
+RubbranchArguments map_arguments(const po::variables_map& given) {
+  RubbranchArguments arguments;
+  arguments.action = action_of(given);
+  arguments.quiet = given.count("quiet") != 0;
+  if (given.count("output") != 0) arguments.output = given["output"].as<std::string>();
+  return arguments;
+}
+
+std::optional<double> finite(const po::variables_map& given, const char* name) {
+  if (given.count(name) == 0) return std::nullopt;
+  const double value = given[name].as<double>();
+  if (!std::isfinite(value)) throw UsageError(fmt::format("--{}: allowed: a finite number", name));
+  return value;
+}
+
+}  // namespace
+
+RubbranchArguments parse_rubbranch_arguments(int argc, const char* const* argv) {
+  const po::variables_map given = read_study_command_line(argc, argv, visible_options());
+  RubbranchArguments arguments = given.count("map") != 0 ? map_arguments(given)
+                                                         : RubbranchArguments{study_arguments(given, "rubbranch")};
+  if (arguments.action != Action::run) return arguments;
+  arguments.threads = threads_of(given);
+  if (given.count("map") != 0) {
+    arguments.map = given["map"].as<std::string>();
+    for (const char* name : {"config", "cell", "from", "to", "switch", "set"}) {
+      if (given.count(name) != 0) throw UsageError("--map takes the configuration of the map, and no cell");
+    }
+    return arguments;
+  }
+  if (given.count("cell") == 0) throw UsageError("a cell to start from is needed: --cell SPEED_HZ,UNBALANCE");
+  arguments.cell = read_cell(given["cell"].as<std::string>());
+  arguments.along = given["along"].as<std::string>();
+  arguments.from = finite(given, "from");
+  arguments.to = finite(given, "to");
+  if (arguments.from && arguments.to && !(*arguments.from < *arguments.to))
+    throw UsageError("--from and --to: allowed: a number and a larger one");
+  arguments.switch_at_doublings = given.count("switch") != 0;
+  arguments.most_points = given["points"].as<int>();
+  if (arguments.most_points < 2) throw UsageError("--points: allowed: a number >= 2");
+  return arguments;
+}
+
+std::string rubbranch_help() {
+  return fmt::format(
+      "rubbranch CONFIG.yaml --cell SPEED_HZ,UNBALANCE [--along KEY] [options]\n"
+      "rubbranch --map DIR [options]\n"
+      "Where an orbit ends: the periodic motion of one cell, followed both ways along a parameter, stable or "
+      "not,\nthrough folds and grazes, with every bifurcation on it.\n\n"
+      "{}\n"
+      "Examples:\n"
+      "  rubbranch configs/figure06_one_side.yaml --cell 75,0.4\n"
+      "  rubbranch configs/figure06_one_side.yaml --cell 75,0.4 --along whirl_ratio --switch\n"
+      "  rubbranch configs/minimal.yaml --cell 70,0.4 --along stops.0.casing.mass_kg --from 0.02 --to 0.2\n"
+      "  rubbranch --map results/figure06_one_side\n\n"
+      "Writes into DIR:\n"
+      "  branch.csv   a row for every orbit by ascending arclength: parameter, order, stability, "
+      "multipliers,\n"
+      "               amplitude, peaks, hits and share of contact over its period\n"
+      "  events.csv   fold, period_doubling, neimark_sacker, branch_point, period_halving and graze, each "
+      "located as a root\n"
+      "  config.yaml  the complete configuration\n"
+      "With --map beside map.csv, or into DIR:\n"
+      "  boundaries.csv  lines around the domain of every family: family, kind, speed_hz and the map's "
+      "unbalance\n"
+      "  families.csv    order, hits, cells and area of existence, share that the kick reaches\n"
+      "  edges.csv       why neighbouring cells differ: the orbit ceases (and how), the basin ends, or "
+      "unresolved\n"
+      "A branch ends where the parameter leaves its range (left_range), where it closes, joins that of half "
+      "its period\n"
+      "(period_halving), comes off the walls for good (off_the_walls), where there is no such machine "
+      "(infeasible), where\n"
+      "no orbit is found however near the last one (step_too_small, singular, failed), or at --points.\n\n"
+      "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 the cell settles on no periodic "
+      "orbit in contact,\nor Newton's iteration does not find it: nothing is written; with --map some proven orbit was not found "
+      "again.\n",
+      text_of(visible_options()));
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "action.hpp"
+#include "cell_argument.hpp"
+
+namespace rubsweep::apps {
+
+struct RubbranchArguments : StudyArguments {
+  std::filesystem::path map = {};  ///< a finished map, all of whose families are followed; empty: one cell is
+  int threads = 0;                 ///< for a map
+  CellArgument cell = {};
+  std::string along = {};  ///< speed_hz, whirl_ratio, eccentricity_m or a key as --set names it
+  std::optional<double> from = {}, to = {};
+  bool switch_at_doublings = false;
+  int most_points = 0;  ///< on each side of the cell
+};
+
+/// Throws UsageError (program.hpp).
+RubbranchArguments parse_rubbranch_arguments(int argc, const char* const* argv);
+
+/// Text of --help.
+std::string rubbranch_help();
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,77 @@
+#include "rubbranch_map.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "exit_code.hpp"
+#include "interrupt.hpp"
+#include "program.hpp"
+#include "report_file.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/branch/attribution.hpp"
+#include "rubsweep/branch/family.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/report/families_csv.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Class and order, as cells are coloured.
+std::string label_of(const page::MapTable& map, std::size_t cell) {
+  std::string label(map.word("class", cell));
+  if (const auto order = map.number("order", cell)) label += fmt::format("_{}", *order);
+  return label;
+}
+
+bool is_followed(const page::MapTable& map, std::size_t cell) {
+  return map.number("order", cell).has_value() && map.word("proof", cell).starts_with("floquet");
+}
+
+}  // namespace
+
+int run_on_map(const RubbranchArguments& arguments) {
+  batch::require_threads(arguments.threads);
+  const fs::path directory = arguments.map;
+  const sweep::Study study = config::read_run_config(directory / "config.yaml", {}).study;
+  if (!study.grid.axes.empty()) {
+    throw ConfigError(fmt::format("{}: sweep: has axes over keys, allowed with --map: speed and unbalance only",
+                                  (directory / "config.yaml").string()));
+  }
+  const page::MapTable map = read_map_of(study, directory / "map.csv");
+  if (map.rows != sweep::cell_count(study.grid)) {
+    throw ConfigError(fmt::format("{}: holds {} cells of {}, allowed: a finished map",
+                                  (directory / "map.csv").string(), map.rows, sweep::cell_count(study.grid)));
+  }
+  std::vector<std::string> labels;
+  std::vector<std::size_t> proven;
+  for (std::size_t cell = 0; cell < map.rows; ++cell) {
+    labels.push_back(label_of(map, cell));
+    if (is_followed(map, cell)) proven.push_back(cell);
+  }
+  const std::atomic<bool>& stop = catch_interrupts();
+  const branch::Families families = branch::families_of(study, proven, arguments.threads, stop);
+  if (stop) {
+    say("rubbranch: interrupted, nothing was written; the map is as it was\n");
+    return 128 + caught_signal();
+  }
+  const auto edges = branch::attribute(study.grid, labels, families.list);
+  const fs::path output = arguments.output.value_or(directory);
+  make_directory(output);
+  batch::write_whole_file(output / "families.csv", report::families_csv(study.grid, families.list));
+  batch::write_whole_file(output / "edges.csv", report::edges_csv(study.grid, labels, edges));
+  batch::write_whole_file(output / "boundaries.csv", report::boundaries_csv(study.grid, families.list));
+  if (!arguments.quiet) {
+    fmt::print("{}files     {}: boundaries.csv edges.csv families.csv\n",
+               report::families_summary(study.grid, families, proven.size(), edges), output.string());
+  }
+  return families.not_followed.empty() ? done : some_cells_failed;
+}
+
+}  // namespace rubsweep::apps

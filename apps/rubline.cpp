@@ -1,0 +1,233 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "exit_code.hpp"
+#include "interrupt.hpp"
+#include "program.hpp"
+#include "result_files.hpp"
+#include "rubline_arguments.hpp"
+#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/line/follow_line.hpp"
+#include "rubsweep/overloaded.hpp"
+#include "rubsweep/report/line_tables.hpp"
+#include "rubsweep/report/map_csv.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> file_names{"config.yaml", "line.csv", "bifurcation.csv",
+                                                     "cascade.csv"};
+
+/// The one value that an axis of the sweep has where the command line says none.
+double only_value(const std::vector<double>& axis, std::string_view option) {
+  if (axis.size() == 1) return axis.front();
+  throw UsageError(fmt::format("the sweep has {} values for it: the place of the line is needed, {}",
+                               axis.size(), option));
+}
+
+bool along_unbalance(const RublineArguments& arguments) {
+  return arguments.along == "whirl_ratio" || arguments.along == "eccentricity_m";
+}
+
+std::vector<double> values_of(const RublineArguments& arguments, const sweep::Grid& grid) {
+  if (const auto& asked = arguments.values) {
+    std::vector<double> values;
+    for (int k = 0; k < asked->count; ++k)
+      values.push_back(k == asked->count - 1
+                           ? asked->to
+                           : asked->from + (asked->to - asked->from) * k / (asked->count - 1));
+    return values;
+  }
+  std::vector<double> values;
+  if (arguments.along == "speed_hz") values = grid.speed_hz;
+  if (along_unbalance(arguments) && to_string(grid.measure) == arguments.along) values = grid.unbalance;
+  if (values.empty())
+    throw UsageError(fmt::format("the values of {} are needed: --from A --to B", arguments.along));
+  std::ranges::sort(values);
+  return values;
+}
+
+/// The place of the cell at `value` on the line.
+scene::Place place_at(const RublineArguments& arguments, const sweep::Grid& grid, double value) {
+  scene::Place place;
+  if (arguments.along == "speed_hz") {
+    if (value <= 0) throw UsageError("--from: allowed: a speed > 0");
+    place.speed_hz = value;
+  } else {
+    place.speed_hz = arguments.speed_hz ? *arguments.speed_hz : only_value(grid.speed_hz, "--speed-hz S");
+  }
+  if (along_unbalance(arguments)) {
+    if (value < 0) throw UsageError("--from: allowed: an unbalance >= 0");
+    place.unbalance = arguments.along == "whirl_ratio" ? scene::Unbalance(scene::WhirlRatio{value})
+                                                       : scene::Unbalance(scene::Eccentricity{value});
+  } else {
+    place.unbalance =
+        arguments.unbalance
+            ? *arguments.unbalance
+            : sweep::unbalance_of(grid, only_value(grid.unbalance, "--whirl-ratio U or --eccentricity-m E"));
+  }
+  return place;
+}
+
+std::vector<line::LineCell> cells_of(const RublineArguments& arguments, const config::RunConfig& config) {
+  const bool in_the_map = arguments.along == "speed_hz" || along_unbalance(arguments);
+  std::shared_ptr<const sweep::Study> study;
+  std::shared_ptr<const scene::PreparedMachine> machine;
+  std::vector<line::LineCell> cells;
+  for (const double value : values_of(arguments, config.study.grid)) {
+    if (!in_the_map) {
+      std::vector<std::string> overrides = arguments.overrides;
+      overrides.push_back(fmt::format("{}={}", arguments.along, batch::csv_number(value)));
+      study = std::make_shared<sweep::Study>(config::read_run_config(arguments.config, overrides).study);
+    } else if (!study) {
+      study = std::make_shared<sweep::Study>(config.study);
+    }
+    if (!in_the_map || !machine)
+      machine = std::make_shared<scene::PreparedMachine>(scene::prepare_machine(study->machine));
+    cells.push_back({value, study, machine, place_at(arguments, study->grid, value)});
+  }
+  return cells;
+}
+
+/// A line while it is computed: what there is of it can be written at any time.
+class LineRun {
+ public:
+  LineRun(const RublineArguments& arguments, const config::RunConfig& config)
+      : arguments_(arguments),
+        config_(config),
+        cells_(cells_of(arguments, config)),
+        directory_(arguments.output.value_or(directory_beside(config.output_directory, "_line"))),
+        progress_(cells_.size() * arguments.passes.size(),
+                  arguments.quiet ? batch::ProgressMode::never : arguments.progress) {}
+
+  int run() {
+    batch::require_threads(arguments_.threads, 1);
+    make_directory(directory_);
+    const std::atomic<bool>& stop = catch_interrupts();
+    std::optional<Watch> watch(
+        std::in_place,
+        [this] {
+          const std::lock_guard lock(mutex_);
+          progress_.refresh();
+        },
+        [this] { leave(); });
+    line::follow_line(
+        cells_, arguments_.passes, arguments_.threads,
+        [this](line::LinePoint&& point) {
+          const std::lock_guard lock(mutex_);
+          points_.push_back(std::move(point));
+          progress_.advance();
+        },
+        stop);
+    watch.reset();
+    progress_.finish();
+    write();
+    if (points_.size() < cells_.size() * arguments_.passes.size()) return interrupted();
+    if (!arguments_.quiet)
+      fmt::print("{}{}", report::line_summary(points_, cells_), files_line(files_, directory_));
+    draw("draw_bifurcation.py", "Bifurcation diagram", arguments_.figure);
+    draw("draw_cascade.py", "Cascade of full spectra", arguments_.cascade_figure);
+    const bool failed = std::ranges::any_of(points_, [](const line::LinePoint& point) {
+      return point.row.motion_class == response::motion::MotionClass::failed;
+    });
+    return failed ? some_cells_failed : done;
+  }
+
+ private:
+  void write() {
+    std::ranges::sort(points_, {},
+                      [](const line::LinePoint& point) { return std::pair(point.pass, point.cell); });
+    const std::string comments = report::map_comments(RUBSWEEP_VERSION, config::study_digest(config_.study));
+    report::LineTables tables = report::tables_of(points_, cells_, arguments_.along, comments);
+    files_ = {{"config.yaml", config::print_config(config_)},
+              {"line.csv", std::move(tables.line_csv)},
+              {"bifurcation.csv", std::move(tables.bifurcation_csv)},
+              {"cascade.csv", std::move(tables.cascade_csv)}};
+    write_result_files(files_, file_names, directory_);
+  }
+
+  int interrupted() {
+    say(fmt::format("rubline: interrupted; {} of {} cells are written\n", points_.size(),
+                    cells_.size() * arguments_.passes.size()));
+    return 128 + caught_signal();
+  }
+
+  /// Cells still run half a second after a signal: they are given up.
+  void leave() {
+    const std::lock_guard lock(mutex_);
+    progress_.finish();
+    try {
+      write();
+    } catch (const std::exception& error) {
+      say(fmt::format("rubline: {}\n", error.what()));
+      std::_Exit(input_output);
+    }
+    std::_Exit(interrupted());
+  }
+
+  void draw(const std::string& script, std::string_view what, const std::optional<Figure>& figure) const {
+    if (!figure) return;
+    figure->draw(script, directory_, fmt::format("{}{}", what, where()));
+    if (!arguments_.quiet) fmt::print("figure    {}\n", figure->file().string());
+  }
+
+  /// What does not change along the line: " at 75 Hz, whirl ratio 0.4".
+  std::string where() const {
+    const scene::Place& place = cells_.front().place;
+    std::string text;
+    if (arguments_.along != "speed_hz") text = fmt::format("{:.6g} Hz", place.speed_hz);
+    if (!along_unbalance(arguments_)) {
+      if (!text.empty()) text += ", ";
+      text += std::visit(
+          overloaded{
+              [](const scene::WhirlRatio& ratio) { return fmt::format("whirl ratio {:.6g}", ratio.value); },
+              [](const scene::Eccentricity& eccentricity) {
+                return fmt::format("eccentricity {:.6g} mm", 1e3 * eccentricity.value_m);
+              }},
+          place.unbalance);
+    }
+    return " at " + text;
+  }
+
+  const RublineArguments& arguments_;
+  const config::RunConfig& config_;
+  const std::vector<line::LineCell> cells_;
+  const fs::path directory_;
+  std::mutex mutex_;  ///< guards all that follows
+  batch::Progress progress_;
+  std::vector<line::LinePoint> points_;
+  ResultFiles files_;
+};
+
+int perform(const RublineArguments& arguments) {
+  if (answered("rubline", arguments.action, rubline_help)) return done;
+  const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  return LineRun(arguments, config).run();
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  using namespace rubsweep::apps;
+  return run_program("rubline", [&] { return perform(parse_rubline_arguments(argc, argv)); });
+}

@@ -1,0 +1,84 @@
+#include "terminal_map.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <string_view>
+#include <variant>
+
+#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/batch/descriptor.hpp"
+#include "rubsweep/overloaded.hpp"
+#include "rubsweep/report/terminal_map.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+std::size_t terminal_width() {
+  constexpr std::size_t usual = 80, widest = 110;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
+  return std::min<std::size_t>(size.ws_col, widest);
+}
+
+/// As https://no-color.org has it, and only where the terminal says that it knows 24-bit colours.
+bool shows_colours() {
+  const char *none = std::getenv("NO_COLOR"), *colours = std::getenv("COLORTERM");
+  const std::string_view named = colours == nullptr ? "" : colours;
+  return (none == nullptr || *none == '\0') && (named == "truecolor" || named == "24bit");
+}
+
+/// A word of a command line, in quotes where a shell would take it apart.
+std::string word(const std::string& text) {
+  const auto plain = [](char c) {
+    return std::string_view("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+:@%,")
+               .find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && std::ranges::all_of(text, plain)) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string rubtrace_command(const std::filesystem::path& directory, const scene::Place& place) {
+  const std::string unbalance = std::visit(
+      overloaded{[](const scene::WhirlRatio& ratio) {
+                   return fmt::format("--whirl-ratio {}", batch::csv_number(ratio.value));
+                 },
+                 [](const scene::Eccentricity& eccentricity) {
+                   return fmt::format("--eccentricity-m {}", batch::csv_number(eccentricity.value_m));
+                 }},
+      place.unbalance);
+  return fmt::format("rubtrace {} --speed-hz {} {} --figure cell.png", word(directory / "config.yaml"),
+                     batch::csv_number(place.speed_hz), unbalance);
+}
+
+}  // namespace
+
+TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid& grid, bool has_report) {
+  if (::isatty(STDOUT_FILENO) == 0) return {};
+  std::ifstream stream(path);
+  if (!stream) batch::throw_io_error("read", path, errno);
+  report::TerminalMap map(grid);
+  bool header = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with('#')) continue;
+    if (header) map.add(line);
+    header = true;
+  }
+  TerminalView view{map.text(terminal_width(), shows_colours()), {}};
+  if (view.map.empty()) return view;
+  if (const auto cell = map.typical_rub()) {
+    view.next +=
+        fmt::format("next: {}  # {}\n", rubtrace_command(path.parent_path(), sweep::place_of(grid, *cell)),
+                    map.name(*cell));
+  }
+  if (!has_report) view.next += fmt::format("next: rubreport {}\n", word(path.parent_path()));
+  return view;
+}
+
+}  // namespace rubsweep::apps

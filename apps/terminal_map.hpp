@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "rubsweep/sweep/grid.hpp"
+
+namespace rubsweep::apps {
+
+/// What a finished map is shown by where standard output is a terminal; empty texts where it is not.
+struct TerminalView {
+  std::string map;   ///< in characters
+  std::string next;  ///< commands that look closer: the most frequent rub by rubtrace, the report
+};
+
+/// Reads the map at `path`, whose grid this is. Throws IoError.
+TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid& grid, bool has_report);
+
+}  // namespace rubsweep::apps

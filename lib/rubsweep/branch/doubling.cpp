@@ -1,0 +1,35 @@
+#include "rubsweep/branch/doubling.hpp"
+
+#include <Eigen/SVD>
+#include <utility>
+
+#include "rubsweep/branch/orbit_newton.hpp"
+#include "rubsweep/branch/segment.hpp"
+
+namespace rubsweep::branch {
+namespace {
+
+/// Unit vector that the monodromy matrix maps to its opposite.
+Eigen::VectorXd alternating(const Eigen::MatrixXd& monodromy) {
+  const Eigen::Index n = monodromy.rows();
+  const Eigen::MatrixXd sum = monodromy + Eigen::MatrixXd::Identity(n, n);
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(sum, Eigen::ComputeFullV).matrixV().col(n - 1);
+}
+
+}  // namespace
+
+std::optional<BranchPoint> doubled_start(const OrbitProblem& doubled, const BranchPoint& doubling) {
+  const Position here = position_of(doubled, doubling);
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(here.size());
+  direction.head(here.size() - 1) = alternating(doubling.monodromy);
+  for (const double distance : {1e-4, 1e-5, 3e-4, 1e-3}) {
+    const Correction found = correct(doubled, here + distance * direction, direction);
+    if (!found.converged) continue;
+    if ((position_of(doubled, found.point) - here).norm() > 3 * distance) continue;
+    auto start = completed(doubled, found.point, direction, 0);
+    if (start) return start;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rubsweep::branch

@@ -1,0 +1,182 @@
+#include "rubsweep/branch/locate.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "rubsweep/branch/graze.hpp"
+#include "rubsweep/branch/multipliers.hpp"
+#include "rubsweep/branch/segment.hpp"
+
+namespace rubsweep::branch {
+namespace {
+
+/// Roots are enclosed to this, in the coordinate along the branch.
+constexpr double root_width = 1e-12;
+constexpr std::uintmax_t root_evaluations = 100;
+
+using Test = std::function<double(const BranchPoint&)>;
+
+double fold_test(const BranchPoint& point) { return point.tangent(point.tangent.size() - 1); }
+double branching_test(const BranchPoint& point) { return point.branching; }
+double doubling_test_of(const BranchPoint& point) { return doubling_test(point.multipliers); }
+double torus_test_of(const BranchPoint& point) { return torus_test(point.multipliers); }
+
+/// The piece is not continuous.
+struct Broken {};
+
+BranchPoint orbit_at(const Segment& segment, double s) {
+  auto point = segment.at(s);
+  if (!point) throw Broken{};
+  return std::move(*point);
+}
+
+BranchEvent event_between(const OrbitProblem& problem, EventKind kind, const BranchPoint& a,
+                          const BranchPoint& b) {
+  if (!Segment::continuous(problem, a, b)) throw Broken{};
+  return {kind, b, std::abs(b.parameter - a.parameter) / 2, {}};
+}
+
+/// Difference of the states half a period apart.
+Eigen::VectorXd half_period_difference(const BranchPoint& point) {
+  return point.facts.sections[point.facts.sections.size() / 2] - point.state;
+}
+
+bool opposite(double a, double b) { return (a < 0) != (b < 0); }
+
+/// Where the branch joins that of half its period it crosses itself, and Newton's iteration is worth little.
+/// The orbit of half the period is regular there and has a period doubling, which is found to rounding.
+void sharpen_halving(const OrbitProblem& problem, BranchEvent& halving) {
+  constexpr double reach = 1e-4;  ///< of the parameter, in its coordinate
+  if (!problem.half_returns) return;
+  OrbitProblem half = problem;
+  half.returns = problem.half_returns;
+  half.order = problem.order / 2;
+  Eigen::VectorXd state = halving.point.state;
+  const auto test = [&](double parameter) {
+    const Correction found = correct_at(half, state, parameter);
+    if (!found.converged) throw Broken{};
+    return doubling_test(multipliers_of(found.point.monodromy));
+  };
+  const double low = halving.point.parameter - reach * problem.parameter_scale,
+               high = halving.point.parameter + reach * problem.parameter_scale;
+  try {
+    const double at_low = test(low), at_high = test(high);
+    if (!opposite(at_low, at_high)) return;
+    std::uintmax_t evaluations = root_evaluations;
+    const auto [below, above] = boost::math::tools::toms748_solve(
+        test, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(48), evaluations);
+    halving.point.parameter = (below + above) / 2;
+    halving.parameter_error = (above - below) / 2;
+  } catch (const Broken&) {
+    return;  // as it was found
+  }
+}
+
+class Finder {
+ public:
+  Finder(const OrbitProblem& problem, const BranchPoint& from, const BranchPoint& to)
+      : problem_(problem), from_(from), to_(to), segment_(problem, from, to) {}
+
+  std::vector<BranchEvent> all(bool every_graze) {
+    if (!(segment_.length() > 0)) throw Broken{};
+    if (!joins_half_period()) find_turns();
+    find_doublings();
+    find_tori();
+    if (!stability_explained()) find_change_of_stability();
+    if (every_graze || from_.facts.touched != to_.facts.touched) find_grazes();
+    std::ranges::stable_sort(events_, {}, [](const BranchEvent& event) { return event.point.arclength; });
+    return std::move(events_);
+  }
+
+ private:
+  /// Looks for the root of a test that has opposite signs at both ends.
+  bool find(EventKind kind, const Test& test) {
+    if (!opposite(test(from_), test(to_))) return false;
+    std::uintmax_t evaluations = root_evaluations;
+    const auto [low, high] = boost::math::tools::toms748_solve(
+        [&](double s) { return test(orbit_at(segment_, s)); }, 0.0, segment_.length(), test(from_), test(to_),
+        [](double a, double b) { return std::abs(b - a) <= root_width; }, evaluations);
+    events_.push_back(event_between(problem_, kind, orbit_at(segment_, low), orbit_at(segment_, high)));
+    return true;
+  }
+
+  /// The branch then turns back as its own shift by half a period, which is no fold.
+  bool joins_half_period() {
+    if (problem_.order % 2 != 0 || !problem_.facts) return false;
+    const Eigen::VectorXd before = half_period_difference(from_).normalized();
+    if (!find(EventKind::period_halving,
+              [&](const BranchPoint& point) { return before.dot(half_period_difference(point)); }))
+      return false;
+    ++single_;
+    sharpen_halving(problem_, events_.back());
+    return true;
+  }
+
+  void find_grazes() {
+    auto grazes = grazes_between(problem_, from_, to_);
+    if (!grazes) throw Broken{};
+    std::ranges::move(*grazes, std::back_inserter(events_));
+  }
+
+  void find_change_of_stability() {
+    double low = 0, high = segment_.length();
+    BranchPoint below = from_, above = to_;
+    while (high - low > root_width) {
+      const double middle = (low + high) / 2;
+      if (middle <= low || middle >= high) break;
+      BranchPoint point = orbit_at(segment_, middle);
+      const bool changed = point.unstable != from_.unstable;
+      (changed ? high : low) = middle;
+      (changed ? above : below) = std::move(point);
+    }
+    events_.push_back(event_between(problem_, EventKind::stability, below, above));
+  }
+
+  bool stability_explained() const {
+    const int change = std::abs(to_.unstable - from_.unstable);
+    return change <= single_ + 2 * pairs_ && (change - single_) % 2 == 0;
+  }
+
+  void find_turns() {
+    const bool turns = find(EventKind::fold, fold_test);
+    const bool branches = find(EventKind::branch_point, branching_test);
+    if (turns || branches) ++single_;
+  }
+
+  void find_doublings() {
+    if (find(EventKind::period_doubling, doubling_test_of)) ++single_;
+  }
+
+  void find_tori() {
+    if (!find(EventKind::neimark_sacker, torus_test_of)) return;
+    if (nearest_pair_is_complex(events_.back().point.multipliers)) {
+      ++pairs_;
+    } else {
+      events_.pop_back();  // two real multipliers whose product is 1
+    }
+  }
+
+  const OrbitProblem& problem_;
+  const BranchPoint &from_, &to_;
+  Segment segment_;
+  std::vector<BranchEvent> events_;
+  int single_ = 0, pairs_ = 0;  ///< multipliers, and complex pairs of them, that passed the unit circle
+};
+
+}  // namespace
+
+std::optional<std::vector<BranchEvent>> events_between(const OrbitProblem& problem, const BranchPoint& from,
+                                                       const BranchPoint& to, bool every_graze) {
+  try {
+    return Finder(problem, from, to).all(every_graze);
+  } catch (const Broken&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace rubsweep::branch

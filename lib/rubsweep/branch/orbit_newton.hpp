@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "rubsweep/branch/branch_point.hpp"
+#include "rubsweep/branch/orbit_problem.hpp"
+
+namespace rubsweep::branch {
+
+/// A point in the coordinates of continuation: state / sqrt(states), then parameter / parameter_scale.
+using Position = Eigen::VectorXd;
+
+Position position_of(const OrbitProblem& problem, const Eigen::VectorXd& state, double parameter);
+inline Position position_of(const OrbitProblem& problem, const BranchPoint& point) {
+  return position_of(problem, point.state, point.parameter);
+}
+
+/// What Newton's iteration came to.
+struct Correction {
+  Evaluation evaluation = Evaluation::ok;
+  bool converged = false;
+  int iterations = 0;
+  BranchPoint point;  ///< converged: parameter, state and monodromy
+};
+
+/// Newton's iteration from `guess` for an orbit on the plane direction . (position - guess) = 0. The
+/// derivative by the state is the monodromy matrix, that by the parameter a central difference at the guess.
+Correction correct(const OrbitProblem& problem, const Position& guess, const Eigen::VectorXd& direction);
+
+/// The same at a fixed parameter.
+Correction correct_at(const OrbitProblem& problem, const Eigen::VectorXd& state, double parameter);
+
+/// Fills what belongs to an orbit found: its tangent, on the side of `direction`, its multipliers and their
+/// counts. False where the tangent cannot be told, or the map not be differentiated.
+bool complete(const OrbitProblem& problem, const Eigen::VectorXd& direction, BranchPoint& point);
+
+}  // namespace rubsweep::branch

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/integrate/run/turn.hpp"
+
+namespace rubsweep::branch {
+
+/// What one evaluation of an orbit's map came to.
+enum class Evaluation {
+  ok,
+  infeasible,  ///< there is no such machine or scene at this parameter
+  failed,      ///< the solver could not make a turn
+};
+
+/// What an orbit does over its period.
+struct OrbitFacts {
+  int hits = 0;                 ///< over the whole period
+  double contact_fraction = 0;  ///< of the period
+  double amplitude_m = 0;       ///< largest distance of the rotor from its mean position
+  double peak_displacement_m = 0;
+  double peak_contact_force_n = 0;
+  bool touched = false;
+  /// Every force that acted along the whole trajectory follows the law: no slip reversed that a friction with
+  /// a fixed direction says cannot.
+  bool feasible = true;
+  /// In the order of time; phases count from the start of the orbit.
+  std::vector<integrate::run::ModeSwitch> switches;
+  std::vector<Eigen::VectorXd> sections;  ///< states where the turns of the period begin
+};
+
+/// Replaces `state` by its image at `parameter` and, where given (not null), `monodromy` by the derivative of
+/// the image by the state.
+using OrbitMap =
+    std::function<Evaluation(double parameter, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy)>;
+
+/// Orbits of a map that depends on a parameter: fixed points of `returns`, the map over the whole period.
+struct OrbitProblem {
+  OrbitMap returns;
+  OrbitMap half_returns;  ///< the same over half the period, where it is an even number of turns
+  /// Facts of the orbit from `state`; empty where it cannot be followed. May be left out, and then nothing is
+  /// known of contacts, nor of shorter periods.
+  std::function<std::optional<OrbitFacts>(double parameter, const Eigen::VectorXd& state)> facts;
+  int order = 1;               ///< turns of the period
+  double low = 0, high = 0;    ///< range of the parameter that is looked at
+  double parameter_scale = 1;  ///< > 0: change of the parameter that counts as much as one unit of state
+};
+
+}  // namespace rubsweep::branch

@@ -1,0 +1,115 @@
+#include "rubsweep/branch/passage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/branch/follow.hpp"
+#include "rubsweep/branch/orbit_newton.hpp"
+#include "rubsweep/branch/scene_orbits.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::branch {
+namespace {
+
+/// Speed and unbalance of a cell, by their places on the axes.
+struct GridPlace {
+  std::size_t speed = 0, unbalance = 0;
+};
+
+GridPlace place_in(const sweep::Grid& grid, std::size_t cell) {
+  return {cell % grid.speed_hz.size(), cell / grid.speed_hz.size()};
+}
+
+std::optional<scene::Scene> scene_of(const scene::PreparedMachine& prepared, double speed_hz,
+                                     const scene::Unbalance& unbalance) {
+  if (!(speed_hz > 0)) return std::nullopt;
+  scene::Cell cell = scene::build_cell(prepared, speed_hz, unbalance);
+  if (!scene::can_run(cell.start)) return std::nullopt;
+  return std::move(cell.scene);
+}
+
+double length_of(const std::vector<double>& axis) {
+  const auto [low, high] = std::ranges::minmax(axis);
+  return high > low ? high - low : std::max(std::abs(high), 1e-300);
+}
+
+struct Way {
+  OrbitProblem problem;
+  double from = 0, to = 0;
+};
+
+/// From one cell to another along one axis; along the speed where they are the same.
+Way way_between(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
+                std::size_t neighbour, int order, response::motion::Workspace& workspace) {
+  const sweep::Grid& grid = study.grid;
+  const GridPlace a = place_in(grid, cell), b = place_in(grid, neighbour);
+  const bool along_speed = a.unbalance == b.unbalance;
+  const double speed_hz = grid.speed_hz[a.speed], unbalance = grid.unbalance[a.unbalance];
+  const SceneFamily family = [&prepared, &grid, along_speed, speed_hz, unbalance](double p) {
+    return along_speed ? scene_of(prepared, p, sweep::unbalance_of(grid, unbalance))
+                       : scene_of(prepared, speed_hz, sweep::unbalance_of(grid, p));
+  };
+  const std::vector<double>& axis = along_speed ? grid.speed_hz : grid.unbalance;
+  Way way{scene_orbits(family, order, study.solver, workspace.modes),
+          along_speed ? speed_hz : unbalance,
+          along_speed ? grid.speed_hz[b.speed] : grid.unbalance[b.unbalance]};
+  // Behind the start as well, where a branch may come back after a fold.
+  const double behind = way.from + (way.from - way.to);
+  way.problem.low = std::min(behind, way.to);
+  way.problem.high = std::max(behind, way.to);
+  way.problem.parameter_scale = length_of(axis);
+  return way;
+}
+
+CellOrbit orbit_of(const BranchPoint& point, int order) { return {order, point.facts.hits, point.state}; }
+
+FollowOptions options_of_a_passage() {
+  FollowOptions options;
+  options.first_step = 2e-3;
+  options.longest_step = 0.05;
+  options.most_points = 500;
+  options.stop_at_first_change = true;
+  options.every_graze = false;
+  return options;
+}
+
+}  // namespace
+
+std::optional<CellOrbit> stable_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
+                                      std::size_t cell, int order, const Eigen::VectorXd& state,
+                                      response::motion::Workspace& workspace) {
+  const Way way = way_between(study, prepared, cell, cell, order, workspace);
+  const auto point = orbit_from(way.problem, state, way.from);
+  if (!point || !point->stable() || !point->facts.touched) return std::nullopt;
+  return orbit_of(*point, order);
+}
+
+Passage pass(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
+             const CellOrbit& orbit, std::size_t neighbour, response::motion::Workspace& workspace) {
+  const Way way = way_between(study, prepared, cell, neighbour, orbit.order, workspace);
+  const auto start = orbit_from(way.problem, orbit.state, way.from);
+  if (!start || !start->stable()) return {{}, to_string(EventKind::stability), way.from};
+  const HalfBranch half = follow(way.problem, way.to > way.from ? *start : turned_about(*start),
+                                 options_of_a_passage());
+  const BranchPoint& last = half.points.back();
+  if (half.ending == Ending::left_range && last.parameter == way.to)
+    return {orbit_of(last, orbit.order), {}, way.to};
+  const bool by_event = half.ending == Ending::first_change && !half.events.empty();
+  if (half.ending == Ending::off_the_walls) return {{}, to_string(EventKind::graze), last.parameter};
+  return {{}, by_event ? to_string(half.events.back().kind) : to_string(half.ending), last.parameter};
+}
+
+bool same_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
+                const CellOrbit& orbit, const CellOrbit& other, response::motion::Workspace& workspace) {
+  constexpr double same = 1e-6;
+  if (orbit.order != other.order) return false;
+  const Way way = way_between(study, prepared, cell, cell, orbit.order, workspace);
+  const auto facts = way.problem.facts(way.from, orbit.state);
+  return facts && std::ranges::any_of(facts->sections, [&](const Eigen::VectorXd& section) {
+           return (section - other.state).cwiseAbs().maxCoeff() < same;
+         });
+}
+
+}  // namespace rubsweep::branch

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "rubsweep/identify/free_rotor.hpp"
+
+namespace rubsweep::identify {
+
+/// A whirl mode at one shaft speed.
+struct CampbellPoint {
+  double speed_hz = 0;
+  double frequency_hz = 0;   ///< of the damped whirl
+  double damping_ratio = 0;  ///< of critical damping; negative: unstable
+  double forward_share = 0;  ///< see WhirlMode
+};
+
+/// One curve of a Campbell diagram: a mode followed over the speed by its shape.
+struct CampbellMode {
+  int number = 0;  ///< from 1, by the frequency at the first speed, backward before forward
+  std::vector<CampbellPoint> points;  ///< ends where the mode becomes overdamped
+};
+
+/// Where a whirl frequency is the shaft speed: what turns with the shaft is in resonance there.
+struct CriticalSpeed {
+  int mode = 0;
+  double speed_hz = 0;
+  double damping_ratio = 0;
+  double forward_share = 0;
+};
+
+/// How a mode bends the shaft: deflections Re(x e^{i w t}), Re(y e^{i w t}) over the places of the rotor. The
+/// largest is 1; x is real and positive where it is largest, or y where x does not move.
+struct ModeShape {
+  int mode = 0;
+  double speed_hz = 0;  ///< its first critical speed, or the first speed of the diagram where it has none
+  double frequency_hz = 0;
+  double forward_share = 0;
+  Eigen::VectorXcd x, y;
+};
+
+struct Campbell {
+  std::vector<double> position_m;
+  std::vector<CampbellMode> modes;
+  std::vector<CriticalSpeed> critical_speeds;  ///< ascending
+  std::vector<ModeShape> shapes;               ///< one for each mode
+};
+
+/// Campbell diagram of a rotor over `speeds_hz`, ascending and >= 0, at least one: the modes whose frequency
+/// comes below `up_to_hz` somewhere, the two slowest in any case. Modes are followed from speed to speed by
+/// the modal assurance criterion, with more speeds in between where it is in doubt. Critical speeds are
+/// located to rounding.
+Campbell campbell(const FreeRotor& rotor, std::span<const double> speeds_hz, double up_to_hz);
+
+}  // namespace rubsweep::identify

@@ -1,0 +1,67 @@
+#include "rubsweep/identify/free_rotor.hpp"
+
+#include <numeric>
+#include <variant>
+
+#include "rubsweep/overloaded.hpp"
+#include "rubsweep/structure/beam_shaft.hpp"
+#include "rubsweep/structure/jeffcott.hpp"
+#include "rubsweep/structure/reduction.hpp"
+
+namespace rubsweep::identify {
+namespace {
+
+FreeRotor free_jeffcott(const model::JeffcottRotor& rotor) {
+  const structure::LinearSystem disc = structure::assemble_jeffcott(rotor, {}).system;
+  FreeRotor free;
+  free.system = {disc.mass, disc.damping, Eigen::Matrix2d::Zero(), disc.stiffness, {1, 1}};
+  free.spin = Eigen::Matrix2d{{0, rotor.mass_kg}, {-rotor.mass_kg, 0}};
+  free.position_m = {0};
+  free.x = Eigen::RowVector2d(1, 0);
+  free.y = Eigen::RowVector2d(0, 1);
+  return free;
+}
+
+/// All of the lowest modes of both planes, in the form that structural damping is given to.
+structure::Reduction lowest_modes(const structure::BeamShaft& shaft) {
+  structure::Reduction modes;
+  for (std::size_t plane = 0; plane < 2; ++plane) {
+    structure::PlaneModes found =
+        structure::plane_modes(shaft.mass, shaft.plane_stiffness(plane), most_plane_modes);
+    modes.mode_number[plane].resize(static_cast<std::size_t>(found.rad_per_s.size()));
+    std::iota(modes.mode_number[plane].begin(), modes.mode_number[plane].end(), 1);
+    modes.frequency_hz[plane] = found.rad_per_s / (2 * std::numbers::pi);
+    modes.bases[plane] = std::move(found.shape);
+  }
+  return modes;
+}
+
+FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& stops) {
+  std::vector<double> stations_m;
+  for (const model::Stop& stop : stops) stations_m.push_back(*stop.position_m);
+  structure::BeamShaft shaft = structure::assemble_beam_shaft(kit, stations_m);
+  const structure::Reduction modes = lowest_modes(shaft);
+  FreeRotor free;
+  free.system = structure::reduced_system(shaft, kit, modes);
+  free.position_m = shaft.node_position_m;
+  const Eigen::Index n = free.system.coordinates(), nodes = static_cast<Eigen::Index>(free.position_m.size());
+  free.x = free.y = Eigen::MatrixXd::Zero(nodes, n);
+  for (Eigen::Index node = 0; node < nodes; ++node) {
+    free.x.row(node) = free.system.scatter(0, modes.bases[0].row(2 * node).transpose()).transpose();
+    free.y.row(node) = free.system.scatter(1, modes.bases[1].row(2 * node).transpose()).transpose();
+  }
+  // What the gyroscopic matrix does between the planes, done with the mass.
+  shaft.gyroscopic = shaft.mass;
+  free.spin = structure::project(shaft, modes.bases).gyroscopic;
+  return free;
+}
+
+}  // namespace
+
+FreeRotor free_rotor(const model::Machine& machine) {
+  return std::visit(overloaded{[](const model::JeffcottRotor& rotor) { return free_jeffcott(rotor); },
+                               [&](const model::RotorKit& kit) { return free_kit(kit, machine.stops); }},
+                    machine.rotor);
+}
+
+}  // namespace rubsweep::identify

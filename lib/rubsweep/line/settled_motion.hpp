@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/response/motion/workspace.hpp"
+#include "rubsweep/response/settle.hpp"
+#include "rubsweep/response/spectrum/full_spectrum.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/sweep/study.hpp"
+
+namespace rubsweep::line {
+
+/// The rotor once per revolution, at the phase of smallest quiet gap.
+struct SectionPoint {
+  Eigen::Vector2d displacement_m{0, 0}, velocity_m_per_s{0, 0};
+};
+
+/// State of all coordinates at that phase, in a form that another cell can start from: velocities per radian
+/// of shaft rotation, so that a whirl stays a whirl at another speed.
+struct HandedState {
+  Eigen::VectorXd displacement_m, velocity_m_per_rad;
+};
+
+/// What a run does once it has settled, long enough to be drawn.
+struct SettledMotion {
+  /// Of a periodic motion one point per turn of its period; of a rotor at rest one; of any other two windows.
+  std::vector<SectionPoint> section;
+  response::spectrum::FullSpectrum spectrum;  ///< over the window that a map takes
+  HandedState end;                            ///< after all of it
+};
+
+/// Lets `run`, the verdict on `cell`, go on from its last revolution and records it: a rotor that is proven
+/// to rest from its closed form; a periodic motion from where its section returns within 1e-5 clearances
+/// (after max_revolutions at the latest); a proven motion without a period one window later; any other at
+/// once. Empty where the run failed or fails.
+std::optional<SettledMotion> settled_motion(const scene::Cell& cell, const response::SettledRun& run,
+                                            const sweep::Study& study,
+                                            response::motion::Workspace& workspace);
+
+}  // namespace rubsweep::line

@@ -1,0 +1,146 @@
+#include "rubsweep/ramp/ramp_run.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <numbers>
+#include <span>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/integrate/adaptive/adaptive_run.hpp"
+#include "rubsweep/ramp/ramp_dynamics.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::ramp {
+namespace {
+
+using integrate::run::Outcome;
+using integrate::run::StateScale;
+using std::numbers::pi;
+
+/// Where the ramp begins: displacements and velocities in SI.
+void set_start(const scene::PreparedMachine& machine, const SpeedRamp& ramp, scene::Scene& scene) {
+  const scene::Cell cell = scene::build_cell(machine, ramp.from_hz, scene::Eccentricity{ramp.eccentricity_m});
+  if (!scene::can_run(cell.start)) {
+    throw ConfigError(
+        "run-up: the rotor has no motion to start from: static forces press it through a wall, or there is "
+        "no "
+        "quiet motion at the first speed, allowed: another machine or another first speed");
+  }
+  scene.displacement_m = cell.scene.displacement_m;
+  scene.velocity_m_per_s = cell.scene.velocity_m_per_s;
+  if (cell.start != scene::Start::quiet) return;
+  // The quiet motion of a map begins at the smallest gap; this one with the mark of the shaft along +x.
+  const double w = cell.scene.speed_rad_per_s;
+  Eigen::VectorXcd force = ramp.eccentricity_m * w * w * machine.assembly.system.unbalance_kg;
+  if (machine.assembly.bow_n.size() > 0) force += machine.assembly.bow_n;
+  const scene::QuietMotion quiet = scene::quiet_motion(cell.scene.structure, w, force, cell.scene.constant_n);
+  scene.displacement_m = quiet.displacement(0);
+  scene.velocity_m_per_s = w * quiet.velocity(0);
+}
+
+/// The machine at the fastest speed of the ramp, but for everything that turns with the shaft.
+scene::Scene reference_scene(const scene::PreparedMachine& machine, const SpeedRamp& ramp) {
+  if (!machine.assembly.impulses.empty())
+    throw ConfigError(
+        "rotor.supports: a faulty bearing is no part of a run-up with stops, allowed: no fault");
+  scene::Scene scene = scene::build_cell(machine, ramp.fastest_hz(), scene::Eccentricity{0}).scene;
+  scene.structure.damping = machine.assembly.system.damping;
+  scene.harmonic_n = Eigen::VectorXcd::Zero(scene.structure.coordinates());
+  scene.pulses.clear();
+  set_start(machine, ramp, scene);
+  return scene;
+}
+
+RampForces forces_of(const scene::PreparedMachine& machine, const SpeedRamp& ramp, const StateScale& scale) {
+  const structure::Assembly& assembly = machine.assembly;
+  const Eigen::LDLT<Eigen::MatrixXd> mass(assembly.system.mass);
+  const auto solved = [&](const Eigen::VectorXcd& force) {
+    const std::complex<double> i(0, 1);
+    return Eigen::VectorXcd(mass.solve(Eigen::VectorXd(force.real())).cast<std::complex<double>>() +
+                            i * mass.solve(Eigen::VectorXd(force.imag())).cast<std::complex<double>>());
+  };
+  const double reference = scale.speed_rad_per_s;
+  RampForces forces;
+  forces.start_speed = 2 * pi * ramp.from_hz / reference;
+  forces.acceleration = 2 * pi * ramp.rate_hz_per_s / (reference * reference);
+  forces.unbalance = ramp.eccentricity_m / scale.length_m * solved(assembly.system.unbalance_kg);
+  if (assembly.bow_n.size() > 0) forces.bow = solved(assembly.bow_n) / scale.unit_acceleration_m_per_s2();
+  if (assembly.gyroscopic.size() > 0) forces.gyroscopic = mass.solve(assembly.gyroscopic);
+  return forces;
+}
+
+/// Turns what a run reports of a stretch into SI.
+class StretchReader {
+ public:
+  StretchReader(const scene::Scene& scene, int samples)
+      : scale_(integrate::run::state_scale(scene)),
+        observed_(scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map),
+        period_s_(scene.period_s()),
+        samples_(samples) {}
+
+  /// The stretch of this number.
+  const RampStretch& read(const integrate::run::TurnReport& report, long number, double end_s) {
+    const auto n = static_cast<std::size_t>(observed_.cols()), size = 2 * n + 2;
+    stretch_.begin_s = static_cast<double>(number) * period_s_;
+    stretch_.end_s = end_s;
+    stretch_.samples.clear();
+    for (int k = 0; k < report.sample_count; ++k) {
+      const auto state = std::span(report.samples).subspan(static_cast<std::size_t>(k) * size, 2 * n);
+      stretch_.samples.push_back(
+          {(static_cast<double>(number) + static_cast<double>(k) / samples_) * period_s_,
+           observed_ * scale_.displacement_m(state), observed_ * scale_.velocity_m_per_s(state)});
+    }
+    stretch_.hits = report.hits;
+    stretch_.touching_s = report.contact_fraction * period_s_;
+    stretch_.touched = report.touched;
+    stretch_.peak_displacement_m = report.peak_displacement_m;
+    stretch_.peak_contact_force_n = report.peak_contact_force_n;
+    return stretch_;
+  }
+
+ private:
+  StateScale scale_;
+  Eigen::Matrix<double, 2, Eigen::Dynamic> observed_;
+  double period_s_;
+  int samples_;
+  RampStretch stretch_;
+};
+
+template <int N, class State>
+Outcome run_ramp(const scene::Scene& scene, const RampForces& forces, double turns,
+                 const integrate::run::SolverOptions& solver, int samples,
+                 const std::function<void(const RampStretch&)>& on_stretch) {
+  integrate::adaptive::AdaptiveRun<integrate::adaptive::Dopri5<State>, N, false, RampDynamics<N>> run(
+      scene, solver, forces);
+  const integrate::run::TurnRequest request{.samples_per_revolution = samples, .peaks = true};
+  StretchReader reader(scene, samples);
+  integrate::run::TurnReport report;
+  for (long number = 0; static_cast<double>(number) < turns; ++number) {
+    constexpr double nothing = 1e-9;  // of a turn: rounding of the ramp's end
+    const double rest = std::min(1.0, turns - static_cast<double>(number));
+    if (rest < nothing) break;
+    const Outcome outcome = run.advance(request, report, 2 * pi * rest);
+    if (outcome != Outcome::ok) return outcome;
+    on_stretch(reader.read(report, number, (static_cast<double>(number) + rest) * scene.period_s()));
+  }
+  return Outcome::ok;
+}
+
+}  // namespace
+
+Outcome run_ramp(const scene::PreparedMachine& machine, const SpeedRamp& ramp,
+                 const integrate::run::SolverOptions& solver, int samples,
+                 const std::function<void(const RampStretch&)>& on_stretch) {
+  const scene::Scene scene = reference_scene(machine, ramp);
+  const RampForces forces = forces_of(machine, ramp, integrate::run::state_scale(scene));
+  const double turns = ramp.duration_s() / scene.period_s();
+  // The usual scene, a rotor and one casing, gets a fixed size.
+  return scene.structure.coordinates() == 4
+             ? run_ramp<4, std::array<double, 10>>(scene, forces, turns, solver, samples, on_stretch)
+             : run_ramp<Eigen::Dynamic, std::vector<double>>(scene, forces, turns, solver, samples,
+                                                             on_stretch);
+}
+
+}  // namespace rubsweep::ramp

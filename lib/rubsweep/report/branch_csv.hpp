@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rubsweep/branch/branch_point.hpp"
+
+namespace rubsweep::report {
+
+/// `#` lines of both files: version, digest, what the parameter is, and how each branch ends.
+std::string branch_comments(const std::string& version, const std::string& digest,
+                            const std::string& parameter, const std::vector<branch::Branch>& branches);
+
+/// Header and a row for every point, branch by branch, by ascending arclength.
+std::string branch_csv(const std::vector<branch::Branch>& branches);
+
+/// Header and a row for every event, the same way.
+std::string branch_events_csv(const std::vector<branch::Branch>& branches);
+
+/// For a terminal: what each branch comes to, and its events.
+std::string branch_summary(const std::string& parameter, const std::vector<branch::Branch>& branches);
+
+}  // namespace rubsweep::report

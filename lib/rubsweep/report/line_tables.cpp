@@ -1,0 +1,83 @@
+#include "rubsweep/report/line_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/report/map_summary.hpp"
+#include "rubsweep/response/motion/classify.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+using batch::csv_number;
+
+/// What is written of a point at the beginning of every row.
+std::string key_of(const line::LinePoint& point, std::span<const line::LineCell> cells) {
+  return fmt::format("{},{}", to_string(point.pass), csv_number(cells[point.cell].value));
+}
+
+void add_section(const line::LinePoint& point, const std::string& key, std::string& text) {
+  const std::string order = point.row.order ? fmt::format("{}", *point.row.order) : "";
+  for (std::size_t i = 0; i < point.motion->section.size(); ++i) {
+    const line::SectionPoint& at = point.motion->section[i];
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", key, csv_number(point.row.speed_hz),
+                        to_string(point.row.motion_class), order, i, csv_number(at.displacement_m.x()),
+                        csv_number(at.displacement_m.y()), csv_number(at.velocity_m_per_s.x()),
+                        csv_number(at.velocity_m_per_s.y()));
+  }
+}
+
+void add_spectrum(const line::LinePoint& point, double clearance_m, const std::string& key,
+                  std::string& text) {
+  const response::spectrum::FullSpectrum& spectrum = point.motion->spectrum;
+  const auto last = static_cast<int>(std::floor(largest_cascade_order * spectrum.turns));
+  const int low = std::max(spectrum.first_line(), -last), high = std::min(spectrum.last_line(), last);
+  double largest_m = 0;
+  for (int k = low; k <= high; ++k)
+    if (k != 0) largest_m = std::max(largest_m, spectrum.amplitude(k));
+  const double floor_m = std::max(response::motion::significant_share_of_largest * largest_m,
+                                  response::motion::significant_share_of_clearance * clearance_m);
+  for (int k = low; k <= high; ++k) {
+    if (spectrum.amplitude(k) <= floor_m) continue;
+    text +=
+        fmt::format("{},{},{},{},{}\n", key, csv_number(point.row.speed_hz), csv_number(spectrum.order(k)),
+                    csv_number(spectrum.order(k) * point.row.speed_hz), csv_number(spectrum.amplitude(k)));
+  }
+}
+
+}  // namespace
+
+LineTables tables_of(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells,
+                     std::string_view along, const std::string& comments) {
+  LineTables tables;
+  tables.line_csv = fmt::format("{}# along {}\npass,value,{}\n", comments, along, map_header());
+  tables.bifurcation_csv = "pass,value,speed_hz,class,order,point,x_m,y_m,vx_m_per_s,vy_m_per_s\n";
+  tables.cascade_csv = "pass,value,speed_hz,order,frequency_hz,amplitude_m\n";
+  for (const line::LinePoint& point : points) {
+    const std::string key = key_of(point, cells);
+    tables.line_csv += fmt::format("{},{}\n", key, map_line(point.row));
+    if (!point.motion) continue;
+    add_section(point, key, tables.bifurcation_csv);
+    add_spectrum(point, cells[point.cell].study->machine.stops.front().clearance_m, key, tables.cascade_csv);
+  }
+  return tables;
+}
+
+std::string line_summary(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells) {
+  std::string text;
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+    const std::string name = motion_name(map_line(points[begin].row));
+    while (end < points.size() && points[end].pass == points[begin].pass &&
+           motion_name(map_line(points[end].row)) == name)
+      ++end;
+    text += fmt::format("{:<9} {:.6g} to {:.6g}  {}\n", to_string(points[begin].pass),
+                        cells[points[begin].cell].value, cells[points[end - 1].cell].value, name);
+  }
+  return text;
+}
+
+}  // namespace rubsweep::report

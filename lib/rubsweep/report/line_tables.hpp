@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "rubsweep/line/follow_line.hpp"
+
+namespace rubsweep::report {
+
+/// Lines of a spectrum beyond this order are in no table of a line.
+inline constexpr double largest_cascade_order = 8;
+
+/// What happens along a line of cells, as texts. `pass` is kick, up or down, `value` what changes along the
+/// line, in the unit of its name.
+struct LineTables {
+  std::string line_csv;         ///< comments, then pass, value and the columns of map.csv
+  std::string bifurcation_csv;  ///< pass, value, speed_hz, class, order, point, then x_m, y_m and velocities
+  std::string cascade_csv;  ///< pass, value, speed_hz, order, frequency_hz, amplitude_m: significant lines
+};
+
+/// `points` of `cells`, ordered as they shall stand; `along` names what changes, `comments` opens line.csv.
+LineTables tables_of(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells,
+                     std::string_view along, const std::string& comments);
+
+/// What a terminal shows: the motions of each pass in the order in which they come along the line.
+std::string line_summary(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells);
+
+}  // namespace rubsweep::report

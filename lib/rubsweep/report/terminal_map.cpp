@@ -1,0 +1,151 @@
+#include "rubsweep/report/terminal_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "rubsweep/report/map_summary.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+constexpr std::size_t most_rows = 20, label_width = 14;
+
+/// How the motions whose name begins so are shown; the first that fits. Colours as in
+/// scripts/motion_kinds.gp.
+struct Sign {
+  std::string_view name;
+  char character;
+  std::uint32_t rgb;
+  bool settled_rub = true;
+};
+constexpr std::array signs{
+    Sign{"non_contact", '.', 0xF4F4F4, false},  Sign{"synchronous circle, backward", '1', 0xF4A6B8},
+    Sign{"synchronous circle", '1', 0x4F9BD0},  Sign{"synchronous", '1', 0x88CCEE},
+    Sign{"quasi_periodic oval", 'o', 0xEE8866}, Sign{"quasi_periodic dry whip", 'w', 0x7A4F20},
+    Sign{"quasi_periodic", 'q', 0xAA4499},      Sign{"chaotic", '*', 0x000000},
+    Sign{"unsettled", '?', 0x555555, false},    Sign{"initial_contact", '#', 0x999999, false},
+    Sign{"failed", '!', 0xCC0000, false}};
+/// Of 1/2 to 1/7, and of longer periods.
+constexpr std::array<std::uint32_t, 7> subharmonic_rgb{0xCC6677, 0x332288, 0xDDCC77, 0x117733,
+                                                       0x882255, 0x44AA99, 0x999933};
+
+Sign sign_of(std::string_view name) {
+  constexpr std::string_view subharmonic = "subharmonic 1/";
+  if (name.starts_with(subharmonic)) {
+    const std::string_view digits = name.substr(subharmonic.size());
+    const char digit = digits.size() == 1 ? digits.front() : '+';
+    const std::size_t order = digit == '+' ? 8 : static_cast<std::size_t>(digit - '0');
+    return {name, digit, subharmonic_rgb[std::clamp<std::size_t>(order, 2, 8) - 2]};
+  }
+  for (const Sign& sign : signs)
+    if (name.starts_with(sign.name)) return sign;
+  return {name, '?', 0x555555, false};
+}
+
+/// A character on the colour of its kind, black or white, whichever can be read on it.
+std::string shown(const Sign& sign, bool coloured) {
+  if (!coloured) return std::string(1, sign.character);
+  const auto red = sign.rgb >> 16U & 0xFFU, green = sign.rgb >> 8U & 0xFFU, blue = sign.rgb & 0xFFU;
+  const bool light = 299 * red + 587 * green + 114 * blue > 140'000;
+  return fmt::format("\x1b[48;2;{};{};{}m\x1b[38;5;{}m{}\x1b[0m", red, green, blue, light ? 16 : 231,
+                     sign.character);
+}
+
+/// What each sign means, by its character; those of long periods together.
+std::vector<std::pair<std::string, Sign>> legend_of(const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, Sign>> legend;
+  for (const std::string& name : names) {
+    const Sign sign = sign_of(name);
+    const std::string meaning = sign.character == '+' ? "subharmonic of more than 9 turns" : name;
+    const bool known = std::ranges::any_of(legend, [&](const auto& entry) { return entry.first == meaning; });
+    if (!known) legend.emplace_back(meaning, sign);
+  }
+  std::ranges::stable_sort(legend, {}, [](const auto& entry) { return entry.second.character; });
+  return legend;
+}
+
+/// The middle value of the i-th of `parts` equal parts of a range.
+std::size_t middle_of(std::size_t i, std::size_t parts, std::size_t values) {
+  return (2 * i + 1) * values / (2 * parts);
+}
+
+}  // namespace
+
+void TerminalMap::add(std::string_view map_line) {
+  const std::string name = motion_name(map_line);
+  const auto known = std::ranges::find(names_, name);
+  cells_.push_back(static_cast<std::uint16_t>(known - names_.begin()));
+  if (known == names_.end()) names_.push_back(name);
+}
+
+std::string TerminalMap::text(std::size_t width, bool coloured) const {
+  const std::size_t speeds = grid_.speed_hz.size(), unbalances = grid_.unbalance.size();
+  if (cells_.size() != speeds * unbalances || cells_.empty()) return "";
+  const std::size_t room = std::max<std::size_t>(width, label_width + 20) - label_width - 1;
+  const std::size_t columns = std::min(speeds, room), rows = std::min(unbalances, most_rows);
+  std::string text, legend;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::size_t row = middle_of(rows - 1 - i, rows, unbalances);
+    const bool at_end = i == 0 || i == rows - 1;
+    text += fmt::format("{:>{}} ", at_end ? fmt::format("{:.4g}", grid_.unbalance[row]) : "", label_width);
+    for (std::size_t k = 0; k < columns; ++k)
+      text += shown(sign_of(name(row * speeds + middle_of(k, columns, speeds))), coloured);
+    text += '\n';
+  }
+  const std::string from = fmt::format("{:.4g} Hz", grid_.speed_hz.front()),
+                    to = fmt::format("{:.4g} Hz", grid_.speed_hz.back());
+  const std::size_t between = columns > from.size() + to.size() ? columns - from.size() - to.size() : 1;
+  text += fmt::format("{:>{}} {}{:{}}{}\n", to_string(grid_.measure), label_width, from, "", between, to);
+  std::size_t used = 0;
+  for (const auto& [name, sign] : legend_of(names_)) {
+    const std::size_t size = name.size() + 4;
+    if (used + size > width && used > 0) {
+      legend += '\n';
+      used = 0;
+    }
+    used += size;
+    legend += fmt::format("  {} {}", shown(sign, coloured), name);
+  }
+  return text + legend + '\n';
+}
+
+std::optional<std::size_t> TerminalMap::typical_rub() const {
+  struct Count {
+    std::size_t cells = 0, column = 0, row = 0;
+  };
+  const std::size_t speeds = grid_.speed_hz.size();
+  std::vector<Count> counts(names_.size());
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    Count& count = counts[cells_[i]];
+    ++count.cells;
+    count.column += i % speeds;
+    count.row += i / speeds;
+  }
+  std::optional<std::size_t> most;
+  for (std::size_t k = 0; k < names_.size(); ++k) {
+    if (!sign_of(names_[k]).settled_rub) continue;
+    if (!most || counts[k].cells > counts[*most].cells) most = k;
+  }
+  if (!most) return std::nullopt;
+  const Count& count = counts[*most];
+  const auto mean = [&](std::size_t sum) {
+    return static_cast<double>(sum) / static_cast<double>(count.cells);
+  };
+  const auto distance = [&](std::size_t cell) {
+    // In shares of the map, so that a long axis does not decide alone.
+    return std::hypot(
+        (static_cast<double>(cell % speeds) - mean(count.column)) / static_cast<double>(speeds),
+        (static_cast<double>(cell / speeds) - mean(count.row)) / static_cast<double>(grid_.unbalance.size()));
+  };
+  std::optional<std::size_t> nearest;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i] == *most && (!nearest || distance(i) < distance(*nearest))) nearest = i;
+  }
+  return nearest;
+}
+
+}  // namespace rubsweep::report

@@ -1,0 +1,49 @@
+#include "rubsweep/response/followed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "rubsweep/response/closest_return.hpp"
+#include "rubsweep/response/spectrum/discrete_lines.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Displacements of the observed point at `count` successive rows.
+std::vector<Complex> displacements(std::span<const double> rows, std::size_t states,
+                                   const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed) {
+  std::vector<Complex> z;
+  for (std::size_t first = 0; first < rows.size(); first += states) {
+    const Eigen::Map<const Eigen::VectorXd> q(rows.data() + first, observed.cols());
+    z.emplace_back(observed.row(0).dot(q), observed.row(1).dot(q));
+  }
+  return z;
+}
+
+bool stays_away(const ClosestReturn& nearest, double known_rate) {
+  return nearest.distance >= significant_return && nearest.rate_error_bar <= known_rate &&
+         std::abs(nearest.rate) <= std::max(nearest.rate_error_bar, zero_rate);
+}
+
+}  // namespace
+
+void Followed::add(std::span<const double> section, double contribution, bool touched) {
+  rows.insert(rows.end(), section.begin(), section.end());
+  contributions.push_back(contribution);
+  turns_without_contact = touched ? 0 : turns_without_contact + 1;
+}
+
+bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed,
+                          int window, double known_rate, spectrum::SpectrumWorkspace& workspace) {
+  const std::size_t half = 2 * motion.turns() / 5;
+  const auto rows = motion.last_rows(2 * half);
+  if (!stays_away(closest_return(rows, static_cast<int>(motion.states), window / 2), known_rate))
+    return false;
+  const std::vector<Complex> z = displacements(rows, motion.states, observed);
+  return spectrum::same_discrete_lines(std::span(z).first(half), std::span(z).last(half), workspace);
+}
+
+}  // namespace rubsweep::response

@@ -1,0 +1,55 @@
+#include "rubsweep/structure/stability.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <numbers>
+
+namespace rubsweep::structure {
+namespace {
+
+constexpr int grid_speeds = 200;
+constexpr double rounding = 1e-9;  ///< of the fastest rate
+constexpr int bisections = 30;
+
+Eigen::VectorXcd rates_per_s(const Assembly& assembly, double speed_rad_per_s) {
+  const LinearSystem& system = assembly.system;
+  Eigen::MatrixXd damping = system.damping, stiffness = system.stiffness;
+  if (assembly.gyroscopic.size() > 0) damping += speed_rad_per_s * assembly.gyroscopic;
+  if (assembly.circulatory.size() > 0) stiffness += speed_rad_per_s * assembly.circulatory;
+  const Eigen::LDLT<Eigen::MatrixXd> mass(system.mass);
+  const Eigen::Index n = system.coordinates();
+  Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  generator.topRightCorner(n, n).setIdentity();
+  generator.bottomLeftCorner(n, n) = -mass.solve(stiffness);
+  generator.bottomRightCorner(n, n) = -mass.solve(damping);
+  return generator.eigenvalues();
+}
+
+bool grows(const Assembly& assembly, double speed_rad_per_s) {
+  const Eigen::VectorXcd rates = rates_per_s(assembly, speed_rad_per_s);
+  return rates.real().maxCoeff() > rounding * rates.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+double growth_per_s(const Assembly& assembly, double speed_rad_per_s) {
+  return rates_per_s(assembly, speed_rad_per_s).real().maxCoeff();
+}
+
+std::optional<double> instability_hz(const Assembly& assembly, double highest_hz) {
+  const auto grows_at = [&](double hz) { return grows(assembly, 2 * std::numbers::pi * hz); };
+  if (grows_at(0)) return 0;
+  for (int k = 1; k <= grid_speeds; ++k) {
+    double above = highest_hz * k / grid_speeds;
+    if (!grows_at(above)) continue;
+    double below = highest_hz * (k - 1) / grid_speeds;
+    for (int i = 0; i < bisections; ++i) {
+      const double middle = (below + above) / 2;
+      (grows_at(middle) ? above : below) = middle;
+    }
+    return above;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rubsweep::structure

@@ -1,0 +1,148 @@
+"""What campbell.gp needs of a Campbell diagram: curves by direction, critical speeds, the shaft and its mode shapes."""
+
+import os
+from itertools import groupby
+
+import configuration
+import csv_table
+from command import require_readable
+
+WHIRLS = ("forward", "backward", "mixed")
+MOST_SHAPES = 4
+SAME_SPEED = 0.015  # as a share: critical speeds with one label
+# Of the picture's width and height.
+CLOSE = 0.09
+BESIDE_AXIS = 0.1
+SAME_HEIGHT = 0.02
+
+
+def lay_out(directory, work):
+    """Writes work/{curves,critical,labels.gp,shapes,shaft}; returns how many mode shapes there are."""
+    names = ("campbell.csv", "critical_speeds.csv", "mode_shapes.csv", "config.yaml")
+    files = {name: os.path.join(directory, name) for name in names}
+    require_readable(*files.values())
+    curves = _numbers(files["campbell.csv"], "mode", "speed_hz", "frequency_hz")
+    critical = _numbers(files["critical_speeds.csv"], "mode", "speed_hz")
+    shapes = _numbers(files["mode_shapes.csv"], "mode", "frequency_hz", "position_m", "x_real", "y_real", "x_imag", "y_imag")
+    _write(work, "curves", curve_lines(curves))
+    _write(work, "critical", ("%.17g %d" % (row["speed_hz"], WHIRLS.index(row["whirl"])) for row in critical))
+    fastest = max((row["speed_hz"] for row in curves), default=0)
+    # As high as shows where the modes meet the shaft speed, and the slowest mode in any case.
+    top = max(1.5 * fastest, 1.3 * min((row["frequency_hz"] for row in curves), default=0))
+    sizes = [
+        f"fastest = {fastest:.17g}",
+        f"top = {top:.17g}",
+        f"any_critical = {len(critical) > 0:d}",
+        f"any_mixed = {any(row['whirl'] == 'mixed' for row in curves):d}",
+    ]
+    _write(work, "labels.gp", [*sizes, *name_lines(curves, top), *label_lines(critical, fastest)])
+    shown = shown_shapes(shapes)
+    _write(work, "shapes", shape_lines(shown))
+    _write(work, "shaft", shaft_lines(configuration.read_configuration(files["config.yaml"])))
+    return len(shown)
+
+
+def curve_lines(rows):
+    """Speed, frequency and direction (0 forward, 1 backward, 2 mixed); a block for each stretch of one direction."""
+    for _, mode in groupby(rows, key=lambda row: row["mode"]):
+        last = None
+        for row in mode:
+            direction = WHIRLS.index(row["whirl"])
+            point = "%.17g %.17g" % (row["speed_hz"], row["frequency_hz"])
+            if last is not None and last[1] != direction:
+                # The stretches meet.
+                yield f"{point} {last[1]}"
+                yield ""
+            yield f"{point} {direction}"
+            last = (point, direction)
+        yield ""
+
+
+def name_lines(rows, top):
+    """The number of each mode at its end, as gnuplot's labels; modes that end at one height share one."""
+    ends = [list(mode)[-1] for _, mode in groupby(rows, key=lambda row: row["mode"])]
+    shown = sorted((row for row in ends if row["frequency_hz"] < top), key=lambda row: row["frequency_hz"])
+    for cluster in _clusters(shown, "frequency_hz", SAME_HEIGHT * top):
+        place = sum(row["frequency_hz"] for row in cluster) / len(cluster)
+        text = ",".join("%d" % row["mode"] for row in cluster)
+        yield _label(cluster[0]["speed_hz"], place, text, "left offset 0.6, 0")
+
+
+def label_lines(rows, fastest):
+    """Critical speeds as gnuplot's labels; speeds that lie together get one, at their middle. It stands above to the left
+    of the line, below to the right where the next one is close, above to the right beside the axis."""
+    clusters = list(_clusters(sorted(rows, key=lambda row: row["speed_hz"]), "speed_hz", 0, SAME_SPEED))
+    middles = [sum(row["speed_hz"] for row in cluster) / len(cluster) for cluster in clusters]
+    for middle, following in zip(middles, [*middles[1:], float("inf")]):
+        place = "right offset -0.8, 0.8"
+        if middle < BESIDE_AXIS * fastest:
+            place = "left offset 0.3, 0.9"
+        elif following < middle + CLOSE * fastest:
+            place = "left offset 0.8, -0.8"
+        yield _label(middle, middle, "%.4g" % middle, place)
+
+
+def _label(x, y, text, place):
+    return f"set label '{text}' at first {x:.17g}, first {y:.17g} {place} front font ',16'"
+
+
+def _clusters(rows, name, distance, share=0.0):
+    """Splits rows in ascending order of a column where one lies further from the one before than a distance, or a share
+    of its value."""
+    cluster = []
+    for row in rows:
+        if cluster and row[name] > cluster[-1][name] * (1 + share) + distance:
+            yield cluster
+            cluster = []
+        cluster.append(row)
+    if cluster:
+        yield cluster
+
+
+def shown_shapes(rows):
+    """The first modes that whirl forward, or in no clear direction: a backward one bends the shaft as its partner does.
+    None where there is no shaft to bend."""
+    modes = [(number, list(points)) for number, points in groupby(rows, key=lambda row: row["mode"])]
+    shown = [mode for mode in modes if mode[1][0]["whirl"] != "backward" and len(mode[1]) > 1]
+    return shown[:MOST_SHAPES]
+
+
+def shape_lines(shown):
+    """A data set for each mode, its number and frequency as the title: position in mm, and the deflection in the plane in
+    which it is larger, at the instant at which it is largest there."""
+    for number, points in shown:
+        across = max(abs(complex(row["x_real"], row["x_imag"])) for row in points)
+        up = max(abs(complex(row["y_real"], row["y_imag"])) for row in points)
+        name = "x_real" if across >= (1 - 1e-6) * up else "y_real"
+        yield '"mode %d, %.4g Hz"' % (number, points[0]["frequency_hz"])
+        for row in points:
+            yield "%.17g %.17g" % (1e3 * row["position_m"], row[name])
+        yield ""
+        yield ""
+
+
+def shaft_lines(config):
+    """Place in mm and kind of what stands on the shaft: 0 disc, 1 support, 2 stop."""
+    for kind, path in enumerate(("rotor.discs", "rotor.supports", "stops")):
+        count = 0
+        while f"{path}.{count}.position_m" in config:
+            yield "%.17g %d" % (1e3 * configuration.number(config[f"{path}.{count}.position_m"]), kind)
+            count += 1
+
+
+def _numbers(path, *names):
+    """The rows of a table, these columns as numbers and the column whirl as the word that it is."""
+    rows = []
+    for row in csv_table.read_table(path, "whirl", *names):
+        if row["whirl"] not in WHIRLS:
+            raise csv_table.TableError(f"{path}: '{row['whirl']}' is no direction of whirl")
+        numbers = {name: csv_table.number(row, name) for name in names}
+        if None in numbers.values():
+            raise csv_table.TableError(f"{path}: a row without numbers")
+        rows.append({"whirl": row["whirl"], **numbers})
+    return rows
+
+
+def _write(work, name, lines):
+    with open(os.path.join(work, name), "w", encoding="utf-8") as file:
+        file.writelines(line + "\n" for line in lines)

@@ -1,0 +1,80 @@
+# Draws the bifurcation diagram that analysis/line_layout.py lays out.
+# gnuplot -c bifurcation.gp WORK OUTPUT_BASENAME HEADING PRESENT PASSES LABEL CLEARANCE_MM DIRECTION
+# WORK holds section and peaks; PRESENT: the kinds in them, a blank around each.
+
+work = ARG1
+output = ARG2
+heading = ARG3
+present = ARG4
+passes = ARG5
+x_label = ARG6
+clearance = real(ARG7)
+direction = ARG8
+load ARG0[1:strlen(ARG0) - strlen("bifurcation.gp")] . "motion_kinds.gp"
+# Points want more contrast than areas.
+colour[1] = "#AAAAAA"
+
+file(name) = work . "/" . name
+shown = ""
+do for [i = 1:kinds] { if (strstrt(present, " " . kind[i] . " ")) { shown = shown . i . " " } }
+if (words(shown) != words(present)) { exit error "bifurcation.gp: unknown class among:" . present }
+is_shown(name) = strstrt(" " . passes . " ", " " . name . " ") > 0
+array pass[3] = ["kick", "up", "down"]
+array pass_legend[3] = ["from the kick", "upward", "downward"]
+array mark[3] = [7, 9, 10]
+array size_of[3] = [0.5, 0.7, 0.9]
+array pass_colour[3] = ["#777777", "#CC6677", "#332288"]
+several = words(passes) > 1
+
+stats file("section") using 1:2 name "S" nooutput
+margin = S_max_x > S_min_x ? 0.01 * (S_max_x - S_min_x) : 0.1
+
+do for [format in "png svg"] {
+  if (format eq "png") {
+    set terminal pngcairo size 1600, 1200 font "DejaVu Sans,20" linewidth 1.5
+  } else {
+    set terminal svg size 1600, 1200 font "DejaVu Sans,20" linewidth 1.5
+  }
+  set output output . "." . format
+  set encoding utf8
+  set minussign
+  set multiplot
+  set label 1 heading at screen 0.42, 0.97 center
+  set lmargin at screen 0.09
+  set rmargin at screen 0.75
+  set tics nomirror out
+  set grid linecolor rgb "#E4E4E4"
+  set xrange [S_min_x - margin:S_max_x + margin]
+
+  set tmargin at screen 0.86
+  set bmargin at screen 0.42
+  set format x ""
+  set ylabel "section, " . direction . " (mm)" offset 0.5, 0
+  set yrange [*:*]
+  set offsets 0, 0, graph 0.04, graph 0.04
+  set key at screen 0.765, graph 1 left top Left reverse samplen 1 spacing 1.3
+  set arrow 1 from graph 0, first clearance to graph 1, first clearance nohead dashtype 2 linewidth 1.5 linecolor rgb "black"
+  set label 2 "clearance at rest" at graph 0.01, first clearance left offset 0, 0.5 font ",16"
+  at(k) = int(word(shown, k))
+  plot for [k = 1:words(shown)] for [p = 1:3] file("section") \
+      using (strcol(4) eq kind[at(k)] && $3 == p - 1 ? $1 : NaN):2 with points pointtype mark[p] pointsize size_of[p] \
+      linecolor rgb colour[at(k)] notitle, \
+    for [k = 1:words(shown)] NaN with points pointtype 7 pointsize 1.6 linecolor rgb colour[at(k)] title legend[at(k)], \
+    for [p = 1:3] NaN with points pointtype mark[p] pointsize 1.2 linecolor rgb "#444444" \
+      title (several && is_shown(pass[p]) ? pass_legend[p] : "")
+  unset label
+  unset arrow 1
+
+  set tmargin at screen 0.39
+  set bmargin at screen 0.10
+  unset offsets
+  set yrange [0:*]
+  set format x "% h"
+  set xlabel x_label noenhanced
+  set ylabel "largest displacement (mm)" offset 0.5, 0
+  set key at screen 0.765, graph 1
+  plot for [p = 1:3] file("peaks") using ($3 == p - 1 ? $1 : NaN):2 with linespoints pointtype mark[p] \
+      pointsize size_of[p] linecolor rgb pass_colour[p] linewidth 1.2 title (is_shown(pass[p]) ? pass_legend[p] : "")
+  unset multiplot
+  unset output
+}

@@ -1,0 +1,78 @@
+# Draws the Campbell diagram that analysis/campbell_layout.py lays out.
+# gnuplot -c campbell.gp WORK OUTPUT_BASENAME HEADING SHAPES
+# WORK holds curves, critical, shapes, shaft and labels.gp; SHAPES: how many mode shapes there are.
+
+work = ARG1
+output = ARG2
+heading = ARG3
+shapes = int(ARG4)
+
+# Colours: Paul Tol's "muted" scheme, made for colour-blind readers.
+array colour[3] = ["#332288", "#CC6677", "#999933"]
+array direction[3] = ["forward whirl", "backward whirl", "neither way"]
+array dash[3] = [1, 2, 4]
+array shape_colour[4] = ["#332288", "#CC6677", "#117733", "#DDAA33"]
+turning = "#777777"
+
+file(name) = work . "/" . name
+stats file("curves") using 1:2 name "C" nooutput
+right = shapes ? 0.56 : 0.95
+
+do for [format in "png svg"] {
+  if (format eq "png") {
+    set terminal pngcairo size 2000, 1000 font "DejaVu Sans,20" linewidth 1.5
+  } else {
+    set terminal svg size 2000, 1000 font "DejaVu Sans,20" linewidth 1.5
+  }
+  set output output . "." . format
+  set encoding utf8
+  set minussign
+  set multiplot
+  set label 1000 heading at screen 0.5, 0.972 center font ":Bold,24" noenhanced
+
+  load file("labels.gp")
+  set lmargin at screen 0.07
+  set rmargin at screen right
+  set bmargin at screen 0.12
+  set tmargin at screen 0.86
+  set border 31 linewidth 1
+  set tics nomirror out
+  set xrange [C_min_x:fastest]
+  set yrange [0:top]
+  set xlabel "shaft speed (Hz)"
+  set ylabel "whirl frequency (Hz)"
+  set key at screen 0.07, screen 0.945 left top horizontal Left reverse noopaque samplen 2.5 maxrows 1
+  set label 1001 "1X" at first 0.94 * fastest, first 0.94 * fastest + 0.035 * top right textcolor rgb turning
+  set label 1002 "2X" at first 0.5 * 0.94 * top, first 0.94 * top right offset -0.8, 0 textcolor rgb turning
+  plot x with lines linecolor rgb turning dashtype 3 linewidth 1.5 notitle, \
+    2 * x with lines linecolor rgb turning dashtype 3 linewidth 0.8 notitle, \
+    for [k = 1:(any_mixed ? 3 : 2)] file("curves") using 1:($3 == k - 1 ? $2 : NaN) with lines \
+      linecolor rgb colour[k] dashtype dash[k] linewidth 2 title direction[k], \
+    (any_critical ? file("critical") : "/dev/null") using 1:1 with points pointtype 7 pointsize 1.3 \
+      linecolor rgb "black" title (any_critical ? "critical speed" : "")
+  unset label
+
+  if (shapes) {
+    stats file("shaft") using 1 name "S" nooutput
+    set lmargin at screen 0.68
+    set rmargin at screen 0.98
+    stats file("shapes") index 0 using 1 name "P" nooutput
+    margin = 0.03 * (P_max - P_min)
+    set xrange [P_min - margin:P_max + margin]
+    set yrange [-1.25:1.55]
+    set xlabel "place along the shaft (mm)"
+    set ylabel "deflection / largest" offset 1, 0
+    set key at graph 0.5, graph 0.99 center top Left reverse opaque samplen 2 spacing 1.2 maxrows 2 font ",16"
+    set arrow 1 from first P_min, first 0 to first P_max, first 0 nohead linewidth 3 linecolor rgb "#AAAAAA" back
+    set label 4 "disc ■, support ▲, stop ✕" at graph 0.02, graph 0.03 left font ",16"
+    plot file("shaft") using 1:($2 == 0 ? 0 : NaN) with points pointtype 5 pointsize 2.6 linecolor rgb "#888888" notitle, \
+      file("shaft") using 1:($2 == 1 ? -0.07 : NaN) with points pointtype 9 pointsize 2.2 linecolor rgb "#888888" notitle, \
+      file("shaft") using 1:($2 == 2 ? 0 : NaN) with points pointtype 2 pointsize 2 linewidth 2 linecolor rgb "black" notitle, \
+      for [k = 1:shapes] file("shapes") index (k - 1) using 1:2 with lines linewidth 2.5 \
+        linecolor rgb shape_colour[k] title columnheader(1)
+    unset arrow 1
+    unset label
+  }
+  unset multiplot
+  unset output
+}

@@ -1,0 +1,54 @@
+#include "rubsweep/branch/settled_start.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rubsweep/branch/follow.hpp"
+#include "rubsweep/branch/scene_orbits.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::branch {
+namespace {
+
+/// A cell of the reference machine that settles on every second turn, and the branch of that orbit: closed,
+/// stable between its folds on one side. The folds by a map of 4000 cells along the line lie in the same
+/// intervals.
+TEST(SettledStart, AHalfOrbitAndItsClosedBranch) {
+  response::motion::Workspace workspace;
+  test::OneSideRotor rotor;
+  const scene::Cell cell = test::cell_of(rotor);
+  const SettledStart settled = settle_on_orbit(cell, {}, {}, workspace);
+  ASSERT_EQ(settled.order, 2);
+  OrbitProblem problem = scene_orbits(
+      [rotor](double speed_hz) -> std::optional<scene::Scene> {
+        test::OneSideRotor at = rotor;
+        at.speed_hz = speed_hz;
+        return test::cell_of(at).scene;
+      },
+      2, {}, workspace.modes);
+  problem.low = 45;
+  problem.high = 240;
+  problem.parameter_scale = 195;
+  const auto start = orbit_from(problem, settled.section, rotor.speed_hz);
+  ASSERT_TRUE(start);
+  EXPECT_TRUE(start->stable());
+  const Branch branch = follow_both_ways(problem, *start, {});
+  EXPECT_EQ(branch.rising, Ending::closed);
+  ASSERT_EQ(branch.events.size(), 2u);
+  for (const BranchEvent& event : branch.events) {
+    EXPECT_EQ(event.kind, EventKind::fold);
+    EXPECT_LT(event.parameter_error, 1e-10 * event.point.parameter);
+    EXPECT_NEAR(std::abs(event.point.multipliers(0)), 1, 1e-4);
+  }
+}
+
+TEST(SettledStart, ARotorThatComesToRestHasNoOrbit) {
+  response::motion::Workspace workspace;
+  test::OneSideRotor rotor;
+  rotor.kick_n = 1;
+  const SettledStart settled = settle_on_orbit(test::cell_of(rotor), {}, {}, workspace);
+  EXPECT_FALSE(settled.order);
+  EXPECT_EQ(settled.motion_class, response::motion::MotionClass::non_contact);
+}
+
+}  // namespace
+}  // namespace rubsweep::branch

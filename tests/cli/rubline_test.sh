@@ -1,0 +1,104 @@
+#!/usr/bin/env bash
+# rubline: bifurcation diagram and cascade along a line. The fourth argument is rubsweep, the program of the map.
+source "$(dirname "$0")/support.sh"
+sweep=$4
+files=(bifurcation.csv cascade.csv config.yaml line.csv)
+
+# Command line.
+expect_help along from to count speed-hz whirl-ratio eccentricity-m kick up down figure cascade-figure threads progress
+along=("$minimal" --along speed_hz)
+expect_usage_error 'a configuration file is needed' --along speed_hz
+expect_usage_error 'what changes along the line is needed: --along KEY' "$minimal"
+expect_usage_error '--from and --to belong together' "${along[@]}" --from 50
+expect_usage_error '--count belongs to --from and --to' "${along[@]}" --count 5
+expect_usage_error '--to: allowed: a number > --from' "${along[@]}" --from 50 --to 50
+expect_usage_error '--count: allowed: a number from 2 to 10000' "${along[@]}" --from 50 --to 60 --count 1
+expect_usage_error '--speed-hz: the line runs along the speed' "${along[@]}" --speed-hz 50
+expect_usage_error '--whirl-ratio and --eccentricity-m exclude each other' "${along[@]}" --whirl-ratio 0.1 --eccentricity-m 0.1
+expect_usage_error '--whirl-ratio, --eccentricity-m: the line runs along the unbalance' "$minimal" --along whirl_ratio --whirl-ratio 0.1
+expect_usage_error 'the sweep has 4 values for it: the place of the line is needed' "${along[@]}"
+expect_usage_error 'the sweep has 6 values for it: the place of the line is needed, --speed-hz S' "$minimal" --along whirl_ratio
+expect_usage_error 'the values of eccentricity_m are needed: --from A --to B' "$minimal" --along eccentricity_m --speed-hz 60
+expect_usage_error '--from: allowed: a speed > 0' "${along[@]}" --from -5 --to 50 --whirl-ratio 0.2
+expect_exit 2 "$minimal" --along stops.0.clearence_m --from 1e-3 --to 2e-3 --speed-hz 60 --whirl-ratio 0.2
+expect_contains stderr "stops.0.clearence_m: unknown key (did you mean 'clearance_m'?)"
+expect_exit 2 "$minimal" --along rotor.damping_ratio --from 0.01 --to 1.5 --speed-hz 60 --whirl-ratio 0.2
+expect_contains stderr 'rotor.damping_ratio: '
+expect_missing results
+
+# From the kick the rows are those of the map.
+expect_exit 0 "${along[@]}" --whirl-ratio 0.6 --output line
+expect_files line "${files[@]}"
+expect_contains line/line.csv '# along speed_hz'
+[[ $(grep -v '^#' line/line.csv | head -n 1) == "pass,value,$header" ]] || fail 'another header of line.csv'
+[[ $(head -n 1 line/bifurcation.csv) == pass,value,speed_hz,class,order,point,x_m,y_m,vx_m_per_s,vy_m_per_s ]] ||
+  fail 'another header of bifurcation.csv'
+[[ $(head -n 1 line/cascade.csv) == pass,value,speed_hz,order,frequency_hz,amplitude_m ]] || fail 'another header of cascade.csv'
+expect_matches stdout '^kick +90 to 90  subharmonic 1/2$'
+rubline=$rubsweep rubsweep=$sweep
+expect_exit 0 line/config.yaml --set 'sweep.speed_hz={from: 50, to: 150, count: 6}' --set 'sweep.whirl_ratio={values: [0.6]}' \
+  --output map --quiet
+rubsweep=$rubline
+diff <(rows map/map.csv) <(grep '^kick,' line/line.csv | cut -d, -f3-) || fail 'other rows than the map'
+# A period of two turns has two points, and lines at halves of the speed.
+[[ $(count_rows line/bifurcation.csv 'value == 90 and order == 2') == 2 ]] || fail 'not two points'
+[[ $(count_rows line/cascade.csv 'value == 90 and abs(order) == 0.5') == 2 ]] || fail 'no lines at one half'
+[[ $(count_rows line/cascade.csv 'value == 90 and 2 * order != round(2 * order)') == 0 ]] || fail 'lines off the halves'
+
+# Up and down, on any number of threads, with what the neighbour does.
+expect_exit 0 "${along[@]}" --from 60 --to 120 --count 13 --whirl-ratio 0.6 --up --down --threads 1 --output one --quiet
+expect_empty stdout
+expect_exit 0 "${along[@]}" --from 60 --to 120 --count 13 --whirl-ratio 0.6 --up --down --threads 2 --output two
+for file in "${files[@]}"; do expect_same "one/$file" "two/$file"; done
+[[ $(grep -c '^up,.*,handed_on,' one/line.csv) == 12 && $(grep -c '^down,.*,handed_on,' one/line.csv) == 12 ]] ||
+  fail 'cells that do not start from their neighbour'
+[[ $(grep -c ',kick,' one/line.csv) == 2 ]] || fail 'the first cells are not kicked'
+
+# Along the unbalance and along any number.
+expect_exit 0 "$minimal" --along whirl_ratio --speed-hz 90 --output ratio --quiet
+[[ $(cells ratio/line.csv value whirl_ratio | head -n 2) == $'0.2,0.2\n0.4,0.4' ]] || fail 'another line along the whirl ratio'
+expect_exit 0 "$minimal" --along stops.0.friction.stribeck.3 --from 0 --to 0.2 --count 3 --speed-hz 90 --whirl-ratio 0.6 --output mu
+expect_contains mu/line.csv '# along stops.0.friction.stribeck.3'
+[[ $(cells mu/line.csv value | tr '\n' ' ') == '0 0.1 0.2 ' ]] || fail 'other values along the friction'
+one_cell 90 0.6
+rubsweep=$sweep expect_exit 0 "$minimal" "${cell[@]}" --set stops.0.friction.stribeck.3=0.2 --output mu_map --quiet
+[[ $(rows mu_map/map.csv) == "$(grep '^kick,0.2,' mu/line.csv | cut -d, -f3-)" ]] || fail 'another row than that of the changed machine'
+
+# A cell that fails is a row.
+expect_exit 4 "$minimal" --along speed_hz --from 29 --to 31 --count 3 --whirl-ratio 0.2 --set rotor.damping_ratio=0 --up --output failed
+[[ $(cells failed/line.csv start | tr '\n' ' ') == 'kick  kick ' && $(cells failed/line.csv class status | sed -n 2p) == failed,unreachable ]] ||
+  fail "other rows: $(rows failed/line.csv)"
+
+# Interrupted, what is finished is written.
+slow=("$top/configs/figure06_one_side.yaml" --along speed_hz --from 150 --to 154 --count 9000 --whirl-ratio 0.6 --kick --output slow)
+"$rubsweep" "${slow[@]}" >stdout 2>stderr </dev/null &
+pid=$!
+sleep 1
+kill -INT "$pid" 2>/dev/null || true
+code=0
+wait "$pid" || code=$?
+if [[ $code != 0 ]]; then
+  [[ $code == 130 ]] || fail "exit code $code, expected 130"
+  expect_matches stderr '^rubline: interrupted; [0-9]+ of 9000 cells are written$'
+  written=$(sed -E 's/.*interrupted; ([0-9]+) of.*/\1/' stderr)
+  [[ $(grep -c '^kick,' slow/line.csv) == "$written" ]] || fail "not $written rows in line.csv"
+fi
+
+# Pictures, where there is gnuplot.
+command -v gnuplot >/dev/null || exit 0
+expect_exit 0 "${along[@]}" --from 60 --to 120 --count 13 --whirl-ratio 0.6 --kick --up --down --output drawn \
+  --figure pictures/bifurcation.svg --cascade-figure pictures/cascade.svg
+expect_empty stderr
+for text in 'Bifurcation diagram at whirl ratio 0.6' 'shaft speed (Hz)' 'subharmonic 1/2' upward 'clearance at rest'; do
+  expect_contains pictures/bifurcation.svg "$text"
+done
+for text in 'Cascade of full spectra at whirl ratio 0.6' 'order (× shaft speed)' backward 'from the kick' downward; do
+  expect_contains pictures/cascade.svg "$text"
+done
+"$top/scripts/bifurcation.sh" drawn out 'Heading' 2>stderr || fail 'bifurcation.sh'
+[[ -s out.png ]] || fail 'there is no out.png'
+# What stands in the files becomes no command.
+sed -i 's/,subharmonic,/,"; system("touch pwned"); ",/' drawn/line.csv
+"$top/scripts/cascade.sh" drawn evil Evil >/dev/null 2>&1 && fail 'cascade.sh drew a class that is none'
+"$top/scripts/bifurcation.sh" drawn evil Evil >/dev/null 2>&1 && fail 'bifurcation.sh drew a class that is none'
+expect_missing pwned

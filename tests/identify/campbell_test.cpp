@@ -1,0 +1,177 @@
+#include "rubsweep/identify/campbell.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "rubsweep/structure/beam_element.hpp"
+#include "scene/one_side_machine.hpp"
+#include "structure/steel.hpp"
+
+namespace rubsweep::identify {
+namespace {
+
+using std::numbers::pi;
+
+model::Machine with_kit(const model::RotorKit& kit) {
+  model::Machine machine = scene::one_side_machine();
+  machine.rotor = kit;
+  machine.stops.front().position_m = 0;
+  return machine;
+}
+
+std::vector<double> speeds(double from_hz, double to_hz, int count) {
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) values.push_back(from_hz + (to_hz - from_hz) * k / (count - 1));
+  return values;
+}
+
+/// A thick shaft on knife edges, so that shear, rotary inertia and the gyroscopic moment all show.
+model::RotorKit simply_supported(int elements) {
+  model::RotorKit kit;
+  kit.shaft = {structure::steel_segment(1.2, 0.1)};
+  kit.supports = {structure::isotropic_support(0, 1e13), structure::isotropic_support(1.2, 1e13)};
+  kit.elements = elements;
+  return kit;
+}
+
+/// A turning Timoshenko shaft on simple supports bends as sin(n pi z / l) with its cross-sections leaning as
+/// cos(n pi z / l). What is left is 2 x 2; positive where w lies below the slowest forward, or between.
+double characteristic(const model::ShaftSegment& shaft, int n, double speed, double w) {
+  const double k = n * pi / shaft.length_m, area = structure::section_area_m2(shaft),
+               moment = structure::section_moment_m4(shaft), density = shaft.density_kg_per_m3;
+  const double shear = structure::shear_coefficient(shaft) * shaft.shear_modulus_pa * area;
+  const double deflection = shear * k * k - density * area * w * w;
+  const double leaning = shaft.youngs_modulus_pa * moment * k * k + shear - density * moment * w * w +
+                         2 * density * moment * speed * w;
+  return deflection * leaning - shear * shear * k * k;
+}
+
+/// The root nearest to a whirl frequency, by bisection within 2 %; w < 0 is backward.
+double closed_form(const model::ShaftSegment& shaft, int n, double speed, double near, bool at_critical) {
+  const auto value = [&](double w) { return characteristic(shaft, n, at_critical ? std::abs(w) : speed, w); };
+  double low = 0.98 * near, high = 1.02 * near;
+  EXPECT_LT(value(low) * value(high), 0) << near;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = (low + high) / 2;
+    (value(low) * value(middle) <= 0 ? high : low) = middle;
+  }
+  return low;
+}
+
+TEST(Campbell, UniformShaftOnSimpleSupportsSplitsAsItsClosedForm) {
+  const model::RotorKit kit = simply_supported(48);
+  const double top_hz = 600;
+  const Campbell diagram = campbell(free_rotor(with_kit(kit)), speeds(0, top_hz, 13), 1500);
+  const double first_hz = closed_form(kit.shaft.front(), 1, 0, 2 * pi * 140, false) / (2 * pi);
+  ASSERT_GE(diagram.modes.size(), 4u);
+  EXPECT_NEAR(diagram.modes[0].points.front().frequency_hz, first_hz, 1e-4 * first_hz);
+  for (int i = 0; i < 4; ++i) {
+    const CampbellMode& mode = diagram.modes[static_cast<std::size_t>(i)];
+    EXPECT_EQ(mode.number, i + 1);
+    ASSERT_EQ(mode.points.size(), 13u);
+    const double sense = i % 2 == 0 ? -1 : 1;  // backward before forward
+    for (const CampbellPoint& point : mode.points) {
+      const double found = 2 * pi * point.frequency_hz;
+      const double expected =
+          sense * closed_form(kit.shaft.front(), 1 + i / 2, 2 * pi * point.speed_hz, sense * found, false);
+      EXPECT_NEAR(found, expected, 2e-4 * expected) << i << " at " << point.speed_hz;
+      EXPECT_NEAR(point.forward_share, sense > 0 ? 1 : 0, 1e-6);
+      EXPECT_NEAR(point.damping_ratio, 0, 1e-8);
+    }
+    // Thick as it is, the split shows.
+    EXPECT_GT(sense * (mode.points.back().frequency_hz / mode.points.front().frequency_hz - 1), 1e-3);
+  }
+}
+
+TEST(Campbell, CriticalSpeedsAndShapesOfAUniformShaftAreThoseOfItsClosedForm) {
+  const model::RotorKit kit = simply_supported(48);
+  const Campbell diagram = campbell(free_rotor(with_kit(kit)), speeds(10, 900, 12), 900);
+  ASSERT_EQ(diagram.critical_speeds.size(), 4u);
+  double error_of_first = 1;
+  for (const CriticalSpeed& critical : diagram.critical_speeds) {
+    const double sense = critical.forward_share > 0.5 ? 1 : -1;
+    const double found = 2 * pi * critical.speed_hz;
+    const double expected =
+        sense * closed_form(kit.shaft.front(), (critical.mode + 1) / 2, 0, sense * found, true);
+    EXPECT_NEAR(found, expected, 2e-4 * expected) << critical.mode;
+    if (critical.mode == 1) error_of_first = std::abs(found / expected - 1);
+  }
+  EXPECT_LT(error_of_first, 2e-5);
+  ASSERT_EQ(diagram.shapes.size(), 4u);
+  for (const ModeShape& shape : diagram.shapes) {
+    const int n = (shape.mode + 1) / 2;
+    double size = 0, sense = 0;
+    for (std::size_t i = 0; i < diagram.position_m.size(); ++i) {
+      const double sine = std::sin(n * pi * diagram.position_m[i] / 1.2);
+      const auto x = shape.x(static_cast<Eigen::Index>(i)), y = shape.y(static_cast<Eigen::Index>(i));
+      size = std::max(size, std::abs(x));
+      EXPECT_NEAR(std::abs(x), std::abs(sine), 1e-4);
+      // Forward: y lags a quarter turn behind x.
+      EXPECT_NEAR(std::abs(y - std::complex<double>(0, shape.forward_share > 0.5 ? -1 : 1) * x), 0, 1e-6);
+      sense += x.real() * sine;
+    }
+    EXPECT_NEAR(size, 1, 1e-12);
+    EXPECT_GT(std::abs(sense), 1);
+  }
+}
+
+TEST(Campbell, CriticalSpeedsSolveTheirOwnEigenproblem) {
+  // Undamped and with unequal supports: stiffness q = W^2 (mass - i gyroscopic) q has all of them at once.
+  model::RotorKit kit;
+  kit.shaft = {structure::steel_segment(1.5, 0.05)};
+  kit.discs = {
+      {.position_m = 0.5, .mass_kg = 32, .polar_inertia_kg_m2 = 0.32, .diametral_inertia_kg_m2 = 0.18},
+      {.position_m = 1, .mass_kg = 51, .polar_inertia_kg_m2 = 0.78, .diametral_inertia_kg_m2 = 0.41}};
+  kit.supports = {structure::isotropic_support(0, 1e6), structure::isotropic_support(1.5, 1e6)};
+  for (auto& support : kit.supports) support.stiffness_y_n_per_m = 0.8e6;
+  const FreeRotor rotor = free_rotor(with_kit(kit));
+  const Campbell diagram = campbell(rotor, speeds(1, 150, 50), 400);
+  const std::complex<double> i(0, 1);
+  const Eigen::MatrixXcd inertia = rotor.system.mass.cast<std::complex<double>>() -
+                                   i * rotor.system.gyroscopic.cast<std::complex<double>>();
+  // stiffness^-1 inertia q = q / W^2, by the general solver: the inertia need not be positive.
+  const Eigen::MatrixXcd problem =
+      rotor.system.stiffness.cast<std::complex<double>>().partialPivLu().solve(inertia);
+  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(problem, false);
+  std::vector<double> expected;
+  for (const auto& value : solver.eigenvalues()) {
+    const double hz = value.real() > 0 ? 1 / std::sqrt(value.real()) / (2 * pi) : 1e9;
+    if (hz > 1 && hz < 150) expected.push_back(hz);
+  }
+  std::ranges::sort(expected);
+  ASSERT_EQ(diagram.critical_speeds.size(), expected.size());
+  ASSERT_GE(expected.size(), 4u);
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    EXPECT_NEAR(diagram.critical_speeds[k].speed_hz, expected[k], 1e-8 * expected[k]);
+}
+
+TEST(Campbell, OfAJeffcottRotorIsItsDampedFrequencyAtEverySpeed) {
+  const Campbell diagram = campbell(free_rotor(scene::one_side_machine()), speeds(0, 100, 11), 200);
+  const double damped_hz = 30 * std::sqrt(1 - 0.02 * 0.02);
+  ASSERT_EQ(diagram.modes.size(), 2u);
+  for (const CampbellMode& mode : diagram.modes) {
+    for (const CampbellPoint& point : mode.points) {
+      EXPECT_NEAR(point.frequency_hz, damped_hz, 1e-12 * damped_hz);
+      EXPECT_NEAR(point.damping_ratio, 0.02, 1e-12);
+      EXPECT_NEAR(point.forward_share, mode.number == 1 ? 0 : 1, 1e-9);
+    }
+  }
+  ASSERT_EQ(diagram.critical_speeds.size(), 2u);
+  for (const CriticalSpeed& critical : diagram.critical_speeds)
+    EXPECT_NEAR(critical.speed_hz, damped_hz, 1e-9 * damped_hz);
+}
+
+TEST(Campbell, AGridThatHitsACriticalSpeedFindsItOnce) {
+  model::Machine machine = scene::one_side_machine();
+  machine.rotor = model::JeffcottRotor{.mass_kg = 1, .natural_frequency_hz = 30, .damping_ratio = 0};
+  const Campbell found = campbell(free_rotor(machine), speeds(29, 31, 3), 100);
+  EXPECT_EQ(found.critical_speeds.size(), 2u);
+}
+
+}  // namespace
+}  // namespace rubsweep::identify

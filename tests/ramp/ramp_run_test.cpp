@@ -1,0 +1,194 @@
+#include "rubsweep/ramp/ramp_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "line/line_of_cells.hpp"
+#include "ramp/ring_machine.hpp"
+#include "rubsweep/contact/force_law.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/identify/linear_run.hpp"
+#include "rubsweep/ramp/ramp_record.hpp"
+#include "scene/kit_machine.hpp"
+
+namespace rubsweep::ramp {
+namespace {
+
+using std::numbers::pi;
+using Complex = std::complex<double>;
+using integrate::run::Outcome;
+
+/// All samples of a ramp.
+std::vector<RampSample> samples_of(const model::Machine& machine, const SpeedRamp& ramp,
+                                   const integrate::run::SolverOptions& solver = {
+                                       .relative_tolerance = 1e-10}) {
+  std::vector<RampSample> samples;
+  const Outcome outcome =
+      run_ramp(scene::prepare_machine(machine), ramp, solver, 32, [&](const RampStretch& stretch) {
+        samples.insert(samples.end(), stretch.samples.begin(), stretch.samples.end());
+      });
+  EXPECT_EQ(outcome, Outcome::ok);
+  return samples;
+}
+
+/// Far from its stops a ramp is the one of identify::run_linear, by another right-hand side in other units.
+void expect_as_without_stops(model::Machine machine, const SpeedRamp& ramp) {
+  machine.kick.reset();
+  machine.stops.front().clearance_m = 4e-3;
+  const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+  const auto samples = samples_of(machine, ramp);
+  const identify::LinearRun linear{.from_hz = ramp.from_hz,
+                                   .rate_hz_per_s = ramp.rate_hz_per_s,
+                                   .eccentricity_m = ramp.eccentricity_m,
+                                   .sample_s = samples[1].t_s,
+                                   .samples = static_cast<int>(samples.size())};
+  const auto& observed =
+      prepared.assembly.system.points[static_cast<std::size_t>(prepared.assembly.observed_point)].map;
+  const Eigen::MatrixXd expected = identify::run_linear(prepared, linear, observed);
+  double largest = 0, difference = 0;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const Eigen::Vector2d z = expected.row(static_cast<Eigen::Index>(k)).transpose();
+    largest = std::max(largest, z.norm());
+    difference = std::max(difference, (samples[k].displacement_m - z).norm());
+  }
+  EXPECT_GT(largest, 1e-4);
+  EXPECT_LT(largest, 3e-3);
+  EXPECT_LT(difference, 2e-5 * largest);
+}
+
+TEST(RampRun, FarFromTheStopsIsThatWithoutStops) {
+  expect_as_without_stops(scene::one_side_machine(), {20, 40, 10, 5e-5});
+  expect_as_without_stops(scene::one_side_machine(), {40, 20, -10, 5e-5});
+}
+
+TEST(RampRun, OfAGyroscopicBowedKitIsThatWithoutStops) {
+  model::Machine machine = scene::light_shaft_machine();
+  auto& kit = std::get<model::RotorKit>(machine.rotor);
+  kit.discs.front().position_m = 0.13;  // off the middle: the disc leans
+  kit.modes = 3;
+  kit.bow = model::Bow{model::BowMode{.mode = 1, .amplitude_m = 5e-5}, 30};
+  expect_as_without_stops(machine, {20, 45, 10, 3e-5});
+}
+
+/// The same machine by classical Runge-Kutta in small steps, the law written out: z of rotor and casing.
+std::vector<Complex> reference(const SpeedRamp& ramp, double sample_s, std::size_t count) {
+  constexpr double m = 0.8, casing_m = 0.05, casing_k = 5e5, stiffness = 2e6, clearance = 1e-3,
+                   radius = 0.0375;
+  const double w0 = 2 * pi * 30, c = 2 * 0.02 * w0 * m, k = m * w0 * w0;
+  const double casing_c = 2 * 0.1 * std::sqrt(casing_k * casing_m);
+  const scene::PreparedMachine prepared = scene::prepare_machine(scene::one_side_machine());
+  const scene::Cell cell =
+      scene::build_cell(prepared, ramp.from_hz, scene::Eccentricity{ramp.eccentricity_m});
+  const double damping = cell.scene.contacts.front().damping_ns_per_m;
+  struct State {
+    Complex z, v, y, u;
+  };
+  const auto rate = [&](double t, const State& s) {
+    const double w = 2 * pi * ramp.speed_hz(t), a = 2 * pi * ramp.rate_hz_per_s;
+    const double p = (s.z - s.y).imag() - clearance, closing = (s.v - s.u).imag();
+    const contact::NormalForce normal = contact::elastogap(stiffness, damping, p, closing);
+    // The tangent of a wall above is -x.
+    const double slip = -(s.v - s.u).real() + radius * w;
+    const double friction = 0.1 * std::tanh(100 * slip) * normal.spring_n;
+    const Complex on_casing = Complex(-friction, normal.total_n);
+    const Complex unbalance =
+        m * ramp.eccentricity_m * Complex(w * w, -a) * std::polar(1.0, ramp.angle_rad(t));
+    return State{s.v, (unbalance - c * s.v - k * s.z - on_casing) / m, s.u,
+                 (on_casing - casing_c * s.u - casing_k * s.y) / casing_m};
+  };
+  const auto moved = [](const State& s, double h, const State& r) {
+    return State{s.z + h * r.z, s.v + h * r.v, s.y + h * r.y, s.u + h * r.u};
+  };
+  State s{{0, 0}, {0, 0}, {0, 0}, {0, 0}};  // its quiet motion reaches the wall: at rest
+  EXPECT_EQ(cell.start, scene::Start::contact);
+  std::vector<Complex> samples;
+  constexpr int steps = 400;
+  const double h = sample_s / steps;
+  for (std::size_t n = 0; n < count; ++n) {
+    samples.push_back(s.z);
+    for (int i = 0; i < steps; ++i) {
+      const double t = static_cast<double>(n) * sample_s + i * h;
+      const State a = rate(t, s), b = rate(t + h / 2, moved(s, h / 2, a)),
+                  d = rate(t + h / 2, moved(s, h / 2, b)), e = rate(t + h, moved(s, h, d));
+      s = moved(moved(moved(moved(s, h / 6, a), h / 3, b), h / 3, d), h / 6, e);
+    }
+  }
+  return samples;
+}
+
+TEST(RampRun, ThroughImpactsIsThatOfSmallFixedSteps) {
+  const SpeedRamp ramp{28, 34, 10, 2e-4};
+  const auto samples = samples_of(scene::one_side_machine(), ramp);
+  // As long as impacts have not yet made a difference of rounding large.
+  const std::size_t count = samples.size() / 2;
+  const auto expected = reference(ramp, samples[1].t_s, count);
+  double largest = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Complex z(samples[k].displacement_m.x(), samples[k].displacement_m.y());
+    largest = std::max(largest, std::abs(z));
+    ASSERT_NEAR(std::abs(z - expected[k]), 0, 2e-5 * 1e-3) << k;
+  }
+  EXPECT_GT(largest, 1.2e-3);  // it hit the wall
+}
+
+TEST(RampRun, ASlowOneFollowsTheQuasiStaticMotionAndRubsWhereThatDoes) {
+  constexpr double eccentricity_m = 2e-4;
+  std::vector<double> speeds_hz;
+  for (double speed_hz = 24; speed_hz <= 42; speed_hz += 0.5) speeds_hz.push_back(speed_hz);
+  const auto cells = line::over_speed(ring_machine(), speeds_hz, scene::Eccentricity{eccentricity_m});
+  const auto points = line::followed(cells, {line::Pass::up, line::Pass::down});
+  for (const bool up : {true, false}) {
+    const SpeedRamp ramp =
+        up ? SpeedRamp{24, 42, 0.5, eccentricity_m} : SpeedRamp{42, 24, -0.5, eccentricity_m};
+    RampRecord record(ramp);
+    ASSERT_EQ(run_ramp(scene::prepare_machine(ring_machine()), ramp, {}, 32,
+                       [&](const RampStretch& stretch) { record.add(stretch); }),
+              Outcome::ok);
+    double first_hz = 0, last_hz = 0;
+    int compared = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const line::LinePoint& point = points[up ? i : cells.size() + i];
+      const double radius_m = point.motion->section.front().displacement_m.norm();
+      if (radius_m > 1e-3) {
+        if (first_hz == 0) first_hz = cells[i].value;
+        last_hz = cells[i].value;
+      }
+      for (const EnvelopePoint& at : record.envelope()) {
+        // Not where the ramp has just come to the wall and still swings, or jumps.
+        const double jump_hz = up ? 27.8 : 33;
+        if (std::abs(at.speed_hz - cells[i].value) > 0.02 || std::abs(at.speed_hz - jump_hz) < 1.5) continue;
+        ++compared;
+        EXPECT_NEAR(at.peak_displacement_m, radius_m, 0.03 * radius_m)
+            << at.speed_hz << (up ? " up" : " down");
+      }
+    }
+    EXPECT_GT(compared, 15);
+    const auto spans = record.rubbing_spans();
+    ASSERT_EQ(spans.size(), 1u);
+    // Upward it begins at the wall and never ends; downward it begins later, at the upper touch, and ends
+    // below.
+    EXPECT_NEAR(up ? spans[0].from_hz : spans[0].to_hz, first_hz, 1.0);
+    EXPECT_NEAR(up ? spans[0].to_hz : spans[0].from_hz, last_hz, 1.0);
+  }
+}
+
+TEST(RampRun, WhatNoRampIsMadeOfIsRefused) {
+  model::Machine machine = scene::light_shaft_machine();
+  std::get<model::RotorKit>(machine.rotor).supports.front().fault =
+      model::BearingFault{.impulse_ns = 1e-3, .multiple = 1};
+  EXPECT_THROW(
+      run_ramp(scene::prepare_machine(machine), {20, 40, 10, 1e-5}, {}, 32, [](const RampStretch&) {}),
+      ConfigError);
+  machine = scene::one_side_machine();
+  machine.stops.front().geometry = model::OneSideGeometry{-90};
+  machine.gravity_m_per_s2 = 100;
+  EXPECT_THROW(
+      run_ramp(scene::prepare_machine(machine), {20, 40, 10, 1e-5}, {}, 32, [](const RampStretch&) {}),
+      ConfigError);
+}
+
+}  // namespace
+}  // namespace rubsweep::ramp

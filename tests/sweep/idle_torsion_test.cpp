@@ -1,0 +1,54 @@
+#include "rubsweep/sweep/idle_torsion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "scene/kit_machine.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+model::Machine twisting(const model::Friction& friction) {
+  model::Machine machine = scene::light_shaft_machine();
+  model::RotorKit& kit = *model::kit_of(machine);
+  kit.torsion = model::Torsion{.drive_stiffness_nm_per_rad = 20, .drive_damping_nms_per_rad = 0.01};
+  kit.damping_ratio = {0.06};
+  machine.stops[0].friction = friction;
+  return machine;
+}
+
+std::string why(const model::Friction& friction, double speed_hz = 50) {
+  return why_torsion_is_idle(scene::prepare_machine(twisting(friction)), speed_hz);
+}
+
+TEST(WhyTorsionIsIdle, SaysSoWhereNoFrictionAsksForTheSlip) {
+  EXPECT_NE(why(model::NoFriction{}), "");
+  EXPECT_NE(why(model::ConstantFriction{0.1}), "");
+  EXPECT_NE(why(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}}), "");
+  EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0.01}}), "") << "viscous";
+  EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}}, 0.1), "") << "a shaft that hardly turns";
+  EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(scene::light_shaft_machine()), 50), "")
+      << "no torsion";
+}
+
+/// What it says is true: the row is that of the rotor without torsion.
+TEST(WhyTorsionIsIdle, TheMotionIsTheSameWithoutTorsion) {
+  Study study;
+  study.machine = twisting(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}});
+  study.grid.speed_hz = {60};
+  study.grid.unbalance = {0.6};
+  study.response = {
+      .max_revolutions = 60, .samples_per_revolution = 32, .window_revolutions = 12, .max_order = 6};
+  response::motion::Workspace workspace;
+  const Row with = evaluate_cell(study, 0, workspace);
+  model::kit_of(study.machine)->torsion.reset();
+  const Row without = evaluate_cell(study, 0, workspace);
+  ASSERT_TRUE(with.measures && without.measures);
+  EXPECT_TRUE(with.last_contact_revolution);
+  EXPECT_EQ(to_string(with.motion_class), to_string(without.motion_class));
+  EXPECT_NEAR(with.measures->contact.peak_displacement_m, without.measures->contact.peak_displacement_m,
+              1e-6 * without.measures->contact.peak_displacement_m);
+}
+
+}  // namespace
+}  // namespace rubsweep::sweep
