@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <atomic>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -14,21 +16,31 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/identify/campbell.hpp"
 #include "rubsweep/identify/experiment.hpp"
+#include "rubsweep/line/follow_line.hpp"
+#include "rubsweep/ramp/ramp_record.hpp"
 #include "rubsweep/report/campbell_tables.hpp"
 #include "rubsweep/report/experiment_tables.hpp"
+#include "rubsweep/report/ramp_tables.hpp"
 
 namespace rubsweep::apps {
 namespace {
 
 /// Every file that an experiment may leave.
-constexpr std::array<std::string_view, 7> file_names{
-    "config.yaml",  "sensors.csv",         "bode.csv",       "identification.csv",
-    "campbell.csv", "critical_speeds.csv", "mode_shapes.csv"};
+constexpr std::array<std::string_view, 12> file_names{
+    "config.yaml",  "sensors.csv",         "bode.csv",         "identification.csv",
+    "campbell.csv", "critical_speeds.csv", "mode_shapes.csv",  "envelope.csv",
+    "orbits.csv",   "spectrogram.csv",     "quasi_static.csv", "rub.csv"};
+
+/// Speeds at which a run-up with stops is compared with steady motions.
+constexpr int steady_speeds = 121;
+/// Samples of a turn at the fastest speed.
+constexpr int ramp_samples = 128;
 
 /// The files of an experiment but its configuration, and what it found, for a terminal.
 struct Outcome {
   ResultFiles files;
   std::string summary;
+  integrate::run::Outcome run = integrate::run::Outcome::ok;  ///< of a run-up with stops
 };
 
 Outcome outcome_of(report::ExperimentTables tables) {
@@ -50,7 +62,46 @@ Outcome campbell_diagram(const CampbellSpeeds& asked, const model::Machine& mach
           std::move(tables.summary)};
 }
 
-Outcome perform(const RubtraceArguments& arguments, const model::Machine& described) {
+/// The motions at steady speeds, each from the one before it, in the order of the ramp.
+std::vector<line::LinePoint> steady_motions(const ramp::SpeedRamp& ramp, const sweep::Study& study,
+                                            const scene::PreparedMachine& machine) {
+  const auto shared_study = std::make_shared<const sweep::Study>(study);
+  const auto shared_machine = std::make_shared<const scene::PreparedMachine>(machine);
+  std::vector<line::LineCell> cells;
+  for (int k = 0; k < steady_speeds; ++k) {
+    const double speed_hz = ramp.from_hz + (ramp.to_hz - ramp.from_hz) * k / (steady_speeds - 1);
+    cells.push_back(
+        {speed_hz, shared_study, shared_machine, {speed_hz, scene::Eccentricity{ramp.eccentricity_m}}});
+  }
+  std::vector<line::LinePoint> points;
+  const std::array passes{line::Pass::up};
+  const std::atomic<bool> never{false};
+  line::follow_line(
+      cells, passes, 1, [&](line::LinePoint&& point) { points.push_back(std::move(point)); }, never);
+  return points;
+}
+
+/// Nothing is kicked: the unbalance alone brings the rotor to the wall.
+Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study) {
+  study.machine.kick.reset();
+  const scene::PreparedMachine machine = scene::prepare_machine(study.machine);
+  ramp::RampRecord record(ramp);
+  const integrate::run::Outcome run =
+      ramp::run_ramp(machine, ramp, study.solver, ramp_samples,
+                     [&](const ramp::RampStretch& stretch) { record.add(stretch); });
+  report::RampTables tables = report::tables_of(record, steady_motions(ramp, study, machine));
+  return {{{"envelope.csv", std::move(tables.envelope_csv)},
+           {"orbits.csv", std::move(tables.orbits_csv)},
+           {"spectrogram.csv", std::move(tables.spectrogram_csv)},
+           {"quasi_static.csv", std::move(tables.quasi_static_csv)},
+           {"rub.csv", std::move(tables.rub_csv)}},
+          std::move(tables.summary),
+          run};
+}
+
+Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
+  if (arguments.with_stops) return run_up_with_stops(*arguments.run_up, study);
+  const model::Machine& described = study.machine;
   const scene::PreparedMachine machine = scene::prepare_machine(described);
   if (arguments.campbell) return campbell_diagram(*arguments.campbell, described);
   const identify::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
@@ -62,21 +113,30 @@ Outcome perform(const RubtraceArguments& arguments, const model::Machine& descri
   return outcome_of(report::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
 }
 
+std::string heading_of(const ramp::SpeedRamp& ramp) {
+  return fmt::format("Run-{} through rub, {:.4g} to {:.4g} Hz at {:.4g} Hz/s, eccentricity {:.4g} mm",
+                     ramp.to_hz > ramp.from_hz ? "up" : "down", ramp.from_hz, ramp.to_hz, ramp.rate_hz_per_s,
+                     1e3 * ramp.eccentricity_m);
+}
+
 }  // namespace
 
 int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& config,
                    const std::filesystem::path& directory) {
-  auto [files, summary] = perform(arguments, config.study.machine);
+  auto [files, summary, run] = perform(arguments, config.study);
   make_directory(directory);
   files.emplace("config.yaml", config::print_config(config));
   std::erase_if(files, [](const auto& file) { return file.second.empty(); });
   write_result_files(files, file_names, directory);
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
   if (arguments.figure) {
-    arguments.figure->draw("draw_campbell.py", directory, "Campbell diagram");
+    arguments.figure->draw(arguments.campbell ? "draw_campbell.py" : "draw_run_up.py", directory,
+                           arguments.campbell ? "Campbell diagram" : heading_of(*arguments.run_up));
     if (!arguments.quiet) fmt::print("figure    {}\n", arguments.figure->file().string());
   }
-  return done;
+  if (run == integrate::run::Outcome::ok) return done;
+  say(fmt::format("rubtrace: the run-up failed: {}; the files end there\n", to_string(run)));
+  return some_cells_failed;
 }
 
 }  // namespace rubsweep::apps

@@ -56,8 +56,9 @@ std::optional<double> finite(const po::variables_map& given, const char* name) {
 
 RubbranchArguments parse_rubbranch_arguments(int argc, const char* const* argv) {
   const po::variables_map given = read_study_command_line(argc, argv, visible_options());
-  RubbranchArguments arguments = given.count("map") != 0 ? map_arguments(given)
-                                                         : RubbranchArguments{study_arguments(given, "rubbranch")};
+  RubbranchArguments arguments = given.count("map") != 0
+                                     ? map_arguments(given)
+                                     : RubbranchArguments{study_arguments(given, "rubbranch")};
   if (arguments.action != Action::run) return arguments;
   arguments.threads = threads_of(given);
   if (given.count("map") != 0) {
@@ -111,7 +112,8 @@ std::string rubbranch_help() {
       "(infeasible), where\n"
       "no orbit is found however near the last one (step_too_small, singular, failed), or at --points.\n\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 the cell settles on no periodic "
-      "orbit in contact,\nor Newton's iteration does not find it: nothing is written; with --map some proven orbit was not found "
+      "orbit in contact,\nor Newton's iteration does not find it: nothing is written; with --map some proven "
+      "orbit was not found "
       "again.\n",
       text_of(visible_options()));
 }

@@ -41,8 +41,9 @@ int run_on_map(const RubbranchArguments& arguments) {
   const fs::path directory = arguments.map;
   const sweep::Study study = config::read_run_config(directory / "config.yaml", {}).study;
   if (!study.grid.axes.empty()) {
-    throw ConfigError(fmt::format("{}: sweep: has axes over keys, allowed with --map: speed and unbalance only",
-                                  (directory / "config.yaml").string()));
+    throw ConfigError(
+        fmt::format("{}: sweep: has axes over keys, allowed with --map: speed and unbalance only",
+                    (directory / "config.yaml").string()));
   }
   const page::MapTable map = read_map_of(study, directory / "map.csv");
   if (map.rows != sweep::cell_count(study.grid)) {

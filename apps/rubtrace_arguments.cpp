@@ -29,6 +29,10 @@ po::options_description visible_options() {
       "it")(
       "run-up", po::value<std::string>()->value_name("FROM:TO:RATE"),
       "instead: speed ramp without stops in Hz:Hz:Hz/s with --eccentricity-m; Bode plot and critical speed")(
+      "with-stops",
+      "of --run-up: through rub; envelope, orbits and spectrogram of orders, and where it rubs beside where "
+      "it does "
+      "at steady speeds")(
       "campbell", po::value<std::string>()->value_name("FROM:TO[:COUNT]"),
       "instead: whirl frequencies without stops over COUNT (101) shaft speeds in Hz; critical speeds, "
       "shapes")("duration-s", po::value<double>()->value_name("T")->default_value(2),
@@ -74,13 +78,13 @@ std::optional<std::vector<double>> numbers_between_colons(const std::string& tex
   return numbers;
 }
 
-SpeedRamp ramp_of(const std::string& text) {
+ramp::SpeedRamp ramp_of(const std::string& text) {
   const auto numbers = numbers_between_colons(text);
   if (!numbers || numbers->size() != 3) {
     throw UsageError(
         fmt::format("--run-up: '{}' is not allowed, allowed: FROM:TO:RATE, three numbers", text));
   }
-  const SpeedRamp ramp{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  const ramp::SpeedRamp ramp{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
   if (ramp.from_hz <= 0 || ramp.to_hz <= 0 || (ramp.to_hz - ramp.from_hz) * ramp.rate_hz_per_s <= 0) {
     throw UsageError("--run-up: allowed: speeds > 0, and a rate that leads from the first to the second");
   }
@@ -118,9 +122,11 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   if (given.count("run-up") != 0) arguments.run_up = ramp_of(given["run-up"].as<std::string>());
   if (given.count("campbell") != 0)
     arguments.campbell = campbell_speeds_of(given["campbell"].as<std::string>());
-  if (arguments.figure && (arguments.free_response || arguments.run_up))
-    throw UsageError("--figure belongs to a trace or to --campbell");
-  const bool sampled = arguments.free_response || arguments.run_up;
+  arguments.with_stops = given.count("with-stops") != 0;
+  if (arguments.with_stops && !arguments.run_up) throw UsageError("--with-stops belongs to --run-up");
+  if (arguments.figure && (arguments.free_response || (arguments.run_up && !arguments.with_stops)))
+    throw UsageError("--figure belongs to a trace, to --campbell or to --run-up --with-stops");
+  const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
   if (static_cast<int>(arguments.free_response) + arguments.run_up.has_value() +
           arguments.campbell.has_value() >
       1)
@@ -131,10 +137,11 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   if (!sampled) {
     if (!given["duration-s"].defaulted()) throw UsageError("--duration-s belongs to --free-response");
     const bool probes = !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
-    if (probes && arguments.campbell)
-      throw UsageError("--sample-s and --noise-m belong to a trace, --free-response or --run-up");
+    if (probes && (arguments.campbell || arguments.run_up))
+      throw UsageError(
+          "--sample-s and --noise-m belong to a trace, --free-response or --run-up without stops");
     arguments.probes = probes;
-    if (!arguments.campbell) return false;
+    if (!arguments.campbell && !arguments.run_up) return false;
   }
   for (const char* name : {"speed-hz", "whirl-ratio", "revolutions", "last-revolutions"}) {
     if (given.count(name) != 0)
@@ -150,6 +157,7 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
     const auto eccentricity_m = read<double>(given, "eccentricity-m", "a number >= 0", not_negative);
     if (!eccentricity_m) throw UsageError("the unbalance of the run-up is needed: --eccentricity-m E");
     ramp->eccentricity_m = *eccentricity_m;
+    if (arguments.with_stops) return true;
     duration_s = (ramp->to_hz - ramp->from_hz) / ramp->rate_hz_per_s;
   }
   if (duration_s / arguments.sample_s > identify::most_samples) {
@@ -199,6 +207,8 @@ std::string rubtrace_help() {
       "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
       "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
       "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5\n"
+      "  rubtrace configs/minimal.yaml --run-up 20:60:1 --eccentricity-m 2e-4 --with-stops --figure "
+      "/tmp/run_up.png\n"
       "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n\n"
       "From a whirl ratio of 1, where the quiet whirl itself reaches the wall, the run starts at rest and "
       "without a "
@@ -227,7 +237,11 @@ std::string rubtrace_help() {
       "mode_shapes.csv\n"
       "(along the shaft, at the first critical speed of each mode) and config.yaml; modes that come below "
       "twice "
-      "TO.\n\n"
+      "TO.\n"
+      "A run-up with stops writes envelope.csv, orbits.csv, spectrogram.csv (of orders), quasi_static.csv "
+      "(the "
+      "motions at\n"
+      "steady speeds), rub.csv (where either rubs) and config.yaml.\n\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 the run failed, the files end at "
       "the\n"
       "failure, or there was nothing to run (motion.csv and config.yaml only). An interrupted run writes "

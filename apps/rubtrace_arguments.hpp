@@ -5,15 +5,10 @@
 
 #include "action.hpp"
 #include "figure.hpp"
+#include "rubsweep/ramp/speed_ramp.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::apps {
-
-/// Ramp of the shaft speed.
-struct SpeedRamp {
-  double from_hz = 0, to_hz = 0, rate_hz_per_s = 0;
-  double eccentricity_m = 0;
-};
 
 /// Speeds of a Campbell diagram, evenly spaced.
 struct CampbellSpeeds {
@@ -25,7 +20,8 @@ struct RubtraceArguments : StudyArguments {
   double speed_hz = 0;                          ///< of a trace
   scene::Unbalance unbalance = {};              ///< of a trace
   bool free_response = false;                   ///< an experiment without contact instead of a trace
-  std::optional<SpeedRamp> run_up = {};         ///< another one
+  std::optional<ramp::SpeedRamp> run_up = {};   ///< another one
+  bool with_stops = false;                      ///< of the run-up
   std::optional<CampbellSpeeds> campbell = {};  ///< and another one
   double duration_s = 2;                        ///< of the free response
   double sample_s = 1e-3;                       ///< of the sensors

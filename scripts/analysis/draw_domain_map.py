@@ -38,14 +38,14 @@ def main(arguments):
         natural_hz = None
 
     cells = domain_map.read_cells(map_file, up, natural_hz, across)
-    if "sweep.refine.levels" in config:
-        columns = [swept_axes.values(config, axis) for axis in (across, up)]
-        columns[0] = [value / (natural_hz or 1) for value in columns[0]]
-        cells = refined_map.painted_cells(cells, *columns, int(config["sweep.refine.levels"]))
     boundaries = {}
     if across == "speed_hz":
         boundary_file = os.path.join(os.path.dirname(map_file), "boundaries.csv")
         boundaries = domain_map.read_boundaries(boundary_file, up, natural_hz)
+    if "sweep.refine.levels" in config:
+        columns = [swept_axes.values(config, axis) for axis in (across, up)]
+        columns[0] = [value / (natural_hz or 1) for value in columns[0]]
+        cells = refined_map.painted_cells(cells, *columns, int(config["sweep.refine.levels"]))
     present = " ".join(sorted({cell.kind for cell in cells}))
     os.makedirs(os.path.dirname(output), exist_ok=True)
     with tempfile.NamedTemporaryFile("w", encoding="utf-8") as file:

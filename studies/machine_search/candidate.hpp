@@ -42,7 +42,7 @@ inline constexpr std::array<Parameter, 9> parameters{{
     {"kick_duration_s", &Candidate::kick_duration_s, 0.002, 0.005},
 }};
 
-/// Where the search starts: the reference machine, the one good machine of an earlier sample of 400 against
+/// Where the search starts: the reference machine before it, the one good machine of an earlier sample of 400 against
 /// one stop and the same with less friction, the best random one of a first run, and two with softer casings,
 /// which let the annulus have its oval.
 inline constexpr std::array<Candidate, 6> starting_points{{

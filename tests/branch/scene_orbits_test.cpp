@@ -85,6 +85,35 @@ TEST(SceneOrbits, FullAnnularRubWithItsFoldAndItsStability) {
   EXPECT_EQ(folds, 1);
 }
 
+/// The rotor in a frictionless elastic ring of Zilli, Battelino and Rosero and of Shaw, Champneys and
+/// Friswell, with gyroscopic term: z'' + (2 zeta - i J W) z' + z + beta (r - 1)(z / r) = m eps W^2 e^{i W t}
+/// where r > 1. Its quiet circle comes to touch at W = 1.36128 on the upper side of the resonance, by AUTO
+/// and in closed form. It touches all along, where the map has no derivative and the branch turns back in a
+/// corner: it ends there.
+TEST(SceneOrbits, GyroscopicRotorInARingEndsWhereItTouchesAllAlong) {
+  constexpr double damping = 0.01, polar = 0.143, drive = 0.9 * 0.353, beta = 10;
+  integrate::exact::ModeCache modes;
+  OrbitProblem problem = scene_orbits(
+      [](double speed) -> std::optional<scene::Scene> {
+        scene::Scene scene = test::annular_scene(1, damping, speed, drive, 0, beta, 0);
+        scene.structure.damping(0, 1) = polar * speed;
+        scene.structure.damping(1, 0) = -polar * speed;
+        return scene;
+      },
+      1, {}, modes);
+  problem.low = 1.2;
+  problem.high = 3;
+  const auto start = orbit_from(problem, Eigen::VectorXd::Zero(4), 2.5);
+  ASSERT_TRUE(start);
+  const HalfBranch half = follow(problem, turned_about(*start), {});
+  const BranchPoint& last = half.points.back();
+  EXPECT_EQ(half.ending, Ending::step_too_small);
+  const double w = last.parameter;
+  EXPECT_NEAR(w, 1.36128, 5e-6);
+  EXPECT_NEAR(std::hypot(1 - w * w * (1 - polar), 2 * damping * w), drive * w * w, 1e-8);
+  EXPECT_FALSE(half.points[half.points.size() / 2].facts.touched);
+}
+
 TEST(SceneOrbits, ImpulsesThatDifferFromTurnToTurnHaveNoOrbits) {
   integrate::exact::ModeCache modes;
   const OrbitProblem problem = scene_orbits(

@@ -59,8 +59,20 @@ expect_exit 0 "$kit" "${small[@]}" --set sweep.speed_hz='{values: [70, 100]}' --
   --output map --quiet
 [[ $(cells map/map.csv class order | head -n 1) == subharmonic,2 ]] || fail "another label: $(rows map/map.csv)"
 
-# Command line of the experiments.
+# Run-up through rub: it begins where the whirl grows to the clearance, near where it does at steady speeds.
 rubsweep=$trace
+expect_exit 0 "$minimal" --run-up 24:50:4 --eccentricity-m 2e-4 --with-stops --output through
+expect_files through config.yaml envelope.csv orbits.csv quasi_static.csv rub.csv spectrogram.csv
+[[ $(count_rows through/rub.csv "source == 'ramp' and 27 < from_hz < 29 and 42 < to_hz < 47") == 1 ]] || fail "other rub: $(<through/rub.csv)"
+[[ $(count_rows through/rub.csv "source == 'quasi_static' and 27 < from_hz < 29 and 42 < to_hz < 45") == 1 ]] ||
+  fail "other steady rub: $(<through/rub.csv)"
+expect_matches stdout '^steadily  27'
+[[ $(count_rows through/envelope.csv 'speed_hz < 26 and peak_contact_force_n > 0') == 0 ]] || fail 'it touches too soon'
+[[ $(count_rows through/spectrogram.csv 'order == -1 and amplitude_m > 5e-4') -ge 1 ]] || fail 'no line backward'
+expect_exit 0 "$kit" --run-up 24:40:8 --eccentricity-m 2e-4 --with-stops --set rotor.modes=1 --output kit_through --quiet
+[[ $(count_rows kit_through/rub.csv "source == 'ramp'") -ge 1 ]] || fail 'the kit does not rub'
+
+# Command line of the experiments.
 # refused TEXT ARGUMENT...
 refused() {
   local text=$1
@@ -75,7 +87,7 @@ for range in 10 10:x 20:10 -1:10 10:20:1 10:20:2.5 10:20:30:40; do
 done
 refused '--eccentricity-m belongs to a trace or a run-up' --campbell 10:20 --eccentricity-m 1e-5
 refused '--duration-s belongs to --free-response' --campbell 10:20 --duration-s 3
-refused '--figure belongs to a trace or to --campbell' --free-response --figure x.png
+refused '--figure belongs to a trace, to --campbell or to --run-up --with-stops' --free-response --figure x.png
 refused '--figure: allowed: a name that ends with .png or .svg' --campbell 10:20 --figure x.gif
 refused '--speed-hz belongs to a trace' --free-response --speed-hz 3
 refused '--duration-s belongs to --free-response' --speed-hz 3 --whirl-ratio 0.1 --duration-s 1
@@ -83,5 +95,7 @@ refused 'the unbalance of the run-up is needed' --run-up 10:20:1
 refused "--run-up: '10:20' is not allowed" --run-up 10:20 --eccentricity-m 1e-5
 refused "--run-up: '10:x:1' is not allowed" --run-up 10:x:1 --eccentricity-m 1e-5
 refused '--run-up: allowed: speeds > 0' --run-up 10:20:-1 --eccentricity-m 1e-5
+refused '--with-stops belongs to --run-up' --campbell 10:20 --with-stops
 refused '--sample-s: allowed: long enough' --free-response --sample-s 1e-9
+refused '--with-stops belongs to --run-up' --campbell 10:20 --with-stops
 refused '--sample-s: allowed: long enough' --speed-hz 70 --whirl-ratio 0.7 --sample-s 1e-9

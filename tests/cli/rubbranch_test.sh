@@ -4,7 +4,7 @@ source "$(dirname "$0")/support.sh"
 figure06=$top/configs/figure06_one_side.yaml
 
 # Command line.
-expect_help cell along from to switch points
+expect_help cell along from to switch points map threads
 expect_usage_error 'a configuration file is needed'
 expect_usage_error 'a cell to start from is needed' "$minimal"
 expect_usage_error '--cell 75: allowed: SPEED_HZ,UNBALANCE' "$minimal" --cell 75
@@ -45,3 +45,42 @@ expect_matches stdout '^branch 0  order 2, stops.0.casing.mass_kg 0.04 to 0.06, 
 expect_exit 0 "$figure06" --cell 75,0.4 --along kick.force_n --from 190 --to 210 --output kick
 [[ $(cells kick/branch.csv floquet_modulus | awk '{ printf "%.6f\n", $1 }' | sort -u | wc -l) == 1 ]] ||
   fail 'the kick changes an orbit that is there without it'
+
+# Its picture, where there is gnuplot.
+if command -v gnuplot >/dev/null; then
+  "$top/scripts/branch_figure.sh" doubled out/picture Heading >stdout 2>stderr || fail 'branch_figure.sh failed'
+  expect_empty stdout
+  expect_empty stderr
+  expect_contains out/picture.svg 'order 4, unstable'
+  expect_contains out/picture.svg 'period-doubling'
+fi
+
+# All families of a map: beside it, and the edges between its cells.
+expect_usage_error '--map takes the configuration of the map' "$minimal" --map results
+expect_exit 3 --map no_such_map
+"${rubsweep%/*}/rubsweep" "$figure06" --quiet --output map \
+  --set 'sweep={speed_hz: {from: 60, to: 95, count: 8}, whirl_ratio: {values: [0.3, 0.4]}}' || fail 'no map'
+expect_exit 0 --map map --threads 2
+expect_empty stderr
+expect_files map boundaries.csv config.yaml edges.csv families.csv map.csv
+expect_contains stdout 'the orbits of 0 were not found again'
+[[ $(head -n 1 map/boundaries.csv) == family,kind,speed_hz,whirl_ratio ]] || fail 'another header'
+[[ $(count_rows map/families.csv "order == 2 and hits == 1 and cells_existing >= cells_reached") == 1 ]] || fail 'no half orbit'
+# Its fold at a whirl ratio of 0.4 is the one that the branch of a single cell has.
+upper=$(folds first | tail -n 1)
+grep -q "^0,fold,${upper%?}" map/boundaries.csv || fail "no fold at $upper in map/boundaries.csv"
+[[ $(count_rows map/edges.csv "attribution not in ('ceases', 'basin', 'unresolved')") == 0 ]] || fail 'another attribution'
+[[ $(count_rows map/edges.csv "label_1 == label_2") == 0 ]] || fail 'an edge between equal labels'
+if command -v gnuplot >/dev/null; then
+  "$top/scripts/domain_map.sh" map/map.csv out/map Heading >stdout 2>stderr || fail 'domain_map.sh failed'
+  expect_empty stderr
+  expect_contains out/map.svg 'orbit ends in a fold'
+fi
+cp map/boundaries.csv once.csv
+expect_exit 0 --map map --threads 1 --quiet
+expect_empty stdout
+expect_same once.csv map/boundaries.csv
+mv map/config.yaml other.yaml
+sed 's/mass_kg: 0.8/mass_kg: 0.9/' other.yaml >map/config.yaml
+expect_exit 2 --map map
+expect_contains stderr 'is no map of this configuration'

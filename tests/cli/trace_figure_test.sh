@@ -75,6 +75,13 @@ expect_contains pictures/campbell.svg 'place along the shaft (mm)'
 expect_exit 0 "$minimal" --campbell 0:100 --output jeffcott --figure pictures/jeffcott.svg --quiet
 expect_contains pictures/jeffcott.svg 'whirl frequency (Hz)'
 ! grep -q 'place along the shaft' pictures/jeffcott.svg || fail 'a Jeffcott rotor has no shaft to bend'
+expect_exit 0 "$minimal" --run-up 24:50:8 --eccentricity-m 2e-4 --with-stops --output through --figure pictures/through.svg --quiet
+for text in 'Run-up through rub, 24 to 50 Hz' 'at steady speed' 'order (backward &lt; 0 &lt; forward)' rubs; do
+  expect_contains pictures/through.svg "$text"
+done
+expect_exit 0 "$top/configs/figure11_annulus.yaml" --run-up 50:24:-8 --eccentricity-m 1e-4 --with-stops --output through \
+  --figure pictures/down.png --quiet
+[[ -s pictures/down.png ]] || fail 'no picture of a run-down'
 mkdir bin
 ln -s "$(command -v python3)" bin/python3
 PATH=$work/bin expect_exit 3 "$minimal" --speed-hz 90 --whirl-ratio 0.6 --output none --figure none.png

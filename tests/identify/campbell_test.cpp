@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rubsweep/structure/beam_element.hpp"
+#include "scene/kit_machine.hpp"
 #include "scene/one_side_machine.hpp"
 #include "structure/steel.hpp"
 
@@ -164,6 +165,26 @@ TEST(Campbell, OfAJeffcottRotorIsItsDampedFrequencyAtEverySpeed) {
   ASSERT_EQ(diagram.critical_speeds.size(), 2u);
   for (const CriticalSpeed& critical : diagram.critical_speeds)
     EXPECT_NEAR(critical.speed_hz, damped_hz, 1e-9 * damped_hz);
+}
+
+/// Damping ratio of a whirl forward at one speed: the slowest one that there is.
+double damping_of_forward_whirl(const model::Machine& machine, double speed_hz) {
+  for (const CampbellMode& mode : campbell(free_rotor(machine), speeds(0, speed_hz, 5), 100).modes)
+    if (mode.points.back().forward_share > 0.5) return mode.points.back().damping_ratio;
+  return 1;
+}
+
+TEST(Campbell, DampingThatTurnsMakesForwardWhirlUnstableWhereItsClosedFormSays) {
+  // At w0 (1 + external / rotating damping) the two do the same work.
+  model::Machine machine = scene::one_side_machine();
+  std::get<model::JeffcottRotor>(machine.rotor).rotating_damping_ratio = 0.01;
+  EXPECT_NEAR(damping_of_forward_whirl(machine, 30 * (1 + 0.02 / 0.01)), 0, 1e-12);
+  EXPECT_LT(damping_of_forward_whirl(machine, 30 * (1 + 0.02 / 0.01) + 1), -1e-4);
+  model::Machine kit = scene::light_shaft_machine();
+  const double first_hz = campbell(free_rotor(kit), speeds(0, 1, 2), 1).modes[0].points[0].frequency_hz /
+                          std::sqrt(1 - 0.02 * 0.02);
+  std::get<model::RotorKit>(kit.rotor).rotating_damping_ratio = {0.01};
+  EXPECT_NEAR(damping_of_forward_whirl(kit, first_hz * (1 + 0.02 / 0.01)), 0, 1e-8);
 }
 
 TEST(Campbell, AGridThatHitsACriticalSpeedFindsItOnce) {

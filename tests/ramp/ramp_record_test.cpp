@@ -60,8 +60,8 @@ TEST(RampRecord, EnvelopeHoldsTheExtremes) {
   double duration_s = 0;
   for (const EnvelopePoint& point : record.envelope()) {
     EXPECT_GT(point.highest_x_m, 0.5e-3);
-    EXPECT_LE(point.highest_x_m, 1.2e-3);
-    EXPECT_GE(point.lowest_y_m, -1.2e-3);
+    EXPECT_LE(point.highest_x_m, 1.2e-3 + 1e-12);
+    EXPECT_GE(point.lowest_y_m, -1.2e-3 - 1e-12);
     EXPECT_LT(point.lowest_y_m, -0.5e-3);
     hits += point.hits;
     duration_s += point.duration_s;

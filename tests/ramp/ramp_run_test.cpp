@@ -64,11 +64,18 @@ TEST(RampRun, FarFromTheStopsIsThatWithoutStops) {
   expect_as_without_stops(scene::one_side_machine(), {40, 20, -10, 5e-5});
 }
 
+TEST(RampRun, WithDampingThatTurnsIsThatWithoutStops) {
+  model::Machine machine = scene::one_side_machine();
+  std::get<model::JeffcottRotor>(machine.rotor).rotating_damping_ratio = 0.01;
+  expect_as_without_stops(machine, {20, 40, 10, 5e-5});
+}
+
 TEST(RampRun, OfAGyroscopicBowedKitIsThatWithoutStops) {
   model::Machine machine = scene::light_shaft_machine();
   auto& kit = std::get<model::RotorKit>(machine.rotor);
   kit.discs.front().position_m = 0.13;  // off the middle: the disc leans
-  kit.modes = 3;
+  kit.shaft.front().density_kg_per_m3 = 7850;
+  kit.modes = 2;
   kit.bow = model::Bow{model::BowMode{.mode = 1, .amplitude_m = 5e-5}, 30};
   expect_as_without_stops(machine, {20, 45, 10, 3e-5});
 }
@@ -182,11 +189,11 @@ TEST(RampRun, WhatNoRampIsMadeOfIsRefused) {
   EXPECT_THROW(
       run_ramp(scene::prepare_machine(machine), {20, 40, 10, 1e-5}, {}, 32, [](const RampStretch&) {}),
       ConfigError);
+  // No quiet motion to start from: an undamped resonance.
   machine = scene::one_side_machine();
-  machine.stops.front().geometry = model::OneSideGeometry{-90};
-  machine.gravity_m_per_s2 = 100;
+  machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0};
   EXPECT_THROW(
-      run_ramp(scene::prepare_machine(machine), {20, 40, 10, 1e-5}, {}, 32, [](const RampStretch&) {}),
+      run_ramp(scene::prepare_machine(machine), {30, 40, 10, 1e-5}, {}, 32, [](const RampStretch&) {}),
       ConfigError);
 }
 

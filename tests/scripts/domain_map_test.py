@@ -68,3 +68,21 @@ class CellLines(FileTest):
     def test_a_line_holds_place_edges_and_kind(self):
         lines = list(domain_map.cell_lines([Cell(1, 0.25, "chaotic"), Cell(2, 0.75, "failed")]))
         self.assertEqual(lines, ["1 0.25 0.5 1.5 0 0.5 chaotic", "2 0.75 1.5 2.5 0.5 1 failed"])
+
+
+class Boundaries(FileTest):
+    ROWS = "family,kind,speed_hz,whirl_ratio\n0,fold,30,0.1\n0,fold,60,0.2\n0,fold,,\n1,period_halving,90,0.3\n1,period_halving,,\n"
+
+    def test_lines_by_kind_over_the_natural_frequency(self):
+        found = domain_map.read_boundaries(self.write("boundaries.csv", self.ROWS), "whirl_ratio", 30)
+        self.assertEqual(found, {"doubling": [[(3, 0.3)]], "fold": [[(1, 0.1), (2, 0.2)]]})
+
+    def test_a_block_for_each_kind_and_a_point_that_is_seen(self):
+        lines = domain_map.boundary_lines({"doubling": [[(3, 0.5)]], "fold": [[(1, 0.25), (2, 0.75)]]})
+        self.assertEqual(
+            [line.split() for line in lines],
+            [[], ["3", "0.5"], ["3", "0.5"], [], [], ["1", "0.25"], ["2", "0.75"], []],
+        )
+
+    def test_no_file_no_lines(self):
+        self.assertEqual(domain_map.read_boundaries(self.path("none.csv"), "whirl_ratio"), {})

@@ -40,7 +40,9 @@ std::vector<MapEdge> attribute(const sweep::Grid& grid, std::span<const std::str
       if (next < cell || labels[cell] == labels[next]) continue;
       MapEdge there = seen_from(cell, next, family_of[cell]), back = seen_from(next, cell, family_of[next]);
       // The stronger of the two: what ceases, then what is there on both sides.
-      MapEdge edge = back.attribution < there.attribution ? back : there;
+      const bool stronger = back.attribution < there.attribution ||
+                            (back.attribution == there.attribution && there.kind.empty());
+      MapEdge edge = stronger ? back : there;
       edge.first = cell;
       edge.second = next;
       edges.push_back(edge);

@@ -12,9 +12,9 @@ namespace rubsweep::branch {
 
 /// Why two neighbouring cells of a map have different labels.
 enum class Attribution {
-  ceases,     ///< between them an orbit that one of the kicks leads to ends, or loses its stability
-  basin,      ///< that orbit exists and is stable in both cells: the kick of the other one no longer reaches it
-  unresolved, ///< neither cell has an orbit that could be followed, or following it failed
+  ceases,  ///< between them an orbit that one of the kicks leads to ends, or loses its stability
+  basin,   ///< that orbit exists and is stable in both cells: the kick of the other one no longer reaches it
+  unresolved,  ///< neither cell has an orbit that could be followed, or following it failed
 };
 
 constexpr std::string_view to_string(Attribution attribution) {

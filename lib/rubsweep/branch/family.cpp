@@ -47,8 +47,8 @@ class Explorer {
       }
       std::vector<Passage> passages(tasks.size());
       for_each(tasks.size(), [&](std::size_t i) {
-        passages[i] = pass(study_, prepared_, tasks[i].from, family.orbits.at(tasks[i].from), tasks[i].to,
-                           workspace);
+        passages[i] =
+            pass(study_, prepared_, tasks[i].from, family.orbits.at(tasks[i].from), tasks[i].to, workspace);
       });
       frontier = take(tasks, passages, family);
     }
@@ -61,10 +61,12 @@ class Explorer {
 
  private:
   void for_each(std::size_t count, const std::function<void(std::size_t)>& run) {
-    batch::parallel_run(count, threads_, run, [](std::size_t) {}, stop_);
+    batch::parallel_run(
+        count, threads_, run, [](std::size_t) {}, stop_);
   }
 
-  std::vector<std::size_t> take(const std::vector<Task>& tasks, std::vector<Passage>& passages, Family& family) {
+  std::vector<std::size_t> take(const std::vector<Task>& tasks, std::vector<Passage>& passages,
+                                Family& family) {
     std::vector<std::size_t> added;
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const auto [from, to] = tasks[i];
@@ -79,7 +81,8 @@ class Explorer {
 
   FamilyEnd end_of(std::size_t from, std::size_t to, const Passage& passage) const {
     const std::size_t speeds = study_.grid.speed_hz.size();
-    FamilyEnd end{from, to, study_.grid.speed_hz[from % speeds], study_.grid.unbalance[from / speeds], passage.kind};
+    FamilyEnd end{from, to, study_.grid.speed_hz[from % speeds], study_.grid.unbalance[from / speeds],
+                  passage.kind};
     (from / speeds == to / speeds ? end.speed_hz : end.unbalance) = passage.parameter;
     return end;
   }

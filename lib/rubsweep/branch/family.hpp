@@ -39,13 +39,13 @@ std::vector<std::size_t> neighbours_of(const sweep::Grid& grid, std::size_t cell
 
 /// What the cells of a map settle on.
 struct Families {
-  std::vector<Family> list;              ///< by ascending seed
-  std::vector<std::size_t> not_followed; ///< cells whose proven orbit is not found again as a stable one
+  std::vector<Family> list;               ///< by ascending seed
+  std::vector<std::size_t> not_followed;  ///< cells whose proven orbit is not found again as a stable one
 };
 
-/// Settles the cells `proven` (ascending), whose motion a map calls periodic and proven, and follows every family
-/// that they belong to over the whole grid, each once. The result does not depend on the number of threads. Once
-/// `stop` is true nothing more is begun, and what is returned is not whole.
+/// Settles the cells `proven` (ascending), whose motion a map calls periodic and proven, and follows every
+/// family that they belong to over the whole grid, each once. The result does not depend on the number of
+/// threads. Once `stop` is true nothing more is begun, and what is returned is not whole.
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
                      const std::atomic<bool>& stop);
 

@@ -87,9 +87,9 @@ class Follower {
     const double parameter = std::clamp(beyond.parameter, problem_.low, problem_.high);
     if (here().parameter == parameter) return end(Ending::left_range);
     const double share = (parameter - here().parameter) / (beyond.parameter - here().parameter);
-    const Correction found =
-        correct_at(problem_, here().state + share * (beyond.state - here().state), parameter);
+    Correction found = correct_at(problem_, here().state + share * (beyond.state - here().state), parameter);
     if (!found.converged) return shorten(Ending::step_too_small);
+    found.point.parameter = parameter;  // not as its coordinate rounds it
     const double length =
         here().tangent.dot(position_of(problem_, found.point) - position_of(problem_, here()));
     auto last = completed(problem_, found.point, here().tangent, here().arclength + length);

@@ -67,8 +67,8 @@ class Tracer {
     return false;
   }
 
-  /// The side that goes on where `side` ends: where two cells of the domain meet in a corner only, the one that turns
-  /// left, which stays at the same cell.
+  /// The side that goes on where `side` ends: where two cells of the domain meet in a corner only, the one
+  /// that turns left, which stays at the same cell.
   std::optional<std::size_t> next_of(std::size_t side) const {
     const auto [first, last] = starts_.equal_range(sides_[side].to);
     std::optional<std::size_t> next;

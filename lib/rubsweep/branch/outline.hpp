@@ -14,9 +14,9 @@ struct OutlineLine {
   std::vector<std::array<double, 2>> points;  ///< speed in Hz and unbalance
 };
 
-/// The boundary of a family over the map: the places at which it ends on the ways between neighbouring cells, joined
-/// around the domain with the domain on the left. Lines end where the map does, and where the kind changes; the next
-/// one then begins where the last one ended.
+/// The boundary of a family over the map: the places at which it ends on the ways between neighbouring cells,
+/// joined around the domain with the domain on the left. Lines end where the map does, and where the kind
+/// changes; the next one then begins where the last one ended.
 std::vector<OutlineLine> outline_of(const sweep::Grid& grid, const Family& family);
 
 }  // namespace rubsweep::branch

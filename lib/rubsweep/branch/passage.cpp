@@ -52,8 +52,7 @@ Way way_between(const sweep::Study& study, const scene::PreparedMachine& prepare
                        : scene_of(prepared, speed_hz, sweep::unbalance_of(grid, p));
   };
   const std::vector<double>& axis = along_speed ? grid.speed_hz : grid.unbalance;
-  Way way{scene_orbits(family, order, study.solver, workspace.modes),
-          along_speed ? speed_hz : unbalance,
+  Way way{scene_orbits(family, order, study.solver, workspace.modes), along_speed ? speed_hz : unbalance,
           along_speed ? grid.speed_hz[b.speed] : grid.unbalance[b.unbalance]};
   // Behind the start as well, where a branch may come back after a fold.
   const double behind = way.from + (way.from - way.to);
@@ -91,8 +90,8 @@ Passage pass(const sweep::Study& study, const scene::PreparedMachine& prepared, 
   const Way way = way_between(study, prepared, cell, neighbour, orbit.order, workspace);
   const auto start = orbit_from(way.problem, orbit.state, way.from);
   if (!start || !start->stable()) return {{}, to_string(EventKind::stability), way.from};
-  const HalfBranch half = follow(way.problem, way.to > way.from ? *start : turned_about(*start),
-                                 options_of_a_passage());
+  const HalfBranch half =
+      follow(way.problem, way.to > way.from ? *start : turned_about(*start), options_of_a_passage());
   const BranchPoint& last = half.points.back();
   if (half.ending == Ending::left_range && last.parameter == way.to)
     return {orbit_of(last, orbit.order), {}, way.to};

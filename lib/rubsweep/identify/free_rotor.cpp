@@ -12,9 +12,11 @@ namespace rubsweep::identify {
 namespace {
 
 FreeRotor free_jeffcott(const model::JeffcottRotor& rotor) {
-  const structure::LinearSystem disc = structure::assemble_jeffcott(rotor, {}).system;
+  const structure::Assembly assembly = structure::assemble_jeffcott(rotor, {});
+  const structure::LinearSystem& disc = assembly.system;
   FreeRotor free;
   free.system = {disc.mass, disc.damping, Eigen::Matrix2d::Zero(), disc.stiffness, {1, 1}};
+  free.circulatory = assembly.circulatory;
   free.spin = Eigen::Matrix2d{{0, rotor.mass_kg}, {-rotor.mass_kg, 0}};
   free.position_m = {0};
   free.x = Eigen::RowVector2d(1, 0);
@@ -43,6 +45,11 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
   const structure::Reduction modes = lowest_modes(shaft);
   FreeRotor free;
   free.system = structure::reduced_system(shaft, kit, modes);
+  if (model::has_rotating_damping(kit)) {
+    const structure::RotatingDamping added = structure::rotating_damping(shaft, kit, modes, free.system);
+    free.system.damping += added.damping;
+    free.circulatory = added.circulatory;
+  }
   free.position_m = shaft.node_position_m;
   const Eigen::Index n = free.system.coordinates(), nodes = static_cast<Eigen::Index>(free.position_m.size());
   free.x = free.y = Eigen::MatrixXd::Zero(nodes, n);

@@ -11,6 +11,8 @@ namespace rubsweep::identify {
 /// The rotor of a machine without stops, casings and torsion, bending in x and y.
 struct FreeRotor {
   structure::LateralSystem system;
+  Eigen::MatrixXd
+      circulatory;  ///< n x n or empty: at a speed w the stiffness is system.stiffness + w circulatory
   /// n x n, skew: i q^H spin q is the mass-weighted sum of the squares of the forward whirl less that of the
   /// backward whirl, in units in which q^H mass q is the sum of both.
   Eigen::MatrixXd spin;

@@ -34,6 +34,8 @@ WhirlProblem::WhirlProblem(const FreeRotor& rotor) : rotor_(rotor), mass_(rotor.
   stiffness_ = normalised(mass_, rotor.system.stiffness);
   damping_ = normalised(mass_, rotor.system.damping);
   gyroscopic_ = normalised(mass_, rotor.system.gyroscopic);
+  circulatory_ = rotor.circulatory.size() > 0 ? normalised(mass_, rotor.circulatory)
+                                              : Eigen::MatrixXd::Zero(stiffness_.rows(), stiffness_.cols());
   rad_per_s_ = stiffness_.diagonal().cwiseSqrt();
   const auto slowness = rad_per_s_.cwiseInverse().asDiagonal();
   spin_ = Complex(0, 1) * (slowness * normalised(mass_, rotor.spin) * slowness).cast<Complex>();
@@ -43,7 +45,8 @@ std::vector<WhirlMode> WhirlProblem::at(double speed_hz) const {
   const Eigen::Index n = rad_per_s_.size();
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   generator.topRightCorner(n, n) = rad_per_s_.asDiagonal();
-  generator.bottomLeftCorner(n, n) = -stiffness_ * rad_per_s_.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd stiffness = stiffness_ + 2 * pi * speed_hz * circulatory_;
+  generator.bottomLeftCorner(n, n) = -stiffness * rad_per_s_.cwiseInverse().asDiagonal();
   generator.bottomRightCorner(n, n) = -damping_ - 2 * pi * speed_hz * gyroscopic_;
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(generator);
   if (solver.info() != Eigen::Success) throw SolverError("whirl modes: the iteration does not converge");

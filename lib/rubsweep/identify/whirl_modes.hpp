@@ -23,9 +23,10 @@ struct WhirlMode {
 /// Modal assurance criterion: 0 for states that have nothing in common, 1 for the same motion.
 double assurance(const WhirlMode& a, const WhirlMode& b);
 
-/// The eigenproblem (root^2 mass + root (damping + speed gyroscopic) + stiffness) shape = 0 of a rotor, which
-/// must outlive it. It is solved for states (w p, p') of mass-normalised coordinates p, w the frequency that
-/// each has alone: all numbers are then rates, and the slowest modes come out as well as the fastest.
+/// The eigenproblem (root^2 mass + root (damping + speed gyroscopic) + stiffness + speed circulatory) shape =
+/// 0 of a rotor, which must outlive it. It is solved for states (w p, p') of mass-normalised coordinates p, w
+/// the frequency that each has alone: all numbers are then rates, and the slowest modes come out as well as
+/// the fastest.
 class WhirlProblem {
  public:
   explicit WhirlProblem(const FreeRotor& rotor);
@@ -42,7 +43,7 @@ class WhirlProblem {
   const FreeRotor& rotor_;
   Eigen::LLT<Eigen::MatrixXd> mass_;
   Eigen::VectorXd rad_per_s_;  ///< w
-  Eigen::MatrixXd stiffness_, damping_, gyroscopic_;
+  Eigen::MatrixXd stiffness_, damping_, gyroscopic_, circulatory_;
   Eigen::MatrixXcd spin_;  ///< i spin, of the first n numbers of a state
 };
 

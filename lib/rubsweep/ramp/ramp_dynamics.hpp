@@ -11,11 +11,12 @@ namespace rubsweep::ramp {
 /// What a speed ramp adds to the right-hand side of a scene at its reference speed, scaled: lengths by L,
 /// time by the reference speed.
 struct RampForces {
-  double start_speed = 0;      ///< shaft speed / reference speed at the start
-  double acceleration = 0;     ///< its rate per radian of the reference rotation
-  Eigen::VectorXcd unbalance;  ///< M^-1 e U / L: forces Re(unbalance (W^2 - i W') e^{i phi})
-  Eigen::VectorXcd bow;        ///< M^-1 b / (L reference speed^2): forces Re(bow e^{i phi}); empty: none
-  Eigen::MatrixXd gyroscopic;  ///< M^-1 G: forces -W gyroscopic u'; empty: none
+  double start_speed = 0;       ///< shaft speed / reference speed at the start
+  double acceleration = 0;      ///< its rate per radian of the reference rotation
+  Eigen::VectorXcd unbalance;   ///< M^-1 e U / L: forces Re(unbalance (W^2 - i W') e^{i phi})
+  Eigen::VectorXcd bow;         ///< M^-1 b / (L reference speed^2): forces Re(bow e^{i phi}); empty: none
+  Eigen::MatrixXd circulatory;  ///< M^-1 C / reference speed: forces -W circulatory u; empty: none
+  Eigen::MatrixXd gyroscopic;   ///< M^-1 G: forces -W gyroscopic u'; empty: none
 };
 
 /// Which bases of Dynamics refer to: it must be there before they are.
@@ -56,6 +57,10 @@ class RampDynamics : private OwnSystem<N>, public integrate::adaptive::Dynamics<
     if (forces_.gyroscopic.size() > 0) {
       const typename Base::ConstMap v(&state[0] + n, n);
       acceleration.noalias() -= speed * (forces_.gyroscopic * v);
+    }
+    if (forces_.circulatory.size() > 0) {
+      const typename Base::ConstMap u(&state[0], n);
+      acceleration.noalias() -= speed * (forces_.circulatory * u);
     }
     rate[static_cast<std::size_t>(2 * n)] = speed;
     rate[static_cast<std::size_t>(2 * n) + 1] = change;

@@ -47,6 +47,7 @@ scene::Scene reference_scene(const scene::PreparedMachine& machine, const SpeedR
         "rotor.supports: a faulty bearing is no part of a run-up with stops, allowed: no fault");
   scene::Scene scene = scene::build_cell(machine, ramp.fastest_hz(), scene::Eccentricity{0}).scene;
   scene.structure.damping = machine.assembly.system.damping;
+  scene.structure.stiffness = machine.assembly.system.stiffness;
   scene.harmonic_n = Eigen::VectorXcd::Zero(scene.structure.coordinates());
   scene.pulses.clear();
   set_start(machine, ramp, scene);
@@ -68,6 +69,7 @@ RampForces forces_of(const scene::PreparedMachine& machine, const SpeedRamp& ram
   forces.unbalance = ramp.eccentricity_m / scale.length_m * solved(assembly.system.unbalance_kg);
   if (assembly.bow_n.size() > 0) forces.bow = solved(assembly.bow_n) / scale.unit_acceleration_m_per_s2();
   if (assembly.gyroscopic.size() > 0) forces.gyroscopic = mass.solve(assembly.gyroscopic);
+  if (assembly.circulatory.size() > 0) forces.circulatory = mass.solve(assembly.circulatory) / reference;
   return forces;
 }
 

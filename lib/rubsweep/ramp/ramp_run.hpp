@@ -30,11 +30,11 @@ struct RampStretch {
 
 /// Runs a machine with its stops while its shaft speed changes, by dopri5 with every change of contact mode
 /// located, and hands on stretch by stretch with `samples` samples each. The unbalance forces e Re(U (phi'^2
-/// - i phi'') e^{i phi}), the gyroscopic moment and the speed of the rubbing surfaces follow phi'. It starts
-/// on the quiet motion of the first speed with the mark of the shaft along +x; at rest in the static position
-/// where that motion touches. The machine's kick is left out. Returns how the run ended; after a failure no
-/// stretch follows. Throws ConfigError for what no ramp is made of: faulty bearings, static forces that press
-/// the rotor through a wall, a speed without quiet motion.
+/// - i phi'') e^{i phi}), the gyroscopic moment, damping that turns with the shaft and the speed of the
+/// rubbing surfaces follow phi'. It starts on the quiet motion of the first speed with the mark of the shaft
+/// along +x; at rest in the static position where that motion touches. The machine's kick is left out.
+/// Returns how the run ended; after a failure no stretch follows. Throws ConfigError for what no ramp is made
+/// of: faulty bearings, static forces that press the rotor through a wall, a speed without quiet motion.
 integrate::run::Outcome run_ramp(const scene::PreparedMachine& machine, const SpeedRamp& ramp,
                                  const integrate::run::SolverOptions& solver, int samples,
                                  const std::function<void(const RampStretch&)>& on_stretch);

@@ -15,7 +15,9 @@ namespace {
 
 using batch::csv_number;
 
-double speed_of(const sweep::Grid& grid, std::size_t cell) { return grid.speed_hz[cell % grid.speed_hz.size()]; }
+double speed_of(const sweep::Grid& grid, std::size_t cell) {
+  return grid.speed_hz[cell % grid.speed_hz.size()];
+}
 double unbalance_of(const sweep::Grid& grid, std::size_t cell) {
   return grid.unbalance[cell / grid.speed_hz.size()];
 }
@@ -72,8 +74,8 @@ std::string families_csv(const sweep::Grid& grid, const std::vector<branch::Fami
 
 std::string edges_csv(const sweep::Grid& grid, std::span<const std::string> labels,
                       const std::vector<branch::MapEdge>& edges) {
-  std::string text = fmt::format(
-      "speed_hz_1,{0}_1,speed_hz_2,{0}_2,label_1,label_2,attribution,kind\n", to_string(grid.measure));
+  std::string text = fmt::format("speed_hz_1,{0}_1,speed_hz_2,{0}_2,label_1,label_2,attribution,kind\n",
+                                 to_string(grid.measure));
   for (const branch::MapEdge& edge : edges) {
     text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_number(speed_of(grid, edge.first)),
                         csv_number(unbalance_of(grid, edge.first)), csv_number(speed_of(grid, edge.second)),
@@ -95,8 +97,8 @@ std::string families_summary(const sweep::Grid& grid, const branch::Families& fa
   for (const branch::MapEdge& edge : edges) ++counts[{edge.attribution, edge.kind}];
   text += fmt::format("{} edges between cells of different labels\n", edges.size());
   for (const auto& [what, count] : counts) {
-    text += fmt::format("{:8} {:6.1f} %  {}{}{}\n", count, 100 * share(count, edges.size()), to_string(what.first),
-                        what.second.empty() ? "" : " ", what.second);
+    text += fmt::format("{:8} {:6.1f} %  {}{}{}\n", count, 100 * share(count, edges.size()),
+                        to_string(what.first), what.second.empty() ? "" : " ", what.second);
   }
   return text;
 }

@@ -10,18 +10,20 @@
 
 namespace rubsweep::report {
 
-/// Lines of the boundaries of all families: family, kind, speed_hz and the map's unbalance; a row without numbers
-/// ends a line.
+/// Lines of the boundaries of all families: family, kind, speed_hz and the map's unbalance; a row without
+/// numbers ends a line.
 std::string boundaries_csv(const sweep::Grid& grid, const std::vector<branch::Family>& families);
 
-/// A row for every family: order, hits of its first cell, cells and area of existence, share that the kick reaches.
+/// A row for every family: order, hits of its first cell, cells and area of existence, share that the kick
+/// reaches.
 std::string families_csv(const sweep::Grid& grid, const std::vector<branch::Family>& families);
 
 /// A row for every pair of neighbouring cells with different labels.
 std::string edges_csv(const sweep::Grid& grid, std::span<const std::string> labels,
                       const std::vector<branch::MapEdge>& edges);
 
-/// Shares of the attributions, of the kinds of what ceases, and the cells that were not followed, for a terminal.
+/// Shares of the attributions, of the kinds of what ceases, and the cells that were not followed, for a
+/// terminal.
 std::string families_summary(const sweep::Grid& grid, const branch::Families& families, std::size_t proven,
                              const std::vector<branch::MapEdge>& edges);
 

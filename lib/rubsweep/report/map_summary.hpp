@@ -7,12 +7,13 @@
 
 namespace rubsweep::report {
 
-/// Class and order of a line of map.csv: equal for cells that a refined map takes for equal.
-std::string label_of(std::string_view map_line);
 /// What the motion of a row is called on a terminal: class and order, and what parts motions that share a
 /// class but are not alike: a whip that rolls backward on its own force from an oval that the unbalance
 /// drives, a circle forward from one backward.
 std::string motion_name(std::string_view map_line);
+
+/// Class and order of a line of map.csv: equal for cells that a refined map takes for equal.
+std::string label_of(std::string_view map_line);
 
 /// Counts the rows of a map without keeping them. They come as lines of map.csv because that is all there is
 /// of them: a row that was computed by another process or before a break lives on as text in a journal or a

@@ -1,6 +1,5 @@
 #include "rubsweep/structure/kit_assembly.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -71,36 +70,11 @@ class KitBuilder {
     system().weight_kg.head(n) = -lateral_.scatter(1, basis(1).transpose() * shaft_.weight_kg);
   }
 
-  /// A force -D (u' + w v) in the x plane and -D (v' - w u) in the y plane, with one operator D on the
-  /// deflected line because it turns: the modes of the x plane have the ratios asked for.
   void add_rotating_damping() {
-    const auto& ratios = kit_.rotating_damping_ratio;
-    const auto& numbers = result_.reduction.mode_number[0];
-    Eigen::MatrixXd line = Eigen::MatrixXd::Zero(shaft_.coordinates(), shaft_.coordinates());
-    for (Eigen::Index j = 0; j < basis(0).cols(); ++j) {
-      const auto column = static_cast<std::size_t>(j);
-      const std::size_t mode =
-          column < numbers.size() ? static_cast<std::size_t>(numbers[column]) : ratios.size();
-      const Eigen::VectorXd momentum = shaft_.mass * basis(0).col(j);
-      const double mass = basis(0).col(j).dot(momentum);
-      const double rate = 2 * std::numbers::pi * result_.reduction.frequency_hz[0](j);
-      line += 2 * ratios[std::min(mode, ratios.size()) - 1] * rate / mass * momentum * momentum.transpose();
-    }
+    const RotatingDamping added = rotating_damping(shaft_, kit_, result_.reduction, lateral_);
     result_.assembly.circulatory = Eigen::MatrixXd::Zero(system().coordinates(), system().coordinates());
-    const bool same = basis(0).cols() == basis(1).cols() && basis(0) == basis(1);
-    for (std::size_t a = 0; a < 2; ++a) {
-      for (std::size_t b = 0; b < 2; ++b) {
-        // Equal planes get the same bits, as in `project`.
-        Eigen::MatrixXd block = basis(same ? 0 : a).transpose() * line * basis(same ? 0 : b);
-        if (same) block = (block + block.transpose().eval()) / 2;
-        Eigen::MatrixXd& matrix = a == b ? system().damping : result_.assembly.circulatory;
-        for (Eigen::Index i = 0; i < block.rows(); ++i) {
-          for (Eigen::Index k = 0; k < block.cols(); ++k)
-            matrix(lateral_.index(a, i), lateral_.index(b, k)) +=
-                a == 1 && b == 0 ? -block(i, k) : block(i, k);
-        }
-      }
-    }
+    system().damping.topLeftCorner(lateral(), lateral()) += added.damping;
+    result_.assembly.circulatory.topLeftCorner(lateral(), lateral()) = added.circulatory;
   }
 
   /// A load that turns with the shaft, given in the x plane of the full model.

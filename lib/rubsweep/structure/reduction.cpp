@@ -214,6 +214,39 @@ LateralSystem reduced_system(const BeamShaft& shaft, const model::RotorKit& kit,
   return system;
 }
 
+RotatingDamping rotating_damping(const BeamShaft& shaft, const model::RotorKit& kit,
+                                 const Reduction& reduction, const LateralSystem& system) {
+  const auto& ratios = kit.rotating_damping_ratio;
+  const auto& numbers = reduction.mode_number[0];
+  const PlaneBases& bases = reduction.bases;
+  Eigen::MatrixXd line = Eigen::MatrixXd::Zero(shaft.coordinates(), shaft.coordinates());
+  for (Eigen::Index j = 0; j < bases[0].cols(); ++j) {
+    const auto column = static_cast<std::size_t>(j);
+    const std::size_t mode =
+        column < numbers.size() ? static_cast<std::size_t>(numbers[column]) : ratios.size();
+    const Eigen::VectorXd momentum = shaft.mass * bases[0].col(j);
+    const double mass = bases[0].col(j).dot(momentum);
+    const double rate = 2 * std::numbers::pi * reduction.frequency_hz[0](j);
+    line += 2 * ratios[std::min(mode, ratios.size()) - 1] * rate / mass * momentum * momentum.transpose();
+  }
+  RotatingDamping added;
+  added.damping = added.circulatory = Eigen::MatrixXd::Zero(system.coordinates(), system.coordinates());
+  const bool same = bases[0].cols() == bases[1].cols() && bases[0] == bases[1];
+  for (std::size_t a = 0; a < 2; ++a) {
+    for (std::size_t b = 0; b < 2; ++b) {
+      // Equal planes get the same bits, as in `project`.
+      Eigen::MatrixXd block = bases[same ? 0 : a].transpose() * line * bases[same ? 0 : b];
+      if (same) block = (block + block.transpose().eval()) / 2;
+      Eigen::MatrixXd& matrix = a == b ? added.damping : added.circulatory;
+      for (Eigen::Index i = 0; i < block.rows(); ++i) {
+        for (Eigen::Index k = 0; k < block.cols(); ++k)
+          matrix(system.index(a, i), system.index(b, k)) = a == 1 && b == 0 ? -block(i, k) : block(i, k);
+      }
+    }
+  }
+  return added;
+}
+
 Eigen::MatrixXcd receptance(const BeamShaft& shaft, const PlaneBases& bases, const LateralSystem& system,
                             double rad_per_s, double speed_rad_per_s, const std::vector<double>& responses_m,
                             const std::vector<double>& forces_m) {

@@ -34,6 +34,17 @@ Reduction reduce(const BeamShaft& shaft, const model::RotorKit& kit, const std::
 /// The reduced rotor with its support damping and its structural damping, 2 ratio w m of each shape.
 LateralSystem reduced_system(const BeamShaft& shaft, const model::RotorKit& kit, const Reduction& reduction);
 
+/// What damping that turns with the shaft adds in the coordinates of `system`: to the damping, and, times the
+/// speed, to the stiffness.
+struct RotatingDamping {
+  Eigen::MatrixXd damping, circulatory;
+};
+
+/// A force -D (u' + w v) in the x plane and -D (v' - w u) in the y plane, with one operator D on the
+/// deflected line because it turns: the modes of the x plane have the ratios asked for.
+RotatingDamping rotating_damping(const BeamShaft& shaft, const model::RotorKit& kit,
+                                 const Reduction& reduction, const LateralSystem& system);
+
 /// Displacements (rows) of `responses_m` by harmonic unit forces (columns) at `forces_m`, both in x and y, x
 /// first at each place: (stiffness + i w (damping + speed gyroscopic) - w^2 mass)^-1 between them, in m/N.
 Eigen::MatrixXcd receptance(const BeamShaft& shaft, const PlaneBases& bases, const LateralSystem& system,

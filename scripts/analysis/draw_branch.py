@@ -1,0 +1,44 @@
+"""The program behind branch_figure.sh, which says what it does."""
+
+import os
+import tempfile
+
+import branch_layout
+import configuration
+import gnuplot
+import map_heading
+from command import run_program
+
+
+def write(path, lines):
+    with open(path, "w", encoding="utf-8") as file:
+        file.writelines(line + "\n" for line in lines)
+
+
+def main(arguments):
+    # Absolute names: to gnuplot others may be commands.
+    directory, output = (os.path.abspath(name) for name in arguments[:2])
+    branches = branch_layout.Branches(directory)
+    config = configuration.read_configuration(os.path.join(directory, "config.yaml"))
+    marks = [kind for kind in branch_layout.MARKS if branches.mark_lines(kind)]
+    with tempfile.TemporaryDirectory() as work:
+        for order in branches.orders():
+            # What is empty would not be read: a line without numbers is.
+            write(os.path.join(work, f"stable_{order}"), ["NaN NaN", *branches.line_lines(order, True)])
+            write(os.path.join(work, f"unstable_{order}"), ["NaN NaN", *branches.line_lines(order, False)])
+        for kind in marks:
+            write(os.path.join(work, kind), branches.mark_lines(kind))
+        os.makedirs(os.path.dirname(output), exist_ok=True)
+        gnuplot.draw(
+            "branch_figure.gp",
+            work,
+            output,
+            map_heading.heading(arguments[2], config, None),
+            " ".join(str(order) for order in branches.orders()),
+            " ".join(marks),
+            branches.parameter,
+        )
+
+
+if __name__ == "__main__":
+    run_program(main, usage="branch_figure.sh DIR OUTPUT_BASENAME HEADING", least=3, most=3)

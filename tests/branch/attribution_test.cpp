@@ -1,0 +1,59 @@
+#include "rubsweep/branch/attribution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+namespace rubsweep::branch {
+namespace {
+
+/// Five cells in a row: two of family 0, whose orbit goes on to the third and folds before the fourth; the
+/// last one has an orbit that could not be followed.
+TEST(Attribution, BasinCeasesAndUnresolved) {
+  sweep::Grid grid;
+  grid.speed_hz = {10, 20, 30, 40, 50};
+  grid.unbalance = {0.5};
+  const std::array<std::string, 5> labels{"subharmonic_2", "subharmonic_2", "non_contact", "chaotic",
+                                          "subharmonic_3"};
+  Family first{0, {{0, {}}, {1, {}}, {2, {}}}, {{2, 3, 35, 0.5, "fold"}}, {0, 1}};
+  Family last{4, {{4, {}}}, {{4, 3, 45, 0.5, "step_too_small"}}, {4}};
+  const auto edges = attribute(grid, labels, {first, last});
+  ASSERT_EQ(edges.size(), 3u);
+  EXPECT_EQ(edges[0].attribution, Attribution::basin);
+  EXPECT_EQ(edges[0].first, 1u);
+  EXPECT_EQ(edges[1].attribution, Attribution::unresolved);
+  EXPECT_EQ(edges[2].attribution, Attribution::unresolved);
+  EXPECT_EQ(edges[2].kind, "step_too_small");
+
+  first.orbits.erase(2);
+  first.ends = {{1, 2, 25, 0.5, "fold"}};
+  const auto ceases = attribute(grid, labels, {first, last});
+  EXPECT_EQ(ceases[0].attribution, Attribution::ceases);
+  EXPECT_EQ(ceases[0].kind, "fold");
+}
+
+/// Of two orbits side by side one goes on into the other's cell: what the map shows there ceases all the
+/// same.
+TEST(Attribution, WhatCeasesOnOneSideIsStronger) {
+  sweep::Grid grid;
+  grid.speed_hz = {10, 20};
+  grid.unbalance = {0.5};
+  const std::array<std::string, 2> labels{"subharmonic_2", "subharmonic_4"};
+  const Family a{0, {{0, {}}, {1, {}}}, {}, {0}}, b{1, {{1, {}}}, {{1, 0, 15, 0.5, "period_halving"}}, {1}};
+  const auto edges = attribute(grid, labels, {a, b});
+  ASSERT_EQ(edges.size(), 1u);
+  EXPECT_EQ(edges[0].attribution, Attribution::ceases);
+  EXPECT_EQ(edges[0].kind, "period_halving");
+}
+
+TEST(Attribution, KindsThatAreNoEnds) {
+  EXPECT_TRUE(is_an_end("fold"));
+  EXPECT_TRUE(is_an_end("graze"));
+  EXPECT_TRUE(is_an_end("infeasible"));
+  EXPECT_FALSE(is_an_end("point_limit"));
+  EXPECT_FALSE(is_an_end("step_too_small"));
+}
+
+}  // namespace
+}  // namespace rubsweep::branch

@@ -1,0 +1,90 @@
+#include "rubsweep/branch/family.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "rubsweep/branch/follow.hpp"
+#include "rubsweep/branch/scene_orbits.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::branch {
+namespace {
+
+sweep::Study study() {
+  sweep::Study study;
+  study.machine = test::machine_of({});
+  study.grid.speed_hz = {55, 65, 75, 85, 95};
+  study.grid.unbalance = {0.3, 0.4};
+  return study;
+}
+
+/// The half orbit of the reference machine at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz: the
+/// family is in the cells between, and ends at these folds, which continuation along the whole branch finds
+/// as well.
+TEST(Families, TheHalfOrbitOfAMap) {
+  const std::atomic<bool> stop{false};
+  const std::vector<std::size_t> proven{7};  // 75 Hz, 0.4
+  const Families families = families_of(study(), proven, 2, stop);
+  EXPECT_TRUE(families.not_followed.empty());
+  ASSERT_EQ(families.list.size(), 1u);
+  const Family& family = families.list[0];
+  EXPECT_EQ(family.order(), 2);
+  EXPECT_EQ(family.reached, proven);
+  ASSERT_TRUE(family.orbits.contains(6) && family.orbits.contains(8));
+  const FamilyEnd *low = family.end_between(6, 5), *high = family.end_between(8, 9);
+  ASSERT_TRUE(low && high);
+  EXPECT_EQ(low->kind, "fold");
+  EXPECT_EQ(high->kind, "fold");
+
+  response::motion::Workspace workspace;
+  OrbitProblem problem = scene_orbits(
+      [](double speed_hz) -> std::optional<scene::Scene> {
+        return test::cell_of({.speed_hz = speed_hz, .whirl_ratio = 0.4}).scene;
+      },
+      2, {}, workspace.modes);
+  problem.low = 45;
+  problem.high = 240;
+  problem.parameter_scale = 195;
+  const auto start = orbit_from(problem, family.orbits.at(7).state, 75);
+  ASSERT_TRUE(start);
+  const Branch branch = follow_both_ways(problem, *start, {});
+  ASSERT_EQ(branch.events.size(), 2u);
+  EXPECT_NEAR(std::max(branch.events[0].point.parameter, branch.events[1].point.parameter), high->speed_hz,
+              1e-8);
+  EXPECT_NEAR(std::min(branch.events[0].point.parameter, branch.events[1].point.parameter), low->speed_hz,
+              1e-8);
+}
+
+TEST(Families, DoNotDependOnTheNumberOfThreads) {
+  const std::atomic<bool> stop{false};
+  const std::vector<std::size_t> proven{2, 3, 7};
+  const Families one = families_of(study(), proven, 1, stop), three = families_of(study(), proven, 3, stop);
+  ASSERT_EQ(one.list.size(), three.list.size());
+  for (std::size_t i = 0; i < one.list.size(); ++i) {
+    const Family &a = one.list[i], &b = three.list[i];
+    EXPECT_EQ(a.reached, b.reached);
+    ASSERT_EQ(a.orbits.size(), b.orbits.size());
+    for (const auto& [cell, orbit] : a.orbits) EXPECT_EQ(orbit.state, b.orbits.at(cell).state);
+    ASSERT_EQ(a.ends.size(), b.ends.size());
+    for (std::size_t k = 0; k < a.ends.size(); ++k) {
+      EXPECT_EQ(a.ends[k].speed_hz, b.ends[k].speed_hz);
+      EXPECT_EQ(a.ends[k].kind, b.ends[k].kind);
+    }
+  }
+}
+
+/// A cell whose kick leads to rest has no orbit to follow, whatever a map says.
+TEST(Families, ACellThatIsNotFound) {
+  const std::atomic<bool> stop{false};
+  sweep::Study at_rest = study();
+  at_rest.machine.kick->force_n = 1;
+  const std::vector<std::size_t> proven{7};
+  const Families families = families_of(at_rest, proven, 1, stop);
+  EXPECT_TRUE(families.list.empty());
+  EXPECT_EQ(families.not_followed, proven);
+}
+
+}  // namespace
+}  // namespace rubsweep::branch

@@ -1,0 +1,31 @@
+import run_up_layout
+from files import FileTest
+
+
+class RunUp(FileTest):
+    def setUp(self):
+        super().setUp()
+        self.write("config.yaml", "stops:\n  - kind: one_side\n    angle_deg: 90\n    clearance_m: 0.001\n")
+        self.write("envelope.csv", "speed_hz,lowest_y_m,highest_y_m,peak_displacement_m\n20,-0.001,0.002,0.003\n30,0,0,0\n")
+        self.write("quasi_static.csv", "speed_hz,peak_displacement_m\n20,0.001\n25,\n")
+        self.write("orbits.csv", "orbit,speed_hz,x_m,y_m\n0,22,0.003,0.004\n0,22,0,0\n1,28,0,0.001\n")
+        self.write("spectrogram.csv", "speed_hz,order,amplitude_m\n20,0,9\n20,-2.5,0.001\n20,1,0.002\n24,1,0.003\n24,7,1e-6\n")
+        self.write("rub.csv", "source,from_hz,to_hz\nramp,30,20\nquasi_static,22,28\n")
+
+    def test_all_of_it_in_millimetres(self):
+        shown = run_up_layout.lay_out(self.directory, self.directory)
+        self.assertEqual(shown, {"speeds": "20 30", "clearance": "1", "angle": "90", "orbits": "22 28", "reach": "5.5",
+                                 "order": "3"})
+        self.assertEqual(self.read("envelope"), "20 -1 2 3\n30 0 0 0\n")
+        self.assertEqual(self.read("steady"), "20 1\n")
+        self.assertEqual(self.read("orbits"), "3 4\n0 0\n\n\n0 1\n")
+        self.assertEqual(self.read("rub"), "20 30 1\n22 28 0\n")
+
+    def test_spectra_reach_half_way_to_their_neighbours_and_the_largest_is_on_top(self):
+        run_up_layout.lay_out(self.directory, self.directory)
+        lines = [[float(number) for number in line.split()] for line in self.read("spectrogram").splitlines()]
+        self.assertEqual([line[:4] for line in lines], [[24, 7, 22, 26], [20, -2.5, 18, 22], [20, 1, 18, 22], [24, 1, 22, 26]])
+
+    def test_a_ring_has_no_angle(self):
+        self.write("config.yaml", "stops:\n  - kind: annular\n    clearance_m: 0.001\n")
+        self.assertEqual(run_up_layout.lay_out(self.directory, self.directory)["angle"], "nan")
