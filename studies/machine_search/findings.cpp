@@ -165,8 +165,12 @@ std::vector<Mark> unequal_casings_marks(const Rows& map) {
 
 std::vector<Mark> annulus_marks(const Rows& map) {
   const double circle_top = highest_circle(map);
-  double oval_least = 1e9, circle_least = 1e9, ovals = 0, whips = 0;
+  double oval_least = 1e9, circle_least = 1e9, ovals = 0, whips = 0, low = 0, low_circles = 0;
   for (const sweep::Row& row : map) {
+    if (speed_of(row) < 3 && row.whirl_ratio > 0.3) {
+      ++low;
+      low_circles += is_circle(row);
+    }
     if (is_circle(row)) circle_least = std::min(circle_least, row.whirl_ratio);
     if (!is_comb(row)) continue;
     whips += is_backward(row);
@@ -174,7 +178,7 @@ std::vector<Mark> annulus_marks(const Rows& map) {
     ovals += speed_of(row) > std::max(2.0, circle_top);
     oval_least = std::min(oval_least, row.whirl_ratio);
   }
-  return {{"circle", circle_top > 0 ? std::clamp(circle_top - 1.5, 0.0, 1.0) : 0, 1},
+  return {{"circle", share(low_circles, low), 1},
           {"oval", std::min(1.0, ovals / 6), 1},
           {"oval_small", ovals > 0 && circle_top > 0 && oval_least < circle_least ? 1.0 : 0.0, 1},
           {"no_whip", 1 - share(whips, static_cast<double>(map.size())), 1}};
