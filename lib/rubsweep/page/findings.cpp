@@ -97,7 +97,7 @@ std::optional<std::size_t> largest(const MapTable& map, const Rows& rows, std::s
 
 void add_rub(const MapTable& map, const Words& words, const Rows& rub, std::vector<std::string>& said) {
   if (rub.empty()) {
-    said.push_back("Rub lasts in no cell.");
+    said.emplace_back("Rub lasts in no cell.");
     return;
   }
   const auto lowest = *std::min_element(
