@@ -13,7 +13,8 @@ namespace rubsweep::integrate::adaptive {
 run::Cursor start_dopri5(const scene::Scene& scene, const run::SolverOptions& options) {
   return run::with_coordinates(scene.structure.coordinates(), [&](auto n) {
     constexpr bool dynamic = n() == Eigen::Dynamic;
-    using State = std::conditional_t<dynamic, std::vector<double>, std::array<double, dynamic ? 0 : 2 * n()>>;
+    using State = std::conditional_t<dynamic, std::vector<double>,
+                                     std::array<double, dynamic ? 0 : static_cast<std::size_t>(2 * n())>>;
     return start_run<Dopri5OrRosenbrock4<State>, n()>(scene, options);
   });
 }
