@@ -30,7 +30,7 @@ double WhirlMode::damping_ratio() const { return -root_per_s.real() / std::abs(r
 
 double assurance(const WhirlMode& a, const WhirlMode& b) { return std::norm(a.state.dot(b.state)); }
 
-WhirlProblem::WhirlProblem(const FreeRotor& rotor) : rotor_(rotor), mass_(rotor.system.mass) {
+WhirlProblem::WhirlProblem(const FreeRotor& rotor) : mass_(rotor.system.mass) {
   stiffness_ = normalised(mass_, rotor.system.stiffness);
   damping_ = normalised(mass_, rotor.system.damping);
   gyroscopic_ = normalised(mass_, rotor.system.gyroscopic);

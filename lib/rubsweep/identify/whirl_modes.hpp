@@ -40,7 +40,6 @@ class WhirlProblem {
   WhirlMode mode_of(std::complex<double> root, const Eigen::VectorXcd& state) const;
   void part_by_direction(std::vector<WhirlMode>& modes) const;
 
-  const FreeRotor& rotor_;
   Eigen::LLT<Eigen::MatrixXd> mass_;
   Eigen::VectorXd rad_per_s_;  ///< w
   Eigen::MatrixXd stiffness_, damping_, gyroscopic_, circulatory_;
