@@ -32,7 +32,7 @@ bool cyclically_equal(const std::vector<ModeSwitch>& a, const std::vector<ModeSw
   if (a.empty()) return true;
   std::vector<ModeSwitch> twice = b;
   twice.insert(twice.end(), b.begin(), b.end());
-  return !std::ranges::search(twice, a, same_change).empty();
+  return std::search(twice.begin(), twice.end(), a.begin(), a.end(), same_change) != twice.end();
 }
 
 long hits_of(Switches switches) {

@@ -24,9 +24,8 @@ struct WhirlMode {
 double assurance(const WhirlMode& a, const WhirlMode& b);
 
 /// The eigenproblem (root^2 mass + root (damping + speed gyroscopic) + stiffness + speed circulatory) shape =
-/// 0 of a rotor, which must outlive it. It is solved for states (w p, p') of mass-normalised coordinates p, w
-/// the frequency that each has alone: all numbers are then rates, and the slowest modes come out as well as
-/// the fastest.
+/// 0 of a rotor. It is solved for states (w p, p') of mass-normalised coordinates p, w the frequency that
+/// each has alone: all numbers are then rates, and the slowest modes come out as well as the fastest.
 class WhirlProblem {
  public:
   explicit WhirlProblem(const FreeRotor& rotor);
