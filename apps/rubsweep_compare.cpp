@@ -18,6 +18,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/compare_maps.hpp"
 #include "rubsweep/report/comparison_figure.hpp"
+#include "rubsweep/report/describe_comparison.hpp"
 #include "rubsweep/report/map_columns.hpp"
 
 namespace rubsweep::apps {
@@ -107,7 +108,7 @@ int compare(const po::variables_map& given) {
   std::optional<fs::path> sensitive;
   if (given.count("sensitive")) sensitive = given["sensitive"].as<std::string>();
   const auto comparison = report::compare_maps(maps[0], maps[1], tolerance, sensitive);
-  if (!given.count("quiet")) fmt::print("{}", report::describe(comparison, tolerance));
+  if (!given.count("quiet")) fmt::print("{}", report::describe_comparison(comparison, tolerance));
   if (figure) write_figure(comparison, fmt::format("{} -> {}", maps[0], maps[1]), *figure);
   return comparison.equal() ? done : maps_differ;
 }

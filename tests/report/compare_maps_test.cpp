@@ -15,6 +15,7 @@
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/comparison_figure.hpp"
+#include "rubsweep/report/describe_comparison.hpp"
 #include "rubsweep/report/map_csv.hpp"
 
 namespace rubsweep::report {
@@ -80,7 +81,7 @@ TEST_F(CompareMaps, EqualMapsAreEqual) {
   EXPECT_TRUE(comparison.equal());
   EXPECT_EQ(comparison.axis, "whirl_ratio");
   EXPECT_EQ(
-      describe(comparison, 0),
+      describe_comparison(comparison, 0),
       "4 cells: 4 equal, 0 with another class, 0 with other numbers (beyond 0), 0 in one map only\nequal\n");
 }
 
@@ -99,7 +100,7 @@ TEST_F(CompareMaps, KeysSayWhichCellItIs) {
   EXPECT_TRUE(compare_maps(map("a.csv", 200), map("b.csv", 200), 0).equal());
   const MapComparison moved = compare_maps(map("a.csv", 200), map("b.csv", 300), 0);
   EXPECT_EQ(verdicts(moved), (std::vector{equal, only_in_one, only_in_one}));
-  EXPECT_NE(describe(moved, 0).find(
+  EXPECT_NE(describe_comparison(moved, 0).find(
                 "speed_hz 50, whirl_ratio 0.2, kick.force_n 300: no such cell -> subharmonic 1/2"),
             std::string::npos);
   EXPECT_THROW(compare_maps(map("a.csv", 200), table("plain.csv", cells()), 0), IoError);
@@ -113,7 +114,7 @@ TEST_F(CompareMaps, ClassAndOrderMustBeTheSame) {
   EXPECT_FALSE(comparison.equal());
   EXPECT_EQ(verdicts(comparison), (std::vector{classes_differ, classes_differ, equal, equal}));
   EXPECT_EQ(
-      describe(comparison, 1e-4),
+      describe_comparison(comparison, 1e-4),
       "4 cells: 2 equal, 2 with another class, 0 with other numbers (beyond 0.0001), 0 in one map only\n"
       "  speed_hz 50, whirl_ratio 0.2: subharmonic 1/2 -> subharmonic 1/4\n"
       "  speed_hz 60, whirl_ratio 0.2: non_contact -> unsettled\n"
@@ -133,7 +134,7 @@ TEST_F(CompareMaps, NumbersMayDifferByTheTolerance) {
   EXPECT_EQ(force.cells, 2u);
   EXPECT_EQ(force.cell, 3u) << "the worst";
   EXPECT_NEAR(force.largest.value(), 0.004 / 1.004, 1e-9);
-  EXPECT_NE(describe(comparison, 1e-3)
+  EXPECT_NE(describe_comparison(comparison, 1e-3)
                 .find("  peak_contact_force_n: 2 cells, largest 0.004 at speed_hz 60, "
                       "whirl_ratio 0.4: 500 -> 502\ndifferent\n"),
             std::string::npos);
@@ -153,10 +154,10 @@ TEST_F(CompareMaps, WordsAndEmptyNumbersOfARepeatingMotionMustBeTheSame) {
   other[1].measures->comb_spacing = 0.3;
   const MapComparison comparison = compare(cells(), other);
   EXPECT_EQ(verdicts(comparison), (std::vector{numbers_differ, numbers_differ, equal, equal}));
-  EXPECT_NE(describe(comparison, 1e-4)
+  EXPECT_NE(describe_comparison(comparison, 1e-4)
                 .find("orbit: 1 cells, first at speed_hz 50, whirl_ratio 0.2: oval -> complex"),
             std::string::npos);
-  EXPECT_NE(describe(comparison, 1e-4)
+  EXPECT_NE(describe_comparison(comparison, 1e-4)
                 .find("comb_spacing: 1 cells, first at speed_hz 60, whirl_ratio 0.2: empty -> 0.3"),
             std::string::npos);
 }
@@ -197,7 +198,7 @@ TEST_F(CompareMaps, ColumnsThatOneMapLacksAreNotCompared) {
   EXPECT_TRUE(comparison.equal());
   EXPECT_EQ(comparison.missing_columns,
             (std::vector<std::string>{"peak_casing_displacement_m", "peak_over_clearance"}));
-  EXPECT_NE(describe(comparison, 1e-9)
+  EXPECT_NE(describe_comparison(comparison, 1e-9)
                 .find("not compared: peak_casing_displacement_m, peak_over_clearance, which only one of the "
                       "maps has\n"),
             std::string::npos);
@@ -210,7 +211,8 @@ TEST_F(CompareMaps, ListedCellsAreLeftOut) {
   const auto comparison = compare_maps(table("a.csv", cells()), table("b.csv", other), 0, list);
   EXPECT_TRUE(comparison.equal());
   EXPECT_EQ(verdicts(comparison), (std::vector{sensitive, equal, equal, sensitive}));
-  EXPECT_NE(describe(comparison, 0).find("not compared: 2 sensitive cells, 1 of them with another class\n"),
+  EXPECT_NE(describe_comparison(comparison, 0)
+                .find("not compared: 2 sensitive cells, 1 of them with another class\n"),
             std::string::npos);
 }
 
@@ -240,10 +242,12 @@ TEST_F(CompareMaps, CellsOfOneMapOnlyAreADifference) {
   EXPECT_EQ(verdicts(more), (std::vector{equal, equal, equal, only_in_one}))
       << "the order of rows means nothing";
   EXPECT_FALSE(fewer.equal());
-  EXPECT_NE(describe(fewer, 0).find("  speed_hz 60, whirl_ratio 0.4: subharmonic 1/3 -> no such cell\n"),
-            std::string::npos);
-  EXPECT_NE(describe(more, 0).find("  speed_hz 60, whirl_ratio 0.4: no such cell -> subharmonic 1/3\n"),
-            std::string::npos);
+  EXPECT_NE(
+      describe_comparison(fewer, 0).find("  speed_hz 60, whirl_ratio 0.4: subharmonic 1/3 -> no such cell\n"),
+      std::string::npos);
+  EXPECT_NE(
+      describe_comparison(more, 0).find("  speed_hz 60, whirl_ratio 0.4: no such cell -> subharmonic 1/3\n"),
+      std::string::npos);
 }
 
 TEST_F(CompareMaps, OfEccentricityMapsTheCellsAreFoundByEccentricity) {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/map_cells.hpp"
 #include "rubsweep/report/map_columns.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
 
@@ -22,88 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 using batch::CsvReader;
-using Key = std::vector<double>;  ///< speed, unbalance, then the axes over keys
-
-/// The axis holds few values that come again and again; the other measure follows from it.
-std::string second_axis(const fs::path& map) {
-  CsvReader rows(map);
-  const auto distinct = [](std::vector<double>& values) {
-    std::ranges::sort(values);
-    return std::unique(values.begin(), values.end()) - values.begin();
-  };
-  const std::size_t eccentricity = rows.column("eccentricity_m"), ratio = rows.column("whirl_ratio");
-  std::vector<double> eccentricities, ratios;
-  while (rows.next()) {
-    // What does not apply counts as one value.
-    for (auto& [column, values] : {std::pair(eccentricity, &eccentricities), {ratio, &ratios}}) {
-      const double value = rows.number(column);
-      values->push_back(std::isnan(value) ? -1 : value);
-    }
-  }
-  return distinct(eccentricities) < distinct(ratios) ? "eccentricity_m" : "whirl_ratio";
-}
-
-/// Where the row of a cell is.
-struct CellPlace {
-  Key key;
-  CsvReader::Place row;
-};
-
-/// What follows `mark` in the comments of a map; empty where nothing does.
-std::string comment(const CsvReader& map, std::string_view mark) {
-  for (const std::string& comment : map.comments()) {
-    if (comment.starts_with(mark)) return comment.substr(mark.size());
-  }
-  return "";
-}
-
-/// The columns of the axes over keys, which hold no comma.
-std::vector<std::string> keys_of(const CsvReader& map) {
-  std::vector<std::string> keys;
-  std::istringstream names(comment(map, "keys "));
-  for (std::string name; std::getline(names, name, ',');) keys.push_back(name);
-  return keys;
-}
-
-/// The columns that say which cell a row is.
-std::vector<std::size_t> key_columns(const CsvReader& map, const std::string& axis,
-                                     const std::vector<std::string>& keys) {
-  std::vector<std::size_t> columns{map.column("speed_hz"), map.column(axis)};
-  for (const std::string& key : keys) columns.push_back(map.column(key));
-  return columns;
-}
-
-Key key_of(const CsvReader& row, const std::vector<std::size_t>& columns) {
-  Key key;
-  for (const std::size_t column : columns) key.push_back(row.number(column));
-  return key;
-}
-
-ComparedCell cell_of(const Key& key, CellVerdict verdict, std::string label_a, std::string label_b) {
+ComparedCell cell_of(const CellKey& key, CellVerdict verdict, std::string label_a, std::string label_b) {
   return {key[0], key[1], {key.begin() + 2, key.end()}, verdict, std::move(label_a), std::move(label_b)};
-}
-
-/// The rows of a map, in the order of their cells.
-std::vector<CellPlace> rows_by_cell(const fs::path& map, const std::string& axis,
-                                    const std::vector<std::string>& keys) {
-  CsvReader rows(map);
-  const std::vector<std::size_t> columns = key_columns(rows, axis, keys);
-  std::vector<CellPlace> places;
-  while (rows.next()) places.push_back({key_of(rows, columns), rows.place()});
-  // Rows of one cell stay in the order of the file.
-  std::ranges::stable_sort(places, {}, &CellPlace::key);
-  const auto twice = std::ranges::adjacent_find(places, {}, &CellPlace::key);
-  if (twice != places.end()) {
-    throw IoError(fmt::format("{}:{}: this cell is in the map twice", map.string(), (twice + 1)->row.line));
-  }
-  return places;
-}
-
-/// None where there is no such cell.
-std::optional<std::size_t> find_cell(const std::vector<CellPlace>& places, const Key& key) {
-  const auto place = std::ranges::lower_bound(places, key, {}, &CellPlace::key);
-  if (place == places.end() || place->key != key) return std::nullopt;
-  return static_cast<std::size_t>(place - places.begin());
 }
 
 bool has(const CsvReader& map, std::string_view column) {
@@ -197,39 +117,6 @@ bool compare_columns(const Pair& pair, std::size_t cell, double tolerance, Colum
   return differs;
 }
 
-std::string place(const MapComparison& comparison, const ComparedCell& cell) {
-  std::string text = fmt::format("speed_hz {}, {} {}", cell.speed_hz, comparison.axis, cell.unbalance);
-  for (std::size_t i = 0; i < cell.keys.size(); ++i)
-    text += fmt::format(", {} {}", comparison.keys[i], cell.keys[i]);
-  return text;
-}
-
-/// The cells of a kind, the first twenty by name.
-std::string list_cells(const MapComparison& comparison, CellVerdict verdict) {
-  constexpr std::size_t longest = 20;
-  std::string text;
-  std::size_t listed = 0;
-  for (const ComparedCell& cell : comparison.cells) {
-    if (cell.verdict != verdict || ++listed > longest) continue;
-    const auto shown = [](const std::string& label) { return label.empty() ? "no such cell" : label; };
-    text +=
-        fmt::format("  {}: {} -> {}\n", place(comparison, cell), shown(cell.label_a), shown(cell.label_b));
-  }
-  if (listed > longest) text += fmt::format("  ... and {} more\n", listed - longest);
-  return text;
-}
-
-std::string list_columns(const MapComparison& comparison) {
-  std::string text;
-  for (const ColumnDifference& column : comparison.columns) {
-    const std::string size = column.largest ? fmt::format("largest {:.2g}", *column.largest) : "first";
-    text += fmt::format("  {}: {} cells, {} at {}: {} -> {}\n", column.column, column.cells, size,
-                        place(comparison, comparison.cells[column.cell]),
-                        column.a.empty() ? "empty" : column.a, column.b.empty() ? "empty" : column.b);
-  }
-  return text;
-}
-
 }  // namespace
 
 std::size_t MapComparison::count(CellVerdict verdict) const {
@@ -248,10 +135,10 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
   comparison.keys = keys_of(a);
   if (comparison.keys != keys_of(b)) {
     throw IoError(fmt::format("{}: is swept over other keys than {}: '{}' and '{}'", path_b.string(),
-                              path_a.string(), comment(b, "keys "), comment(a, "keys ")));
+                              path_a.string(), fmt::join(keys_of(b), ","), fmt::join(comparison.keys, ",")));
   }
-  comparison.digest_a = comment(a, "digest ");
-  comparison.digest_b = comment(b, "digest ");
+  comparison.digest_a = comment_after(a, "digest ");
+  comparison.digest_b = comment_after(b, "digest ");
   rows_by_cell(path_a, comparison.axis, comparison.keys);  // no cell twice
   const auto rows_b = rows_by_cell(path_b, comparison.axis, comparison.keys);
   const auto left_out =
@@ -261,7 +148,7 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
   Columns columns;
   std::vector<bool> met(rows_b.size(), false);
   while (a.next()) {
-    const Key key = key_of(a, columns_a);
+    const CellKey key = key_of(a, columns_a);
     ComparedCell cell = cell_of(key, CellVerdict::equal, label(a), "");
     const auto found = find_cell(rows_b, key);
     if (!found) {
@@ -292,33 +179,6 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
       comparison.missing_columns.emplace_back(column.name);
   }
   return comparison;
-}
-
-std::string describe(const MapComparison& comparison, double tolerance) {
-  std::string text;
-  if (comparison.digest_a != comparison.digest_b) {
-    text += fmt::format("digests: {} and {}, two studies\n", comparison.digest_a, comparison.digest_b);
-  }
-  const auto count = [&](CellVerdict verdict) { return comparison.count(verdict); };
-  const auto changed = std::ranges::count_if(comparison.cells, [](const ComparedCell& cell) {
-    return cell.verdict == CellVerdict::sensitive && cell.label_a != cell.label_b;
-  });
-  text += fmt::format(
-      "{} cells: {} equal, {} with another class, {} with other numbers (beyond {}), {} in one map only\n",
-      comparison.cells.size(), count(CellVerdict::equal), count(CellVerdict::classes_differ),
-      count(CellVerdict::numbers_differ), tolerance, count(CellVerdict::only_in_one));
-  if (count(CellVerdict::sensitive) > 0) {
-    text += fmt::format("not compared: {} sensitive cells, {} of them with another class\n",
-                        count(CellVerdict::sensitive), changed);
-  }
-  if (!comparison.missing_columns.empty()) {
-    text += fmt::format("not compared: {}, which only one of the maps has\n",
-                        fmt::join(comparison.missing_columns, ", "));
-  }
-  text += list_cells(comparison, CellVerdict::classes_differ);
-  text += list_columns(comparison);
-  text += list_cells(comparison, CellVerdict::only_in_one);
-  return text + (comparison.equal() ? "equal\n" : "different\n");
 }
 
 }  // namespace rubsweep::report

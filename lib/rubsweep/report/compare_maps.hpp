@@ -51,7 +51,7 @@ struct MapComparison {
 /// or subharmonic in both, orbit and whirl must be equal too and every measured number within `tolerance`
 /// relative to the larger of both, lengths relative to the cell's peak displacement; numbers of motions that
 /// never repeat, and how long a transient lasted, are no property of the cell. `sensitive` is a
-/// table of cells to leave out, with columns speed_hz and the second axis. Measured columns that a map of
+/// table of cells to leave out, with the columns that say which cell it is. Measured columns that a map of
 /// another version lacks are left out. Throws IoError when a column that says which cell and class it is is
 /// missing or a number is none, when a map holds a cell twice, when the maps are swept over different keys,
 /// or a file cannot be read.
@@ -59,8 +59,5 @@ struct MapComparison {
 /// The maps are read a row at a time; of their cells only places and verdicts are kept.
 MapComparison compare_maps(const std::filesystem::path& a, const std::filesystem::path& b, double tolerance,
                            const std::optional<std::filesystem::path>& sensitive = std::nullopt);
-
-/// The comparison for people, ending with "equal" or "different".
-std::string describe(const MapComparison& comparison, double tolerance);
 
 }  // namespace rubsweep::report

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/batch/csv_table.hpp"
+
+namespace rubsweep::report {
+
+/// Which cell a row of map.csv is: speed in Hz, unbalance in the unit of the second axis, then the axes over
+/// keys of the configuration.
+using CellKey = std::vector<double>;
+
+/// Where the row of a cell is.
+struct CellPlace {
+  CellKey key;
+  batch::CsvReader::Place row;
+};
+
+/// What follows `mark` in the comments of a map; empty where nothing does.
+std::string comment_after(const batch::CsvReader& map, std::string_view mark);
+
+/// whirl_ratio or eccentricity_m: the axis holds few values that come again and again; the other measure
+/// follows from it. Throws IoError where a column is missing or the file cannot be read.
+std::string second_axis(const std::filesystem::path& map);
+
+/// The columns of the axes over keys, which hold no comma.
+std::vector<std::string> keys_of(const batch::CsvReader& map);
+
+/// The columns that say which cell a row is. Throws IoError where one is missing.
+std::vector<std::size_t> key_columns(const batch::CsvReader& map, const std::string& axis,
+                                     const std::vector<std::string>& keys);
+
+/// Of the row that was read last, by its `key_columns`.
+CellKey key_of(const batch::CsvReader& row, const std::vector<std::size_t>& columns);
+
+/// The rows of a map, in the order of their cells. Throws IoError where a cell is there twice.
+std::vector<CellPlace> rows_by_cell(const std::filesystem::path& map, const std::string& axis,
+                                    const std::vector<std::string>& keys);
+
+/// Place of a cell in what `rows_by_cell` gave; none where there is no such cell.
+std::optional<std::size_t> find_cell(const std::vector<CellPlace>& places, const CellKey& key);
+
+}  // namespace rubsweep::report
