@@ -14,15 +14,22 @@
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/sweep/row.hpp"
 #include "rubsweep/sweep/study.hpp"
-#include "rubsweep_arguments.hpp"
 
 namespace rubsweep::apps {
+
+/// How a program goes about a sweep.
+struct SweepRun {
+  std::string program;  ///< who says how it goes
+  int threads = 0;
+  batch::ProgressMode progress = batch::ProgressMode::automatic;
+  bool quiet = false;
+};
 
 /// Computes the cells that a directory misses and writes each one down as it is finished.
 class MissingCells {
  public:
   /// All three must outlive it. Opens journal and partial map; throws IoError.
-  MissingCells(const RubsweepArguments& arguments, const sweep::Study& study, MapDirectory& directory);
+  MissingCells(const SweepRun& how, const sweep::Study& study, MapDirectory& directory);
 
   /// False when a signal came before all were finished. Cells that still run half a second after it are given
   /// up: nothing of them is in the journal, and the process ends without them.
@@ -38,7 +45,7 @@ class MissingCells {
   void leave();
   void say_interrupted();
 
-  const RubsweepArguments& arguments_;
+  const SweepRun& how_;
   const sweep::Study& study_;
   MapDirectory& directory_;
   const std::atomic<bool>& stop_;
@@ -51,5 +58,8 @@ class MissingCells {
   std::vector<int> labels_;             ///< of a refined map
   std::map<std::string, int> numbers_;  ///< of its labels
 };
+
+/// Says how many cells were finished before, and computes the others. False when a signal came.
+bool compute_missing_cells(const SweepRun& how, const sweep::Study& study, MapDirectory& directory);
 
 }  // namespace rubsweep::apps

@@ -75,12 +75,8 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
     throw IoError(fmt::format("nothing to merge yet: {} of {} cells are not finished",
                               directory.missing().size(), directory.cells()));
   }
-  if (!arguments.quiet && !arguments.merge && directory.finished() > 0) {
-    say(fmt::format("rubsweep: {} of {} cells were finished before\n", directory.finished(),
-                    directory.cells()));
-  }
-  if (!directory.missing().empty() && !MissingCells(arguments, config.study, directory).run())
-    return 128 + caught_signal();
+  const SweepRun how{"rubsweep", arguments.threads, arguments.progress, arguments.quiet};
+  if (!arguments.merge && !compute_missing_cells(how, config.study, directory)) return 128 + caught_signal();
   if (arguments.shard) {
     if (!arguments.quiet)
       fmt::print("{} cells finished; when every shard is: rubsweep --merge\n", directory.cells());

@@ -22,7 +22,7 @@ namespace rubsweep::config {
 namespace {
 
 constexpr std::string_view allowed_keys =
-    "a number of rotor, stops, kick, gravity_m_per_s2, solver or response, as --print-config names it";
+    "a number of rotor, stops, kick, start, gravity_m_per_s2, solver or response, as --print-config names it";
 
 /// The study as a document without what no key of an axis may name.
 Node document_of(const sweep::Study& study) {
