@@ -65,7 +65,7 @@ do for [format in "png svg"] {
   }
   set output output . "." . format
   plot for [k = 1:named + 2] starts using ($7 == number(k) ? $1 : NaN):2:3:4:5:6 with boxxyerror linecolor rgb tint[k] \
-         linewidth 0.5 fillstyle solid 1 noborder notitle, \
+         linewidth 0.5 fillstyle solid 1 border notitle, \
        for [k = 1:named + 2] NaN with boxes linecolor rgb tint[k] fillstyle solid 1 noborder title (is_shown(k) ? name[k] : ""), \
        NaN with lines linecolor rgb "black" dashtype 2 linewidth 1.5 title (words(wall) == 2 ? "wall at rest" : "")
   unset output

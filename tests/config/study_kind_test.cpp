@@ -74,5 +74,19 @@ TEST(StudyKind, RefusesWhatIsNoScan) {
             "study.tolerance: 0 is out of range, allowed: a number >= 1e-12 and <= 0.5");
 }
 
+TEST(StudyKind, RefusesAKeyThatAnAxisVaries) {
+  const std::string axis =
+      "sweep={speed_hz: {values: [60]}, whirl_ratio: {values: [0.5]}, x: {key: kick.force_n, values: [1]}}";
+  for (const std::string study : {"{kind: threshold, key: kick.force_n, values: [1, 10]}",
+                                  "{kind: basin, samples: 9, over: [{key: kick.force_n, from: 0, to: 4}]}"}) {
+    const std::string message = message_of(
+        test_file("minimal.yaml"), {"kick={force_n: 200, duration_s: 0.005}", axis, "study=" + study});
+    EXPECT_NE(
+        message.find("kick.force_n: is varied by an axis of the sweep as well, allowed: one of the two"),
+        std::string::npos)
+        << message;
+  }
+}
+
 }  // namespace
 }  // namespace rubsweep::config

@@ -7,6 +7,7 @@
 
 #include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
+#include "rubsweep/error.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/sweep/row.hpp"
 
@@ -41,13 +42,14 @@ class BasinSliceTest : public testing::Test {
     return read_basin_slice(file, {{"x_m", "casing0_vy_m_per_s"}, {std::move(across), std::move(up)}});
   }
 
-  batch::TemporaryDirectory directory_;
+  TemporaryDirectory directory_;
 };
 
 TEST_F(BasinSliceTest, NumbersTheAttractorsOfItsRows) {
-  const BasinSlice slice = read({row_of(MotionClass::non_contact, 1e-4), row_of(MotionClass::subharmonic, 2e-3),
-                                 row_of(MotionClass::subharmonic, 2e-3), row_of(MotionClass::failed, 0)},
-                                {-1e-3, 1e-3}, {0, 0.5});
+  const BasinSlice slice =
+      read({row_of(MotionClass::non_contact, 1e-4), row_of(MotionClass::subharmonic, 2e-3),
+            row_of(MotionClass::subharmonic, 2e-3), row_of(MotionClass::failed, 0)},
+           {-1e-3, 1e-3}, {0, 0.5});
   EXPECT_EQ(slice_csv(slice, "# c\n"),
             "# c\nx_m,casing0_vy_m_per_s,attractor,label,status\n"
             "-0.001,0,2,non_contact,ok\n"
@@ -87,12 +89,15 @@ TEST_F(BasinSliceTest, SaysTheEntropiesAndTheExponentOfALine) {
 
 TEST_F(BasinSliceTest, OfOneAttractorHasNoBoundary) {
   const std::vector<sweep::Row> rows(36, row_of(MotionClass::non_contact, 1e-3));
-  EXPECT_NE(slice_summary(read(rows, places(6), places(6))).find("one attractor: no boundary"), std::string::npos);
+  EXPECT_NE(slice_summary(read(rows, places(6), places(6))).find("one attractor: no boundary"),
+            std::string::npos);
 }
 
 TEST_F(BasinSliceTest, RefusesTheMapOfAnotherPlane) {
   const std::vector<sweep::Row> rows(5, row_of(MotionClass::non_contact, 1e-3));
-  EXPECT_NE(message_of([&] { read(rows, places(2), places(2)); }).find("map.csv: holds 5 rows, allowed: one for each of the 4 starts"),
+  EXPECT_NE(message_of<IoError>([&] {
+              read(rows, places(2), places(2));
+            }).find("map.csv: holds 5 rows, allowed: one for each of the 4 starts"),
             std::string::npos);
 }
 

@@ -38,10 +38,10 @@ sweep::Study read_study(Section& root) {
     study.machine.stops = read_stops(*value, shaft);
     refuse_torsion_in_annular_stops(*value, study.machine);
   }
-  if (const auto value = root.find("start")) study.machine.start = read_start(*value, study.machine.stops);
-  if (const auto value = root.find("kick")) {
-    study.machine.kick = read_kick(*value, shaft);
-    if (study.machine.start) refuse(*value, "is given beside a start", "one of the two");
+  if (const auto value = root.find("kick")) study.machine.kick = read_kick(*value, shaft);
+  if (const auto value = root.find("start")) {
+    study.machine.start = read_start(*value, study.machine.stops);
+    if (study.machine.kick) refuse(*value, "is given beside a kick", "one of the two");
   }
   root.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);
   if (const auto value = root.require("sweep", "a map")) study.grid = read_sweep(*value);

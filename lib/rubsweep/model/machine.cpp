@@ -82,7 +82,7 @@ void validate(const Start& start, const Machine& machine) {
       throw ConfigError(path + ": there is no such casing, or it is rigid, allowed: a casing that moves");
     validate(*start.casings[i], path + ".");
   }
-  if (machine.kick) throw ConfigError("kick: is given beside a start, allowed: one of the two");
+  if (machine.kick) throw ConfigError("start: is given beside a kick, allowed: one of the two");
 }
 
 /// Places along the shaft: a rotor kit has them, a Jeffcott rotor has none.

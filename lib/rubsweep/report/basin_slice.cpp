@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "rubsweep/basin/basin_entropy.hpp"
 #include "rubsweep/basin/uncertainty_exponent.hpp"
@@ -113,17 +112,17 @@ BasinSlice read_basin_slice(const std::filesystem::path& map, const SlicePlane& 
   batch::CsvReader rows(map);
   const MotionReader reader(rows);
   BasinSlice slice{plane, {}, {}};
-  std::vector<sweep::SampledMotion> motions;
+  sweep::AttractorCount count;
   while (rows.next()) {
-    motions.push_back(reader.motion(rows));
+    count.add(reader.motion(rows));
     slice.statuses.push_back(reader.status(rows));
   }
   const std::size_t starts = plane.values[0].size() * plane.values[1].size();
-  if (motions.size() != starts) {
+  if (slice.statuses.size() != starts) {
     throw IoError(fmt::format("{}: holds {} rows, allowed: one for each of the {} starts", map.string(),
-                              motions.size(), starts));
+                              slice.statuses.size(), starts));
   }
-  slice.basins = sweep::tell_apart(std::move(motions));
+  slice.basins = count.basins();
   return slice;
 }
 

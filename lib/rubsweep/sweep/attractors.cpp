@@ -25,19 +25,6 @@ bool alike(const SampledMotion& a, const SampledMotion& b) {
   return true;
 }
 
-/// The number of the attractor, from 1 in the order in which they are met.
-int number_of(SampledMotion&& motion, Basins& basins) {
-  if (motion.failed) {
-    ++basins.failed;
-    return 0;
-  }
-  auto known = std::ranges::find_if(
-      basins.attractors, [&](const Attractor& attractor) { return alike(attractor.motion, motion); });
-  if (known == basins.attractors.end()) known = basins.attractors.insert(known, Attractor{std::move(motion)});
-  ++known->samples;
-  return static_cast<int>(known - basins.attractors.begin()) + 1;
-}
-
 void sort_by_frequency(Basins& basins) {
   std::vector<std::size_t> order(basins.attractors.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -55,12 +42,25 @@ void sort_by_frequency(Basins& basins) {
 
 }  // namespace
 
-Basins tell_apart(std::vector<SampledMotion> motions) {
-  Basins basins;
-  for (SampledMotion& motion : motions) basins.numbers.push_back(number_of(std::move(motion), basins));
+void AttractorCount::add(SampledMotion motion) {
+  if (motion.failed) {
+    ++met_.failed;
+    met_.numbers.push_back(0);
+    return;
+  }
+  auto known = std::ranges::find_if(
+      met_.attractors, [&](const Attractor& attractor) { return alike(attractor.motion, motion); });
+  if (known == met_.attractors.end())
+    known = met_.attractors.insert(known, Attractor{.motion = std::move(motion)});
+  ++known->samples;
+  met_.numbers.push_back(static_cast<int>(known - met_.attractors.begin()) + 1);
+}
+
+Basins AttractorCount::basins() const {
+  Basins basins = met_;
   for (Attractor& attractor : basins.attractors) {
-    attractor.share = basin::fraction(attractor.samples, motions.size());
-    attractor.standard_error = basin::standard_error(attractor.share, motions.size());
+    attractor.share = basin::fraction(attractor.samples, basins.numbers.size());
+    attractor.standard_error = basin::standard_error(attractor.share, basins.numbers.size());
   }
   sort_by_frequency(basins);
   return basins;

@@ -30,8 +30,17 @@ struct Basins {
   std::size_t failed = 0;    ///< starts whose run failed; they count among the starts and to no attractor
 };
 
-/// Orbits are one attractor when their names are equal and no length differs by more than a thousandth of the
-/// largest one.
-Basins tell_apart(std::vector<SampledMotion> motions);
+/// Tells attractors apart, a start at a time: orbits are one attractor when their names are equal and no
+/// length differs by more than a thousandth of the largest one. Keeps one orbit for each attractor.
+class AttractorCount {
+ public:
+  void add(SampledMotion motion);
+
+  /// All that were added.
+  Basins basins() const;
+
+ private:
+  Basins met_;  ///< in the order in which they are met, without shares
+};
 
 }  // namespace rubsweep::sweep

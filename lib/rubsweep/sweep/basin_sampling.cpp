@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "rubsweep/basin/low_discrepancy.hpp"
 
@@ -24,9 +23,9 @@ std::vector<KeyValue> draw(const BasinSampling& sampling, std::size_t index) {
 
 Basins sample_basins(const BasinSampling& sampling,
                      const std::function<SampledMotion(const std::vector<KeyValue>&)>& run) {
-  std::vector<SampledMotion> motions;
-  for (std::size_t i = 0; i < sampling.samples; ++i) motions.push_back(run(draw(sampling, i)));
-  return tell_apart(std::move(motions));
+  AttractorCount count;
+  for (std::size_t i = 0; i < sampling.samples; ++i) count.add(run(draw(sampling, i)));
+  return count.basins();
 }
 
 }  // namespace rubsweep::sweep
