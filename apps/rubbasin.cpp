@@ -45,7 +45,7 @@ config::RunConfig sliced_config(const RubbasinArguments& arguments) {
     axes[i] = axis_of(number, range, arguments.starts[i]);
   }
   std::vector<std::string> overrides = arguments.overrides;
-  overrides.emplace_back("study=");
+  overrides.emplace_back("study={kind: map}");
   overrides.emplace_back("response.robustness=off");
   // What the configuration says of the start stays; with any, nothing is kicked.
   if (has_state && !given.study.machine.start) overrides.emplace_back("start={}");

@@ -51,9 +51,10 @@ rm whole/slice.csv
 expect_exit 0 "${slice[@]}" --output whole
 expect_contains stderr 'rubbasin: the map is there, nothing is left to do'
 expect_same whole/slice.csv threads/slice.csv
-expect_exit 2 "${slice[@]}" --output whole --plane x,vy
+other=("${slice[@]/y,vy/x,vy}")
+expect_exit 2 "${other[@]}" --output whole
 expect_contains stderr 'is a finished map of another configuration'
-expect_exit 0 "${slice[@]}" --output whole --plane x,vy --fresh --quiet
+expect_exit 0 "${other[@]}" --output whole --fresh --quiet
 expect_contains whole/slice.csv 'x_m,vy_m_per_s,attractor'
 # What a killed --fresh leaves is no slice of another plane.
 killed_at 20 other "${slice[@]}"

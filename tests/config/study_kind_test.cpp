@@ -49,6 +49,12 @@ TEST(StudyKind, ReadsAndPrintsBasins) {
   EXPECT_EQ(print_config(read_run_config_text(print_config(config), "printed", {})), print_config(config));
 }
 
+TEST(StudyKind, OfAMapIsThatOfNoStudy) {
+  const RunConfig plain = read_run_config_text(test_file("minimal.yaml"), "test.yaml",
+                                               {"kick={force_n: 200, duration_s: 0.005}"});
+  EXPECT_EQ(print_config(with("{kind: map}")), print_config(plain));
+}
+
 TEST(StudyKind, RefusesBasinsThatCannotBeDrawn) {
   EXPECT_EQ(problem("{kind: basin, samples: 0, over: [{key: kick.force_n, from: 1, to: 400}]}"),
             "study.samples: 0 is out of range, allowed: an integer from 1 to 1000000");
@@ -62,7 +68,7 @@ TEST(StudyKind, RefusesBasinsThatCannotBeDrawn) {
 
 TEST(StudyKind, RefusesWhatIsNoScan) {
   EXPECT_EQ(problem("{kind: treshold}"),
-            "study.kind: 'treshold' is unknown (did you mean 'threshold'?), allowed: threshold, basin");
+            "study.kind: 'treshold' is unknown (did you mean 'threshold'?), allowed: threshold, basin, map");
   EXPECT_EQ(problem("{kind: threshold, key: kick.force_n, values: [20, 10]}"),
             "study.values: does not ascend, allowed: two values or more, each larger than the one before");
   EXPECT_EQ(

@@ -113,6 +113,42 @@ TEST(EvaluateCell, SaysHowItStarted) {
   EXPECT_EQ(evaluate(study).start, RunStart::quiet);
 }
 
+/// By another route: a kick that is over at once gives the rotor its impulse / mass.
+TEST(EvaluateCell, AGivenVelocityIsAKickOfNoLength) {
+  const double impulse_ns = 0.64, duration_s = 1e-10;
+  Study study = one_side_study({75}, {0.4});
+  study.machine.kick->force_n = impulse_ns * std::numbers::pi / 2 / duration_s;
+  study.machine.kick->duration_s = duration_s;
+  const Row kicked = evaluate(study);
+  const scene::Scene quiet = scene::build_cell(study.machine, 75, scene::WhirlRatio{0.4}).scene;
+  study.machine.kick.reset();
+  study.machine.start = {.rotor = {.vy_m_per_s = quiet.velocity_m_per_s(1) + impulse_ns / 0.8}};
+  const Row started = evaluate(study);
+  EXPECT_EQ(started.start, RunStart::state);
+  EXPECT_TRUE(row_of(started.motion_class).rubs);
+  EXPECT_EQ(motion_name(started), motion_name(kicked));
+  ASSERT_TRUE(started.measures && kicked.measures);
+  EXPECT_NEAR(started.measures->contact.peak_displacement_m, kicked.measures->contact.peak_displacement_m,
+              1e-8);
+  study.robustness = Robustness::on;
+  EXPECT_FALSE(evaluate(study).robust);
+}
+
+/// Behind the wall and in front of it, where the quiet whirl reaches the wall: there the rotor rests without
+/// a given start.
+TEST(EvaluateCell, MayStartInTheWall) {
+  Study study = one_side_study({75}, {1.2});
+  study.machine.kick.reset();
+  study.machine.start = {.rotor = {.y_m = 1.1e-3}};
+  for (const auto method : {integrate::run::Method::exact, integrate::run::Method::adaptive}) {
+    study.solver.method = method;
+    const Row row = evaluate(study);
+    EXPECT_EQ(row.start, RunStart::state);
+    EXPECT_EQ(row.status, "ok");
+    EXPECT_TRUE(row.last_contact_revolution);
+  }
+}
+
 TEST(EvaluateCell, WhatCannotBeRunIsNot) {
   Study study = one_side_study({75}, {0.5});
   study.machine.stops[0].geometry = model::OneSideGeometry{-90};
