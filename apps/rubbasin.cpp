@@ -69,7 +69,12 @@ int write_slice(const RubbasinArguments& arguments, const config::RunConfig& con
                directory.string());
   }
   if (arguments.figure) {
-    arguments.figure->draw("draw_basin.py", directory, "Basins of one cell");
+    const bool by_ratio = config.study.grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
+    const double unbalance = arguments.cell.unbalance;
+    arguments.figure->draw("draw_basin.py", directory,
+                           fmt::format("Basins at {:.6g} Hz, {}", arguments.cell.speed_hz,
+                                       by_ratio ? fmt::format("whirl ratio {:.6g}", unbalance)
+                                                : fmt::format("eccentricity {:.6g} mm", 1e3 * unbalance)));
     if (!arguments.quiet) fmt::print("figure    {}\n", arguments.figure->file().string());
   }
   return slice.basins.failed > 0 ? some_cells_failed : done;

@@ -1,7 +1,8 @@
 # Draws the slice of starts that analysis/basin_layout.py lays out, one colour per attractor.
 # gnuplot -c basin.gp WORK OUTPUT_BASENAME HEADING ATTRACTORS OTHERS X_LABEL Y_LABEL WALL
-# WORK holds starts and legend (a line per attractor, what is said behind its kind); ATTRACTORS: kind and rank among its kind, for each; OTHERS: how many
-# attractors have no name of their own; WALL: the axis (0: x) and the place of the first wall at rest, or nothing.
+# WORK holds starts and legend (a line per attractor: what is said of a subharmonic, of others behind the name of their
+# kind); ATTRACTORS: kind and rank among its kind, for each; OTHERS: how many attractors have no name of their own; WALL:
+# the axis (0: x) and the place of the first wall at rest, or nothing.
 
 work = ARG1
 output = ARG2
@@ -24,7 +25,7 @@ do for [k = 1:named] {
   do for [i = 1:kinds] { if (word(attractors, 2 * k - 1) eq kind[i]) { found = i } }
   if (found == 0) { exit error "basin.gp: unknown kind: " . word(attractors, 2 * k - 1) }
   tint[k] = shade(colour[found], int(word(attractors, 2 * k)))
-  name[k] = legend[found] . system(sprintf("sed -n %dp '%s/legend'", k, work))
+  name[k] = (strstrt(kind[found], "subharmonic") == 1 ? "" : legend[found]) . system(sprintf("sed -n %dp '%s/legend'", k, work))
 }
 tint[named + 1] = "#BBBBBB"
 name[named + 1] = sprintf("%d other attractors", others)

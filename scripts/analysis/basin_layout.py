@@ -16,16 +16,19 @@ _KIND = re.compile(r"[a-z_0-9]+")
 
 
 class Attractor:
-    """One row of attractors.csv; `legend` is what the picture says of it behind its kind."""
+    """One row of attractors.csv; `legend` is what the picture says of it, behind the name of its kind unless it is a
+    subharmonic."""
 
     def __init__(self, row, rank):
         self.kind = kind_of(row["label"])
         self.rank = rank  # of those of its kind, from 0
-        share, error = (100 * csv_table.number(row, name) for name in ("share", "standard_error"))
-        self.legend = f": {share:.1f} ± {error:.1f} %"
+        self.legend = f": {100 * csv_table.number(row, 'share'):.1f} %"
         # Others have no length of their own.
         if self.kind == "synchronous" or self.kind.startswith("subharmonic"):
             self.legend = f", {1e3 * csv_table.number(row, 'peak_displacement_m'):.3g} mm" + self.legend
+        # The name of the kind leaves orders from 8 on open.
+        if self.kind.startswith("subharmonic"):
+            self.legend = row["label"] + self.legend
 
 
 class Slice:
@@ -38,8 +41,7 @@ class Slice:
         self.columns = _columns(files["slice.csv"])
         self.starts = list(csv_table.read_table(files["slice.csv"], "attractor"))
         self.attractors = []
-        for row in csv_table.read_table(files["attractors.csv"], "attractor", "label", "share", "standard_error",
-                                        "peak_displacement_m"):
+        for row in csv_table.read_table(files["attractors.csv"], "attractor", "label", "share", "peak_displacement_m"):
             kind = kind_of(row["label"])
             if not _KIND.fullmatch(kind):  # it becomes part of gnuplot's commands
                 raise Failure(f"{files['attractors.csv']}: '{kind}' is no kind of motion")

@@ -91,7 +91,7 @@ std::string entropies(const basin::LabelGrid& grid, std::size_t labels) {
   if (entropy.boundary == 0) return text + "boundary basin entropy: none, no box holds a boundary\n";
   return text + fmt::format("boundary basin entropy {:.3f} ({} log 2 = {:.3f}: {})\n", entropy.boundary,
                             entropy.boundary > std::numbers::ln2 ? "above" : "not above", std::numbers::ln2,
-                            entropy.boundary > std::numbers::ln2 ? "the boundary is fractal"
+                            entropy.boundary > std::numbers::ln2 ? "the boundary is fractal down to this grid"
                                                                  : "it does not show a fractal boundary");
 }
 
