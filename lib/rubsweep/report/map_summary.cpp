@@ -102,10 +102,11 @@ std::string MapSummary::warning() const {
 
 std::string MapSummary::why_all_is_quiet() const {
   if (total_ == 0 || non_contact_ != total_) return "";
-  if (touched_ == 0 && stated_ > 0)
-    return "no wall was ever touched: no start (start.x_m, start.vx_m_per_s, ...) leads to one\n";
-  if (kicked_ == 0 && stated_ == 0)
-    return "no wall was ever touched: there is no kick (kick.force_n, kick.duration_s)\n";
+  if (stated_ > 0) {
+    return touched_ == 0 ? "no wall was ever touched: no start (start.x_m, start.vx_m_per_s, ...) leads to one\n"
+                         : "nothing rubs on: the rotor reached a wall, but came free of it everywhere\n";
+  }
+  if (kicked_ == 0) return "no wall was ever touched: there is no kick (kick.force_n, kick.duration_s)\n";
   if (touched_ == 0) {
     return "no wall was ever touched: the kick is too weak to reach one (kick.force_n, or larger whirl "
            "ratios)\n";
