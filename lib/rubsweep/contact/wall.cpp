@@ -78,6 +78,14 @@ Eigen::Vector2d normal_at(const Wall& wall, const Eigen::Vector2d& distance) {
                     wall);
 }
 
+Outline outline(const Wall& wall) {
+  return std::visit(overloaded{[](const FlatWall& flat) -> Outline { return {.normal = flat.normal}; },
+                               [](const AnnularWall& annular) -> Outline {
+                                 return {.around = true, .centre = -annular.offset};
+                               }},
+                    wall);
+}
+
 Eigen::MatrixXd rows_against(const Wall& wall, const RelativeMap& relative) {
   return std::visit(
       overloaded{[&](const FlatWall& flat) -> Eigen::MatrixXd { return flat.normal.transpose() * relative; },

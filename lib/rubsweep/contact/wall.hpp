@@ -58,6 +58,14 @@ Eigen::Vector2d first_direction(const Wall& wall);
 /// direction and touches nothing: +y there.
 Eigen::Vector2d normal_at(const Wall& wall, const Eigen::Vector2d& distance);
 
+/// How a wall is drawn, seen from the rotor's rest position.
+struct Outline {
+  bool around = false;           ///< a circle around the rotor, else a line
+  Eigen::Vector2d normal{0, 1};  ///< of a line: from the rest position towards it
+  Eigen::Vector2d centre{0, 0};  ///< of a circle
+};
+Outline outline(const Wall& wall);
+
 /// Map from the displacements q to rotor point - casing point.
 using RelativeMap = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 
