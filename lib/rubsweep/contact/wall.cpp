@@ -39,6 +39,13 @@ Wall wall_of(const model::StopGeometry& geometry) {
                     geometry);
 }
 
+Wall in_units(const Wall& wall, double unit) {
+  return std::visit(
+      overloaded{[](const FlatWall& flat) -> Wall { return flat; },
+                 [&](const AnnularWall& annular) -> Wall { return AnnularWall{annular.offset / unit}; }},
+      wall);
+}
+
 bool same(const Wall& a, const Wall& b) {
   return std::visit(
       overloaded{[](const FlatWall& x, const FlatWall& y) { return x.normal == y.normal; },

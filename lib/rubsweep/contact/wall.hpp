@@ -33,6 +33,9 @@ Eigen::Vector2d direction(double angle_deg);
 /// In metres, as the configuration says it.
 Wall wall_of(const model::StopGeometry& geometry);
 
+/// With its lengths divided by `unit`.
+Wall in_units(const Wall& wall, double unit);
+
 bool same(const Wall& a, const Wall& b);
 
 /// Whether the penetration is linear in the displacements, so that the exact solver has closed forms for it.
