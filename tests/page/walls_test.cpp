@@ -11,7 +11,7 @@ namespace {
 /// Over clearances; one of them is not allowed.
 sweep::Study clearance_study(std::vector<double> clearance_m) {
   sweep::Study study = sweep::one_side_study({50, 60}, {0.2});
-  study.grid.axes = {{{{"stops.0.clearance_m", 1}}, std::move(clearance_m)}};
+  study.grid.axes = {{{"stops.0.clearance_m"}, {1}, std::move(clearance_m)}};
   study.with_keys = [machine = study.machine](std::span<const sweep::KeyValue> keys) {
     if (!(keys.front().value > 0)) throw ConfigError("stops.0.clearance_m: allowed: a number > 0");
     sweep::Study own;
