@@ -1,15 +1,16 @@
 # Draws the slice of starts that analysis/basin_layout.py lays out, one colour per attractor.
-# gnuplot -c basin.gp WORK OUTPUT_BASENAME HEADING ATTRACTORS OTHERS X_LABEL Y_LABEL WALL
-# WORK holds starts and legend (a line per attractor: what is said of a subharmonic, of others behind the name of their
-# kind); ATTRACTORS: kind and rank among its kind, for each; OTHERS: how many attractors have no name of their own; WALL:
-# the axis (0: x) and the place of the first wall at rest, or nothing.
+# gnuplot -c basin.gp WORK OUTPUT_BASENAME HEADING ATTRACTORS LEGEND OTHERS X_LABEL Y_LABEL WALL
+# WORK holds starts; ATTRACTORS: kind and rank among its kind, for each; LEGEND: what is said of each, a | behind it (of a
+# subharmonic all, of others what stands behind the name of their kind); OTHERS: how many attractors have no name of their
+# own; WALL: the axis (0: x) and the place of the first wall at rest, or nothing.
 
 work = ARG1
 output = ARG2
 heading = ARG3
 attractors = ARG4
-others = int(ARG5)
-wall = ARG8
+rest_of_legend = ARG5
+others = int(ARG6)
+wall = ARG9
 load ARG0[1:strlen(ARG0) - strlen("basin.gp")] . "motion_kinds.gp"
 starts = work . "/starts"
 named = words(attractors) / 2
@@ -25,7 +26,9 @@ do for [k = 1:named] {
   do for [i = 1:kinds] { if (word(attractors, 2 * k - 1) eq kind[i]) { found = i } }
   if (found == 0) { exit error "basin.gp: unknown kind: " . word(attractors, 2 * k - 1) }
   tint[k] = shade(colour[found], int(word(attractors, 2 * k)))
-  name[k] = (strstrt(kind[found], "subharmonic") == 1 ? "" : legend[found]) . system(sprintf("sed -n %dp '%s/legend'", k, work))
+  end = strstrt(rest_of_legend, "|")
+  name[k] = (strstrt(kind[found], "subharmonic") == 1 ? "" : legend[found]) . rest_of_legend[1:end - 1]
+  rest_of_legend = rest_of_legend[end + 1:*]
 }
 tint[named + 1] = "#BBBBBB"
 name[named + 1] = sprintf("%d other attractors", others)
@@ -38,8 +41,8 @@ stats starts using 7 name "NUMBER" nooutput
 set xrange [LOW_min_x:HIGH_max_x]
 set yrange [LOW_min_y:HIGH_max_y]
 set title heading
-set xlabel ARG6
-set ylabel ARG7
+set xlabel ARG7
+set ylabel ARG8
 set xtics out nomirror
 set ytics out nomirror
 set encoding utf8

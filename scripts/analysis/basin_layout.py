@@ -28,7 +28,7 @@ class Attractor:
             self.legend = f", {1e3 * csv_table.number(row, 'peak_displacement_m'):.3g} mm" + self.legend
         # The name of the kind leaves orders from 8 on open.
         if self.kind.startswith("subharmonic"):
-            self.legend = row["label"] + self.legend
+            self.legend = f"subharmonic 1/{_order(row['label'])}" + self.legend
 
 
 class Slice:
@@ -67,8 +67,8 @@ class Slice:
 
 def kind_of(label):
     """subharmonic 1/2 -> subharmonic_2, as domain_map.kind_of names a row."""
-    name, slash, order = label.partition(" 1/")
-    return f"{name}_{min(int(order), domain_map.LARGEST_NAMED_ORDER)}" if slash else name
+    name, slash, _ = label.partition(" 1/")
+    return f"{name}_{min(_order(label), domain_map.LARGEST_NAMED_ORDER)}" if slash else name
 
 
 def axis_label(column):
@@ -88,6 +88,13 @@ def box_lines(slice_):
     across, up = domain_map.edges(places[0]), domain_map.edges(places[1])
     for x, y, number in zip(*places, slice_.numbers()):
         yield " ".join("%.17g" % value for value in (x, y, *across[x], *up[y])) + f" {number}"
+
+
+def _order(label):
+    order = label.partition(" 1/")[2]
+    if not order.isdecimal():
+        raise Failure(f"'{label}' is no motion")
+    return int(order)
 
 
 def _scaled(row, column):

@@ -16,10 +16,11 @@ def main(arguments):
     wall = slice_.wall()
     gnuplot.draw_files(
         "basin.gp",
-        {"starts": basin_layout.box_lines(slice_), "legend": (attractor.legend for attractor in named)},
+        {"starts": basin_layout.box_lines(slice_)},
         output,
         map_heading.heading(arguments[2], slice_.config),
         " ".join(f"{attractor.kind} {attractor.rank}" for attractor in named),
+        "".join(attractor.legend + "|" for attractor in named),
         "%d" % max(0, len(slice_.attractors) - len(named)),
         basin_layout.axis_label(slice_.columns[0]),
         basin_layout.axis_label(slice_.columns[1]),

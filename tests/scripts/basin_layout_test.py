@@ -60,6 +60,11 @@ class SliceTest(FileTest):
         self.assertEqual(self.slice_of("x_m,y_m", angle=180).wall(), (0, -1))
         self.assertIsNone(self.slice_of("x_m,y_m", angle=45).wall())
 
+    def test_a_label_is_no_text_of_its_own(self):
+        for label in ("subharmonic 1/2|x", "subharmonic 1/", "subharmonic 1/2; x"):
+            with self.assertRaisesRegex(Failure, "no motion"):
+                self.slice_of(attractors=ATTRACTORS.replace("1,subharmonic 1/2", f"1,{label}"))
+
     def test_refuses_what_rubbasin_did_not_write(self):
         with self.assertRaisesRegex(Failure, "not two numbers of a start"):
             self.slice_of("x_m,y_m,vx_m_per_s", table=SLICE.replace("-0.001,0,1", "-0.001,0,0,1").split("0.001,0,2")[0])
