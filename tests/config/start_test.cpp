@@ -76,7 +76,8 @@ TEST(Start, RefusesWhatItCannotBe) {
       "--set start={casings: {0: {x_m: 0}}}: start.casings.0: is of a rigid casing, which has no state, "
       "allowed: a casing that moves");
   EXPECT_EQ(problem("start={casings: {2: {x_m: 0}}}"),
-            "--set start={casings: {2: {x_m: 0}}}: start.casings.2: unknown key, allowed: 0, 1");
+            "--set start={casings: {2: {x_m: 0}}}: start.casings.2: unknown key (did you mean '0'?), "
+            "allowed: 0, 1");
 }
 
 TEST(Start, RefusesAKickBesideIt) {

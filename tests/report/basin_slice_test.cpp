@@ -60,7 +60,7 @@ TEST_F(BasinSliceTest, NumbersTheAttractorsOfItsRows) {
             "attractor,label,starts,share,standard_error,peak_displacement_m,amplitude_1x_forward_m,"
             "amplitude_1x_backward_m,x_m,casing0_vy_m_per_s\n"
             "1,subharmonic 1/2,2,0.5,0.25,0.002,0.0006666666666666666,0,0.001,0\n"
-            "2,non_contact,1,0.25,0.21650635094610965,0.0001,3.3333333333333335e-05,0,-0.001,0\n");
+            "2,non_contact,1,0.25,0.21650635094610965,1e-04,3.3333333333333335e-05,0,-0.001,0\n");
   const std::string summary = slice_summary(slice);
   EXPECT_NE(summary.find("2   50.0 +- 25.0 %  attractor 1: subharmonic 1/2, largest displacement 2 mm"),
             std::string::npos);
