@@ -92,7 +92,7 @@ TEST(HertzSecant, ComesToTheFixedPointOfAKnownForce) {
 TEST(HertzSecant, NothingIsRunAgainWithinTheRangeOrWithoutContact) {
   const Study study = study_with(20, 6);
   const auto same = [&](double force_n) {
-    return with_hertz_iterations(study.machine,
+    return with_hertz_iterations(study.machine, study.hertz_iterations,
                                  [&](const model::Machine&) { return row_with_force(force_n); });
   };
   for (const double force_n :
@@ -203,7 +203,8 @@ TEST(HertzSecant, IsNearerToTheNonlinearContactThanTheDesignForceIs) {
   Study study = study_with(5, 4);
   study.machine.stops[0].damping = model::ExplicitDamping{0};
   const Row row = with_hertz_iterations(
-      study.machine, [](const model::Machine& machine) { return row_with_force(linear_force_n(machine)); });
+      study.machine, study.hertz_iterations,
+      [](const model::Machine& machine) { return row_with_force(linear_force_n(machine)); });
   const double nonlinear_n = nonlinear_force_n(*study.machine.stops[0].hertz);
   const double at_design_n = linear_force_n(study.machine);
   EXPECT_GE(row.hertz->iterations, 1);
