@@ -2,12 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 #include "exit_code.hpp"
 #include "finished_map.hpp"
 #include "report_file.hpp"
+#include "rubsweep/error.hpp"
 #include "terminal_map.hpp"
 
 namespace rubsweep::apps {
+
+void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study) {
+  if (arguments.fade && study.robustness != sweep::Robustness::probability)
+    throw ConfigError(
+        "--fade: the map has no column robust_share, allowed: with response.robustness probability");
+}
 
 int report_map(std::string_view program, const RubsweepArguments& arguments,
                const report::MapSummary& summary, const sweep::Study& study, MapDirectory& directory) {
@@ -18,7 +28,8 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
   if (!arguments.quiet) warn(program, summary);
   if (arguments.figure) {
     arguments.figure->draw("draw_domain_map.py", directory.map(),
-                           study.machine.kick ? "Rub domains after a kick" : "Rub domains");
+                           study.machine.kick ? "Rub domains after a kick" : "Rub domains",
+                           arguments.fade ? std::vector<std::string>{"fade"} : std::vector<std::string>{});
     if (!arguments.quiet) fmt::print("figure: {}\n", arguments.figure->file().string());
   }
   if (arguments.report) {

@@ -14,4 +14,7 @@ namespace rubsweep::apps {
 int report_map(std::string_view program, const RubsweepArguments& arguments,
                const report::MapSummary& summary, const sweep::Study& study, MapDirectory& directory);
 
+/// Throws ConfigError before anything is computed where a picture is to fade by what the map will not have.
+void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study);
+
 }  // namespace rubsweep::apps

@@ -38,9 +38,10 @@ void refuse_to_merge_too_early(const config::RunConfig& config, const MapDirecto
     known.read(directory);
     wanted = known.wanted().size();
     if (wanted > 0) {
-      throw IoError(fmt::format(
-          "nothing to merge yet: the refined map wants {} cells more, allowed: every shard once more, or the same without --shard",
-          wanted));
+      throw IoError(
+          fmt::format("nothing to merge yet: the refined map wants {} cells more, allowed: every shard once "
+                      "more, or the same without --shard",
+                      wanted));
     }
   }
   if (wanted > 0) {
@@ -62,6 +63,7 @@ std::string shard_is_done(const sweep::Grid& grid, const MapDirectory& directory
 }
 
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
+  refuse_fading(arguments, config.study);
   report::refuse_more_memory_than(machine_memory_bytes(), config.study,
                                   {batch::thread_count(arguments.threads)});
   batch::require_threads(arguments.threads, 1);

@@ -47,7 +47,8 @@ constexpr std::string_view program_name = "rubsweep-mpi";
 std::string help() {
   return "mpirun -n N rubsweep-mpi CONFIG.yaml [--output DIR] [--threads N] [--set KEY.PATH=VALUE]... "
          "[--fresh]\n"
-         "                         [--figure FILE] [--report] [--progress auto|always|never] [--quiet]\n"
+         "                         [--figure FILE [--fade]] [--report] [--progress auto|always|never] "
+         "[--quiet]\n"
          "Computes one map with N processes that share the output directory; see rubsweep --help for the "
          "options.\n"
          "--threads counts for each process. The map is the same, byte for byte, as that of rubsweep, and so "
@@ -73,6 +74,7 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  refuse_fading(arguments, config.study);
   report::refuse_more_memory_than(memory_bytes, config.study,
                                   {batch::thread_count(arguments.threads), ranks});
   config.output_directory = fs::absolute(arguments.output.value_or(config.output_directory));

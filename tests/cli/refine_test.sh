@@ -66,6 +66,12 @@ lines=$(cat alone/map.shard-*.journal | grep -c ',ok,kick,')
 expect_exit 0 "${grid[@]}" "${refine[@]}" --output alone
 expect_contains stderr "$lines of 1353 cells were finished before"
 expect_same alone/map.csv whole/map.csv
+# The page paints the cells that were not computed, and holds motions of those that were.
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output whole --report
+expect_matches stdout '^report: whole/report.html'
+expect_contains whole/report.html "<li>Refined: $computed of 1353 cells computed"
+expect_contains whole/report.html '<li>Boundaries: uncertainty exponent'
+expect_contains whole/report.html "\"recorded\":$computed,"
 if command -v gnuplot >/dev/null; then
   "$top/scripts/domain_map.sh" whole/map.csv "$PWD/picture" 'Refined'
   [[ -s picture.png ]] || fail 'there is no picture.png'
