@@ -21,8 +21,8 @@ class Figure {
 
   const std::filesystem::path& file() const { return file_; }
 
-  /// Lets analysis/SCRIPT draw `input` under a heading; it is called as SCRIPT INPUT OUTPUT_BASENAME HEADING
-  /// MORE... The picture appears whole or not at all. Throws IoError.
+  /// Lets analysis/SCRIPT draw `input` under a heading; it is called as SCRIPT INPUT OUTPUT_BASENAME
+  /// HEADING MORE... The picture appears whole or not at all. Throws IoError.
   void draw(const std::string& script, const std::filesystem::path& input, const std::string& heading,
             const std::vector<std::string>& more = {}) const;
 

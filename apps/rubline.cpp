@@ -18,6 +18,7 @@
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubline_arguments.hpp"
+#include "rubsweep/batch/axis.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/config/line_keys.hpp"
@@ -51,14 +52,7 @@ bool along_unbalance(const RublineArguments& arguments) {
 
 std::vector<double> values_of(const RublineArguments& arguments, const sweep::Grid& grid,
                               const config::LineKeys& keys) {
-  if (const auto& asked = arguments.values) {
-    std::vector<double> values;
-    for (int k = 0; k < asked->count; ++k)
-      values.push_back(k == asked->count - 1
-                           ? asked->to
-                           : asked->from + (asked->to - asked->from) * k / (asked->count - 1));
-    return values;
-  }
+  if (const auto& asked = arguments.values) return batch::evenly_spaced(asked->from, asked->to, asked->count);
   std::vector<double> values;
   if (arguments.along == "speed_hz") values = grid.speed_hz;
   if (along_unbalance(arguments) && to_string(grid.measure) == arguments.along) values = grid.unbalance;

@@ -39,7 +39,7 @@ po::options_description visible_options() {
       "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
       "they show")("noise-m", po::value<double>()->value_name("S")->default_value(0),
                    "standard deviation of the sensors' noise; likewise");
-  add_figure(options, "draw a trace or a Campbell diagram as FILE.png or FILE.svg");
+  add_figure(options, "draw a trace, a Campbell diagram or a run-up with stops as FILE.png or FILE.svg");
   add_output(options, "write there instead of output.directory + _trace");
   add_set(options);
   add_last(options);

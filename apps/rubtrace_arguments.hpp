@@ -26,7 +26,7 @@ struct RubtraceArguments : StudyArguments {
   double sample_s = 1e-3;                       ///< of the sensors
   double noise_m = 0;
   bool probes = false;                ///< the sensors look at a trace, too
-  std::optional<Figure> figure = {};  ///< drawn of a trace or a Campbell diagram
+  std::optional<Figure> figure = {};  ///< drawn of a trace, a Campbell diagram or a run-up with stops
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};
 };
