@@ -2,11 +2,10 @@
 
 #include <atomic>
 #include <cstddef>
-#include <map>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "map_directory.hpp"
 #include "rubsweep/batch/journal.hpp"
@@ -35,6 +34,10 @@ class MissingCells {
   /// up: nothing of them is in the journal, and the process ends without them.
   bool run();
 
+  /// Cells that a refined map wants of other shards, none of which was at work when this one had no more to
+  /// do.
+  std::size_t left_to_others() const { return left_to_others_; }
+
  private:
   bool all_finished() const { return finished_ == directory_.missing().size(); }
   bool run_refined();
@@ -54,12 +57,13 @@ class MissingCells {
   batch::LineLog partial_;
   batch::Progress progress_;
   std::size_t finished_ = 0;
-  bool complete_ = false;               ///< a refined map wants no more cells
-  std::vector<int> labels_;             ///< of a refined map
-  std::map<std::string, int> numbers_;  ///< of its labels
+  bool complete_ = false;  ///< a refined map wants no more cells
+  std::size_t left_to_others_ = 0;
 };
 
-/// Says how many cells were finished before, and computes the others. False when a signal came.
-bool compute_missing_cells(const SweepRun& how, const sweep::Study& study, MapDirectory& directory);
+/// Says how many cells were finished before, and computes the others. Empty when a signal came, else
+/// MissingCells::left_to_others.
+std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const sweep::Study& study,
+                                                 MapDirectory& directory);
 
 }  // namespace rubsweep::apps
