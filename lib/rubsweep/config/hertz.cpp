@@ -10,6 +10,7 @@ using Shape = model::HertzShape;
 using HalfWidth = model::HertzHalfWidth;
 
 constexpr Words<Shape, 3> shapes{{"cylinder", "flat", "hole"}, {Shape::cylinder, Shape::flat, Shape::hole}};
+constexpr IntegerRange iteration_counts{0, model::HertzLine::most_iterations};
 constexpr Words<HalfWidth, 2> half_widths{{"textbook", "paper"}, {HalfWidth::textbook, HalfWidth::paper}};
 
 void read_material(Section& section, model::HertzBody& body) {
@@ -58,6 +59,7 @@ std::optional<model::HertzLine> read_hertz(const Value& value) {
   read_casing(section, contact);
   section.field("design_force_n", contact.design_force_n, model::positive);
   section.field("half_width", contact.half_width, half_widths);
+  section.field("iterations", contact.iterations, iteration_counts);
   section.refuse_unknown_keys();
   if (section.problem_count() != problems) return std::nullopt;
   if (contact.length_m < 2 * contact::hertz_half_width_m(contact, contact.design_force_n)) {
@@ -82,6 +84,7 @@ void print_hertz(Printer& printer, const model::HertzLine& contact) {
   printer.close();
   printer.number("design_force_n", contact.design_force_n);
   printer.field("half_width", contact.half_width, half_widths);
+  printer.integer("iterations", contact.iterations);
   printer.close();
 }
 

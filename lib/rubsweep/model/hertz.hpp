@@ -29,6 +29,11 @@ struct HertzLine {
   HertzShape casing_shape = HertzShape::cylinder;
   double design_force_n = required;  ///< the stiffness is the secant at this force
   HertzHalfWidth half_width = HertzHalfWidth::textbook;
+  /// A cell whose forces leave the range of that secant is run again with the secant at the force found, so
+  /// many times at most; 0: never.
+  int iterations = 0;
+
+  static constexpr int most_iterations = 20;
 };
 
 }  // namespace rubsweep::model

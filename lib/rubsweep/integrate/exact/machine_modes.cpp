@@ -80,7 +80,7 @@ const LinearMode<N>* MachineModes<N>::mode(std::size_t joint) {
 }
 
 bool exact_applies(const scene::Scene& scene) {
-  return scene.contacts.size() <= most_exact_contacts &&
+  return !scene.twist && scene.contacts.size() <= most_exact_contacts &&
          scene.structure.coordinates() <= most_exact_coordinates;
 }
 

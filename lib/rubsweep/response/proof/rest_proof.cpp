@@ -14,8 +14,8 @@ constexpr double growth_tolerance = 1e-12;  ///< rounding of an undamped mode's 
 
 RestProof::RestProof(const scene::Cell& cell) {
   const scene::Scene& scene = cell.scene;
-  // At a whirl ratio of 1 rounding must not decide.
-  if (!scene.impulses.empty() || cell.start != scene::Start::quiet) return;
+  // At a whirl ratio of 1 rounding must not decide. With torsion no free vibration is linear.
+  if (scene.twist || !scene.impulses.empty() || cell.start != scene::Start::quiet) return;
   const auto system = integrate::run::scale<Eigen::Dynamic>(scene);
   const auto form = numerics::modal_form(system.stiffness, system.damping);
   grows_ = form && form->growth > growth_tolerance;
