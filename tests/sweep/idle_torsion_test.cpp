@@ -23,10 +23,11 @@ std::string why(const model::Friction& friction, double speed_hz = 50) {
 
 TEST(WhyTorsionIsIdle, SaysSoWhereNoFrictionAsksForTheSlip) {
   EXPECT_NE(why(model::NoFriction{}), "");
-  EXPECT_NE(why(model::ConstantFriction{0.1}), "");
-  EXPECT_NE(why(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}}), "");
-  EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0.01}}), "") << "viscous";
-  EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}}, 0.1), "") << "a shaft that hardly turns";
+  EXPECT_NE(why(model::ConstantFriction{0.02}), "");
+  EXPECT_NE(why(model::StribeckFriction{{0, 0, 0, 0.02, 100, 0}}), "");
+  EXPECT_EQ(why(model::ConstantFriction{0.1}), "") << "hits that turn the unbalance by two degrees";
+  EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.02, 100, 0.01}}), "") << "viscous";
+  EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.02, 100, 0}}, 0.1), "") << "a shaft that hardly turns";
   EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(scene::light_shaft_machine()), 50), "")
       << "no torsion";
   model::Machine started = twisting(model::NoFriction{});
@@ -35,10 +36,10 @@ TEST(WhyTorsionIsIdle, SaysSoWhereNoFrictionAsksForTheSlip) {
   EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(started), 50), "") << "hits of any strength";
 }
 
-/// What it says is true: the row is that of the rotor without torsion.
+/// What it says is true: the row is nearly that of the rotor without torsion.
 TEST(WhyTorsionIsIdle, TheMotionIsTheSameWithoutTorsion) {
   Study study;
-  study.machine = twisting(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}});
+  study.machine = twisting(model::StribeckFriction{{0, 0, 0, 0.02, 100, 0}});
   study.grid.speed_hz = {60};
   study.grid.unbalance = {0.6};
   study.response = {
@@ -51,7 +52,7 @@ TEST(WhyTorsionIsIdle, TheMotionIsTheSameWithoutTorsion) {
   EXPECT_TRUE(with.last_contact_revolution);
   EXPECT_EQ(to_string(with.motion_class), to_string(without.motion_class));
   EXPECT_NEAR(with.measures->contact.peak_displacement_m, without.measures->contact.peak_displacement_m,
-              1e-6 * without.measures->contact.peak_displacement_m);
+              1e-2 * without.measures->contact.peak_displacement_m);
 }
 
 }  // namespace

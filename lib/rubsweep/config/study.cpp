@@ -1,7 +1,6 @@
 #include "rubsweep/config/study.hpp"
 
 #include <optional>
-#include <variant>
 
 #include "rubsweep/config/kick.hpp"
 #include "rubsweep/config/response.hpp"
@@ -14,20 +13,6 @@
 #include "rubsweep/config/sweep.hpp"
 
 namespace rubsweep::config {
-namespace {
-
-/// In an annular stop the tangent turns, along which the surface of a twisting rotor would move.
-void refuse_torsion_in_annular_stops(const Value& stops, const model::Machine& machine) {
-  const model::RotorKit* kit = model::kit_of(machine);
-  if (kit == nullptr || !kit->torsion) return;
-  for (const model::Stop& stop : machine.stops) {
-    if (std::holds_alternative<model::OneSideGeometry>(stop.geometry)) continue;
-    refuse(stops, "has an annular stop beside torsion of the rotor", "one_side stops only, or no torsion");
-    return;
-  }
-}
-
-}  // namespace
 
 sweep::Study read_study(Section& root) {
   sweep::Study study;
@@ -36,7 +21,6 @@ sweep::Study read_study(Section& root) {
   const auto shaft = kit != nullptr ? std::optional(places(*kit)) : std::nullopt;
   if (const auto value = root.require("stops", "a list of maps")) {
     study.machine.stops = read_stops(*value, shaft);
-    refuse_torsion_in_annular_stops(*value, study.machine);
   }
   if (const auto value = root.find("kick")) study.machine.kick = read_kick(*value, shaft);
   if (const auto value = root.find("start")) {

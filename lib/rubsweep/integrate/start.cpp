@@ -29,7 +29,8 @@ run::Run start_restarting(const scene::Scene& scene, const run::SolverOptions& o
 }  // namespace
 
 Solver solver_of(const scene::Scene& scene, const run::SolverOptions& options) {
-  if (options.method == run::Method::adaptive) return Solver::adaptive;
+  // Nothing but a stepper knows of torsion.
+  if (scene.twist || options.method == run::Method::adaptive) return Solver::adaptive;
   if (options.method == run::Method::exact) return Solver::exact;
   return options.contact == run::ContactHandling::located && exact::exact_applies(scene) ? Solver::exact
                                                                                          : Solver::adaptive;

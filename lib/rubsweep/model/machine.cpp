@@ -104,15 +104,11 @@ void validate(const Machine& machine) {
       overloaded{[](const JeffcottRotor& rotor) { JeffcottRotor::visit_fields(rotor, requiring("rotor.")); },
                  [](const RotorKit& kit) { validate(kit, "rotor."); }},
       machine.rotor);
-  const RotorKit* kit = kit_of(machine);
   if (machine.stops.empty()) throw ConfigError("stops: at least one stop is needed");
   for (std::size_t i = 0; i < machine.stops.size(); ++i) {
     const Stop& stop = machine.stops[i];
     validate(stop, fmt::format("stops.{}.", i));
     validate_position(machine, stop.position_m, true, fmt::format("stops.{}.position_m", i));
-    if (kit != nullptr && kit->torsion && !std::holds_alternative<OneSideGeometry>(stop.geometry)) {
-      throw ConfigError(fmt::format("stops.{}.kind: torsion needs flat walls, allowed: one_side", i));
-    }
   }
   if (machine.kick) {
     Kick::visit_fields(*machine.kick, requiring("kick."));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/adaptive/own_system.hpp"
 
 namespace rubsweep::ramp {
 
@@ -19,31 +20,26 @@ struct RampForces {
   Eigen::MatrixXd gyroscopic;   ///< M^-1 G: forces -W gyroscopic u'; empty: none
 };
 
-/// Which bases of Dynamics refer to: it must be there before they are.
-template <int N>
-struct OwnSystem {
-  explicit OwnSystem(const integrate::run::ScaledSystem<N>& system) : own(system) {}
-  integrate::run::ScaledSystem<N> own;
-};
-
 /// Right-hand side of a rotor whose shaft speed changes, for AdaptiveRun: behind u and u' a state holds the
 /// shaft's angle phi and its speed W in units of the reference speed. The surfaces that rub have the speed
 /// that belongs to W.
 template <int N>
-class RampDynamics : private OwnSystem<N>, public integrate::adaptive::Dynamics<N, false> {
+class RampDynamics : private integrate::adaptive::OwnSystem<N>,
+                     public integrate::adaptive::Dynamics<N, false> {
   using Base = integrate::adaptive::Dynamics<N, false>;
+  using OwnSystem = integrate::adaptive::OwnSystem<N>;
 
  public:
   RampDynamics(const integrate::run::ScaledSystem<N>& system, double smoothing_width,
                const RampForces& forces)
-      : OwnSystem<N>(system), Base(OwnSystem<N>::own, smoothing_width), forces_(forces) {
+      : OwnSystem(system), Base(OwnSystem::own, smoothing_width), forces_(forces) {
     for (const auto& contact : system.contacts)
       reference_surface_m_per_s_.push_back(contact.surface_speed_m_per_s);
   }
 
   template <class State>
   void operator()(const State& state, State& rate, double phase) {
-    const Eigen::Index n = OwnSystem<N>::own.coordinates();
+    const Eigen::Index n = OwnSystem::own.coordinates();
     set_surface_speeds(state);
     Base::operator()(state, rate, phase);
     const auto [angle, speed] = turning(state);
@@ -69,7 +65,7 @@ class RampDynamics : private OwnSystem<N>, public integrate::adaptive::Dynamics<
   template <class State>
   double slip_m_per_s(std::size_t i, const State& state) const {
     const double at_reference = Base::slip_m_per_s(i, state);
-    const double surface = OwnSystem<N>::own.contacts[i].surface_speed_m_per_s;
+    const double surface = OwnSystem::own.contacts[i].surface_speed_m_per_s;
     return at_reference - surface + turning(state).second * reference_surface_m_per_s_[i];
   }
 
@@ -84,14 +80,14 @@ class RampDynamics : private OwnSystem<N>, public integrate::adaptive::Dynamics<
   /// Shaft angle and speed of a state.
   template <class State>
   std::pair<double, double> turning(const State& state) const {
-    const auto n = static_cast<std::size_t>(2 * OwnSystem<N>::own.coordinates());
+    const auto n = static_cast<std::size_t>(2 * OwnSystem::own.coordinates());
     return {state[n], state[n + 1]};
   }
 
   template <class State>
   void set_surface_speeds(const State& state) {
     const double speed = turning(state).second;
-    auto& contacts = OwnSystem<N>::own.contacts;
+    auto& contacts = OwnSystem::own.contacts;
     for (std::size_t i = 0; i < contacts.size(); ++i)
       contacts[i].surface_speed_m_per_s = speed * reference_surface_m_per_s_[i];
   }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <numbers>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/sweep/hertz_secant.hpp"
@@ -101,6 +102,21 @@ constexpr std::array of_refinement{
 constexpr std::array of_robustness{StudyColumn{
     "robust_share", "share of the neighbouring kicks that lead to the same class and order", share}};
 
+constexpr double degrees = 180 / std::numbers::pi;
+
+std::string peak_twist_deg(const Row& row) {
+  return row.measures ? batch::csv_number(row.measures->contact.peak_twist_rad * degrees) : "";
+}
+
+std::string peak_torque_nm(const Row& row) {
+  return row.measures ? batch::csv_number(row.measures->contact.peak_torque_nm) : "";
+}
+
+constexpr std::array of_torsion{
+    StudyColumn{"peak_twist_deg", "largest angle between rotor and drive", peak_twist_deg},
+    StudyColumn{"peak_torque_nm", "largest torque in the drive", peak_torque_nm},
+};
+
 std::string hertz_iterations(const Row& row) {
   return row.hertz ? fmt::format("{}", row.hertz->iterations) : "";
 }
@@ -120,6 +136,7 @@ constexpr std::array of_hertz{
 
 }  // namespace
 
+std::span<const StudyColumn> torsion_columns() { return of_torsion; }
 std::span<const StudyColumn> hertz_columns() { return of_hertz; }
 std::span<const StudyColumn> threshold_columns() { return of_thresholds; }
 std::span<const StudyColumn> basin_columns() { return of_basins; }
@@ -131,6 +148,8 @@ std::vector<StudyColumn> study_columns(const sweep::Study& study) {
   const auto add = [&](std::span<const StudyColumn> more) {
     columns.insert(columns.end(), more.begin(), more.end());
   };
+  const model::RotorKit* kit = model::kit_of(study.machine);
+  if (kit != nullptr && kit->torsion) add(of_torsion);
   if (sweep::takes_secants_anew(study)) add(of_hertz);
   if (study.robustness == sweep::Robustness::probability) add(of_robustness);
   if (study.grid.refinement) add(of_refinement);
@@ -146,6 +165,7 @@ std::string describe_study_columns() {
     for (const StudyColumn& column : columns)
       text += fmt::format("  {:<23}  {}\n", column.name, column.description);
   };
+  describe("rotor.torsion", of_torsion);
   describe("response.hertz_iterations and a stop with hertz", of_hertz);
   describe("response.robustness probability", of_robustness);
   describe("sweep.refine", of_refinement);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <initializer_list>
+#include <numbers>
 
 #include "rubsweep/batch/csv_table.hpp"
 
@@ -31,6 +32,7 @@ std::string trajectory_csv(const trace::Trace& trace) {
     text +=
         fmt::format(",casing_{0}_x_m,casing_{0}_y_m,gap_{0}_m,normal_force_{0}_n,friction_force_{0}_n", i);
   }
+  if (trace.twisting) text += ",twist_deg,torque_nm";
   text += '\n';
   for (const auto& [time_s, state] : trace.trajectory) {
     text += csv_number(time_s);
@@ -39,6 +41,7 @@ std::string trajectory_csv(const trace::Trace& trace) {
       append(text,
              {stop.casing_m.x(), stop.casing_m.y(), stop.gap_m, stop.normal_force_n, stop.friction_force_n});
     }
+    if (trace.twisting) append(text, {state.twist_rad * 180 / std::numbers::pi, state.torque_nm});
     text += '\n';
   }
   return text;

@@ -160,6 +160,21 @@ std::complex<double> phase_of_kick(const model::Machine& machine) {
   return phase_deg == 0 ? 1.0 : std::polar(1.0, phase_deg * std::numbers::pi / 180);
 }
 
+/// What torsion needs of the machine; the unbalance has the cell's phase.
+Twist twist_of(const PreparedMachine& prepared, double eccentricity_m, std::complex<double> phase) {
+  const structure::Assembly& assembly = prepared.assembly;
+  Twist twist;
+  twist.coordinate = *assembly.twist;
+  twist.unbalance_kg_m = eccentricity_m * phase * assembly.system.unbalance_kg;
+  twist.bow_n = phase * assembly.bow_n;
+  twist.gyroscopic = assembly.gyroscopic;
+  twist.circulatory = assembly.circulatory;
+  twist.unbalance_inertia_kg_m2 = eccentricity_m * eccentricity_m * assembly.unbalance_inertia_kg;
+  for (const model::Stop& stop : prepared.machine.stops)
+    twist.contact_radius_m.push_back(stop.contact_radius_m);
+  return twist;
+}
+
 void start_on_quiet_motion(Cell& cell) {
   Scene& scene = cell.scene;
   const double w = scene.speed_rad_per_s;
@@ -197,14 +212,15 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
     cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;
     return cell;
   }
+  if (bowed) bow.amplitude += cell.eccentricity_m * unit.amplitude;
+  const std::complex<double> phase = phase_to_smallest_gap(bowed ? bow : unit, scene.structure, first, wall);
   if (bowed) {
-    bow.amplitude += cell.eccentricity_m * unit.amplitude;
-    scene.harmonic_n = phase_to_smallest_gap(bow, scene.structure, first, wall) *
-                       (assembly.bow_n + cell.eccentricity_m * unit_force);
+    scene.harmonic_n = phase * (assembly.bow_n + cell.eccentricity_m * unit_force);
   } else {
-    scene.harmonic_n =
-        cell.eccentricity_m * phase_to_smallest_gap(unit, scene.structure, first, wall) * unit_force;
+    scene.harmonic_n = cell.eccentricity_m * phase * unit_force;
   }
+  if (assembly.twist)
+    scene.twist = twist_of(prepared, cell.eccentricity_m, phase * phase_of_kick(prepared.machine));
   scene.harmonic_n *= phase_of_kick(prepared.machine);
   start_on_quiet_motion(cell);
   start_in_given_state(scene, prepared);

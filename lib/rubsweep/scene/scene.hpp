@@ -35,6 +35,20 @@ struct Pulse {
   double elapsed_s = 0;  ///< how long before t = 0 it started; below 0: it starts at t = -elapsed_s
 };
 
+/// Torsion: one coordinate is the angle in radians by which the rotor is ahead of its drive, which turns at
+/// the scene's speed. All that turns with the rotor then stands at phi = speed t + angle: the numbers below
+/// take the place of Scene::harmonic_n, and turn the rotor in their turn. The adaptive solver alone knows of
+/// it.
+struct Twist {
+  Eigen::Index coordinate = 0;           ///< of q; on the diagonal of the structure: polar inertia and drive
+  Eigen::VectorXcd unbalance_kg_m;       ///< n: forces Re(unbalance (phi'^2 - i phi'') e^{i phi})
+  Eigen::VectorXcd bow_n;                ///< n or empty: forces Re(bow e^{i phi})
+  Eigen::MatrixXd gyroscopic;            ///< n x n or empty: part of structure.damping per rad/s of the shaft
+  Eigen::MatrixXd circulatory;           ///< n x n or empty: the same of structure.stiffness
+  double unbalance_inertia_kg_m2 = 0;    ///< what the eccentric masses add to the polar inertia
+  std::vector<double> contact_radius_m;  ///< of each contact: lever of its friction about the shaft's axis
+};
+
 /// All that one run simulates, at one speed: a linear structure, what drives it, and the contacts between its
 /// points. The solvers know nothing else; a new rotor or a new stop changes what fills this, not what reads
 /// it. What drives it is the sum of a force that turns with the shaft, a constant one, any number of pulses
@@ -50,6 +64,7 @@ struct Scene {
   long elapsed_revolutions = 0;    ///< of the impulse trains at t = 0
   Eigen::VectorXd displacement_m;  ///< n: q(0)
   Eigen::VectorXd velocity_m_per_s;
+  std::optional<Twist> twist{};
   int observed_point = 0;     ///< whose motion is sampled and classified: the rotor
   double length_scale_m = 0;  ///< > 0: what "small" is measured against, the first stop's clearance
 

@@ -14,7 +14,9 @@ struct Assembly {
   Eigen::MatrixXd gyroscopic;   ///< n x n or empty: at a speed w the damping is system.damping + w gyroscopic
   Eigen::MatrixXd circulatory;  ///< n x n or empty: damping that turns with the shaft makes the stiffness
                                 ///< system.stiffness + w circulatory, which is not symmetric
-  Eigen::VectorXcd bow_n;       ///< n or empty: a residual bow forces Re(bow_n e^{i w t}) at any speed w
+  std::optional<Eigen::Index> twist;  ///< the coordinate of torsion: angle between rotor and drive
+  double unbalance_inertia_kg = 0;    ///< times e^2: what an eccentricity e adds to the polar inertia
+  Eigen::VectorXcd bow_n;  ///< n or empty: a residual bow forces Re(bow_n e^{i w t}) at any speed w
   std::vector<ImpulseTrain> impulses;             ///< of faulty bearings
   std::vector<int> rotor_points;                  ///< one per stop
   std::vector<std::optional<int>> casing_points;  ///< one per stop; empty: rigid casing, no state

@@ -98,6 +98,10 @@ class KitBuilder {
     system().mass(angle, angle) = shaft_.polar_inertia_kg_m2;
     system().stiffness(angle, angle) = kit_.torsion->drive_stiffness_nm_per_rad;
     system().damping(angle, angle) = kit_.torsion->drive_damping_nms_per_rad;
+    result_.assembly.twist = angle;
+    for (const model::Disc& disc : kit_.discs)
+      result_.assembly.unbalance_inertia_kg +=
+          disc.mass_kg * disc.eccentricity_ratio * disc.eccentricity_ratio;
   }
 
   /// The shaft bent as one of its modes, with this amplitude where it is largest.
@@ -160,25 +164,11 @@ class KitBuilder {
     Assembly& assembly = result_.assembly;
     for (std::size_t i = 0; i < stops_.size(); ++i) {
       assembly.rotor_points.push_back(add_point(stops_[i]));
-      if (kit_.torsion) add_twist(machine_.stops[i]);
       assembly.contact_mass_kg.push_back(contact_mass_kg(i));
     }
     for (const double position : sensors_) assembly.sensor_points.push_back(add_point(position));
     assembly.observed_point = add_point(sensors_.empty() ? stops_.front() : sensors_.front());
     assembly.kick_point = add_point(kick_);
-  }
-
-  /// The surface moves along the tangent by radius * angle; flat walls only, where the tangent does not turn.
-  void add_twist(const model::Stop& stop) {
-    std::visit(overloaded{[&](const model::OneSideGeometry& flat) {
-                            const double angle = flat.angle_deg * std::numbers::pi / 180;
-                            const Eigen::Vector2d tangent(-std::sin(angle), std::cos(angle));
-                            system().points.back().map.col(lateral()) = stop.contact_radius_m * tangent;
-                          },
-                          [](const model::AnnularGeometry&) {
-                            throw ConfigError("stops: torsion needs flat walls, allowed: one_side");
-                          }},
-               stop.geometry);
   }
 
   /// Along the normal of a flat stop; in an annular stop the mean of both planes.

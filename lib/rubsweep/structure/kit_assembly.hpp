@@ -18,8 +18,8 @@ struct KitAssembly {
 
 /// Rotor kit of `machine` (whose rotor must be one) and its moving casings. Coordinates: shapes of the
 /// shaft, pairs of x and y; then the angle of torsion where asked for; then x and y of every moving casing in
-/// the order of the stops. With torsion the tangential displacement at a flat stop includes radius * angle,
-/// so that slip and friction torque follow from the point's map. A rotor mass behind a restitution is the
+/// the order of the stops. The angle is coupled to nothing here: what couples it turns
+/// with the shaft (scene::Twist). A rotor mass behind a restitution is the
 /// modal mass, at the stop, of the first mode that is kept. The unbalance turns from +x towards +y: at t = 0
 /// the mark of the shaft points along +x. Throws ConfigError where the supports do not hold the shaft, or a
 /// stop without contact_mass_kg sits at a node of the first mode.

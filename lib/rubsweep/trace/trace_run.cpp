@@ -25,6 +25,7 @@ class Recorder {
       probes_.emplace(scene, options.speed_hz, *options.probes);
     }
     trace.stops = reader_.stops();
+    trace.twisting = scene.twist.has_value();
     add_section(integrate::run::scaled_initial_state(scene));
   }
 

@@ -43,6 +43,7 @@ struct TracedSwitch {
 struct Trace {
   integrate::run::Outcome outcome = integrate::run::Outcome::ok;
   std::size_t stops = 0;
+  bool twisting = false;                ///< the states have a twist and a torque
   long revolutions = 0;                 ///< whole ones; the lists go on to the failure, if there was one
   std::vector<TracedState> trajectory;  ///< samples at t = k T / N, k = 0 .. revolutions N - 1
   std::vector<TracedState> section;     ///< states at t = 0, T, 2 T, ...: one more than revolutions

@@ -34,6 +34,12 @@ TraceState StateReader::read(std::span<const double> scaled) const {
   const auto& observed = point(scene_, scene_.observed_point);
   TraceState state{
       .displacement_m = observed * q_m, .velocity_m_per_s = observed * rate_m_per_s, .stops = {}};
+  if (scene_.twist) {
+    const Eigen::Index c = scene_.twist->coordinate;
+    state.twist_rad = q_m(c);
+    state.torque_nm =
+        scene_.structure.stiffness(c, c) * q_m(c) + scene_.structure.damping(c, c) * rate_m_per_s(c);
+  }
   for (std::size_t i = 0; i < stops(); ++i) state.stops.push_back(read_stop(i, q_m, rate_m_per_s));
   return state;
 }
@@ -47,7 +53,10 @@ StopState StateReader::read_stop(std::size_t index, const Eigen::VectorXd& q_m,
   const Eigen::Vector2d tangent(-normal.y(), normal.x());
   const double penetration_m = normal.dot(distance_m) - contact.clearance_m;
   const double closing_speed = normal.dot(rate);
-  const double slip = tangent.dot(rate) + contact.surface_speed_m_per_s;
+  const double surface = scene_.twist ? scene_.twist->contact_radius_m[index] *
+                                            (scene_.speed_rad_per_s + rate_m_per_s(scene_.twist->coordinate))
+                                      : contact.surface_speed_m_per_s;
+  const double slip = tangent.dot(rate) + surface;
 
   const contact::NormalForce force =
       smoothing_m_ > 0 ? contact::smoothed_elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m,

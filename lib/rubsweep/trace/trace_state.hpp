@@ -22,6 +22,8 @@ struct TraceState {
   Eigen::Vector2d displacement_m{0, 0};  ///< of the observed point, the rotor
   Eigen::Vector2d velocity_m_per_s{0, 0};
   std::vector<StopState> stops;
+  double twist_rad = 0;  ///< angle by which the rotor is ahead of its drive; 0 without torsion
+  double torque_nm = 0;  ///< of the rotor on its drive
 };
 
 /// Reads states of a run of `scene`, scaled as integrate::run::TurnReport holds them (q then q', 2n numbers),

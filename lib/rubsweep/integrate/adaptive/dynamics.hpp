@@ -101,6 +101,18 @@ class Dynamics {
     return slip(c, frame(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n)));
   }
 
+  /// Friction force of contact `i` on the casing, in newtons along the tangent.
+  template <class State>
+  double friction_n(std::size_t i, const State& state) const {
+    if (!Smoothed && modes_[i] == contact::Mode::open) return 0;
+    const Eigen::Index n = system_.coordinates();
+    const Contact& c = system_.contacts[i];
+    const contact::ContactFrame f = frame(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
+    if (Smoothed && f.penetration <= -smoothing_width_ / 2) return 0;
+    return contact::friction_coefficient(c.friction, slip(c, f)) *
+           normal_force(i, f.penetration, f.closing_speed).spring_n;
+  }
+
   /// Rate at which friction alone changes the slip at a contact, over the angular frequency of that contact's
   /// spring between the masses it joins; the largest of all contacts that touch. Zero where friction does not
   /// depend on the slip.

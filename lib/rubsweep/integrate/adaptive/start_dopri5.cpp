@@ -11,7 +11,9 @@
 namespace rubsweep::integrate::adaptive {
 
 run::Cursor start_dopri5(const scene::Scene& scene, const run::SolverOptions& options) {
-  return run::with_coordinates(scene.structure.coordinates(), [&](auto n) {
+  // With torsion any number of coordinates is made by one law.
+  const Eigen::Index coordinates = scene.twist ? Eigen::Index{Eigen::Dynamic} : scene.structure.coordinates();
+  return run::with_coordinates(coordinates, [&](auto n) {
     constexpr bool dynamic = n() == Eigen::Dynamic;
     using State = std::conditional_t<dynamic, std::vector<double>,
                                      std::array<double, dynamic ? 0 : static_cast<std::size_t>(2 * n())>>;

@@ -52,6 +52,9 @@ class StepObserver {
     if (touching > 0) report_.touched = true;
     report_.contact_fraction += touching * h / (2 * std::numbers::pi);
     if (request_.peaks) watch_displacement(step, dynamics, h);
+    if constexpr (requires { dynamics.twist(step.start, step.start_rate); }) {
+      if (request_.peaks) watch_twist(step, dynamics, h);
+    }
   }
 
   void mode_switch(const run::ModeSwitch& change) { report_.add(change, request_.switches); }
@@ -106,6 +109,20 @@ class StepObserver {
         numerics::cubic_maximum(total(start.penetration, start.closing_speed), h * rate(start),
                                 total(end.penetration, end.closing_speed), h * rate(end));
     report_.peak_contact_force_n = std::max(report_.peak_contact_force_n, peak);
+  }
+
+  template <class State, class Dynamics>
+  void watch_twist(const Step<State>& step, const Dynamics& dynamics, double h) {
+    const auto start = dynamics.twist(step.start, step.start_rate),
+               end = dynamics.twist(step.end, step.end_rate);
+    const auto largest = [h](double a, double a_rate, double b, double b_rate) {
+      return std::max(numerics::cubic_maximum(a, h * a_rate, b, h * b_rate),
+                      numerics::cubic_maximum(-a, -h * a_rate, -b, -h * b_rate));
+    };
+    report_.peak_twist_rad = std::max(
+        report_.peak_twist_rad, largest(start.angle_rad, start.angle_rate, end.angle_rad, end.angle_rate));
+    report_.peak_torque_nm = std::max(
+        report_.peak_torque_nm, largest(start.torque_nm, start.torque_rate, end.torque_nm, end.torque_rate));
   }
 
   template <class State, class Dynamics>

@@ -83,7 +83,7 @@ bool exact_applies(const scene::Scene& scene) {
   const bool known = std::ranges::all_of(scene.contacts, [](const scene::Contact& contact) {
     return contact::linear(contact.wall) || contact::annular(contact.wall);
   });
-  return known && scene.contacts.size() <= most_exact_contacts &&
+  return known && !scene.twist && scene.contacts.size() <= most_exact_contacts &&
          scene.structure.coordinates() <= most_exact_coordinates;
 }
 

@@ -77,6 +77,8 @@ struct TurnReport {
   double peak_displacement_m = 0;
   double peak_contact_force_n = 0;        ///< largest normal force at any one contact
   double peak_casing_displacement_m = 0;  ///< largest distance of any casing from its unloaded place
+  double peak_twist_rad = 0;              ///< largest angle between rotor and drive; 0 without torsion
+  double peak_torque_nm = 0;              ///< largest torque in the drive; 0 without torsion
   bool touched = false;                   ///< some contact was touching at some time in the turn
   bool touching_at_end = false;
   bool slip_reversed = false;  ///< a slip speed was <= 0 while touching
@@ -89,6 +91,7 @@ struct TurnReport {
     tangent_vectors.clear();
     hits = 0;
     contact_fraction = peak_displacement_m = peak_contact_force_n = peak_casing_displacement_m = 0;
+    peak_twist_rad = peak_torque_nm = 0;
     touched = touching_at_end = slip_reversed = false;
   }
 

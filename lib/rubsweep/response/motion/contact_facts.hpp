@@ -13,6 +13,8 @@ struct ContactFacts {
   double peak_displacement_m = 0;  ///< largest |z|
   double peak_contact_force_n = 0;        ///< largest total force at one stop
   double peak_casing_displacement_m = 0;  ///< largest distance of a casing from its unloaded place
+  double peak_twist_rad = 0;              ///< largest angle between rotor and drive
+  double peak_torque_nm = 0;              ///< largest torque in the drive
 };
 
 /// Of one turn that was made.

@@ -19,7 +19,8 @@ RestProof::RestProof(const scene::Cell& cell) {
   const auto system = integrate::run::scale<Eigen::Dynamic>(scene);
   const auto form = numerics::modal_form(system.stiffness, system.damping);
   grows_ = form && form->growth > growth_tolerance;
-  if (!form || grows_ || !scene.impulses.empty()) return;
+  // With torsion no free vibration is linear.
+  if (!form || grows_ || !scene.impulses.empty() || scene.twist) return;
   usable_ = true;
   to_modes_ = form->inverse;
 
