@@ -121,7 +121,7 @@ TEST_F(TwoMassPlane, CurveOfDoublingsAgreesWithABranchAtAnotherForce) {
       scene_orbits([&](double speed) { return driven(speed, other->place.second); }, 1, {}, modes_);
   problem.low = other->place.first - 0.01;
   problem.high = other->place.first + 0.01;
-  const auto orbit = orbit_from(problem, other->state, other->place.first + 0.002);
+  const auto orbit = orbit_from(problem, other->state, other->place.first + 1e-5);
   ASSERT_TRUE(orbit);
   const Branch branch = follow_both_ways(problem, *orbit, {});
   double nearest = 1;

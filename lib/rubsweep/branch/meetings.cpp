@@ -29,6 +29,8 @@ struct NamedTest {
   Test test;
   /// Where given, a root counts only if of these the pair whose product is nearest to 1 is a complex one.
   Some with_a_complex_pair = {};
+  /// Made of differences, which near to a graze lead over it and mean nothing: finer ones must agree.
+  bool of_differences = false;
 };
 
 /// Without the `count` multipliers nearest to `critical`.
@@ -65,7 +67,7 @@ std::vector<NamedTest> tests_of_one_multiplier(double sign, const Critical& refe
   if (sign < 0) {
     // The coefficient has a pole where another multiplier is 1.
     const Test without_pole = [cubic, fold](const CurvePoint& point) { return cubic(point) * fold(point); };
-    return {{MeetingKind::generalised_flip, without_pole},
+    return {{MeetingKind::generalised_flip, without_pole, {}, true},
             {MeetingKind::fold_flip, fold},
             {MeetingKind::resonance_1_2, flip},
             {MeetingKind::flip_torus, torus, rest}};
@@ -73,14 +75,14 @@ std::vector<NamedTest> tests_of_one_multiplier(double sign, const Critical& refe
   return {{MeetingKind::fold_flip, flip},
           {MeetingKind::resonance_1_1, fold},
           {MeetingKind::fold_torus, torus, rest},
-          {MeetingKind::degenerate_branching, cubic}};
+          {MeetingKind::degenerate_branching, cubic, {}, true}};
 }
 
 std::vector<NamedTest> tests_of_a_fold(const Critical& reference) {
   auto tests = tests_of_one_multiplier(1, reference);
   tests.back() = {MeetingKind::cusp, [reference](const CurvePoint& point) {
                     return point.critical.quadratic * turned(point.critical.left, reference.left);
-                  }};
+                  }, {}, true};
   return tests;
 }
 
@@ -169,7 +171,17 @@ class MeetingFinder {
         [](double a, double b) { return std::abs(b - a) <= root_width; }, evaluations);
     CurvePoint point = point_at((low + high) / 2);
     if (named.with_a_complex_pair && !nearest_pair_is_complex(named.with_a_complex_pair(point))) return;
+    if (named.of_differences && !holds_by_finer_differences(named, point, std::abs(at_from) + std::abs(at_to)))
+      return;
     meetings_.push_back({named.kind, std::move(point), (high - low) / 2});
+  }
+
+  bool holds_by_finer_differences(const NamedTest& named, CurvePoint point, double size) const {
+    constexpr double finer = 0.3, still_zero = 0.1;
+    const Extended again = extend(system_, point.at, finer);
+    if (again.evaluation != Evaluation::ok) return false;
+    point.critical = again.critical;
+    return std::abs(named.test(point)) < still_zero * size;
   }
 
   /// Every change of the sequence between both ends, one after the other.
