@@ -32,8 +32,8 @@ class Plane {
       : arguments_(arguments),
         grid_(config.study.grid),
         text_(config::read_config_bytes(arguments.config)),
-        prepared_(std::make_shared<const scene::PreparedMachine>(
-            scene::prepare_machine(config.study.machine))) {}
+        prepared_(
+            std::make_shared<const scene::PreparedMachine>(scene::prepare_machine(config.study.machine))) {}
 
   std::optional<scene::Scene> scene_at(double first, double second) const {
     try {
@@ -49,7 +49,8 @@ class Plane {
 
   double second_on_branch(double first, double number_of_key) const {
     const auto cell = cell_at({{arguments_.along, first}});
-    if (!cell) throw ConfigError(fmt::format("--along {}: there is no machine at {}", arguments_.along, first));
+    if (!cell)
+      throw ConfigError(fmt::format("--along {}: there is no machine at {}", arguments_.along, first));
     return second_in(cell, number_of_key);
   }
 
@@ -115,10 +116,11 @@ BranchPlane branch_plane(const RubbranchArguments& arguments, const config::RunC
   }
   const auto number = is_key(key) ? config::number_at(config, key) : 0;
   if (!number) {
-    throw ConfigError(fmt::format(
-        "--curve {}: the configuration has no such number, allowed: speed_hz, whirl_ratio, eccentricity_m, or "
-        "the key of a number that --set could replace",
-        key));
+    throw ConfigError(
+        fmt::format("--curve {}: the configuration has no such number, allowed: speed_hz, whirl_ratio, "
+                    "eccentricity_m, or "
+                    "the key of a number that --set could replace",
+                    key));
   }
   const auto plane = std::make_shared<const Plane>(arguments, config);
   const double start = plane->second_at_cell(*number);
@@ -126,9 +128,9 @@ BranchPlane branch_plane(const RubbranchArguments& arguments, const config::RunC
   BranchPlane result;
   result.second = {arguments.curve_from.value_or(usual.low), arguments.curve_to.value_or(usual.high)};
   if (!(result.second.low < result.second.high) || !result.second.holds(start)) {
-    throw ConfigError(
-        fmt::format("--curve-from and --curve-to: the range of {} from {} to {} must hold that of the cell, {}",
-                    key, result.second.low, result.second.high, start));
+    throw ConfigError(fmt::format(
+        "--curve-from and --curve-to: the range of {} from {} to {} must hold that of the cell, {}", key,
+        result.second.low, result.second.high, start));
   }
   result.scenes = [plane](double first, double second) { return plane->scene_at(first, second); };
   result.second_on_branch = [plane, number = *number](double first) {

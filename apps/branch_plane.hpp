@@ -11,8 +11,8 @@ namespace rubsweep::apps {
 /// The scenes of a cell as two parameters change: that of --along and that of --curve.
 struct BranchPlane {
   branch::ScenePlane scenes;
-  /// Value of the second parameter on the branch, where the first one has a value: a branch along the speed at
-  /// one whirl ratio has another eccentricity at every speed.
+  /// Value of the second parameter on the branch, where the first one has a value: a branch along the speed
+  /// at one whirl ratio has another eccentricity at every speed.
   std::function<double(double first)> second_on_branch;
   branch::ParameterRange second;
 };

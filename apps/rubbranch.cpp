@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "branch_family.hpp"
+#include "branch_plane.hpp"
 #include "exit_code.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
-#include "branch_plane.hpp"
 #include "rubbranch_arguments.hpp"
 #include "rubbranch_curves.hpp"
 #include "rubbranch_map.hpp"
@@ -97,8 +97,8 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const std::string comments =
       report::branch_comments(RUBSWEEP_VERSION, config::study_digest(study), arguments.along, branches);
   ResultFiles files{{"config.yaml", config::print_config(config)},
-                          {"branch.csv", comments + report::branch_csv(branches)},
-                          {"events.csv", comments + report::branch_events_csv(branches)}};
+                    {"branch.csv", comments + report::branch_csv(branches)},
+                    {"events.csv", comments + report::branch_events_csv(branches)}};
   if (plane) {
     const std::string curve_comments = report::curve_comments(RUBSWEEP_VERSION, config::study_digest(study),
                                                               arguments.along, arguments.curve, curves);
@@ -108,7 +108,8 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   write_result_files(files, file_names, directory);
   if (!arguments.quiet) {
     fmt::print("{}{}{}", report::branch_summary(arguments.along, branches),
-               report::curves_summary(arguments.along, arguments.curve, curves), files_line(files, directory));
+               report::curves_summary(arguments.along, arguments.curve, curves),
+               files_line(files, directory));
   }
   return done;
 }

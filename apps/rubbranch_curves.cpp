@@ -24,9 +24,10 @@ branch::BranchEvent with_its_own_period(branch::BranchEvent event, int& order) {
 
 }  // namespace
 
-std::vector<report::CurveFrom> curves_of(const std::vector<branch::Branch>& branches, const BranchPlane& plane,
-                                         const branch::ParameterRange& first, const sweep::Study& study,
-                                         int most_points, response::motion::Workspace& workspace) {
+std::vector<report::CurveFrom> curves_of(const std::vector<branch::Branch>& branches,
+                                         const BranchPlane& plane, const branch::ParameterRange& first,
+                                         const sweep::Study& study, int most_points,
+                                         response::motion::Workspace& workspace) {
   std::vector<report::CurveFrom> curves;
   branch::CurveOptions options;
   options.most_points = most_points;
@@ -44,7 +45,8 @@ std::vector<report::CurveFrom> curves_of(const std::vector<branch::Branch>& bran
       const auto start =
           branch::curve_start(orbits, event, {parameter, plane.second_on_branch(parameter), 0});
       if (!start) {
-        say(fmt::format("rubbranch: no curve starts from the {} at {:.10g}\n", to_string(found.kind), parameter));
+        say(fmt::format("rubbranch: no curve starts from the {} at {:.10g}\n", to_string(found.kind),
+                        parameter));
         continue;
       }
       const bool known = std::ranges::any_of(curves, [&](const report::CurveFrom& other) {

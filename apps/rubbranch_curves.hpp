@@ -12,8 +12,9 @@ namespace rubsweep::apps {
 
 /// From every event of the branches a curve in the plane, each curve once. Says on stderr which events have
 /// none. `first`: the range of the first parameter.
-std::vector<report::CurveFrom> curves_of(const std::vector<branch::Branch>& branches, const BranchPlane& plane,
-                                         const branch::ParameterRange& first, const sweep::Study& study,
-                                         int most_points, response::motion::Workspace& workspace);
+std::vector<report::CurveFrom> curves_of(const std::vector<branch::Branch>& branches,
+                                         const BranchPlane& plane, const branch::ParameterRange& first,
+                                         const sweep::Study& study, int most_points,
+                                         response::motion::Workspace& workspace);
 
 }  // namespace rubsweep::apps

@@ -40,7 +40,7 @@ def main(arguments):
     with tempfile.TemporaryDirectory() as work:
         for kind in curves.kinds():
             write(os.path.join(work, kind), curves.line_lines(kind))
-        write(os.path.join(work, "meetings"), ["NaN NaN none", *marks])
+        write(os.path.join(work, "meetings"), marks)
         write(os.path.join(work, "cells"), domain_map.cell_lines(cells))
         os.makedirs(os.path.dirname(output), exist_ok=True)
         gnuplot.draw(
@@ -51,6 +51,7 @@ def main(arguments):
             " ".join(curves.kinds()),
             " ".join(sorted({cell.kind for cell in cells})),
             *curves.parameters,
+            str(len(marks)),
         )
 
 

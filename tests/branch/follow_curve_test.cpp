@@ -62,15 +62,16 @@ TEST(FollowCurve, FoldsThroughACusp) {
 
 /// x -> x + p^2 + q^2 - 1/4 - x^2: folds on a circle.
 TEST(FollowCurve, ACurveThatCloses) {
-  const PlaneOrbits orbits = plain_plane_of_one_number(
-      [](double p, double q, double x) { return x + p * p + q * q - 0.25 - x * x; },
-      [](double, double, double x) { return 1 - 2 * x; });
+  const PlaneOrbits orbits =
+      plain_plane_of_one_number([](double p, double q, double x) { return x + p * p + q * q - 0.25 - x * x; },
+                                [](double, double, double x) { return 1 - 2 * x; });
   const Curve curve = followed(orbits, EventKind::fold, number(0), 0.3, 0.4);
   EXPECT_EQ(curve.forward, Ending::closed);
   EXPECT_EQ(curve.backward, Ending::closed);
   for (const CurvePoint& point : curve.points)
     EXPECT_NEAR(std::hypot(point.place.first, point.place.second), 0.5, 1e-11);
-  EXPECT_NEAR(curve.points.back().arclength, std::numbers::pi / 2, 3e-3);  // half the lengths: the ranges are 2 wide
+  EXPECT_NEAR(curve.points.back().arclength, std::numbers::pi / 2,
+              3e-3);  // half the lengths: the ranges are 2 wide
   const auto again = test::start_near(orbits, EventKind::fold, number(0), -0.5, 0);
   ASSERT_TRUE(again);
   EXPECT_TRUE(lies_on(again->system, curve, again->point));
@@ -107,8 +108,8 @@ TEST(FollowCurve, ToriThroughResonances) {
   for (const CurvePoint& point : curve.points) EXPECT_NEAR(point.place.first, 0, 1e-11);
 }
 
-/// y -> (1 + p) y + q - x^2, x -> x + new y: fixed points x = +-sqrt(q), their multipliers with the sum 2 + p -
-/// 2 x and the product 1 + p.
+/// y -> (1 + p) y + q - x^2, x -> x + new y: fixed points x = +-sqrt(q), their multipliers with the sum 2 + p
+/// - 2 x and the product 1 + p.
 PlaneOrbits bogdanov_takens_plane() {
   return plain_plane(
       [](double p, double q, const Eigen::VectorXd& x) {
@@ -140,9 +141,9 @@ TEST(FollowCurve, ToriEndWhereTheirMultipliersAreReal) {
 
 /// x -> (1 + p + q) x - x^3.
 TEST(FollowCurve, BreaksOfSymmetry) {
-  const PlaneOrbits orbits = plain_plane_of_one_number(
-      [](double p, double q, double x) { return (1 + p + q) * x - x * x * x; },
-      [](double p, double q, double x) { return 1 + p + q - 3 * x * x; });
+  const PlaneOrbits orbits =
+      plain_plane_of_one_number([](double p, double q, double x) { return (1 + p + q) * x - x * x * x; },
+                                [](double p, double q, double x) { return 1 + p + q - 3 * x * x; });
   const Curve curve = followed(orbits, EventKind::branch_point, number(0), -0.2, 0.2);
   EXPECT_EQ(curve.forward, Ending::left_range);
   EXPECT_EQ(curve.backward, Ending::left_range);
@@ -155,9 +156,9 @@ TEST(FollowCurve, BreaksOfSymmetry) {
 
 /// x -> (1 + p) x - x^3 + q: the branches cross at q = 0 only.
 TEST(FollowCurve, ACrossingWithoutSymmetryUnfolds) {
-  const PlaneOrbits orbits = plain_plane_of_one_number(
-      [](double p, double q, double x) { return (1 + p) * x - x * x * x + q; },
-      [](double p, double, double x) { return 1 + p - 3 * x * x; });
+  const PlaneOrbits orbits =
+      plain_plane_of_one_number([](double p, double q, double x) { return (1 + p) * x - x * x * x + q; },
+                                [](double p, double, double x) { return 1 + p - 3 * x * x; });
   const Curve curve = followed(orbits, EventKind::branch_point, number(0), 0, 0);
   EXPECT_EQ(curve.forward, Ending::unfolds);
   EXPECT_EQ(curve.backward, Ending::unfolds);

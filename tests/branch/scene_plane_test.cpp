@@ -47,7 +47,8 @@ class TwoMassPlane : public ::testing::Test {
 
   std::optional<CurveStart> start_at(EventKind kind, int which) const {
     for (const BranchEvent& event : branch_.events) {
-      if (event.kind == kind && which-- == 0) return curve_start(orbits_, event, {event.point.parameter, 0.1, 0});
+      if (event.kind == kind && which-- == 0)
+        return curve_start(orbits_, event, {event.point.parameter, 0.1, 0});
     }
     return std::nullopt;
   }
@@ -82,8 +83,8 @@ const Meeting* find(const Curve& curve, MeetingKind kind) {
   return nullptr;
 }
 
-/// The critical multiplier is there all along, with the others the product that damping gives; and the curves of
-/// folds and of doublings agree about the place where they meet.
+/// The critical multiplier is there all along, with the others the product that damping gives; and the curves
+/// of folds and of doublings agree about the place where they meet.
 TEST_F(TwoMassPlane, FoldsAndDoublings) {
   std::vector<Place> meetings;
   for (const auto& [kind, critical] :
@@ -94,7 +95,8 @@ TEST_F(TwoMassPlane, FoldsAndDoublings) {
     ASSERT_GT(curve.points.size(), 50u);
     for (const CurvePoint& point : curve.points) {
       double nearest = 1;
-      for (const std::complex<double> m : point.multipliers) nearest = std::min(nearest, std::abs(m - critical));
+      for (const std::complex<double> m : point.multipliers)
+        nearest = std::min(nearest, std::abs(m - critical));
       EXPECT_LT(nearest, 1e-8) << point.place.first << ' ' << point.place.second;
       const double product = std::exp(-0.09 * 2 * std::numbers::pi / point.place.first);
       EXPECT_NEAR(point.multipliers.prod().real() / product, 1, 1e-8);
@@ -157,8 +159,8 @@ std::optional<scene::Scene> annular(double speed, double unbalance) {
   return test::annular_scene(1, zeta, speed, unbalance, 0, stiffness, 0);
 }
 
-/// Full annular rub at the radius r: ((1 + b - w^2) r - b)^2 + (2 zeta w r)^2 = (e w^2)^2, and at a fold the same
-/// once differentiated by r.
+/// Full annular rub at the radius r: ((1 + b - w^2) r - b)^2 + (2 zeta w r)^2 = (e w^2)^2, and at a fold the
+/// same once differentiated by r.
 double unbalance_of(double r, double w) {
   return std::hypot((1 + stiffness - w * w) * r - stiffness, 2 * zeta * w * r) / (w * w);
 }

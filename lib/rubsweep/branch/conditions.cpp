@@ -20,8 +20,7 @@ using Svd = Eigen::JacobiSVD<MatrixXd>;
 VectorXd solve_but_last(const Svd& svd, const VectorXd& right) {
   const Eigen::Index rank = right.size() - 1;
   return svd.matrixV().leftCols(rank) *
-         (svd.matrixU().leftCols(rank).transpose() * right)
-             .cwiseQuotient(svd.singularValues().head(rank));
+         (svd.matrixU().leftCols(rank).transpose() * right).cwiseQuotient(svd.singularValues().head(rank));
 }
 
 struct SumAndProduct {
@@ -66,8 +65,8 @@ std::optional<Condition> singular_condition(const MonodromyJet& jet, double sign
   critical.quadratic = condition.by_state.dot(right);
   // Kuznetsov, Elements of Applied Bifurcation Theory, (5.50) and (5.53), six times.
   const VectorXd squared = slope * right;
-  const VectorXd answer = sign > 0 ? solve_but_last(svd, squared)
-                                   : VectorXd((jet.here - one).partialPivLu().solve(squared));
+  const VectorXd answer =
+      sign > 0 ? solve_but_last(svd, squared) : VectorXd((jet.here - one).partialPivLu().solve(squared));
   const MatrixXd bend = (beside->ahead - 2 * jet.here + beside->behind) / (beside->step * beside->step);
   critical.cubic = left.dot(bend * right) - 3 * condition.by_state.dot(answer);
   return condition;

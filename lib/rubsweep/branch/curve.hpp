@@ -14,9 +14,9 @@ struct CurvePoint {
   Place place;
   double arclength = 0;  ///< from the event that the curve starts from; below 0 on its other side
   Eigen::VectorXd state;
-  Position at;       ///< place and state in the coordinates
-  Position tangent;  ///< unit vector along the curve
-  double error = 0;  ///< the last Newton correction of the parameters, in shares of their ranges
+  Position at;                   ///< place and state in the coordinates
+  Position tangent;              ///< unit vector along the curve
+  double error = 0;              ///< the last Newton correction of the parameters, in shares of their ranges
   Eigen::VectorXcd multipliers;  ///< largest modulus first
   Critical critical;
   OrbitFacts facts;
@@ -24,16 +24,16 @@ struct CurvePoint {
 
 /// Where a curve meets another one: two things happen at one place of the plane.
 enum class MeetingKind {
-  cusp,              ///< two curves of folds end in each other
-  fold_flip,         ///< multipliers +1 and -1
-  fold_torus,        ///< +1 and a complex pair on the unit circle
-  flip_torus,        ///< -1 and such a pair
-  double_torus,      ///< two such pairs
-  resonance_1_1,     ///< +1 twice, where a curve of tori begins at one of folds
-  resonance_1_2,     ///< -1 twice, where one begins at a period doubling
-  resonance_1_3,     ///< a pair at 120 degrees
-  resonance_1_4,     ///< a pair at 90 degrees
-  generalised_flip,  ///< a period doubling changes from soft to hard
+  cusp,                  ///< two curves of folds end in each other
+  fold_flip,             ///< multipliers +1 and -1
+  fold_torus,            ///< +1 and a complex pair on the unit circle
+  flip_torus,            ///< -1 and such a pair
+  double_torus,          ///< two such pairs
+  resonance_1_1,         ///< +1 twice, where a curve of tori begins at one of folds
+  resonance_1_2,         ///< -1 twice, where one begins at a period doubling
+  resonance_1_3,         ///< a pair at 120 degrees
+  resonance_1_4,         ///< a pair at 90 degrees
+  generalised_flip,      ///< a period doubling changes from soft to hard
   degenerate_branching,  ///< a break of symmetry changes from soft to hard
   graze_fold,            ///< an orbit that grazes has a multiplier +1
   graze_flip,            ///< -1

@@ -59,8 +59,7 @@ class Extender {
 
   Image image_at(const Position& at) const {
     Image image{state_of(system_, at), {}};
-    const Evaluation evaluation =
-        orbits_.returns(place_of(system_, at), image.state, &image.monodromy);
+    const Evaluation evaluation = orbits_.returns(place_of(system_, at), image.state, &image.monodromy);
     if (evaluation != Evaluation::ok) throw NotMade{evaluation};
     if (!image.state.allFinite() || !image.monodromy.allFinite()) throw NotMade{Evaluation::failed};
     return image;

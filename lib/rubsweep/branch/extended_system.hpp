@@ -18,7 +18,8 @@ namespace rubsweep::branch {
 /// |---|---|
 /// | fold, period doubling | smallest singular value of M - 1, of M + 1 |
 /// | torus | product of the two multipliers whose product is nearest to 1, less 1 |
-/// | branch point | as a fold, and the second derivative of the image along the critical direction, seen by the
+/// | branch point | as a fold, and the second derivative of the image along the critical direction, seen by
+/// the
 ///   left one, in place of the one equation that says nothing there |
 /// | graze | at the start of the turn the guard is as good as zero, and so is its rate |
 struct ExtendedSystem {
@@ -40,10 +41,10 @@ Eigen::VectorXd state_of(const ExtendedSystem& system, const Position& at);
 /// What is known at a place of what becomes critical there, for tests of meetings with other events.
 struct Critical {
   Eigen::VectorXd left, right;  ///< unit vectors of the multiplier +-1; their signs mean nothing
-  double quadratic = 0;  ///< left . second derivative along right; zero at a cusp. Its sign is that of left
-  double cubic = 0;     ///< coefficient of the normal form behind it; its sign is that of left times right
-  double pair_sum = 0;  ///< of a torus: 2 cos of the angle of its multipliers
-  double curvature = 0;   ///< of a grazing guard
+  double quadratic = 0;    ///< left . second derivative along right; zero at a cusp. Its sign is that of left
+  double cubic = 0;        ///< coefficient of the normal form behind it; its sign is that of left times right
+  double pair_sum = 0;     ///< of a torus: 2 cos of the angle of its multipliers
+  double curvature = 0;    ///< of a grazing guard
   double open_defect = 0;  ///< of a branch point: how far the orbit is from closing along `left`
 };
 

@@ -59,7 +59,10 @@ std::optional<CurvePoint> one_between(const ExtendedSystem& system, const CurveP
 class CurveFollower {
  public:
   CurveFollower(const ExtendedSystem& system, const CurvePoint& start, const CurveOptions& options)
-      : system_(system), options_(options), step_(options.first_step), start_turns_(all_turns(system, start)) {
+      : system_(system),
+        options_(options),
+        step_(options.first_step),
+        start_turns_(all_turns(system, start)) {
     half_.points.push_back(start);
   }
 

@@ -80,9 +80,12 @@ std::vector<NamedTest> tests_of_one_multiplier(double sign, const Critical& refe
 
 std::vector<NamedTest> tests_of_a_fold(const Critical& reference) {
   auto tests = tests_of_one_multiplier(1, reference);
-  tests.back() = {MeetingKind::cusp, [reference](const CurvePoint& point) {
+  tests.back() = {MeetingKind::cusp,
+                  [reference](const CurvePoint& point) {
                     return point.critical.quadratic * turned(point.critical.left, reference.left);
-                  }, {}, true};
+                  },
+                  {},
+                  true};
   return tests;
 }
 
@@ -90,14 +93,15 @@ std::vector<NamedTest> tests_of_a_torus() {
   const auto sum_less = [](double sum) -> Test {
     return [sum](const CurvePoint& point) { return point.critical.pair_sum - sum; };
   };
-  return {{MeetingKind::resonance_1_1, sum_less(2)},
-          {MeetingKind::resonance_1_2, sum_less(-2)},
-          {MeetingKind::resonance_1_3, sum_less(-1)},
-          {MeetingKind::resonance_1_4, sum_less(0)},
-          {MeetingKind::fold_torus, [](const CurvePoint& point) { return unit_test(without_pair(point)); }},
-          {MeetingKind::flip_torus, [](const CurvePoint& point) { return doubling_test(without_pair(point)); }},
-          {MeetingKind::double_torus, [](const CurvePoint& point) { return torus_test(without_pair(point)); },
-           without_pair}};
+  return {
+      {MeetingKind::resonance_1_1, sum_less(2)},
+      {MeetingKind::resonance_1_2, sum_less(-2)},
+      {MeetingKind::resonance_1_3, sum_less(-1)},
+      {MeetingKind::resonance_1_4, sum_less(0)},
+      {MeetingKind::fold_torus, [](const CurvePoint& point) { return unit_test(without_pair(point)); }},
+      {MeetingKind::flip_torus, [](const CurvePoint& point) { return doubling_test(without_pair(point)); }},
+      {MeetingKind::double_torus, [](const CurvePoint& point) { return torus_test(without_pair(point)); },
+       without_pair}};
 }
 
 std::vector<NamedTest> tests_of_a_graze() {
@@ -171,7 +175,8 @@ class MeetingFinder {
         [](double a, double b) { return std::abs(b - a) <= root_width; }, evaluations);
     CurvePoint point = point_at((low + high) / 2);
     if (named.with_a_complex_pair && !nearest_pair_is_complex(named.with_a_complex_pair(point))) return;
-    if (named.of_differences && !holds_by_finer_differences(named, point, std::abs(at_from) + std::abs(at_to)))
+    if (named.of_differences &&
+        !holds_by_finer_differences(named, point, std::abs(at_from) + std::abs(at_to)))
       return;
     meetings_.push_back({named.kind, std::move(point), (high - low) / 2});
   }

@@ -33,8 +33,8 @@ std::string interval(const branch::Curve& curve, const Value& value) {
 std::string curve_comments(const std::string& version, const std::string& digest,
                            const std::string& parameter, const std::string& curve_parameter,
                            const std::vector<CurveFrom>& curves) {
-  std::string text = fmt::format("# rubbranch {}\n# digest {}\n# parameter {}\n# curve_parameter {}\n", version,
-                                 digest, parameter, curve_parameter);
+  std::string text = fmt::format("# rubbranch {}\n# digest {}\n# parameter {}\n# curve_parameter {}\n",
+                                 version, digest, parameter, curve_parameter);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const branch::Curve& curve = curves[i].curve;
     text += fmt::format("# curve {}: {}, order {}, ends {}\n", i, branch::to_string(curve.kind), curve.order,
@@ -66,11 +66,10 @@ std::string meetings_csv(const std::vector<CurveFrom>& curves) {
     const branch::Curve& curve = curves[i].curve;
     for (const branch::Meeting& meeting : curve.meetings) {
       const CurvePoint& point = meeting.point;
-      text += fmt::format("{},{},{},{},{},{},{}{},{},{}\n", i, branch::to_string(curve.kind),
-                          branch::to_string(meeting.kind), place_cells(point.place),
-                          csv_number(meeting.error), csv_number(point.arclength), curve.order,
-                          multiplier_cells(point.multipliers), csv_number(point.facts.amplitude_m),
-                          point.facts.hits);
+      text += fmt::format(
+          "{},{},{},{},{},{},{}{},{},{}\n", i, branch::to_string(curve.kind), branch::to_string(meeting.kind),
+          place_cells(point.place), csv_number(meeting.error), csv_number(point.arclength), curve.order,
+          multiplier_cells(point.multipliers), csv_number(point.facts.amplitude_m), point.facts.hits);
     }
   }
   return text;
@@ -81,12 +80,11 @@ std::string curves_summary(const std::string& parameter, const std::string& curv
   std::string text;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const branch::Curve& curve = curves[i].curve;
-    text += fmt::format("curve {}   {} of order {}, {} {}, {} {}, {} points, ends {}\n", i,
-                        branch::to_string(curve.kind), curve.order, parameter,
-                        interval(curve, [](const CurvePoint& point) { return point.place.first; }),
-                        curve_parameter,
-                        interval(curve, [](const CurvePoint& point) { return point.place.second; }),
-                        curve.points.size(), ends(curve));
+    text += fmt::format(
+        "curve {}   {} of order {}, {} {}, {} {}, {} points, ends {}\n", i, branch::to_string(curve.kind),
+        curve.order, parameter, interval(curve, [](const CurvePoint& point) { return point.place.first; }),
+        curve_parameter, interval(curve, [](const CurvePoint& point) { return point.place.second; }),
+        curve.points.size(), ends(curve));
     for (const branch::Meeting& meeting : curve.meetings) {
       text += fmt::format("  {:<20} {:.12g}, {:.12g}\n", branch::to_string(meeting.kind),
                           meeting.point.place.first, meeting.point.place.second);
