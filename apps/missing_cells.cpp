@@ -7,17 +7,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "forecast.hpp"
 #include "interrupt.hpp"
 #include "program.hpp"
+#include "refined_cells.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
-#include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/idle_torsion.hpp"
@@ -25,6 +25,12 @@
 #include "rubsweep/sweep/untouched_walls.hpp"
 
 namespace rubsweep::apps {
+namespace {
+
+/// Until the journals of other shards are read again.
+constexpr std::chrono::milliseconds shard_patience{500};
+
+}  // namespace
 
 MissingCells::MissingCells(const RubsweepArguments& arguments, const sweep::Study& study,
                            MapDirectory& directory)
@@ -37,33 +43,36 @@ MissingCells::MissingCells(const RubsweepArguments& arguments, const sweep::Stud
       progress_(directory.cells(), arguments.quiet ? batch::ProgressMode::never : arguments.progress, stderr,
                 directory.finished()) {}
 
-/// Round after round of the cells that those before them ask for.
+/// Round after round of the cells that those before them ask for. Shards at work at the same time wait for
+/// each other's.
 bool MissingCells::run_refined() {
-  const auto number_of = [&](const std::string& line) {
-    return numbers_.try_emplace(report::label_of(line), static_cast<int>(numbers_.size())).first->second;
-  };
-  labels_.assign(sweep::cell_count(study_.grid), sweep::unknown_label);
+  RefinedCells known(study_.grid);
   std::optional<Watch> watch(
       std::in_place, [this] { refresh(); }, [this] { leave(); });
-  while (true) {
-    directory_.for_each_finished(
-        [&](std::size_t cell, const std::string& line) { labels_[cell] = number_of(line); });
-    const std::vector<std::size_t> wanted = sweep::wanted_cells(study_.grid, labels_);
-    if (wanted.empty()) break;
-    run_cells(wanted);
-    if (stop_) {
-      watch.reset();
-      say_interrupted();
-      return false;
+  while (!stop_) {
+    known.read(directory_);
+    std::vector<std::size_t> wanted = known.wanted(), own = wanted;
+    std::erase_if(own, [&](std::size_t cell) { return !directory_.has_in_share(cell); });
+    if (!own.empty()) {
+      run_cells(own);
+    } else if (directory_.is_at_work_on(wanted)) {
+      std::this_thread::sleep_for(shard_patience);
+    } else {
+      left_to_others_ = wanted.size();
+      break;
     }
   }
   {
     const std::lock_guard lock(mutex_);
-    complete_ = true;
+    complete_ = !stop_;
   }
   watch.reset();
+  if (stop_) {
+    say_interrupted();
+    return false;
+  }
   progress_.finish();
-  if (!arguments_.quiet) say(report::describe_refinement(study_.grid, labels_));
+  if (!arguments_.quiet && left_to_others_ == 0) say(known.description());
   return true;
 }
 

@@ -2,11 +2,9 @@
 
 #include <atomic>
 #include <cstddef>
-#include <map>
 #include <mutex>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "map_directory.hpp"
 #include "rubsweep/batch/journal.hpp"
@@ -28,6 +26,10 @@ class MissingCells {
   /// up: nothing of them is in the journal, and the process ends without them.
   bool run();
 
+  /// Cells that a refined map wants of other shards, none of which was at work when this one had no more to
+  /// do.
+  std::size_t left_to_others() const { return left_to_others_; }
+
  private:
   bool all_finished() const { return finished_ == directory_.missing().size(); }
   bool run_refined();
@@ -47,9 +49,8 @@ class MissingCells {
   batch::LineLog partial_;
   batch::Progress progress_;
   std::size_t finished_ = 0;
-  bool complete_ = false;               ///< a refined map wants no more cells
-  std::vector<int> labels_;             ///< of a refined map
-  std::map<std::string, int> numbers_;  ///< of its labels
+  bool complete_ = false;  ///< a refined map wants no more cells
+  std::size_t left_to_others_ = 0;
 };
 
 }  // namespace rubsweep::apps
