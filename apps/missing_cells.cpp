@@ -32,15 +32,14 @@ constexpr std::chrono::milliseconds shard_patience{500};
 
 }  // namespace
 
-MissingCells::MissingCells(const RubsweepArguments& arguments, const sweep::Study& study,
-                           MapDirectory& directory)
-    : arguments_(arguments),
+MissingCells::MissingCells(const SweepRun& how, const sweep::Study& study, MapDirectory& directory)
+    : how_(how),
       study_(study),
       directory_(directory),
       stop_(catch_interrupts()),
       journal_(directory.journal()),
       partial_(directory.partial()),
-      progress_(directory.cells(), arguments.quiet ? batch::ProgressMode::never : arguments.progress, stderr,
+      progress_(directory.cells(), how.quiet ? batch::ProgressMode::never : how.progress, stderr,
                 directory.finished()) {}
 
 /// Round after round of the cells that those before them ask for. Shards at work at the same time wait for
@@ -72,7 +71,7 @@ bool MissingCells::run_refined() {
     return false;
   }
   progress_.finish();
-  if (!arguments_.quiet && left_to_others_ == 0) say(known.description());
+  if (!how_.quiet && left_to_others_ == 0) say(known.description());
   return true;
 }
 
@@ -86,7 +85,7 @@ bool MissingCells::run() {
     why.pop_back();
     progress_.say(why);
   }
-  const int threads = batch::thread_count(arguments_.threads);
+  const int threads = batch::thread_count(how_.threads);
   std::vector<std::size_t> cells = directory_.missing();
   std::optional<Watch> watch(
       std::in_place, [this] { refresh(); }, [this] { leave(); });
@@ -108,8 +107,8 @@ bool MissingCells::run() {
 
 void MissingCells::run_cells(std::span<const std::size_t> cells) {
   sweep::run_cells(
-      study_, cells, arguments_.threads,
-      [this](std::size_t cell, const sweep::Row& row) { write_down(cell, row); }, stop_);
+      study_, cells, how_.threads, [this](std::size_t cell, const sweep::Row& row) { write_down(cell, row); },
+      stop_);
 }
 
 void MissingCells::write_down(std::size_t cell, const sweep::Row& row) {
@@ -142,9 +141,20 @@ void MissingCells::leave() {
 
 void MissingCells::say_interrupted() {
   progress_.finish();
-  say(fmt::format(
-      "rubsweep: interrupted; {} of {} cells are finished, the same command computes the others\n",
-      directory_.finished() + finished_, directory_.cells()));
+  say(fmt::format("{}: interrupted; {} of {} cells are finished, the same command computes the others\n",
+                  how_.program, directory_.finished() + finished_, directory_.cells()));
+}
+
+std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const sweep::Study& study,
+                                                 MapDirectory& directory) {
+  if (!how.quiet && directory.finished() > 0) {
+    say(fmt::format("{}: {} of {} cells were finished before\n", how.program, directory.finished(),
+                    directory.cells()));
+  }
+  if (directory.missing().empty()) return 0;
+  MissingCells missing(how, study, directory);
+  if (!missing.run()) return std::nullopt;
+  return missing.left_to_others();
 }
 
 }  // namespace rubsweep::apps

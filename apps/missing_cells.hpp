@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -12,15 +13,22 @@
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/sweep/row.hpp"
 #include "rubsweep/sweep/study.hpp"
-#include "rubsweep_arguments.hpp"
 
 namespace rubsweep::apps {
+
+/// How a program goes about a sweep.
+struct SweepRun {
+  std::string program;  ///< who says how it goes
+  int threads = 0;
+  batch::ProgressMode progress = batch::ProgressMode::automatic;
+  bool quiet = false;
+};
 
 /// Computes the cells that a directory misses and writes each one down as it is finished.
 class MissingCells {
  public:
   /// All three must outlive it. Opens journal and partial map; throws IoError.
-  MissingCells(const RubsweepArguments& arguments, const sweep::Study& study, MapDirectory& directory);
+  MissingCells(const SweepRun& how, const sweep::Study& study, MapDirectory& directory);
 
   /// False when a signal came before all were finished. Cells that still run half a second after it are given
   /// up: nothing of them is in the journal, and the process ends without them.
@@ -40,7 +48,7 @@ class MissingCells {
   void leave();
   void say_interrupted();
 
-  const RubsweepArguments& arguments_;
+  const SweepRun& how_;
   const sweep::Study& study_;
   MapDirectory& directory_;
   const std::atomic<bool>& stop_;
@@ -52,5 +60,10 @@ class MissingCells {
   bool complete_ = false;  ///< a refined map wants no more cells
   std::size_t left_to_others_ = 0;
 };
+
+/// Says how many cells were finished before, and computes the others. Empty when a signal came, else
+/// MissingCells::left_to_others.
+std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const sweep::Study& study,
+                                                 MapDirectory& directory);
 
 }  // namespace rubsweep::apps

@@ -77,18 +77,11 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
     refuse_to_merge_too_early(config, directory);
     return report_map("rubsweep", arguments, directory.write_map(), config.study, directory);
   }
-  if (!arguments.quiet && directory.finished() > 0) {
-    say(fmt::format("rubsweep: {} of {} cells were finished before\n", directory.finished(),
-                    directory.cells()));
-  }
-  std::size_t left_to_others = 0;
-  if (!directory.missing().empty()) {
-    MissingCells missing(arguments, config.study, directory);
-    if (!missing.run()) return 128 + caught_signal();
-    left_to_others = missing.left_to_others();
-  }
+  const SweepRun how{"rubsweep", arguments.threads, arguments.progress, arguments.quiet};
+  const auto left_to_others = compute_missing_cells(how, config.study, directory);
+  if (!left_to_others) return 128 + caught_signal();
   if (arguments.shard) {
-    if (!arguments.quiet) fmt::print("{}", shard_is_done(config.study.grid, directory, left_to_others));
+    if (!arguments.quiet) fmt::print("{}", shard_is_done(config.study.grid, directory, *left_to_others));
     return done;
   }
   return report_map("rubsweep", arguments, directory.write_map(), config.study, directory);

@@ -2,8 +2,6 @@
 # sweep.refine: the computed cells are those of the full map, the others are painted as they are there, and neither
 # threads nor a kill change which cells are computed.
 source "$(dirname "$0")/support.sh"
-set -m
-trap 'kill -KILL %% 2>/dev/null || true; rm -rf "$work"' EXIT
 
 grid=("$minimal" --set 'sweep={speed_hz: {from: 60, to: 100, count: 41}, whirl_ratio: {from: 0.1, to: 0.9, count: 33}}')
 refine=(--set 'sweep.refine={levels: 3, probes: 1}')
@@ -36,17 +34,8 @@ END
 
 expect_exit 0 "${grid[@]}" "${refine[@]}" --output threads --threads 3 --quiet
 expect_same threads/map.csv whole/map.csv
-for cells in 20 200; do
-  "$rubsweep" "${grid[@]}" "${refine[@]}" --output killed --threads 1 >stdout 2>stderr </dev/null &
-  until [[ -e killed/map.partial.csv ]] && (($(rows killed/map.partial.csv | wc -l) >= cells)); do
-    kill -0 $! 2>/dev/null || break
-    sleep 0.002
-  done
-  kill -KILL %% 2>/dev/null || true
-  wait %% 2>/dev/null || true
-done
-expect_exit 0 "${grid[@]}" "${refine[@]}" --output killed
-expect_same killed/map.csv whole/map.csv
+# In the first round and in a later one.
+for cells in 20 $((computed - 50)); do expect_resumed $cells whole "${grid[@]}" "${refine[@]}"; done
 expect_exit 0 "${grid[@]}" "${refine[@]}" --output killed
 expect_contains stderr 'the map is there'
 
