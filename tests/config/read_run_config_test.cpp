@@ -128,7 +128,8 @@ TEST(ReadRunConfig, ReportsAllProblemsOfAFileAtOnce) {
       "test.yaml:23:98: response.max_order: 40 is more than half a window, allowed: <= 32 = "
       "window_revolutions "
       "/ 2\n"
-      "test.yaml:24:1: outputs: unknown key (did you mean 'output'?), allowed: base, rotor, stops, kick, start, "
+      "test.yaml:24:1: outputs: unknown key (did you mean 'output'?), allowed: base, rotor, stops, kick, "
+      "start, "
       "gravity_m_per_s2, sweep, study, solver, response, output");
 }
 

@@ -98,7 +98,8 @@ TEST(MapSummary, SaysWhyNothingRubs) {
   Row started = untouched(sweep::RunStart::state);
   EXPECT_NE(summary_of({started}).text().find("no wall was ever touched: no start"), std::string::npos);
   started.last_contact_revolution = 3;
-  EXPECT_NE(summary_of({started}).text().find("nothing rubs on: the rotor reached a wall"), std::string::npos);
+  EXPECT_NE(summary_of({started}).text().find("nothing rubs on: the rotor reached a wall"),
+            std::string::npos);
   EXPECT_EQ(summary_of({kicked, row(MotionClass::synchronous, 1)}).text().find("touched"), std::string::npos);
 }
 

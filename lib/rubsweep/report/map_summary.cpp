@@ -103,8 +103,9 @@ std::string MapSummary::warning() const {
 std::string MapSummary::why_all_is_quiet() const {
   if (total_ == 0 || non_contact_ != total_) return "";
   if (stated_ > 0) {
-    return touched_ == 0 ? "no wall was ever touched: no start (start.x_m, start.vx_m_per_s, ...) leads to one\n"
-                         : "nothing rubs on: the rotor reached a wall, but came free of it everywhere\n";
+    return touched_ == 0
+               ? "no wall was ever touched: no start (start.x_m, start.vx_m_per_s, ...) leads to one\n"
+               : "nothing rubs on: the rotor reached a wall, but came free of it everywhere\n";
   }
   if (kicked_ == 0) return "no wall was ever touched: there is no kick (kick.force_n, kick.duration_s)\n";
   if (touched_ == 0) {
