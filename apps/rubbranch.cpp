@@ -2,15 +2,18 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "branch_family.hpp"
+#include "branch_plane.hpp"
 #include "exit_code.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubbranch_arguments.hpp"
+#include "rubbranch_curves.hpp"
 #include "rubbranch_map.hpp"
 #include "rubsweep/branch/doubling.hpp"
 #include "rubsweep/branch/follow.hpp"
@@ -26,7 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> file_names{"config.yaml", "branch.csv", "events.csv"};
+constexpr std::array<std::string_view, 5> file_names{"config.yaml", "branch.csv", "events.csv", "curves.csv",
+                                                     "meetings.csv"};
 
 branch::OrbitProblem problem_of(const BranchFamily& family, int order, const sweep::Study& study,
                                 response::motion::Workspace& workspace) {
@@ -64,6 +68,8 @@ int nothing_to_follow(const std::string& why) {
 int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
   const BranchFamily family = branch_family(arguments, config);
+  std::optional<BranchPlane> plane;
+  if (!arguments.curve.empty()) plane = branch_plane(arguments, config);
   const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_branch"));
   make_directory(directory);
 
@@ -84,14 +90,26 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   std::vector<branch::Branch> branches{branch::follow_both_ways(problem, *start, options)};
   if (arguments.switch_at_doublings) add_doubled(family, options, study, workspace, branches);
 
+  std::vector<report::CurveFrom> curves;
+  if (plane)
+    curves = curves_of(branches, *plane, {family.low, family.high}, study, arguments.most_points, workspace);
+
   const std::string comments =
       report::branch_comments(RUBSWEEP_VERSION, config::study_digest(study), arguments.along, branches);
-  const ResultFiles files{{"config.yaml", config::print_config(config)},
-                          {"branch.csv", comments + report::branch_csv(branches)},
-                          {"events.csv", comments + report::branch_events_csv(branches)}};
+  ResultFiles files{{"config.yaml", config::print_config(config)},
+                    {"branch.csv", comments + report::branch_csv(branches)},
+                    {"events.csv", comments + report::branch_events_csv(branches)}};
+  if (plane) {
+    const std::string curve_comments = report::curve_comments(RUBSWEEP_VERSION, config::study_digest(study),
+                                                              arguments.along, arguments.curve, curves);
+    files["curves.csv"] = curve_comments + report::curves_csv(curves);
+    files["meetings.csv"] = curve_comments + report::meetings_csv(curves);
+  }
   write_result_files(files, file_names, directory);
   if (!arguments.quiet) {
-    fmt::print("{}{}", report::branch_summary(arguments.along, branches), files_line(files, directory));
+    fmt::print("{}{}{}", report::branch_summary(arguments.along, branches),
+               report::curves_summary(arguments.along, arguments.curve, curves),
+               files_line(files, directory));
   }
   return done;
 }

@@ -24,6 +24,10 @@ po::options_description visible_options() {
       "smallest value of the parameter; default: that of the sweep, for a key half of what it is")(
       "to", po::value<double>()->value_name("B"),
       "largest value; default: that of the sweep, for a key twice what it is")(
+      "curve", po::value<std::string>()->value_name("KEY"),
+      "a second parameter, named as --along: from every event of the branch a curve in the plane of both")(
+      "curve-from", po::value<double>()->value_name("A"), "its smallest value; default: as --from")(
+      "curve-to", po::value<double>()->value_name("B"), "its largest value; default: as --to")(
       "switch", "at each period doubling follow the orbit of twice the period as well")(
       "points", po::value<int>()->value_name("N")->default_value(usual_points),
       "orbits to find at most on each side of the cell")(
@@ -65,7 +69,7 @@ RubbranchArguments parse_rubbranch_arguments(int argc, const char* const* argv) 
   if (given.count("map") != 0) {
     arguments.map = given["map"].as<std::string>();
     arguments.fresh = given.count("fresh") != 0;
-    for (const char* name : {"config", "cell", "from", "to", "switch", "set"}) {
+    for (const char* name : {"config", "cell", "from", "to", "curve", "curve-from", "curve-to", "switch", "set"}) {
       if (given.count(name) != 0) throw UsageError("--map takes the configuration of the map, and no cell");
     }
     return arguments;
@@ -78,6 +82,13 @@ RubbranchArguments parse_rubbranch_arguments(int argc, const char* const* argv) 
   arguments.to = finite(given, "to");
   if (arguments.from && arguments.to && !(*arguments.from < *arguments.to))
     throw UsageError("--from and --to: allowed: a number and a larger one");
+  if (given.count("curve") != 0) arguments.curve = given["curve"].as<std::string>();
+  arguments.curve_from = finite(given, "curve-from");
+  arguments.curve_to = finite(given, "curve-to");
+  if ((arguments.curve_from || arguments.curve_to) && arguments.curve.empty())
+    throw UsageError("--curve-from and --curve-to belong to --curve KEY");
+  if (arguments.curve_from && arguments.curve_to && !(*arguments.curve_from < *arguments.curve_to))
+    throw UsageError("--curve-from and --curve-to: allowed: a number and a larger one");
   arguments.switch_at_doublings = given.count("switch") != 0;
   arguments.most_points = given["points"].as<int>();
   if (arguments.most_points < 2) throw UsageError("--points: allowed: a number >= 2");
@@ -95,6 +106,7 @@ std::string rubbranch_help() {
       "  rubbranch configs/figure06_one_side.yaml --cell 75,0.4\n"
       "  rubbranch configs/figure06_one_side.yaml --cell 75,0.4 --along whirl_ratio --switch\n"
       "  rubbranch configs/minimal.yaml --cell 70,0.4 --along stops.0.casing.mass_kg --from 0.02 --to 0.2\n"
+      "  rubbranch configs/figure06_one_side.yaml --cell 75,0.4 --curve whirl_ratio\n"
       "  rubbranch --map results/figure06_one_side\n\n"
       "Writes into DIR:\n"
       "  branch.csv   a row for every orbit by ascending arclength: parameter, order, stability, "
@@ -103,6 +115,11 @@ std::string rubbranch_help() {
       "  events.csv   fold, period_doubling, neimark_sacker, branch_point, period_halving and graze, each "
       "located as a root\n"
       "  config.yaml  the complete configuration\n"
+      "With --curve also:\n"
+      "  curves.csv   a row for every point of a curve: both parameters, kind, the event it starts from, "
+      "arclength,\n"
+      "               multipliers, amplitude, hits\n"
+      "  meetings.csv where a curve meets another one: cusp, fold_flip, resonance_1_2, graze_fold and others\n"
       "With --map beside map.csv, or into DIR:\n"
       "  boundaries.csv  lines around the domain of every family: family, kind, speed_hz and the map's "
       "unbalance\n"

@@ -15,6 +15,8 @@ struct RubbranchArguments : StudyArguments {
   CellArgument cell = {};
   std::string along = {};  ///< speed_hz, whirl_ratio, eccentricity_m or a key as --set names it
   std::optional<double> from = {}, to = {};
+  std::string curve = {};  ///< as `along`; empty: no curves in two parameters
+  std::optional<double> curve_from = {}, curve_to = {};
   bool switch_at_doublings = false;
   int most_points = 0;  ///< on each side of the cell
 };

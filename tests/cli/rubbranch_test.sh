@@ -4,7 +4,7 @@ source "$(dirname "$0")/support.sh"
 figure06=$top/configs/figure06_one_side.yaml
 
 # Command line.
-expect_help cell along from to switch points map fresh threads
+expect_help cell along from to curve curve-from curve-to switch points map fresh threads
 expect_usage_error 'a configuration file is needed'
 expect_usage_error 'a cell to start from is needed' "$minimal"
 expect_usage_error '--cell 75: allowed: SPEED_HZ,UNBALANCE' "$minimal" --cell 75
@@ -55,6 +55,25 @@ if command -v gnuplot >/dev/null; then
   expect_empty stderr
   expect_contains out/picture.svg 'order 4, unstable'
   expect_contains out/picture.svg 'period-doubling'
+fi
+
+# A curve in two parameters: folds that stay folds, and the plane that must be one.
+expect_usage_error '--curve-from and --curve-to belong to --curve' "$figure06" --cell 75,0.4 --curve-to 0.5
+expect_exit 2 "$figure06" --cell 75,0.4 --along whirl_ratio --curve eccentricity_m
+expect_contains stderr 'is the parameter of --along whirl_ratio'
+expect_exit 2 "$figure06" --cell 75,0.4 --curve whirl_ratio --curve-from 0.5
+expect_contains stderr 'must hold that of the cell, 0.4'
+expect_exit 0 "$figure06" --cell 75,0.4 --curve whirl_ratio --curve-from 0.3 --curve-to 0.5 --output plane
+expect_empty stderr
+expect_files plane branch.csv config.yaml curves.csv events.csv meetings.csv
+expect_matches stdout '^curve 0   fold of order 2, speed_hz .* ends left_range and left_range$'
+[[ $(count_rows plane/curves.csv "kind != 'fold' or abs(multiplier_1_re - 1) > 1e-8 or error > 1e-10") == 0 ]] ||
+  fail 'no fold'
+if command -v gnuplot >/dev/null; then
+  "$top/scripts/curve_figure.sh" plane out/plane Heading >stdout 2>stderr || fail 'curve_figure.sh failed'
+  expect_empty stdout
+  expect_empty stderr
+  expect_contains out/plane.svg 'fold'
 fi
 
 # All families of a map: beside it, and the edges between its cells.

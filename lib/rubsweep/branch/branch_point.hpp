@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/branch/contact_sequence.hpp"
 #include "rubsweep/branch/orbit_problem.hpp"
 
 namespace rubsweep::branch {
@@ -66,6 +68,7 @@ struct BranchEvent {
   double parameter_error =
       0;               ///< half-width of the interval in which the root was enclosed, in the parameter
   std::string detail;  ///< of a graze: contact, and what appears or disappears as the arclength grows
+  std::optional<SequenceChange> change = {};  ///< of a graze
 };
 
 /// Why a branch ends.
@@ -79,6 +82,8 @@ enum class Ending {
   step_too_small,  ///< Newton's iteration finds no orbit however near the last one
   singular,        ///< no direction of the branch can be told
   point_limit,
+  resonance,  ///< of a curve of tori: beyond a 1:1 or 1:2 resonance its two multipliers are real
+  unfolds,    ///< of a curve of branch points: branches cross no longer when the second parameter changes
   first_change,  ///< stability was lost or regained, where following was to stop there
   target,        ///< the wanted parameter is reached
 };
@@ -103,6 +108,10 @@ constexpr std::string_view to_string(Ending ending) {
       return "singular";
     case Ending::point_limit:
       return "point_limit";
+    case Ending::resonance:
+      return "resonance";
+    case Ending::unfolds:
+      return "unfolds";
     case Ending::first_change:
       return "first_change";
     case Ending::target:

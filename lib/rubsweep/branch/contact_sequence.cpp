@@ -65,8 +65,9 @@ std::optional<SequenceChange> change_of(const std::vector<ModeSwitch>& rich,
                                         const std::vector<ModeSwitch>& poor, int contact) {
   using Kind = SequenceChange::Kind;
   if (rich.empty()) return std::nullopt;
-  SequenceChange change{Kind::hit, contact, rich.front().from,
-                        rich.back().phase_rad - rich.front().phase_rad};
+  const double begin_rad = rich.front().phase_rad, end_rad = rich.back().phase_rad;
+  SequenceChange change{Kind::hit,           contact, rich.front().from, rich.front().to, end_rad - begin_rad,
+                        (begin_rad + end_rad) / 2};
   const bool returns = rich.front().from == rich.back().to;
   if (poor.empty() && returns) {
     if (change.from != contact::Mode::open) change.kind = Kind::interruption;

@@ -99,6 +99,7 @@ class GrazeSearch {
                       {}};
     if (change) {
       event.detail = fmt::format("{} {}", describe(*change), high_is_richer() ? "appears" : "disappears");
+      event.change = change;
     }
     return event;
   }

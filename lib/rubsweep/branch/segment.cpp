@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "rubsweep/branch/hermite.hpp"
+
 namespace rubsweep::branch {
 
 Segment::Segment(const OrbitProblem& problem, const BranchPoint& from, const BranchPoint& to)
@@ -20,15 +22,11 @@ bool Segment::continuous(const OrbitProblem& problem, const BranchPoint& a, cons
 std::optional<BranchPoint> Segment::at(double s) const {
   if (s <= 0) return from_;
   if (s >= length_) return to_;
-  // A cubic through both points along both tangents; its s is that of the plane up to what the tangents turn.
-  const double t = s / length_, u = 1 - t;
-  const Position guess = u * u * (1 + 2 * t) * begin_ + t * t * (3 - 2 * t) * end_ +
-                         length_ * t * u * (u * from_.tangent - t * to_.tangent);
-  const Position on_plane = guess + (s - from_.tangent.dot(guess - begin_)) * from_.tangent;
+  const Position on_plane = hermite_guess({begin_, from_.tangent}, {end_, to_.tangent}, length_, s);
   const Correction found = correct(problem_, on_plane, from_.tangent);
   if (!found.converged) return std::nullopt;
   return completed(problem_, found.point, from_.tangent,
-                   from_.arclength + t * (to_.arclength - from_.arclength));
+                   from_.arclength + s / length_ * (to_.arclength - from_.arclength));
 }
 
 std::optional<BranchPoint> completed(const OrbitProblem& problem, BranchPoint point,

@@ -3,37 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <complex>
 
 #include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/report/multiplier_columns.hpp"
 
 namespace rubsweep::report {
 namespace {
 
 using batch::csv_number;
-
-constexpr Eigen::Index listed_multipliers = 2;
-
-std::string multipliers_header() {
-  std::string header;
-  for (Eigen::Index i = 1; i <= listed_multipliers; ++i)
-    header += fmt::format(",multiplier_{0}_re,multiplier_{0}_im", i);
-  return header + ",floquet_modulus";
-}
-
-std::string multipliers_cells(const branch::BranchPoint& point) {
-  std::string cells;
-  for (Eigen::Index i = 0; i < listed_multipliers; ++i) {
-    if (i < point.multipliers.size()) {
-      cells += fmt::format(",{},{}", csv_number(point.multipliers(i).real()),
-                           csv_number(point.multipliers(i).imag()));
-    } else {
-      cells += ",,";
-    }
-  }
-  return fmt::format("{},{}", cells, csv_number(std::abs(point.multipliers(0))));
-}
 
 /// Both ends of the interval of the parameter that a branch covers.
 std::pair<double, double> interval(const branch::Branch& branch) {
@@ -54,14 +31,14 @@ std::string branch_comments(const std::string& version, const std::string& diges
 }
 
 std::string branch_csv(const std::vector<branch::Branch>& branches) {
-  std::string text = "branch,parameter,arclength,order,stable,unstable_multipliers" + multipliers_header() +
+  std::string text = "branch,parameter,arclength,order,stable,unstable_multipliers" + multiplier_columns() +
                      ",amplitude_m,peak_displacement_m,peak_contact_force_n,hits,contact_fraction,feasible\n";
   for (std::size_t i = 0; i < branches.size(); ++i) {
     for (const branch::BranchPoint& point : branches[i].points) {
       const branch::OrbitFacts& facts = point.facts;
       text += fmt::format("{},{},{},{},{},{}{},{},{},{},{},{},{}\n", i, csv_number(point.parameter),
                           csv_number(point.arclength), branches[i].order, point.stable() ? 1 : 0,
-                          point.unstable, multipliers_cells(point), csv_number(facts.amplitude_m),
+                          point.unstable, multiplier_cells(point.multipliers), csv_number(facts.amplitude_m),
                           csv_number(facts.peak_displacement_m), csv_number(facts.peak_contact_force_n),
                           facts.hits, csv_number(facts.contact_fraction), facts.feasible ? 1 : 0);
     }
@@ -70,14 +47,14 @@ std::string branch_csv(const std::vector<branch::Branch>& branches) {
 }
 
 std::string branch_events_csv(const std::vector<branch::Branch>& branches) {
-  std::string text = "branch,kind,parameter,parameter_error,arclength,order" + multipliers_header() +
+  std::string text = "branch,kind,parameter,parameter_error,arclength,order" + multiplier_columns() +
                      ",amplitude_m,hits,detail\n";
   for (std::size_t i = 0; i < branches.size(); ++i) {
     for (const branch::BranchEvent& event : branches[i].events) {
       text +=
           fmt::format("{},{},{},{},{},{}{},{},{},{}\n", i, branch::to_string(event.kind),
                       csv_number(event.point.parameter), csv_number(event.parameter_error),
-                      csv_number(event.point.arclength), branches[i].order, multipliers_cells(event.point),
+                      csv_number(event.point.arclength), branches[i].order, multiplier_cells(event.point.multipliers),
                       csv_number(event.point.facts.amplitude_m), event.point.facts.hits, event.detail);
     }
   }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "branch_plane.hpp"
+#include "rubsweep/branch/branch_point.hpp"
+#include "rubsweep/report/curves_csv.hpp"
+#include "rubsweep/response/motion/workspace.hpp"
+#include "rubsweep/sweep/study.hpp"
+
+namespace rubsweep::apps {
+
+/// From every event of the branches a curve in the plane, each curve once. Says on stderr which events have
+/// none. `first`: the range of the first parameter.
+std::vector<report::CurveFrom> curves_of(const std::vector<branch::Branch>& branches,
+                                         const BranchPlane& plane, const branch::ParameterRange& first,
+                                         const sweep::Study& study, int most_points,
+                                         response::motion::Workspace& workspace);
+
+}  // namespace rubsweep::apps

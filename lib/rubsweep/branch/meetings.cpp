@@ -1,0 +1,230 @@
+#include "rubsweep/branch/meetings.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <utility>
+
+#include "rubsweep/branch/contact_sequence.hpp"
+#include "rubsweep/branch/curve_newton.hpp"
+#include "rubsweep/branch/multipliers.hpp"
+
+namespace rubsweep::branch {
+namespace {
+
+constexpr double root_width = 1e-12;  ///< along the curve
+constexpr std::uintmax_t root_evaluations = 100;
+constexpr std::size_t most_sequences = 16;  ///< between two points
+
+using Multipliers = Eigen::VectorXcd;
+using Complex = std::complex<double>;
+
+using Test = std::function<double(const CurvePoint&)>;
+using Some = std::function<Multipliers(const CurvePoint&)>;
+
+struct NamedTest {
+  MeetingKind kind;
+  Test test;
+  /// Where given, a root counts only if of these the pair whose product is nearest to 1 is a complex one.
+  Some with_a_complex_pair = {};
+  /// Made of differences, which near to a graze lead over it and mean nothing: finer ones must agree.
+  bool of_differences = false;
+};
+
+/// Without the `count` multipliers nearest to `critical`.
+Multipliers others(const Multipliers& all, Complex critical, Eigen::Index count = 1) {
+  Multipliers rest = all;
+  std::stable_sort(rest.begin(), rest.end(),
+                   [&](Complex a, Complex b) { return std::abs(a - critical) > std::abs(b - critical); });
+  return rest.head(std::max<Eigen::Index>(rest.size() - count, 0));
+}
+
+/// Without the pair on the unit circle.
+Multipliers without_pair(const CurvePoint& point) {
+  const double half = point.critical.pair_sum / 2;
+  const Complex root = std::sqrt(Complex(half * half - 1, 0));
+  const Multipliers without_one = others(point.multipliers, half + root);
+  return others(without_one, half - root);
+}
+
+double turned(const Eigen::VectorXd& vector, const Eigen::VectorXd& reference) {
+  return vector.dot(reference) < 0 ? -1 : 1;
+}
+
+double unit_test(const Multipliers& multipliers) { return doubling_test(-multipliers); }
+
+std::vector<NamedTest> tests_of_one_multiplier(double sign, const Critical& reference) {
+  const Some rest = [sign](const CurvePoint& point) { return others(point.multipliers, sign); };
+  const Test flip = [rest](const CurvePoint& point) { return doubling_test(rest(point)); };
+  const Test fold = [rest](const CurvePoint& point) { return unit_test(rest(point)); };
+  const Test torus = [rest](const CurvePoint& point) { return torus_test(rest(point)); };
+  const Test cubic = [reference](const CurvePoint& point) {
+    const Critical& c = point.critical;
+    return c.cubic * turned(c.left, reference.left) * turned(c.right, reference.right);
+  };
+  if (sign < 0) {
+    // The coefficient has a pole where another multiplier is 1.
+    const Test without_pole = [cubic, fold](const CurvePoint& point) { return cubic(point) * fold(point); };
+    return {{MeetingKind::generalised_flip, without_pole, {}, true},
+            {MeetingKind::fold_flip, fold},
+            {MeetingKind::resonance_1_2, flip},
+            {MeetingKind::flip_torus, torus, rest}};
+  }
+  return {{MeetingKind::fold_flip, flip},
+          {MeetingKind::resonance_1_1, fold},
+          {MeetingKind::fold_torus, torus, rest},
+          {MeetingKind::degenerate_branching, cubic, {}, true}};
+}
+
+std::vector<NamedTest> tests_of_a_fold(const Critical& reference) {
+  auto tests = tests_of_one_multiplier(1, reference);
+  tests.back() = {MeetingKind::cusp,
+                  [reference](const CurvePoint& point) {
+                    return point.critical.quadratic * turned(point.critical.left, reference.left);
+                  },
+                  {},
+                  true};
+  return tests;
+}
+
+std::vector<NamedTest> tests_of_a_torus() {
+  const auto sum_less = [](double sum) -> Test {
+    return [sum](const CurvePoint& point) { return point.critical.pair_sum - sum; };
+  };
+  return {
+      {MeetingKind::resonance_1_1, sum_less(2)},
+      {MeetingKind::resonance_1_2, sum_less(-2)},
+      {MeetingKind::resonance_1_3, sum_less(-1)},
+      {MeetingKind::resonance_1_4, sum_less(0)},
+      {MeetingKind::fold_torus, [](const CurvePoint& point) { return unit_test(without_pair(point)); }},
+      {MeetingKind::flip_torus, [](const CurvePoint& point) { return doubling_test(without_pair(point)); }},
+      {MeetingKind::double_torus, [](const CurvePoint& point) { return torus_test(without_pair(point)); },
+       without_pair}};
+}
+
+std::vector<NamedTest> tests_of_a_graze() {
+  return {{MeetingKind::graze_fold, [](const CurvePoint& point) { return unit_test(point.multipliers); }},
+          {MeetingKind::graze_flip, [](const CurvePoint& point) { return doubling_test(point.multipliers); }},
+          {MeetingKind::graze_torus, [](const CurvePoint& point) { return torus_test(point.multipliers); },
+           [](const CurvePoint& point) { return point.multipliers; }},
+          {MeetingKind::degenerate_graze, [](const CurvePoint& point) { return point.critical.curvature; }}};
+}
+
+std::vector<NamedTest> tests_of(EventKind kind, const Critical& reference) {
+  switch (kind) {
+    case EventKind::fold:
+      return tests_of_a_fold(reference);
+    case EventKind::branch_point:
+      return tests_of_one_multiplier(1, reference);
+    case EventKind::period_doubling:
+      return tests_of_one_multiplier(-1, reference);
+    case EventKind::neimark_sacker:
+      return tests_of_a_torus();
+    case EventKind::graze:
+      return tests_of_a_graze();
+    default:
+      return {};
+  }
+}
+
+/// What it is that an orbit grazes where its curve is of `kind`.
+MeetingKind graze_on(EventKind kind) {
+  switch (kind) {
+    case EventKind::graze:
+      return MeetingKind::double_graze;
+    case EventKind::period_doubling:
+      return MeetingKind::graze_flip;
+    case EventKind::neimark_sacker:
+      return MeetingKind::graze_torus;
+    default:
+      return MeetingKind::graze_fold;
+  }
+}
+
+/// A point on the way is not found.
+struct Broken {};
+
+class MeetingFinder {
+ public:
+  MeetingFinder(const ExtendedSystem& system, const CurvePoint& from, const CurvePoint& to)
+      : system_(system), from_(from), to_(to), segment_(system, from, to) {}
+
+  std::vector<Meeting> all() {
+    if (!(segment_.length() > 0)) throw Broken{};
+    for (const NamedTest& named : tests_of(system_.kind, from_.critical)) find(named);
+    if (system_.orbits->facts) find_grazes();
+    std::ranges::stable_sort(meetings_, {}, [](const Meeting& meeting) { return meeting.point.arclength; });
+    return std::move(meetings_);
+  }
+
+ private:
+  CurvePoint point_at(double s) const {
+    auto point = segment_.at(s);
+    if (!point) throw Broken{};
+    return std::move(*point);
+  }
+
+  void find(const NamedTest& named) {
+    const double at_from = named.test(from_), at_to = named.test(to_);
+    if ((at_from < 0) == (at_to < 0)) return;
+    std::uintmax_t evaluations = root_evaluations;
+    const auto [low, high] = boost::math::tools::toms748_solve(
+        [&](double s) { return named.test(point_at(s)); }, 0.0, segment_.length(), at_from, at_to,
+        [](double a, double b) { return std::abs(b - a) <= root_width; }, evaluations);
+    CurvePoint point = point_at((low + high) / 2);
+    if (named.with_a_complex_pair && !nearest_pair_is_complex(named.with_a_complex_pair(point))) return;
+    if (named.of_differences &&
+        !holds_by_finer_differences(named, point, std::abs(at_from) + std::abs(at_to)))
+      return;
+    meetings_.push_back({named.kind, std::move(point), (high - low) / 2});
+  }
+
+  bool holds_by_finer_differences(const NamedTest& named, CurvePoint point, double size) const {
+    constexpr double finer = 0.3, still_zero = 0.1;
+    const Extended again = extend(system_, point.at, finer);
+    if (again.evaluation != Evaluation::ok) return false;
+    point.critical = again.critical;
+    return std::abs(named.test(point)) < still_zero * size;
+  }
+
+  /// Every change of the sequence between both ends, one after the other.
+  void find_grazes() {
+    double begin = 0;
+    OrbitFacts facts = from_.facts;
+    for (std::size_t i = 0; i < most_sequences && !same_sequence(facts.switches, to_.facts.switches); ++i) {
+      double low = begin, high = segment_.length();
+      CurvePoint above = to_;
+      while (high - low > root_width) {
+        const double middle = (low + high) / 2;
+        if (middle <= low || middle >= high) break;
+        CurvePoint point = point_at(middle);
+        const bool changed = !same_sequence(point.facts.switches, facts.switches);
+        (changed ? high : low) = middle;
+        if (changed) above = std::move(point);
+      }
+      begin = high;
+      facts = above.facts;
+      meetings_.push_back({graze_on(system_.kind), std::move(above), (high - low) / 2});
+    }
+  }
+
+  const ExtendedSystem& system_;
+  const CurvePoint &from_, &to_;
+  CurveSegment segment_;
+  std::vector<Meeting> meetings_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Meeting>> meetings_between(const ExtendedSystem& system, const CurvePoint& from,
+                                                     const CurvePoint& to) {
+  try {
+    return MeetingFinder(system, from, to).all();
+  } catch (const Broken&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace rubsweep::branch

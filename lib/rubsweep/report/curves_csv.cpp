@@ -1,0 +1,96 @@
+#include "rubsweep/report/curves_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/report/multiplier_columns.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+using batch::csv_number;
+using branch::CurvePoint;
+
+std::string place_cells(const branch::Place& place) {
+  return csv_number(place.first) + ',' + csv_number(place.second);
+}
+
+std::string ends(const branch::Curve& curve) {
+  return fmt::format("{} and {}", branch::to_string(curve.backward), branch::to_string(curve.forward));
+}
+
+template <class Value>
+std::string interval(const branch::Curve& curve, const Value& value) {
+  const auto [low, high] = std::ranges::minmax(curve.points, {}, value);
+  return fmt::format("{:.10g} to {:.10g}", value(low), value(high));
+}
+
+}  // namespace
+
+std::string curve_comments(const std::string& version, const std::string& digest,
+                           const std::string& parameter, const std::string& curve_parameter,
+                           const std::vector<CurveFrom>& curves) {
+  std::string text = fmt::format("# rubbranch {}\n# digest {}\n# parameter {}\n# curve_parameter {}\n",
+                                 version, digest, parameter, curve_parameter);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const branch::Curve& curve = curves[i].curve;
+    text += fmt::format("# curve {}: {}, order {}, ends {}\n", i, branch::to_string(curve.kind), curve.order,
+                        ends(curve));
+  }
+  return text;
+}
+
+std::string curves_csv(const std::vector<CurveFrom>& curves) {
+  std::string text = "curve,kind,branch,event,parameter,curve_parameter,error,arclength,order" +
+                     multiplier_columns() + ",amplitude_m,hits,contact_fraction,feasible\n";
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const auto& [curve, branch, event] = curves[i];
+    for (const CurvePoint& point : curve.points) {
+      text += fmt::format("{},{},{},{},{},{},{},{}{},{},{},{},{}\n", i, branch::to_string(curve.kind), branch,
+                          event, place_cells(point.place), csv_number(point.error),
+                          csv_number(point.arclength), curve.order, multiplier_cells(point.multipliers),
+                          csv_number(point.facts.amplitude_m), point.facts.hits,
+                          csv_number(point.facts.contact_fraction), point.facts.feasible ? 1 : 0);
+    }
+  }
+  return text;
+}
+
+std::string meetings_csv(const std::vector<CurveFrom>& curves) {
+  std::string text = "curve,kind,meeting,parameter,curve_parameter,arclength_error,arclength,order" +
+                     multiplier_columns() + ",amplitude_m,hits\n";
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const branch::Curve& curve = curves[i].curve;
+    for (const branch::Meeting& meeting : curve.meetings) {
+      const CurvePoint& point = meeting.point;
+      text += fmt::format(
+          "{},{},{},{},{},{},{}{},{},{}\n", i, branch::to_string(curve.kind), branch::to_string(meeting.kind),
+          place_cells(point.place), csv_number(meeting.error), csv_number(point.arclength), curve.order,
+          multiplier_cells(point.multipliers), csv_number(point.facts.amplitude_m), point.facts.hits);
+    }
+  }
+  return text;
+}
+
+std::string curves_summary(const std::string& parameter, const std::string& curve_parameter,
+                           const std::vector<CurveFrom>& curves) {
+  std::string text;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const branch::Curve& curve = curves[i].curve;
+    text += fmt::format(
+        "curve {}   {} of order {}, {} {}, {} {}, {} points, ends {}\n", i, branch::to_string(curve.kind),
+        curve.order, parameter, interval(curve, [](const CurvePoint& point) { return point.place.first; }),
+        curve_parameter, interval(curve, [](const CurvePoint& point) { return point.place.second; }),
+        curve.points.size(), ends(curve));
+    for (const branch::Meeting& meeting : curve.meetings) {
+      text += fmt::format("  {:<20} {:.12g}, {:.12g}\n", branch::to_string(meeting.kind),
+                          meeting.point.place.first, meeting.point.place.second);
+    }
+  }
+  return text;
+}
+
+}  // namespace rubsweep::report

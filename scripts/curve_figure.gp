@@ -1,0 +1,57 @@
+# Draws the curves that analysis/curve_layout.py lays out, over the cells of a map where there is one.
+# gnuplot -c curve_figure.gp WORK OUTPUT_BASENAME HEADING KINDS CLASSES X_LABEL Y_LABEL MEETINGS
+# WORK holds a file of every kind in KINDS, meetings, and cells with the classes CLASSES (empty: no map). MEETINGS: how many.
+
+work = ARG1
+output = ARG2
+heading = ARG3
+kinds_of_curves = ARG4
+classes = ARG5
+with_meetings = ARG8 > 0
+file(name) = work . "/" . name
+
+load ARG0[1:strlen(ARG0) - strlen("curve_figure.gp")] . "motion_kinds.gp"
+with_map = words(classes) > 0
+
+all_kinds = "fold period_doubling neimark_sacker branch_point graze"
+place(k) = sum [i = 1:words(all_kinds)] (word(all_kinds, i) eq word(kinds_of_curves, k) ? i : 0)
+name_of(k) = word("fold period-doubling torus symmetry-breaking graze", place(k))
+array dash[5] = [1, 2, 4, 5, 3]
+array curve_colour[5] = ["#000000", "#7A0000", "#00217A", "#005A1E", "#333333"]
+
+set title heading
+set xlabel ARG6 noenhanced
+set ylabel ARG7 noenhanced
+set tics nomirror out
+set key at screen 0.775, graph 1 left top Left reverse samplen 2 spacing 1.4
+set rmargin at screen 0.76
+set datafile missing "NaN"
+if (with_map) {
+  stats file("cells") using 3:5 name "LOW" nooutput
+  stats file("cells") using 4:6 name "HIGH" nooutput
+  set xrange [LOW_min_x:HIGH_max_x]
+  set yrange [LOW_min_y:HIGH_max_y]
+} else {
+  set grid linecolor rgb "#E4E4E4"
+  set offsets graph 0.02, graph 0.02, graph 0.02, graph 0.02
+}
+x_if(i) = strcol(7) eq kind[i] ? $1 : NaN
+shown(i) = with_map && strstrt(" " . classes . " ", " " . kind[i] . " ") > 0
+# gnuplot reads the body of an empty loop, too: one class that no cell has.
+list = ""
+do for [i = 1:kinds] { if (shown(i)) { list = list . i . " " } }
+at(k) = k > words(list) ? kinds : int(word(list, k))
+
+# Without a map the file of cells is empty, which would be a warning.
+cells = !with_map ? "" : 'for [k = 1:words(list)] file("cells") using (x_if(at(k))):2:3:4:5:6 with boxxyerror ' . \
+  'linecolor rgb colour[at(k)] linewidth 0.5 fillstyle transparent solid 0.55 noborder title legend[at(k)], '
+curves = 'for [k = 1:words(kinds_of_curves)] file(word(kinds_of_curves, k)) using 1:2 with lines linewidth 2.4 ' . \
+  'dashtype dash[int(place(k))] linecolor rgb curve_colour[int(place(k))] title name_of(k), '
+meetings = 'file("meetings") using 1:2 with points pointtype 7 pointsize 1.2 linecolor rgb "#000000" title "meeting", ' . \
+  'file("meetings") using 1:2:3 with labels noenhanced left offset 0.8, 0.4 font ",13" notitle'
+set terminal pngcairo size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
+set output output . ".png"
+eval "plot " . cells . curves . (with_meetings ? meetings : "NaN notitle")
+set terminal svg size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
+set output output . ".svg"
+replot
