@@ -109,11 +109,11 @@ TEST(HardMachines, ATurnOfTooManyStepsIsMadeOfTaylorPieces) {
   EXPECT_GT(turn.effort.taylor_turns, 0);
 }
 
-TEST(HardMachines, ConstantFrictionThatReversesSaysSo) {
+TEST(HardMachines, ConstantFrictionReversesWithTheSlip) {
   integrate::run::SolverOptions adaptive;
   adaptive.method = integrate::run::Method::adaptive;
-  EXPECT_EQ(row_of("slow_shaft", 0.3, 0.4).status, "slip_reversal");
-  EXPECT_EQ(row_of("slow_shaft", 0.3, 0.4, adaptive).status, "slip_reversal");
+  EXPECT_EQ(row_of("slow_shaft", 0.3, 0.4).status, "ok");
+  EXPECT_EQ(row_of("slow_shaft", 0.3, 0.4, adaptive).status, "ok");
 }
 
 /// The labels that no damping at all gives, and 1e-9 N s/m, too.

@@ -77,7 +77,9 @@ FrictionTerms terms_of(const StribeckFriction& stribeck) {
 double friction_coefficient(const model::Friction& friction, double slip_m_per_s) {
   return std::visit(
       overloaded{[](const NoFriction&) { return 0.0; },
-                 [](const ConstantFriction& constant) { return constant.coefficient; },
+                 [&](const ConstantFriction& constant) {
+                   return slip_m_per_s == 0 ? 0.0 : std::copysign(constant.coefficient, slip_m_per_s);
+                 },
                  [&](const StribeckFriction& stribeck) { return coefficient_of(stribeck, slip_m_per_s); }},
       friction);
 }
@@ -96,7 +98,7 @@ std::optional<SaturatedFriction> saturated_friction(const model::Friction& frict
                    return SaturatedFriction{0, everywhere};
                  },
                  [](const ConstantFriction& constant) -> Result {
-                   return SaturatedFriction{constant.coefficient, everywhere};
+                   return SaturatedFriction{constant.coefficient, constant.coefficient == 0 ? everywhere : 0};
                  },
                  [](const StribeckFriction& stribeck) -> Result { return saturated(stribeck); }},
       friction);
@@ -106,7 +108,7 @@ FrictionTerms friction_terms(const model::Friction& friction) {
   return std::visit(overloaded{[](const NoFriction&) { return FrictionTerms{}; },
                                [](const ConstantFriction& constant) {
                                  FrictionTerms terms;
-                                 terms.constant = constant.coefficient;
+                                 terms.dry = constant.coefficient;
                                  return terms;
                                },
                                [](const StribeckFriction& stribeck) { return terms_of(stribeck); }},
@@ -127,11 +129,9 @@ bool depends_on_slip(const model::Friction& friction) {
       friction);
 }
 
-bool keeps_its_direction(const model::Friction& friction) {
-  return std::visit(
-      overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return true; },
-                 [](const StribeckFriction&) { return false; }},
-      friction);
+double dry_coefficient(const model::Friction& friction) {
+  const auto* constant = std::get_if<ConstantFriction>(&friction);
+  return constant == nullptr ? 0 : constant->coefficient;
 }
 
 std::string_view name_of(const model::Friction& friction) {

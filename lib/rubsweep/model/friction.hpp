@@ -15,8 +15,8 @@ struct NoFriction {
   static void visit_fields(auto&, auto&&) {}
 };
 
-/// mu(v) = coefficient whatever the slip speed v, even where v < 0: this friction never changes its
-/// direction. A run whose slip would reverse says so in its status.
+/// Dry friction (Coulomb): mu(v) = coefficient for a slip speed v > 0 and -coefficient for v < 0. At v = 0 it
+/// is whatever between these two holds the surfaces together, where that does.
 struct ConstantFriction {
   static constexpr std::string_view name = "constant";
 
