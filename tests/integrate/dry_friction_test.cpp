@@ -2,6 +2,7 @@
 // Odeint with located events; derivatives across stops and releases against differences.
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
