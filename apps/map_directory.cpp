@@ -6,12 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "journal_header.hpp"
 #include "program.hpp"
-#include "program_digest.hpp"
 #include "rubsweep/batch/whole_file.hpp"
-#include "rubsweep/config/differing_keys.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/map_csv.hpp"
 
@@ -38,23 +36,6 @@ std::string comments_and_header(const std::string& digest, const sweep::Study& s
   return report::map_comments(RUBSWEEP_VERSION, digest, study) + report::map_header(study) + '\n';
 }
 
-std::string describe_difference(const batch::JournalHeader& there, const batch::JournalHeader& here) {
-  if (there.study_digest == here.study_digest) {
-    return fmt::format("of another build of the program (digest {}, this one has {})", there.program_digest,
-                       here.program_digest);
-  }
-  std::string text = fmt::format("of another configuration (digest {}, this one has {}):", there.study_digest,
-                                 here.study_digest);
-  if (there.damaged_lines > 0) return text + "\n  which keys differ is not known: its header is damaged";
-  for (const std::string& line : config::differing_keys(there.study, here.study)) text += "\n  " + line;
-  return text;
-}
-
-batch::JournalHeader header_of(const config::RunConfig& config) {
-  return {config::study_digest(config.study), program_digest, sweep::cell_count(config.study.grid),
-          config::print_study(config.study)};
-}
-
 /// Putting a map together opens the journal of every part, of which there may be more than the files that a
 /// process is allowed unless it asks for more.
 void allow_as_many_files_as_there_may_be() {
@@ -67,7 +48,7 @@ void allow_as_many_files_as_there_may_be() {
 }  // namespace
 
 batch::Journal rank_journal(const config::RunConfig& config, int rank) {
-  return {config.output_directory / fmt::format("map.rank-{}.journal", rank), header_of(config)};
+  return {config.output_directory / fmt::format("map.rank-{}.journal", rank), journal_header(config.study)};
 }
 
 MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, std::optional<Share> part,
@@ -75,7 +56,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
     : directory_(std::move(directory)),
       name_(name_of(part)),
       part_(part),
-      header_(header_of(config)),
+      header_(journal_header(config.study)),
       head_(comments_and_header(header_.study_digest, config.study)),
       warn_over_clearances_(config.warn_over_clearances),
       refined_(config.study.grid.refinement.has_value()) {
@@ -174,28 +155,7 @@ bool MapDirectory::belongs_to_other_part(const fs::path& journal) const {
 }
 
 void MapDirectory::refuse_journals_of_others() const {
-  for (const fs::path& journal : journals()) {
-    batch::JournalHeader there;
-    try {
-      there = batch::read_journal_header(journal);
-    } catch (const batch::DamagedJournal& damage) {
-      throw batch::DamagedJournal(fmt::format(
-          "{}\nIt is left as it is, for what its records belong to cannot be told; allowed: another "
-          "--output, moving it away, or --fresh to forget it",
-          damage.what()));
-    }
-    if (batch::same_results(there, header_)) {
-      if (there.damaged_lines > 0) {
-        say(fmt::format("{}: {} damaged lines before its records, which are used all the same\n",
-                        journal.string(), there.damaged_lines));
-      }
-      continue;
-    }
-    throw ConfigError(
-        fmt::format("{}: holds finished cells {}\nallowed: the same again, another --output, or --fresh "
-                    "to forget them",
-                    journal.string(), describe_difference(there, header_)));
-  }
+  for (const fs::path& journal : journals()) refuse_journal_of_another(journal, header_);
 }
 
 void MapDirectory::read_journals() {

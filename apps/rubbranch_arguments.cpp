@@ -28,7 +28,8 @@ po::options_description visible_options() {
       "points", po::value<int>()->value_name("N")->default_value(usual_points),
       "orbits to find at most on each side of the cell")(
       "map", po::value<std::string>()->value_name("DIR"),
-      "instead of a cell: every family of orbits of the finished map in DIR, to its boundaries");
+      "instead of a cell: every family of orbits of the finished map in DIR, to its boundaries")(
+      "fresh", "with --map: forget what an interrupted call found, and start over");
   add_threads(options, "threads for --map; 0: one per processor");
   add_output(options, "write there instead of output.directory + _branch");
   add_set(options);
@@ -63,11 +64,13 @@ RubbranchArguments parse_rubbranch_arguments(int argc, const char* const* argv) 
   arguments.threads = threads_of(given);
   if (given.count("map") != 0) {
     arguments.map = given["map"].as<std::string>();
+    arguments.fresh = given.count("fresh") != 0;
     for (const char* name : {"config", "cell", "from", "to", "switch", "set"}) {
       if (given.count(name) != 0) throw UsageError("--map takes the configuration of the map, and no cell");
     }
     return arguments;
   }
+  if (given.count("fresh") != 0) throw UsageError("--fresh goes with --map");
   if (given.count("cell") == 0) throw UsageError("a cell to start from is needed: --cell SPEED_HZ,UNBALANCE");
   arguments.cell = read_cell(given["cell"].as<std::string>());
   arguments.along = given["along"].as<std::string>();
@@ -106,6 +109,9 @@ std::string rubbranch_help() {
       "  families.csv    order, hits, cells and area of existence, share that the kick reaches\n"
       "  edges.csv       why neighbouring cells differ: the orbit ceases (and how), the basin ends, or "
       "unresolved\n"
+      "However a call with --map ends before these are written, what it found is kept in families.journal "
+      "and "
+      "the same\ncommand goes on from there.\n"
       "A branch ends where the parameter leaves its range (left_range), where it closes, joins that of half "
       "its period\n"
       "(period_halving), comes off the walls for good (off_the_walls), where there is no such machine "
@@ -114,7 +120,7 @@ std::string rubbranch_help() {
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 the cell settles on no periodic "
       "orbit in contact,\nor Newton's iteration does not find it: nothing is written; with --map some proven "
       "orbit was not found "
-      "again.\n",
+      "again; 128+signal when interrupted.\n",
       text_of(visible_options()));
 }
 

@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "exit_code.hpp"
+#include "family_journal.hpp"
 #include "interrupt.hpp"
 #include "program.hpp"
 #include "report_file.hpp"
@@ -30,6 +35,9 @@ std::string label_of(const page::MapTable& map, std::size_t cell) {
   return label;
 }
 
+const std::string interrupted =
+    "rubbranch: interrupted; what was found is kept, the same command goes on from there\n";
+
 bool is_followed(const page::MapTable& map, std::size_t cell) {
   return map.number("order", cell).has_value() && map.word("proof", cell).starts_with("floquet");
 }
@@ -37,7 +45,7 @@ bool is_followed(const page::MapTable& map, std::size_t cell) {
 }  // namespace
 
 int run_on_map(const RubbranchArguments& arguments) {
-  batch::require_threads(arguments.threads);
+  batch::require_threads(arguments.threads, 1);
   const fs::path directory = arguments.map;
   const sweep::Study study = config::read_run_config(directory / "config.yaml", {}).study;
   if (!study.grid.axes.empty()) {
@@ -56,18 +64,32 @@ int run_on_map(const RubbranchArguments& arguments) {
     labels.push_back(label_of(map, cell));
     if (is_followed(map, cell)) proven.push_back(cell);
   }
+  const fs::path output = arguments.output.value_or(directory);
   const std::atomic<bool>& stop = catch_interrupts();
-  const branch::Families families = branch::families_of(study, proven, arguments.threads, stop);
+  FamilyJournal journal(output, study, arguments.fresh);
+  if (journal.found_before() > 0) {
+    say(fmt::format("rubbranch: goes on with {} orbits and ways that were found before\n",
+                    journal.found_before()));
+  }
+  std::optional<Watch> watch(
+      std::in_place, [] {},
+      [&] {
+        journal.leave();
+        say(interrupted);
+        std::_Exit(128 + caught_signal());
+      });
+  const branch::Families families =
+      branch::families_of(study, proven, arguments.threads, stop, journal.records());
+  watch.reset();
   if (stop) {
-    say("rubbranch: interrupted, nothing was written; the map is as it was\n");
+    say(interrupted);
     return 128 + caught_signal();
   }
   const auto edges = branch::attribute(study.grid, labels, families.list);
-  const fs::path output = arguments.output.value_or(directory);
-  make_directory(output);
   batch::write_whole_file(output / "families.csv", report::families_csv(study.grid, families.list));
   batch::write_whole_file(output / "edges.csv", report::edges_csv(study.grid, labels, edges));
   batch::write_whole_file(output / "boundaries.csv", report::boundaries_csv(study.grid, families.list));
+  journal.remove();
   if (!arguments.quiet) {
     fmt::print("{}files     {}: boundaries.csv edges.csv families.csv\n",
                report::families_summary(study.grid, families, proven.size(), edges), output.string());

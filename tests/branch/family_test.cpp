@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "rubsweep/branch/follow.hpp"
 #include "rubsweep/branch/scene_orbits.hpp"
@@ -72,6 +74,31 @@ TEST(Families, DoNotDependOnTheNumberOfThreads) {
       EXPECT_EQ(a.ends[k].speed_hz, b.ends[k].speed_hz);
       EXPECT_EQ(a.ends[k].kind, b.ends[k].kind);
     }
+  }
+}
+
+/// Stopped after any number of records, families go on from them to what they are without.
+TEST(Families, GoOnFromWhatWasFound) {
+  const std::vector<std::size_t> proven{2, 3, 7};
+  std::atomic<bool> stop{false};
+  std::vector<std::pair<std::size_t, std::string>> lines;
+  FamilyRecords whole([&](std::size_t cell, std::string_view line) { lines.emplace_back(cell, line); });
+  const Families undisturbed = families_of(study(), proven, 2, stop, whole);
+  ASSERT_GT(lines.size(), 6u);
+
+  std::size_t kept = 0;
+  FamilyRecords first([&](std::size_t, std::string_view) { stop = ++kept == lines.size() / 2; });
+  families_of(study(), proven, 1, stop, first);
+  EXPECT_LT(kept, lines.size());
+  stop = false;
+  const Families resumed = families_of(study(), proven, 1, stop, first);
+  EXPECT_EQ(kept, lines.size()) << "nothing is found twice";
+  ASSERT_EQ(resumed.list.size(), undisturbed.list.size());
+  for (std::size_t i = 0; i < resumed.list.size(); ++i) {
+    EXPECT_EQ(resumed.list[i].reached, undisturbed.list[i].reached);
+    ASSERT_EQ(resumed.list[i].orbits.size(), undisturbed.list[i].orbits.size());
+    for (const auto& [cell, orbit] : resumed.list[i].orbits)
+      EXPECT_EQ(orbit.state, undisturbed.list[i].orbits.at(cell).state);
   }
 }
 

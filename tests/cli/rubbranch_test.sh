@@ -4,7 +4,7 @@ source "$(dirname "$0")/support.sh"
 figure06=$top/configs/figure06_one_side.yaml
 
 # Command line.
-expect_help cell along from to switch points map threads
+expect_help cell along from to switch points map fresh threads
 expect_usage_error 'a configuration file is needed'
 expect_usage_error 'a cell to start from is needed' "$minimal"
 expect_usage_error '--cell 75: allowed: SPEED_HZ,UNBALANCE' "$minimal" --cell 75
@@ -36,6 +36,8 @@ folds() { cells "$1/events.csv" kind parameter | awk -F, '$1 == "fold" { printf 
 expect_same <(folds first) <(folds second)
 
 # Along the unbalance, with the orbit of twice the period, and along any number of the configuration.
+expect_exit 0 "$figure06" --cell 4500rpm,0.4 --output minutes
+expect_same minutes/branch.csv first/branch.csv
 expect_exit 0 "$figure06" --cell 75,0.3 --along whirl_ratio --switch --output doubled
 expect_matches stdout '^branch 1  order 4, whirl_ratio .* ends period_halving and left_range$'
 expect_exit 0 "$figure06" --cell 75,0.4 --along stops.0.casing.mass_kg --from 0.04 --to 0.06 --output casing
@@ -76,10 +78,73 @@ if command -v gnuplot >/dev/null; then
   expect_empty stderr
   expect_contains out/map.svg 'orbit ends in a fold'
 fi
-cp map/boundaries.csv once.csv
+expect_same_families() {
+  for file in boundaries.csv edges.csv families.csv; do expect_same "$1/$file" "$2/$file"; done
+}
+cp -r map once
 expect_exit 0 --map map --threads 1 --quiet
 expect_empty stdout
-expect_same once.csv map/boundaries.csv
+expect_same_families map once
+
+# However a call ends, the same command goes on, and the files are those of an undisturbed one, on any number of threads.
+expect_usage_error '--fresh goes with --map' "$minimal" --cell 70,0.4 --fresh
+"${rubsweep%/*}/rubsweep" "$figure06" --quiet --output wide \
+  --set 'sweep={speed_hz: {from: 60, to: 95, count: 30}, whirl_ratio: {values: [0.3, 0.35, 0.4]}}' || fail 'no map'
+expect_exit 0 --map wide --output whole
+expect_files wide config.yaml map.csv
+set -m # or SIGINT would be ignored in the background
+# kill_after RECORDS SIGNAL [ARGUMENT]...: kills a call as soon as so many lines of its journal are there.
+kill_after() {
+  "$rubsweep" --map wide --output killed "${@:3}" >stdout 2>stderr </dev/null &
+  local running=$! code=0
+  until [[ -e killed/families.journal ]] && (($(grep -cE ' (settled|way) ' killed/families.journal) >= $1)); do
+    kill -0 "$running" 2>/dev/null || break
+    sleep 0.002
+  done
+  kill -s "$2" "$running" 2>/dev/null || true
+  wait "$running" 2>/dev/null || code=$?
+  # A machine in a hurry may have been done before.
+  [[ $code == 0 || $code == $((128 + $(kill -l "$2"))) ]] || fail "exit code $code after $2"
+}
+kill_after 1 INT --threads 2
+expect_contains stderr 'interrupted; what was found is kept'
+expect_missing killed/families.csv
+kill_after 10 KILL --threads 1
+kill_after 30 KILL --threads 2
+expect_contains stderr 'goes on with'
+expect_missing killed/families.csv
+found=$(grep -cE ' (settled|way) ' killed/families.journal)
+((found >= 30)) || fail 'what was found is lost'
+cp -r killed torn
+# A line cut in the middle, and one letter that is another.
+truncate -s -7 torn/families.journal
+sed -i '0,/ settled /s// Settled /' torn/families.journal
+cp -r torn other
+expect_exit 0 --map wide --output killed --threads 1 --quiet
+expect_contains stderr "goes on with $found orbits and ways"
+expect_same_families killed whole
+expect_files killed boundaries.csv edges.csv families.csv
+expect_exit 0 --map wide --output torn --threads 2
+expect_contains stderr '1 damaged records; what they held is computed again'
+expect_contains stderr "goes on with $((found - 2)) orbits and ways"
+expect_same_families torn whole
+# A full disk, seen as a limit on the size of a file.
+(
+  ulimit -f 8
+  expect_exit 3 --map wide --output full --threads 2
+)
+expect_contains stderr 'full/families.journal: File too large'
+expect_missing full/families.csv
+expect_exit 0 --map wide --output full
+expect_contains stderr 'goes on with'
+expect_same_families full whole
+# Nothing of it passes to another map.
+"${rubsweep%/*}/rubsweep" "$figure06" --quiet --output narrow \
+  --set 'sweep={speed_hz: {from: 75, to: 80, count: 2}, whirl_ratio: {values: [0.4]}}' || fail 'no map'
+expect_exit 2 --map narrow --output other
+expect_contains stderr 'other/families.journal: holds finished cells of another configuration'
+expect_exit 0 --map narrow --output other --fresh
+expect_files other boundaries.csv edges.csv families.csv
 mv map/config.yaml other.yaml
 sed 's/mass_kg: 0.8/mass_kg: 0.9/' other.yaml >map/config.yaml
 expect_exit 2 --map map

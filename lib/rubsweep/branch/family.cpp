@@ -1,7 +1,7 @@
 #include "rubsweep/branch/family.hpp"
 
 #include <algorithm>
-#include <set>
+#include <functional>
 #include <utility>
 
 #include "rubsweep/batch/parallel_run.hpp"
@@ -19,19 +19,25 @@ struct Task {
 
 class Explorer {
  public:
-  Explorer(const sweep::Study& study, int threads, const std::atomic<bool>& stop)
-      : study_(study), prepared_(scene::prepare_machine(study.machine)), threads_(threads), stop_(stop) {}
+  Explorer(const sweep::Study& study, int threads, const std::atomic<bool>& stop, FamilyRecords& records)
+      : study_(study),
+        prepared_(scene::prepare_machine(study.machine)),
+        threads_(threads),
+        stop_(stop),
+        records_(records) {}
 
   std::vector<std::optional<CellOrbit>> settle(std::span<const std::size_t> cells) {
     std::vector<std::optional<CellOrbit>> orbits(cells.size());
-    for_each(cells.size(), [&](std::size_t i) {
-      const scene::Place place = sweep::place_of(study_.grid, cells[i]);
-      const scene::Cell cell = scene::build_cell(prepared_, place.speed_hz, place.unbalance);
-      if (!scene::can_run(cell.start)) return;
-      const SettledStart start = settle_on_orbit(cell, study_.solver, study_.response, workspace);
-      if (start.order)
-        orbits[i] = stable_orbit(study_, prepared_, cells[i], *start.order, start.section, workspace);
-    });
+    std::vector<std::size_t> unknown;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (const auto* orbit = records_.settled(cells[i]))
+        orbits[i] = *orbit;
+      else
+        unknown.push_back(i);
+    }
+    for_each(
+        unknown, [&](std::size_t i) { orbits[i] = settled(cells[i]); },
+        [&](std::size_t i) { records_.keep_settled(cells[i], orbits[i]); });
     return orbits;
   }
 
@@ -45,11 +51,7 @@ class Explorer {
         for (const std::size_t next : neighbours_of(study_.grid, cell))
           if (!family.orbits.contains(next)) tasks.push_back({cell, next});
       }
-      std::vector<Passage> passages(tasks.size());
-      for_each(tasks.size(), [&](std::size_t i) {
-        passages[i] =
-            pass(study_, prepared_, tasks[i].from, family.orbits.at(tasks[i].from), tasks[i].to, workspace);
-      });
+      const std::vector<Passage> passages = passages_of(tasks, family);
       frontier = take(tasks, passages, family);
     }
     return family;
@@ -60,18 +62,48 @@ class Explorer {
   }
 
  private:
-  void for_each(std::size_t count, const std::function<void(std::size_t)>& run) {
+  void for_each(std::span<const std::size_t> which, const std::function<void(std::size_t)>& run,
+                const std::function<void(std::size_t)>& on_finished) {
     batch::parallel_run(
-        count, threads_, run, [](std::size_t) {}, stop_);
+        which.size(), threads_, [&](std::size_t i) { run(which[i]); },
+        [&](std::size_t i) { on_finished(which[i]); }, stop_);
   }
 
-  std::vector<std::size_t> take(const std::vector<Task>& tasks, std::vector<Passage>& passages,
+  std::optional<CellOrbit> settled(std::size_t number) {
+    const scene::Place place = sweep::place_of(study_.grid, number);
+    const scene::Cell cell = scene::build_cell(prepared_, place.speed_hz, place.unbalance);
+    if (!scene::can_run(cell.start)) return std::nullopt;
+    const SettledStart start = settle_on_orbit(cell, study_.solver, study_.response, workspace);
+    if (!start.order) return std::nullopt;
+    return stable_orbit(study_, prepared_, number, *start.order, start.section, workspace);
+  }
+
+  std::vector<Passage> passages_of(const std::vector<Task>& tasks, const Family& family) {
+    std::vector<Passage> passages(tasks.size());
+    std::vector<std::size_t> unknown;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      if (const Passage* passage = records_.passage(family.seed, tasks[i].from, tasks[i].to))
+        passages[i] = *passage;
+      else
+        unknown.push_back(i);
+    }
+    for_each(
+        unknown,
+        [&](std::size_t i) {
+          const auto [from, to] = tasks[i];
+          passages[i] = pass(study_, prepared_, from, family.orbits.at(from), to, workspace);
+        },
+        [&](std::size_t i) { records_.keep_passage(family.seed, tasks[i].from, tasks[i].to, passages[i]); });
+    return passages;
+  }
+
+  std::vector<std::size_t> take(const std::vector<Task>& tasks, const std::vector<Passage>& passages,
                                 Family& family) {
     std::vector<std::size_t> added;
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const auto [from, to] = tasks[i];
       if (passages[i].arrived) {
-        if (family.orbits.emplace(to, std::move(*passages[i].arrived)).second) added.push_back(to);
+        if (family.orbits.emplace(to, *passages[i].arrived).second) added.push_back(to);
       } else {
         family.ends.push_back(end_of(from, to, passages[i]));
       }
@@ -91,6 +123,7 @@ class Explorer {
   scene::PreparedMachine prepared_;
   int threads_;
   const std::atomic<bool>& stop_;
+  FamilyRecords& records_;
 };
 
 }  // namespace
@@ -112,8 +145,8 @@ std::vector<std::size_t> neighbours_of(const sweep::Grid& grid, std::size_t cell
 }
 
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
-                     const std::atomic<bool>& stop) {
-  Explorer explorer(study, threads, stop);
+                     const std::atomic<bool>& stop, FamilyRecords& records) {
+  Explorer explorer(study, threads, stop, records);
   Families families;
   const auto settled = explorer.settle(proven);
   std::vector<bool> known(proven.size(), false);
@@ -133,6 +166,12 @@ Families families_of(const sweep::Study& study, std::span<const std::size_t> pro
     families.list.push_back(std::move(family));
   }
   return families;
+}
+
+Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
+                     const std::atomic<bool>& stop) {
+  FamilyRecords records;
+  return families_of(study, proven, threads, stop, records);
 }
 
 }  // namespace rubsweep::branch

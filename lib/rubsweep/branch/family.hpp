@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/branch/family_records.hpp"
 #include "rubsweep/branch/passage.hpp"
 #include "rubsweep/sweep/study.hpp"
 
@@ -45,7 +46,12 @@ struct Families {
 
 /// Settles the cells `proven` (ascending), whose motion a map calls periodic and proven, and follows every
 /// family that they belong to over the whole grid, each once. The result does not depend on the number of
-/// threads. Once `stop` is true nothing more is begun, and what is returned is not whole.
+/// threads, nor on what `records` already knew: what they do not is added to them, one call at a time. Once
+/// `stop` is true nothing more is begun, and what is returned is not whole. What the records throw ends it.
+Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
+                     const std::atomic<bool>& stop, FamilyRecords& records);
+
+/// The same from the beginning.
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
                      const std::atomic<bool>& stop);
 

@@ -74,6 +74,31 @@ FollowOptions options_of_a_passage() {
   return options;
 }
 
+/// The same where that does not come through: a long way along the branch between two cells.
+constexpr int patient_points = 5000;
+
+/// The following ended, and not the orbit.
+bool given_up(Ending ending) {
+  return ending == Ending::failed || ending == Ending::step_too_small || ending == Ending::singular ||
+         ending == Ending::point_limit;
+}
+
+HalfBranch follow_the_way(const Way& way, const CellOrbit& orbit, const FollowOptions& options) {
+  const auto start = orbit_from(way.problem, orbit.state, way.from);
+  if (!start) return {{}, {}, Ending::failed};
+  return follow(way.problem, way.to > way.from ? *start : turned_about(*start), options);
+}
+
+/// A parameter that counts for much hides turns behind a graze that take place within a billionth of its
+/// range: on the second attempt the way between the cells is one unit of it, and not the whole axis.
+HalfBranch follow_patiently(Way way, const CellOrbit& orbit, HalfBranch first) {
+  FollowOptions options = options_of_a_passage();
+  options.most_points = patient_points;
+  way.problem.parameter_scale = std::abs(way.to - way.from);
+  HalfBranch second = follow_the_way(way, orbit, options);
+  return given_up(second.ending) ? first : second;
+}
+
 }  // namespace
 
 std::optional<CellOrbit> stable_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
@@ -90,8 +115,8 @@ Passage pass(const sweep::Study& study, const scene::PreparedMachine& prepared, 
   const Way way = way_between(study, prepared, cell, neighbour, orbit.order, workspace);
   const auto start = orbit_from(way.problem, orbit.state, way.from);
   if (!start || !start->stable()) return {{}, to_string(EventKind::stability), way.from};
-  const HalfBranch half =
-      follow(way.problem, way.to > way.from ? *start : turned_about(*start), options_of_a_passage());
+  HalfBranch half = follow_the_way(way, orbit, options_of_a_passage());
+  if (given_up(half.ending)) half = follow_patiently(way, orbit, std::move(half));
   const BranchPoint& last = half.points.back();
   if (half.ending == Ending::left_range && last.parameter == way.to)
     return {orbit_of(last, orbit.order), {}, way.to};

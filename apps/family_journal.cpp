@@ -1,0 +1,50 @@
+#include "family_journal.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "journal_header.hpp"
+#include "program.hpp"
+
+namespace rubsweep::apps {
+
+namespace fs = std::filesystem;
+
+FamilyJournal::FamilyJournal(const fs::path& directory, const sweep::Study& study, bool fresh)
+    : path_(directory / "families.journal"), records_([this](std::size_t cell, std::string_view line) {
+        const std::lock_guard lock(mutex_);
+        journal_->append(cell, line);
+      }) {
+  make_directory(directory);
+  lock_.emplace(directory / "families.lock", batch::LockMode::exclusive, "rubbranch");
+  const batch::JournalHeader header = journal_header(study);
+  read(header, fresh);
+  journal_.emplace(path_, header);
+}
+
+void FamilyJournal::read(const batch::JournalHeader& header, bool fresh) {
+  if (fresh) fs::remove(path_);
+  if (!fs::exists(path_)) return;
+  refuse_journal_of_another(path_, header);
+  std::size_t unreadable = 0;
+  const std::size_t torn = batch::read_journal(path_, [&](const batch::JournalRecord& record) {
+    ++(records_.read(record.cell, record.text) ? found_before_ : unreadable);
+  });
+  const std::size_t damaged = torn + unreadable;
+  if (damaged > 0)
+    say(fmt::format("{}: {} damaged records; what they held is computed again\n", path_.string(), damaged));
+}
+
+void FamilyJournal::remove() {
+  const std::lock_guard lock(mutex_);
+  journal_.reset();
+  fs::remove(path_);
+}
+
+void FamilyJournal::leave() {
+  mutex_.lock();  // for good: whoever waits for it ends with the process
+  lock_.reset();
+}
+
+}  // namespace rubsweep::apps

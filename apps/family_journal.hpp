@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+
+#include "rubsweep/batch/file_lock.hpp"
+#include "rubsweep/batch/journal.hpp"
+#include "rubsweep/branch/family_records.hpp"
+#include "rubsweep/sweep/study.hpp"
+
+namespace rubsweep::apps {
+
+/// The directory in which families of a map are followed, while a process is at work there: families.journal
+/// holds what is found as it is found, until the result files have it, and families.lock says who is at work.
+class FamilyJournal {
+ public:
+  /// Begins, or goes on with what an interrupted call left; `fresh`: after forgetting that. Throws
+  /// LockedError when another process is at work there, ConfigError when the journal belongs to another study
+  /// or program, IoError.
+  FamilyJournal(const std::filesystem::path& directory, const sweep::Study& study, bool fresh);
+
+  branch::FamilyRecords& records() { return records_; }
+
+  /// Of an earlier call, that were read.
+  std::size_t found_before() const { return found_before_; }
+
+  /// The results are written: nothing is left to go on from.
+  void remove();
+
+  /// Frees the directory, for a process that ends at once; waits for a line that is being written, and no
+  /// other one comes after it.
+  void leave();
+
+ private:
+  void read(const batch::JournalHeader& header, bool fresh);
+
+  std::filesystem::path path_;
+  std::optional<batch::FileLock> lock_;
+  std::mutex mutex_;  ///< guards the journal
+  std::optional<batch::Journal> journal_;
+  branch::FamilyRecords records_;
+  std::size_t found_before_ = 0;
+};
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "rubsweep/batch/journal.hpp"
+#include "rubsweep/sweep/study.hpp"
+
+namespace rubsweep::apps {
+
+/// What the results that this build of the program computes of a study belong to.
+batch::JournalHeader journal_header(const sweep::Study& study);
+
+/// Throws ConfigError, with every key that differs, where the records of the journal at `path` are not
+/// results under `here`, DamagedJournal where that cannot be told, or IoError. Says on stderr what was
+/// damaged and is not needed.
+void refuse_journal_of_another(const std::filesystem::path& path, const batch::JournalHeader& here);
+
+}  // namespace rubsweep::apps
