@@ -10,7 +10,7 @@ namespace rubsweep::test {
 
 /// Rotor of unit mass and stiffness `stiffness` in a rigid annular stop of unit clearance, time in units of
 /// its own: z'' + 2 zeta z' + stiffness z = e W^2 e^{i W t} + load - k_c (|z| - 1)(1 + i mu) z / |z| where
-/// |z| > 1; friction keeps its direction, because the shaft's surface is fast.
+/// |z| > 1.
 inline scene::Scene annular_scene(double stiffness, double zeta, double speed, double unbalance,
                                   std::complex<double> load, double k_c, double mu) {
   auto scene = one_mass_scene(1, stiffness, 2 * zeta, 2 * std::numbers::pi / speed, 1);
@@ -20,8 +20,7 @@ inline scene::Scene annular_scene(double stiffness, double zeta, double speed, d
   stop.wall = contact::AnnularWall{};
   stop.clearance_m = 1;
   stop.stiffness_n_per_m = k_c;
-  stop.surface_speed_m_per_s = 1e3;  // the slip never reverses
-  if (mu > 0) stop.friction = model::ConstantFriction{mu};
+  if (mu > 0) stop.friction = model::OneWayFriction{mu};
   scene.contacts.push_back(stop);
   return scene;
 }

@@ -11,7 +11,8 @@ namespace rubsweep::contact {
 
 /// Friction coefficient mu at slip speed `slip_m_per_s` (rotor surface relative to the casing, along the
 /// tangent). Stribeck: mu(v) = g1 (tanh g2 v - tanh g3 v) + g4 tanh g5 v + g6 v (Ishibashi & Kawai eq. 17),
-/// odd in v. Constant: the coefficient with the sign of v; zero at v = 0, where it stands for all between.
+/// odd in v. Constant: the coefficient with the sign of v; zero at v = 0, where it stands for all between. One-way: the
+/// coefficient, whatever the sign of v.
 double friction_coefficient(const model::Friction& friction, double slip_m_per_s);
 
 /// d mu / d v in s/m, for implicit steppers.
@@ -23,12 +24,13 @@ struct SaturatedFriction {
   double above_m_per_s = 0;  ///< holds for slip speeds above this; -infinity: for all
 };
 
-/// The limit of `friction` at large positive slip: no friction at every speed, a constant coefficient at every
-/// positive one; a Stribeck curve without viscous part (g6 = 0) where every tanh differs from 1 by less than 2e-12, g1's pair
+/// The limit of `friction` at large positive slip: no friction and a one-way coefficient at every speed, a constant one
+/// at every positive speed; a Stribeck curve without viscous part (g6 = 0) where every tanh differs from 1 by less than 2e-12, g1's pair
 /// cancelling. Empty for a viscous part or a tanh that never saturates: then the coefficient always varies.
 std::optional<SaturatedFriction> saturated_friction(const model::Friction& friction);
 
-/// mu(slip) = sum over `count` terms of height tanh(steepness slip), plus dry sign(slip), plus viscous slip: what
+/// mu(slip) = sum over `count` terms of height tanh(steepness slip), plus constant, plus dry sign(slip), plus viscous slip:
+/// what
 /// a power series of it is made of.
 struct FrictionTerms {
   struct Tanh {
@@ -36,6 +38,7 @@ struct FrictionTerms {
   };
   std::array<Tanh, 3> tanh{};
   std::size_t count = 0;
+  double constant = 0;
   double dry = 0;  ///< coefficient of a friction that is a set at slip zero (contact/dry_friction)
   double viscous_s_per_m = 0;
 };
@@ -49,11 +52,15 @@ bool acts(const model::Friction& friction);
 /// Whether the coefficient depends on the slip speed.
 bool depends_on_slip(const model::Friction& friction);
 
+/// Whether the friction would go on in its old direction where the slip reverses. A run in which that happens
+/// says so in its status.
+bool keeps_its_direction(const model::Friction& friction);
+
 /// Coefficient of a friction that is a set at slip zero: it jumps where the slip reverses, and may hold the
 /// surfaces together. Zero where there is none.
 double dry_coefficient(const model::Friction& friction);
 
-/// "none", "constant", "Stribeck".
+/// "none", "dry", "one-way", "Stribeck".
 std::string_view name_of(const model::Friction& friction);
 
 }  // namespace rubsweep::contact

@@ -46,11 +46,13 @@ std::string explain_friction(const model::Stop& stop, const scene::Contact& cont
   const double slip = contact.surface_speed_m_per_s;
   const auto name = contact::name_of(stop.friction);
   if (!contact::acts(stop.friction)) return fmt::format("  friction: {}\n", name);
-  if (!contact::depends_on_slip(stop.friction)) {
-    return fmt::format("  friction: {} {}; reverses with the slip, and may hold the surfaces together\n", name,
-                       contact::dry_coefficient(stop.friction));
-  }
   const double mu = contact::friction_coefficient(stop.friction, slip);
+  if (!contact::depends_on_slip(stop.friction)) {
+    const bool reverses = !contact::keeps_its_direction(stop.friction);
+    return fmt::format("  friction: {} {}; {}\n", name, mu,
+                       reverses ? "reverses with the slip, and may hold the surfaces together"
+                                : "a run whose slip would reverse says slip_reversal");
+  }
   const bool saturated = contact::friction_slope(stop.friction, slip) == 0;
   return fmt::format("  friction: {}, {:.6g} at the surface speed {:.4g} m/s of the lowest speed ({})\n",
                      name, mu, slip,

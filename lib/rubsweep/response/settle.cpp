@@ -206,6 +206,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
     torus.add(request, turn);
     run.section = turn.section;
     if (turn.touched) run.last_contact_revolution = run.revolutions;
+    run.slip_reversed = run.slip_reversed || turn.slip_reversed;
     if (run.revolutions > first_recorded) record.add(turn);
     if (static_cast<double>(run.revolutions) < kick_turns) continue;
     if (const auto proven = proof.look(turn)) {

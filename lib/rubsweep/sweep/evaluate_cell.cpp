@@ -19,6 +19,11 @@
 namespace rubsweep::sweep {
 namespace {
 
+bool some_friction_keeps_its_direction(const model::Machine& machine) {
+  return std::ranges::any_of(
+      machine.stops, [](const model::Stop& stop) { return contact::keeps_its_direction(stop.friction); });
+}
+
 void add_status(Row& row, std::string_view word) {
   if (row.status == "ok") {
     row.status = word;
@@ -42,7 +47,7 @@ void doubt(Row& row, const model::Machine& machine, double clearance_m) {
   if (beyond_hertz(machine, row.measures->contact.peak_contact_force_n)) add_status(row, "beyond_hertz");
 }
 
-void fill(Row& row, const response::SettledRun& run) {
+void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) {
   row.motion_class = run.motion.motion_class;
   row.order = run.motion.order;
   row.proof = run.proof;
@@ -56,6 +61,7 @@ void fill(Row& row, const response::SettledRun& run) {
     add_status(row, integrate::run::to_string(run.outcome));
   }
   if (run.motion.status != response::motion::MotionStatus::ok) add_status(row, to_string(run.motion.status));
+  if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
 }
 
 /// The cell at a place, of a prepared machine that may differ from the study's.
@@ -154,7 +160,7 @@ Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machi
               : !cell.scene.pulses.empty()        ? RunStart::kick
                                                   : RunStart::quiet;
   if (run == nullptr) return row;
-  fill(row, *run);
+  fill(row, *run, some_friction_keeps_its_direction(machine));
   doubt(row, machine, cell.scene.length_scale_m);
   return row;
 }

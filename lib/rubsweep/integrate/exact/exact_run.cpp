@@ -245,6 +245,8 @@ void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
   time_s_ += duration_s;
   if (motion_.joint() != 0) {
     slip_.advance(duration_s);
+    if (slip_.may_reverse())
+      report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
     report.contact_fraction += duration_s * turns_per_s_;
   }
   if (peaks_wanted_ || samples_.wanted()) watch(report, duration_s);

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <variant>
 #include <vector>
 
 #include "rubsweep/integrate/exact/exact_motion.hpp"
 #include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/numerics/cubic_maximum.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -25,7 +28,9 @@ class SlipWatch {
       const bool saturates = contact::saturated_friction(scene.contacts[i].friction).has_value();
       contacts_.push_back(
           {.above_m_per_s = saturates ? friction[i].above_m_per_s : std::numeric_limits<double>::infinity(),
-           .surface_speed_m_per_s = scene.contacts[i].surface_speed_m_per_s});
+           .surface_speed_m_per_s = scene.contacts[i].surface_speed_m_per_s,
+           .constant =
+               contact::keeps_its_direction(scene.contacts[i].friction) && friction[i].coefficient != 0});
     }
   }
 
@@ -34,6 +39,7 @@ class SlipWatch {
   bool begin(const ExactMotion<N>& motion, const State& physical) {
     duration_s_ = 0;
     longest_s_ = motion.mode().longest_step_s;
+    may_reverse_ = false;
     for (const TouchWatch<N>& touch : motion.mode().touches) {
       Contact& c = contacts_[touch.contact];
       c.start_m_per_s = slip(touch, physical);
@@ -47,13 +53,38 @@ class SlipWatch {
         c.friction_swing += length_m_ * touch.friction_swing[k] * std::max(0.0, penetration);
       }
       if (!(c.start_m_per_s > c.above_m_per_s)) return false;
-      const double rate_bound =
-          c.rate_bound + c.friction_rate + c.friction_swing * motion.mode().longest_step_s;
+      const double longest_s = motion.mode().longest_step_s;
+      const double rate_bound = c.rate_bound + c.friction_rate + c.friction_swing * longest_s;
+      may_reverse_ = may_reverse_ || (c.constant && c.start_m_per_s <= rate_bound * longest_s);
       const double margin = c.start_m_per_s - c.above_m_per_s;
       if (share_of_margin * margin < rate_bound * longest_s_)
         longest_s_ = share_of_margin * margin / rate_bound;
     }
+    if (may_reverse_) note(motion, physical);
     return longest_s_ >= shortest_stretch * motion.mode().longest_step_s;
+  }
+
+  /// Whether the slip of a constant friction, which holds at every speed and so never ends a stretch, may
+  /// come to zero in this one.
+  bool may_reverse() const { return may_reverse_; }
+
+  /// At the end of a step of `duration_s` inside the stretch: whether such a slip came to zero in it, by the
+  /// cubic through its values and rates at both ends.
+  bool reversed_in(const ExactMotion<N>& motion, const State& physical, double duration_s) {
+    bool reversed = false;
+    const auto before = [this](const TouchWatch<N>& touch) { return contacts_[touch.contact].last; };
+    std::array<ValueAndRate, most_exact_contacts> starts{};
+    std::size_t count = 0;
+    for (const TouchWatch<N>& touch : motion.mode().touches) starts[count++] = before(touch);
+    note(motion, physical);
+    count = 0;
+    for (const TouchWatch<N>& touch : motion.mode().touches) {
+      const ValueAndRate start = starts[count++], end = before(touch);
+      const double largest =
+          numerics::cubic_maximum(-start.value, -duration_s * start.rate, -end.value, -duration_s * end.rate);
+      reversed = reversed || (contacts_[touch.contact].constant && largest >= 0);
+    }
+    return reversed;
   }
 
   void advance(double duration_s) { duration_s_ += duration_s; }
@@ -99,13 +130,26 @@ class SlipWatch {
   }
 
  private:
+  struct ValueAndRate {
+    double value = 0, rate = 0;  ///< m/s, m/s^2
+  };
+
   struct Contact {
     double above_m_per_s = 0;  ///< saturated from here on
     double surface_speed_m_per_s = 0;
+    bool constant = false;  ///< friction that does not depend on the slip, nor on its sign
+    ValueAndRate last{};    ///< slip at the end of the last step
     double start_m_per_s = 0;
     double rate_bound = 0, friction_rate = 0;  ///< m/s^2
     double friction_swing = 0;                 ///< m/s^3
   };
+
+  void note(const ExactMotion<N>& motion, const State& physical) {
+    const State rate = motion.rate_of(physical);
+    for (const TouchWatch<N>& touch : motion.mode().touches)
+      contacts_[touch.contact].last = {slip(touch, physical),
+                                       length_m_ * touch.sliding.dot(rate.transpose())};
+  }
 
   /// Bound from below over the stretch that ends with slip `end_m_per_s`.
   double least_m_per_s(const TouchWatch<N>& touch, double end_m_per_s) const {
@@ -125,6 +169,7 @@ class SlipWatch {
 
   double length_m_;
   double duration_s_ = 0, longest_s_ = 0;
+  bool may_reverse_ = false;
   std::vector<Contact> contacts_;
 };
 

@@ -20,7 +20,7 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s,
   sticks_ = law.friction.dry > 0 && mode != Mode::open && way == contact::Slip::sticking;
   dry_sign_ = contact::sign_of(way);
   if (law.friction.dry > 0) slip_sign_ = dry_sign_;
-  constant_mu_ = law.friction.dry * dry_sign_;
+  constant_mu_ = law.friction.dry > 0 ? law.friction.dry * dry_sign_ : law.friction.constant;
   varies_ = law.friction.viscous_s_per_m != 0;
   for (std::size_t i = 0; i < law.friction.count; ++i) {
     const auto& term = law.friction.tanh[i];
