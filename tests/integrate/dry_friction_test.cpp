@@ -1,5 +1,5 @@
-// Dry friction, a set at slip zero: closed forms of sliding, sticking and sliding back; the Taylor pieces against
-// Odeint with located events; derivatives across stops and releases against differences.
+// Dry friction, a set at slip zero: closed forms of sliding, sticking and sliding back; the Taylor pieces
+// against Odeint with located events; derivatives across stops and releases against differences.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -119,7 +119,8 @@ TEST(DryFriction, TanhFrictionComesNearerAsOneOverItsSteepness) {
   for (const double steepness : {1e2, 1e3, 1e4}) {
     scene::Scene scene = belt.scene(1.5, 2.0);
     scene.contacts[0].friction = model::StribeckFriction{{0, 0, 0, belt.mu, steepness, 0}};
-    const double error = std::abs(after(scene, stepper(run::Stepper::automatic, 1e-11), 3, report).first - exact);
+    const double error =
+        std::abs(after(scene, stepper(run::Stepper::automatic, 1e-11), 3, report).first - exact);
     if (last > 0) {
       EXPECT_GT(last / error, 7) << steepness;
       EXPECT_LT(last / error, 14) << steepness;
@@ -127,6 +128,20 @@ TEST(DryFriction, TanhFrictionComesNearerAsOneOverItsSteepness) {
     last = error;
   }
   EXPECT_LT(last, 1e-3);
+}
+
+TEST(DryFriction, TwoWallsOfOneRigidCasingThatStickTogetherAreNamed) {
+  const Belt belt{.revolution = pi / 2};
+  scene::Scene scene = belt.scene(2.2, 0);
+  scene.contacts.push_back(scene.contacts[0]);
+  for (const auto& options : {run::SolverOptions{}, stepper(run::Stepper::dopri5, 1e-8)}) {
+    exact::ModeCache modes;
+    const run::Run run = start(scene, options, modes);
+    run::TurnReport report;
+    run::Outcome outcome = run::Outcome::ok;
+    for (int k = 0; k < 6 && outcome == run::Outcome::ok; ++k) outcome = run.advance({}, report);
+    EXPECT_EQ(outcome, run::Outcome::stick_undetermined);
+  }
 }
 
 TEST(DryFriction, PublishedWearPowerOfCoulombSliding) {
@@ -145,7 +160,8 @@ TEST(DryFriction, PublishedWearPowerOfCoulombSliding) {
   run::TurnReport turn;
   for (int k = 0; k < 6; ++k) ASSERT_EQ(run.advance(asked, turn), run::Outcome::ok);
   double sum = 0;
-  for (int k = 0; k < turn.sample_count; ++k) sum += std::abs(turn.samples[4 * static_cast<std::size_t>(k) + 3]);
+  for (int k = 0; k < turn.sample_count; ++k)
+    sum += std::abs(turn.samples[4 * static_cast<std::size_t>(k) + 3]);
   EXPECT_NEAR(10 * sum / turn.sample_count * scene.length_scale_m * scene.speed_rad_per_s, 0.409062, 2e-6);
 }
 
@@ -209,7 +225,8 @@ TEST_P(RandomDryFriction, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDiff
   for (int cell = 0; cell < 40; ++cell) {
     scene::Scene scene = random_scene(random, annular, stops);
     exact::ModeCache modes;
-    const run::Run run = start(scene, {}, modes), other = start(scene, stepper(run::Stepper::rkf78, 1e-12), modes);
+    const run::Run run = start(scene, {}, modes),
+                   other = start(scene, stepper(run::Stepper::rkf78, 1e-12), modes);
     run::TurnRequest asked;
     run::TurnReport a, b;
     std::vector<double> before{scene.displacement_m(0), scene.displacement_m(1),

@@ -12,8 +12,15 @@ namespace {
 /// eigenvalue.
 constexpr int most_sweeps = 2000;
 constexpr double settled = 1e-15;
+constexpr double independent = 1e-10;  ///< share of the largest mobility
 
 }  // namespace
+
+bool determined(const StickMobility& mobility) {
+  auto decomposition = mobility.completeOrthogonalDecomposition();
+  decomposition.setThreshold(independent);
+  return decomposition.rank() == mobility.rows();
+}
 
 StickVector holding_forces(const StickMobility& mobility, const StickVector& acceleration) {
   if (acceleration.size() == 1) return acceleration / mobility(0, 0);

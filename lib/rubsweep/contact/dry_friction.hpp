@@ -11,9 +11,7 @@ namespace rubsweep::contact {
 enum class Slip : unsigned char { forward, sticking, backward };
 
 /// +1, 0, -1.
-constexpr double sign_of(Slip slip) {
-  return slip == Slip::forward ? 1 : slip == Slip::backward ? -1 : 0;
-}
+constexpr double sign_of(Slip slip) { return slip == Slip::forward ? 1 : slip == Slip::backward ? -1 : 0; }
 
 constexpr std::string_view to_string(Slip slip) {
   return slip == Slip::forward ? "forward" : slip == Slip::backward ? "backward" : "sticking";
@@ -28,8 +26,12 @@ using StickMatrix = Eigen::Matrix<double, Eigen::Dynamic, Columns == 1 ? 1 : Eig
 using StickVector = StickMatrix<1>;
 using StickMobility = StickMatrix<most_sticking>;
 
-/// Forces that hold every one of the surfaces: mobility f = acceleration. Where two of them can only
-/// be told apart by forces that move nothing (stops on one rigid casing), the smallest forces.
+/// Whether every friction force of these surfaces moves some of them. Those of two walls of one direction on
+/// one rigid casing can only be told apart by forces that move nothing: which of the two lets go first is
+/// then open.
+bool determined(const StickMobility& mobility);
+
+/// Forces that hold every one of the surfaces: mobility f = acceleration.
 StickVector holding_forces(const StickMobility& mobility, const StickVector& acceleration);
 
 /// What `count` surfaces with slip zero do from here on, and their friction. `acceleration` is that of each

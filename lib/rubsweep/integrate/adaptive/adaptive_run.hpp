@@ -21,8 +21,8 @@ namespace rubsweep::integrate::adaptive {
 
 /// A run by one of Odeint's steppers. Located (Smoothed = false): a step that crosses a mode's guard is cut
 /// there and the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper
-/// keeps its order. Dry friction's slips that come to zero, and contacts that no longer stick, end a step in the
-/// same way. `Law` is the right-hand side: Dynamics, or what adds further numbers behind its state.
+/// keeps its order. Dry friction's slips that come to zero, and contacts that no longer stick, end a step in
+/// the same way. `Law` is the right-hand side: Dynamics, or what adds further numbers behind its state.
 template <class StepMethod, int N, bool Smoothed, class Law = Dynamics<N, Smoothed>>
 class AdaptiveRun {
  public:
@@ -41,8 +41,7 @@ class AdaptiveRun {
         end_kinematics_(system_.contacts.size()),
         just_moved_(system_.contacts.size(), false) {
     const std::vector<double> initial = dynamics_.whole_state(run::scaled_initial_state(scene));
-    for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_,
-                         &probe_rate_})
+    for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_, &probe_rate_})
       resize(*state, initial.size());
     std::copy(initial.begin(), initial.end(), step_.start.begin());
     remembered_sizes_.resize(std::size_t{1} << (2 * std::min<std::size_t>(system_.contacts.size(), 4)), 0.0);
@@ -68,6 +67,7 @@ class AdaptiveRun {
     dynamics_(step_.start, step_.start_rate, 0.0);
     while (step_.start_phase < end_phase_) {
       if (steps_ + refused_ >= limit) return finish(report, run::Outcome::step_limit);
+      if (dynamics_.undetermined()) return finish(report, run::Outcome::stick_undetermined);
       if (step_.start_phase >= impulses_.next_phase_rad()) apply_impulses(observer);
       const run::Outcome outcome = advance_one_step(observer);
       if (outcome != run::Outcome::ok) return finish(report, outcome);
@@ -293,9 +293,9 @@ class AdaptiveRun {
     return Crossing{*phase, i, at_start.next};
   }
 
-  /// Root of the true guard function `value` near the root of its interpolant; both in units of the step. Empty
-  /// when the function stays on one side: a graze shallower than the interpolation error, which no tolerance
-  /// sees.
+  /// Root of the true guard function `value` near the root of its interpolant; both in units of the step.
+  /// Empty when the function stays on one side: a graze shallower than the interpolation error, which no
+  /// tolerance sees.
   template <class Value>
   std::optional<double> refine(const Value& value, double rise) {
     const double h = step_.end_phase - step_.start_phase;
@@ -362,7 +362,10 @@ class AdaptiveRun {
     probe_rate_ = step_.end_rate;
     settle_slips(dynamics_, step_.end, step_.end_rate, step_.end_phase,
                  [&](std::size_t j) { return j == i; });
-    just_moved_[i] = dynamics_.slips()[i] != contact::Slip::sticking;
+    for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
+      if (dynamics_.touches_dry(j) && (j == i || stands(dynamics_, j, step_.end)))
+        just_moved_[j] = dynamics_.slips()[j] != contact::Slip::sticking;
+    }
     dynamics_(step_.end, step_.end_rate, step_.end_phase);
     if constexpr (requires { dynamics_.changes(step_.end); }) {
       cross_slip(dynamics_, i, step_.end, probe_rate_, step_.end_rate, dynamics_.changes(step_.end));

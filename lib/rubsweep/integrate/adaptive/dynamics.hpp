@@ -89,9 +89,8 @@ class Dynamics {
     for (std::size_t k = 0; k < stuck.count; ++k) {
       const std::size_t i = stuck.list[k];
       const contact::ContactFrame f = frame_at(i, state);
-      held_[i].normal_acceleration =
-          f.cosine * system_.contacts[i].first_row.dot(acceleration.transpose()) +
-          f.sine * system_.contacts[i].second_row.dot(acceleration.transpose());
+      held_[i].normal_acceleration = f.cosine * system_.contacts[i].first_row.dot(acceleration.transpose()) +
+                                     f.sine * system_.contacts[i].second_row.dot(acceleration.transpose());
     }
   }
 
@@ -115,6 +114,10 @@ class Dynamics {
     return !Smoothed && dry_[i] > 0 && modes_[i] != contact::Mode::open;
   }
   bool any_dry() const { return !Smoothed && any_dry_; }
+
+  /// Says that what holds the contacts that stick is not determined one by one: the run is to end.
+  void leave_undetermined() { undetermined_ = true; }
+  bool undetermined() const { return undetermined_; }
 
   /// Largest friction in newtons of contact `i`, which touches.
   template <class State>
@@ -358,7 +361,8 @@ class Dynamics {
   double coefficient(std::size_t i, const contact::ContactFrame& f) const {
     const Contact& c = system_.contacts[i];
     if (dry_[i] == 0) return contact::friction_coefficient(c.friction, slip(c, f));
-    if constexpr (Smoothed) return dry_[i] * std::tanh(slip(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
+    if constexpr (Smoothed)
+      return dry_[i] * std::tanh(slip(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
     return dry_[i] * contact::sign_of(slips_[i]);
   }
   double coefficient_slope(std::size_t i, const contact::ContactFrame& f) const {
@@ -471,7 +475,7 @@ class Dynamics {
   std::vector<contact::Mode> modes_;
   std::vector<contact::Slip> slips_;
   std::vector<double> dry_;  ///< coefficients
-  bool any_dry_ = false;
+  bool any_dry_ = false, undetermined_ = false;
   mutable std::vector<Held> held_;
   const run::PulseTimes* pulses_ = nullptr;
   mutable long rhs_calls_ = 0;

@@ -20,14 +20,15 @@ bool stands(const Law& law, std::size_t i, const State& state) {
   return std::abs(law.slip(i, state)) <= no_slip * std::max(1.0, std::abs(surface));
 }
 
-/// Settles what those contacts do whose slip is zero: the ones that stick, and those that `besides` says.
+/// Settles what those contacts do whose slip is zero: the ones that stick, those that stand, and those that
+/// `besides` says.
 /// `rate` is room for a rate of the state.
 template <class Law, class State, class Besides>
 void settle_slips(Law& law, const State& state, State& rate, double phase, const Besides& besides) {
   typename Law::Stuck standing;
   for (std::size_t i = 0; i < law.slips().size() && standing.count < standing.list.size(); ++i) {
     if (!law.touches_dry(i)) continue;
-    if (law.slips()[i] != contact::Slip::sticking && !besides(i)) continue;
+    if (law.slips()[i] != contact::Slip::sticking && !besides(i) && !stands(law, i, state)) continue;
     law.slips()[i] = contact::Slip::sticking;
     standing.list[standing.count++] = i;
   }
@@ -37,9 +38,11 @@ void settle_slips(Law& law, const State& state, State& rate, double phase, const
   for (std::size_t k = 0; k < standing.count; ++k)
     limit(static_cast<Eigen::Index>(k)) = std::max(0.0, law.largest_friction_n(standing.list[k], state));
   std::array<contact::Slip, contact::most_sticking> slips{};
-  contact::settle_slips(law.mobility(standing, state), law.accelerations(standing, state, rate), limit,
-                        slips.data(), force);
+  const contact::StickMobility mobility = law.mobility(standing, state);
+  contact::settle_slips(mobility, law.accelerations(standing, state, rate), limit, slips.data(), force);
   for (std::size_t k = 0; k < standing.count; ++k) law.slips()[standing.list[k]] = slips[k];
+  if (standing.count > 1 && law.stuck_contacts().count > 0 && !contact::determined(mobility))
+    law.leave_undetermined();
 }
 
 /// Which way contact `i` slips by the state alone; what stands is left to `settle_slips`.

@@ -34,8 +34,8 @@ class ContactSeries {
   /// Normal where the expansion starts.
   double cosine() const { return law_->annular ? d1[0] * q_[0] : 1; }
   double sine() const { return law_->annular ? d2[0] * q_[0] : 0; }
-  /// Coefficient k of (tangent at the start) . d'' that keeps the slip; `a1`, `a2` are those of d'' in the two
-  /// fixed directions so far, without the holding friction's coefficient k.
+  /// Coefficient k of (tangent at the start) . d'' that keeps the slip; `a1`, `a2` are those of d'' in the
+  /// two fixed directions so far, without the holding friction's coefficient k.
   double keeping_term(int k) const;
   /// That coefficient of the holding friction, and with it those of d''.
   void hold(int k, double force_n, double a1, double a2);

@@ -100,8 +100,8 @@ class TangentExpansion {
 
   std::size_t place(std::size_t i, int k) const { return i * (order + 1) + static_cast<std::size_t>(k); }
 
-  /// Coefficient k of what holds the contacts that stick: of d1 d2'' - d2 d1'' = s r' (at a flat stop d2'' = 0)
-  /// small changes obey the derivative, with the sliding speed s as it is.
+  /// Coefficient k of what holds the contacts that stick: of d1 d2'' - d2 d1'' = s r' (at a flat stop d2'' =
+  /// 0) small changes obey the derivative, with the sliding speed s as it is.
   void hold(Expansion<N>& motion, int k, Directions& acceleration) {
     const auto count = static_cast<Eigen::Index>(motion.sticking());
     for (Eigen::Index j = 0; j < count; ++j) {
@@ -129,8 +129,8 @@ class TangentExpansion {
     const auto& c = system_.contacts[i];
     const ContactSeries& contact = motion.contact(i);
     const ContactSlopes& slopes = slopes_[i];
-    const double sliding = (contact.d1[0] * contact.d2[1] - contact.d2[0] * contact.d1[1]) /
-                           contact.length()[0];
+    const double sliding =
+        (contact.d1[0] * contact.d2[1] - contact.d2[0] * contact.d1[1]) / contact.length()[0];
     // Of the next order only the motion's coefficient is not at hand yet.
     Pair next(2, count_);
     next.row(0).noalias() = c.first_row * rates_[static_cast<std::size_t>(k)] * numerics::one_over(k + 1);

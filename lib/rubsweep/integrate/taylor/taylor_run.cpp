@@ -162,6 +162,7 @@ double TaylorRun<N>::longest_step(double fastest) {
 
 template <int N>
 TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
+  if (dynamics_.undetermined()) return TaylorEnding::stick_undetermined;
   pulses_.go_to(phase_);
   motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
   ++effort_.steps;
@@ -285,7 +286,8 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const Crossing& crossin
     Mode& mode = dynamics_.modes()[i];
     const Mode from = mode;
     const contact::Kinematics kinematics = dynamics_.kinematics(i, state_, rate_);
-    if (crossing.contact == i && !crossing.slip) mode = contact::mode_through(from, crossing.next, kinematics);
+    if (crossing.contact == i && !crossing.slip)
+      mode = contact::mode_through(from, crossing.next, kinematics);
     mode = contact::mode_after(mode, c.stiffness, c.damping, kinematics);
     if (mode == from) continue;
     note_switch(report, i, from);
@@ -307,7 +309,10 @@ void TaylorRun<N>::switch_slip(std::size_t i, contact::Slip slip) {
 template <int N>
 void TaylorRun<N>::stop_slip(std::size_t i) {
   adaptive::settle_slips(dynamics_, state_, probe_, phase_, [i](std::size_t j) { return j == i; });
-  zero_terms_[i] = dynamics_.slips()[i] == contact::Slip::sticking ? 0 : 1;
+  for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
+    if (dynamics_.touches_dry(j) && (j == i || adaptive::stands(dynamics_, j, state_)))
+      zero_terms_[j] = dynamics_.slips()[j] == contact::Slip::sticking ? 0 : 1;
+  }
   dynamics_(state_, probe_, phase_);
   if (tangents_.count() > 0) {
     tangents_here_.resize(static_cast<Eigen::Index>(state_.size()), tangents_.count());

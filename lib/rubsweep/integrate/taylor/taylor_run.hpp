@@ -23,6 +23,7 @@ enum class TaylorEnding {
   stiff,  ///< friction that changes the slip so fast that an implicit stepper is cheaper
   step_limit,
   non_finite,
+  stick_undetermined,
 };
 
 /// A run in pieces that are power series of the phase: within one joint contact mode every law is analytic,
