@@ -16,8 +16,8 @@ using contact::Slip;
 /// Unit mass on a unit spring, pressed on a wall across x by the share `pressed` of its clearance; the wall
 /// feels a friction of 0.5. The surface moves at 0.3.
 struct Pressed {
-  explicit Pressed(double y, double rate, double pressed = 0.02)
-      : scene(with_wall()), system(run::scale<2>(scene)), law(system, 0), state{1 + pressed, y, 0, rate} {
+  explicit Pressed(double y, double y_rate, double pressed = 0.02)
+      : scene(with_wall()), system(run::scale<2>(scene)), law(system, 0), state{1 + pressed, y, 0, y_rate} {
     law.modes()[0] = Mode::sprung;
   }
 
