@@ -124,7 +124,13 @@ Case whip_that_rolls() {
 Case graze_along_ring() {
   test::FullRub rub;
   rub.radius = 1 + 1e-6;
-  return {"graze along a ring", rub.scene()};
+  const scene::Scene scene = rub.scene();
+  const double speed = scene.speed_rad_per_s;
+  // It is back after every turn.
+  return {"graze along a ring",
+          scene,
+          {scene.displacement_m(0), scene.displacement_m(1), scene.velocity_m_per_s(0) / speed,
+           scene.velocity_m_per_s(1) / speed}};
 }
 
 /// Straight through the centre, where the normal turns round at once.
