@@ -16,6 +16,7 @@ enum class RunStart {
   kick,      ///< on the quiet whirl, kicked
   quiet,     ///< on the quiet whirl; there is no kick
   contact,   ///< at rest in the static position, not kicked: the quiet motion itself reaches a wall
+  state,     ///< in a state that the configuration gives, not kicked
   handed_on  ///< on the motion of the cell before it on a line, never in a map
 };
 
@@ -27,11 +28,20 @@ constexpr std::string_view to_string(RunStart start) {
       return "quiet";
     case RunStart::contact:
       return "contact";
+    case RunStart::state:
+      return "state";
     case RunStart::handed_on:
       return "handed_on";
   }
   return "";
 }
+
+/// The secant of Hertz' line contacts that a cell was computed with in the end.
+struct HertzSecant {
+  int iterations = 0;            ///< how often it was taken anew
+  double force_n = 0;            ///< at which it is taken, of the first stop that has hertz
+  double stiffness_n_per_m = 0;  ///< of that stop
+};
 
 /// All that survives of one cell: one row of the map. What does not apply is empty.
 struct Row {
@@ -53,12 +63,16 @@ struct Row {
   std::optional<RunStart> start;              ///< empty: nothing was run
   std::optional<double> robust_share{};       ///< see the function; empty unless asked for
   std::optional<int> refinement_level{};      ///< of a refined map
-  std::optional<Basins> basins{};  ///< of a study that asks for them; empty where no kick was simulated
-  std::vector<double> key_values{};  ///< of the axes over keys, in the order of key_names
+  std::optional<Basins> basins{};        ///< of a study that asks for them; empty where no kick was simulated
+  std::vector<double> key_values{};      ///< of the axes over keys, in the order of key_names
+  std::optional<HertzSecant> hertz{};    ///< where secants may be taken anew
   std::optional<Threshold> threshold{};  ///< of a study that asks for it; empty where no kick was simulated
 };
 
 /// Class and order of a motion, such as "subharmonic 1/2" or "chaotic".
 std::string motion_name(const Row& row);
+
+/// What tells the attractor of a row apart: class, order, peak_displacement_m and the two lines at 1X.
+SampledMotion sampled_motion(const Row& row);
 
 }  // namespace rubsweep::sweep
