@@ -115,12 +115,28 @@ TEST(FrictionSlope, IsTheDifferenceQuotient) {
   }
 }
 
-TEST(FrictionCoefficient, ConstantNeverReverses) {
+TEST(FrictionCoefficient, ConstantGoesByTheSignOfTheSlip) {
   const model::ConstantFriction constant{0.2};
-  for (const double v : {-1e300, -2.0, -0.0, 0.0, 1e-300, 3.0}) {
+  for (const double v : {1e300, 2.0, 1e-300}) {
     EXPECT_EQ(friction_coefficient(constant, v), 0.2);
+    EXPECT_EQ(friction_coefficient(constant, -v), -0.2);
     EXPECT_EQ(friction_slope(constant, v), 0);
   }
+  EXPECT_EQ(friction_coefficient(constant, 0), 0);
+  EXPECT_EQ(dry_coefficient(constant), 0.2);
+  EXPECT_EQ(dry_coefficient(model::OneWayFriction{0.2}), 0);
+  EXPECT_EQ(dry_coefficient(model::NoFriction{}), 0);
+  EXPECT_EQ(dry_coefficient(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}}), 0);
+}
+
+TEST(FrictionCoefficient, OneWayNeverReverses) {
+  const model::OneWayFriction one_way{0.2};
+  for (const double v : {-1e300, -2.0, -0.0, 0.0, 1e-300, 3.0}) {
+    EXPECT_EQ(friction_coefficient(one_way, v), 0.2);
+    EXPECT_EQ(friction_slope(one_way, v), 0);
+  }
+  EXPECT_TRUE(keeps_its_direction(one_way));
+  EXPECT_FALSE(keeps_its_direction(model::ConstantFriction{0.2}));
 }
 
 TEST(FrictionCoefficient, NoneIsZero) {
@@ -145,10 +161,13 @@ TEST(SaturatedFriction, UnusedTermsDoNotMatter) {
               1e-12);
 }
 
-TEST(SaturatedFriction, ConstantAndNoneHoldAtEverySlip) {
+TEST(SaturatedFriction, ConstantHoldsWhileTheSlipIsForwardAndNoneAlways) {
   EXPECT_EQ(saturated_friction(model::ConstantFriction{0.2})->coefficient, 0.2);
-  EXPECT_LT(saturated_friction(model::ConstantFriction{0.2})->above_m_per_s, -1e300);
+  EXPECT_EQ(saturated_friction(model::ConstantFriction{0.2})->above_m_per_s, 0);
+  EXPECT_LT(saturated_friction(model::ConstantFriction{0})->above_m_per_s, -1e300);
+  EXPECT_LT(saturated_friction(model::OneWayFriction{0.2})->above_m_per_s, -1e300);
   EXPECT_EQ(saturated_friction(model::NoFriction{})->coefficient, 0);
+  EXPECT_LT(saturated_friction(model::NoFriction{})->above_m_per_s, -1e300);
 }
 
 TEST(SaturatedFriction, ViscousFrictionNeverSaturates) {

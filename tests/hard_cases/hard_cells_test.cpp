@@ -109,17 +109,34 @@ TEST(HardCells, WithoutUnbalanceTheKickDiesOut) {
   expect_row(study_of(scene::one_side_machine(), 75, 0), {"non_contact", "ok"});
 }
 
-/// Constant friction does not reverse: it drives the rotor round a rigid annular stop ever faster. The run
+/// One-way friction does not reverse: it drives the rotor round a rigid annular stop ever faster. The run
 /// ends as soon as there is no number for it, and says what is wrong with the model.
 TEST(HardCells, FrictionThatNeverReversesRunsAwayAndIsNamed) {
   model::Machine machine = scene::one_side_machine();
   auto& stop = machine.stops[0];
   stop.geometry = model::AnnularGeometry{};
   stop.casing.reset();
-  stop.friction = model::ConstantFriction{0.2};
+  stop.friction = model::OneWayFriction{0.2};
   Study study = study_of(machine, 75, 0.1);
   study.response.max_revolutions = 600;
   expect_row(study, {"failed", "non_finite;slip_reversal"});
+}
+
+/// Dry friction drives it backwards, too, but no faster than it rolls.
+TEST(HardCells, DryWhipEndsWhereTheSlipReverses) {
+  model::Machine machine = scene::one_side_machine();
+  auto& stop = machine.stops[0];
+  stop.geometry = model::AnnularGeometry{};
+  stop.casing.reset();
+  stop.friction = model::ConstantFriction{0.2};
+  Study study = study_of(machine, 75, 0.1);
+  study.response.max_revolutions = 300;
+  response::motion::Workspace workspace;
+  const Row row = evaluate_cell(study, 0, workspace);
+  EXPECT_EQ(row.status, "ok");
+  ASSERT_TRUE(row.measures);
+  EXPECT_GT(row.measures->contact.contact_fraction, 0.5);
+  EXPECT_LT(row.peak_over_clearance, 100);
 }
 
 TEST(HardCells, ALimitOnStepsEndsWhatWouldTakeTooLong) {

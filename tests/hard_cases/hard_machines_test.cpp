@@ -109,11 +109,17 @@ TEST(HardMachines, ATurnOfTooManyStepsIsMadeOfTaylorPieces) {
   EXPECT_GT(turn.effort.taylor_turns, 0);
 }
 
-TEST(HardMachines, ConstantFrictionThatReversesSaysSo) {
-  integrate::run::SolverOptions adaptive;
-  adaptive.method = integrate::run::Method::adaptive;
-  EXPECT_EQ(row_of("slow_shaft", 0.3, 0.4).status, "slip_reversal");
-  EXPECT_EQ(row_of("slow_shaft", 0.3, 0.4, adaptive).status, "slip_reversal");
+TEST(HardMachines, OneWayFrictionThatReversesSaysSoAndDryFrictionDoesNot) {
+  sweep::Study study = read("slow_shaft").study;
+  study.grid = {{0.3}, sweep::UnbalanceMeasure::whirl_ratio, {0.4}};
+  response::motion::Workspace workspace;
+  for (const auto method : {integrate::run::Method::automatic, integrate::run::Method::adaptive}) {
+    study.solver.method = method;
+    study.machine.stops[0].friction = model::OneWayFriction{0.1};
+    EXPECT_EQ(sweep::evaluate_cell(study, 0, workspace).status, "slip_reversal");
+    study.machine.stops[0].friction = model::ConstantFriction{0.1};
+    EXPECT_EQ(sweep::evaluate_cell(study, 0, workspace).status, "ok");
+  }
 }
 
 /// The labels that no damping at all gives, and 1e-9 N s/m, too.

@@ -90,7 +90,10 @@ TEST(Explain, FrictionSaturatedOrNotAtTheStatedSpeed) {
   EXPECT_TRUE(says(explain_machine(machine, 0.1), "(depends on the slip)"));
   machine.stops[0].friction = model::ConstantFriction{0.25};
   EXPECT_TRUE(says(explain_machine(machine, 45),
-                   "friction: constant 0.25; a run whose slip would reverse says slip_reversal"));
+                   "friction: dry 0.25; reverses with the slip, and may hold the surfaces together"));
+  machine.stops[0].friction = model::OneWayFriction{0.25};
+  EXPECT_TRUE(says(explain_machine(machine, 45),
+                   "friction: one-way 0.25; a run whose slip would reverse says slip_reversal"));
   machine.stops[0].friction = model::NoFriction{};
   EXPECT_TRUE(says(explain_machine(machine, 45), "friction: none\n"));
   EXPECT_TRUE(says(explain_machine(machine, 45), "left out: friction (no stop has any)\n"));

@@ -20,7 +20,7 @@ inline scene::Scene annular_scene(double stiffness, double zeta, double speed, d
   stop.wall = contact::AnnularWall{};
   stop.clearance_m = 1;
   stop.stiffness_n_per_m = k_c;
-  if (mu > 0) stop.friction = model::ConstantFriction{mu};
+  if (mu > 0) stop.friction = model::OneWayFriction{mu};
   scene.contacts.push_back(stop);
   return scene;
 }

@@ -295,17 +295,19 @@ TEST(EvaluateCell, StepLimitIsAFailedRowWithoutMeasures) {
   EXPECT_FALSE(row.measures || row.proof || row.order);
 }
 
-TEST(EvaluateCell, ReversedSlipIsAStatusOfConstantFrictionAlone) {
+TEST(EvaluateCell, ReversedSlipIsAStatusOfOneWayFrictionAlone) {
   Study study = one_side_study({75}, {0.4});
   auto& stop = study.machine.stops[0];
   stop.contact_radius_m = 0;  // slip is what the rotor and the casing do, of either sign
-  stop.friction = model::ConstantFriction{0.1};
+  stop.friction = model::OneWayFriction{0.1};
   EXPECT_EQ(evaluate(study).status, "slip_reversal");
   stop.friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
   EXPECT_EQ(evaluate(study).status, "ok");
   stop.friction = model::NoFriction{};
   EXPECT_EQ(evaluate(study).status, "ok");
   stop.friction = model::ConstantFriction{0.1};
+  EXPECT_EQ(evaluate(study).status, "ok");
+  stop.friction = model::OneWayFriction{0.1};
   stop.contact_radius_m = 0.0375;
   EXPECT_EQ(evaluate(study).status, "ok");
 }
@@ -314,7 +316,7 @@ TEST(EvaluateCell, SeveralStatusesAreJoined) {
   // Among these limits some are enough for the first contacts and not for a later turn.
   Study study = one_side_study({75}, {0.4});
   study.machine.stops[0].contact_radius_m = 0;
-  study.machine.stops[0].friction = model::ConstantFriction{0.1};
+  study.machine.stops[0].friction = model::OneWayFriction{0.1};
   int joined = 0;
   for (long limit = 10; limit < 100; limit += 2) {
     study.solver.max_steps_per_revolution = limit;

@@ -98,6 +98,18 @@ scene::Scene annular_scene() {
   return scene;
 }
 
+TEST(StateReader, ShowsNoFrictionWhereDryFrictionLetsAContactStick) {
+  scene::Scene scene = annular_scene();
+  const StateReader reader(scene, located);
+  const double speed = scene.speed_rad_per_s;
+  // The sliding speed of -2 m/s along (-0.8, 0.6) is that of the surface.
+  const std::vector<double> sticking{0.6, 0.8, 1.6 / (1e-3 * speed), -1.2 / (1e-3 * speed)};
+  EXPECT_NEAR(reader.read(sticking).stops.at(0).normal_force_n, 500, 1e-9);
+  EXPECT_EQ(reader.read(sticking).stops.at(0).friction_force_n, 0);
+  scene.contacts[0].friction = model::OneWayFriction{0.2};
+  EXPECT_NEAR(reader.read(sticking).stops.at(0).friction_force_n, 0.2 * 500, 1e-9);
+}
+
 TEST(StateReader, ReadsARingAlongTheOffsetDisplacement) {
   const scene::Scene scene = annular_scene();
   const StateReader reader(scene, located);

@@ -10,7 +10,8 @@ namespace {
 
 using Keys = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 1> stribeck{"stribeck"}, coefficient{"coefficient"};
+constexpr std::array<std::string_view, 1> stribeck{"stribeck"}, coefficient{"coefficient"},
+    one_way{"one_way"};
 constexpr std::array<std::string_view, 5> curve{"static", "kinetic", "peak_speed_m_per_s",
                                                 "settle_speed_m_per_s", "viscous_s_per_m"};
 constexpr std::array<std::string_view, 1> stiffness{"stiffness_n_per_m"}, hertz{"hertz"};
@@ -31,7 +32,7 @@ constexpr std::array<std::string_view, 4> spaced{"from", "to", "count", "scale"}
 
 /// Ways to say the same, each by the keys that belong to it; at most four, the empty ones are no way.
 constexpr std::array<std::array<Keys, 4>, 10> alternatives{{
-    {stribeck, curve, coefficient},
+    {stribeck, curve, coefficient, one_way},
     {stiffness, hertz},
     {nominal, delivered, damping},
     {speed_hz, speed_rpm},

@@ -11,7 +11,7 @@ namespace rubsweep::config {
 namespace {
 
 constexpr std::string_view none = "none";
-constexpr std::string_view forms = "none, or a map with stribeck, static or coefficient";
+constexpr std::string_view forms = "none, or a map with stribeck, static, coefficient or one_way";
 
 model::StribeckFriction read_curve(Section& section) {
   model::StribeckCurve curve;
@@ -52,7 +52,7 @@ model::Friction read_friction(const Value& value) {
   }
   Section section(value, forms);
   model::Friction friction;
-  section.require_exactly_one({"stribeck", "static", "coefficient"});
+  section.require_exactly_one({"stribeck", "static", "coefficient", "one_way"});
   if (const auto stribeck = section.find("stribeck")) {
     read_numbers(*stribeck, friction.emplace<model::StribeckFriction>().gamma);
   }
@@ -60,6 +60,10 @@ model::Friction read_friction(const Value& value) {
   if (const auto coefficient = section.find("coefficient")) {
     const auto number = read_number(*coefficient, model::ConstantFriction::coefficient_range);
     friction = model::ConstantFriction{number.value_or(0)};
+  }
+  if (const auto coefficient = section.find("one_way")) {
+    const auto number = read_number(*coefficient, model::ConstantFriction::coefficient_range);
+    friction = model::OneWayFriction{number.value_or(0)};
   }
   section.refuse_unknown_keys();
   return friction;
@@ -74,6 +78,9 @@ void print_friction(Printer& printer, const model::Friction& friction) {
   std::visit(overloaded{[&](const model::NoFriction&) { printer.word("friction", none); },
                         [&](const model::ConstantFriction& constant) {
                           map([&] { printer.number("coefficient", constant.coefficient); });
+                        },
+                        [&](const model::OneWayFriction& one_way) {
+                          map([&] { printer.number("one_way", one_way.coefficient); });
                         },
                         [&](const model::StribeckFriction& stribeck) {
                           map([&] {

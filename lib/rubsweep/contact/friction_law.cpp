@@ -11,6 +11,7 @@ namespace {
 
 using model::ConstantFriction;
 using model::NoFriction;
+using model::OneWayFriction;
 using model::StribeckFriction;
 
 constexpr double everywhere = -std::numeric_limits<double>::infinity();
@@ -77,7 +78,10 @@ FrictionTerms terms_of(const StribeckFriction& stribeck) {
 double friction_coefficient(const model::Friction& friction, double slip_m_per_s) {
   return std::visit(
       overloaded{[](const NoFriction&) { return 0.0; },
-                 [](const ConstantFriction& constant) { return constant.coefficient; },
+                 [&](const ConstantFriction& constant) {
+                   return slip_m_per_s == 0 ? 0.0 : std::copysign(constant.coefficient, slip_m_per_s);
+                 },
+                 [](const OneWayFriction& one_way) { return one_way.coefficient; },
                  [&](const StribeckFriction& stribeck) { return coefficient_of(stribeck, slip_m_per_s); }},
       friction);
 }
@@ -85,6 +89,7 @@ double friction_coefficient(const model::Friction& friction, double slip_m_per_s
 double friction_slope(const model::Friction& friction, double slip_m_per_s) {
   return std::visit(
       overloaded{[](const NoFriction&) { return 0.0; }, [](const ConstantFriction&) { return 0.0; },
+                 [](const OneWayFriction&) { return 0.0; },
                  [&](const StribeckFriction& stribeck) { return slope_of(stribeck, slip_m_per_s); }},
       friction);
 }
@@ -96,7 +101,10 @@ std::optional<SaturatedFriction> saturated_friction(const model::Friction& frict
                    return SaturatedFriction{0, everywhere};
                  },
                  [](const ConstantFriction& constant) -> Result {
-                   return SaturatedFriction{constant.coefficient, everywhere};
+                   return SaturatedFriction{constant.coefficient, constant.coefficient == 0 ? everywhere : 0};
+                 },
+                 [](const OneWayFriction& one_way) -> Result {
+                   return SaturatedFriction{one_way.coefficient, everywhere};
                  },
                  [](const StribeckFriction& stribeck) -> Result { return saturated(stribeck); }},
       friction);
@@ -106,32 +114,31 @@ FrictionTerms friction_terms(const model::Friction& friction) {
   return std::visit(overloaded{[](const NoFriction&) { return FrictionTerms{}; },
                                [](const ConstantFriction& constant) {
                                  FrictionTerms terms;
-                                 terms.constant = constant.coefficient;
+                                 terms.dry = constant.coefficient;
+                                 return terms;
+                               },
+                               [](const OneWayFriction& one_way) {
+                                 FrictionTerms terms;
+                                 terms.constant = one_way.coefficient;
                                  return terms;
                                },
                                [](const StribeckFriction& stribeck) { return terms_of(stribeck); }},
                     friction);
 }
 
-bool acts(const model::Friction& friction) {
-  return std::visit(
-      overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return true; },
-                 [](const StribeckFriction&) { return true; }},
-      friction);
-}
+bool acts(const model::Friction& friction) { return !std::holds_alternative<NoFriction>(friction); }
 
 bool depends_on_slip(const model::Friction& friction) {
-  return std::visit(
-      overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return false; },
-                 [](const StribeckFriction&) { return true; }},
-      friction);
+  return std::holds_alternative<StribeckFriction>(friction);
 }
 
 bool keeps_its_direction(const model::Friction& friction) {
-  return std::visit(
-      overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return true; },
-                 [](const StribeckFriction&) { return false; }},
-      friction);
+  return std::holds_alternative<OneWayFriction>(friction);
+}
+
+double dry_coefficient(const model::Friction& friction) {
+  const auto* constant = std::get_if<ConstantFriction>(&friction);
+  return constant == nullptr ? 0 : constant->coefficient;
 }
 
 std::string_view name_of(const model::Friction& friction) {

@@ -11,7 +11,8 @@ namespace rubsweep::contact {
 
 /// Friction coefficient mu at slip speed `slip_m_per_s` (rotor surface relative to the casing, along the
 /// tangent). Stribeck: mu(v) = g1 (tanh g2 v - tanh g3 v) + g4 tanh g5 v + g6 v (Ishibashi & Kawai eq. 17),
-/// odd in v. Constant: the coefficient, whatever the sign of v.
+/// odd in v. Constant: the coefficient with the sign of v; zero at v = 0, where it stands for all between.
+/// One-way: the coefficient, whatever the sign of v.
 double friction_coefficient(const model::Friction& friction, double slip_m_per_s);
 
 /// d mu / d v in s/m, for implicit steppers.
@@ -23,13 +24,14 @@ struct SaturatedFriction {
   double above_m_per_s = 0;  ///< holds for slip speeds above this; -infinity: for all
 };
 
-/// The limit of `friction` at large positive slip: no friction and a constant coefficient at every speed; a
-/// Stribeck curve without viscous part (g6 = 0) where every tanh differs from 1 by less than 2e-12, g1's pair
-/// cancelling. Empty for a viscous part or a tanh that never saturates: then the coefficient always varies.
+/// The limit of `friction` at large positive slip: no friction and a one-way coefficient at every speed, a
+/// constant one at every positive speed; a Stribeck curve without viscous part (g6 = 0) where every tanh
+/// differs from 1 by less than 2e-12, g1's pair cancelling. Empty for a viscous part or a tanh that never
+/// saturates: then the coefficient always varies.
 std::optional<SaturatedFriction> saturated_friction(const model::Friction& friction);
 
-/// mu(slip) = sum over `count` terms of height tanh(steepness slip), plus constant, plus viscous slip: what a
-/// power series of it is made of.
+/// mu(slip) = sum over `count` terms of height tanh(steepness slip), plus constant, plus dry sign(slip), plus
+/// viscous slip: what a power series of it is made of.
 struct FrictionTerms {
   struct Tanh {
     double height = 0, steepness_s_per_m = 0;
@@ -37,6 +39,7 @@ struct FrictionTerms {
   std::array<Tanh, 3> tanh{};
   std::size_t count = 0;
   double constant = 0;
+  double dry = 0;  ///< coefficient of a friction that is a set at slip zero (contact/dry_friction)
   double viscous_s_per_m = 0;
 };
 
@@ -53,7 +56,11 @@ bool depends_on_slip(const model::Friction& friction);
 /// says so in its status.
 bool keeps_its_direction(const model::Friction& friction);
 
-/// "none", "constant", "Stribeck".
+/// Coefficient of a friction that is a set at slip zero: it jumps where the slip reverses, and may hold the
+/// surfaces together. Zero where there is none.
+double dry_coefficient(const model::Friction& friction);
+
+/// "none", "dry", "one-way", "Stribeck".
 std::string_view name_of(const model::Friction& friction);
 
 }  // namespace rubsweep::contact

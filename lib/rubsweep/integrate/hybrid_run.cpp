@@ -84,6 +84,8 @@ class HybridRun {
         return finish(report, run::Outcome::step_limit);
       case taylor::TaylorEnding::non_finite:
         return finish(report, run::Outcome::non_finite);
+      case taylor::TaylorEnding::stick_undetermined:
+        return finish(report, run::Outcome::stick_undetermined);
     }
     ++taylor_turns_;
     finish(report, run::Outcome::ok);

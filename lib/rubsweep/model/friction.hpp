@@ -15,16 +15,28 @@ struct NoFriction {
   static void visit_fields(auto&, auto&&) {}
 };
 
-/// mu(v) = coefficient whatever the slip speed v, even where v < 0: this friction never changes its
-/// direction. A run whose slip would reverse says so in its status.
+/// Dry friction (Coulomb): mu(v) = coefficient for a slip speed v > 0 and -coefficient for v < 0. At v = 0 it
+/// is whatever between these two holds the surfaces together, where that does.
 struct ConstantFriction {
-  static constexpr std::string_view name = "constant";
+  static constexpr std::string_view name = "dry";
 
   double coefficient = required;
   static constexpr Range coefficient_range{.low = 0, .high = 10};
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("coefficient", self.coefficient, coefficient_range);
+  }
+};
+
+/// mu(v) = coefficient whatever the slip speed v, even where v < 0: this friction never changes its
+/// direction. A run whose slip would reverse says so in its status.
+struct OneWayFriction {
+  static constexpr std::string_view name = "one-way";
+
+  double coefficient = required;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("one_way", self.coefficient, ConstantFriction::coefficient_range);
   }
 };
 
@@ -61,6 +73,6 @@ struct StribeckFriction {
   }
 };
 
-using Friction = std::variant<NoFriction, ConstantFriction, StribeckFriction>;
+using Friction = std::variant<NoFriction, ConstantFriction, OneWayFriction, StribeckFriction>;
 
 }  // namespace rubsweep::model

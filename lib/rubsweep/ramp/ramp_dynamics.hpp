@@ -39,9 +39,15 @@ class RampDynamics : private integrate::adaptive::OwnSystem<N>,
 
   template <class State>
   void operator()(const State& state, State& rate, double phase) {
+    loose(state, rate, phase);
+    Base::hold(state, rate);
+  }
+
+  template <class State>
+  void loose(const State& state, State& rate, double phase) {
     const Eigen::Index n = OwnSystem::own.coordinates();
     set_surface_speeds(state);
-    Base::operator()(state, rate, phase);
+    Base::loose(state, rate, phase);
     const auto [angle, speed] = turning(state);
     typename Base::Map acceleration(&rate[0] + n, n);
     const double cosine = std::cos(angle), sine = std::sin(angle), change = forces_.acceleration;
@@ -69,6 +75,11 @@ class RampDynamics : private integrate::adaptive::OwnSystem<N>,
     return at_reference - surface + turning(state).second * reference_surface_m_per_s_[i];
   }
 
+  template <class State>
+  double slip(std::size_t i, const State& state) const {
+    return slip_m_per_s(i, state) / OwnSystem::own.contacts[i].slip_scale_m_per_s;
+  }
+
   /// The ramp begins with the shaft at angle 0.
   std::vector<double> whole_state(std::vector<double> section) const {
     section.push_back(0);
@@ -87,6 +98,7 @@ class RampDynamics : private integrate::adaptive::OwnSystem<N>,
   template <class State>
   void set_surface_speeds(const State& state) {
     const double speed = turning(state).second;
+    Base::surface_growth_ = speed == 0 ? 0 : forces_.acceleration / speed;
     auto& contacts = OwnSystem::own.contacts;
     for (std::size_t i = 0; i < contacts.size(); ++i)
       contacts[i].surface_speed_m_per_s = speed * reference_surface_m_per_s_[i];

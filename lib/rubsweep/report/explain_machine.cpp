@@ -49,8 +49,9 @@ std::string explain_friction(const model::Stop& stop, const scene::Contact& cont
   const double mu = contact::friction_coefficient(stop.friction, slip);
   if (!contact::depends_on_slip(stop.friction)) {
     const bool reverses = !contact::keeps_its_direction(stop.friction);
-    return fmt::format("  friction: {} {}{}\n", name, mu,
-                       reverses ? "" : "; a run whose slip would reverse says slip_reversal");
+    return fmt::format("  friction: {} {}; {}\n", name, mu,
+                       reverses ? "reverses with the slip, and may hold the surfaces together"
+                                : "a run whose slip would reverse says slip_reversal");
   }
   const bool saturated = contact::friction_slope(stop.friction, slip) == 0;
   return fmt::format("  friction: {}, {:.6g} at the surface speed {:.4g} m/s of the lowest speed ({})\n",

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/error.hpp"
@@ -44,6 +47,13 @@ TraceState StateReader::read(std::span<const double> scaled) const {
   return state;
 }
 
+/// What holds a contact that sticks is no function of the state.
+bool StateReader::sticks(const scene::Contact& contact, double slip_m_per_s) const {
+  constexpr double no_slip = 1e-9;
+  const double unit = std::max(contact.surface_speed_m_per_s, scene_.length_scale_m * scene_.speed_rad_per_s);
+  return contact::dry_coefficient(contact.friction) > 0 && std::abs(slip_m_per_s) <= no_slip * unit;
+}
+
 StopState StateReader::read_stop(std::size_t index, const Eigen::VectorXd& q_m,
                                  const Eigen::VectorXd& rate_m_per_s) const {
   const scene::Contact& contact = scene_.contacts[index];
@@ -67,7 +77,8 @@ StopState StateReader::read_stop(std::size_t index, const Eigen::VectorXd& q_m,
   if (contact.casing_point) stop.casing_m = point(scene_, *contact.casing_point) * q_m;
   stop.gap_m = -penetration_m;
   stop.normal_force_n = force.total_n;
-  stop.friction_force_n = contact::friction_coefficient(contact.friction, slip) * force.spring_n;
+  stop.friction_force_n =
+      sticks(contact, slip) ? 0 : contact::friction_coefficient(contact.friction, slip) * force.spring_n;
   return stop;
 }
 

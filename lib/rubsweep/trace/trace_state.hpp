@@ -14,7 +14,7 @@ struct StopState {
   Eigen::Vector2d casing_m{0, 0};  ///< displacement of the casing; 0 where it is rigid
   double gap_m = 0;                ///< distance still open between rotor and wall; < 0: penetration
   double normal_force_n = 0;       ///< along the normal from the rotor to the wall, >= 0
-  double friction_force_n = 0;     ///< along the tangent (-n_y, n_x)
+  double friction_force_n = 0;     ///< along the tangent (-n_y, n_x); 0 while dry friction lets it stick
 };
 
 /// What is traced of one state of a run.
@@ -43,6 +43,7 @@ class StateReader {
  private:
   StopState read_stop(std::size_t index, const Eigen::VectorXd& q_m,
                       const Eigen::VectorXd& rate_m_per_s) const;
+  bool sticks(const scene::Contact& contact, double slip_m_per_s) const;
 
   const scene::Scene& scene_;
   double smoothing_m_;  ///< width of the blended law; 0: the law with its corners

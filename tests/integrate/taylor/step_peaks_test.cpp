@@ -19,7 +19,7 @@ Expansion<2> expanded(const run::ScaledSystem<2>& system, const scene::Scene& sc
                       const std::vector<double>& state, Mode mode) {
   Expansion<2> motion(system, order);
   const run::PulseTimes none(scene, run::state_scale(scene), 2 * std::numbers::pi);
-  motion.expand(state.data(), 0, none, {mode});
+  motion.expand(state.data(), 0, none, {mode}, {contact::Slip::forward});
   return motion;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/adaptive/settle_slips.hpp"
 #include "rubsweep/integrate/adaptive/step_observer.hpp"
 #include "rubsweep/integrate/adaptive/steppers.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
@@ -20,7 +21,8 @@ namespace rubsweep::integrate::adaptive {
 
 /// A run by one of Odeint's steppers. Located (Smoothed = false): a step that crosses a mode's guard is cut
 /// there and the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper
-/// keeps its order. `Law` is the right-hand side: Dynamics, or what adds further numbers behind its state.
+/// keeps its order. Dry friction's slips that come to zero, and contacts that no longer stick, end a step in
+/// the same way. `Law` is the right-hand side: Dynamics, or what adds further numbers behind its state.
 template <class StepMethod, int N, bool Smoothed, class Law = Dynamics<N, Smoothed>>
 class AdaptiveRun {
  public:
@@ -36,9 +38,10 @@ class AdaptiveRun {
         impulses_(scene),
         max_steps_(options.max_steps_per_revolution),
         start_kinematics_(system_.contacts.size()),
-        end_kinematics_(system_.contacts.size()) {
+        end_kinematics_(system_.contacts.size()),
+        just_moved_(system_.contacts.size(), false) {
     const std::vector<double> initial = dynamics_.whole_state(run::scaled_initial_state(scene));
-    for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_})
+    for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_, &probe_rate_})
       resize(*state, initial.size());
     std::copy(initial.begin(), initial.end(), step_.start.begin());
     remembered_sizes_.resize(std::size_t{1} << (2 * std::min<std::size_t>(system_.contacts.size(), 4)), 0.0);
@@ -64,6 +67,7 @@ class AdaptiveRun {
     dynamics_(step_.start, step_.start_rate, 0.0);
     while (step_.start_phase < end_phase_) {
       if (steps_ + refused_ >= limit) return finish(report, run::Outcome::step_limit);
+      if (dynamics_.undetermined()) return finish(report, run::Outcome::stick_undetermined);
       if (step_.start_phase >= impulses_.next_phase_rad()) apply_impulses(observer);
       const run::Outcome outcome = advance_one_step(observer);
       if (outcome != run::Outcome::ok) return finish(report, outcome);
@@ -77,10 +81,15 @@ class AdaptiveRun {
   static constexpr double full_turn = 2 * std::numbers::pi;
   static constexpr double smallest_size = 1e-14;
 
+  /// What ends a step: a guard of a contact mode, a slip that comes to zero, a contact that sticks and is let
+  /// go.
+  enum class Event { mode, stop, release };
   struct Crossing {
     double phase = 0;
     std::size_t contact = 0;
     contact::Mode next = contact::Mode::open;
+    Event event = Event::mode;
+    contact::Slip slip = contact::Slip::forward;  ///< after a release
   };
 
   static void resize(State& state, std::size_t size) {
@@ -93,7 +102,15 @@ class AdaptiveRun {
     dynamics_(step_.start, step_.start_rate, 0.0);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i)
       dynamics_.enter_by_state(i, step_.start, step_.start_rate);
+    enter_slips(0);
+    if constexpr (requires { dynamics_.changes(step_.start); })
+      dynamics_.keep_sticking(step_.start, dynamics_.changes(step_.start));
     look_again(0);
+  }
+
+  void enter_slips(double phase) {
+    enter_slips_by_state(dynamics_, step_.start, step_.start_rate, phase);
+    std::fill(just_moved_.begin(), just_moved_.end(), true);
   }
 
   /// Rate and kinematics at the start of a step, by the law now in force.
@@ -120,6 +137,7 @@ class AdaptiveRun {
       ++switches_;
       observer.mode_switch({step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i]});
     }
+    enter_slips(step_.start_phase);
     look_again(step_.start_phase);
     method_.restart();
   }
@@ -205,6 +223,57 @@ class AdaptiveRun {
         const auto candidate = locate(i, e, at_start.list[k], at_end.list[k]);
         if (candidate && (!first || candidate->phase < first->phase)) first = candidate;
       }
+      if (!dynamics_.touches_dry(i)) continue;
+      const auto candidate =
+          dynamics_.slips()[i] == contact::Slip::sticking ? locate_release(i) : locate_stop(i);
+      if (candidate && (!first || candidate->phase < first->phase)) first = candidate;
+    }
+    return first;
+  }
+
+  const State& state_inside(double phase) {
+    if (phase <= step_.start_phase) return step_.start;
+    if (phase >= step_.end_phase) return step_.end;
+    method_.state_at(dynamics_, step_, phase, probe_);
+    return probe_;
+  }
+
+  /// Contact `i` slips: where its slip comes to zero. A slip that starts at zero starts away from it.
+  std::optional<Crossing> locate_stop(std::size_t i) {
+    const double h = step_.end_phase - step_.start_phase;
+    const double sign = -contact::sign_of(dynamics_.slips()[i]);
+    const auto value = [&](double x) {
+      return sign * dynamics_.slip(i, state_inside(step_.start_phase + x * h));
+    };
+    const bool moved = just_moved_[i];
+    const double at_start = moved ? 0 : value(0), at_end = value(1);
+    const double rate = moved ? 0 : sign * h * dynamics_.slip_rate(i, step_.start, step_.start_rate);
+    const double end_rate = sign * h * dynamics_.slip_rate(i, step_.end, step_.end_rate);
+    if (!moved && numerics::clearly_below_zero(at_start, rate, at_end, end_rate)) return std::nullopt;
+    const auto rise =
+        numerics::bernstein_root(numerics::quartic_through(at_start, rate, value(0.5), at_end, end_rate));
+    const auto phase = rise ? refine(value, *rise) : std::nullopt;
+    if (!phase) return std::nullopt;
+    return Crossing{*phase, i, {}, Event::stop, {}};
+  }
+
+  /// Contact `i` sticks: where friction no longer holds it. The friction that it takes has no derivative at
+  /// hand; a parabola through three places stands for it.
+  std::optional<Crossing> locate_release(std::size_t i) {
+    const double h = step_.end_phase - step_.start_phase;
+    std::optional<Crossing> first;
+    for (const contact::Slip slip : {contact::Slip::forward, contact::Slip::backward}) {
+      const auto value = [&](double x) {
+        const double phase = step_.start_phase + x * h;
+        const State& state = state_inside(phase);
+        dynamics_(state, probe_rate_, phase);
+        return contact::sign_of(slip) * dynamics_.holding_force_n(i) - dynamics_.largest_friction_n(i, state);
+      };
+      const double a = value(0), b = value(0.5), c = value(1);
+      const auto rise =
+          numerics::bernstein_root(numerics::quartic_through(a, 4 * b - 3 * a - c, b, c, a - 4 * b + 3 * c));
+      const auto phase = rise ? refine(value, *rise) : std::nullopt;
+      if (phase && (!first || *phase < first->phase)) first = Crossing{*phase, i, {}, Event::release, slip};
     }
     return first;
   }
@@ -218,17 +287,18 @@ class AdaptiveRun {
     const auto rise = numerics::bernstein_root(
         numerics::quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
     if (!rise) return std::nullopt;
-    const auto phase = refine(i, guard, *rise);
+    const auto phase =
+        refine([&](double x) { return guard_value(i, guard, step_.start_phase + x * h); }, *rise);
     if (!phase) return std::nullopt;
     return Crossing{*phase, i, at_start.next};
   }
 
-  /// Root of the true guard function near the root of its interpolant; `rise` in units of the step. Empty
-  /// when the function stays on one side: a graze shallower than the interpolation error, which no tolerance
-  /// sees.
-  std::optional<double> refine(std::size_t i, int guard, double rise) {
+  /// Root of the true guard function `value` near the root of its interpolant; both in units of the step.
+  /// Empty when the function stays on one side: a graze shallower than the interpolation error, which no
+  /// tolerance sees.
+  template <class Value>
+  std::optional<double> refine(const Value& value, double rise) {
     const double h = step_.end_phase - step_.start_phase;
-    const auto value = [&](double x) { return guard_value(i, guard, step_.start_phase + x * h); };
     for (double reach = 1e-7; reach < 30; reach *= 30) {
       const double low = std::max(0.0, rise - reach), high = std::min(1.0, rise + reach);
       const double at_low = value(low), at_high = value(high);
@@ -246,23 +316,63 @@ class AdaptiveRun {
   void switch_modes(const std::optional<Crossing>& crossing, StepObserver& observer) {
     bool switched = false;
     const std::size_t before = joint_mode();
+    std::fill(just_moved_.begin(), just_moved_.end(), false);
+    if (crossing && crossing->event != Event::mode) {
+      switch_slip(*crossing);
+      switched = true;
+    }
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
       const auto& c = system_.contacts[i];
       contact::Mode& mode = dynamics_.modes()[i];
       const contact::Mode from = mode;
-      if (crossing && crossing->contact == i)
+      if (crossing && crossing->contact == i && crossing->event == Event::mode)
         mode = contact::mode_through(from, crossing->next, end_kinematics_[i]);
       mode = contact::mode_after(mode, c.stiffness, c.damping, end_kinematics_[i]);
       if (mode == from) continue;
       switched = true;
       ++switches_;
       observer.mode_switch({step_.end_phase, static_cast<int>(i), from, mode});
+      if (from == contact::Mode::open && dynamics_.touches_dry(i)) touch_down(i);
     }
     if (!switched) return;
     method_.restart();
     // Contact and flight want steps of different size: go on with what this mode last used.
     remembered_sizes_[before] = size_;
     if (const double remembered = remembered_sizes_[joint_mode()]; remembered > 0) size_ = remembered;
+  }
+
+  /// The friction of a contact that begins rises from zero.
+  void touch_down(std::size_t i) {
+    take_slip_of_state(dynamics_, i, step_.end);
+    if (dynamics_.slips()[i] == contact::Slip::sticking) stop_slip(i);
+  }
+
+  void switch_slip(const Crossing& crossing) {
+    ++switches_;
+    if (crossing.event == Event::release) {
+      dynamics_.slips()[crossing.contact] = crossing.slip;
+      just_moved_[crossing.contact] = true;
+    } else {
+      stop_slip(crossing.contact);
+    }
+  }
+
+  /// The slip of contact `i` is zero: with its friction the rate jumps.
+  void stop_slip(std::size_t i) {
+    probe_rate_ = step_.end_rate;
+    settle_slips(dynamics_, step_.end, step_.end_rate, step_.end_phase,
+                 [&](std::size_t j) { return j == i; });
+    for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
+      if (dynamics_.touches_dry(j) && (j == i || stands(dynamics_, j, step_.end)))
+        just_moved_[j] = dynamics_.slips()[j] != contact::Slip::sticking;
+    }
+    dynamics_(step_.end, step_.end_rate, step_.end_phase);
+    if constexpr (requires { dynamics_.changes(step_.end); }) {
+      cross_slip(dynamics_, i, step_.end, probe_rate_, step_.end_rate, dynamics_.changes(step_.end));
+      dynamics_(step_.end, step_.end_rate, step_.end_phase);
+    }
+    for (std::size_t j = 0; j < system_.contacts.size(); ++j)
+      end_kinematics_[j] = dynamics_.kinematics(j, step_.end, step_.end_rate);
   }
 
   std::size_t joint_mode() const {
@@ -296,10 +406,12 @@ class AdaptiveRun {
   run::Impulses impulses_;
   long max_steps_;
   Step<State> step_;
-  State probe_;
+  State probe_, probe_rate_;
   double size_ = 0;                       ///< next step to try, in radians of rotation
   std::vector<double> remembered_sizes_;  ///< per joint mode of the first four contacts; 0: none yet
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
+  /// A slip that starts at zero and leaves it, per contact.
+  std::vector<bool> just_moved_;
   double end_phase_ = full_turn;
   long revolution_ = 0;
   long steps_ = 0, refused_ = 0, switches_ = 0;

@@ -8,9 +8,10 @@ namespace rubsweep::integrate::run {
 /// this is a value and not an exception.
 enum class Outcome {
   ok,
-  step_limit,      ///< more steps in one revolution than allowed
-  step_too_small,  ///< the step control asked for a step below rounding of the phase
-  non_finite,      ///< the state left the finite numbers
+  step_limit,          ///< more steps in one revolution than allowed
+  step_too_small,      ///< the step control asked for a step below rounding of the phase
+  non_finite,          ///< the state left the finite numbers
+  stick_undetermined,  ///< stops that only the sum of their frictions holds came to stick together
 };
 
 constexpr std::string_view to_string(Outcome outcome) {
@@ -23,6 +24,8 @@ constexpr std::string_view to_string(Outcome outcome) {
       return "step_too_small";
     case Outcome::non_finite:
       return "non_finite";
+    case Outcome::stick_undetermined:
+      return "stick_undetermined";
   }
   return "";
 }

@@ -9,7 +9,7 @@ using contact::Mode;
 using numerics::product_term;
 using numerics::square_term;
 
-void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s) {
+void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s, contact::Slip way) {
   law_ = &law;
   mode_ = mode;
   spring_factor_ = contact::law_of(mode).spring;
@@ -17,7 +17,10 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s)
   sliding_made_ = false;
   saturated_steepness_ = 0;
   slip_sign_ = std::copysign(1.0, slip_m_per_s);
-  constant_mu_ = law.friction.constant;
+  sticks_ = law.friction.dry > 0 && mode != Mode::open && way == contact::Slip::sticking;
+  dry_sign_ = contact::sign_of(way);
+  if (law.friction.dry > 0) slip_sign_ = dry_sign_;
+  constant_mu_ = law.friction.dry > 0 ? law.friction.dry * dry_sign_ : law.friction.constant;
   varies_ = law.friction.viscous_s_per_m != 0;
   for (std::size_t i = 0; i < law.friction.count; ++i) {
     const auto& term = law.friction.tanh[i];
@@ -36,6 +39,22 @@ double ContactSeries::turn_rate() const {
 
 ContactSeries::Force ContactSeries::force_term(int k) {
   return law_->annular ? annular_term(k) : flat_term(k);
+}
+
+/// A flat contact's slip changes as t . d''. Around the rotor d1 d2'' - d2 d1'' = s r', s being the sliding
+/// speed: of all its products of order k, the one with d'' of that order is looked for.
+double ContactSeries::keeping_term(int k) const {
+  if (!law_->annular) return 0;
+  double rest = sliding_speed_ * (k + 1) * r_[k + 1];
+  for (int j = 1; j <= k; ++j) rest -= d1[j] * a2_[k - j] - d2[j] * a1_[k - j];
+  return rest * q_[0];
+}
+
+void ContactSeries::hold(int k, double force_n, double a1, double a2) {
+  holding_.set(k, force_n);
+  a1_.set(k, a1);
+  a2_.set(k, a2);
+  if (law_->annular) holding_over_length_.set(k, product_term(holding_, q_, k));
 }
 
 /// Coefficient k of mu from that of the slip.
@@ -93,6 +112,18 @@ ContactSeries::Force ContactSeries::annular_term(int k) {
   } else {
     alpha_.set(k, spring_factor_ * e_[k]);
     force = {spring_factor_ * zx, spring_factor_ * zy};
+  }
+  if (sticks_) {
+    if (k == 0) sliding_speed_ = (d1[0] * d2[1] - d2[0] * d1[1]) * q_[0];
+    // f (-d2, d1) / r without f_k.
+    double over = 0;
+    for (int j = 0; j < k; ++j) over += holding_[j] * q_[k - j];
+    double first = over * d2[0], second = over * d1[0];
+    for (int j = 0; j < k; ++j) {
+      first += holding_over_length_[j] * d2[k - j];
+      second += holding_over_length_[j] * d1[k - j];
+    }
+    return {force.first - first, force.second + second};
   }
   if (!varies_) return {force.first - constant_mu_ * zy, force.second + constant_mu_ * zx};
   zx_.set(k, zx);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "rubsweep/contact/contact_mode.hpp"
+#include "rubsweep/contact/dry_friction.hpp"
 #include "rubsweep/integrate/taylor/contact_law.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
 
@@ -20,11 +21,29 @@ class ContactSeries {
   /// `force_term(k)` is asked for.
   numerics::Series d1, d2;
 
-  /// Starts an expansion in `mode` with the slip there, which says what of the friction is saturated.
-  void begin(const ContactLaw& law, contact::Mode mode, double slip_m_per_s);
+  /// Starts an expansion in `mode` with the slip there, which says what of the friction is saturated. Dry
+  /// friction goes by `way` instead.
+  void begin(const ContactLaw& law, contact::Mode mode, double slip_m_per_s, contact::Slip way);
 
-  /// Coefficient k of the force; coefficients are asked for in their order. The contact touches.
+  /// Coefficient k of the force; coefficients are asked for in their order. The contact touches. Where it
+  /// sticks, the holding friction's coefficient k is not in it yet.
   Force force_term(int k);
+
+  /// The contact sticks: its slip keeps its value by a friction that the system as a whole decides.
+  bool sticks() const { return sticks_; }
+  /// Normal where the expansion starts.
+  double cosine() const { return law_->annular ? d1[0] * q_[0] : 1; }
+  double sine() const { return law_->annular ? d2[0] * q_[0] : 0; }
+  /// Coefficient k of (tangent at the start) . d'' that keeps the slip; `a1`, `a2` are those of d'' in the
+  /// two fixed directions so far, without the holding friction's coefficient k.
+  double keeping_term(int k) const;
+  /// That coefficient of the holding friction, and with it those of d''.
+  void hold(int k, double force_n, double a1, double a2);
+  const numerics::Series& holding() const { return holding_; }
+  /// Coefficient k of mu S -+ the holding friction, which is above zero as long as it holds.
+  double reserve_term(int k, double sign) const {
+    return law_->friction.dry * law_->stiffness * penetration_term(k) - sign * holding_[k];
+  }
 
   const ContactLaw& law() const { return *law_; }
   contact::Mode mode() const { return mode_; }
@@ -52,6 +71,9 @@ class ContactSeries {
   const numerics::Series& total_over_length() const { return alpha_; }
   const numerics::Series& length() const { return r_; }
   const numerics::Series& sliding() const { return sliding_; }
+  /// Of d'' in the two fixed directions, where the contact sticks.
+  const numerics::Series& first_acceleration() const { return a1_; }
+  const numerics::Series& second_acceleration() const { return a2_; }
   const numerics::Series& coefficient() const { return mu_; }
   double constant_coefficient() const { return constant_mu_; }
   /// Coefficient k of d mu / d(sliding).
@@ -67,12 +89,13 @@ class ContactSeries {
   const ContactLaw* law_ = nullptr;
   contact::Mode mode_ = contact::Mode::open;
   double spring_factor_ = 0, damper_ = 0;
-  bool varies_ = false, sliding_made_ = false;
+  bool varies_ = false, sliding_made_ = false, sticks_ = false;
+  double dry_sign_ = 1, sliding_speed_ = 0;
   double constant_mu_ = 0;  ///< of the terms that do not vary
   double saturated_steepness_ = 0, slip_sign_ = 1;
   std::array<bool, 3> active_{};
   std::array<numerics::TanhSeries, 3> tanh_;
-  numerics::Series mu_, spring_;
+  numerics::Series mu_, spring_, holding_, a1_, a2_, holding_over_length_;
   // Annular: squared length, length, its inverse; K (r - C) / r; (total normal force) / r.
   numerics::Series s_, r_, q_, e_, alpha_, length_rate_;
   numerics::Series zx_, zy_, v1_, v2_, cross_, sliding_;

@@ -56,6 +56,7 @@ void ContactSlopes::make_annular(ContactSeries& contact, int order) {
   const Series &q = contact.inverse_length(), &e = contact.spring_over_length();
   if (damper != 0) contact.make_sliding(order + 1);
   const auto mu_e_term = [&](int k) {
+    if (contact.sticks()) return product_term(contact.holding(), q, k);
     return varies ? product_term(contact.coefficient(), e, k) : contact.constant_coefficient() * e[k];
   };
   for (int k = 0; k <= order; ++k) {

@@ -8,7 +8,8 @@
 namespace rubsweep::integrate::taylor {
 
 /// Derivatives of a touching contact's force by d and by d', as power series along an expanded motion: each a
-/// matrix of two rows in the contact's fixed directions.
+/// matrix of two rows in the contact's fixed directions. The friction that holds a contact that sticks counts
+/// as given.
 class ContactSlopes {
  public:
   /// Up to `order`, from the series of a motion expanded further than that.
@@ -20,6 +21,9 @@ class ContactSlopes {
   const std::array<numerics::Series, 4>& by_d() const { return by_d_; }
   const std::array<numerics::Series, 4>& by_rate() const { return by_rate_; }
   bool has_rate() const { return has_rate_; }
+  /// Normal of an annular stop.
+  const numerics::Series& cosine() const { return cx_; }
+  const numerics::Series& sine() const { return cy_; }
 
  private:
   void make_flat(const ContactSeries& contact, int order);

@@ -2,10 +2,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "rubsweep/contact/dry_friction.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/taylor/contact_law.hpp"
@@ -34,13 +36,13 @@ class Expansion {
   }
 
   /// Expands from `state` (u then u') at `phase_rad` into the revolution, with the pulses that act there.
-  /// `modes` per contact.
+  /// `modes` per contact, and `slips` of those with dry friction.
   void expand(const double* state, double phase_rad, const run::PulseTimes& pulses,
-              const std::vector<contact::Mode>& modes) {
+              const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
     const Eigen::Index n = system_.coordinates();
     u_.col(0) = ConstMap(state, n);
     v_.col(0) = u_.col(1) = ConstMap(state + n, n);
-    begin_contacts(modes);
+    begin_contacts(modes, slips);
     start_drives(phase_rad, pulses);
     for (int k = 0; k < order_; ++k) {
       accelerate(k);
@@ -79,6 +81,20 @@ class Expansion {
     return longest;
   }
 
+  // Of contacts that stick.
+  std::size_t sticking() const { return sticking_; }
+  std::size_t stuck(Eigen::Index k) const { return stuck_[static_cast<std::size_t>(k)]; }
+  const contact::StickMobility& mobility() const { return mobility_; }
+  /// Along the tangent where the expansion starts.
+  Eigen::Matrix<double, 1, N> tangential_row(std::size_t i) const {
+    const auto& c = system_.contacts[i];
+    return contacts_[i].cosine() * c.second_row - contacts_[i].sine() * c.first_row;
+  }
+  Vector tangential_push(std::size_t i) const {
+    const auto& c = system_.contacts[i];
+    return contacts_[i].cosine() * c.second_push - contacts_[i].sine() * c.first_push;
+  }
+
   int order() const { return order_; }
   const ContactLaw& law(std::size_t i) const { return laws_[i]; }
   ContactSeries& contact(std::size_t i) { return contacts_[i]; }
@@ -99,11 +115,13 @@ class Expansion {
     contacts_[i].d2.set(k, c.second_row.dot(u_.col(k)) + (k == 0 ? c.offset[1] : 0));
   }
 
-  void begin_contacts(const std::vector<contact::Mode>& modes) {
+  void begin_contacts(const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
+    sticking_ = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       put_distance(i, 0);
       const bool open = modes[i] == contact::Mode::open;
-      contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i));
+      contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i), slips[i]);
+      if (contacts_[i].sticks()) stuck_[sticking_++] = i;
     }
   }
 
@@ -152,6 +170,29 @@ class Expansion {
       acceleration_ += system_.contacts[i].first_push * force.first;
       acceleration_ += system_.contacts[i].second_push * force.second;
     }
+    if (sticking_ > 0) hold(k);
+  }
+
+  /// Coefficient k of what holds the contacts that stick.
+  void hold(int k) {
+    const auto count = static_cast<Eigen::Index>(sticking_);
+    if (k == 0) {
+      mobility_.resize(count, count);
+      for (Eigen::Index j = 0; j < count; ++j) {
+        for (Eigen::Index i = 0; i < count; ++i)
+          mobility_(i, j) = -tangential_row(stuck(i)).dot(tangential_push(stuck(j)).transpose());
+      }
+    }
+    contact::StickVector rest(count);
+    for (Eigen::Index j = 0; j < count; ++j)
+      rest(j) = tangential_row(stuck(j)).dot(acceleration_.transpose()) - contacts_[stuck(j)].keeping_term(k);
+    const contact::StickVector force = contact::holding_forces(mobility_, rest);
+    for (Eigen::Index j = 0; j < count; ++j) acceleration_ += force(j) * tangential_push(stuck(j));
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const auto& c = system_.contacts[stuck(j)];
+      contacts_[stuck(j)].hold(k, force(j), c.first_row.dot(acceleration_.transpose()),
+                               c.second_row.dot(acceleration_.transpose()));
+    }
   }
 
   /// What guards ask for.
@@ -168,6 +209,9 @@ class Expansion {
   Vector acceleration_;
   std::vector<ContactLaw> laws_;
   std::vector<ContactSeries> contacts_;
+  std::array<std::size_t, contact::most_sticking> stuck_{};
+  std::size_t sticking_ = 0;
+  contact::StickMobility mobility_;
   double cosine_ = 1, sine_ = 0;
   std::vector<ActingPulse> pulses_;
 };

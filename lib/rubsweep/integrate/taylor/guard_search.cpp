@@ -31,6 +31,33 @@ double fastest_distance(const ContactSeries& contact, int order, double duration
   return contact.law().annular ? std::sqrt(first_sum * first_sum + second_sum * second_sum) : second_sum;
 }
 
+/// Where the slip comes to zero, from the side it is on. It is measured in clearances a
+/// radian, and starts at zero where it is within rounding of the surface's own speed.
+std::optional<double> first_stop(ContactSeries& contact, int order, double duration_rad, int zero_terms) {
+  const ContactLaw& law = contact.law();
+  const double surface = law.surface_speed_m_per_s / law.slip_scale_m_per_s, sign = -contact.slip_sign();
+  if (-sign * surface - fastest_distance(contact, order, duration_rad) > 0) return std::nullopt;
+  contact.make_sliding(order);
+  Coefficients c{};
+  double power = 1;
+  for (int k = 0; k < order; ++k, power *= duration_rad)
+    c[static_cast<std::size_t>(k)] = power * sign * (contact.sliding()[k] + (k == 0 ? surface : 0));
+  return numerics::first_rise_of(first(c, order).subspan(static_cast<std::size_t>(zero_terms)),
+                                 noise * std::max(1.0, std::abs(surface)));
+}
+
+/// Where the holding friction reaches `sign` times the largest one; in units of the stop's spring force at
+/// one clearance.
+std::optional<double> first_release(const ContactSeries& contact, int order, double duration_rad,
+                                    double sign) {
+  const double unit = contact.law().stiffness * contact.law().clearance;
+  Coefficients c{};
+  double power = 1;
+  for (int k = 0; k < order; ++k, power *= duration_rad)
+    c[static_cast<std::size_t>(k)] = -power * contact.reserve_term(k, sign) / unit;
+  return numerics::first_rise_of(first(c, order), 0);
+}
+
 /// Coefficients of `sign` slip + `constant` in units of the duration, order of them.
 Coefficients slip_polynomial(ContactSeries& contact, int order, double duration_rad, double sign,
                              double constant) {
@@ -57,13 +84,21 @@ bool far_from_wall(const ContactSeries& contact, int order, double duration_rad)
 
 double guards_converged_rad(ContactSeries& contact, int order, double duration_rad) {
   const ContactLaw& law = contact.law();
+  constexpr double rounding = 0x1p-52;
+  if (contact.sticks()) {
+    const double unit =
+        std::max(law.friction.dry * law.stiffness * law.clearance, std::abs(contact.holding()[0]));
+    for (int k = order - 2; k < order; ++k) {
+      const double term = std::abs(contact.holding()[k]) / unit;
+      if (term * std::pow(duration_rad, k) > rounding) duration_rad = std::pow(rounding / term, 1.0 / k);
+    }
+  }
   // Of flat stops they are linear in the motion.
   if (!law.annular) return duration_rad;
   if (contact.mode() == Mode::open) {
     if (far_from_wall(contact, order, duration_rad)) return duration_rad;
     contact.make_open_penetration(order);
   }
-  constexpr double rounding = 0x1p-52;
   const double damper = law.damping / law.stiffness;
   // Of a motion far into the wall rounding is that of its own size.
   const double size = std::max(law.clearance, std::abs(contact.penetration_term(0)));
@@ -100,6 +135,21 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
     if (rise && (!earliest || *rise < earliest->share)) earliest = GuardCrossing{*rise, to};
   }
   return earliest;
+}
+
+std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, double duration_rad,
+                                          int zero_terms) {
+  using contact::Slip;
+  if (!contact.sticks()) {
+    const auto stop = first_stop(contact, order, duration_rad, zero_terms);
+    return stop ? std::optional(SlipEvent{*stop, Slip::sticking}) : std::nullopt;
+  }
+  std::optional<SlipEvent> first;
+  for (const Slip slip : {Slip::forward, Slip::backward}) {
+    const auto release = first_release(contact, order, duration_rad, contact::sign_of(slip));
+    if (release && (!first || *release < first->share)) first = SlipEvent{*release, slip};
+  }
+  return first;
 }
 
 double saturated_share(ContactSeries& contact, int order, double duration_rad) {

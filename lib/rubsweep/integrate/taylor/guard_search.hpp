@@ -23,6 +23,19 @@ double guards_converged_rad(ContactSeries& contact, int order, double duration_r
 /// `order`; the guards are polynomials there and none is passed over.
 std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order, double duration_rad);
 
+/// An end of the way in which a contact with dry friction slips, or sticks.
+struct SlipEvent {
+  double share = 1;  ///< of the duration that was searched
+  /// Sticking: the slip has come to zero, and what follows has to be settled. Else the way that a contact
+  /// goes which friction no longer holds.
+  contact::Slip next = contact::Slip::sticking;
+};
+
+/// The first such end of a contact with dry friction that touches. `zero_terms`: so many of the slip's first
+/// coefficients are zero but for rounding, because it has just begun to leave zero.
+std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, double duration_rad,
+                                          int zero_terms);
+
 /// The share of `duration_rad` up to which every tanh that the expansion takes as constant is one; 1 where
 /// all of it is.
 double saturated_share(ContactSeries& contact, int order, double duration_rad);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubsweep/integrate/adaptive/settle_slips.hpp"
 #include "rubsweep/integrate/taylor/step_peaks.hpp"
 #include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
@@ -41,7 +42,8 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       state_(run::scaled_initial_state(scene)),
       rate_(state_.size()),
       probe_(state_.size()),
-      other_probe_(state_.size()) {
+      other_probe_(state_.size()),
+      zero_terms_(system_.contacts.size(), 0) {
   dynamics_.follow(pulses_);
 }
 
@@ -69,9 +71,12 @@ TaylorEnding TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnRep
   entered_ = true;
   start_ = state_;
   start_modes_ = dynamics_.modes();
+  start_slips_ = dynamics_.slips();
   tangents_.begin(request.tangent_vectors);
-  if (tangents_.count() > 0)
+  if (tangents_.count() > 0) {
+    project_tangents();
     longest_of_tangents_ = longest_times_fastest_of_tangents(request.tangent_accuracy);
+  }
   step_limit_ = effort_.steps + max_steps_;
   TaylorEnding ending = TaylorEnding::ok;
   while (ending == TaylorEnding::ok && phase_ < end_phase_) {
@@ -86,6 +91,7 @@ TaylorEnding TaylorRun<N>::end(run::TurnReport& report, TaylorEnding ending) {
   if (ending == TaylorEnding::stiff) {
     state_ = start_;
     dynamics_.modes() = start_modes_;
+    dynamics_.slips() = start_slips_;
     return ending;
   }
   report.effort = effort_;
@@ -108,6 +114,17 @@ void TaylorRun<N>::enter_by_state(double phase) {
   std::ranges::fill(dynamics_.modes(), Mode::open);
   dynamics_(state_, rate_, phase);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) dynamics_.enter_by_state(i, state_, rate_);
+  adaptive::enter_slips_by_state(dynamics_, state_, rate_, phase);
+}
+
+/// A change of the state that would let a contact slip that sticks is undone by friction at once.
+template <int N>
+void TaylorRun<N>::project_tangents() {
+  if (tangents_.count() == 0 || !dynamics_.any_dry() || dynamics_.stuck_contacts().count == 0) return;
+  tangents_here_.resize(static_cast<Eigen::Index>(state_.size()), tangents_.count());
+  tangents_.put(tangents_here_);
+  dynamics_.keep_sticking(state_, tangents_here_);
+  tangents_.begin(tangents_here_);
 }
 
 template <int N>
@@ -145,8 +162,9 @@ double TaylorRun<N>::longest_step(double fastest) {
 
 template <int N>
 TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
+  if (dynamics_.undetermined()) return TaylorEnding::stick_undetermined;
   pulses_.go_to(phase_);
-  motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes());
+  motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
   ++effort_.steps;
   const double fastest = fastest_rate();
   bool friction_varies = false;
@@ -188,6 +206,12 @@ typename TaylorRun<N>::Crossing TaylorRun<N>::first_crossing(double duration) {
     const auto crossing = first_guard(motion_.contact(i), motion_.order(), searched);
     if (crossing) first = {first.share * crossing->share, i, crossing->next};
     if (dynamics_.modes()[i] == Mode::open) continue;
+    if (dynamics_.touches_dry(i)) {
+      const auto event =
+          first_slip_event(motion_.contact(i), motion_.order(), first.share * duration, zero_terms_[i]);
+      if (event) first = {first.share * event->share, i, Mode::open, event->next};
+      continue;
+    }
     const double share = saturated_share(motion_.contact(i), motion_.order(), first.share * duration);
     if (share < 1) first = {first.share * share, std::nullopt, Mode::open};
   }
@@ -202,6 +226,7 @@ void TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration
   tangents_.pass(motion_, duration);
   motion_.put_state(duration, state_.data());
   phase_ = end_phase;
+  std::ranges::fill(zero_terms_, 0);
 }
 
 template <int N>
@@ -220,7 +245,9 @@ void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duratio
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     if (dynamics_.modes()[i] == Mode::open) continue;
     touching = true;
-    if (!report.slip_reversed)
+    if (dynamics_.touches_dry(i)) {
+      report.slip_reversed = report.slip_reversed || dynamics_.slips()[i] != contact::Slip::forward;
+    } else if (!report.slip_reversed)
       report.slip_reversed = slip_reverses(motion_.contact(i), motion_.order(), duration);
     if (!peaks_wanted_) continue;
     const double peak_n = largest_force(motion_.contact(i), motion_.order(), fastest, duration);
@@ -244,20 +271,56 @@ void TaylorRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from
   report.add({phase_, static_cast<int>(i), from, dynamics_.modes()[i]}, switches_wanted_);
 }
 
-/// The force is continuous across the switch: one rate holds on both sides of it.
+/// The force is continuous across the switch of a mode: one rate holds on both sides of it.
 template <int N>
 void TaylorRun<N>::switch_modes(run::TurnReport& report, const Crossing& crossing) {
   pulses_.go_to(phase_);
   dynamics_(state_, rate_, phase_);
+  if (crossing.slip) {
+    ++effort_.switches;
+    report.slip_reversed = true;
+    switch_slip(*crossing.contact, *crossing.slip);
+  }
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     const auto& c = system_.contacts[i];
     Mode& mode = dynamics_.modes()[i];
     const Mode from = mode;
     const contact::Kinematics kinematics = dynamics_.kinematics(i, state_, rate_);
-    if (crossing.contact == i) mode = contact::mode_through(from, crossing.next, kinematics);
+    if (crossing.contact == i && !crossing.slip)
+      mode = contact::mode_through(from, crossing.next, kinematics);
     mode = contact::mode_after(mode, c.stiffness, c.damping, kinematics);
-    if (mode != from) note_switch(report, i, from);
+    if (mode == from) continue;
+    note_switch(report, i, from);
+    if (from != Mode::open || !dynamics_.touches_dry(i)) continue;
+    adaptive::take_slip_of_state(dynamics_, i, state_);
+    if (dynamics_.slips()[i] == contact::Slip::sticking) stop_slip(i);
   }
+}
+
+/// `slip` as of SlipEvent. A contact that is let go starts with its friction, and so does its slip's rate.
+template <int N>
+void TaylorRun<N>::switch_slip(std::size_t i, contact::Slip slip) {
+  if (slip == contact::Slip::sticking) return stop_slip(i);
+  dynamics_.slips()[i] = slip;
+  zero_terms_[i] = 2;
+}
+
+/// The slip of contact `i` is zero; `rate_` is that before it was.
+template <int N>
+void TaylorRun<N>::stop_slip(std::size_t i) {
+  adaptive::settle_slips(dynamics_, state_, probe_, phase_, [i](std::size_t j) { return j == i; });
+  for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
+    if (dynamics_.touches_dry(j) && (j == i || adaptive::stands(dynamics_, j, state_)))
+      zero_terms_[j] = dynamics_.slips()[j] == contact::Slip::sticking ? 0 : 1;
+  }
+  dynamics_(state_, probe_, phase_);
+  if (tangents_.count() > 0) {
+    tangents_here_.resize(static_cast<Eigen::Index>(state_.size()), tangents_.count());
+    tangents_.put(tangents_here_);
+    adaptive::cross_slip(dynamics_, i, state_, rate_, probe_, tangents_here_);
+    tangents_.begin(tangents_here_);
+  }
+  std::swap(rate_, probe_);
 }
 
 /// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
@@ -266,6 +329,7 @@ void TaylorRun<N>::apply_impulses(run::TurnReport& report) {
   impulses_.take_all(phase_, system_.scale, state_);
   modes_before_ = dynamics_.modes();
   enter_by_state(phase_);
+  project_tangents();
   for (std::size_t i = 0; i < modes_before_.size(); ++i) {
     if (dynamics_.modes()[i] != modes_before_[i]) note_switch(report, i, modes_before_[i]);
   }

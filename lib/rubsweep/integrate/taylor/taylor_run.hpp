@@ -23,11 +23,13 @@ enum class TaylorEnding {
   stiff,  ///< friction that changes the slip so fast that an implicit stepper is cheaper
   step_limit,
   non_finite,
+  stick_undetermined,
 };
 
 /// A run in pieces that are power series of the phase: within one joint contact mode every law is analytic,
 /// so that a step of order 24 goes as far as its last terms are rounding. Guards are polynomials over a step,
 /// whose first rise through zero is found by signs of Bernstein coefficients, so that none is passed over.
+/// With dry friction pieces end, too, where a slip comes to zero and where a contact that sticks is let go.
 /// Takes flat and annular stops, any friction, any number of coordinates.
 template <int N>
 class TaylorRun {
@@ -58,6 +60,7 @@ class TaylorRun {
     double share = 1;
     std::optional<std::size_t> contact;  ///< none: friction leaves saturation, and nothing changes
     contact::Mode next = contact::Mode::open;
+    std::optional<contact::Slip> slip{};  ///< the slip of the contact changes, not its mode
   };
 
   void enter_by_state(double phase);
@@ -70,6 +73,9 @@ class TaylorRun {
   void put_samples(run::TurnReport& report, double end_phase);
   void watch(run::TurnReport& report, double fastest, double duration);
   void switch_modes(run::TurnReport& report, const Crossing& crossing);
+  void switch_slip(std::size_t i, contact::Slip slip);
+  void stop_slip(std::size_t i);
+  void project_tangents();
   void apply_impulses(run::TurnReport& report);
   void note_switch(run::TurnReport& report, std::size_t i, contact::Mode from);
   TaylorEnding end(run::TurnReport& report, TaylorEnding ending);
@@ -86,6 +92,10 @@ class TaylorRun {
   long max_steps_ = 0, step_limit_ = 0;
   std::vector<double> state_, start_, rate_, probe_, other_probe_;
   std::vector<contact::Mode> start_modes_, modes_before_;
+  std::vector<contact::Slip> start_slips_;
+  /// Per contact with dry friction: so many of the slip's first coefficients are zero where it is now.
+  std::vector<int> zero_terms_;
+  Eigen::MatrixXd tangents_here_;
   double phase_ = 0, end_phase_ = full_turn;
   bool entered_ = false;
   int standstill_ = 0;

@@ -34,6 +34,8 @@ auto RotatingField::at(const VectorXd& state, const Visit& visit) const {
     located_law_.modes()[i] = contact::Mode::sprung;
     const contact::Kinematics k = located_law_.kinematics(i, state, state);
     located_law_.modes()[i] = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
+    located_law_.slips()[i] =
+        located_law_.slip_m_per_s(i, state) < 0 ? contact::Slip::backward : contact::Slip::forward;
   }
   return visit(located_law_);
 }

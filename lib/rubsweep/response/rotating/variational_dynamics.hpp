@@ -9,7 +9,8 @@ namespace rubsweep::response::rotating {
 
 /// Dynamics with the derivative Phi of its state by the state it started from: u, u', then the 2n columns of
 /// Phi, Phi' = (d rate / d state) Phi from the identity. Nothing happens to Phi where a contact changes its
-/// mode, because the force, and with it the rate, is continuous there (a saltation matrix of one).
+/// mode, because the force, and with it the rate, is continuous there (a saltation matrix of one). Where a
+/// slip with dry friction comes to zero, the run takes `changes` across.
 template <int N, bool Smoothed>
 class VariationalDynamics : public integrate::adaptive::Dynamics<N, Smoothed> {
   static constexpr int states = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N;
@@ -30,6 +31,13 @@ class VariationalDynamics : public integrate::adaptive::Dynamics<N, Smoothed> {
     phi_rate.template topRows<N>(n) = phi.template bottomRows<N>(n);
     phi_rate.template bottomRows<N>(n).noalias() = by_u * phi.template topRows<N>(n);
     phi_rate.template bottomRows<N>(n).noalias() += by_v * phi.template bottomRows<N>(n);
+  }
+
+  /// Phi, one change of the state a column.
+  template <class State>
+  auto changes(State& state) const {
+    const Eigen::Index n = this->system().coordinates();
+    return Eigen::Map<Transition>(&state[0] + 2 * n, 2 * n, 2 * n);
   }
 
   std::vector<double> whole_state(std::vector<double> section) const {

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+
+namespace rubsweep::contact {
+
+/// Which way a touching surface slips whose friction is dry, a set at slip zero (Filippov): +mu S while it
+/// slips forward, -mu S while it slips backward, S being the spring force, and whatever holds it within these
+/// two while it sticks.
+enum class Slip : unsigned char { forward, sticking, backward };
+
+/// +1, 0, -1.
+constexpr double sign_of(Slip slip) { return slip == Slip::forward ? 1 : slip == Slip::backward ? -1 : 0; }
+
+constexpr std::string_view to_string(Slip slip) {
+  return slip == Slip::forward ? "forward" : slip == Slip::backward ? "backward" : "sticking";
+}
+
+/// Stops that may come to stick at one instant, or stick together.
+inline constexpr int most_sticking = 16;
+
+template <int Columns>
+using StickMatrix = Eigen::Matrix<double, Eigen::Dynamic, Columns == 1 ? 1 : Eigen::Dynamic, Eigen::ColMajor,
+                                  most_sticking, Columns>;
+using StickVector = StickMatrix<1>;
+using StickMobility = StickMatrix<most_sticking>;
+
+/// Whether every friction force of these surfaces moves some of them. Those of two walls of one direction on
+/// one rigid casing can only be told apart by forces that move nothing: which of the two lets go first is
+/// then open.
+bool determined(const StickMobility& mobility);
+
+/// Forces that hold every one of the surfaces: mobility f = acceleration.
+StickVector holding_forces(const StickMobility& mobility, const StickVector& acceleration);
+
+/// What `count` surfaces with slip zero do from here on, and their friction. `acceleration` is that of each
+/// slip without friction at any of them, `mobility` what a unit of friction at one takes off the acceleration
+/// at another (symmetric, no negative eigenvalue), `limit` >= 0 the largest friction of each. The friction
+/// sought obeys |f| <= limit, f = limit where the slip then accelerates forward and f = -limit where it does
+/// backward. That is the minimum of f.mobility f / 2 - acceleration.f over a box (Gauss's principle of least
+/// constraint): there always is one, and the motion that follows is the same for all minima. Sticking where
+/// friction below the limit does. `slips` and `force` are as long as `limit`.
+void settle_slips(const StickMobility& mobility, const StickVector& acceleration, const StickVector& limit,
+                  Slip* slips, StickVector& force);
+
+}  // namespace rubsweep::contact
