@@ -109,6 +109,8 @@ std::string rubbranch_help() {
       "  families.csv    order, hits, cells and area of existence, share that the kick reaches\n"
       "  edges.csv       why neighbouring cells differ: the orbit ceases (and how), the basin ends, or "
       "unresolved\n"
+      "  contradictions.csv  labels of the map that the domains of the families do not explain, and what was "
+      "found of each\n"
       "However a call with --map ends before these are written, what it found is kept in families.journal "
       "and "
       "the same\ncommand goes on from there.\n"
