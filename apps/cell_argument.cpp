@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "program.hpp"
+#include "rubsweep/config/place_axes.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -25,10 +26,15 @@ CellArgument read_cell(const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma != std::string::npos) {
     const std::string_view whole = text;
-    const auto speed = number(whole.substr(0, comma)), unbalance = number(whole.substr(comma + 1));
-    if (speed && unbalance && *speed > 0 && *unbalance >= 0) return {*speed, *unbalance};
+    std::string_view speed_text = whole.substr(0, comma);
+    const bool by_minutes = speed_text.ends_with("rpm");
+    if (by_minutes) speed_text.remove_suffix(3);
+    const auto speed = number(speed_text), unbalance = number(whole.substr(comma + 1));
+    if (speed && unbalance && *speed > 0 && *unbalance >= 0)
+      return {by_minutes ? *speed / config::rpm_per_hz : *speed, *unbalance};
   }
-  throw UsageError(fmt::format("--cell {}: allowed: SPEED_HZ,UNBALANCE, a number > 0 and one >= 0", text));
+  throw UsageError(fmt::format(
+      "--cell {}: allowed: SPEED_HZ,UNBALANCE or SPEEDrpm,UNBALANCE, a number > 0 and one >= 0", text));
 }
 
 }  // namespace rubsweep::apps

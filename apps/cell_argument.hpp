@@ -9,7 +9,7 @@ struct CellArgument {
   double speed_hz = 0, unbalance = 0;
 };
 
-/// Reads SPEED_HZ,UNBALANCE. Throws UsageError.
+/// Reads SPEED_HZ,UNBALANCE or SPEEDrpm,UNBALANCE. Throws UsageError.
 CellArgument read_cell(const std::string& text);
 
 }  // namespace rubsweep::apps

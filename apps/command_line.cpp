@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <boost/program_options.hpp>
+#include <cmath>
 #include <sstream>
 #include <vector>
 
@@ -108,6 +109,20 @@ StudyArguments study_arguments(const po::variables_map& given, std::string_view 
   if (is_given(given, "set")) arguments.overrides = given["set"].as<std::vector<std::string>>();
   arguments.quiet = is_given(given, "quiet");
   return arguments;
+}
+
+std::optional<double> positive_number(const po::variables_map& given, const char* name) {
+  if (!is_given(given, name)) return std::nullopt;
+  const double value = given[name].as<double>();
+  if (!std::isfinite(value) || value <= 0) throw UsageError(fmt::format("--{}: allowed: a number > 0", name));
+  return value;
+}
+
+std::optional<double> not_negative_number(const po::variables_map& given, const char* name) {
+  if (!is_given(given, name)) return std::nullopt;
+  const double value = given[name].as<double>();
+  if (!std::isfinite(value) || value < 0) throw UsageError(fmt::format("--{}: allowed: a number >= 0", name));
+  return value;
 }
 
 int threads_of(const po::variables_map& given) {

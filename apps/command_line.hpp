@@ -3,6 +3,7 @@
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/positional_options.hpp>
 #include <boost/program_options/variables_map.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -38,6 +39,10 @@ Action action_of(const po::variables_map& given);
 
 /// What `read_study_command_line` read; `program` is who asks for the configuration file.
 StudyArguments study_arguments(const po::variables_map& given, std::string_view program);
+
+/// The number of an option that is finite and > 0, or >= 0; empty where it is not given.
+std::optional<double> positive_number(const po::variables_map& given, const char* name);
+std::optional<double> not_negative_number(const po::variables_map& given, const char* name);
 
 int threads_of(const po::variables_map& given);
 batch::ProgressMode progress_of(const po::variables_map& given);

@@ -13,6 +13,7 @@
 #include "exit_code.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
+#include "rubsweep/batch/axis.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/identify/campbell.hpp"
 #include "rubsweep/identify/experiment.hpp"
@@ -51,9 +52,7 @@ Outcome outcome_of(report::ExperimentTables tables) {
 }
 
 Outcome campbell_diagram(const CampbellSpeeds& asked, const model::Machine& machine) {
-  std::vector<double> speeds_hz;
-  for (int k = 0; k < asked.count; ++k)
-    speeds_hz.push_back(asked.from_hz + (asked.to_hz - asked.from_hz) * k / (asked.count - 1));
+  const std::vector<double> speeds_hz = batch::evenly_spaced(asked.from_hz, asked.to_hz, asked.count);
   report::CampbellTables tables =
       report::tables_of(identify::campbell(identify::free_rotor(machine), speeds_hz, 2 * asked.to_hz));
   return {{{"campbell.csv", std::move(tables.campbell_csv)},
@@ -68,8 +67,7 @@ std::vector<line::LinePoint> steady_motions(const ramp::SpeedRamp& ramp, const s
   const auto shared_study = std::make_shared<const sweep::Study>(study);
   const auto shared_machine = std::make_shared<const scene::PreparedMachine>(machine);
   std::vector<line::LineCell> cells;
-  for (int k = 0; k < steady_speeds; ++k) {
-    const double speed_hz = ramp.from_hz + (ramp.to_hz - ramp.from_hz) * k / (steady_speeds - 1);
+  for (const double speed_hz : batch::evenly_spaced(ramp.from_hz, ramp.to_hz, steady_speeds)) {
     cells.push_back(
         {speed_hz, shared_study, shared_machine, {speed_hz, scene::Eccentricity{ramp.eccentricity_m}}});
   }

@@ -43,14 +43,14 @@ class TemporaryDirectory {
 
 /// RUBSWEEP_SCRIPTS_FROM_BIN leads from the directory of an installed program to its scripts,
 /// RUBSWEEP_SCRIPTS_SOURCE is where they were when it was built.
-fs::path scripts_directory() {
+fs::path scripts_directory(const std::string& option) {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
   const fs::path installed = program.parent_path() / RUBSWEEP_SCRIPTS_FROM_BIN,
                  source = RUBSWEEP_SCRIPTS_SOURCE;
   for (const fs::path& directory : {installed, source})
     if (fs::is_directory(directory / "analysis", none)) return fs::weakly_canonical(directory, none);
-  throw IoError(fmt::format("--figure: the scripts that draw are neither in {} nor in {}",
+  throw IoError(fmt::format("--{}: the scripts that draw are neither in {} nor in {}", option,
                             installed.lexically_normal().string(), source.string()));
 }
 
@@ -72,21 +72,19 @@ Figure::Figure(fs::path file, const std::string& option) : file_(std::move(file)
   for (const auto& [command, package] :
        {std::pair("gnuplot", "gnuplot-nox"), std::pair("python3", "python3")}) {
     if (!find_command(command)) {
-      throw IoError(
-          fmt::format("--figure: there is no program called {} to draw with (Debian: {})", command, package));
+      throw IoError(fmt::format("--{}: there is no program called {} to draw with (Debian: {})", option,
+                                command, package));
     }
   }
-  scripts_ = scripts_directory();
+  scripts_ = scripts_directory(option);
 }
 
-void Figure::draw(const std::string& script, const fs::path& input, const std::string& heading,
-                  const std::vector<std::string>& more) const {
+void Figure::draw(const std::string& script, const fs::path& input, const std::string& heading) const {
   const TemporaryDirectory work;
   const fs::path output = work.path() / "picture";
   ::setenv("LC_ALL", "C.UTF-8", 1);
   std::vector<std::string> command{"python3",       "-B",   scripts_ / "analysis" / script, input.string(),
                                    output.string(), heading};
-  command.insert(command.end(), more.begin(), more.end());
   if (!run_child(std::move(command))) throw IoError(fmt::format("{}: could not be drawn", file_.string()));
   if (file_.has_parent_path()) make_directory(file_.parent_path());
   batch::write_whole_file(file_, text_of_file(fs::path(output) += file_.extension()));

@@ -18,8 +18,10 @@
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubline_arguments.hpp"
+#include "rubsweep/batch/axis.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/config/line_keys.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
@@ -48,18 +50,13 @@ bool along_unbalance(const RublineArguments& arguments) {
   return arguments.along == "whirl_ratio" || arguments.along == "eccentricity_m";
 }
 
-std::vector<double> values_of(const RublineArguments& arguments, const sweep::Grid& grid) {
-  if (const auto& asked = arguments.values) {
-    std::vector<double> values;
-    for (int k = 0; k < asked->count; ++k)
-      values.push_back(k == asked->count - 1
-                           ? asked->to
-                           : asked->from + (asked->to - asked->from) * k / (asked->count - 1));
-    return values;
-  }
+std::vector<double> values_of(const RublineArguments& arguments, const sweep::Grid& grid,
+                              const config::LineKeys& keys) {
+  if (const auto& asked = arguments.values) return batch::evenly_spaced(asked->from, asked->to, asked->count);
   std::vector<double> values;
   if (arguments.along == "speed_hz") values = grid.speed_hz;
   if (along_unbalance(arguments) && to_string(grid.measure) == arguments.along) values = grid.unbalance;
+  for (const double value : keys.along.values) values.push_back(keys.factor * value);
   if (values.empty())
     throw UsageError(fmt::format("the values of {} are needed: --from A --to B", arguments.along));
   std::ranges::sort(values);
@@ -67,43 +64,64 @@ std::vector<double> values_of(const RublineArguments& arguments, const sweep::Gr
 }
 
 /// The place of the cell at `value` on the line.
-scene::Place place_at(const RublineArguments& arguments, const sweep::Grid& grid, double value) {
+scene::Place place_at(const RublineArguments& arguments, const sweep::Grid& grid,
+                      const model::Machine& machine, double value) {
   scene::Place place;
   if (arguments.along == "speed_hz") {
     if (value <= 0) throw UsageError("--from: allowed: a speed > 0");
     place.speed_hz = value;
   } else {
-    place.speed_hz = arguments.speed_hz ? *arguments.speed_hz : only_value(grid.speed_hz, "--speed-hz S");
+    place.speed_hz = arguments.place.speed_hz ? *arguments.place.speed_hz
+                                              : only_value(grid.speed_hz, "--speed-hz S or --speed-rpm N");
   }
   if (along_unbalance(arguments)) {
     if (value < 0) throw UsageError("--from: allowed: an unbalance >= 0");
     place.unbalance = arguments.along == "whirl_ratio" ? scene::Unbalance(scene::WhirlRatio{value})
                                                        : scene::Unbalance(scene::Eccentricity{value});
   } else {
-    place.unbalance =
-        arguments.unbalance
-            ? *arguments.unbalance
-            : sweep::unbalance_of(grid, only_value(grid.unbalance, "--whirl-ratio U or --eccentricity-m E"));
+    place.unbalance = arguments.place.has_unbalance()
+                          ? unbalance_of(arguments.place, machine)
+                          : sweep::unbalance_of(grid, only_value(grid.unbalance, unbalance_options));
   }
   return place;
 }
 
+/// The study of the cell at `value` of a line that runs along a key.
+sweep::Study study_at(const RublineArguments& arguments, const sweep::Study& study,
+                      const config::LineKeys& keys, double value) {
+  std::vector<sweep::KeyValue> held = keys.fixed;
+  if (!keys.along.keys.empty()) {
+    // A value of the axis itself comes back to the digit, so that the cell is that of the map.
+    const auto& own = keys.along.values;
+    const auto same = std::ranges::find_if(own, [&](double place) { return keys.factor * place == value; });
+    const double at = same == own.end() ? value / keys.factor : *same;
+    for (sweep::KeyValue& key : sweep::keys_at(keys.along, at)) held.push_back(std::move(key));
+    return study.with_keys(held);
+  }
+  std::vector<std::string> overrides = arguments.overrides;
+  overrides.push_back(fmt::format("{}={}", arguments.along, batch::csv_number(value)));
+  sweep::Study varied = config::read_run_config(arguments.config, overrides).study;
+  return held.empty() ? varied : varied.with_keys(held);
+}
+
 std::vector<line::LineCell> cells_of(const RublineArguments& arguments, const config::RunConfig& config) {
   const bool in_the_map = arguments.along == "speed_hz" || along_unbalance(arguments);
+  const sweep::Grid& grid = config.study.grid;
+  const config::LineKeys keys =
+      config::line_keys(grid, arguments.along, arguments.config, arguments.overrides);
   std::shared_ptr<const sweep::Study> study;
   std::shared_ptr<const scene::PreparedMachine> machine;
   std::vector<line::LineCell> cells;
-  for (const double value : values_of(arguments, config.study.grid)) {
+  for (const double value : values_of(arguments, grid, keys)) {
     if (!in_the_map) {
-      std::vector<std::string> overrides = arguments.overrides;
-      overrides.push_back(fmt::format("{}={}", arguments.along, batch::csv_number(value)));
-      study = std::make_shared<sweep::Study>(config::read_run_config(arguments.config, overrides).study);
+      study = std::make_shared<sweep::Study>(study_at(arguments, config.study, keys, value));
     } else if (!study) {
-      study = std::make_shared<sweep::Study>(config.study);
+      study = std::make_shared<sweep::Study>(keys.fixed.empty() ? config.study
+                                                                : config.study.with_keys(keys.fixed));
     }
     if (!in_the_map || !machine)
       machine = std::make_shared<scene::PreparedMachine>(scene::prepare_machine(study->machine));
-    cells.push_back({value, study, machine, place_at(arguments, study->grid, value)});
+    cells.push_back({value, study, machine, place_at(arguments, grid, study->machine, value)});
   }
   return cells;
 }

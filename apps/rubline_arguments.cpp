@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "command_line.hpp"
 #include "program.hpp"
+#include "rubsweep/config/place_axes.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -21,12 +23,9 @@ po::options_description visible_options() {
                                                     "first value")("to", po::value<double>()->value_name("B"),
                                                                    "last value, > A")(
       "count", po::value<int>()->value_name("N"),
-      "how many evenly spaced values (101); without --from and --to those of the sweep's axis")(
-      "speed-hz", po::value<double>()->value_name("S"), "shaft speed of the line, unless it runs along it")(
-      "whirl-ratio", po::value<double>()->value_name("U"), "unbalance of the line, said by the quiet motion")(
-      "eccentricity-m", po::value<double>()->value_name("E"),
-      "the same, said by the eccentricity of the disc")(
-      "kick", "every cell from its kick, as in a map (the default)")(
+      "how many evenly spaced values (101); without --from and --to those of the sweep's axis");
+  add_place(options);
+  options.add_options()("kick", "every cell from its kick, as in a map (the default)")(
       "up", "upward, each cell from what the one before it does")("down", "downward, likewise");
   add_figure(options, "draw the bifurcation diagram as FILE.png or FILE.svg");
   options.add_options()("cascade-figure", po::value<std::string>()->value_name("FILE"),
@@ -37,15 +36,6 @@ po::options_description visible_options() {
   add_progress(options);
   add_last(options);
   return options;
-}
-
-std::optional<double> number_of(const po::variables_map& given, const char* name, const char* range,
-                                double low, bool low_open) {
-  if (given.count(name) == 0) return std::nullopt;
-  const double value = given[name].as<double>();
-  if (!std::isfinite(value) || value < low || (low_open && value == low))
-    throw UsageError(fmt::format("--{}: allowed: {}", name, range));
-  return value;
 }
 
 std::optional<LineValues> values_of(const po::variables_map& given) {
@@ -64,19 +54,21 @@ std::optional<LineValues> values_of(const po::variables_map& given) {
   return values;
 }
 
-void read_place(const po::variables_map& given, RublineArguments& arguments) {
-  arguments.speed_hz = number_of(given, "speed-hz", "a number > 0", 0, true);
-  const auto ratio = number_of(given, "whirl-ratio", "a number >= 0", 0, false);
-  const auto eccentricity_m = number_of(given, "eccentricity-m", "a number >= 0", 0, false);
-  if (ratio && eccentricity_m) throw UsageError("--whirl-ratio and --eccentricity-m exclude each other");
-  if (ratio) arguments.unbalance = scene::WhirlRatio{*ratio};
-  if (eccentricity_m) arguments.unbalance = scene::Eccentricity{*eccentricity_m};
+/// What the line runs along has no place.
+void refuse_place_along(const RublineArguments& arguments) {
+  for (const std::string_view key : {config::speed_rpm_key, config::unbalance_key, config::grade_key}) {
+    if (arguments.along == key)
+      throw UsageError(fmt::format("--along {}: a line runs along SI units, allowed: --along {}", key,
+                                   key == config::speed_rpm_key ? "speed_hz" : "eccentricity_m"));
+  }
   const bool along_unbalance = arguments.along == "whirl_ratio" || arguments.along == "eccentricity_m";
-  if (arguments.along == "speed_hz" && arguments.speed_hz)
-    throw UsageError("--speed-hz: the line runs along the speed, allowed: another --along");
-  if (along_unbalance && arguments.unbalance)
+  if (arguments.along == "speed_hz" && arguments.place.speed_hz)
+    throw UsageError("--speed-hz, --speed-rpm: the line runs along the speed, allowed: another --along");
+  if (along_unbalance && arguments.place.has_unbalance())
     throw UsageError(
-        "--whirl-ratio, --eccentricity-m: the line runs along the unbalance, allowed: another --along");
+        "--whirl-ratio, --eccentricity-m, --unbalance-g-mm: the line runs along the unbalance, allowed: "
+        "another "
+        "--along");
 }
 
 }  // namespace
@@ -88,7 +80,8 @@ RublineArguments parse_rubline_arguments(int argc, const char* const* argv) {
   if (given.count("along") == 0) throw UsageError("what changes along the line is needed: --along KEY");
   arguments.along = given["along"].as<std::string>();
   arguments.values = values_of(given);
-  read_place(given, arguments);
+  arguments.place = read_place(given);
+  refuse_place_along(arguments);
   for (const line::Pass pass : {line::Pass::kick, line::Pass::up, line::Pass::down})
     if (given.count(std::string(to_string(pass))) != 0) arguments.passes.push_back(pass);
   if (arguments.passes.empty()) arguments.passes = {line::Pass::kick};

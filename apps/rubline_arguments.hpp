@@ -6,6 +6,7 @@
 
 #include "action.hpp"
 #include "figure.hpp"
+#include "place_arguments.hpp"
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/line/follow_line.hpp"
 
@@ -20,9 +21,8 @@ struct LineValues {
 struct RublineArguments : StudyArguments {
   std::string along = {};                 ///< speed_hz, whirl_ratio, eccentricity_m or a key of --set
   std::optional<LineValues> values = {};  ///< empty: the axis of the configuration's sweep
-  std::optional<double> speed_hz = {};    ///< where the line lies
-  std::optional<scene::Unbalance> unbalance = {};
-  std::vector<line::Pass> passes = {};  ///< at least one, in the order kick, up, down
+  PlaceArguments place = {};              ///< where the line lies
+  std::vector<line::Pass> passes = {};    ///< at least one, in the order kick, up, down
   std::optional<Figure> figure = {}, cascade_figure = {};
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;

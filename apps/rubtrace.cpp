@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "exit_code.hpp"
@@ -66,7 +67,8 @@ void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::s
 
 trace::Probes probes_of(const RubtraceArguments& arguments, const scene::PreparedMachine& prepared,
                         long revolutions) {
-  const double readings = static_cast<double>(revolutions) / (arguments.speed_hz * arguments.sample_s);
+  const double readings =
+      static_cast<double>(revolutions) / (arguments.place.speed_hz.value() * arguments.sample_s);
   if (readings > identify::most_samples) {
     throw UsageError(
         fmt::format("--sample-s: allowed: long enough for {} samples or fewer", identify::most_samples));
@@ -104,9 +106,11 @@ std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probe
 }
 
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
-  config.study.grid = sweep::grid_of({arguments.speed_hz, arguments.unbalance});
+  const scene::Place place{arguments.place.speed_hz.value(),
+                           unbalance_of(arguments.place, config.study.machine)};
+  config.study.grid = sweep::grid_of(place);
   const sweep::Study& study = config.study;
-  trace::TraceOptions options{.speed_hz = arguments.speed_hz,
+  trace::TraceOptions options{.speed_hz = place.speed_hz,
                               .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
                               .samples_per_revolution = study.response.samples_per_revolution,
                               .window_revolutions = study.response.window_revolutions,
@@ -126,7 +130,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 
   // A second run of the cell: the first one, which classifies, ends where the motion is proven and asks the
   // solver for other samples, so that its steps are not those of a trace of all revolutions.
-  const scene::Cell cell = scene::build_cell(prepared, arguments.speed_hz, arguments.unbalance);
+  const scene::Cell cell = scene::build_cell(prepared, place.speed_hz, place.unbalance);
   trace::Trace trace;
   if (scene::can_run(cell.start)) {
     trace = trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,
@@ -135,10 +139,10 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
     files["trajectory.csv"] = report::trajectory_csv(trace);
     files["section.csv"] = report::section_csv(trace);
     files["events.csv"] = report::events_csv(trace);
-    files["spectrum.csv"] = report::spectrum_csv(window.spectrum, arguments.speed_hz);
+    files["spectrum.csv"] = report::spectrum_csv(window.spectrum, place.speed_hz);
     summary += report::trace_summary(trace, window, cell.scene.length_scale_m);
     if (options.probes)
-      summary += look_by_probes(trace, *options.probes, arguments.speed_hz, study, workspace, files);
+      summary += look_by_probes(trace, *options.probes, place.speed_hz, study, workspace, files);
   }
   write_result_files(files, file_names, directory);
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
@@ -153,9 +157,13 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   return some_cells_failed;
 }
 
-int perform(const RubtraceArguments& arguments) {
+int perform(RubtraceArguments arguments) {
   if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  if (auto& ramp = arguments.run_up) {
+    const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);
+    ramp->eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
+  }
   if (arguments.free_response || arguments.run_up || arguments.campbell) {
     return run_experiment(arguments, config, directory_of(arguments, config));
   }

@@ -15,20 +15,18 @@ namespace {
 
 po::options_description visible_options() {
   po::options_description options("Options");
-  options.add_options()("speed-hz", po::value<double>()->value_name("S"), "shaft speed")(
-      "whirl-ratio", po::value<double>()->value_name("U"),
-      "unbalance, said by the quiet motion: its largest excursion / remaining clearance at the first stop")(
-      "eccentricity-m", po::value<double>()->value_name("E"),
-      "unbalance, said by the eccentricity of the disc")(
+  add_place(options);
+  options.add_options()(
       "revolutions", po::value<long>()->value_name("N"),
       "revolutions to run from the start of the kick, never fewer; default: response.max_revolutions")(
       "last-revolutions", po::value<long>()->value_name("M"),
       "only the last M revolutions go into trajectory.csv; default: all")(
       "free-response",
       "instead: response to the kick at standstill without stops, and the frequency and damping fitted to "
-      "it")(
-      "run-up", po::value<std::string>()->value_name("FROM:TO:RATE"),
-      "instead: speed ramp without stops in Hz:Hz:Hz/s with --eccentricity-m; Bode plot and critical speed")(
+      "it")("run-up", po::value<std::string>()->value_name("FROM:TO:RATE"),
+            "instead: speed ramp without stops in Hz:Hz:Hz/s with --eccentricity-m or --unbalance-g-mm; Bode "
+            "plot and "
+            "critical speed")(
       "with-stops",
       "of --run-up: through rub; envelope, orbits and spectrogram of orders, and where it rubs beside where "
       "it does "
@@ -41,25 +39,19 @@ po::options_description visible_options() {
       "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
       "they show")("noise-m", po::value<double>()->value_name("S")->default_value(0),
                    "standard deviation of the sensors' noise; likewise");
-  add_figure(options, "draw a trace or a Campbell diagram as FILE.png or FILE.svg");
+  add_figure(options, "draw a trace, a Campbell diagram or a run-up with stops as FILE.png or FILE.svg");
   add_output(options, "write there instead of output.directory + _trace");
   add_set(options);
   add_last(options);
   return options;
 }
 
-/// A number of the command line that must satisfy `allowed`, said in words as `range`.
-template <class Number, class Allowed>
-std::optional<Number> read(const po::variables_map& given, const char* name, const char* range,
-                           Allowed allowed) {
+std::optional<long> count_of(const po::variables_map& given, const char* name) {
   if (given.count(name) == 0) return std::nullopt;
-  const Number value = given[name].as<Number>();
-  if (!allowed(value)) throw UsageError(fmt::format("--{}: allowed: {}", name, range));
+  const long value = given[name].as<long>();
+  if (value < 1) throw UsageError(fmt::format("--{}: allowed: a number >= 1", name));
   return value;
 }
-
-bool not_negative(double value) { return std::isfinite(value) && value >= 0; }
-bool at_least_one(long value) { return value >= 1; }
 
 /// The finite numbers between the colons of a text; empty where one is none.
 std::optional<std::vector<double>> numbers_between_colons(const std::string& text) {
@@ -114,8 +106,6 @@ CampbellSpeeds campbell_speeds_of(const std::string& text) {
                   text, most));
 }
 
-bool positive(double value) { return not_negative(value) && value > 0; }
-
 /// The experiments without contact; false when a trace is wanted.
 bool read_experiment(const po::variables_map& given, RubtraceArguments& arguments) {
   arguments.free_response = given.count("free-response") != 0;
@@ -131,9 +121,9 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
           arguments.campbell.has_value() >
       1)
     throw UsageError("--free-response, --run-up and --campbell exclude each other");
-  arguments.duration_s = read<double>(given, "duration-s", "a number > 0", positive).value();
-  arguments.sample_s = read<double>(given, "sample-s", "a number > 0", positive).value();
-  arguments.noise_m = read<double>(given, "noise-m", "a number >= 0", not_negative).value();
+  arguments.duration_s = positive_number(given, "duration-s").value();
+  arguments.sample_s = positive_number(given, "sample-s").value();
+  arguments.noise_m = not_negative_number(given, "noise-m").value();
   if (!sampled) {
     if (!given["duration-s"].defaulted()) throw UsageError("--duration-s belongs to --free-response");
     const bool probes = !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
@@ -143,20 +133,21 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
     arguments.probes = probes;
     if (!arguments.campbell && !arguments.run_up) return false;
   }
-  for (const char* name : {"speed-hz", "whirl-ratio", "revolutions", "last-revolutions"}) {
+  for (const char* name : {"speed-hz", "speed-rpm", "whirl-ratio", "revolutions", "last-revolutions"}) {
     if (given.count(name) != 0)
       throw UsageError(fmt::format("--{} belongs to a trace, not to an experiment", name));
   }
   if (arguments.campbell) {
-    if (given.count("eccentricity-m") != 0)
-      throw UsageError("--eccentricity-m belongs to a trace or a run-up, not to --campbell");
+    for (const char* name : {"eccentricity-m", "unbalance-g-mm"}) {
+      if (given.count(name) != 0)
+        throw UsageError(fmt::format("--{} belongs to a trace or a run-up, not to --campbell", name));
+    }
     return true;
   }
   double duration_s = arguments.duration_s;
   if (auto& ramp = arguments.run_up) {
-    const auto eccentricity_m = read<double>(given, "eccentricity-m", "a number >= 0", not_negative);
-    if (!eccentricity_m) throw UsageError("the unbalance of the run-up is needed: --eccentricity-m E");
-    ramp->eccentricity_m = *eccentricity_m;
+    if (!arguments.place.has_unbalance())
+      throw UsageError("the unbalance of the run-up is needed: --eccentricity-m E or --unbalance-g-mm G");
     if (arguments.with_stops) return true;
     duration_s = (ramp->to_hz - ramp->from_hz) / ramp->rate_hz_per_s;
   }
@@ -167,16 +158,6 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   return true;
 }
 
-scene::Unbalance unbalance_of(const po::variables_map& given) {
-  const auto ratio = read<double>(given, "whirl-ratio", "a number >= 0", not_negative);
-  const auto eccentricity_m = read<double>(given, "eccentricity-m", "a number >= 0", not_negative);
-  if (ratio.has_value() == eccentricity_m.has_value()) {
-    throw UsageError("the unbalance is needed, one way: --whirl-ratio U or --eccentricity-m E");
-  }
-  if (ratio) return scene::WhirlRatio{*ratio};
-  return scene::Eccentricity{*eccentricity_m};
-}
-
 }  // namespace
 
 RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
@@ -184,23 +165,25 @@ RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
   RubtraceArguments arguments{study_arguments(given, "rubtrace")};
   if (arguments.action != Action::run) return arguments;
   arguments.figure = figure_of(given);
+  arguments.place = read_place(given);
   if (read_experiment(given, arguments)) return arguments;
-  const auto speed_hz = read<double>(given, "speed-hz", "a number > 0", positive);
-  if (!speed_hz) throw UsageError("the shaft speed is needed: --speed-hz S");
-  arguments.speed_hz = *speed_hz;
-  arguments.unbalance = unbalance_of(given);
-  arguments.revolutions = read<long>(given, "revolutions", "a number >= 1", at_least_one);
-  arguments.last_revolutions = read<long>(given, "last-revolutions", "a number >= 1", at_least_one);
+  if (!arguments.place.speed_hz) throw UsageError("the shaft speed is needed: --speed-hz S or --speed-rpm N");
+  if (!arguments.place.has_unbalance())
+    throw UsageError(fmt::format("the unbalance is needed, one way: {}", unbalance_options));
+  arguments.revolutions = count_of(given, "revolutions");
+  arguments.last_revolutions = count_of(given, "last-revolutions");
   return arguments;
 }
 
 std::string rubtrace_help() {
   return fmt::format(
-      "rubtrace CONFIG.yaml --speed-hz S (--whirl-ratio U | --eccentricity-m E) [options]\n"
+      "rubtrace CONFIG.yaml (--speed-hz S | --speed-rpm N) (--whirl-ratio U | --eccentricity-m E | "
+      "--unbalance-g-mm G) [options]\n"
       "One cell of a map under the lens: the motion from the start of the kick, all its revolutions.\n\n"
       "{}\n"
       "Examples:\n"
       "  rubtrace configs/figure06_one_side.yaml --speed-hz 75 --whirl-ratio 0.3\n"
+      "  rubtrace configs/minimal.yaml --speed-rpm 3240 --unbalance-g-mm 240 --output /tmp/trace\n"
       "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
       "/tmp/trace\n"
       "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --figure /tmp/trace.png\n"

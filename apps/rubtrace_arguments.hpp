@@ -5,8 +5,8 @@
 
 #include "action.hpp"
 #include "figure.hpp"
+#include "place_arguments.hpp"
 #include "rubsweep/ramp/speed_ramp.hpp"
-#include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::apps {
 
@@ -17,8 +17,7 @@ struct CampbellSpeeds {
 };
 
 struct RubtraceArguments : StudyArguments {
-  double speed_hz = 0;                          ///< of a trace
-  scene::Unbalance unbalance = {};              ///< of a trace
+  PlaceArguments place = {};                    ///< of a trace; of a run-up its unbalance
   bool free_response = false;                   ///< an experiment without contact instead of a trace
   std::optional<ramp::SpeedRamp> run_up = {};   ///< another one
   bool with_stops = false;                      ///< of the run-up
@@ -27,7 +26,7 @@ struct RubtraceArguments : StudyArguments {
   double sample_s = 1e-3;                       ///< of the sensors
   double noise_m = 0;
   bool probes = false;                ///< the sensors look at a trace, too
-  std::optional<Figure> figure = {};  ///< drawn of a trace or a Campbell diagram
+  std::optional<Figure> figure = {};  ///< drawn of a trace, a Campbell diagram or a run-up with stops
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};
 };

@@ -44,7 +44,9 @@ std::string word(const std::string& text) {
   return quoted + "'";
 }
 
-std::string rubtrace_command(const std::filesystem::path& directory, const scene::Place& place) {
+std::string rubtrace_command(const std::filesystem::path& directory, const sweep::Grid& grid,
+                             std::size_t cell) {
+  const scene::Place place = sweep::place_of(grid, cell);
   const std::string unbalance = std::visit(
       overloaded{[](const scene::WhirlRatio& ratio) {
                    return fmt::format("--whirl-ratio {}", batch::csv_number(ratio.value));
@@ -53,8 +55,11 @@ std::string rubtrace_command(const std::filesystem::path& directory, const scene
                    return fmt::format("--eccentricity-m {}", batch::csv_number(eccentricity.value_m));
                  }},
       place.unbalance);
-  return fmt::format("rubtrace {} --speed-hz {} {} --figure cell.png", word(directory / "config.yaml"),
-                     batch::csv_number(place.speed_hz), unbalance);
+  std::string keys;
+  for (const sweep::KeyValue& held : sweep::key_values(grid, cell))
+    keys += fmt::format(" --set {}={}", held.key, batch::csv_number(held.value));
+  return fmt::format("rubtrace {} --speed-hz {} {}{} --figure cell.png", word(directory / "config.yaml"),
+                     batch::csv_number(place.speed_hz), unbalance, keys);
 }
 
 }  // namespace
@@ -74,8 +79,7 @@ TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid&
   if (view.map.empty()) return view;
   if (const auto cell = map.typical_rub()) {
     view.next +=
-        fmt::format("next: {}  # {}\n", rubtrace_command(path.parent_path(), sweep::place_of(grid, *cell)),
-                    map.name(*cell));
+        fmt::format("next: {}  # {}\n", rubtrace_command(path.parent_path(), grid, *cell), map.name(*cell));
   }
   if (!has_report) view.next += fmt::format("next: rubreport {}\n", word(path.parent_path()));
   return view;

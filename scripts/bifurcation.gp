@@ -1,6 +1,6 @@
 # Draws the bifurcation diagram that analysis/line_layout.py lays out.
 # gnuplot -c bifurcation.gp WORK OUTPUT_BASENAME HEADING PRESENT PASSES LABEL CLEARANCE_MM DIRECTION
-# WORK holds section and peaks; PRESENT: the kinds in them, a blank around each.
+# WORK holds section and peaks; CLEARANCE_MM is nan where it changes along the line; PRESENT: the kinds in them, a blank around each.
 
 work = ARG1
 output = ARG2
@@ -53,8 +53,10 @@ do for [format in "png svg"] {
   set yrange [*:*]
   set offsets 0, 0, graph 0.04, graph 0.04
   set key at screen 0.765, graph 1 left top Left reverse samplen 1 spacing 1.3
-  set arrow 1 from graph 0, first clearance to graph 1, first clearance nohead dashtype 2 linewidth 1.5 linecolor rgb "black"
-  set label 2 "clearance at rest" at graph 0.01, first clearance left offset 0, 0.5 font ",16"
+  if (ARG7 ne "nan") {
+    set arrow 1 from graph 0, first clearance to graph 1, first clearance nohead dashtype 2 linewidth 1.5 linecolor rgb "black"
+    set label 2 "clearance at rest" at graph 0.01, first clearance left offset 0, 0.5 font ",16"
+  }
   at(k) = int(word(shown, k))
   plot for [k = 1:words(shown)] for [p = 1:3] file("section") \
       using (strcol(4) eq kind[at(k)] && $3 == p - 1 ? $1 : NaN):2 with points pointtype mark[p] pointsize size_of[p] \

@@ -25,7 +25,7 @@ def lay_out(directory, work):
     critical = _numbers(files["critical_speeds.csv"], "mode", "speed_hz")
     shapes = _numbers(files["mode_shapes.csv"], "mode", "frequency_hz", "position_m", "x_real", "y_real", "x_imag", "y_imag")
     _write(work, "curves", curve_lines(curves))
-    _write(work, "critical", ("%.17g %d" % (row["speed_hz"], WHIRLS.index(row["whirl"])) for row in critical))
+    _write(work, "critical", ("%.17g" % row["speed_hz"] for row in critical))
     fastest = max((row["speed_hz"] for row in curves), default=0)
     # As high as shows where the modes meet the shaft speed, and the slowest mode in any case.
     top = max(1.5 * fastest, 1.3 * min((row["frequency_hz"] for row in curves), default=0))

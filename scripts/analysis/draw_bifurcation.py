@@ -26,8 +26,8 @@ def main(arguments):
             line.kinds,
             " ".join(line.passes),
             line.label,
-            "%.17g" % (1e3 * line.clearance_m()),
-            "towards the wall" if line.towards_wall() != (0.0, 1.0) or line.config["stops.0.kind"] == "one_side" else "y",
+            line.clearance_mm(),
+            "towards the wall" if line.has_fixed_wall() else "y",
         )
 
 

@@ -64,12 +64,19 @@ class Line:
             raise Failure(f"{self.files['line.csv']}: no row of pass {row['pass']} at {row['value']}")
         return self._kinds[row["pass"], row["value"]]
 
-    def clearance_m(self):
-        return configuration.number(self.config["stops.0.clearance_m"])
+    def clearance_mm(self):
+        """As a text; "nan" where it changes along the line."""
+        if self.along == "stops.0.clearance_m":
+            return "nan"
+        return "%.17g" % (1e3 * configuration.number(self.config["stops.0.clearance_m"]))
+
+    def has_fixed_wall(self):
+        """Whether the first stop is flat and its direction the same along the line."""
+        return self.config.get("stops.0.kind") == "one_side" and self.along != "stops.0.angle_deg"
 
     def towards_wall(self):
         """Unit vector along which the section is drawn: towards a flat first stop, else up."""
-        if self.config.get("stops.0.kind") != "one_side":
+        if not self.has_fixed_wall():
             return 0.0, 1.0
         angle = configuration.number(self.config["stops.0.angle_deg"]) * math.pi / 180
         return math.cos(angle), math.sin(angle)
@@ -84,12 +91,12 @@ def section_lines(line):
 
 
 def peak_lines(line):
-    """Value, largest displacement in mm, number of the pass, kind; a block for each pass."""
+    """Value, largest displacement in mm, number of the pass; a block for each pass."""
     for name in line.passes:
         for row in line.cells:
             peak = csv_table.number(row, "peak_displacement_m")
             if row["pass"] == name and peak is not None:
-                yield f"{_digits(row, 'value')} {1e3 * peak:.17g} {PASSES.index(name)} {line.kind(row)}"
+                yield f"{_digits(row, 'value')} {1e3 * peak:.17g} {PASSES.index(name)}"
         yield ""
 
 

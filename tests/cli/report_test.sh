@@ -48,6 +48,8 @@ sed -n '/^const kinds/,/^];/p' "$top/lib/rubsweep/page/template/palette.js" | gr
 (($(wc -l <page_colours) == 18)) || fail 'not every kind has a colour'
 grep -vxF -f page_colours figure_colours >other_colours || true
 expect_empty other_colours
+diff <(grep -oE '0x[0-9A-F]{6}' "$top/lib/rubsweep/report/terminal_map.cpp" | sed 's/0x/#/' | sort -u) \
+  <(sort -u figure_colours) >&2 || fail 'other colours on a terminal'
 
 # Fewer motions than cells: the index says so.
 report_exit 0 map --orbits 2 --output few.html --quiet

@@ -36,6 +36,8 @@ folds() { cells "$1/events.csv" kind parameter | awk -F, '$1 == "fold" { printf 
 expect_same <(folds first) <(folds second)
 
 # Along the unbalance, with the orbit of twice the period, and along any number of the configuration.
+expect_exit 0 "$figure06" --cell 4500rpm,0.4 --output minutes
+expect_same minutes/branch.csv first/branch.csv
 expect_exit 0 "$figure06" --cell 75,0.3 --along whirl_ratio --switch --output doubled
 expect_matches stdout '^branch 1  order 4, whirl_ratio .* ends period_halving and left_range$'
 expect_exit 0 "$figure06" --cell 75,0.4 --along stops.0.casing.mass_kg --from 0.04 --to 0.06 --output casing

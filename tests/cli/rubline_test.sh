@@ -5,7 +5,7 @@ sweep=$4
 files=(bifurcation.csv cascade.csv config.yaml line.csv)
 
 # Command line.
-expect_help along from to count speed-hz whirl-ratio eccentricity-m kick up down figure cascade-figure threads progress
+expect_help along from to count speed-hz speed-rpm whirl-ratio eccentricity-m unbalance-g-mm kick up down figure cascade-figure threads progress
 along=("$minimal" --along speed_hz)
 expect_usage_error 'a configuration file is needed' --along speed_hz
 expect_usage_error 'what changes along the line is needed: --along KEY' "$minimal"
@@ -13,9 +13,11 @@ expect_usage_error '--from and --to belong together' "${along[@]}" --from 50
 expect_usage_error '--count belongs to --from and --to' "${along[@]}" --count 5
 expect_usage_error '--to: allowed: a number > --from' "${along[@]}" --from 50 --to 50
 expect_usage_error '--count: allowed: a number from 2 to 10000' "${along[@]}" --from 50 --to 60 --count 1
-expect_usage_error '--speed-hz: the line runs along the speed' "${along[@]}" --speed-hz 50
+expect_usage_error '--speed-hz, --speed-rpm: the line runs along the speed' "${along[@]}" --speed-hz 50
+expect_usage_error '--speed-hz and --speed-rpm exclude each other' "$minimal" --along whirl_ratio --speed-hz 90 --speed-rpm 5400
+expect_usage_error '--along speed_rpm: a line runs along SI units, allowed: --along speed_hz' "$minimal" --along speed_rpm
 expect_usage_error '--whirl-ratio and --eccentricity-m exclude each other' "${along[@]}" --whirl-ratio 0.1 --eccentricity-m 0.1
-expect_usage_error '--whirl-ratio, --eccentricity-m: the line runs along the unbalance' "$minimal" --along whirl_ratio --whirl-ratio 0.1
+expect_usage_error '--whirl-ratio, --eccentricity-m, --unbalance-g-mm: the line runs along the unbalance' "$minimal" --along whirl_ratio --whirl-ratio 0.1
 expect_usage_error 'the sweep has 4 values for it: the place of the line is needed' "${along[@]}"
 expect_usage_error 'the sweep has 6 values for it: the place of the line is needed, --speed-hz S' "$minimal" --along whirl_ratio
 expect_usage_error 'the values of eccentricity_m are needed: --from A --to B' "$minimal" --along eccentricity_m --speed-hz 60
@@ -63,6 +65,39 @@ expect_contains mu/line.csv '# along stops.0.friction.stribeck.3'
 one_cell 90 0.6
 rubsweep=$sweep expect_exit 0 "$minimal" "${cell[@]}" --set stops.0.friction.stribeck.3=0.2 --output mu_map --quiet
 [[ $(rows mu_map/map.csv) == "$(grep '^kick,0.2,' mu/line.csv | cut -d, -f3-)" ]] || fail 'another row than that of the changed machine'
+
+# The place in other units: 5400 revolutions per minute are 90 per second, 240 g mm on 0.8 kg 0.3 mm.
+mu=(--along stops.0.friction.stribeck.3 --from 0 --to 0.2 --count 3 --quiet)
+expect_exit 0 "$minimal" "${mu[@]}" --speed-hz 90 --eccentricity-m 3e-4 --output si
+expect_exit 0 "$minimal" "${mu[@]}" --speed-rpm 5400 --unbalance-g-mm 240 --output others
+expect_same others/line.csv si/line.csv
+
+# Axes over keys: what the line does not run along must be said, an axis that it runs along gives its values.
+cat >axes.yaml <<END
+base: $minimal
+sweep:
+  speed_hz: 90
+  whirl_ratio: 0.6
+  x: {key: kick.force_n, values: [100, 200, 400]}
+  y: {keys: [stops.0.casing.mass_kg, rotor.damping_ratio], factors: [1, 0.4], values: [0.04, 0.06]}
+END
+expect_exit 2 axes.yaml --along speed_hz
+[[ $(cat stderr) == "axes.yaml:5:6: sweep.x: kick.force_n has 3 values, and the line runs along speed_hz, allowed: --set \
+kick.force_n=VALUE, --set sweep.x.values=[VALUE], or --along kick.force_n
+axes.yaml:6:6: sweep.y: stops.0.casing.mass_kg has 2 values, and the line runs along speed_hz, allowed: --set \
+stops.0.casing.mass_kg=VALUE, --set sweep.y.values=[VALUE], or --along stops.0.casing.mass_kg" ]] || fail 'another refusal'
+expect_exit 2 axes.yaml --along kick.force_n
+expect_contains stderr 'axes.yaml:6:6: sweep.y: stops.0.casing.mass_kg has 2 values'
+expect_exit 0 axes.yaml --along kick.force_n --set sweep.y.values=[0.06] --output along_x --quiet
+rubsweep=$sweep expect_exit 0 axes.yaml --output axes_map --quiet
+[[ $(grep '^kick,' along_x/line.csv | cut -d, -f2-) == "$(rows axes_map/map.csv | tail -n 3 | awk -F, -v OFS=, '{v = $27; NF = 26; print v, $0}')" ]] ||
+  fail 'the rows along x are not those of the map'
+# Along either of two tied keys both change; an axis whose keys are set is left to them.
+expect_exit 0 axes.yaml --along rotor.damping_ratio --set kick.force_n=400 --output along_y --quiet
+[[ $(grep '^kick,' along_y/line.csv | cut -d, -f2-) == "$(rows axes_map/map.csv | sed -n '3p;6p' | awk -F, -v OFS=, '{v = $29; NF = 26; print v, $0}')" ]] ||
+  fail 'the rows along y are not those of the map'
+expect_exit 0 axes.yaml --along speed_hz --set kick.force_n=400 --set sweep.y.values=[0.06] --output held --quiet
+[[ $(grep '^kick,' held/line.csv | cut -d, -f3-) == "$(rows axes_map/map.csv | tail -n 1 | cut -d, -f1-26)" ]] || fail 'other keys are held'
 
 # A cell that fails is a row.
 expect_exit 4 "$minimal" --along speed_hz --from 29 --to 31 --count 3 --whirl-ratio 0.2 --set rotor.damping_ratio=0 --up --output failed

@@ -12,11 +12,15 @@ expect_header() {
 }
 
 # Command line.
-expect_help speed-hz whirl-ratio eccentricity-m revolutions last-revolutions free-response run-up with-stops campbell figure duration-s sample-s noise-m
+expect_help speed-hz speed-rpm whirl-ratio eccentricity-m unbalance-g-mm revolutions last-revolutions free-response run-up with-stops campbell figure duration-s sample-s noise-m
 expect_usage_error 'a configuration file is needed' "${rub[@]}"
 expect_usage_error 'the shaft speed is needed' "$minimal" --whirl-ratio 0.6
 expect_usage_error 'the unbalance is needed, one way' "$minimal" --speed-hz 90
-expect_usage_error 'the unbalance is needed, one way' "$minimal" "${rub[@]}" --eccentricity-m 1e-4
+expect_usage_error '--whirl-ratio and --eccentricity-m exclude each other' "$minimal" "${rub[@]}" --eccentricity-m 1e-4
+expect_usage_error '--eccentricity-m and --unbalance-g-mm exclude each other' "$minimal" --speed-hz 90 --eccentricity-m 1e-4 --unbalance-g-mm 80
+expect_usage_error '--speed-hz and --speed-rpm exclude each other' "$minimal" "${rub[@]}" --speed-rpm 5400
+expect_usage_error 'the unbalance of the run-up is needed' "$minimal" --run-up 20:40:10
+expect_usage_error '--speed-rpm: allowed: a number > 0' "$minimal" --speed-rpm 0 --whirl-ratio 0.6
 expect_usage_error '--speed-hz: allowed: a number > 0' "$minimal" --speed-hz 0 --whirl-ratio 0.6
 expect_usage_error '--speed-hz: allowed: a number > 0' "$minimal" --speed-hz inf --whirl-ratio 0.6
 expect_usage_error '--whirl-ratio: allowed: a number >= 0' "$minimal" --speed-hz 90 --whirl-ratio -0.1
@@ -70,6 +74,16 @@ expect_contains stdout 'files     results/minimal_trace: config.yaml events.csv 
 rubtrace=$rubsweep rubsweep=$sweep
 expect_exit 0 trace/config.yaml --output map
 expect_same map/map.csv trace/motion.csv
+
+# The same cell in other units: 5400 revolutions per minute, 240 g mm on 0.8 kg, also of a run-up.
+rubsweep=$rubtrace
+expect_exit 0 "$minimal" --speed-hz 90 --eccentricity-m 3e-4 --output si --quiet
+expect_exit 0 "$minimal" --speed-rpm 5400 --unbalance-g-mm 240 --output others --quiet
+for file in "${files[@]}"; do expect_same "others/$file" "si/$file"; done
+expect_exit 0 "$minimal" --run-up 20:40:10 --eccentricity-m 3e-4 --output run_up_si --quiet
+expect_exit 0 "$minimal" --run-up 20:40:10 --unbalance-g-mm 240 --output run_up_others --quiet
+expect_same run_up_others/bode.csv run_up_si/bode.csv
+rubsweep=$sweep
 expect_exit 0 "$minimal" --output map --fresh
 rows trace/motion.csv >row
 grep -qxF -f row map/map.csv || fail 'the map has another row for this cell'

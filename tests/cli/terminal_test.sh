@@ -10,6 +10,18 @@ at_terminal() {
   script -qec "$1" /dev/null >stdout </dev/null || fail "$1: exit code $?"
 }
 
+# trace_as_said MOTION: the command that the screen in the file stdout offers shows it.
+trace_as_said() {
+  local next
+  next=$(tr -d '\r' <stdout | sed -n 's/^next: \(rubtrace .*\) --figure cell.png  # \(.*\)$/\1/p')
+  [[ -n $next ]] || fail 'no next command'
+  (
+    PATH=$(dirname "$rubsweep"):$PATH
+    eval "$next --output trace" >trace_stdout 2>stderr || fail "$next: exit code $?"
+  )
+  expect_contains trace_stdout "motion    $1"
+}
+
 run=$(printf '%q ' "$rubsweep" "$minimal" "${cell[@]}" --fresh)
 at_terminal "$run"
 expect_contains stdout '1/1 cells in '
@@ -36,13 +48,11 @@ tr -d '\r' <stdout >screen
 expect_contains screen '  2 subharmonic 1/2'
 expect_matches screen '^ +5 +20\.8 %  subharmonic 1/2$'
 expect_contains screen "next: rubreport 'a map'"
-next=$(sed -n 's/^next: \(rubtrace .*\) --figure cell.png  # \(.*\)$/\1/p' screen)
-[[ -n $next ]] || fail 'no next command'
-(
-  PATH=$(dirname "$rubsweep"):$PATH
-  eval "$next --output trace" >stdout 2>stderr || fail "$next: exit code $?"
-)
-expect_contains stdout 'motion    subharmonic 1/2'
+trace_as_said 'subharmonic 1/2'
+# It names the keys of axes, too, without which there would be no rub here.
+sed -e 's/force_n: 200/force_n: 10/' -e '/^sweep:/a\  x: {key: kick.force_n, values: [200]}' "$minimal" >keys.yaml
+at_terminal "$(printf '%q ' "$rubsweep" keys.yaml --output keys)"
+trace_as_said 'subharmonic 1/2'
 export COLORTERM=truecolor
 at_terminal "$(printf '%q ' "$rubsweep" "$minimal" --output 'a map')"
 expect_contains stdout $'\x1b[48;2;204;102;119m'

@@ -76,6 +76,11 @@ TEST(Wall, ShareOfTheWayEndsOnIt) {
   EXPECT_NEAR(first_direction(flat).dot(to_flat * way), 0.5, 1e-15);
   EXPECT_NEAR((to_hole * way + offset(hole)).norm(), 0.6, 1e-15);
   EXPECT_GT(to_hole, 0);
+  // The outline is the same place in another way.
+  EXPECT_FALSE(outline(flat).around);
+  EXPECT_NEAR(outline(flat).normal.dot(to_flat * way), 0.5, 1e-15);
+  EXPECT_TRUE(outline(hole).around);
+  EXPECT_NEAR((to_hole * way - outline(hole).centre).norm(), 0.6, 1e-15);
   EXPECT_TRUE(std::isinf(share_of_way_to(flat, 0.5, -way)));
   EXPECT_TRUE(std::isinf(share_of_way_to(hole, 0.6, {0, 0})));
 }

@@ -24,7 +24,7 @@ class Directory(FileTest):
                          ["50 2 1 subharmonic_2", "50 -3 1 subharmonic_2"])
 
     def test_peaks_of_cells_that_have_one(self):
-        self.assertEqual(list(line_layout.peak_lines(self.line())), ["50 4 1 subharmonic_2", ""])
+        self.assertEqual(list(line_layout.peak_lines(self.line())), ["50 4 1", ""])
 
     def test_kinds_passes_and_label(self):
         line = self.line()

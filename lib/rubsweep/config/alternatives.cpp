@@ -16,19 +16,26 @@ constexpr std::array<std::string_view, 5> curve{"static", "kinetic", "peak_speed
 constexpr std::array<std::string_view, 1> stiffness{"stiffness_n_per_m"}, hertz{"hertz"};
 constexpr std::array<std::string_view, 1> nominal{"restitution"}, delivered{"restitution_delivered"},
     damping{"damping_ns_per_m"};
-constexpr std::array<std::string_view, 1> ratio{"whirl_ratio"}, eccentricity{"eccentricity_m"};
+constexpr std::array<std::string_view, 1> speed_hz{"speed_hz"}, speed_rpm{"speed_rpm"};
+constexpr std::array<std::string_view, 1> ratio{"whirl_ratio"}, eccentricity{"eccentricity_m"},
+    unbalance{"unbalance_g_mm"};
+constexpr std::array<std::string_view, 3> grade{"balance_grade_mm_per_s", "rated_speed_hz",
+                                                "rated_speed_rpm"};
+constexpr std::array<std::string_view, 1> rated_hz{"rated_speed_hz"}, rated_rpm{"rated_speed_rpm"};
 constexpr std::array<std::string_view, 1> modal_stiffness{"modal_stiffness_n_per_m"},
     frequency_hz{"natural_frequency_hz"}, frequency_rad_per_s{"natural_frequency_rad_per_s"};
 constexpr std::array<std::string_view, 1> values{"values"}, one_key{"key"};
 constexpr std::array<std::string_view, 2> tied_keys{"keys", "factors"};
 constexpr std::array<std::string_view, 4> spaced{"from", "to", "count", "scale"};
 
-/// Ways to say the same, each by the keys that belong to it; at most three, the empty ones are no way.
-constexpr std::array<std::array<Keys, 3>, 7> alternatives{{
+/// Ways to say the same, each by the keys that belong to it; at most four, the empty ones are no way.
+constexpr std::array<std::array<Keys, 4>, 9> alternatives{{
     {stribeck, curve, coefficient},
     {stiffness, hertz},
     {nominal, delivered, damping},
-    {ratio, eccentricity},
+    {speed_hz, speed_rpm},
+    {ratio, eccentricity, unbalance, grade},
+    {rated_hz, rated_rpm},
     {modal_stiffness, frequency_hz, frequency_rad_per_s},
     {values, spaced},
     {one_key, tied_keys},

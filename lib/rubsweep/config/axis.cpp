@@ -11,7 +11,7 @@
 namespace rubsweep::config {
 namespace {
 
-std::vector<double> read_values(const Value& value, const model::Range& range) {
+std::vector<double> read_values(const Value& value, const model::Range& range, double units_per_si) {
   std::vector<double> values;
   const auto items = read_list(value, static_cast<std::size_t>(max_axis_values));
   if (!items) return values;
@@ -19,10 +19,10 @@ std::vector<double> read_values(const Value& value, const model::Range& range) {
   for (const Value& item : *items) {
     const auto number = read_number(item, range);
     if (!number) continue;
-    if (!seen.insert(*number).second) {
+    if (!seen.insert(*number / units_per_si).second) {
       refuse(item, fmt::format("{} is listed twice", *number), "different values");
     }
-    values.push_back(*number);
+    values.push_back(*number / units_per_si);
   }
   return values;
 }
@@ -36,7 +36,7 @@ bool all_different_and_allowed(const std::vector<double>& values, const model::R
 enum class Scale { linear, log };
 constexpr Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
 
-std::vector<double> read_spaced(Section& section, const model::Range& range) {
+std::vector<double> read_spaced(Section& section, const model::Range& range, double units_per_si) {
   const std::size_t problems = section.problem_count();
   Scale scale = Scale::linear;
   section.field("scale", scale, scales);
@@ -49,7 +49,7 @@ std::vector<double> read_spaced(Section& section, const model::Range& range) {
   if (section.require("count", describe(counts))) section.field("count", count, counts);
   if (section.problem_count() != problems) return {};
   if (!to && count != 1) section.require("to", model::describe(range));
-  if (!to) return std::vector<double>(1, from);
+  if (!to) return std::vector<double>(1, from / units_per_si);
   if (count == 1 && *to != from) {
     section.refuse_together("count", {"count", "to"}, "1 value cannot be both from and to",
                             "a count of 2 or more, or no to");
@@ -59,9 +59,10 @@ std::vector<double> read_spaced(Section& section, const model::Range& range) {
                             "a logarithmic scale has no place for 0 or less", "from and to > 0");
     return {};
   }
+  const double first = from / units_per_si, last = *to / units_per_si;
   std::vector<double> values = scale == Scale::log
-                                   ? batch::logarithmically_spaced(from, *to, static_cast<int>(count))
-                                   : batch::evenly_spaced(from, *to, static_cast<int>(count));
+                                   ? batch::logarithmically_spaced(first, last, static_cast<int>(count))
+                                   : batch::evenly_spaced(first, last, static_cast<int>(count));
   if (!all_different_and_allowed(values, range)) {
     section.refuse_together("count", {"from", "to", "count"},
                             fmt::format("from {} to {} there are no {} different values", from, *to, count),
@@ -72,22 +73,26 @@ std::vector<double> read_spaced(Section& section, const model::Range& range) {
 
 }  // namespace
 
-std::vector<double> read_axis_values(Section& section, const model::Range& range) {
+std::vector<double> read_axis_values(Section& section, const model::Range& range, double units_per_si) {
   std::vector<double> result;
   if (const auto values = section.find("values")) {
     for (const std::string_view name : {"from", "to", "count", "scale"}) {
       if (section.find(name)) section.refuse_together(name, {name}, "given beside values", axis_forms);
     }
-    result = read_values(*values, range);
+    result = read_values(*values, range, units_per_si);
   } else if (section.is_map()) {
-    result = read_spaced(section, range);
+    result = read_spaced(section, range, units_per_si);
   }
   return result;
 }
 
-std::vector<double> read_axis(const Value& value, const model::Range& range) {
+std::vector<double> read_axis(const Value& value, const model::Range& range, double units_per_si) {
+  if (value.node.kind == Node::Kind::scalar) {
+    const auto number = read_number(value, range);
+    return number ? std::vector<double>(1, *number / units_per_si) : std::vector<double>{};
+  }
   Section section(value, axis_forms);
-  std::vector<double> result = read_axis_values(section, range);
+  std::vector<double> result = read_axis_values(section, range, units_per_si);
   section.refuse_unknown_keys();
   return result;
 }

@@ -35,6 +35,9 @@ class Diagnostics {
 
   std::size_t count() const { return problems_.size(); }
 
+  /// `file:line:column`, or `--set key=value`.
+  std::string describe(const Place& place) const;
+
   /// Throws ConfigError when there is a problem: one line for each, by place,
   /// `file:line:column: path: what is wrong, allowed: what is allowed`, or `--set key=value: path: ...`.
   void throw_if_any() const;
@@ -44,8 +47,6 @@ class Diagnostics {
     Place place;
     std::string text;
   };
-
-  std::string describe(const Place& place) const;
 
   std::vector<std::string> files_;
   std::vector<std::string> overrides_;

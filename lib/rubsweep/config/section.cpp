@@ -58,7 +58,12 @@ void Section::require_exactly_one(std::initializer_list<std::string_view> names)
   });
   const std::string_view last = given.back();
   given.pop_back();
-  value_.diagnostics.add(lookup(last)->place, path_of(last), "given beside " + describe(given), allowed);
+  std::string others;
+  for (const std::string_view name : given) {
+    others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", name,
+                          value_.diagnostics.describe(lookup(name)->place));
+  }
+  value_.diagnostics.add(lookup(last)->place, path_of(last), "given beside " + others, allowed);
 }
 
 void Section::field(std::string_view name, double& target, const model::Range& range) {

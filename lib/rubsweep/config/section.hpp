@@ -30,7 +30,8 @@ class Section {
   /// As find, and a missing key is a problem.
   std::optional<Value> require(std::string_view name, std::string_view allowed);
 
-  /// More or less than one of these keys is a problem. Does not make them known.
+  /// More or less than one of these keys is a problem; more of them with the place of each. Does not make
+  /// them known.
   void require_exactly_one(std::initializer_list<std::string_view> names);
 
   /// Reads a number; one whose present value is NaN (model::required) must be given.

@@ -39,7 +39,7 @@ sweep::Study read_study(Section& root) {
   }
   if (const auto value = root.find("kick")) study.machine.kick = read_kick(*value, shaft);
   root.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);
-  if (const auto value = root.require("sweep", "a map")) study.grid = read_sweep(*value);
+  if (const auto value = root.require("sweep", "a map")) study.grid = read_sweep(*value, study.machine);
   if (const auto value = root.find("study")) read_study_kind(*value, study);
   if (const auto value = root.find("solver")) study.solver = read_solver(*value);
   if (const auto value = root.find("response")) read_response(*value, study);

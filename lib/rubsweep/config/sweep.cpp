@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "rubsweep/config/axis.hpp"
 #include "rubsweep/config/key_axis.hpp"
+#include "rubsweep/config/place_axes.hpp"
 #include "rubsweep/config/section.hpp"
 
 namespace rubsweep::config {
@@ -27,21 +27,11 @@ sweep::Refinement read_refinement(const Value& value) {
 
 }  // namespace
 
-sweep::Grid read_sweep(const Value& value) {
+sweep::Grid read_sweep(const Value& value, const model::Machine& machine) {
   Section section(value);
   sweep::Grid grid;
-  if (const auto speed = section.require("speed_hz", axis_forms)) {
-    grid.speed_hz = read_axis(*speed, model::positive);
-  }
-  section.require_exactly_one({"whirl_ratio", "eccentricity_m"});
-  if (const auto ratio = section.find("whirl_ratio")) {
-    grid.measure = sweep::UnbalanceMeasure::whirl_ratio;
-    grid.unbalance = read_axis(*ratio, model::not_negative);
-  }
-  if (const auto eccentricity = section.find("eccentricity_m")) {
-    grid.measure = sweep::UnbalanceMeasure::eccentricity_m;
-    grid.unbalance = read_axis(*eccentricity, model::not_negative);
-  }
+  grid.speed_hz = read_speeds(section);
+  read_unbalance(section, machine, grid);
   grid.axes = read_key_axes(section);
   if (const auto refine = section.find("refine")) grid.refinement = read_refinement(*refine);
   section.refuse_unknown_keys();

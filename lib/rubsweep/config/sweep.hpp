@@ -9,11 +9,12 @@ namespace rubsweep::config {
 
 inline constexpr std::size_t max_cells = 4'000'000;
 
-/// `sweep`: speed_hz and one of whirl_ratio, eccentricity_m, each an axis (see axis.hpp), and the axes over
-/// keys (see key_axis.hpp), and `refine`: {levels, probes} (see sweep/refinement.hpp).
-sweep::Grid read_sweep(const Value& value);
+/// `sweep`: speed and unbalance, each an axis (see axis.hpp) in one of several units (see place_axes.hpp)
+/// for a machine that has been read, the axes over keys (see key_axis.hpp), and `refine`: {levels, probes}
+/// (see sweep/refinement.hpp).
+sweep::Grid read_sweep(const Value& value, const model::Machine& machine);
 
-/// The values themselves: how they were given is not kept.
+/// The values themselves, in SI units: how they were given is not kept.
 void print_sweep(Printer& printer, const sweep::Grid& grid);
 
 }  // namespace rubsweep::config

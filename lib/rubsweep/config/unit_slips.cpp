@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "rubsweep/config/number.hpp"
+#include "rubsweep/config/place_axes.hpp"
 #include "rubsweep/config/text.hpp"
 
 namespace rubsweep::config {
@@ -42,24 +43,30 @@ void check_stop(const Value& stop) {
   }
 }
 
-void check_speed(const Value& speed, double natural_frequency_hz) {
-  const auto speed_hz = number(speed);
-  if (!speed_hz || *speed_hz <= most_speed_ratio * natural_frequency_hz) return;
-  refuse(speed,
-         fmt::format("{} Hz is over {} times rotor.natural_frequency_hz (revolutions per minute?)", *speed_hz,
-                     most_speed_ratio),
-         fmt::format("at most {}", most_speed_ratio * natural_frequency_hz));
+/// `slip` says what was meant if not the unit of the key, of which the natural frequency is `natural`.
+struct SpeedUnit {
+  std::string_view name, slip;
+  double natural = 0;
+};
+
+void check_speed(const std::optional<Value>& speed, const SpeedUnit& unit) {
+  const auto value = number(speed);
+  if (!value || *value <= most_speed_ratio * unit.natural) return;
+  refuse(*speed,
+         fmt::format("{} {} is over {} times rotor.natural_frequency_hz{}", *value, unit.name,
+                     most_speed_ratio, unit.slip),
+         fmt::format("at most {}", most_speed_ratio * unit.natural));
 }
 
-void check_speeds(const std::optional<Value>& axis, double natural_frequency_hz) {
-  for (const std::string_view end : {"from", "to"}) {
-    if (const auto speed = child(axis, end)) check_speed(*speed, natural_frequency_hz);
-  }
+/// A single number, both ends, or a list.
+void check_speeds(const std::optional<Value>& axis, const SpeedUnit& unit) {
+  check_speed(axis, unit);
+  for (const std::string_view end : {"from", "to"}) check_speed(child(axis, end), unit);
   const auto values = child(axis, "values");
   if (!values) return;
   for (std::size_t i = 0; i < values->node.items.size(); ++i) {
-    check_speed({values->node.items[i], fmt::format("{}.{}", values->path, i), values->diagnostics},
-                natural_frequency_hz);
+    check_speed(Value{values->node.items[i], fmt::format("{}.{}", values->path, i), values->diagnostics},
+                unit);
   }
 }
 
@@ -93,7 +100,9 @@ void refuse_unit_slips(const Value& root) {
       if (const auto ratio = child(rotor, name)) check_damping(*ratio);
     }
     if (const auto duration = child(child(whole, "kick"), "duration_s")) check_kick(*duration, *frequency_hz);
-    check_speeds(child(child(whole, "sweep"), "speed_hz"), *frequency_hz);
+    const auto sweep = child(whole, "sweep");
+    check_speeds(child(sweep, "speed_hz"), {"Hz", " (revolutions per minute?)", *frequency_hz});
+    check_speeds(child(sweep, "speed_rpm"), {"revolutions per minute", "", rpm_per_hz * *frequency_hz});
   }
   const auto gravity = child(whole, "gravity_m_per_s2");
   if (number(gravity).value_or(0) > most_gravity) {

@@ -12,6 +12,7 @@
 #include "rubsweep/config/key_axis.hpp"
 #include "rubsweep/config/number.hpp"
 #include "rubsweep/config/override.hpp"
+#include "rubsweep/config/place_axes.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/config/study.hpp"
@@ -64,10 +65,16 @@ bool holds_a_number(const Node& node) {
          parse_number(node.text).error == NumberError::none;
 }
 
-/// A key of which nothing can be said yet may be one that the printed study leaves out.
-bool may_be_swept(const Node& document, const std::string& key, const Place& place,
+bool is_part_of_the_mass(const std::string& key) {
+  return key == "rotor.mass_kg" || key.starts_with("rotor.discs.") || key.starts_with("rotor.shaft.");
+}
+
+/// A key of which nothing can be said yet may be one that the printed study leaves out. `by_mass`: the key
+/// whose eccentricities follow from the mass of the rotor, once for all cells.
+bool may_be_swept(const Node& document, const std::string& key, std::string_view by_mass, const Place& place,
                   Diagnostics& diagnostics) {
-  constexpr std::array own_axes{"speed_hz", "whirl_ratio", "eccentricity_m"};
+  constexpr std::array<std::string_view, 6> own_axes{"speed_hz",       speed_rpm_key, "whirl_ratio",
+                                                     "eccentricity_m", unbalance_key, grade_key};
   const std::string first = key.substr(0, key.find('.'));
   const auto problem = [&](std::string_view wrong, std::string_view allowed) {
     diagnostics.add(place, shown(key), wrong, allowed);
@@ -77,6 +84,9 @@ bool may_be_swept(const Node& document, const std::string& key, const Place& pla
     return problem("has an axis of its own", fmt::format("sweep.{}", key));
   if (first == "sweep" || first == "output" || first == "study" || first == "base")
     return problem("is no key of an axis", allowed_keys);
+  if (!by_mass.empty() && is_part_of_the_mass(key))
+    return problem(fmt::format("is part of the mass that sweep.{} takes its eccentricities from", by_mass),
+                   "another key, or sweep.eccentricity_m or sweep.whirl_ratio");
   const Node* node = find_node(document, key);
   if (node != nullptr && !holds_a_number(*node))
     return problem(fmt::format("{}, no number", describe(*node)), allowed_keys);
@@ -84,9 +94,9 @@ bool may_be_swept(const Node& document, const std::string& key, const Place& pla
 }
 
 void refuse_impossible(const sweep::KeyAxis& axis, const Place& place, Node document,
-                       Diagnostics& diagnostics) {
+                       std::string_view by_mass, Diagnostics& diagnostics) {
   for (const std::string& key : axis.keys) {
-    if (!may_be_swept(document, key, place, diagnostics)) return;
+    if (!may_be_swept(document, key, by_mass, place, diagnostics)) return;
   }
   place_all(document, place);
   const std::size_t problems = diagnostics.count();
@@ -108,14 +118,15 @@ void vary_keys(const Value& root, sweep::Study& study) {
   if (study.grid.axes.empty() && !study.threshold && !study.basin) return;
   Node document = document_of(study);
   const Node& sweep = *find_node(root.node, "sweep");
+  const std::string_view by_mass = key_by_mass(sweep, study.machine);
   std::size_t next = 0;
   for (const std::string_view name : key_axis_names) {
     const Node* node = find_node(sweep, name);
     if (node == nullptr) continue;
-    refuse_impossible(study.grid.axes.at(next++), place_of_keys(*node), document, root.diagnostics);
+    refuse_impossible(study.grid.axes.at(next++), place_of_keys(*node), document, by_mass, root.diagnostics);
   }
   if (study.threshold) {
-    refuse_impossible(study.threshold->axis, place_of_keys(*find_node(root.node, "study")), document,
+    refuse_impossible(study.threshold->axis, place_of_keys(*find_node(root.node, "study")), document, by_mass,
                       root.diagnostics);
   }
   if (study.basin) {
@@ -123,7 +134,7 @@ void vary_keys(const Value& root, sweep::Study& study) {
     for (std::size_t i = 0; i < study.basin->over.size(); ++i) {
       const sweep::DrawnKey& drawn = study.basin->over[i];
       refuse_impossible({{drawn.key}, {1}, {drawn.from, drawn.to}}, place_of_keys(over.items.at(i)), document,
-                        root.diagnostics);
+                        by_mass, root.diagnostics);
     }
   }
   study.with_keys =

@@ -39,6 +39,13 @@ Wall wall_of(const model::StopGeometry& geometry) {
                     geometry);
 }
 
+Wall in_units(const Wall& wall, double unit) {
+  return std::visit(
+      overloaded{[](const FlatWall& flat) -> Wall { return flat; },
+                 [&](const AnnularWall& annular) -> Wall { return AnnularWall{annular.offset / unit}; }},
+      wall);
+}
+
 bool same(const Wall& a, const Wall& b) {
   return std::visit(
       overloaded{[](const FlatWall& x, const FlatWall& y) { return x.normal == y.normal; },
@@ -74,6 +81,14 @@ Eigen::Vector2d normal_at(const Wall& wall, const Eigen::Vector2d& distance) {
                                [&](const AnnularWall&) -> Eigen::Vector2d {
                                  if (distance.isZero(0)) return {0, 1};
                                  return distance.normalized();
+                               }},
+                    wall);
+}
+
+Outline outline(const Wall& wall) {
+  return std::visit(overloaded{[](const FlatWall& flat) -> Outline { return {.normal = flat.normal}; },
+                               [](const AnnularWall& annular) -> Outline {
+                                 return {.around = true, .centre = -annular.offset};
                                }},
                     wall);
 }

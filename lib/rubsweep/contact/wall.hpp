@@ -33,6 +33,9 @@ Eigen::Vector2d direction(double angle_deg);
 /// In metres, as the configuration says it.
 Wall wall_of(const model::StopGeometry& geometry);
 
+/// With its lengths divided by `unit`.
+Wall in_units(const Wall& wall, double unit);
+
 bool same(const Wall& a, const Wall& b);
 
 /// Whether the penetration is linear in the displacements, so that the exact solver has closed forms for it.
@@ -57,6 +60,14 @@ Eigen::Vector2d first_direction(const Wall& wall);
 /// From the rotor to the wall where the rotor is at `distance` = d. The centre of an annular stop has no such
 /// direction and touches nothing: +y there.
 Eigen::Vector2d normal_at(const Wall& wall, const Eigen::Vector2d& distance);
+
+/// How a wall is drawn, seen from the rotor's rest position.
+struct Outline {
+  bool around = false;           ///< a circle around the rotor, else a line
+  Eigen::Vector2d normal{0, 1};  ///< of a line: from the rest position towards it
+  Eigen::Vector2d centre{0, 0};  ///< of a circle
+};
+Outline outline(const Wall& wall);
 
 /// Map from the displacements q to rotor point - casing point.
 using RelativeMap = Eigen::Matrix<double, 2, Eigen::Dynamic>;

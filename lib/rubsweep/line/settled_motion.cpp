@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <deque>
 #include <numbers>
 #include <span>
 
@@ -72,13 +71,11 @@ class Follower {
 
   /// Until the section is that of `order` turns ago, for so many turns at most.
   bool pass_until_it_returns(int order, long most) {
-    std::deque<std::vector<double>> sections{turn_.section};
+    response::motion::SectionReturns returns(order);
+    returns.returned(turn_.section);
     for (long turn = 0; turn < most; ++turn) {
       if (run_.advance({}, turn_) != Outcome::ok) return false;
-      sections.push_back(turn_.section);
-      if (static_cast<int>(sections.size()) <= order) continue;
-      if (distance(sections.front(), sections.back()) <= response::motion::section_tolerance) return true;
-      sections.pop_front();
+      if (returns.returned(turn_.section)) return true;
     }
     return true;
   }
@@ -97,12 +94,6 @@ class Follower {
   }
 
  private:
-  static double distance(const std::vector<double>& a, const std::vector<double>& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-    return largest;
-  }
-
   integrate::run::Run run_;
   trace::StateReader reader_;
   int samples_per_turn_;

@@ -58,7 +58,7 @@ std::string policy() {
 
 json::array numbers(const auto& values) {
   json::array array;
-  for (const double value : values) array.push_back(value);
+  for (const auto value : values) array.push_back(value);
   return array;
 }
 
@@ -68,14 +68,20 @@ json::array words(const std::vector<std::string>& values) {
   return array;
 }
 
-json::array walls(const PageContents& contents) {
+json::array walls(const std::vector<Wall>& list) {
   json::array array;
-  for (const Wall& wall : contents.walls)
+  for (const Wall& wall : list)
     array.push_back(json::object{{"around", wall.around},
                                  {"normal", numbers(wall.normal)},
                                  {"centre_m", numbers(wall.centre_m)},
                                  {"clearance_m", wall.clearance_m},
                                  {"at_orbit", wall.at_orbit}});
+  return array;
+}
+
+json::array wall_lists(const Walls& walls) {
+  json::array array;
+  for (const std::vector<Wall>& list : walls.lists) array.push_back(page::walls(list));
   return array;
 }
 
@@ -101,9 +107,11 @@ json::object index(const PageContents& contents, const std::vector<EncodedColumn
           {"speed_hz", numbers(contents.plane[0].values)},
           {"measure", contents.plane[1].name},
           {"unbalance", numbers(contents.plane[1].values)},
+          {"unbalance_measure", contents.unbalance_measure},
           {"keys", words(contents.keys)},
           {"columns", names},
-          {"walls", walls(contents)},
+          {"wall_lists", wall_lists(contents.walls)},
+          {"wall_list_of_keys", numbers(contents.walls.list_of_keys)},
           {"boundaries", boundaries(contents)},
           {"orbits", json::object{{"recorded", contents.orbits.recorded},
                                   {"speed_stride", kept.speed_stride},

@@ -7,18 +7,10 @@
 #include "rubsweep/page/boundaries.hpp"
 #include "rubsweep/page/map_table.hpp"
 #include "rubsweep/page/orbits.hpp"
+#include "rubsweep/page/walls.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::page {
-
-/// A wall as it is drawn with an orbit, in metres from the rotor's rest position.
-struct Wall {
-  bool around = false;                   ///< around the rotor, else flat
-  std::array<double, 2> normal{0, 1};    ///< of a flat wall: from the rest position towards it
-  std::array<double, 2> centre_m{0, 0};  ///< of one around the rotor
-  double clearance_m = 0;
-  bool at_orbit = true;  ///< it stands at the point of the shaft whose orbit is drawn
-};
 
 /// All that a page shows.
 struct PageContents {
@@ -27,9 +19,10 @@ struct PageContents {
   std::string model;                      ///< what is simulated, in words
   std::string configuration;              ///< YAML
   std::array<sweep::SweptAxis, 2> plane;  ///< what the map is drawn over: across, up
+  std::string unbalance_measure;          ///< the column that says the unbalance of a cell to rubtrace
   std::vector<std::string> keys;          ///< columns of the axes over keys of the configuration
   MapTable map;
-  std::vector<Wall> walls;
+  Walls walls;
   std::vector<Boundary> boundaries;
   Orbits orbits;
 };

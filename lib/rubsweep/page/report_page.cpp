@@ -7,36 +7,12 @@
 #include <vector>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/overloaded.hpp"
 #include "rubsweep/page/findings.hpp"
 #include "rubsweep/page/page.hpp"
 #include "rubsweep/report/explain_study.hpp"
-#include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::page {
 namespace {
-
-/// Where walls stand does not depend on the cell.
-std::vector<Wall> walls_of(const sweep::Study& study) {
-  const scene::Cell cell =
-      scene::build_cell(study.machine, study.grid.speed_hz.front(), scene::Eccentricity{0});
-  std::vector<Wall> walls;
-  for (const scene::Contact& contact : cell.scene.contacts) {
-    Wall wall;
-    std::visit(overloaded{[&](const contact::FlatWall& flat) {
-                            wall.normal = {flat.normal.x(), flat.normal.y()};
-                          },
-                          [&](const contact::AnnularWall& annular) {
-                            wall.around = true;
-                            wall.centre_m = {-annular.offset.x(), -annular.offset.y()};
-                          }},
-               contact.wall);
-    wall.clearance_m = contact.clearance_m;
-    wall.at_orbit = contact.rotor_point == cell.scene.observed_point;
-    walls.push_back(wall);
-  }
-  return walls;
-}
 
 /// Speed and unbalance, or the two axes with several values where keys are swept.
 std::array<sweep::SweptAxis, 2> plane_of(const sweep::Grid& grid) {
@@ -67,6 +43,7 @@ std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
                         .model = report::explain_study(study),
                         .configuration = options.configuration,
                         .plane = plane_of(grid),
+                        .unbalance_measure = std::string(to_string(grid.measure)),
                         .keys = sweep::key_names(grid),
                         .map = {},
                         .walls = walls_of(study),

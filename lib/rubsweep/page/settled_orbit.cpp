@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <numbers>
 #include <span>
 
@@ -103,26 +102,6 @@ SettledOrbit quiet_orbit(const scene::Cell& cell, const sweep::Study& study, lon
   return recorder.finish({end.data(), static_cast<std::size_t>(end.size())}, workspace.spectrum);
 }
 
-/// The sections of the last turns of a run, to see whether the newest is that of `order` turns ago.
-class Returns {
- public:
-  explicit Returns(int order) : order_(static_cast<std::size_t>(order)) {}
-
-  bool returned(const std::vector<double>& section) {
-    sections_.push_back(section);
-    if (sections_.size() <= order_) return false;
-    double error = 0;
-    for (std::size_t i = 0; i < section.size(); ++i)
-      error = std::max(error, std::abs(section[i] - sections_.front()[i]));
-    sections_.pop_front();
-    return error <= response::motion::section_tolerance;
-  }
-
- private:
-  std::size_t order_;
-  std::deque<std::vector<double>> sections_;
-};
-
 /// Advances to the revolution from which on the motion is recorded; empty when the run fails.
 std::optional<long> settle(const integrate::run::Run& run, const KnownMotion& known,
                            const response::motion::ResponseOptions& options, const Lengths& lengths,
@@ -130,7 +109,7 @@ std::optional<long> settle(const integrate::run::Run& run, const KnownMotion& kn
   long limit = options.max_revolutions, done = 0;
   if (!known.order) limit = std::max<long>(0, limit - lengths.all());
   if (!known.order && known.proven) limit = std::min(limit, known.revolutions + options.window_revolutions);
-  Returns returns(known.order.value_or(1));
+  response::motion::SectionReturns returns(known.order.value_or(1));
   for (; done < limit; ++done) {
     if (run.advance({}, turn) != integrate::run::Outcome::ok) return std::nullopt;
     if (known.order && returns.returned(turn.section) && done + 1 >= known.revolutions) return done + 1;

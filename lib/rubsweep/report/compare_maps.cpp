@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 using batch::CsvReader;
+
 ComparedCell cell_of(const CellKey& key, CellVerdict verdict, std::string label_a, std::string label_b) {
   return {key[0], key[1], {key.begin() + 2, key.end()}, verdict, std::move(label_a), std::move(label_b)};
 }
@@ -97,15 +98,14 @@ bool is_compared(const MapColumn& column) {
 }
 
 /// True when something differs.
-bool compare_columns(const Pair& pair, std::size_t cell, double tolerance, Columns& columns) {
+bool compare_columns(const Pair& pair, const std::vector<MapColumn>& compared, std::size_t cell,
+                     double tolerance, Columns& columns) {
   bool differs = false;
   const auto found = [&](std::string_view column, std::optional<double> size) {
     columns.add(column, cell, size, pair);
     differs = true;
   };
-  for (const MapColumn& column : map_columns()) {
-    // A map of an earlier version ends before the columns that were added since.
-    if (!is_compared(column) || !has(pair.a, column.name) || !has(pair.b, column.name)) continue;
+  for (const MapColumn& column : compared) {
     const std::string &in_a = text(pair.a, column.name), &in_b = text(pair.b, column.name);
     if (column.comparison == Comparison::text || in_a.empty() || in_b.empty()) {
       if (in_a != in_b) found(column.name, std::nullopt);
@@ -145,6 +145,14 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
       sensitive ? rows_by_cell(*sensitive, comparison.axis, comparison.keys) : std::vector<CellPlace>{};
   const std::vector<std::size_t> columns_a = key_columns(a, comparison.axis, comparison.keys);
 
+  // A map of an earlier version ends before the columns that were added since.
+  std::vector<MapColumn> compared;
+  for (const MapColumn& column : map_columns()) {
+    if (!is_compared(column)) continue;
+    const bool in_a = has(a, column.name), in_b = has(b, column.name);
+    if (in_a && in_b) compared.push_back(column);
+    if (in_a != in_b) comparison.missing_columns.emplace_back(column.name);
+  }
   Columns columns;
   std::vector<bool> met(rows_b.size(), false);
   while (a.next()) {
@@ -162,7 +170,8 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
         cell.verdict = CellVerdict::sensitive;
       } else if (cell.label_a != cell.label_b) {
         cell.verdict = CellVerdict::classes_differ;
-      } else if (repeats(a) && compare_columns({a, b}, comparison.cells.size(), tolerance, columns)) {
+      } else if (repeats(a) &&
+                 compare_columns({a, b}, compared, comparison.cells.size(), tolerance, columns)) {
         cell.verdict = CellVerdict::numbers_differ;
       }
     }
@@ -174,10 +183,6 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
     comparison.cells.push_back(cell_of(rows_b[i].key, CellVerdict::only_in_one, "", label(b)));
   }
   comparison.columns = columns.list();
-  for (const MapColumn& column : map_columns()) {
-    if (is_compared(column) && has(a, column.name) != has(b, column.name))
-      comparison.missing_columns.emplace_back(column.name);
-  }
   return comparison;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/report/map_csv.hpp"
@@ -34,7 +33,7 @@ void add_section(const line::LinePoint& point, const std::string& key, std::stri
 void add_spectrum(const line::LinePoint& point, double clearance_m, const std::string& key,
                   std::string& text) {
   const response::spectrum::FullSpectrum& spectrum = point.motion->spectrum;
-  const auto last = static_cast<int>(std::floor(largest_cascade_order * spectrum.turns));
+  const int last = largest_cascade_order * spectrum.turns;
   const int low = std::max(spectrum.first_line(), -last), high = std::min(spectrum.last_line(), last);
   double largest_m = 0;
   for (int k = low; k <= high; ++k)

@@ -8,8 +8,8 @@
 
 namespace rubsweep::report {
 
-/// Lines of a spectrum beyond this order are in no table of a line.
-inline constexpr double largest_cascade_order = 8;
+/// Lines of a spectrum beyond this order are in no table of a line or of a run-up.
+inline constexpr int largest_cascade_order = 8;
 
 /// What happens along a line of cells, as texts. `pass` is kick, up or down, `value` what changes along the
 /// line, in the unit of its name.

@@ -5,14 +5,13 @@
 #include <algorithm>
 
 #include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/report/line_tables.hpp"
 #include "rubsweep/response/motion/classify.hpp"
 
 namespace rubsweep::report {
 namespace {
 
 using batch::csv_number;
-
-constexpr int largest_order = 8;
 
 std::string envelope_csv(const std::vector<ramp::EnvelopePoint>& envelope) {
   std::string text =
@@ -41,7 +40,7 @@ std::string orbits_csv(const std::vector<ramp::RampOrbit>& orbits) {
 }
 
 std::string spectrogram_csv(const std::vector<ramp::OrderSpectrum>& spectra) {
-  constexpr int last = largest_order * ramp::spectrum_turns;
+  constexpr int last = largest_cascade_order * ramp::spectrum_turns;
   double largest_m = 0;
   for (const ramp::OrderSpectrum& at : spectra) {
     for (int k = -last; k <= last; ++k)

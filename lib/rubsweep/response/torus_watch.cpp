@@ -51,8 +51,7 @@ void TorusWatch::add(const integrate::run::TurnRequest& request, const integrate
 
 std::optional<motion::Exponent> TorusWatch::look(spectrum::SpectrumWorkspace& workspace) {
   // The first fifth turns the disturbance into the direction of largest growth.
-  const std::span<const double> all = motion_.contributions,
-                                kept = all.subspan(std::min(all.size(), all.size() / 5));
+  const std::span<const double> all = motion_.contributions, kept = all.subspan(all.size() / 5);
   const double first = bump_mean(kept.first(kept.size() / 2)), last = bump_mean(kept.last(kept.size() / 2));
   const bool zero = std::abs(bump_mean(kept)) < torus_exponent && std::abs(first) < torus_half_exponent &&
                     std::abs(last) < torus_half_exponent;

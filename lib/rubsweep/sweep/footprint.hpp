@@ -15,7 +15,9 @@ struct Workers {
 
 /// What a sweep takes besides time, rounded up.
 struct Footprint {
-  /// Of each process, most of it the last two windows of the cell of each thread.
+  /// Of each process, most of it the last two windows of the cell of each thread. Without the flows that each
+  /// thread keeps of machines it has met (`integrate/exact/mode_cache`), up to 256 MB of a rotor kit or of
+  /// axes over keys that change the machine.
   std::size_t memory_bytes = 0;
   std::size_t disk_bytes = 0;  ///< while it runs: journals, map.partial.csv and in the end map.csv
 };

@@ -39,8 +39,8 @@ std::string why_torsion_is_idle(const scene::PreparedMachine& prepared, double s
   }
   return fmt::format(
       "torsion: changes no force, because no friction depends on the slip where it is: a hit of twice the "
-      "kick's "
-      "impulse twists the surface by about {:.2g} m/s of {:.3g} m/s; without rotor.torsion the motion is the "
+      "kick's impulse twists the surface by about {:.2g} m/s of {:.3g} m/s; without rotor.torsion the motion "
+      "is the "
       "same\n",
       change_m_per_s, surface_m_per_s);
 }

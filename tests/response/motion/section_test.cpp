@@ -119,5 +119,14 @@ TEST(Section, RefusesRowsThatHaveNoShape) {
   EXPECT_THROW(period_of_section({}, 1, 12), SolverError);
 }
 
+TEST(SectionReturns, AfterItsOrderOnceEveryNumberIsWithinTheTolerance) {
+  SectionReturns returns(2);
+  EXPECT_FALSE(returns.returned({1, 5}));
+  EXPECT_FALSE(returns.returned({1, 5}));  // of one turn ago
+  EXPECT_FALSE(returns.returned({1, 5 + 2 * section_tolerance}));
+  EXPECT_TRUE(returns.returned({1 - section_tolerance / 2, 5}));
+  EXPECT_FALSE(returns.returned({2, 5 + 2 * section_tolerance}));
+}
+
 }  // namespace
 }  // namespace rubsweep::response::motion

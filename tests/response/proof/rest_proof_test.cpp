@@ -61,6 +61,9 @@ TEST(RestProof, GivesUpWhereAModeGrows) {
   auto cell = test::cell_of({});
   cell.scene.structure.damping(0, 0) = -1;
   EXPECT_FALSE(RestProof(cell).proves(integrate::run::scaled_initial_state(cell.scene)));
+  EXPECT_TRUE(RestProof(cell).vibration_grows());
+  cell.scene.impulses.push_back({Eigen::Vector4d(1, 0, 0, 0), 3.5, 0});
+  EXPECT_TRUE(RestProof(cell).vibration_grows());  // by itself, whatever impulses do
 }
 
 TEST(RestProof, HoldsThroughCriticalDamping) {

@@ -80,7 +80,10 @@ const LinearMode<N>* MachineModes<N>::mode(std::size_t joint) {
 }
 
 bool exact_applies(const scene::Scene& scene) {
-  return scene.contacts.size() <= most_exact_contacts &&
+  const bool known = std::ranges::all_of(scene.contacts, [](const scene::Contact& contact) {
+    return contact::linear(contact.wall) || contact::annular(contact.wall);
+  });
+  return known && scene.contacts.size() <= most_exact_contacts &&
          scene.structure.coordinates() <= most_exact_coordinates;
 }
 

@@ -45,8 +45,8 @@ class MachineModes {
 /// Stops whose joint contact modes can be numbered.
 inline constexpr std::size_t most_exact_contacts = 6;
 
-/// Whether some turn of the scene may have a closed form: not more stops than joint modes are numbered for,
-/// nor more coordinates than it holds (all that a configuration can ask for).
+/// Whether the exact solver and Taylor pieces know the scene: walls that are flat or round, not more stops than
+/// joint modes are numbered for, nor more coordinates than a mode holds (all that a configuration can ask for).
 bool exact_applies(const scene::Scene& scene);
 
 extern template class MachineModes<2>;

@@ -24,6 +24,7 @@ class ModeCache {
   std::shared_ptr<MachineModes<N>> modes_of(const scene::Scene& scene) {
     auto& recent = std::get<Recent<N>>(recent_);
     auto found = std::ranges::find_if(recent, [&](const auto& modes) { return modes->fits(scene); });
+    if (found != recent.end() && found == recent.begin()) return *found;
     if (found == recent.end()) found = recent.insert(found, std::make_shared<MachineModes<N>>(scene));
     std::rotate(recent.begin(), found, found + 1);
     drop_oldest(recent);

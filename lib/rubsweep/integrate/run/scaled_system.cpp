@@ -26,9 +26,9 @@ ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene
   scaled.second_row = second.transpose() * relative;
   scaled.first_push = push * first;
   scaled.second_push = push * second;
-  scaled.wall = contact.wall;
-  const Eigen::Vector2d offset_m = contact::offset(contact.wall);
-  scaled.offset = {offset_m.x() / scale.length_m, offset_m.y() / scale.length_m};
+  scaled.wall = contact::in_units(contact.wall, scale.length_m);
+  const Eigen::Vector2d offset = contact::offset(scaled.wall);
+  scaled.offset = {offset.x(), offset.y()};
   scaled.clearance = contact.clearance_m / scale.length_m;
   scaled.stiffness = scale.stiffness_n(contact.stiffness_n_per_m);
   scaled.damping = scale.damping_n(contact.damping_ns_per_m);

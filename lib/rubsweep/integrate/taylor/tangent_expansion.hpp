@@ -14,7 +14,8 @@ namespace rubsweep::integrate::taylor {
 template <int N>
 class TangentExpansion {
  public:
-  /// Four orders less than a motion's: the first term left out is below 1e-12 where the motion's is rounding.
+  /// Four orders less than a motion's. With steps as `longest_step` cuts them for tangents the first term
+  /// left out is below 5e-12.
   static constexpr int order = numerics::most_taylor_order - 4;
 
   explicit TangentExpansion(const run::ScaledSystem<N>& system)

@@ -29,7 +29,7 @@ let asked = 0;
 async function showCell() {
   const cell = state.selected, recorded = data.recordedCell(cell), mine = ++asked;
   document.getElementById("cell-title").textContent = `${placeText(data, cell)}: ${motionText(data, cell)}`;
-  const measure = data.index.measure === "eccentricity_m" ? "eccentricity_m" : "whirl_ratio";
+  const measure = data.index.unbalance_measure;
   const keys = data.index.keys.map((key) => ` --set ${key}=${data.value(key, cell)}`).join("");
   document.getElementById("command").textContent =
     `rubtrace config.yaml --speed-hz ${data.value("speed_hz", cell)} --${measure.replace("_", "-")} ` +
@@ -141,7 +141,7 @@ function listenToWindow() {
 
 // Which wall the time history looks at, where there are several.
 function fillStops() {
-  const walls = data.index.walls;
+  const walls = d3.greatest(data.index.wall_lists, (list) => list.length);
   if (walls.length < 2) return;
   const label = d3.select("#stop-choice").append("label").text("Time history towards ");
   label.append("select").attr("id", "stop").on("change", function () { state.stop = Number(this.value); showCell(); })

@@ -48,6 +48,12 @@ class MapData {
     return column.words.length ? column.words[column.values[cell]] : column.values[cell];
   }
 
+  // Where the walls stand in a cell: keys move them, speed and unbalance do not.
+  wallsOf(cell) {
+    const lists = this.index.wall_list_of_keys;
+    return this.index.wall_lists[lists[Math.floor(cell / (this.cells / lists.length))]];
+  }
+
   isWord(name) { return this.columns.get(name).words.length > 0; }
 
   // The cell with a stored motion that is nearest to `cell`.

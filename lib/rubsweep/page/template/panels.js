@@ -4,8 +4,9 @@ const mm = (values) => values.map((value) => 1e3 * value);
 
 function drawPanels(data, cell, orbit, stop) {
   const speed_hz = data.value("speed_hz", cell);
-  drawHistory(data, orbit, speed_hz, stop);
-  drawOrbit(data, orbit);
+  const walls = data.wallsOf(cell);
+  drawHistory(walls[stop], orbit, speed_hz, stop);
+  drawOrbit(walls, orbit);
   drawSpectrum(orbit);
   drawSection(orbit);
 }
@@ -16,8 +17,8 @@ function clearPanels() {
 
 // x and y of the rotor, and for one stop how far the rotor is out towards the wall, and where the wall is,
 // clearance and casing together: these two touch where the gap closes.
-function drawHistory(data, orbit, speed_hz, stop) {
-  const wall = data.index.walls[stop], signals = orbit.stops[stop];
+function drawHistory(wall, orbit, speed_hz, stop) {
+  const signals = orbit.stops[stop];
   const time = orbit.steps.map((step) => (1e3 * step) / orbit.steps_per_turn / speed_hz);
   const casing = signals.x.map((x, i) =>
     wall.around ? Math.hypot(x, signals.y[i]) : wall.normal[0] * x + wall.normal[1] * signals.y[i]);
@@ -44,11 +45,11 @@ function drawHistory(data, orbit, speed_hz, stop) {
     ...others.map(([, name, colour, dashes]) => [name, themed(colour), dashes])]);
 }
 
-function drawOrbit(data, orbit) {
-  const x = mm(orbit.x), y = mm(orbit.y), walls = data.index.walls.filter((wall) => wall.at_orbit);
+function drawOrbit(walls, orbit) {
+  const x = mm(orbit.x), y = mm(orbit.y);
   const reach = d3.max([...x, ...y].map(Math.abs));
   // A far wall does not shrink the orbit to a point.
-  const near = walls.filter((wall) => 1e3 * wall.clearance_m < 6 * reach);
+  const near = walls.filter((wall) => wall.at_orbit && 1e3 * wall.clearance_m < 6 * reach);
   const around = near.filter((wall) => wall.around), flat = near.filter((wall) => !wall.around);
   const xs = [...x, 0], ys = [...y, 0];
   for (const wall of flat) {

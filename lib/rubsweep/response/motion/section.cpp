@@ -44,4 +44,14 @@ std::optional<SectionPeriod> period_of_section(std::span<const double> rows, int
   return std::nullopt;
 }
 
+bool SectionReturns::returned(const std::vector<double>& section) {
+  sections_.push_back(section);
+  if (sections_.size() <= order_) return false;
+  double error = 0;
+  for (std::size_t i = 0; i < section.size(); ++i)
+    error = std::max(error, std::abs(section[i] - sections_.front()[i]));
+  sections_.pop_front();
+  return error <= section_tolerance;
+}
+
 }  // namespace rubsweep::response::motion

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace rubsweep::response::motion {
 
@@ -27,5 +30,20 @@ struct SectionPeriod {
 /// shorter window of n just misses, and n says nothing about the motion behind it. SolverError when `rows`
 /// has no such shape.
 std::optional<SectionPeriod> period_of_section(std::span<const double> rows, int states, int max_order);
+
+/// The sections of the last turns of a run that settles on a known order, to see when it has.
+class SectionReturns {
+ public:
+  /// `order` >= 1 turns.
+  explicit SectionReturns(int order) : order_(static_cast<std::size_t>(order)) {}
+
+  /// Takes in the section of one more turn. Whether it is that of `order` turns ago within section_tolerance,
+  /// in the maximum norm.
+  bool returned(const std::vector<double>& section);
+
+ private:
+  std::size_t order_;
+  std::deque<std::vector<double>> sections_;
+};
 
 }  // namespace rubsweep::response::motion

@@ -15,11 +15,11 @@ constexpr double growth_tolerance = 1e-12;  ///< rounding of an undamped mode's 
 RestProof::RestProof(const scene::Cell& cell) {
   const scene::Scene& scene = cell.scene;
   // At a whirl ratio of 1 rounding must not decide.
-  if (!scene.impulses.empty() || cell.start != scene::Start::quiet) return;
+  if (cell.start != scene::Start::quiet) return;
   const auto system = integrate::run::scale<Eigen::Dynamic>(scene);
   const auto form = numerics::modal_form(system.stiffness, system.damping);
   grows_ = form && form->growth > growth_tolerance;
-  if (!form || grows_) return;
+  if (!form || grows_ || !scene.impulses.empty()) return;
   usable_ = true;
   to_modes_ = form->inverse;
 

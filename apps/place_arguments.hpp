@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "command_line.hpp"
+#include "rubsweep/model/machine.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::apps {
+
+/// Where a cell or a line of cells lies, as far as the command line says it.
+struct PlaceArguments {
+  std::optional<double> speed_hz = {};
+  std::optional<scene::Unbalance> unbalance = {};
+  std::optional<double> unbalance_g_mm = {};  ///< instead, by the mass of the rotor
+
+  bool has_unbalance() const { return unbalance || unbalance_g_mm; }
+};
+
+/// How the options of an unbalance are listed where one is missing.
+inline constexpr std::string_view unbalance_options =
+    "--whirl-ratio U, --eccentricity-m E or --unbalance-g-mm G";
+
+/// --speed-hz or --speed-rpm, and --whirl-ratio, --eccentricity-m or --unbalance-g-mm.
+void add_place(po::options_description& options);
+
+/// Throws UsageError, also where one quantity is given twice.
+PlaceArguments read_place(const po::variables_map& given);
+
+/// The unbalance of a place that has one, for a rotor (see model/balance.hpp). Throws UsageError where none
+/// of its discs stands off the axis.
+scene::Unbalance unbalance_of(const PlaceArguments& place, const model::Machine& machine);
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,67 @@
+#include "rubsweep/config/line_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+#include "rubsweep/config/diagnostics.hpp"
+#include "rubsweep/config/file.hpp"
+#include "rubsweep/config/key_axis.hpp"
+#include "rubsweep/config/override.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+/// Whether an override writes the key itself or a map around it.
+bool is_named(std::string_view key, const std::vector<std::string>& overrides) {
+  return std::ranges::any_of(overrides, [&](std::string_view text) {
+    const std::string_view path = text.substr(0, text.find('='));
+    return key == path || (key.starts_with(path) && key.substr(path.size()).starts_with('.'));
+  });
+}
+
+bool are_named(const sweep::KeyAxis& axis, const std::vector<std::string>& overrides) {
+  return std::ranges::all_of(axis.keys, [&](const std::string& key) { return is_named(key, overrides); });
+}
+
+/// The factor of an axis for one of its keys; 0 where that is none of them, or does not change along it.
+double factor_of(const sweep::KeyAxis& axis, std::string_view key) {
+  const auto found = std::ranges::find(axis.keys, key);
+  return found == axis.keys.end() ? 0 : axis.factors[static_cast<std::size_t>(found - axis.keys.begin())];
+}
+
+}  // namespace
+
+LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::filesystem::path& file,
+                   const std::vector<std::string>& overrides) {
+  LineKeys keys;
+  if (grid.axes.empty()) return keys;
+  Diagnostics diagnostics(file.string(), overrides);
+  const Node root = parse_config(read_config_bytes(file), file, "", overrides, diagnostics);
+  std::size_t next = 0;
+  for (const std::string_view name : key_axis_names) {
+    const Node* node = find_node(root, fmt::format("sweep.{}", name));
+    if (node == nullptr) continue;
+    const sweep::KeyAxis& axis = grid.axes.at(next++);
+    if (const double factor = factor_of(axis, along); factor != 0) {
+      keys.along = axis;
+      keys.factor = factor;
+    } else if (are_named(axis, overrides)) {
+      continue;
+    } else if (axis.values.size() == 1) {
+      std::ranges::move(sweep::keys_at(axis, axis.values.front()), std::back_inserter(keys.fixed));
+    } else {
+      diagnostics.add(node->place, fmt::format("sweep.{}", name),
+                      fmt::format("{} has {} values, and the line runs along {}", axis.keys.front(),
+                                  axis.values.size(), along),
+                      fmt::format("--set {}=VALUE, --set sweep.{}.values=[VALUE], or --along {}",
+                                  axis.keys.front(), name, axis.keys.front()));
+    }
+  }
+  diagnostics.throw_if_any();
+  return keys;
+}
+
+}  // namespace rubsweep::config

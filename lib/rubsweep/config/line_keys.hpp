@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/sweep/grid.hpp"
+
+namespace rubsweep::config {
+
+/// What a line of cells makes of the axes over keys of a configuration.
+struct LineKeys {
+  std::vector<sweep::KeyValue> fixed;  ///< on every cell of the line
+  sweep::KeyAxis along;  ///< the axis that the line runs along, with its values; no keys: it runs along none
+  double factor = 1;     ///< of that axis for the key that names the line, not 0
+};
+
+/// `along` is the key that the line runs along. The keys of an axis that are all named by an override hold
+/// what that says; an axis with one value holds it. Throws ConfigError with the places of all other axes:
+/// which of their values is meant must be said. `grid` is that of the configuration in `file` under these
+/// overrides.
+LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::filesystem::path& file,
+                   const std::vector<std::string>& overrides);
+
+}  // namespace rubsweep::config

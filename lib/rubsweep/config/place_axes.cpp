@@ -1,0 +1,73 @@
+#include "rubsweep/config/place_axes.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "rubsweep/config/axis.hpp"
+#include "rubsweep/config/override.hpp"
+#include "rubsweep/model/balance.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+/// How many of the key's units one metre of eccentricity is; 1 after a problem.
+double per_metre(const Value& value, double units) {
+  if (std::isnan(units)) return 1;  // the mass is missing, which is said where it belongs
+  if (units > 0 && std::isfinite(units)) return units;
+  refuse(value, "has no eccentricity: no disc of the rotor stands off the axis",
+         "a disc with a mass and an eccentricity_ratio, or whirl_ratio");
+  return 1;
+}
+
+/// In Hz; 1 after a problem.
+double read_rated_speed(Section& sweep) {
+  double rated_hz = 1;
+  sweep.require_exactly_one({rated_hz_key, rated_rpm_key});
+  if (const auto hz = sweep.find(rated_hz_key)) rated_hz = read_number(*hz, model::positive).value_or(1);
+  if (const auto rpm = sweep.find(rated_rpm_key))
+    rated_hz = read_number(*rpm, model::positive).value_or(1) / rpm_per_hz;
+  return rated_hz;
+}
+
+void refuse_rated_speed(Section& sweep) {
+  for (const std::string_view key : {rated_hz_key, rated_rpm_key}) {
+    if (const auto rated = sweep.find(key))
+      refuse(*rated, "no grade is given that it would belong to", "beside " + std::string(grade_key));
+  }
+}
+
+}  // namespace
+
+std::vector<double> read_speeds(Section& sweep) {
+  sweep.require_exactly_one({"speed_hz", speed_rpm_key});
+  const auto hz = sweep.find("speed_hz"), rpm = sweep.find(speed_rpm_key);
+  if (hz) return read_axis(*hz, model::positive);
+  return rpm ? read_axis(*rpm, model::positive, rpm_per_hz) : std::vector<double>{};
+}
+
+void read_unbalance(Section& sweep, const model::Machine& machine, sweep::Grid& grid) {
+  sweep.require_exactly_one({"whirl_ratio", "eccentricity_m", unbalance_key, grade_key});
+  const auto read = [&](const Value& value, sweep::UnbalanceMeasure measure, double units_per_si) {
+    grid.measure = measure;
+    grid.unbalance = read_axis(value, model::not_negative, units_per_si);
+  };
+  using enum sweep::UnbalanceMeasure;
+  if (const auto ratio = sweep.find("whirl_ratio")) read(*ratio, whirl_ratio, 1);
+  if (const auto eccentricity = sweep.find("eccentricity_m")) read(*eccentricity, eccentricity_m, 1);
+  if (const auto unbalance = sweep.find(unbalance_key))
+    read(*unbalance, eccentricity_m, per_metre(*unbalance, model::g_mm_per_metre(machine)));
+  if (const auto grade = sweep.find(grade_key)) {
+    const double rated_hz = read_rated_speed(sweep);
+    read(*grade, eccentricity_m, per_metre(*grade, model::grade_per_metre(machine, rated_hz)));
+  } else {
+    refuse_rated_speed(sweep);
+  }
+}
+
+std::string_view key_by_mass(const Node& sweep, const model::Machine& machine) {
+  if (find_node(sweep, unbalance_key) != nullptr) return unbalance_key;
+  if (find_node(sweep, grade_key) != nullptr && model::kit_of(machine) != nullptr) return grade_key;
+  return {};
+}
+
+}  // namespace rubsweep::config
