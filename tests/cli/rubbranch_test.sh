@@ -48,6 +48,18 @@ expect_exit 0 "$figure06" --cell 75,0.4 --along kick.force_n --from 190 --to 210
 [[ $(cells kick/branch.csv floquet_modulus | awk '{ printf "%.6f\n", $1 }' | sort -u | wc -l) == 1 ]] ||
   fail 'the kick changes an orbit that is there without it'
 
+# An oval in a centred annulus, whose period is none of the shaft: the orbit and the multipliers that a map proves.
+annulus=$top/configs/figure11_annulus.yaml
+expect_exit 0 "$annulus" --cell 180,0.6 --from 179.5 --to 180.5 --output oval
+expect_matches stdout '^branch 0  order 1, speed_hz 179.5 to 180.5, .* ends left_range and left_range$'
+"${rubsweep%/*}/rubsweep" "$annulus" --quiet --output cell \
+  --set 'sweep={speed_hz: {values: [180]}, whirl_ratio: {values: [0.6]}}' || fail 'no map'
+read -r spacing modulus <<<"$(cells cell/map.csv comb_spacing floquet_modulus | tail -n 1 | tr , ' ')"
+near() { echo "abs($1 - $2) < 1e-7"; }
+[[ $(count_rows oval/branch.csv \
+  "arclength == 0 and $(near 1/period_turns "$spacing") and $(near floquet_modulus "$modulus")") == 1 ]] ||
+  fail "not the oval with comb spacing $spacing and modulus $modulus"
+
 # Its picture, where there is gnuplot.
 if command -v gnuplot >/dev/null; then
   "$top/scripts/branch_figure.sh" doubled out/picture Heading >stdout 2>stderr || fail 'branch_figure.sh failed'
