@@ -26,6 +26,7 @@
 #include "rubsweep/report/trace_csv.hpp"
 #include "rubsweep/report/trace_summary.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/sweep/hertz_secant.hpp"
 #include "rubsweep/trace/probe_period.hpp"
 #include "rubsweep/trace/trace_run.hpp"
 #include "rubtrace_arguments.hpp"
@@ -105,6 +106,15 @@ std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probe
   return report::probe_summary(period, *pair, probes);
 }
 
+/// With the stiffness of the row, where the secant of a line contact was taken anew.
+scene::PreparedMachine as_computed(const scene::PreparedMachine& prepared, const sweep::Row& row) {
+  scene::PreparedMachine own = prepared;
+  if (!row.hertz) return own;
+  if (auto machine = sweep::with_secant_at(prepared.machine, row.hertz->force_n))
+    own.machine = *std::move(machine);
+  return own;
+}
+
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const scene::Place place{arguments.place.speed_hz.value(),
                            unbalance_of(arguments.place, config.study.machine)};
@@ -123,14 +133,15 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 
   response::motion::Workspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, prepared, 0, workspace);
-  ResultFiles files{{"config.yaml", config::print_config(config)},
-                    {"motion.csv", report::map_comments(RUBSWEEP_VERSION, config::study_digest(study)) +
-                                       report::map_header() + "\n" + report::map_line(row) + "\n"}};
+  ResultFiles files{
+      {"config.yaml", config::print_config(config)},
+      {"motion.csv", report::map_comments(RUBSWEEP_VERSION, config::study_digest(study)) +
+                         report::map_header(study) + "\n" + report::map_line(row, study) + "\n"}};
   std::string summary = report::motion_summary(row);
 
   // A second run of the cell: the first one, which classifies, ends where the motion is proven and asks the
   // solver for other samples, so that its steps are not those of a trace of all revolutions.
-  const scene::Cell cell = scene::build_cell(prepared, place.speed_hz, place.unbalance);
+  const scene::Cell cell = scene::build_cell(as_computed(prepared, row), place.speed_hz, place.unbalance);
   trace::Trace trace;
   if (scene::can_run(cell.start)) {
     trace = trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,

@@ -56,6 +56,18 @@ TEST(Hertz, ProblemsHaveTheirPlaces) {
             std::string::npos);
 }
 
+TEST(Hertz, IterationsAreWrittenWhereThereAreSome) {
+  EXPECT_EQ(print_config(read_run_config_text(with_hertz(), "test.yaml", {})).find("hertz_iterations"),
+            std::string::npos);
+  const RunConfig config = read_run_config_text(with_hertz(), "test.yaml", {"response.hertz_iterations=4"});
+  EXPECT_EQ(config.study.hertz_iterations, 4);
+  const std::string printed = print_config(config);
+  EXPECT_NE(printed.find("hertz_iterations: 4"), std::string::npos);
+  EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
+  EXPECT_NE(message_of(with_hertz(), {"response.hertz_iterations=21"}).find("response.hertz_iterations: 21"),
+            std::string::npos);
+}
+
 TEST(FrictionCurve, IsSolvedForAndPrintedAsItWasGiven) {
   const std::string curve =
       "stops.0.friction={static: 0.3, kinetic: 0.2, peak_speed_m_per_s: 0.01, settle_speed_m_per_s: 0.2}";

@@ -56,7 +56,7 @@ TEST(MapColumns, AndClassesStandInTheUserGuideAndInTheHelp) {
   };
   for (const MapColumn& column : map_columns()) expect_both(column.name);
   for (const auto& columns :
-       {threshold_columns(), basin_columns(), refinement_columns(), robustness_columns()}) {
+       {hertz_columns(), threshold_columns(), basin_columns(), refinement_columns(), robustness_columns()}) {
     for (const StudyColumn& column : columns) expect_both(column.name);
   }
   for (const auto motion_class : response::motion::motion_classes) expect_both(to_string(motion_class));

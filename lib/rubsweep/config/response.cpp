@@ -12,6 +12,7 @@ constexpr IntegerRange revolutions{2, 10'000'000};
 constexpr IntegerRange samples{4, 4096, true};
 constexpr IntegerRange window{2, 4096};
 constexpr IntegerRange order{1, 1024};
+constexpr IntegerRange hertz_iterations{0, 20};
 
 constexpr Words<bool, 2> on_off{{"off", "on"}, {false, true}};
 constexpr Words<sweep::Robustness, 3> switches{
@@ -66,6 +67,7 @@ void read_response(const Value& value, sweep::Study& study) {
     if (study.robustness != sweep::Robustness::probability && section.find(name))
       section.refuse_together(name, {name}, "says nothing without robustness: probability", "no such key");
   });
+  section.field("hertz_iterations", study.hertz_iterations, hertz_iterations);
   if (section.problem_count() == problems) refuse_contradictions(section, study.response);
   section.refuse_unknown_keys();
 }
@@ -79,6 +81,8 @@ void print_response(Printer& printer, const sweep::Study& study) {
       printer.field(name, field, allowed);
     });
   }
+  // Only where it says something, for the same reason.
+  if (study.hertz_iterations > 0) printer.integer("hertz_iterations", study.hertz_iterations);
   printer.close();
 }
 

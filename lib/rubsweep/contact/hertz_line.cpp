@@ -56,13 +56,19 @@ double hertz_force_limit_n(const model::HertzLine& contact) {
          std::exp(2 * factor * hertz_secant_tolerance / (1 + hertz_secant_tolerance));
 }
 
+std::optional<double> hertz_secant_n_per_m(const model::HertzLine& contact, double force_n) {
+  if (!(contact.length_m >= 2 * hertz_half_width_m(contact, force_n))) return std::nullopt;
+  return force_n / hertz_approach_m(contact, force_n);
+}
+
 double hertz_stiffness_n_per_m(const model::HertzLine& contact) {
-  if (contact.length_m < 2 * hertz_half_width_m(contact, contact.design_force_n)) {
+  const auto stiffness = hertz_secant_n_per_m(contact, contact.design_force_n);
+  if (!stiffness) {
     throw ConfigError(
         "hertz.design_force_n: the contact is wider than long, allowed: a smaller force or a greater "
         "length_m");
   }
-  return contact.design_force_n / hertz_approach_m(contact, contact.design_force_n);
+  return *stiffness;
 }
 
 }  // namespace rubsweep::contact

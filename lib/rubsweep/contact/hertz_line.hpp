@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "rubsweep/model/hertz.hpp"
 
 namespace rubsweep::contact {
@@ -25,6 +27,11 @@ double hertz_stiffness_n_per_m(const model::HertzLine& contact);
 /// of the approach: with D = 2 ln 2 + 1/2 + ln(L / 2b) at the design force F, the secant at F' is D / (D -
 /// ln(F' / F) / 2) of that at F.
 double hertz_force_limit_n(const model::HertzLine& contact);
+
+/// Secant stiffness at another force than the design force; empty where the contact is wider than long under
+/// it, so that there is none.
+std::optional<double> hertz_secant_n_per_m(const model::HertzLine& contact, double force_n);
+
 inline constexpr double hertz_secant_tolerance = 0.1;
 
 /// Relative radius: 1/R = 1/R_rotor + 1/R_casing for a cylinder, 1/R_rotor for a flat, 1/R_rotor - 1/R_casing

@@ -17,6 +17,7 @@ KnownMotion known_motion(const MapTable& map, std::size_t row) {
   if (const auto order = map.number("order", row)) known.order = static_cast<int>(*order);
   known.revolutions = static_cast<long>(map.number("revolutions", row).value_or(0));
   known.proven = map.word("proof", row).starts_with("floquet");
+  known.hertz_force_n = map.number("hertz_force_n", row);
   return known;
 }
 

@@ -14,10 +14,11 @@ namespace rubsweep::page {
 
 /// What the row of a map says of a cell, as far as its settled motion needs it.
 struct KnownMotion {
-  std::string_view motion_class;  ///< as map.csv writes it
-  std::optional<int> order;       ///< of a periodic motion
-  long revolutions = 0;           ///< after which the verdict stood
-  bool proven = false;            ///< by multipliers: the run was on its way to the motion by then
+  std::string_view motion_class;          ///< as map.csv writes it
+  std::optional<int> order;               ///< of a periodic motion
+  long revolutions = 0;                   ///< after which the verdict stood
+  bool proven = false;                    ///< by multipliers: the run was on its way to the motion by then
+  std::optional<double> hertz_force_n{};  ///< at which the secants of Hertz' contacts were taken in the end
 };
 
 /// The settled motion of one cell, long enough to be drawn. Lengths in metres, as deviations from rest.

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/sweep/hertz_secant.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -100,8 +101,26 @@ constexpr std::array of_refinement{
 constexpr std::array of_robustness{StudyColumn{
     "robust_share", "share of the neighbouring kicks that lead to the same class and order", share}};
 
+std::string hertz_iterations(const Row& row) {
+  return row.hertz ? fmt::format("{}", row.hertz->iterations) : "";
+}
+
+std::string hertz_force_n(const Row& row) { return row.hertz ? batch::csv_number(row.hertz->force_n) : ""; }
+
+std::string hertz_stiffness_n_per_m(const Row& row) {
+  return row.hertz ? batch::csv_number(row.hertz->stiffness_n_per_m) : "";
+}
+
+constexpr std::array of_hertz{
+    StudyColumn{"hertz_iterations", "how often the secant of the line contact was taken anew",
+                hertz_iterations},
+    StudyColumn{"hertz_force_n", "force of that secant, of the first stop that has hertz", hertz_force_n},
+    StudyColumn{"hertz_stiffness_n_per_m", "the stiffness that it gives that stop", hertz_stiffness_n_per_m},
+};
+
 }  // namespace
 
+std::span<const StudyColumn> hertz_columns() { return of_hertz; }
 std::span<const StudyColumn> threshold_columns() { return of_thresholds; }
 std::span<const StudyColumn> basin_columns() { return of_basins; }
 std::span<const StudyColumn> refinement_columns() { return of_refinement; }
@@ -112,6 +131,7 @@ std::vector<StudyColumn> study_columns(const sweep::Study& study) {
   const auto add = [&](std::span<const StudyColumn> more) {
     columns.insert(columns.end(), more.begin(), more.end());
   };
+  if (sweep::takes_secants_anew(study)) add(of_hertz);
   if (study.robustness == sweep::Robustness::probability) add(of_robustness);
   if (study.grid.refinement) add(of_refinement);
   if (study.threshold) add(of_thresholds);
@@ -126,6 +146,7 @@ std::string describe_study_columns() {
     for (const StudyColumn& column : columns)
       text += fmt::format("  {:<23}  {}\n", column.name, column.description);
   };
+  describe("response.hertz_iterations and a stop with hertz", of_hertz);
   describe("response.robustness probability", of_robustness);
   describe("sweep.refine", of_refinement);
   describe("study.kind threshold", of_thresholds);

@@ -18,7 +18,9 @@ struct StudyColumn {
   std::string (*text)(const sweep::Row&) = nullptr;  ///< what stands in the cell; empty: does not apply
 };
 
-/// Those of a study of thresholds, of basins, of a refined map, and of robustness as a probability.
+/// Those of iterated secants, of a study of thresholds, of basins, of a refined map, and of
+/// robustness as a probability.
+std::span<const StudyColumn> hertz_columns();
 std::span<const StudyColumn> threshold_columns();
 std::span<const StudyColumn> basin_columns();
 std::span<const StudyColumn> refinement_columns();

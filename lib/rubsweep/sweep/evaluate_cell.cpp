@@ -14,6 +14,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/sweep/hertz_secant.hpp"
 #include "rubsweep/sweep/robustness.hpp"
 
 namespace rubsweep::sweep {
@@ -22,14 +23,6 @@ namespace {
 bool some_friction_keeps_its_direction(const model::Machine& machine) {
   return std::ranges::any_of(
       machine.stops, [](const model::Stop& stop) { return contact::keeps_its_direction(stop.friction); });
-}
-
-void add_status(Row& row, std::string_view word) {
-  if (row.status == "ok") {
-    row.status = word;
-  } else {
-    row.status.append(";").append(word);
-  }
 }
 
 /// Whether a force is too large for the stiffness of some stop that has it from a line contact. Where stops
@@ -64,13 +57,23 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
   if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
 }
 
-/// The cell at a place, of a prepared machine that may differ from the study's.
-Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
-             response::motion::Workspace& workspace) {
+/// The cell at a place with the stiffnesses that the machine has.
+Row evaluate_as_it_is(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
+                      response::motion::Workspace& workspace) {
   const scene::Cell start = scene::build_cell(prepared, place.speed_hz, place.unbalance);
   if (!scene::can_run(start.start)) return row_of(start, place.speed_hz, prepared.machine, nullptr);
   const response::SettledRun run = response::settle(start, study.solver, study.response, workspace);
   return row_of(start, place.speed_hz, prepared.machine, &run);
+}
+
+/// The cell at a place, of a prepared machine that may differ from the study's.
+Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
+             response::motion::Workspace& workspace) {
+  if (!takes_secants_anew(study)) return evaluate_as_it_is(study, prepared, place, workspace);
+  return with_hertz_iterations(prepared.machine, study.hertz_iterations, [&](const model::Machine& machine) {
+    // Only stiffnesses of contacts differ: the structure stays.
+    return evaluate_as_it_is(study, {machine, prepared.assembly, prepared.reduction}, place, workspace);
+  });
 }
 
 /// With what robustness asks for.

@@ -33,6 +33,13 @@ constexpr std::string_view to_string(RunStart start) {
   return "";
 }
 
+/// The secant of Hertz' line contacts that a cell was computed with in the end.
+struct HertzSecant {
+  int iterations = 0;            ///< how often it was taken anew
+  double force_n = 0;            ///< at which it is taken, of the first stop that has hertz
+  double stiffness_n_per_m = 0;  ///< of that stop
+};
+
 /// All that survives of one cell: one row of the map. What does not apply is empty.
 struct Row {
   double speed_hz = 0;
@@ -53,8 +60,9 @@ struct Row {
   std::optional<RunStart> start;              ///< empty: nothing was run
   std::optional<double> robust_share{};       ///< see the function; empty unless asked for
   std::optional<int> refinement_level{};      ///< of a refined map
-  std::optional<Basins> basins{};  ///< of a study that asks for them; empty where no kick was simulated
-  std::vector<double> key_values{};  ///< of the axes over keys, in the order of key_names
+  std::optional<Basins> basins{};        ///< of a study that asks for them; empty where no kick was simulated
+  std::vector<double> key_values{};      ///< of the axes over keys, in the order of key_names
+  std::optional<HertzSecant> hertz{};    ///< where secants may be taken anew
   std::optional<Threshold> threshold{};  ///< of a study that asks for it; empty where no kick was simulated
 };
 

@@ -31,6 +31,9 @@ struct Study {
   response::motion::ResponseOptions response;
   Robustness robustness = Robustness::off;
   Neighbours neighbours{};
+  /// How often a cell whose forces leave the range of its Hertz secants is run again with the secants at the
+  /// force found, at most; see with_hertz_iterations.
+  int hertz_iterations = 0;
   std::optional<BasinSampling> basin{};      ///< each cell is also asked where these starts lead
   std::optional<ThresholdScan> threshold{};  ///< each cell is also asked after which of these numbers it rubs
   /// This study with other numbers under some of its keys, and with a grid that says nothing. Throws
