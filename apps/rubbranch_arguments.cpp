@@ -88,7 +88,8 @@ std::string rubbranch_help() {
   return fmt::format(
       "rubbranch CONFIG.yaml --cell SPEED_HZ,UNBALANCE [--along KEY] [options]\n"
       "rubbranch --map DIR [options]\n"
-      "Where an orbit ends: the periodic motion of one cell, followed both ways along a parameter, stable or "
+      "Where an orbit ends: the periodic motion of one cell (or the oval in a centred annulus), followed "
+      "both ways along a parameter, stable or "
       "not,\nthrough folds and grazes, with every bifurcation on it.\n\n"
       "{}\n"
       "Examples:\n"
