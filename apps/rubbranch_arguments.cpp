@@ -90,7 +90,7 @@ std::string rubbranch_help() {
       "rubbranch --map DIR [options]\n"
       "Where an orbit ends: the periodic motion of one cell (or the oval in a centred annulus), followed "
       "both ways along a parameter, stable or "
-      "not,\nthrough folds and grazes, with every bifurcation on it.\n\n"
+      "not, through folds and grazes, with every bifurcation on it.\n\n"
       "{}\n"
       "Examples:\n"
       "  rubbranch configs/figure06_one_side.yaml --cell 75,0.4\n"
