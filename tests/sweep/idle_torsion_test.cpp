@@ -23,9 +23,9 @@ std::string why(const model::Friction& friction, double speed_hz = 50) {
 
 TEST(WhyTorsionIsIdle, SaysSoWhereNoFrictionAsksForTheSlip) {
   EXPECT_NE(why(model::NoFriction{}), "");
-  EXPECT_NE(why(model::ConstantFriction{0.02}), "");
+  EXPECT_NE(why(model::OneWayFriction{0.02}), "");
   EXPECT_NE(why(model::StribeckFriction{{0, 0, 0, 0.02, 100, 0}}), "");
-  EXPECT_EQ(why(model::ConstantFriction{0.1}), "") << "hits that turn the unbalance by two degrees";
+  EXPECT_EQ(why(model::OneWayFriction{0.1}), "") << "hits that turn the unbalance by two degrees";
   EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.02, 100, 0.01}}), "") << "viscous";
   EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.02, 100, 0}}, 0.1), "") << "a shaft that hardly turns";
   EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(scene::light_shaft_machine()), 50), "")

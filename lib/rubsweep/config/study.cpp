@@ -1,6 +1,7 @@
 #include "rubsweep/config/study.hpp"
 
 #include <optional>
+#include <variant>
 
 #include "rubsweep/config/kick.hpp"
 #include "rubsweep/config/response.hpp"
@@ -13,6 +14,21 @@
 #include "rubsweep/config/sweep.hpp"
 
 namespace rubsweep::config {
+namespace {
+
+/// Friction that sticks would have to hold the twisting surface, which no solver does.
+void refuse_dry_friction_beside_torsion(const Value& stops, const model::Machine& machine) {
+  const model::RotorKit* kit = model::kit_of(machine);
+  if (kit == nullptr || !kit->torsion) return;
+  for (const model::Stop& stop : machine.stops) {
+    if (!std::holds_alternative<model::ConstantFriction>(stop.friction)) continue;
+    refuse(stops, "has a friction coefficient, which may stick, beside torsion of the rotor",
+           "friction by one_way, stribeck or static, or no torsion");
+    return;
+  }
+}
+
+}  // namespace
 
 sweep::Study read_study(Section& root) {
   sweep::Study study;
@@ -21,6 +37,7 @@ sweep::Study read_study(Section& root) {
   const auto shaft = kit != nullptr ? std::optional(places(*kit)) : std::nullopt;
   if (const auto value = root.require("stops", "a list of maps")) {
     study.machine.stops = read_stops(*value, shaft);
+    refuse_dry_friction_beside_torsion(*value, study.machine);
   }
   if (const auto value = root.find("kick")) study.machine.kick = read_kick(*value, shaft);
   if (const auto value = root.find("start")) {

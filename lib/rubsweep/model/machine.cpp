@@ -108,6 +108,12 @@ void validate(const Machine& machine) {
   for (std::size_t i = 0; i < machine.stops.size(); ++i) {
     const Stop& stop = machine.stops[i];
     validate(stop, fmt::format("stops.{}.", i));
+    if (const RotorKit* kit = kit_of(machine);
+        kit != nullptr && kit->torsion && std::holds_alternative<ConstantFriction>(stop.friction)) {
+      throw ConfigError(fmt::format(
+          "stops.{}.friction.coefficient: may stick, beside torsion of the rotor, allowed: another friction",
+          i));
+    }
     validate_position(machine, stop.position_m, true, fmt::format("stops.{}.position_m", i));
   }
   if (machine.kick) {
