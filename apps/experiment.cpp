@@ -79,9 +79,10 @@ std::vector<line::LinePoint> steady_motions(const ramp::SpeedRamp& ramp, const s
   return points;
 }
 
-/// Nothing is kicked: the unbalance alone brings the rotor to the wall.
+/// Neither kick nor start: the unbalance alone brings the rotor to the wall.
 Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study) {
   study.machine.kick.reset();
+  study.machine.start.reset();
   const scene::PreparedMachine machine = scene::prepare_machine(study.machine);
   ramp::RampRecord record(ramp);
   const integrate::run::Outcome run =

@@ -79,12 +79,14 @@ Figure::Figure(fs::path file, const std::string& option) : file_(std::move(file)
   scripts_ = scripts_directory(option);
 }
 
-void Figure::draw(const std::string& script, const fs::path& input, const std::string& heading) const {
+void Figure::draw(const std::string& script, const fs::path& input, const std::string& heading,
+                  const std::vector<std::string>& more) const {
   const TemporaryDirectory work;
   const fs::path output = work.path() / "picture";
   ::setenv("LC_ALL", "C.UTF-8", 1);
   std::vector<std::string> command{"python3",       "-B",   scripts_ / "analysis" / script, input.string(),
                                    output.string(), heading};
+  command.insert(command.end(), more.begin(), more.end());
   if (!run_child(std::move(command))) throw IoError(fmt::format("{}: could not be drawn", file_.string()));
   if (file_.has_parent_path()) make_directory(file_.parent_path());
   batch::write_whole_file(file_, text_of_file(fs::path(output) += file_.extension()));

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command_line.hpp"
 
@@ -21,8 +22,9 @@ class Figure {
   const std::filesystem::path& file() const { return file_; }
 
   /// Lets analysis/SCRIPT draw `input` under a heading; it is called as SCRIPT INPUT OUTPUT_BASENAME
-  /// HEADING. The picture appears whole or not at all. Throws IoError.
-  void draw(const std::string& script, const std::filesystem::path& input, const std::string& heading) const;
+  /// HEADING MORE... The picture appears whole or not at all. Throws IoError.
+  void draw(const std::string& script, const std::filesystem::path& input, const std::string& heading,
+            const std::vector<std::string>& more = {}) const;
 
  private:
   std::filesystem::path file_, scripts_;

@@ -4,6 +4,8 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
 #include <utility>
 
 #include "journal_header.hpp"
@@ -34,6 +36,14 @@ std::vector<fs::path> files(const fs::path& directory, std::string_view ending) 
 
 std::string comments_and_header(const std::string& digest, const sweep::Study& study) {
   return report::map_comments(RUBSWEEP_VERSION, digest, study) + report::map_header(study) + '\n';
+}
+
+/// Steele, Lea & Flood's SplitMix64: all bits of the result depend on all of the number.
+std::uint64_t mixed(std::uint64_t number) {
+  number += 0x9e3779b97f4a7c15U;
+  number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9U;
+  number = (number ^ (number >> 27U)) * 0x94d049bb133111ebU;
+  return number ^ (number >> 31U);
 }
 
 /// Putting a map together opens the journal of every part, of which there may be more than the files that a
@@ -79,6 +89,20 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   }
   batch::write_whole_file(directory_ / "config.yaml", config::print_config(config));
   if (!finished_map_) read_journals();
+}
+
+std::size_t MapDirectory::share_of(std::size_t cell) const {
+  return (refined_ ? mixed(cell) : cell) % part_.value_or(Share{}).count;
+}
+
+bool MapDirectory::is_at_work_on(const std::vector<std::size_t>& cells) const {
+  std::set<std::size_t> shares;
+  for (const std::size_t cell : cells) shares.insert(share_of(cell));
+  return std::ranges::any_of(shares, [&](std::size_t index) {
+    const std::string name = name_of(Share{index, part_.value_or(Share{}).count});
+    return index != part_.value_or(Share{}).index &&
+           batch::lock_holder(directory_ / (name + ".lock")).has_value();
+  });
 }
 
 void MapDirectory::leave() {
@@ -161,9 +185,9 @@ void MapDirectory::refuse_journals_of_others() const {
 void MapDirectory::read_journals() {
   batch::FinishedCells finished(header_.cells);
   for (const fs::path& journal : journals()) {
-    // No part needs what the other parts of the same division hold.
+    // No part needs what the other parts of the same division hold, but that of a refined map.
     const std::string name = journal.filename();
-    if (part_ && name.starts_with("map.shard-") && name != name_ + ".journal" &&
+    if (part_ && !refined_ && name.starts_with("map.shard-") && name != name_ + ".journal" &&
         name.ends_with(fmt::format("-of-{}.journal", part_->count))) {
       continue;
     }
@@ -171,18 +195,18 @@ void MapDirectory::read_journals() {
       say(fmt::format("{}: {} damaged records; their cells are computed again\n", journal.string(), damaged));
     }
   }
-  const Share share = part_.value_or(Share{});
-  missing_ = finished.missing(share.index, share.count);
-  cells_ = share.index < header_.cells ? (header_.cells - share.index - 1) / share.count + 1 : 0;
+  missing_ = finished.missing();
+  std::erase_if(missing_, [this](std::size_t cell) { return !has_in_share(cell); });
+  cells_ = 0;
+  for (std::size_t cell = 0; cell < header_.cells; ++cell) cells_ += has_in_share(cell) ? 1U : 0U;
   write_partial(finished);
 }
 
 void MapDirectory::write_partial(const batch::FinishedCells& finished) const {
   batch::WholeFile file(partial());
   file.write(head_);
-  const Share share = part_.value_or(Share{});
-  for (std::size_t cell = share.index; cell < header_.cells; cell += share.count) {
-    if (finished.contains(cell)) file.write(finished.text(cell) + '\n');
+  for (std::size_t cell = 0; cell < header_.cells; ++cell) {
+    if (has_in_share(cell) && finished.contains(cell)) file.write(finished.text(cell) + '\n');
   }
   file.commit();
 }

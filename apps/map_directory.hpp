@@ -18,7 +18,7 @@
 namespace rubsweep::apps {
 
 /// The cells that are `index` modulo `count`: a part of every map that takes about as long as the other
-/// parts.
+/// parts. Of a refined map, whose cells lie on lattices, those that are by their number well mixed.
 struct Share {
   std::size_t index = 0;
   std::size_t count = 1;
@@ -42,6 +42,12 @@ class MapDirectory {
   std::size_t cells() const { return cells_; }                       ///< of the share
   std::size_t finished() const { return cells_ - missing_.size(); }  ///< of them, when the work began
   const std::vector<std::size_t>& missing() const { return missing_; }
+
+  /// Whether the cell is one of the share.
+  bool has_in_share(std::size_t cell) const { return share_of(cell) == part_.value_or(Share{}).index; }
+
+  /// Whether another process is at work on a share that has one of these cells. Throws IoError.
+  bool is_at_work_on(const std::vector<std::size_t>& cells) const;
 
   /// The whole map of this study, where an earlier run left it: then there is nothing to do, and no cell is
   /// missing.
@@ -67,6 +73,7 @@ class MapDirectory {
 
  private:
   std::filesystem::path path(std::string_view ending) const;
+  std::size_t share_of(std::size_t cell) const;
   std::vector<std::filesystem::path> journals() const;
   void lock(const std::string& program);
   void refuse_what_is_no_file() const;

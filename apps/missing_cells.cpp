@@ -7,17 +7,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "forecast.hpp"
 #include "interrupt.hpp"
 #include "program.hpp"
+#include "refined_cells.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
-#include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/idle_torsion.hpp"
@@ -25,45 +25,53 @@
 #include "rubsweep/sweep/untouched_walls.hpp"
 
 namespace rubsweep::apps {
+namespace {
 
-MissingCells::MissingCells(const RubsweepArguments& arguments, const sweep::Study& study,
-                           MapDirectory& directory)
-    : arguments_(arguments),
+/// Until the journals of other shards are read again.
+constexpr std::chrono::milliseconds shard_patience{500};
+
+}  // namespace
+
+MissingCells::MissingCells(const SweepRun& how, const sweep::Study& study, MapDirectory& directory)
+    : how_(how),
       study_(study),
       directory_(directory),
       stop_(catch_interrupts()),
       journal_(directory.journal()),
       partial_(directory.partial()),
-      progress_(directory.cells(), arguments.quiet ? batch::ProgressMode::never : arguments.progress, stderr,
+      progress_(directory.cells(), how.quiet ? batch::ProgressMode::never : how.progress, stderr,
                 directory.finished()) {}
 
-/// Round after round of the cells that those before them ask for.
+/// Round after round of the cells that those before them ask for. Shards at work at the same time wait for
+/// each other's.
 bool MissingCells::run_refined() {
-  const auto number_of = [&](const std::string& line) {
-    return numbers_.try_emplace(report::label_of(line), static_cast<int>(numbers_.size())).first->second;
-  };
-  labels_.assign(sweep::cell_count(study_.grid), sweep::unknown_label);
+  RefinedCells known(study_.grid);
   std::optional<Watch> watch(
       std::in_place, [this] { refresh(); }, [this] { leave(); });
-  while (true) {
-    directory_.for_each_finished(
-        [&](std::size_t cell, const std::string& line) { labels_[cell] = number_of(line); });
-    const std::vector<std::size_t> wanted = sweep::wanted_cells(study_.grid, labels_);
-    if (wanted.empty()) break;
-    run_cells(wanted);
-    if (stop_) {
-      watch.reset();
-      say_interrupted();
-      return false;
+  while (!stop_) {
+    known.read(directory_);
+    std::vector<std::size_t> wanted = known.wanted(), own = wanted;
+    std::erase_if(own, [&](std::size_t cell) { return !directory_.has_in_share(cell); });
+    if (!own.empty()) {
+      run_cells(own);
+    } else if (directory_.is_at_work_on(wanted)) {
+      std::this_thread::sleep_for(shard_patience);
+    } else {
+      left_to_others_ = wanted.size();
+      break;
     }
   }
   {
     const std::lock_guard lock(mutex_);
-    complete_ = true;
+    complete_ = !stop_;
   }
   watch.reset();
+  if (stop_) {
+    say_interrupted();
+    return false;
+  }
   progress_.finish();
-  if (!arguments_.quiet) say(report::describe_refinement(study_.grid, labels_));
+  if (!how_.quiet && left_to_others_ == 0) say(known.description());
   return true;
 }
 
@@ -77,7 +85,7 @@ bool MissingCells::run() {
     why.pop_back();
     progress_.say(why);
   }
-  const int threads = batch::thread_count(arguments_.threads);
+  const int threads = batch::thread_count(how_.threads);
   std::vector<std::size_t> cells = directory_.missing();
   std::optional<Watch> watch(
       std::in_place, [this] { refresh(); }, [this] { leave(); });
@@ -99,8 +107,8 @@ bool MissingCells::run() {
 
 void MissingCells::run_cells(std::span<const std::size_t> cells) {
   sweep::run_cells(
-      study_, cells, arguments_.threads,
-      [this](std::size_t cell, const sweep::Row& row) { write_down(cell, row); }, stop_);
+      study_, cells, how_.threads, [this](std::size_t cell, const sweep::Row& row) { write_down(cell, row); },
+      stop_);
 }
 
 void MissingCells::write_down(std::size_t cell, const sweep::Row& row) {
@@ -133,9 +141,20 @@ void MissingCells::leave() {
 
 void MissingCells::say_interrupted() {
   progress_.finish();
-  say(fmt::format(
-      "rubsweep: interrupted; {} of {} cells are finished, the same command computes the others\n",
-      directory_.finished() + finished_, directory_.cells()));
+  say(fmt::format("{}: interrupted; {} of {} cells are finished, the same command computes the others\n",
+                  how_.program, directory_.finished() + finished_, directory_.cells()));
+}
+
+std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const sweep::Study& study,
+                                                 MapDirectory& directory) {
+  if (!how.quiet && directory.finished() > 0) {
+    say(fmt::format("{}: {} of {} cells were finished before\n", how.program, directory.finished(),
+                    directory.cells()));
+  }
+  if (directory.missing().empty()) return 0;
+  MissingCells missing(how, study, directory);
+  if (!missing.run()) return std::nullopt;
+  return missing.left_to_others();
 }
 
 }  // namespace rubsweep::apps

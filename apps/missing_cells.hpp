@@ -2,11 +2,10 @@
 
 #include <atomic>
 #include <cstddef>
-#include <map>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "map_directory.hpp"
 #include "rubsweep/batch/journal.hpp"
@@ -14,19 +13,30 @@
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/sweep/row.hpp"
 #include "rubsweep/sweep/study.hpp"
-#include "rubsweep_arguments.hpp"
 
 namespace rubsweep::apps {
+
+/// How a program goes about a sweep.
+struct SweepRun {
+  std::string program;  ///< who says how it goes
+  int threads = 0;
+  batch::ProgressMode progress = batch::ProgressMode::automatic;
+  bool quiet = false;
+};
 
 /// Computes the cells that a directory misses and writes each one down as it is finished.
 class MissingCells {
  public:
   /// All three must outlive it. Opens journal and partial map; throws IoError.
-  MissingCells(const RubsweepArguments& arguments, const sweep::Study& study, MapDirectory& directory);
+  MissingCells(const SweepRun& how, const sweep::Study& study, MapDirectory& directory);
 
   /// False when a signal came before all were finished. Cells that still run half a second after it are given
   /// up: nothing of them is in the journal, and the process ends without them.
   bool run();
+
+  /// Cells that a refined map wants of other shards, none of which was at work when this one had no more to
+  /// do.
+  std::size_t left_to_others() const { return left_to_others_; }
 
  private:
   bool all_finished() const { return finished_ == directory_.missing().size(); }
@@ -38,7 +48,7 @@ class MissingCells {
   void leave();
   void say_interrupted();
 
-  const RubsweepArguments& arguments_;
+  const SweepRun& how_;
   const sweep::Study& study_;
   MapDirectory& directory_;
   const std::atomic<bool>& stop_;
@@ -47,9 +57,13 @@ class MissingCells {
   batch::LineLog partial_;
   batch::Progress progress_;
   std::size_t finished_ = 0;
-  bool complete_ = false;               ///< a refined map wants no more cells
-  std::vector<int> labels_;             ///< of a refined map
-  std::map<std::string, int> numbers_;  ///< of its labels
+  bool complete_ = false;  ///< a refined map wants no more cells
+  std::size_t left_to_others_ = 0;
 };
+
+/// Says how many cells were finished before, and computes the others. Empty when a signal came, else
+/// MissingCells::left_to_others.
+std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const sweep::Study& study,
+                                                 MapDirectory& directory);
 
 }  // namespace rubsweep::apps

@@ -81,7 +81,9 @@ std::string broadcast_text(std::string text) {
 }
 
 void send_report(const Report& report) {
-  const std::string text = std::to_string(report.signal) + "\n" + report.lines;
+  std::string text = std::to_string(report.signal);
+  for (const FinishedCell& finished : report.finished)
+    text.append("\n").append(std::to_string(finished.cell)).append(" ").append(finished.line);
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, report_tag, MPI_COMM_WORLD);
 }
 
@@ -93,7 +95,14 @@ std::optional<Report> receive_report(std::chrono::milliseconds patience) {
     if (!status) return std::nullopt;
   }
   const auto text = receive<std::string>(*status, MPI_CHAR);
-  return Report{status->MPI_SOURCE, std::stoi(text), text.substr(text.find('\n') + 1)};
+  Report report{status->MPI_SOURCE, std::stoi(text), {}};
+  for (std::size_t end = text.find('\n'); end != std::string::npos;) {
+    const std::size_t begin = end + 1, blank = text.find(' ', begin);
+    end = text.find('\n', begin);
+    report.finished.push_back({std::stoul(text.substr(begin, blank - begin)),
+                               text.substr(blank + 1, end == std::string::npos ? end : end - blank - 1)});
+  }
+  return report;
 }
 
 void send_chunk(int rank, const batch::Chunk& chunk) {

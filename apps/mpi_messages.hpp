@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rubsweep/batch/chunk_queue.hpp"
 
@@ -33,12 +34,18 @@ std::size_t smallest(std::size_t value);
 int broadcast_number(int number);
 std::string broadcast_text(std::string text);
 
-/// A worker's word to the first rank: the finished lines of its last chunk, and a request for the next one
+/// A finished cell and its line of the map.
+struct FinishedCell {
+  std::size_t cell = 0;
+  std::string line;
+};
+
+/// A worker's word to the first rank: the finished cells of its last chunk, and a request for the next one
 /// unless a signal ended its work.
 struct Report {
   int rank = 0;
-  int signal = 0;     ///< 0: none did
-  std::string lines;  ///< each with its end
+  int signal = 0;  ///< 0: none did
+  std::vector<FinishedCell> finished;
 };
 
 void send_report(const Report& report);

@@ -16,7 +16,6 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
-#include "rubsweep/page/thinned_grid.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -43,10 +42,7 @@ int write_report(const fs::path& directory, const sweep::Study& study, std::stri
                  const ReportOptions& options) {
   batch::require_threads(options.threads, 1);
   page::MapTable map = read_map_of(study, directory / "map.csv");
-  const std::size_t cells =
-      page::thinned_grid(study.grid.speed_hz.size(), study.grid.unbalance.size(), options.most_orbits)
-          .cells()
-          .size();
+  const std::size_t cells = page::recorded_cells(study.grid, map, options.most_orbits);
   std::mutex mutex;  // guards the progress
   batch::Progress progress(cells, options.quiet ? batch::ProgressMode::never : options.progress);
   const std::atomic<bool>& stop = catch_interrupts();

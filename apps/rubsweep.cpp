@@ -7,21 +7,19 @@
 #include "forecast.hpp"
 #include "interrupt.hpp"
 #include "map_directory.hpp"
+#include "map_outcome.hpp"
 #include "missing_cells.hpp"
 #include "program.hpp"
-#include "report_file.hpp"
+#include "refined_cells.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
-#include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/explain_study.hpp"
-#include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep_arguments.hpp"
-#include "terminal_map.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -32,36 +30,40 @@ std::string own_name(const RubsweepArguments& arguments) {
   return fmt::format("rubsweep --shard {}/{}", arguments.shard->index + 1, arguments.shard->count);
 }
 
-/// What is said of a whole map and its exit code, whoever computed it.
-int report_map(const RubsweepArguments& arguments, const report::MapSummary& summary,
-               const sweep::Study& study, MapDirectory& directory) {
-  const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
-  const TerminalView view =
-      shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};
-  if (!arguments.quiet) fmt::print("{}{}map: {}\n", view.map, summary.text(), directory.map().string());
-  if (!arguments.quiet) warn("rubsweep", summary);
-  if (arguments.figure) {
-    arguments.figure->draw("draw_domain_map.py", directory.map(),
-                           study.machine.kick ? "Rub domains after a kick" : "Rub domains");
-    if (!arguments.quiet) fmt::print("figure: {}\n", arguments.figure->file().string());
+/// A refined map knows what it still wants only by what it has.
+void refuse_to_merge_too_early(const config::RunConfig& config, const MapDirectory& directory) {
+  std::size_t wanted = directory.missing().size();
+  if (config.study.grid.refinement) {
+    RefinedCells known(config.study.grid);
+    known.read(directory);
+    wanted = known.wanted().size();
+    if (wanted > 0) {
+      throw IoError(
+          fmt::format("nothing to merge yet: the refined map wants {} cells more, allowed: every shard once "
+                      "more, or the same without --shard",
+                      wanted));
+    }
   }
-  if (arguments.report) {
-    const std::filesystem::path place = directory.map().parent_path();
-    const int code = write_report(place, study, "rubsweep",
-                                  {.file = place / "report.html",
-                                   .threads = arguments.threads,
-                                   .progress = arguments.progress,
-                                   .quiet = arguments.quiet,
-                                   .before_leaving = [&] { directory.leave(); }});
-    if (code != done) return code;
+  if (wanted > 0) {
+    throw IoError(
+        fmt::format("nothing to merge yet: {} of {} cells are not finished", wanted, directory.cells()));
   }
-  fmt::print("{}", view.next);
-  return summary.has_failed_cells() ? some_cells_failed : done;
+}
+
+std::string shard_is_done(const sweep::Grid& grid, const MapDirectory& directory,
+                          std::size_t left_to_others) {
+  if (left_to_others > 0) {
+    return fmt::format(
+        "the refined map wants {} cells of other shards before it can say what it wants of this one: "
+        "run every shard, then each once more, or rubsweep without --shard\n",
+        left_to_others);
+  }
+  if (grid.refinement) return "the refined map is complete: rubsweep --merge\n";
+  return fmt::format("{} cells finished; when every shard is: rubsweep --merge\n", directory.cells());
 }
 
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
-  if (arguments.shard || arguments.merge) report::refuse_refinement(config.study.grid, "a map in shards");
-  if (arguments.report) report::refuse_refinement(config.study.grid, "a report");
+  refuse_fading(arguments, config.study);
   report::refuse_more_memory_than(machine_memory_bytes(), config.study,
                                   {batch::thread_count(arguments.threads)});
   batch::require_threads(arguments.threads, 1);
@@ -69,24 +71,20 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
                          arguments.fresh, own_name(arguments));
   if (directory.finished_map()) {
     if (!arguments.quiet) say(map_is_there("rubsweep"));
-    return report_map(arguments, directory.finished_map()->summary, config.study, directory);
+    return report_map("rubsweep", arguments, directory.finished_map()->summary, config.study, directory);
   }
-  if (arguments.merge && !directory.missing().empty()) {
-    throw IoError(fmt::format("nothing to merge yet: {} of {} cells are not finished",
-                              directory.missing().size(), directory.cells()));
+  if (arguments.merge) {
+    refuse_to_merge_too_early(config, directory);
+    return report_map("rubsweep", arguments, directory.write_map(), config.study, directory);
   }
-  if (!arguments.quiet && !arguments.merge && directory.finished() > 0) {
-    say(fmt::format("rubsweep: {} of {} cells were finished before\n", directory.finished(),
-                    directory.cells()));
-  }
-  if (!directory.missing().empty() && !MissingCells(arguments, config.study, directory).run())
-    return 128 + caught_signal();
+  const SweepRun how{"rubsweep", arguments.threads, arguments.progress, arguments.quiet};
+  const auto left_to_others = compute_missing_cells(how, config.study, directory);
+  if (!left_to_others) return 128 + caught_signal();
   if (arguments.shard) {
-    if (!arguments.quiet)
-      fmt::print("{} cells finished; when every shard is: rubsweep --merge\n", directory.cells());
+    if (!arguments.quiet) fmt::print("{}", shard_is_done(config.study.grid, directory, *left_to_others));
     return done;
   }
-  return report_map(arguments, directory.write_map(), config.study, directory);
+  return report_map("rubsweep", arguments, directory.write_map(), config.study, directory);
 }
 
 int perform(const RubsweepArguments& arguments) {

@@ -18,6 +18,8 @@ po::options_description visible_options() {
   po::options_description options("Options");
   add_output(options, "write there instead of output.directory");
   add_figure(options, "also draw the map as FILE.png or FILE.svg");
+  options.add_options()("fade",
+                        "of --figure: cells fade by robust_share, of response.robustness probability");
   add_threads(options, "threads; 0: one per processor");
   add_set(options);
   options.add_options()("fresh",
@@ -59,6 +61,8 @@ void read_division(const po::variables_map& given, RubsweepArguments& arguments)
     throw UsageError("--report needs the whole map: give it to --merge instead of --shard");
   if (given.count("figure") != 0 && arguments.shard)
     throw UsageError("--figure needs the whole map: give it to --merge instead of --shard");
+  arguments.fade = given.count("fade") != 0;
+  if (arguments.fade && given.count("figure") == 0) throw UsageError("--fade belongs to --figure");
   if (arguments.action == Action::run) arguments.figure = figure_of(given);
 }
 
@@ -86,6 +90,10 @@ std::string rubsweep_help() {
       "  rubsweep configs/figure06_one_side.yaml --explain\n"
       "  rubsweep configs/kick_and_restitution.yaml\n"
       "  rubsweep configs/threshold_one_side.yaml\n"
+      "  rubsweep configs/minimal.yaml --set 'study={{kind: basin, samples: 200, over: [{{key: kick.force_n, "
+      "from: 0, to: 400}}]}}'\n"
+      "  rubsweep configs/figure06_one_side.yaml --set 'sweep.refine={{levels: 2, probes: 1}}' --output "
+      "/tmp/refined\n"
       "  rubsweep configs/figure06_one_side.yaml --shard 2/8\n"
       "  rubsweep configs/figure06_one_side.yaml --report\n"
       "  rubsweep configs/figure06_one_side.yaml --figure map.png\n\n"

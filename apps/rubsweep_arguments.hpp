@@ -17,6 +17,7 @@ struct RubsweepArguments : StudyArguments {
   bool merge = false;                 ///< only put together what shards finished
   std::optional<Share> shard = {};    ///< compute this part alone
   std::optional<Figure> figure = {};  ///< also draw the finished map
+  bool fade = false;                  ///< its cells by their robust_share
   bool report = false;                ///< also make report.html of the finished map
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -19,8 +20,10 @@
 #include "forecast.hpp"
 #include "interrupt.hpp"
 #include "map_directory.hpp"
+#include "map_outcome.hpp"
 #include "mpi_messages.hpp"
 #include "program.hpp"
+#include "refined_cells.hpp"
 #include "rubsweep/batch/chunk_queue.hpp"
 #include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
@@ -29,7 +32,6 @@
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
-#include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
@@ -45,13 +47,15 @@ constexpr std::string_view program_name = "rubsweep-mpi";
 std::string help() {
   return "mpirun -n N rubsweep-mpi CONFIG.yaml [--output DIR] [--threads N] [--set KEY.PATH=VALUE]... "
          "[--fresh]\n"
-         "                         [--progress auto|always|never] [--quiet]\n"
+         "                         [--figure FILE [--fade]] [--report] [--progress auto|always|never] "
+         "[--quiet]\n"
          "Computes one map with N processes that share the output directory; see rubsweep --help for the "
          "options.\n"
          "--threads counts for each process. The map is the same, byte for byte, as that of rubsweep, and so "
          "is what\n"
          "happens when a run ends early: the same command, with any number of processes, computes the "
-         "rest.\n";
+         "rest. The\n"
+         "first process draws the picture and writes report.html, on --threads threads.\n";
 }
 
 /// What the first rank found out before there is anything to share.
@@ -63,14 +67,14 @@ struct Job {
 
 /// Returns an exit code; there is a job when it is `done`, and the map is not only asked about and not there.
 /// Each rank may take `memory_bytes`.
-ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::optional<Job>& job) {
+int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::optional<Job>& job) {
   RubsweepArguments arguments = parse_rubsweep_arguments(argc, argv);
   if (answered(program_name, arguments.action, help)) return done;
-  if (arguments.action != Action::run || arguments.shard || arguments.merge || arguments.figure) {
+  if (arguments.action != Action::run || arguments.shard || arguments.merge) {
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
-  report::refuse_refinement(config.study.grid, "a map of several processes");
+  refuse_fading(arguments, config.study);
   report::refuse_more_memory_than(memory_bytes, config.study,
                                   {batch::thread_count(arguments.threads), ranks});
   config.output_directory = fs::absolute(arguments.output.value_or(config.output_directory));
@@ -80,14 +84,11 @@ ExitCode prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std
   job->directory.emplace(job->config.output_directory, job->config, std::nullopt, job->arguments.fresh,
                          std::string(program_name));
   if (const auto& map = job->directory->finished_map()) {
-    const bool failed_cells = map->summary.has_failed_cells();
-    if (!job->arguments.quiet) {
-      say(map_is_there(program_name));
-      fmt::print("{}map: {}\n", map->summary.text(), job->directory->map().string());
-      warn(program_name, map->summary);
-    }
+    if (!job->arguments.quiet) say(map_is_there(program_name));
+    const int code =
+        report_map(program_name, job->arguments, map->summary, job->config.study, *job->directory);
     job.reset();
-    return failed_cells ? some_cells_failed : done;
+    return code;
   }
   return done;
 }
@@ -97,17 +98,26 @@ std::string interrupted(const MapDirectory& directory, std::size_t finished) {
                      program_name, directory.finished() + finished, directory.cells());
 }
 
-/// The first rank: deals out chunks to all ranks, itself included, and shows what is finished.
+/// The first rank: deals out chunks to all ranks, itself included, and shows what is finished. A refined map
+/// is computed in rounds: what it wants next is known when all that was dealt out is finished.
 class Leader {
  public:
   Leader(Job& job, int ranks)
       : job_(job),
         chunks_(job.directory->missing(), static_cast<std::size_t>(ranks)),
+        complete_(!job.config.study.grid.refinement),
         partial_(job.directory->partial()),
         progress_(job.directory->cells(),
                   job.arguments.quiet ? batch::ProgressMode::never : job.arguments.progress, stderr,
                   job.directory->finished()) {
     const int threads = batch::thread_count(job.arguments.threads);
+    if (!complete_) {
+      refined_.emplace(job.config.study.grid);
+      refined_->read(*job.directory);
+      chunks_.refill(refined_->wanted());
+      progress_.say(report::describe_footprint(job.config.study, {threads, ranks}));
+      return;
+    }
     const std::size_t cells = job.directory->missing().size();
     // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
     if (progress_.say(report::describe_footprint(job.config.study, {threads, ranks})) &&
@@ -115,7 +125,7 @@ class Leader {
       pilots_ = std::min(pilots_per_thread * static_cast<std::size_t>(threads * ranks), cells / 4);
   }
 
-  /// Returns how many cells were finished.
+  /// Returns how many cells were finished, of all or before a signal.
   std::size_t run(int workers, const std::atomic<bool>& stop) {
     std::exception_ptr failure;
     std::atomic<bool> own_done = false;
@@ -132,12 +142,13 @@ class Leader {
         if (serve()) --workers;
         if (own_done && failure) break;
         if (stop) end(caught_signal());
+        workers -= begin_round(workers);
         if (ended_ && ChunkClock::now() - *ended_ >= grace) leave();
         const std::lock_guard lock(mutex_);
         progress_.refresh();
       }
     } catch (...) {
-      chunks_.close();  // or the destructor would wait for all of them
+      give_up();  // or the destructor would wait for all cells
       throw;
     }
     own.join();
@@ -149,6 +160,9 @@ class Leader {
   /// That ended the work of any rank; 0: none did.
   int signal() const { return signal_; }
 
+  /// What a refined map cost; empty of any other.
+  std::string description() const { return refined_ ? refined_->description() : ""; }
+
  private:
   using ChunkClock = batch::ChunkQueue::Clock;
 
@@ -158,7 +172,56 @@ class Leader {
     ended_ = ChunkClock::now();
     signal_ = signal;
     ending_ = true;
+    give_up();
+  }
+
+  /// No cell is dealt out any more, and nobody waits for another round.
+  void give_up() {
+    const std::lock_guard lock(mutex_);
+    complete_ = true;
     chunks_.close();
+    next_round_.notify_all();
+  }
+
+  /// Deals out the next round of a refined map once all ranks wait for it, and tells them when there is none.
+  /// Returns how many of the `workers` are done.
+  int begin_round(int workers) {
+    const std::lock_guard lock(mutex_);
+    if (!complete_) {
+      if (!own_waits_ || waiting_.size() < static_cast<std::size_t>(workers)) return 0;
+      std::vector<std::size_t> wanted = refined_->wanted();
+      complete_ = wanted.empty();
+      chunks_.refill(std::move(wanted));
+      own_waits_ = false;
+      next_round_.notify_all();
+    }
+    int ended = 0;
+    std::vector<int> waiting = std::exchange(waiting_, {});
+    for (const int rank : waiting) ended += answer(rank);
+    return ended;
+  }
+
+  /// Sends a rank its next chunk, or lets it wait for the next round; 1 when there is nothing left for it.
+  /// With the mutex held.
+  int answer(int rank) {
+    const batch::Chunk chunk = chunks_.next(static_cast<std::size_t>(rank));
+    if (chunk.empty() && !complete_) {
+      waiting_.push_back(rank);
+      return 0;
+    }
+    mpi::send_chunk(rank, chunk);
+    return chunk.empty() ? 1 : 0;
+  }
+
+  /// The next chunk of this rank; empty when nothing is left.
+  batch::Chunk own_chunk() {
+    while (true) {
+      batch::Chunk chunk = chunks_.next(0);
+      std::unique_lock lock(mutex_);
+      if (!chunk.empty() || complete_) return chunk;
+      own_waits_ = true;
+      next_round_.wait(lock, [this] { return !own_waits_ || complete_; });
+    }
   }
 
   /// Cells that still run are given up, here and in the other ranks.
@@ -176,37 +239,35 @@ class Leader {
     if (!report) return false;
     {
       const std::lock_guard lock(mutex_);
-      keep(report->lines);
+      for (const mpi::FinishedCell& finished : report->finished) keep(finished.cell, finished.line);
     }
     if (report->signal != 0) end(report->signal);
     if (report->signal != 0) return true;
-    const batch::Chunk chunk = chunks_.next(static_cast<std::size_t>(report->rank));
-    mpi::send_chunk(report->rank, chunk);
-    return chunk.empty();
+    const std::lock_guard lock(mutex_);
+    return answer(report->rank) == 1;
   }
 
   void compute() {
     batch::Journal journal = job_.directory->journal();
-    for (batch::Chunk chunk = chunks_.next(0); !chunk.empty(); chunk = chunks_.next(0)) {
+    for (batch::Chunk chunk = own_chunk(); !chunk.empty(); chunk = own_chunk()) {
       sweep::run_cells(
           job_.config.study, chunk, job_.arguments.threads,
           [&](std::size_t cell, const sweep::Row& row) {
             const std::string line = report::map_line(row, job_.config.study);
             const std::lock_guard lock(mutex_);
             journal.append(cell, line);
-            keep(line + '\n');
+            keep(cell, line);
           },
           ending_);
     }
   }
 
   /// With the mutex held.
-  void keep(std::string_view lines) {
-    if (lines.empty()) return;
-    const auto count = static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
-    partial_.append(lines.substr(0, lines.size() - 1));
-    finished_ += count;
-    progress_.advance(count);
+  void keep(std::size_t cell, const std::string& line) {
+    partial_.append(line);
+    if (refined_) refined_->add(cell, line);
+    ++finished_;
+    progress_.advance();
     if (pilots_ == 0 || finished_ < pilots_) return;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
     progress_.say(forecast(finished_, elapsed.count(), job_.directory->missing().size() - finished_));
@@ -215,10 +276,16 @@ class Leader {
 
   Job& job_;
   batch::ChunkQueue chunks_;
+  /// No other round comes; not of a refined map before all its cells are there. Guarded by the mutex.
+  bool complete_ = true;
   std::optional<ChunkClock::time_point> ended_;  ///< when the first signal was heard of
   int signal_ = 0;
   std::atomic<bool> ending_ = false;  ///< no new cell starts
   std::mutex mutex_;                  ///< guards the journal and what follows
+  std::condition_variable next_round_;
+  std::optional<RefinedCells> refined_;
+  bool own_waits_ = false;    ///< this rank has nothing to do before the next round
+  std::vector<int> waiting_;  ///< nor have these
   batch::LineLog partial_;
   batch::Progress progress_;
   std::size_t finished_ = 0;
@@ -229,7 +296,7 @@ class Leader {
 ExitCode work(const config::RunConfig& config, int rank, int threads) {
   const std::atomic<bool>& stop = catch_interrupts();
   std::optional<batch::Journal> journal;
-  std::string lines;
+  std::vector<mpi::FinishedCell> finished;
   std::mutex mutex;  // guards the journal
   // A rank in the middle of a long cell cannot report any more. One that ends like this ends the job, and the
   // others are told by a signal.
@@ -241,8 +308,7 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
       });
   while (true) {
     const int signal = caught_signal();  // once: what is reported is what is done
-    mpi::send_report({rank, signal, std::move(lines)});
-    lines.clear();
+    mpi::send_report({rank, signal, std::exchange(finished, {})});
     if (signal != 0) break;
     const batch::Chunk chunk = mpi::receive_chunk();
     if (chunk.empty()) break;
@@ -250,10 +316,10 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
     sweep::run_cells(
         config.study, chunk, threads,
         [&](std::size_t cell, const sweep::Row& row) {
-          const std::string line = report::map_line(row, config.study);
+          std::string line = report::map_line(row, config.study);
           const std::lock_guard lock(mutex);
           journal->append(cell, line);
-          lines.append(line).append("\n");
+          finished.push_back({cell, std::move(line)});
         },
         stop);
   }
@@ -265,7 +331,7 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
 
 int lead(Job& job, int ranks) {
   const std::atomic<bool>& stop = catch_interrupts();
-  const MapDirectory& directory = *job.directory;
+  MapDirectory& directory = *job.directory;
   const bool quiet = job.arguments.quiet;
   if (!quiet && directory.finished() > 0) {
     say(fmt::format("{}: {} of {} cells were finished before\n", program_name, directory.finished(),
@@ -273,17 +339,18 @@ int lead(Job& job, int ranks) {
   }
   Leader leader(job, ranks);
   const std::size_t finished = leader.run(ranks - 1, stop);
-  mpi::wait_for_all();
-  if (finished < directory.missing().size()) {
+  const bool refined = job.config.study.grid.refinement.has_value();
+  if (refined ? leader.signal() != 0 : finished < directory.missing().size()) {
+    mpi::wait_for_all();
     say(interrupted(directory, finished));
     return 128 + leader.signal();
   }
-  const report::MapSummary summary = directory.write_map();
-  if (!quiet) {
-    fmt::print("{}map: {}\n", summary.text(), directory.map().string());
-    warn(program_name, summary);
-  }
-  return summary.has_failed_cells() ? some_cells_failed : done;
+  if (!quiet) say(leader.description());
+  // The others sleep meanwhile.
+  const int code =
+      report_map(program_name, job.arguments, directory.write_map(), job.config.study, directory);
+  mpi::wait_for_all();
+  return code;
 }
 
 int run(int argc, char** argv) {

@@ -1,6 +1,7 @@
 # Draws the cells that analysis/domain_map.py lays out, one colour per class and order.
-# gnuplot -c domain_map.gp CELLS OUTPUT_BASENAME HEADING PRESENT LABELS SPEED_LABEL UNBALANCE_LABEL BOUNDARIES
+# gnuplot -c domain_map.gp CELLS OUTPUT_BASENAME HEADING PRESENT LABELS SPEED_LABEL UNBALANCE_LABEL BOUNDARIES FADE
 # PRESENT: the kinds in CELLS, a blank around each; LABELS: x y text x y text ...; the other two stand at the axes;
+# FADE: not empty where cells are shown by as much of their colour as their strength says;
 # BOUNDARIES: the kinds of lines in CELLS behind the cells, a block for each.
 
 cells = ARG1
@@ -60,15 +61,39 @@ if (strstrt(present, " quasi_periodic_oval ")) {
 at(list, k) = k > words(list) ? kinds : int(word(list, k))  # gnuplot reads the body of an empty loop, too
 x_if(i) = strcol(7) eq kind[i] ? $1 : NaN
 
+# A cell of strength 0 keeps a fifth of its colour, mixed with white.
+digit(c) = strstrt("0123456789ABCDEF", c) - 1
+part(hex, k) = 16 * digit(hex[2 * k:2 * k]) + digit(hex[2 * k + 1:2 * k + 1])
+mixed(level, strength) = int(255 - (0.2 + 0.8 * strength) * (255 - level) + 0.5)
+faded(i, strength) = 65536 * mixed(part(colour[i], 1), strength) + 256 * mixed(part(colour[i], 2), strength) + \
+  mixed(part(colour[i], 3), strength)
+fade = strlen(ARG9) > 0
+if (fade) { set label "fainter: fewer of the neighbouring\nkicks lead to the same motion" at screen 0.78, screen 0.08 left font ",15" }
+
 set terminal pngcairo size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
 set output output . ".png"
-plot for [k = 1:words(solid)] cells index 0 using (x_if(at(solid, k))):2:3:4:5:6 with boxxyerror \
-       linecolor rgb colour[at(solid, k)] linewidth 0.5 fillstyle solid 1 border title legend[at(solid, k)], \
-     for [k = 1:words(hatched)] cells index 0 using (x_if(at(hatched, k))):2:3:4:5:6 with boxxyerror \
-       linecolor rgb colour[at(hatched, k)] linewidth 0.5 fillstyle pattern (at(hatched, k) - kinds + 6) border \
-       title legend[at(hatched, k)], \
-     for [k = 1:words(boundaries)] cells index (k > words(boundaries) ? 0 : k) using 1:2 with lines linecolor rgb "#000000" linewidth 1.3 \
-       dashtype boundary_dash(k) title boundary_name(k)
+# The legend of faded cells is drawn beside the map, in full colours.
+if (fade) {
+  plot for [k = 1:words(solid)] cells index 0 using (x_if(at(solid, k))):2:3:4:5:6:(faded(at(solid, k), $8)) \
+         with boxxyerror linecolor rgb variable linewidth 0.5 fillstyle solid 1 border notitle, \
+       for [k = 1:words(solid)] NaN with boxes linecolor rgb colour[at(solid, k)] fillstyle solid 1 border \
+         title legend[at(solid, k)], \
+       for [k = 1:words(hatched)] cells index 0 using (x_if(at(hatched, k))):2:3:4:5:6:(faded(at(hatched, k), $8)) \
+         with boxxyerror linecolor rgb variable linewidth 0.5 fillstyle pattern (at(hatched, k) - kinds + 6) border \
+         notitle, \
+       for [k = 1:words(hatched)] NaN with boxes linecolor rgb colour[at(hatched, k)] \
+         fillstyle pattern (at(hatched, k) - kinds + 6) border title legend[at(hatched, k)], \
+       for [k = 1:words(boundaries)] cells index (k > words(boundaries) ? 0 : k) using 1:2 with lines linecolor rgb "#000000" linewidth 1.3 \
+         dashtype boundary_dash(k) title boundary_name(k)
+} else {
+  plot for [k = 1:words(solid)] cells index 0 using (x_if(at(solid, k))):2:3:4:5:6 with boxxyerror \
+         linecolor rgb colour[at(solid, k)] linewidth 0.5 fillstyle solid 1 border title legend[at(solid, k)], \
+       for [k = 1:words(hatched)] cells index 0 using (x_if(at(hatched, k))):2:3:4:5:6 with boxxyerror \
+         linecolor rgb colour[at(hatched, k)] linewidth 0.5 fillstyle pattern (at(hatched, k) - kinds + 6) border \
+         title legend[at(hatched, k)], \
+       for [k = 1:words(boundaries)] cells index (k > words(boundaries) ? 0 : k) using 1:2 with lines linecolor rgb "#000000" linewidth 1.3 \
+         dashtype boundary_dash(k) title boundary_name(k)
+}
 set terminal svg size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5
 set output output . ".svg"
 replot

@@ -18,11 +18,13 @@ LABEL_REACH = 0.02
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell: x is the speed over the natural frequency (in Hz where there is none), y the unbalance."""
+    """One cell: x is the speed over the natural frequency (in Hz where there is none), y the unbalance; `strength`, from
+    0 to 1, is how much of its colour is shown."""
 
     x: float
     y: float
     kind: str
+    strength: float = 1
 
 
 @dataclass(frozen=True)
@@ -44,14 +46,17 @@ def kind_of(row):
     return name
 
 
-def read_cells(path, measure, natural_frequency_hz=None, across="speed_hz"):
-    """The cells of a map over two columns: `across`, the speed where it is not another, and `measure`."""
+def read_cells(path, measure, natural_frequency_hz=None, across="speed_hz", strength=None):
+    """The cells of a map over two columns: `across`, the speed where it is not another, and `measure`. `strength` is a
+    column of shares; a cell without one is shown in full."""
     cells = []
-    for row in csv_table.read_table(path, across, "class", "order", "orbit", "whirl", "comb_spacing", measure):
+    columns = [across, "class", "order", "orbit", "whirl", "comb_spacing", measure] + ([strength] if strength else [])
+    for row in csv_table.read_table(path, *columns):
         if not row[measure]:
             continue
         x = csv_table.number(row, across) / (natural_frequency_hz or 1)
-        cells.append(Cell(x, csv_table.number(row, measure), kind_of(row)))
+        share = csv_table.number(row, strength) if strength and row[strength] else 1
+        cells.append(Cell(x, csv_table.number(row, measure), kind_of(row), min(max(share, 0), 1)))
     if not cells:
         raise csv_table.TableError(f"{path}: no cells")
     return cells
@@ -134,11 +139,11 @@ def labels(cells):
 
 
 def cell_lines(cells):
-    """One line per cell: x y left right bottom top kind."""
+    """One line per cell: x y left right bottom top kind strength."""
     across, up = edges(cell.x for cell in cells), edges(cell.y for cell in cells)
     for cell in cells:
         figures = (cell.x, cell.y, *across[cell.x], *up[cell.y])
-        yield " ".join(_digits(figure) for figure in figures) + " " + cell.kind
+        yield " ".join(_digits(figure) for figure in figures) + f" {cell.kind} {_digits(cell.strength)}"
 
 
 def label_text(found):

@@ -1,7 +1,6 @@
 """The program behind bifurcation.sh, which says what it does."""
 
 import os
-import tempfile
 
 import gnuplot
 import line_layout
@@ -13,22 +12,17 @@ def main(arguments):
     # Absolute names: to gnuplot others may be commands.
     directory, output = (os.path.abspath(name) for name in arguments[:2])
     line = line_layout.Line(directory)
-    with tempfile.TemporaryDirectory() as work:
-        for name, lines in (("section", line_layout.section_lines(line)), ("peaks", line_layout.peak_lines(line))):
-            with open(os.path.join(work, name), "w", encoding="utf-8") as file:
-                file.writelines(text + "\n" for text in lines)
-        os.makedirs(os.path.dirname(output), exist_ok=True)
-        gnuplot.draw(
-            "bifurcation.gp",
-            work,
-            output,
-            map_heading.heading(arguments[2], line.config),
-            line.kinds,
-            " ".join(line.passes),
-            line.label,
-            line.clearance_mm(),
-            "towards the wall" if line.has_fixed_wall() else "y",
-        )
+    gnuplot.draw_files(
+        "bifurcation.gp",
+        {"section": line_layout.section_lines(line), "peaks": line_layout.peak_lines(line)},
+        output,
+        map_heading.heading(arguments[2], line.config),
+        line.kinds,
+        " ".join(line.passes),
+        line.label,
+        line.clearance_mm(),
+        "towards the wall" if line.has_fixed_wall() else "y",
+    )
 
 
 if __name__ == "__main__":

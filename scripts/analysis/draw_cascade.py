@@ -1,7 +1,6 @@
 """The program behind cascade.sh, which says what it does."""
 
 import os
-import tempfile
 
 import gnuplot
 import line_layout
@@ -24,27 +23,26 @@ def main(arguments):
     span = max(values) - min(values) or 1.0
     order = line_layout.largest_order(spectra)
     height = HEIGHT * span / highest
-    with tempfile.TemporaryDirectory() as work:
-        for name, of_pass in spectra.items():
-            with open(os.path.join(work, name), "w", encoding="utf-8") as file:
-                for spectrum in of_pass:
-                    file.writelines("%.17g %.17g\n" % point for point in spectrum.outline(order + 0.3, height))
-                    file.write("\n\n")
-        with open(os.path.join(work, "kinds.gp"), "w", encoding="utf-8") as file:
-            for name, of_pass in spectra.items():
-                file.write(f"kinds_{name} = \"{' '.join(spectrum.kind for spectrum in of_pass)}\"\n")
-        os.makedirs(os.path.dirname(output), exist_ok=True)
-        gnuplot.draw(
-            "cascade.gp",
-            work,
-            output,
-            map_heading.heading(arguments[2], line.config),
-            line.kinds,
-            " ".join(line.passes),
-            line.label,
-            "%.17g %.17g" % (min(values), min(values) + span),
-            "%d %.17g %.17g" % (order, highest, height),
-        )
+    files = {name: _outlines(of_pass, order + 0.3, height) for name, of_pass in spectra.items()}
+    files["kinds.gp"] = [f"kinds_{name} = \"{' '.join(s.kind for s in of_pass)}\"" for name, of_pass in spectra.items()]
+    gnuplot.draw_files(
+        "cascade.gp",
+        files,
+        output,
+        map_heading.heading(arguments[2], line.config),
+        line.kinds,
+        " ".join(line.passes),
+        line.label,
+        "%.17g %.17g" % (min(values), min(values) + span),
+        "%d %.17g %.17g" % (order, highest, height),
+    )
+
+
+def _outlines(spectra, largest_order, height):
+    """A block of points for each spectrum, two empty lines behind it."""
+    for spectrum in spectra:
+        yield from ("%.17g %.17g" % point for point in spectrum.outline(largest_order, height))
+        yield "\n"
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import gnuplot
 import map_heading
 import refined_map
 import swept_axes
-from command import require_readable, run_program
+from command import Failure, require_readable, run_program
 
 
 def axis_label(column, natural_hz):
@@ -37,7 +37,12 @@ def main(arguments):
     if across != "speed_hz":
         natural_hz = None
 
-    cells = domain_map.read_cells(map_file, up, natural_hz, across)
+    fade = len(arguments) > 3
+    if fade and arguments[3] != "fade":
+        raise Failure(f"'{arguments[3]}' is not allowed, allowed: fade")
+    if fade and config.get("response.robustness") != "probability":
+        raise Failure(f"{map_file} has no column robust_share: response.robustness is not probability")
+    cells = domain_map.read_cells(map_file, up, natural_hz, across, "robust_share" if fade else None)
     boundaries = {}
     if across == "speed_hz":
         boundary_file = os.path.join(os.path.dirname(map_file), "boundaries.csv")
@@ -62,8 +67,9 @@ def main(arguments):
             axis_label(across, natural_hz),
             axis_label(up, None),
             " ".join(boundaries),
+            "fade" if fade else "",
         )
 
 
 if __name__ == "__main__":
-    run_program(main, usage="domain_map.sh MAP.csv OUTPUT_BASENAME HEADING", least=3, most=3)
+    run_program(main, usage="domain_map.sh MAP.csv OUTPUT_BASENAME HEADING [fade]", least=3, most=4)

@@ -33,8 +33,11 @@ def painted_cells(cells, across, up, levels):
     axes in the order of the sweep, in the units of the cells."""
     places = {x: i for i, x in enumerate(across)}, {y: j for j, y in enumerate(up)}
     known = {(places[0][cell.x], places[1][cell.y]): cell.kind for cell in cells}
+    strengths = {(places[0][cell.x], places[1][cell.y]): cell.strength for cell in cells}
     found = painted(known, len(across), len(up), levels)
-    return [domain_map.Cell(across[i], up[j], kind) for (i, j), kind in sorted(found.items())]
+    return [
+        domain_map.Cell(across[i], up[j], kind, strengths.get((i, j), 1)) for (i, j), kind in sorted(found.items())
+    ]
 
 
 def _halves(stretch):

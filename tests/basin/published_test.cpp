@@ -152,5 +152,67 @@ TEST(Published, PendulumRestsOrRotates) {
   EXPECT_NEAR(share, 0.152, 3 * standard_error(0.152, samples));
 }
 
+/// x'' + 0.1 x' + x + sgn(v) mu(v) = 0 with v = x' - belt and mu = 0.5 + 0.5 exp(-2 |v|), 1 at most where it
+/// sticks; bSTAB's friction oscillator. Rest under the sliding belt is x = mu(belt), x' = 0.
+struct FrictionOscillator {
+  double belt = 0;
+
+  static double coefficient(double slip) { return 0.5 + 0.5 * std::exp(-2 * std::abs(slip)); }
+  double rest() const { return coefficient(belt); }
+  bool sticks(double x) const { return std::abs(x + 0.1 * belt) <= coefficient(0); }
+
+  /// Runs on until it first sticks, or comes as near to rest as `near`, or to the time `end`.
+  enum class Ending { sticks, rests, neither };
+  Ending run(State& y, double end, double near) const {
+    constexpr double step = 0.02;
+    for (double t = 0; t < end; t += step) {
+      const double sign = y[1] < belt ? -1 : 1;
+      y = integrated(y, 0, step, 1,
+                     [&](double, double x, double v) { return -0.1 * v - x - sign * coefficient(v - belt); });
+      if ((y[1] - belt) * sign < 0 && sticks(y[0])) return Ending::sticks;
+      if (std::hypot(y[0] - rest(), y[1]) < near) return Ending::rests;
+    }
+    return Ending::neither;
+  }
+};
+
+/// bSTAB: from [-2, 2] x [0, 2] the share 0.312 comes to rest at a belt of 1.5. All that stick once leave the
+/// belt at one and the same place, and so lead to one motion.
+TEST(Published, FrictionOscillatorRestsOrSticksAndSlips) {
+  constexpr std::size_t samples = 2000;
+  const FrictionOscillator oscillator{1.5};
+  State leaves{FrictionOscillator::coefficient(0) - 0.1 * oscillator.belt, oscillator.belt - 1e-9};
+  EXPECT_EQ(oscillator.run(leaves, 100, 0.05), FrictionOscillator::Ending::sticks);
+  std::size_t rest = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const auto point = low_discrepancy_point(i, 2);
+    State y{-2 + 4 * point[0], 2 * point[1]};
+    const auto ending = oscillator.run(y, 1000, 0.05);
+    EXPECT_NE(ending, FrictionOscillator::Ending::neither);
+    if (ending == FrictionOscillator::Ending::rests) ++rest;
+  }
+  EXPECT_NEAR(fraction(rest, samples), 0.312, 3 * standard_error(0.312, samples));
+}
+
+/// Rest is stable where 0.1 - exp(-2 belt) > 0. Of starts beside it none comes nearer before, all do behind.
+TEST(Published, FrictionOscillatorsRestBecomesStableAtItsClosedForm) {
+  const auto coming_nearer = [](double belt) {
+    const FrictionOscillator oscillator{belt};
+    std::size_t nearer = 0;
+    constexpr std::size_t samples = 20;
+    for (std::size_t i = 0; i < samples; ++i) {
+      const double angle = 2 * pi * low_discrepancy_point(i, 1).front(), radius = 1e-3;
+      State y{oscillator.rest() + radius * std::cos(angle), radius * std::sin(angle)};
+      oscillator.run(y, 200, 0);
+      if (std::hypot(y[0] - oscillator.rest(), y[1]) < radius) ++nearer;
+    }
+    return fraction(nearer, samples);
+  };
+  const double onset = 0.5 * std::log(10);
+  EXPECT_NEAR(onset, 1.15129, 5e-6);
+  EXPECT_EQ(coming_nearer(onset - 0.005), 0);
+  EXPECT_EQ(coming_nearer(onset + 0.005), 1);
+}
+
 }  // namespace
 }  // namespace rubsweep::basin

@@ -34,6 +34,19 @@ TEST(ChunkQueue, DealsOutEveryCellOnce) {
   }
 }
 
+TEST(ChunkQueue, DealsOutWhatItIsFilledWithAgain) {
+  ChunkQueue queue({}, 2);
+  EXPECT_TRUE(queue.next(0, start).empty());
+  for (const std::size_t count : {5u, 40u}) {
+    queue.refill(cells_from(7, count));
+    Chunk dealt;
+    for (Chunk chunk = queue.next(1, start); !chunk.empty(); chunk = queue.next(1, start))
+      dealt.insert(dealt.end(), chunk.begin(), chunk.end());
+    std::sort(dealt.begin(), dealt.end());
+    EXPECT_EQ(dealt, cells_from(7, count));
+  }
+}
+
 TEST(ChunkQueue, AChunkIsSpreadOverAllCells) {
   for (const std::size_t count : {1000u, 1024u, 1320u, 65536u}) {
     ChunkQueue queue(cells_from(0, count), 1);

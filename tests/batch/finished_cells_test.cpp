@@ -19,8 +19,6 @@ TEST(FinishedCells, WithoutJournalsEverythingIsMissing) {
   const FinishedCells cells(6);
   EXPECT_EQ(cells.count(), 0u);
   EXPECT_EQ(cells.missing(), (Cells{0, 1, 2, 3, 4, 5}));
-  EXPECT_EQ(cells.missing(1, 4), (Cells{1, 5}));
-  EXPECT_EQ(cells.missing(6, 7), Cells{});
 }
 
 TEST(FinishedCells, AreThoseOfAllJournals) {
@@ -42,7 +40,6 @@ TEST(FinishedCells, AreThoseOfAllJournals) {
   EXPECT_EQ(cells.add(two), 0u);
   EXPECT_EQ(cells.count(), 3u);
   EXPECT_EQ(cells.missing(), (Cells{2, 3, 5}));
-  EXPECT_EQ(cells.missing(1, 2), (Cells{3, 5}));
   EXPECT_EQ(cells.text(0), "");
   EXPECT_EQ(cells.text(1), long_text) << "the first record counts";
   EXPECT_EQ(cells.text(4), "four");

@@ -1,8 +1,6 @@
 #!/usr/bin/env bash
 # study.kind basin and robustness: probability: what is counted is what single runs do, and a killed sweep goes on.
 source "$(dirname "$0")/support.sh"
-set -m
-trap 'kill -KILL %% 2>/dev/null || true; rm -rf "$work"' EXIT
 
 draw=("$minimal" --set 'study={kind: basin, samples: 60, over: [{key: kick.force_n, from: 0, to: 400}]}')
 plain=$header
@@ -22,15 +20,7 @@ rubbing=$(cells kicks/map.csv class | grep -vc non_contact)
 share=$(cells whole/map.csv speed_hz whirl_ratio rub_probability | grep '^70,0.4,' | cut -d, -f3)
 python3 -c "import sys; sys.exit(abs($share - $rubbing / 60) > 1e-12)" || fail "$share is not $rubbing of 60"
 
-"$rubsweep" "${draw[@]}" --output killed --threads 1 >stdout 2>stderr </dev/null &
-until [[ -e killed/map.partial.csv ]] && (($(rows killed/map.partial.csv | wc -l) >= 3)); do
-  kill -0 $! 2>/dev/null || break
-  sleep 0.002
-done
-kill -KILL %% 2>/dev/null || true
-wait %% 2>/dev/null || true
-expect_exit 0 "${draw[@]}" --output killed
-expect_same killed/map.csv whole/map.csv
+expect_resumed 3 whole "${draw[@]}"
 
 header=$plain,robust_share
 expect_exit 0 "$minimal" --output share --set response.robustness=probability --set response.robustness_neighbours=4

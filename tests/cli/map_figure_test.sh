@@ -13,7 +13,7 @@ draw() {
 }
 
 draw 1 map_figure.sh
-expect_contains stderr 'map_figure.sh: usage: map_figure.sh CONFIG_STEM FIGURE HEADING'
+expect_contains stderr 'map_figure.sh: usage: map_figure.sh [--fade] CONFIG_STEM FIGURE HEADING'
 draw 1 map_figure.sh minimal figure
 expect_contains stderr 'usage: map_figure.sh'
 draw 1 domain_map.sh
@@ -54,6 +54,24 @@ expect_exit 1 "$minimal" --shard 1/2 --figure x.png
 expect_contains stderr '--figure needs the whole map'
 expect_exit 1 "$minimal" --figure x.pdf
 expect_contains stderr '--figure: allowed: a name that ends with .png or .svg'
+
+# Cells fade by the share of neighbouring kicks that lead to the same motion, where the map has it.
+share=(--set response.robustness=probability --set 'sweep={speed_hz: {values: [60, 75, 90]}, whirl_ratio: {values: [0.4, 0.8, 1.2]}}')
+expect_exit 2 "$minimal" --output faded --figure faded.svg --fade
+expect_contains stderr '--fade: the map has no column robust_share, allowed: with response.robustness probability'
+expect_missing faded
+expect_exit 1 "$minimal" --fade
+expect_contains stderr '--fade belongs to --figure'
+expect_exit 0 "$minimal" "${share[@]}" --output faded --figure faded.svg --fade
+expect_contains faded.svg 'fainter: fewer of the neighbouring'
+draw 0 map_figure.sh --fade minimal unused 'Rub domains after a kick' faded/map.csv out/faded
+expect_same out/faded.svg faded.svg
+draw 0 domain_map.sh faded/map.csv out/plain 'Rub domains after a kick'
+! grep -q fainter out/plain.svg || fail 'cells fade without being asked'
+draw 3 domain_map.sh ratio/map.csv out/none Heading fade
+expect_contains stderr 'has no column robust_share: response.robustness is not probability'
+draw 3 domain_map.sh faded/map.csv out/none Heading bright
+expect_contains stderr "'bright' is not allowed, allowed: fade"
 
 # A whip and an oval, circles forward and backward: each has its own colour and name.
 mkdir motions

@@ -24,6 +24,31 @@ for ranks in 1 2 3; do
   expect_files "ranks_$ranks" config.yaml map.csv
 done
 
+# A refined map, of which nobody knows beforehand what it wants; rounds end where a rank has nothing to do.
+refined=("$minimal" --set 'sweep={speed_hz: {from: 60, to: 100, count: 21}, whirl_ratio: {from: 0.1, to: 0.9, count: 17}, refine: {levels: 3, probes: 1}}')
+expect_exit 0 "${refined[@]}" --output refined
+grep -E '^(refined|boundaries): ' stderr >refined_description
+for ranks in 1 3; do
+  expect_mpi 0 $ranks "${refined[@]}" --output "refined_$ranks"
+  expect_same "refined_$ranks/map.csv" refined/map.csv
+  expect_same <(grep -E '^(refined|boundaries): ' stderr) refined_description
+done
+
+# The first rank writes page and picture, of a map that is there as well.
+expect_exit 0 "${quick[@]}" --output whole --report --quiet
+expect_mpi 0 2 "${quick[@]}" --output reported --report
+expect_matches stdout '^report: .*/reported/report.html'
+expect_same reported/report.html whole/report.html
+rm reported/report.html
+expect_mpi 0 2 "${quick[@]}" --output reported --report --quiet
+expect_same reported/report.html whole/report.html
+if command -v gnuplot >/dev/null; then
+  expect_exit 0 "${quick[@]}" --output whole --figure whole.svg --quiet
+  expect_mpi 0 2 "${quick[@]}" --output drawn --figure drawn.svg
+  expect_contains stdout 'figure: drawn.svg'
+  expect_same drawn.svg whole.svg
+fi
+
 # A map of some seconds, and one rank is killed in the middle, at its first finished cell: the job ends, the finished
 # cells stay. On a busy machine the job may be done before this script gets to look: then once more.
 slow=("$minimal" --set sweep.speed_hz.count=20 --set solver.method=adaptive --set response.floquet_proof=off)

@@ -2,8 +2,6 @@
 # sweep.refine: the computed cells are those of the full map, the others are painted as they are there, and neither
 # threads nor a kill change which cells are computed.
 source "$(dirname "$0")/support.sh"
-set -m
-trap 'kill -KILL %% 2>/dev/null || true; rm -rf "$work"' EXIT
 
 grid=("$minimal" --set 'sweep={speed_hz: {from: 60, to: 100, count: 41}, whirl_ratio: {from: 0.1, to: 0.9, count: 33}}')
 refine=(--set 'sweep.refine={levels: 3, probes: 1}')
@@ -36,24 +34,33 @@ END
 
 expect_exit 0 "${grid[@]}" "${refine[@]}" --output threads --threads 3 --quiet
 expect_same threads/map.csv whole/map.csv
-for cells in 20 200; do
-  "$rubsweep" "${grid[@]}" "${refine[@]}" --output killed --threads 1 >stdout 2>stderr </dev/null &
-  until [[ -e killed/map.partial.csv ]] && (($(rows killed/map.partial.csv | wc -l) >= cells)); do
-    kill -0 $! 2>/dev/null || break
-    sleep 0.002
-  done
-  kill -KILL %% 2>/dev/null || true
-  wait %% 2>/dev/null || true
-done
-expect_exit 0 "${grid[@]}" "${refine[@]}" --output killed
-expect_same killed/map.csv whole/map.csv
+# In the first round and in a later one.
+for cells in 20 $((computed - 50)); do expect_resumed $cells whole "${grid[@]}" "${refine[@]}"; done
 expect_exit 0 "${grid[@]}" "${refine[@]}" --output killed
 expect_contains stderr 'the map is there'
 
-expect_exit 2 "${grid[@]}" "${refine[@]}" --output parts --shard 1/2
-expect_contains stderr 'sweep.refine: a map in shards needs every cell'
-expect_exit 2 "${grid[@]}" "${refine[@]}" --output report --report
-expect_contains stderr 'sweep.refine: a report needs every cell'
+# In shards. At the same time they wait for each other's cells and end with the whole map; one alone says what it misses.
+for i in 1 2 3; do "$rubsweep" "${grid[@]}" "${refine[@]}" --output together --shard $i/3 --threads 1 >"shard_$i" 2>&1 </dev/null & done
+wait
+expect_contains shard_1 'the refined map is complete: rubsweep --merge'
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output together --merge
+expect_same together/map.csv whole/map.csv
+expect_files together config.yaml map.csv
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output alone --shard 1/2
+expect_matches stdout '^the refined map wants [0-9]+ cells of other shards before it can say what it wants of this one: run every shard'
+expect_exit 3 "${grid[@]}" "${refine[@]}" --output alone --merge
+expect_matches stderr 'nothing to merge yet: the refined map wants [0-9]+ cells more, allowed: every shard once more'
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output alone --shard 2/2
+lines=$(cat alone/map.shard-*.journal | grep -c ',ok,kick,')
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output alone
+expect_contains stderr "$lines of 1353 cells were finished before"
+expect_same alone/map.csv whole/map.csv
+# The page paints the cells that were not computed, and holds motions of those that were.
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output whole --report
+expect_matches stdout '^report: whole/report.html'
+expect_contains whole/report.html "<li>Refined: $computed of 1353 cells computed"
+expect_contains whole/report.html '<li>Boundaries: uncertainty exponent'
+expect_contains whole/report.html "\"recorded\":$computed,"
 if command -v gnuplot >/dev/null; then
   "$top/scripts/domain_map.sh" whole/map.csv "$PWD/picture" 'Refined'
   [[ -s picture.png ]] || fail 'there is no picture.png'

@@ -100,3 +100,35 @@ expect_whole_rows() {
 
 # one_cell SPEED_HZ WHIRL_RATIO: sets `cell` to the arguments that reduce the grid of a configuration to this cell.
 one_cell() { cell=(--set "sweep={speed_hz: {values: [$1]}, whirl_ratio: {values: [$2]}}"); }
+
+# killed_at ROWS DIRECTORY [ARGUMENT]...: runs the program with --output DIRECTORY and kills it (-9) once ROWS cells are
+# finished; it may have been done before, on a machine in a hurry, and then it begins anew. Leaves a map that is not whole.
+killed_at() {
+  local rows=$1 directory=$2 attempt running
+  shift 2
+  for attempt in 1 2 3 4 5; do
+    rm -rf "$directory"
+    "$rubsweep" "$@" --output "$directory" --threads 1 >stdout 2>stderr </dev/null &
+    running=$!
+    until [[ -e $directory/map.partial.csv ]] && (($(rows "$directory/map.partial.csv" | wc -l) >= rows)); do
+      kill -0 "$running" 2>/dev/null || break
+      sleep 0.002
+    done
+    kill -KILL "$running" 2>/dev/null || true
+    wait "$running" 2>/dev/null || true
+    [[ -e $directory/map.csv ]] || break
+  done
+  expect_missing "$directory/map.csv"
+  expect_matches "$directory/map.journal" ' rubsweep journal 1$'
+}
+
+# expect_resumed ROWS WHOLE [ARGUMENT]...: killed once ROWS cells are finished, the same command goes on and writes the files
+# of the directory WHOLE.
+expect_resumed() {
+  local rows=$1 whole=$2
+  shift 2
+  killed_at "$rows" killed "$@"
+  expect_exit 0 "$@" --output killed
+  expect_matches stderr '[0-9]+ of [0-9]+ cells were finished before'
+  diff -r killed "$whole" >&2 || fail "killed and $whole differ"
+}

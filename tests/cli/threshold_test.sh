@@ -2,8 +2,6 @@
 # study.kind threshold: what a row says of its kicks is what single runs do, killed sweeps go on, shards agree, and the
 # thresholds are drawn.
 source "$(dirname "$0")/support.sh"
-set -m
-trap 'kill -KILL %% 2>/dev/null || true; rm -rf "$work"' EXIT
 
 scan=("$minimal" --set 'study={kind: threshold, key: kick.force_n, from: 10, to: 400, count: 12, scale: log}')
 header+=,threshold,threshold_motion,rub_intervals,probes,failed_probes
@@ -29,15 +27,7 @@ expect_exit 0 "$minimal" "${cell[@]}" --output below --set "kick.force_n=$(pytho
 expect_contains stdout non_contact
 
 # Killed on the way, and in three parts.
-"$rubsweep" "${scan[@]}" --output killed --threads 1 >stdout 2>stderr </dev/null &
-until [[ -e killed/map.partial.csv ]] && (($(rows killed/map.partial.csv | wc -l) >= 3)); do
-  kill -0 $! 2>/dev/null || break
-  sleep 0.002
-done
-kill -KILL %% 2>/dev/null || true
-wait %% 2>/dev/null || true
-expect_exit 0 "${scan[@]}" --output killed
-expect_same killed/map.csv whole/map.csv
+expect_resumed 3 whole "${scan[@]}"
 for shard in 1 2 3; do expect_exit 0 "${scan[@]}" --output parts --shard $shard/3; done
 expect_exit 0 "${scan[@]}" --output parts --merge
 expect_same parts/map.csv whole/map.csv

@@ -10,8 +10,8 @@ expect_matches stdout '^Examples:$'
 mapfile -t examples < <(sed -n 's,^  rubsweep configs/,,p' stdout)
 ((${#examples[@]} >= 3)) || fail 'fewer than three examples'
 for example in "${examples[@]}"; do
-  # shellcheck disable=SC2086  # several arguments
-  expect_exit 0 "$top"/configs/${example% --explain} --check
+  eval "words=(${example% --explain})"  # as a shell takes its quotes
+  expect_exit 0 "$top/configs/${words[0]}" "${words[@]:1}" --check
 done
 
 expect_usage_error 'a configuration file is needed'

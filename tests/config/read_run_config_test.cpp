@@ -129,6 +129,7 @@ TEST(ReadRunConfig, ReportsAllProblemsOfAFileAtOnce) {
       "window_revolutions "
       "/ 2\n"
       "test.yaml:24:1: outputs: unknown key (did you mean 'output'?), allowed: base, rotor, stops, kick, "
+      "start, "
       "gravity_m_per_s2, sweep, study, solver, response, output");
 }
 

@@ -49,6 +49,12 @@ TEST(StudyKind, ReadsAndPrintsBasins) {
   EXPECT_EQ(print_config(read_run_config_text(print_config(config), "printed", {})), print_config(config));
 }
 
+TEST(StudyKind, OfAMapIsThatOfNoStudy) {
+  const RunConfig plain = read_run_config_text(test_file("minimal.yaml"), "test.yaml",
+                                               {"kick={force_n: 200, duration_s: 0.005}"});
+  EXPECT_EQ(print_config(with("{kind: map}")), print_config(plain));
+}
+
 TEST(StudyKind, RefusesBasinsThatCannotBeDrawn) {
   EXPECT_EQ(problem("{kind: basin, samples: 0, over: [{key: kick.force_n, from: 1, to: 400}]}"),
             "study.samples: 0 is out of range, allowed: an integer from 1 to 1000000");
@@ -62,7 +68,7 @@ TEST(StudyKind, RefusesBasinsThatCannotBeDrawn) {
 
 TEST(StudyKind, RefusesWhatIsNoScan) {
   EXPECT_EQ(problem("{kind: treshold}"),
-            "study.kind: 'treshold' is unknown (did you mean 'threshold'?), allowed: threshold, basin");
+            "study.kind: 'treshold' is unknown (did you mean 'threshold'?), allowed: threshold, basin, map");
   EXPECT_EQ(problem("{kind: threshold, key: kick.force_n, values: [20, 10]}"),
             "study.values: does not ascend, allowed: two values or more, each larger than the one before");
   EXPECT_EQ(
@@ -72,6 +78,20 @@ TEST(StudyKind, RefusesWhatIsNoScan) {
             "kick.force_n: -1 is out of range, allowed: a number >= 0");
   EXPECT_EQ(problem("{kind: threshold, key: kick.force_n, values: [1, 10], tolerance: 0}"),
             "study.tolerance: 0 is out of range, allowed: a number >= 1e-12 and <= 0.5");
+}
+
+TEST(StudyKind, RefusesAKeyThatAnAxisVaries) {
+  const std::string axis =
+      "sweep={speed_hz: {values: [60]}, whirl_ratio: {values: [0.5]}, x: {key: kick.force_n, values: [1]}}";
+  for (const std::string study : {"{kind: threshold, key: kick.force_n, values: [1, 10]}",
+                                  "{kind: basin, samples: 9, over: [{key: kick.force_n, from: 0, to: 4}]}"}) {
+    const std::string message = message_of(
+        test_file("minimal.yaml"), {"kick={force_n: 200, duration_s: 0.005}", axis, "study=" + study});
+    EXPECT_NE(
+        message.find("kick.force_n: is varied by an axis of the sweep as well, allowed: one of the two"),
+        std::string::npos)
+        << message;
+  }
 }
 
 }  // namespace

@@ -87,6 +87,27 @@ TEST(Validate, NamesEveryNumberThatIsMissing) {
   for (const Case& c : cases) EXPECT_EQ(message_after(c.change), c.message);
 }
 
+TEST(Validate, WhatAStartMayBe) {
+  const auto started = [](auto change) {
+    return [change](Machine& m) {
+      m.kick.reset();
+      change(m.start.emplace());
+    };
+  };
+  const std::vector<Case> cases{
+      {[](Machine& m) { m.start.emplace(); }, "start: is given beside a kick, allowed: one of the two"},
+      {started([](Start& s) { s.rotor.x_m = 101; }),
+       "start.x_m: 101 is out of range, allowed: a number >= -100 and <= 100"},
+      {started([](Start& s) { s.casings = {BodyState{.vy_m_per_s = infinity}}; }),
+       "start.casings.0.vy_m_per_s: inf is out of range, allowed: a number >= -1000000 and <= 1000000"},
+      {started([](Start& s) {
+         s.casings = {std::nullopt, BodyState{}};
+       }),
+       "start.casings.1: there is no such casing, or it is rigid, allowed: a casing that moves"},
+  };
+  for (const Case& c : cases) EXPECT_EQ(message_after(c.change), c.message);
+}
+
 TEST(Validate, NamesEveryNumberOutOfRange) {
   const std::vector<Case> cases{
       {[](Machine& m) { std::get<model::JeffcottRotor>(m.rotor).mass_kg = 0; },

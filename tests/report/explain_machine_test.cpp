@@ -69,6 +69,8 @@ TEST(Explain, RigidCasingHasNoState) {
   EXPECT_TRUE(says(text, "states: 4 (2 coordinates and their rates)\n"));
   EXPECT_TRUE(says(text, "casing: rigid, no state; contact half-period 1.99 ms\n"));  // pi sqrt(0.8 / 2e6)
   EXPECT_TRUE(says(text, "kick: none\n"));
+  machine.start.emplace();
+  EXPECT_TRUE(says(explain_machine(machine, 45), "start: in a given state, not kicked"));
   EXPECT_FALSE(says(text, "left out: gravity"));
 }
 

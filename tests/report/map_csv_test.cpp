@@ -94,6 +94,8 @@ TEST(MapLine, HowTheRunStarted) {
   EXPECT_EQ(by_column(map_line(row)).at("start"), "kick");
   row.start = sweep::RunStart::quiet;
   EXPECT_EQ(by_column(map_line(row)).at("start"), "quiet");
+  row.start = sweep::RunStart::state;
+  EXPECT_EQ(by_column(map_line(row)).at("start"), "state");
   row.start = sweep::RunStart::contact;
   EXPECT_EQ(by_column(map_line(row)).at("start"), "contact");
   EXPECT_TRUE(map_line(row).ends_with(",ok,contact,3e-04,2.5"));

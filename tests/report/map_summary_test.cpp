@@ -95,6 +95,11 @@ TEST(MapSummary, SaysWhyNothingRubs) {
             std::string::npos);
   EXPECT_NE(summary_of({kicked, came_free}).text().find("nothing rubs on: the kick reached a wall"),
             std::string::npos);
+  Row started = untouched(sweep::RunStart::state);
+  EXPECT_NE(summary_of({started}).text().find("no wall was ever touched: no start"), std::string::npos);
+  started.last_contact_revolution = 3;
+  EXPECT_NE(summary_of({started}).text().find("nothing rubs on: the rotor reached a wall"),
+            std::string::npos);
   EXPECT_EQ(summary_of({kicked, row(MotionClass::synchronous, 1)}).text().find("touched"), std::string::npos);
 }
 

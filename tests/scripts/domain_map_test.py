@@ -67,7 +67,14 @@ class Labels(FileTest):
 class CellLines(FileTest):
     def test_a_line_holds_place_edges_and_kind(self):
         lines = list(domain_map.cell_lines([Cell(1, 0.25, "chaotic"), Cell(2, 0.75, "failed")]))
-        self.assertEqual(lines, ["1 0.25 0.5 1.5 0 0.5 chaotic", "2 0.75 1.5 2.5 0.5 1 failed"])
+        self.assertEqual(lines, ["1 0.25 0.5 1.5 0 0.5 chaotic 1", "2 0.75 1.5 2.5 0.5 1 failed 1"])
+
+    def test_strength_is_a_share_and_whole_where_there_is_none(self):
+        header = "speed_hz,whirl_ratio,class,order,orbit,whirl,comb_spacing,robust_share\n"
+        path = self.write("map.csv", header + "30,0.1,chaotic,,complex,mixed,,0.25\n60,0.1,chaotic,,complex,mixed,,\n")
+        strengths = [cell.strength for cell in domain_map.read_cells(path, "whirl_ratio", None, "speed_hz", "robust_share")]
+        self.assertEqual(strengths, [0.25, 1])
+        self.assertEqual([cell.strength for cell in domain_map.read_cells(path, "whirl_ratio")], [1, 1])
 
 
 class Boundaries(FileTest):

@@ -113,6 +113,47 @@ TEST(EvaluateCell, SaysHowItStarted) {
   EXPECT_EQ(evaluate(study).start, RunStart::quiet);
 }
 
+/// By another route: a kick that is over at once gives the rotor its impulse / mass.
+TEST(EvaluateCell, AGivenVelocityIsAKickOfNoLength) {
+  constexpr double duration_s = 1e-10;
+  const Study quiet = one_side_study({75}, {0.4});
+  const double quiet_m_per_s =
+      scene::build_cell(quiet.machine, 75, scene::WhirlRatio{0.4}).scene.velocity_m_per_s(1);
+  int rubs = 0;
+  for (const double impulse_ns : {0.3, 0.45, 0.6, 0.8, 1.0, 1.3}) {
+    Study kicked = quiet, started = quiet;
+    kicked.machine.kick->force_n = impulse_ns * std::numbers::pi / 2 / duration_s;
+    kicked.machine.kick->duration_s = duration_s;
+    started.machine.kick.reset();
+    started.machine.start = {.rotor = {.vy_m_per_s = quiet_m_per_s + impulse_ns / 0.8}};
+    const Row by_kick = evaluate(kicked), by_start = evaluate(started);
+    EXPECT_EQ(by_start.start, RunStart::state);
+    EXPECT_EQ(motion_name(by_start), motion_name(by_kick));
+    ASSERT_TRUE(by_start.measures && by_kick.measures);
+    EXPECT_NEAR(by_start.measures->contact.peak_displacement_m, by_kick.measures->contact.peak_displacement_m,
+                1e-8);
+    if (row_of(by_start.motion_class).rubs) ++rubs;
+    started.robustness = Robustness::on;
+    EXPECT_FALSE(evaluate(started).robust);
+  }
+  EXPECT_GT(rubs, 0);
+}
+
+/// Behind the wall and in front of it, where the quiet whirl reaches the wall: there the rotor rests without
+/// a given start.
+TEST(EvaluateCell, MayStartInTheWall) {
+  Study study = one_side_study({75}, {1.2});
+  study.machine.kick.reset();
+  study.machine.start = {.rotor = {.y_m = 1.1e-3}};
+  for (const auto method : {integrate::run::Method::exact, integrate::run::Method::adaptive}) {
+    study.solver.method = method;
+    const Row row = evaluate(study);
+    EXPECT_EQ(row.start, RunStart::state);
+    EXPECT_EQ(row.status, "ok");
+    EXPECT_TRUE(row.last_contact_revolution);
+  }
+}
+
 TEST(EvaluateCell, WhatCannotBeRunIsNot) {
   Study study = one_side_study({75}, {0.5});
   study.machine.stops[0].geometry = model::OneSideGeometry{-90};

@@ -29,6 +29,10 @@ TEST(WhyTorsionIsIdle, SaysSoWhereNoFrictionAsksForTheSlip) {
   EXPECT_EQ(why(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}}, 0.1), "") << "a shaft that hardly turns";
   EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(scene::light_shaft_machine()), 50), "")
       << "no torsion";
+  model::Machine started = twisting(model::NoFriction{});
+  started.kick.reset();
+  started.start.emplace();
+  EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(started), 50), "") << "hits of any strength";
 }
 
 /// What it says is true: the row is that of the rotor without torsion.

@@ -22,6 +22,10 @@ TEST(UntouchedWalls, WithoutAKickNothingTouches) {
   study.machine.kick.reset();
   EXPECT_TRUE(why(study).starts_with("no kick: "));
   EXPECT_NE(report::explain_study(study).find(why(study)), std::string::npos);
+  // Nothing is said of a given start, nor that a kick is missed.
+  study.machine.start = {.rotor = {.y_m = 1e-5}};
+  EXPECT_EQ(why(study), "");
+  study.machine.start.reset();
   // From a whirl ratio of 1 no kick is needed.
   study.grid.unbalance = {1.2};
   EXPECT_EQ(why(study), "");

@@ -29,6 +29,7 @@ ChunkQueue::ChunkQueue(std::vector<std::size_t> cells, std::size_t workers)
 
 Chunk ChunkQueue::next(std::size_t worker, Clock::time_point now) {
   const std::lock_guard lock(mutex_);
+  if (dealt_ == cells_.size()) return {};
   Last& last = last_.at(worker);
   std::size_t size = first_chunk;
   if (last.cells > 0) {
@@ -44,6 +45,13 @@ Chunk ChunkQueue::next(std::size_t worker, Clock::time_point now) {
   for (; chunk.size() < size; ++dealt_) chunk.push_back(cells_[dealt_ * stride_ % cells_.size()]);
   last = {size, now};
   return chunk;
+}
+
+void ChunkQueue::refill(std::vector<std::size_t> cells) {
+  const std::lock_guard lock(mutex_);
+  cells_ = std::move(cells);
+  stride_ = spreading_stride(cells_.size());
+  dealt_ = 0;
 }
 
 void ChunkQueue::close() {

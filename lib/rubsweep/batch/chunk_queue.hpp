@@ -27,7 +27,10 @@ class ChunkQueue {
   /// The next cells for a worker that has finished its last chunk; empty when all are dealt out.
   Chunk next(std::size_t worker, Clock::time_point now = Clock::now());
 
-  /// Nothing more is dealt out.
+  /// Deals out these next, when the others are dealt out.
+  void refill(std::vector<std::size_t> cells);
+
+  /// Nothing more is dealt out of those there are.
   void close();
 
  private:

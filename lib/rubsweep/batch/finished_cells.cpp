@@ -31,9 +31,9 @@ std::size_t FinishedCells::add(const std::filesystem::path& journal) {
   });
 }
 
-std::vector<std::size_t> FinishedCells::missing(std::size_t remainder, std::size_t divisor) const {
+std::vector<std::size_t> FinishedCells::missing() const {
   std::vector<std::size_t> cells;
-  for (std::size_t cell = remainder; cell < places_.size(); cell += divisor) {
+  for (std::size_t cell = 0; cell < places_.size(); ++cell) {
     if (!contains(cell)) cells.push_back(cell);
   }
   return cells;

@@ -23,8 +23,8 @@ class FinishedCells {
   std::size_t count() const { return count_; }
   bool contains(std::size_t cell) const { return places_[cell] != nowhere; }
 
-  /// Cells that no journal holds, ascending, of those that are `remainder` modulo `divisor`.
-  std::vector<std::size_t> missing(std::size_t remainder = 0, std::size_t divisor = 1) const;
+  /// Cells that no journal holds, ascending.
+  std::vector<std::size_t> missing() const;
 
   /// What the journal says of a cell that it contains. Throws IoError.
   std::string text(std::size_t cell) const;

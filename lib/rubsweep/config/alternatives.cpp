@@ -26,10 +26,11 @@ constexpr std::array<std::string_view, 1> modal_stiffness{"modal_stiffness_n_per
     frequency_hz{"natural_frequency_hz"}, frequency_rad_per_s{"natural_frequency_rad_per_s"};
 constexpr std::array<std::string_view, 1> values{"values"}, one_key{"key"};
 constexpr std::array<std::string_view, 2> tied_keys{"keys", "factors"};
+constexpr std::array<std::string_view, 1> kick{"kick"}, start{"start"};
 constexpr std::array<std::string_view, 4> spaced{"from", "to", "count", "scale"};
 
 /// Ways to say the same, each by the keys that belong to it; at most four, the empty ones are no way.
-constexpr std::array<std::array<Keys, 4>, 9> alternatives{{
+constexpr std::array<std::array<Keys, 4>, 10> alternatives{{
     {stribeck, curve, coefficient},
     {stiffness, hertz},
     {nominal, delivered, damping},
@@ -39,6 +40,7 @@ constexpr std::array<std::array<Keys, 4>, 9> alternatives{{
     {modal_stiffness, frequency_hz, frequency_rad_per_s},
     {values, spaced},
     {one_key, tied_keys},
+    {kick, start},
 }};
 
 bool holds(Keys keys, std::string_view key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); }

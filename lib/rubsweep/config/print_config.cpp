@@ -6,6 +6,7 @@
 #include "rubsweep/config/response.hpp"
 #include "rubsweep/config/rotor.hpp"
 #include "rubsweep/config/solver.hpp"
+#include "rubsweep/config/start.hpp"
 #include "rubsweep/config/stop.hpp"
 #include "rubsweep/config/study_kind.hpp"
 #include "rubsweep/config/sweep.hpp"
@@ -17,6 +18,7 @@ void print(Printer& printer, const sweep::Study& study) {
   print_rotor(printer, study.machine);
   print_stops(printer, study.machine.stops);
   if (study.machine.kick) print_kick(printer, *study.machine.kick);
+  if (study.machine.start) print_start(printer, *study.machine.start);
   printer.number("gravity_m_per_s2", study.machine.gravity_m_per_s2);
   print_sweep(printer, study.grid);
   print_study_kind(printer, study);

@@ -8,6 +8,7 @@
 #include "rubsweep/config/rotor.hpp"
 #include "rubsweep/config/rotor_kit.hpp"
 #include "rubsweep/config/solver.hpp"
+#include "rubsweep/config/start.hpp"
 #include "rubsweep/config/stop.hpp"
 #include "rubsweep/config/study_kind.hpp"
 #include "rubsweep/config/sweep.hpp"
@@ -38,6 +39,10 @@ sweep::Study read_study(Section& root) {
     refuse_torsion_in_annular_stops(*value, study.machine);
   }
   if (const auto value = root.find("kick")) study.machine.kick = read_kick(*value, shaft);
+  if (const auto value = root.find("start")) {
+    study.machine.start = read_start(*value, study.machine.stops);
+    if (study.machine.kick) refuse(*value, "is given beside a kick", "one of the two");
+  }
   root.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);
   if (const auto value = root.require("sweep", "a map")) study.grid = read_sweep(*value, study.machine);
   if (const auto value = root.find("study")) read_study_kind(*value, study);

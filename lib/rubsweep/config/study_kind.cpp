@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::string_view threshold_kind = "threshold";
 constexpr std::string_view basin_kind = "basin";
-constexpr std::array kinds{threshold_kind, basin_kind};
+constexpr std::string_view map_kind = "map";
+constexpr std::array kinds{threshold_kind, basin_kind, map_kind};
 constexpr model::Range tolerances{.low = 1e-12, .high = 0.5};
 
 sweep::ThresholdScan read_threshold(Section& section) {

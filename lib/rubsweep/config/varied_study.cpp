@@ -23,7 +23,7 @@ namespace rubsweep::config {
 namespace {
 
 constexpr std::string_view allowed_keys =
-    "a number of rotor, stops, kick, gravity_m_per_s2, solver or response, as --print-config names it";
+    "a number of rotor, stops, kick, start, gravity_m_per_s2, solver or response, as --print-config names it";
 
 /// The study as a document without what no key of an axis may name.
 Node document_of(const sweep::Study& study) {
@@ -106,6 +106,16 @@ void refuse_impossible(const sweep::KeyAxis& axis, const Place& place, Node docu
   }
 }
 
+/// An axis over the same key would have no effect: what a study tries is written last.
+void refuse_swept(const sweep::Study& study, const std::vector<std::string>& keys, const Place& place,
+                  Diagnostics& diagnostics) {
+  const std::vector<std::string> swept = sweep::key_names(study.grid);
+  for (const std::string& key : keys) {
+    if (std::ranges::find(swept, key) != swept.end())
+      diagnostics.add(place, shown(key), "is varied by an axis of the sweep as well", "one of the two");
+  }
+}
+
 Place place_of_keys(const Node& axis) {
   const Node* keys = find_node(axis, "key");
   if (keys == nullptr) keys = find_node(axis, "keys");
@@ -126,15 +136,18 @@ void vary_keys(const Value& root, sweep::Study& study) {
     refuse_impossible(study.grid.axes.at(next++), place_of_keys(*node), document, by_mass, root.diagnostics);
   }
   if (study.threshold) {
-    refuse_impossible(study.threshold->axis, place_of_keys(*find_node(root.node, "study")), document, by_mass,
-                      root.diagnostics);
+    const Place place = place_of_keys(*find_node(root.node, "study"));
+    refuse_swept(study, study.threshold->axis.keys, place, root.diagnostics);
+    refuse_impossible(study.threshold->axis, place, document, by_mass, root.diagnostics);
   }
   if (study.basin) {
     const Node& over = *find_node(root.node, "study.over");
     for (std::size_t i = 0; i < study.basin->over.size(); ++i) {
       const sweep::DrawnKey& drawn = study.basin->over[i];
-      refuse_impossible({{drawn.key}, {1}, {drawn.from, drawn.to}}, place_of_keys(over.items.at(i)), document,
-                        by_mass, root.diagnostics);
+      const Place place = place_of_keys(over.items.at(i));
+      refuse_swept(study, {drawn.key}, place, root.diagnostics);
+      refuse_impossible({{drawn.key}, {1}, {drawn.from, drawn.to}}, place, document, by_mass,
+                        root.diagnostics);
     }
   }
   study.with_keys =

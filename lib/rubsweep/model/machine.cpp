@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -65,6 +66,25 @@ void validate(const Stop& stop, const std::string& path) {
   if (stop.casing) Casing::visit_fields(*stop.casing, requiring(path + "casing."));
 }
 
+void validate(const BodyState& body, const std::string& path) {
+  BodyState::visit_fields(body,
+                          [&](const char* name, const std::optional<double>& value, const Range& range) {
+                            if (value) require(path + name, *value, range);
+                          });
+}
+
+void validate(const Start& start, const Machine& machine) {
+  validate(start.rotor, "start.");
+  for (std::size_t i = 0; i < start.casings.size(); ++i) {
+    if (!start.casings[i]) continue;
+    const std::string path = fmt::format("start.casings.{}", i);
+    if (i >= machine.stops.size() || !machine.stops[i].casing)
+      throw ConfigError(path + ": there is no such casing, or it is rigid, allowed: a casing that moves");
+    validate(*start.casings[i], path + ".");
+  }
+  if (machine.kick) throw ConfigError("start: is given beside a kick, allowed: one of the two");
+}
+
 /// Places along the shaft: a rotor kit has them, a Jeffcott rotor has none.
 void validate_position(const Machine& machine, const std::optional<double>& position_m, bool needed,
                        const std::string& path) {
@@ -101,6 +121,7 @@ void validate(const Machine& machine) {
     validate_position(machine, machine.kick->position_m, false, "kick.position_m");
   }
   require("gravity_m_per_s2", machine.gravity_m_per_s2, not_negative);
+  if (machine.start) validate(*machine.start, machine);
 }
 
 }  // namespace rubsweep::model

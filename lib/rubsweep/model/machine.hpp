@@ -7,6 +7,7 @@
 #include "rubsweep/model/kick.hpp"
 #include "rubsweep/model/rotor.hpp"
 #include "rubsweep/model/rotor_kit.hpp"
+#include "rubsweep/model/start.hpp"
 #include "rubsweep/model/stop.hpp"
 
 namespace rubsweep::model {
@@ -19,7 +20,8 @@ struct Machine {
   Rotor rotor;
   std::vector<Stop> stops;
   std::optional<Kick> kick;
-  double gravity_m_per_s2 = 0;  ///< acceleration along -y, on rotor and moving casings; >= 0
+  double gravity_m_per_s2 = 0;   ///< acceleration along -y, on rotor and moving casings; >= 0
+  std::optional<Start> start{};  ///< excludes a kick
 };
 
 /// Its rotor kit; null where the rotor is of another kind.

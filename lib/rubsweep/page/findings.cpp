@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 
+#include "rubsweep/page/painted_table.hpp"
+
 namespace rubsweep::page {
 namespace {
 
@@ -149,10 +151,15 @@ void add_evidence(const MapTable& map, const Words& words, std::vector<std::stri
 std::vector<std::string> findings(const MapTable& map, const sweep::Grid& grid) {
   const Words words(map, grid);
   std::vector<std::string> said{size_of(map, grid)};
-  add_rub(map, words, words.rows_where([&](std::size_t row) {
-    return map.word("class", row) != "non_contact" && map.number("contact_fraction", row).value_or(0) > 0;
-  }),
-          said);
+  const auto rubs = [&](std::size_t row) {
+    const std::string_view motion = map.word("class", row);
+    // What a painted cell is measured by is not known.
+    if (map.word("status", row) == not_computed)
+      return motion == "synchronous" || motion == "subharmonic" || motion == "quasi_periodic" ||
+             motion == "chaotic";
+    return motion != "non_contact" && map.number("contact_fraction", row).value_or(0) > 0;
+  };
+  add_rub(map, words, words.rows_where(rubs), said);
   add_evidence(map, words, said);
   return said;
 }

@@ -1,6 +1,7 @@
 #include "rubsweep/page/orbits.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/page/compressed.hpp"
@@ -23,11 +24,10 @@ KnownMotion known_motion(const MapTable& map, std::size_t row) {
 
 }  // namespace
 
-std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& map, const ThinnedGrid& grid,
-                                    int threads, const std::function<void()>& on_cell,
-                                    const std::atomic<bool>& stop) {
+std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& map,
+                                    std::vector<std::size_t> cells, int threads,
+                                    const std::function<void()>& on_cell, const std::atomic<bool>& stop) {
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
-  const std::vector<std::size_t> cells = grid.cells();
   std::vector<std::string> records(cells.size());
   const std::size_t finished = batch::parallel_run(
       cells.size(), threads,
@@ -38,10 +38,10 @@ std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& m
       [&](std::size_t) { on_cell(); }, stop);
   if (finished != cells.size()) return std::nullopt;
 
-  Orbits orbits{grid, 0, {}};
-  for (std::size_t begin = 0; begin < cells.size(); begin += cells_per_block) {
+  Orbits orbits{std::move(cells), 0, {}};
+  for (std::size_t begin = 0; begin < records.size(); begin += cells_per_block) {
     std::string block;
-    for (std::size_t i = begin; i < std::min(begin + cells_per_block, cells.size()); ++i) {
+    for (std::size_t i = begin; i < std::min(begin + cells_per_block, records.size()); ++i) {
       if (!records[i].empty()) ++orbits.recorded;
       block += records[i];
     }

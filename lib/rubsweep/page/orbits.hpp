@@ -8,26 +8,25 @@
 #include <vector>
 
 #include "rubsweep/page/map_table.hpp"
-#include "rubsweep/page/thinned_grid.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::page {
 
-/// Cells of the thinned grid whose motions are compressed together.
+/// Cells whose motions are compressed together.
 inline constexpr std::size_t cells_per_block = 32;
 
 /// The settled motions of a map.
 struct Orbits {
-  ThinnedGrid grid;                 ///< of the cells that were recorded
+  std::vector<std::size_t> cells;   ///< that were recorded, ascending
   std::size_t recorded = 0;         ///< of them, those that have a motion
-  std::vector<std::string> blocks;  ///< block b: cells 32 b ... of grid.cells() by encode_orbit, compressed
+  std::vector<std::string> blocks;  ///< block b: cells[32 b] ... by encode_orbit, compressed
 };
 
-/// Records the cells of `grid`, whose verdicts are the rows of `map`, on `threads` threads (0: all
+/// Records `cells`, whose verdicts are the rows of `map` of these numbers, on `threads` threads (0: all
 /// processors). Depends on neither their number nor their order. `on_cell` follows each cell, one call at a
 /// time. Empty when `stop` became true before all were recorded. Throws as batch::parallel_run does.
-std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& map, const ThinnedGrid& grid,
-                                    int threads, const std::function<void()>& on_cell,
-                                    const std::atomic<bool>& stop);
+std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& map,
+                                    std::vector<std::size_t> cells, int threads,
+                                    const std::function<void()>& on_cell, const std::atomic<bool>& stop);
 
 }  // namespace rubsweep::page

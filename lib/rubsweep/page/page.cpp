@@ -97,7 +97,13 @@ json::array boundaries(const PageContents& contents) {
 
 /// What the script must know to read the data that follow.
 json::object index(const PageContents& contents, const std::vector<EncodedColumn>& columns) {
-  const ThinnedGrid& kept = contents.orbits.grid;
+  const ThinnedGrid& kept = contents.kept;
+  json::object orbits{{"recorded", contents.orbits.recorded},
+                      {"speed_stride", kept.speed_stride},
+                      {"unbalance_stride", kept.unbalance_stride},
+                      {"cells_per_block", cells_per_block}};
+  if (contents.refined)
+    orbits["cells"] = json::array(contents.orbits.cells.begin(), contents.orbits.cells.end());
   json::array names;
   for (std::size_t i = 0; i < columns.size(); ++i)
     names.push_back(json::object{{"name", contents.map.columns[i].name}, {"words", words(columns[i].words)}});
@@ -113,10 +119,7 @@ json::object index(const PageContents& contents, const std::vector<EncodedColumn
           {"wall_lists", wall_lists(contents.walls)},
           {"wall_list_of_keys", numbers(contents.walls.list_of_keys)},
           {"boundaries", boundaries(contents)},
-          {"orbits", json::object{{"recorded", contents.orbits.recorded},
-                                  {"speed_stride", kept.speed_stride},
-                                  {"unbalance_stride", kept.unbalance_stride},
-                                  {"cells_per_block", cells_per_block}}}};
+          {"orbits", orbits}};
 }
 
 std::string data_element(const std::string& id, const std::string& text) {

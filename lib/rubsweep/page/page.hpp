@@ -7,6 +7,7 @@
 #include "rubsweep/page/boundaries.hpp"
 #include "rubsweep/page/map_table.hpp"
 #include "rubsweep/page/orbits.hpp"
+#include "rubsweep/page/thinned_grid.hpp"
 #include "rubsweep/page/walls.hpp"
 #include "rubsweep/sweep/study.hpp"
 
@@ -25,6 +26,8 @@ struct PageContents {
   Walls walls;
   std::vector<Boundary> boundaries;
   Orbits orbits;
+  ThinnedGrid kept;      ///< of which the orbits are
+  bool refined = false;  ///< the orbits are of some of the computed cells of a refined map instead
 };
 
 /// The page as one file of HTML without any other: style, script and data are in it, and its content security

@@ -2,13 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/page/findings.hpp"
 #include "rubsweep/page/page.hpp"
+#include "rubsweep/page/painted_table.hpp"
+#include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/explain_study.hpp"
 
 namespace rubsweep::page {
@@ -28,12 +34,44 @@ std::array<sweep::SweptAxis, 2> plane_of(const sweep::Grid& grid) {
       fmt::format("sweep: {} have several values, allowed: two axes with several values in a report", names));
 }
 
+/// So many of `cells`, or all, evenly over them.
+std::vector<std::size_t> some_of(const std::vector<std::size_t>& cells, std::size_t most) {
+  if (cells.size() <= most) return cells;
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i < most; ++i) some.push_back(cells[i * cells.size() / most]);
+  return some;
+}
+
+/// The sentences on a refined map.
+void add_refinement(const sweep::Grid& grid, const std::vector<int>& labels, std::vector<std::string>& said) {
+  std::istringstream lines(report::describe_refinement(grid, labels));
+  std::size_t at = 1;  // behind the size of the map
+  for (std::string line; std::getline(lines, line); ++at) {
+    line.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(line.front())));
+    said.insert(said.begin() + static_cast<std::ptrdiff_t>(at), line + ".");
+  }
+}
+
+ThinnedGrid kept_of(const sweep::Grid& grid, std::size_t most) {
+  const auto plane = plane_of(grid);
+  return thinned_grid(plane[0].values.size(), plane[1].values.size(), most);
+}
+
 }  // namespace
+
+std::size_t recorded_cells(const sweep::Grid& grid, const MapTable& map, std::size_t most_orbits) {
+  return grid.refinement ? std::min(map.rows, most_orbits) : kept_of(grid, most_orbits).cells().size();
+}
 
 std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
                                        const std::filesystem::path& directory, const PageOptions& options,
                                        const std::function<void()>& on_cell, const std::atomic<bool>& stop) {
   const sweep::Grid& grid = study.grid;
+  PaintedTable painted;
+  if (grid.refinement) {
+    painted = painted_table(map, grid);
+    map = std::move(painted.map);
+  }
   if (map.rows != sweep::cell_count(grid)) {
     throw IoError(fmt::format("{}: holds {} cells, its configuration has {}",
                               (directory / "map.csv").string(), map.rows, sweep::cell_count(grid)));
@@ -48,13 +86,16 @@ std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
                         .map = {},
                         .walls = walls_of(study),
                         .boundaries = {},
-                        .orbits = {}};
+                        .orbits = {},
+                        .kept = kept_of(grid, options.most_orbits),
+                        .refined = grid.refinement.has_value()};
+  if (contents.refined) add_refinement(grid, painted.labels, contents.findings);
   // They lie over speed and unbalance.
   if (grid.axes.empty())
     contents.boundaries = read_boundaries(directory / "boundaries.csv", to_string(grid.measure));
-  const ThinnedGrid kept =
-      thinned_grid(contents.plane[0].values.size(), contents.plane[1].values.size(), options.most_orbits);
-  auto orbits = record_orbits(study, map, kept, options.threads, on_cell, stop);
+  std::vector<std::size_t> cells =
+      contents.refined ? some_of(painted.computed, options.most_orbits) : contents.kept.cells();
+  auto orbits = record_orbits(study, map, std::move(cells), options.threads, on_cell, stop);
   if (!orbits) return std::nullopt;
   contents.map = std::move(map);
   contents.orbits = std::move(*orbits);

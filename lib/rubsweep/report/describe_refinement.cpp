@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "rubsweep/error.hpp"
-
 namespace rubsweep::report {
 
 std::string describe_refinement(const sweep::Grid& grid, std::span<const int> labels) {
@@ -23,12 +21,6 @@ std::string describe_refinement(const sweep::Grid& grid, std::span<const int> la
         *exponent);
   }
   return text;
-}
-
-void refuse_refinement(const sweep::Grid& grid, std::string_view what) {
-  if (grid.refinement)
-    throw ConfigError(
-        fmt::format("sweep.refine: {} needs every cell, allowed: a sweep without refine", what));
 }
 
 }  // namespace rubsweep::report

@@ -195,6 +195,8 @@ std::string explain_rotor(const scene::PreparedMachine& prepared) {
 }
 
 std::string explain_kick(const model::Machine& machine) {
+  if (machine.start)
+    return "start: in a given state, not kicked; what is not given is that of the quiet whirl\n";
   if (!machine.kick) return "kick: none\n";
   std::string direction =
       machine.kick->angle_deg ? fmt::format(" at {} degrees", *machine.kick->angle_deg) : "";

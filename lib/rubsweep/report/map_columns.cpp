@@ -98,7 +98,7 @@ constexpr std::array columns{
               of_row<&Row::last_contact_revolution>},
     MapColumn{"revolutions", "", ignored, "revolutions run until the verdict", of_row<&Row::revolutions>},
     MapColumn{"status", "", ignored, "ok, or what happened, joined by ';'", of_row<&Row::status>},
-    MapColumn{"start", "", ignored, "how the run began: kick, quiet or contact", of_row<&Row::start>},
+    MapColumn{"start", "", ignored, "how the run began: kick, quiet, contact or state", of_row<&Row::start>},
     MapColumn{"peak_casing_displacement_m", "m", number,
               "largest distance of a casing from its unloaded place", measured<peak_casing_displacement_m>},
     MapColumn{"peak_over_clearance", "", number, "peak_displacement_m / clearance of the first stop",

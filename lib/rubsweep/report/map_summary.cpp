@@ -63,6 +63,7 @@ void MapSummary::add(std::string_view map_line) {
   if (status != "ok") ++by_status_[std::string(status)];
   if (cell(map_line, class_column) == to_string(MotionClass::non_contact)) ++non_contact_;
   if (cell(map_line, start_column) == to_string(sweep::RunStart::kick)) ++kicked_;
+  if (cell(map_line, start_column) == to_string(sweep::RunStart::state)) ++stated_;
   if (!cell(map_line, last_column).empty()) ++touched_;
   const double peak = number_in(cell(map_line, peak_column));
   largest_over_clearance_ = std::max(largest_over_clearance_, peak);
@@ -101,6 +102,11 @@ std::string MapSummary::warning() const {
 
 std::string MapSummary::why_all_is_quiet() const {
   if (total_ == 0 || non_contact_ != total_) return "";
+  if (stated_ > 0) {
+    return touched_ == 0
+               ? "no wall was ever touched: no start (start.x_m, start.vx_m_per_s, ...) leads to one\n"
+               : "nothing rubs on: the rotor reached a wall, but came free of it everywhere\n";
+  }
   if (kicked_ == 0) return "no wall was ever touched: there is no kick (kick.force_n, kick.duration_s)\n";
   if (touched_ == 0) {
     return "no wall was ever touched: the kick is too weak to reach one (kick.force_n, or larger whirl "

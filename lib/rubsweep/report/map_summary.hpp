@@ -42,7 +42,7 @@ class MapSummary {
   double largest_over_clearance_ = 0;
   std::size_t far_ = 0;
 
-  std::size_t total_ = 0, non_contact_ = 0, kicked_ = 0, touched_ = 0;
+  std::size_t total_ = 0, non_contact_ = 0, kicked_ = 0, stated_ = 0, touched_ = 0;
   std::map<std::string, std::size_t> by_name_, by_status_;
 };
 

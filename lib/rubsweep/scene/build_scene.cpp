@@ -8,6 +8,7 @@
 
 #include "rubsweep/contact/restitution.hpp"
 #include "rubsweep/overloaded.hpp"
+#include "rubsweep/scene/given_start.hpp"
 #include "rubsweep/scene/unbalance.hpp"
 
 namespace rubsweep::scene {
@@ -206,6 +207,7 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
   }
   scene.harmonic_n *= phase_of_kick(prepared.machine);
   start_on_quiet_motion(cell);
+  start_in_given_state(scene, prepared);
   return cell;
 }
 

@@ -52,7 +52,8 @@ struct Cell {
 /// starts at rest in its static position instead, or as far on the way to it as the walls let it, with the
 /// same phase of the unbalance and without the kick: that motion is what a machine does that is switched on.
 /// A bow of the shaft stays what it is whatever the unbalance; where two eccentricities give the whirl ratio,
-/// the larger one is taken. speed_hz > 0.
+/// the larger one is taken. A state that the machine gives (start_in_given_state) has the last word.
+/// speed_hz > 0.
 Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance);
 
 /// The same for a single cell. Throws ConfigError where `machine` is not valid.

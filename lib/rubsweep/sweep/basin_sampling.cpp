@@ -3,28 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/basin/fraction.hpp"
 #include "rubsweep/basin/low_discrepancy.hpp"
 
 namespace rubsweep::sweep {
-namespace {
-
-constexpr double same_orbit = 1e-3;
-
-bool alike(const SampledMotion& a, const SampledMotion& b) {
-  if (a.name != b.name) return false;
-  if (!a.repeats) return true;
-  if (a.orbit_m.size() != b.orbit_m.size()) return false;
-  double scale = 0;
-  for (std::size_t i = 0; i < a.orbit_m.size(); ++i)
-    scale = std::max({scale, std::abs(a.orbit_m[i]), std::abs(b.orbit_m[i])});
-  for (std::size_t i = 0; i < a.orbit_m.size(); ++i) {
-    if (std::abs(a.orbit_m[i] - b.orbit_m[i]) > same_orbit * scale) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 std::vector<KeyValue> draw(const BasinSampling& sampling, std::size_t index) {
   const std::vector<double> point = basin::low_discrepancy_point(index, sampling.over.size());
@@ -42,27 +23,9 @@ std::vector<KeyValue> draw(const BasinSampling& sampling, std::size_t index) {
 
 Basins sample_basins(const BasinSampling& sampling,
                      const std::function<SampledMotion(const std::vector<KeyValue>&)>& run) {
-  Basins basins;
-  for (std::size_t i = 0; i < sampling.samples; ++i) {
-    SampledMotion motion = run(draw(sampling, i));
-    if (motion.failed) {
-      ++basins.failed;
-      continue;
-    }
-    const auto known = std::ranges::find_if(
-        basins.attractors, [&](const Attractor& attractor) { return alike(attractor.motion, motion); });
-    if (known != basins.attractors.end()) {
-      ++known->samples;
-    } else {
-      basins.attractors.push_back({std::move(motion), 1});
-    }
-  }
-  for (Attractor& attractor : basins.attractors) {
-    attractor.share = basin::fraction(attractor.samples, sampling.samples);
-    attractor.standard_error = basin::standard_error(attractor.share, sampling.samples);
-  }
-  std::ranges::stable_sort(basins.attractors, std::greater<>(), &Attractor::samples);
-  return basins;
+  AttractorCount count;
+  for (std::size_t i = 0; i < sampling.samples; ++i) count.add(run(draw(sampling, i)));
+  return count.basins();
 }
 
 }  // namespace rubsweep::sweep

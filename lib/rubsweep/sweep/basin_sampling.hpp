@@ -2,10 +2,10 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "rubsweep/sweep/attractors.hpp"
 #include "rubsweep/sweep/key_axis.hpp"
 
 namespace rubsweep::sweep {
@@ -24,34 +24,10 @@ struct BasinSampling {
   std::vector<DrawnKey> over;  ///< at least one
 };
 
-/// What one sample led to, as far as attractors are told apart.
-struct SampledMotion {
-  std::string name;  ///< class and order
-  bool failed = false;
-  bool rubs = false;
-  bool repeats = false;         ///< else the numbers depend on when one looks, and the name alone counts
-  std::vector<double> orbit_m;  ///< lengths of its orbit, the largest first
-};
-
-/// One attractor, or all motions of a name that never repeat.
-struct Attractor {
-  SampledMotion motion;  ///< of the first sample that led there
-  std::size_t samples = 0;
-  double share = 0;           ///< of the samples
-  double standard_error = 0;  ///< sqrt(share (1 - share) / samples drawn)
-};
-
-/// What the samples of a cell led to; the most frequent first.
-struct Basins {
-  std::vector<Attractor> attractors;
-  std::size_t failed = 0;  ///< samples whose run failed; they count among the samples and to no attractor
-};
-
 /// The numbers of sample `index`, from 0.
 std::vector<KeyValue> draw(const BasinSampling& sampling, std::size_t index);
 
-/// Runs every sample and counts. Orbits are one attractor when their names are equal and no length differs by
-/// more than a thousandth of the largest one.
+/// Runs every sample and counts what they lead to.
 Basins sample_basins(const BasinSampling& sampling,
                      const std::function<SampledMotion(const std::vector<KeyValue>&)>& run);
 

@@ -128,16 +128,6 @@ std::vector<KeyValue> with(std::vector<KeyValue> keys, std::vector<KeyValue> oth
   return keys;
 }
 
-SampledMotion sampled_motion(const Row& row) {
-  const auto kind = response::motion::row_of(row.motion_class);
-  SampledMotion motion{motion_name(row), !row.measures, kind.rubs, kind.repeats, {}};
-  if (!row.measures) return motion;
-  const response::motion::Measures& measures = *row.measures;
-  motion.orbit_m = {measures.contact.peak_displacement_m, measures.amplitude_1x_forward_m,
-                    measures.amplitude_1x_backward_m};
-  return motion;
-}
-
 Probe probe_of(const Row& row) {
   return {response::motion::row_of(row.motion_class).rubs,
           row.motion_class == response::motion::MotionClass::failed, motion_name(row)};
@@ -159,9 +149,10 @@ Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machi
     row.motion_class = response::motion::MotionClass::initial_contact;
     return row;
   }
-  row.start = cell.start == scene::Start::contact ? RunStart::contact
-              : !cell.scene.pulses.empty()        ? RunStart::kick
-                                                  : RunStart::quiet;
+  row.start = machine.start                         ? RunStart::state
+              : cell.start == scene::Start::contact ? RunStart::contact
+              : !cell.scene.pulses.empty()          ? RunStart::kick
+                                                    : RunStart::quiet;
   if (run == nullptr) return row;
   fill(row, *run, some_friction_keeps_its_direction(machine));
   doubt(row, machine, cell.scene.length_scale_m);

@@ -23,6 +23,7 @@ double polar_inertia_kg_m2(const scene::PreparedMachine& prepared) {
 std::string why_torsion_is_idle(const scene::PreparedMachine& prepared, double slowest_hz) {
   const model::RotorKit* kit = model::kit_of(prepared.machine);
   if (kit == nullptr || !kit->torsion) return "";
+  if (prepared.machine.start) return "";  // hits of any strength
   const double impulse_ns = prepared.machine.kick ? 2 / std::numbers::pi * prepared.machine.kick->force_n *
                                                         prepared.machine.kick->duration_s
                                                   : 0;

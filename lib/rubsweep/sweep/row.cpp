@@ -9,4 +9,14 @@ std::string motion_name(const Row& row) {
   return row.order.value_or(1) > 1 ? fmt::format("{} 1/{}", word, *row.order) : std::string(word);
 }
 
+SampledMotion sampled_motion(const Row& row) {
+  const auto kind = response::motion::row_of(row.motion_class);
+  SampledMotion motion{motion_name(row), !row.measures, kind.rubs, kind.repeats, {}};
+  if (!row.measures) return motion;
+  const response::motion::Measures& measures = *row.measures;
+  motion.orbit_m = {measures.contact.peak_displacement_m, measures.amplitude_1x_forward_m,
+                    measures.amplitude_1x_backward_m};
+  return motion;
+}
+
 }  // namespace rubsweep::sweep

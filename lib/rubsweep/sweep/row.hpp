@@ -16,6 +16,7 @@ enum class RunStart {
   kick,      ///< on the quiet whirl, kicked
   quiet,     ///< on the quiet whirl; there is no kick
   contact,   ///< at rest in the static position, not kicked: the quiet motion itself reaches a wall
+  state,     ///< in a state that the configuration gives, not kicked
   handed_on  ///< on the motion of the cell before it on a line, never in a map
 };
 
@@ -27,6 +28,8 @@ constexpr std::string_view to_string(RunStart start) {
       return "quiet";
     case RunStart::contact:
       return "contact";
+    case RunStart::state:
+      return "state";
     case RunStart::handed_on:
       return "handed_on";
   }
@@ -68,5 +71,8 @@ struct Row {
 
 /// Class and order of a motion, such as "subharmonic 1/2" or "chaotic".
 std::string motion_name(const Row& row);
+
+/// What tells the attractor of a row apart: class, order, peak_displacement_m and the two lines at 1X.
+SampledMotion sampled_motion(const Row& row);
 
 }  // namespace rubsweep::sweep

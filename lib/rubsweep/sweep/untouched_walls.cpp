@@ -49,6 +49,7 @@ bool never_touches(const scene::Cell& cell) {
 
 std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMachine& prepared) {
   if (!study.grid.axes.empty()) return "";  // the machine differs from cell to cell
+  if (study.machine.start) return "";
   std::vector<double> descending = study.grid.unbalance;
   std::sort(descending.begin(), descending.end(), std::greater<>());
   const std::vector<double>& speeds = study.grid.speed_hz;

@@ -60,7 +60,7 @@ function chosenCells() {
   const [i0, j0, i1, j1] = state.rectangle || [0, 0, data.x.values.length - 1, data.y.values.length - 1];
   return d3.range(data.cells).filter((cell) => {
     const [i, j] = data.placeOf(cell);
-    return i >= i0 && i <= i1 && j >= j0 && j <= j1 && !state.hidden.has(kinds[data.kinds[cell]].name);
+    return data.isComputed(cell) && i >= i0 && i <= i1 && j >= j0 && j <= j1 && !state.hidden.has(kinds[data.kinds[cell]].name);
   });
 }
 
@@ -151,7 +151,10 @@ function fillStops() {
 function sayWhatIsStored() {
   const { recorded, speed_stride, unbalance_stride } = data.index.orbits;
   const thinned = speed_stride > 1 || unbalance_stride > 1;
-  document.getElementById("orbits-note").textContent = thinned
+  document.getElementById("orbits-note").textContent = data.index.orbits.cells
+    ? `This map is refined: motions are stored for ${recorded} of its computed cells. Other cells show the nearest of ` +
+      "them that has their class, and say so."
+    : thinned
     ? `This map is large: motions are stored for ${recorded} of its ${data.cells} cells, every ${speed_stride}. speed and ` +
       `every ${unbalance_stride}. unbalance. Other cells show the nearest of them, and say so.`
     : `Motions are stored for all ${recorded} cells that have one, as straight lines between as few samples as draw them ` +

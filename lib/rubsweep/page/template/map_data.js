@@ -56,8 +56,18 @@ class MapData {
 
   isWord(name) { return this.columns.get(name).words.length > 0; }
 
-  // The cell with a stored motion that is nearest to `cell`.
+  // A refined map has cells of which only the class is known, from their block.
+  isComputed(cell) { return this.value("status", cell) !== "not computed"; }
+
+  // The cell with a stored motion that is nearest to `cell`; in a refined map of those of its class, if there is one.
   recordedCell(cell) {
+    const listed = this.index.orbits.cells;
+    if (listed) {
+      const [i, j] = this.placeOf(cell), alike = listed.filter((other) => this.kinds[other] === this.kinds[cell]);
+      const distance = (other) => { const [k, l] = this.placeOf(other); return (i - k) ** 2 + (j - l) ** 2; };
+      const from = alike.length ? alike : listed;
+      return from[d3.minIndex(from, distance)];
+    }
     const speeds = this.x.source.length, { speed_stride, unbalance_stride } = this.index.orbits;
     const nearest = (i, count, stride) => {
       const first = Math.floor(stride / 2), last = Math.floor((count - 1 - first) / stride);
@@ -71,8 +81,10 @@ class MapData {
   async orbit(cell) {
     const speeds = this.x.source.length, { speed_stride, unbalance_stride, cells_per_block } = this.index.orbits;
     const kept = (count, stride) => Math.floor((count - 1 - Math.floor(stride / 2)) / stride) + 1;
-    const place = Math.floor(Math.floor(cell / speeds) / unbalance_stride) * kept(speeds, speed_stride) +
-      Math.floor((cell % speeds) / speed_stride);
+    const listed = this.index.orbits.cells;
+    const place = listed ? d3.bisectLeft(listed, cell)
+      : Math.floor(Math.floor(cell / speeds) / unbalance_stride) * kept(speeds, speed_stride) +
+        Math.floor((cell % speeds) / speed_stride);
     const block = Math.floor(place / cells_per_block);
     if (!this.blocks.has(block)) this.blocks.set(block, inflate(dataText("orbits-" + block)).then(readOrbits));
     return (await this.blocks.get(block)).get(cell);

@@ -1,0 +1,49 @@
+#include "map_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "exit_code.hpp"
+#include "finished_map.hpp"
+#include "report_file.hpp"
+#include "rubsweep/error.hpp"
+#include "terminal_map.hpp"
+
+namespace rubsweep::apps {
+
+void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study) {
+  if (arguments.fade && study.robustness != sweep::Robustness::probability)
+    throw ConfigError(
+        "--fade: the map has no column robust_share, allowed: with response.robustness probability");
+}
+
+int report_map(std::string_view program, const RubsweepArguments& arguments,
+               const report::MapSummary& summary, const sweep::Study& study, MapDirectory& directory) {
+  const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
+  const TerminalView view =
+      shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};
+  if (!arguments.quiet) fmt::print("{}{}map: {}\n", view.map, summary.text(), directory.map().string());
+  if (!arguments.quiet) warn(program, summary);
+  if (arguments.figure) {
+    arguments.figure->draw("draw_domain_map.py", directory.map(),
+                           study.machine.kick ? "Rub domains after a kick" : "Rub domains",
+                           arguments.fade ? std::vector<std::string>{"fade"} : std::vector<std::string>{});
+    if (!arguments.quiet) fmt::print("figure: {}\n", arguments.figure->file().string());
+  }
+  if (arguments.report) {
+    const std::filesystem::path place = directory.map().parent_path();
+    const int code = write_report(place, study, program,
+                                  {.file = place / "report.html",
+                                   .threads = arguments.threads,
+                                   .progress = arguments.progress,
+                                   .quiet = arguments.quiet,
+                                   .before_leaving = [&] { directory.leave(); }});
+    if (code != done) return code;
+  }
+  fmt::print("{}", view.next);
+  return summary.has_failed_cells() ? some_cells_failed : done;
+}
+
+}  // namespace rubsweep::apps

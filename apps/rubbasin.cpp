@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exit_code.hpp"
+#include "interrupt.hpp"
+#include "map_directory.hpp"
+#include "missing_cells.hpp"
+#include "program.hpp"
+#include "result_files.hpp"
+#include "rubbasin_arguments.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/report/basin_slice.hpp"
+#include "rubsweep/report/map_csv.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 2> file_names{"slice.csv", "attractors.csv"};
+
+std::string axis_of(const StartNumber& number, const StartRange& range, std::size_t count) {
+  return fmt::format("{{key: {}, from: {}, to: {}, count: {}}}", number.key, range.from, range.to, count);
+}
+
+/// The configuration whose map is the slice: one cell, and an axis for each number of the plane.
+config::RunConfig sliced_config(const RubbasinArguments& arguments) {
+  const config::RunConfig given = config::read_run_config(arguments.config, arguments.overrides);
+  std::array<std::string, 2> axes;
+  bool has_state = false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const StartNumber& number = arguments.plane[i];
+    refuse_missing_casing(number, given);
+    has_state = has_state || number.is_state;
+    const StartRange range = arguments.from ? StartRange{(*arguments.from)[i], (*arguments.to)[i]}
+                                            : usual_range(number, given, arguments.cell.speed_hz);
+    axes[i] = axis_of(number, range, arguments.starts[i]);
+  }
+  std::vector<std::string> overrides = arguments.overrides;
+  overrides.emplace_back("study={kind: map}");
+  overrides.emplace_back("response.robustness=off");
+  // What the configuration says of the start stays; with any, nothing is kicked.
+  if (has_state && !given.study.machine.start) overrides.emplace_back("start={}");
+  overrides.push_back(fmt::format("sweep={{speed_hz: {{values: [{}]}}, {}: {{values: [{}]}}, x: {}, y: {}}}",
+                                  arguments.cell.speed_hz, to_string(given.study.grid.measure),
+                                  arguments.cell.unbalance, axes[0], axes[1]));
+  return config::read_run_config(arguments.config, overrides);
+}
+
+int write_slice(const RubbasinArguments& arguments, const config::RunConfig& config, const fs::path& map) {
+  const auto& axes = config.study.grid.axes;
+  const report::BasinSlice slice = report::read_basin_slice(
+      map, {{arguments.plane[0].column, arguments.plane[1].column}, {axes.at(0).values, axes.at(1).values}});
+  const std::string comments = report::map_comments(RUBSWEEP_VERSION, config::study_digest(config.study));
+  const ResultFiles files{{"slice.csv", report::slice_csv(slice, comments)},
+                          {"attractors.csv", report::attractors_csv(slice, comments)}};
+  const fs::path directory = map.parent_path();
+  write_result_files(files, file_names, directory);
+  if (!arguments.quiet) {
+    fmt::print("{}files     {}: attractors.csv config.yaml map.csv slice.csv\n", report::slice_summary(slice),
+               directory.string());
+  }
+  if (arguments.figure) {
+    const bool by_ratio = config.study.grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
+    const double unbalance = arguments.cell.unbalance;
+    arguments.figure->draw("draw_basin.py", directory,
+                           fmt::format("Basins at {:.6g} Hz, {}", arguments.cell.speed_hz,
+                                       by_ratio ? fmt::format("whirl ratio {:.6g}", unbalance)
+                                                : fmt::format("eccentricity {:.6g} mm", 1e3 * unbalance)));
+    if (!arguments.quiet) fmt::print("figure    {}\n", arguments.figure->file().string());
+  }
+  return slice.basins.failed > 0 ? some_cells_failed : done;
+}
+
+int perform(const RubbasinArguments& arguments) {
+  if (answered("rubbasin", arguments.action, rubbasin_help)) return done;
+  const config::RunConfig config = sliced_config(arguments);
+  batch::require_threads(arguments.threads, 1);
+  MapDirectory directory(arguments.output.value_or(directory_beside(config.output_directory, "_basin")),
+                         config, std::nullopt, arguments.fresh, "rubbasin");
+  if (directory.finished_map()) {
+    if (!arguments.quiet) say(map_is_there("rubbasin"));
+    return write_slice(arguments, config, directory.map());
+  }
+  // What stands there is of a map that was forgotten.
+  write_result_files({}, file_names, directory.map().parent_path());
+  const SweepRun how{"rubbasin", arguments.threads, arguments.progress, arguments.quiet};
+  if (!compute_missing_cells(how, config.study, directory)) return 128 + caught_signal();
+  warn("rubbasin", directory.write_map());
+  return write_slice(arguments, config, directory.map());
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  using namespace rubsweep::apps;
+  return run_program("rubbasin", [&] { return perform(parse_rubbasin_arguments(argc, argv)); });
+}

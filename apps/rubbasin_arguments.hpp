@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "action.hpp"
+#include "cell_argument.hpp"
+#include "figure.hpp"
+#include "rubsweep/batch/progress.hpp"
+#include "slice_plane.hpp"
+
+namespace rubsweep::apps {
+
+struct RubbasinArguments : StudyArguments {
+  CellArgument cell = {};
+  std::array<StartNumber, 2> plane = {};
+  std::optional<std::array<double, 2>> from = {}, to = {};  ///< corners of the slice, both or none
+  std::array<std::size_t, 2> starts = {65, 65};             ///< across and up
+  bool fresh = false;
+  std::optional<Figure> figure = {};
+  int threads = 0;
+  batch::ProgressMode progress = batch::ProgressMode::automatic;
+};
+
+/// Throws UsageError (program.hpp).
+RubbasinArguments parse_rubbasin_arguments(int argc, const char* const* argv);
+
+/// Text of --help.
+std::string rubbasin_help();
+
+}  // namespace rubsweep::apps

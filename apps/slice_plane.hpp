@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/config/run_config.hpp"
+
+namespace rubsweep::apps {
+
+/// A number of a start as the command line names it.
+struct StartNumber {
+  std::string key;                             ///< of the configuration
+  std::string column;                          ///< of slice.csv: x_m, casing0_vx_m_per_s, or the key
+  std::optional<std::size_t> casing;           ///< the stop whose casing it belongs to
+  bool is_state = false, is_velocity = false;  ///< of rotor or casing; else any key
+};
+
+/// Reads "x,vx", "casing0.y,vx" or two keys of the configuration. Throws UsageError.
+std::array<StartNumber, 2> read_plane(const std::string& text);
+
+/// Evenly spaced values, both ends included.
+struct StartRange {
+  double from = 0, to = 0;
+};
+
+/// Where the slice goes to if the command line does not say: twice the clearance of the first stop to both
+/// sides, at velocities times the speed of rotation. Throws UsageError for a key, which has no such range.
+StartRange usual_range(const StartNumber& number, const config::RunConfig& config, double speed_hz);
+
+/// Throws UsageError where the machine has no such casing, or one that does not move.
+void refuse_missing_casing(const StartNumber& number, const config::RunConfig& config);
+
+}  // namespace rubsweep::apps

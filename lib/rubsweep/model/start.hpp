@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rubsweep/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Where a body is and how fast it moves. What is not given stays as on the quiet whirl, or as at rest where
+/// that reaches a wall.
+struct BodyState {
+  std::optional<double> x_m{}, y_m{};  ///< from the unloaded position
+  std::optional<double> vx_m_per_s{}, vy_m_per_s{};
+
+  static void visit_fields(auto& self, auto&& visit) {
+    constexpr Range displacement{.low = -1e2, .high = 1e2}, velocity{.low = -1e6, .high = 1e6};
+    visit("x_m", self.x_m, displacement);
+    visit("y_m", self.y_m, displacement);
+    visit("vx_m_per_s", self.vx_m_per_s, velocity);
+    visit("vy_m_per_s", self.vy_m_per_s, velocity);
+  }
+};
+
+/// The state in which runs begin, t = 0 being the instant of smallest gap at the first stop.
+struct Start {
+  BodyState rotor{};
+  std::vector<std::optional<BodyState>> casings{};  ///< by their stops; those that are not there: none given
+};
+
+}  // namespace rubsweep::model

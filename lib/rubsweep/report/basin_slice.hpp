@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "rubsweep/basin/label_grid.hpp"
+#include "rubsweep/sweep/attractors.hpp"
+
+namespace rubsweep::report {
+
+/// Two numbers of a start that a slice goes over, the others being fixed.
+struct SlicePlane {
+  std::array<std::string, 2> names;           ///< columns, with their units: x_m, vx_m_per_s, ...
+  std::array<std::vector<double>, 2> values;  ///< across (the faster one) and up, ascending
+};
+
+/// A slice of starts of one cell and where they lead, each entry for one start, row by row of the plane.
+struct BasinSlice {
+  SlicePlane plane;
+  sweep::Basins basins;
+  std::vector<std::string> statuses;
+
+  basin::LabelGrid grid() const { return {plane.values[0].size(), plane.values[1].size(), basins.numbers}; }
+};
+
+/// Boxes of so many starts a side, for the basin entropy.
+inline constexpr std::size_t entropy_box = 5;
+
+/// Tells the attractors apart to which the rows of a map lead, one for each start of the plane in its order.
+/// Throws IoError where the map is none of that plane.
+BasinSlice read_basin_slice(const std::filesystem::path& map, const SlicePlane& plane);
+
+/// A row for each start: both numbers, `attractor` (empty: failed), `label` (class and order), `status`.
+/// `comments` stands above.
+std::string slice_csv(const BasinSlice& slice, const std::string& comments);
+
+/// A row for each attractor, the most frequent first: `attractor`, `label`, `starts`, `share`,
+/// `standard_error`, the three lengths that tell it apart, and the first start that leads to it.
+std::string attractors_csv(const BasinSlice& slice, const std::string& comments);
+
+/// What a terminal shows: shares, entropies and exponent, each with what it says.
+std::string slice_summary(const BasinSlice& slice);
+
+}  // namespace rubsweep::report
