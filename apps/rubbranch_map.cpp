@@ -18,10 +18,13 @@
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/branch/attribution.hpp"
+#include "rubsweep/branch/contradiction.hpp"
 #include "rubsweep/branch/family.hpp"
+#include "rubsweep/branch/quiet_cells.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/families_csv.hpp"
+#include "rubsweep/response/motion/motion_class.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -34,6 +37,8 @@ std::string label_of(const page::MapTable& map, std::size_t cell) {
   if (const auto order = map.number("order", cell)) label += fmt::format("_{}", *order);
   return label;
 }
+
+constexpr std::string_view quiet_label = to_string(response::motion::MotionClass::non_contact);
 
 const std::string interrupted =
     "rubbranch: interrupted; what was found is kept, the same command goes on from there\n";
@@ -80,19 +85,25 @@ int run_on_map(const RubbranchArguments& arguments) {
       });
   const branch::Families families =
       branch::families_of(study, proven, arguments.threads, stop, journal.records());
+  const auto checks =
+      branch::check_labels(study, labels, families, arguments.threads, stop, journal.records());
   watch.reset();
   if (stop) {
     say(interrupted);
     return 128 + caught_signal();
   }
-  const auto edges = branch::attribute(study.grid, labels, families.list);
+  const auto edges =
+      branch::attribute(study.grid, labels, families.list, branch::quiet_cells(study), quiet_label);
   batch::write_whole_file(output / "families.csv", report::families_csv(study.grid, families.list));
   batch::write_whole_file(output / "edges.csv", report::edges_csv(study.grid, labels, edges));
   batch::write_whole_file(output / "boundaries.csv", report::boundaries_csv(study.grid, families.list));
+  batch::write_whole_file(output / "contradictions.csv",
+                          report::contradictions_csv(study.grid, labels, checks));
   journal.remove();
   if (!arguments.quiet) {
-    fmt::print("{}files     {}: boundaries.csv edges.csv families.csv\n",
-               report::families_summary(study.grid, families, proven.size(), edges), output.string());
+    fmt::print("{}{}files     {}: boundaries.csv contradictions.csv edges.csv families.csv\n",
+               report::families_summary(study.grid, families, proven.size(), edges),
+               report::contradictions_summary(checks), output.string());
   }
   return families.not_followed.empty() ? done : some_cells_failed;
 }

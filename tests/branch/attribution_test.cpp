@@ -4,9 +4,15 @@
 
 #include <array>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace rubsweep::branch {
 namespace {
+
+constexpr std::string_view at_rest = "non_contact";
+
+std::vector<Quiet> no_quiet_motion(std::size_t cells) { return std::vector<Quiet>(cells, Quiet::touches); }
 
 /// Five cells in a row: two of family 0, whose orbit goes on to the third and folds before the fourth; the
 /// last one has an orbit that could not be followed.
@@ -18,7 +24,7 @@ TEST(Attribution, BasinCeasesAndUnresolved) {
                                           "subharmonic_3"};
   Family first{0, {{0, {}}, {1, {}}, {2, {}}}, {{2, 3, 35, 0.5, "fold"}}, {0, 1}};
   Family last{4, {{4, {}}}, {{4, 3, 45, 0.5, "step_too_small"}}, {4}};
-  const auto edges = attribute(grid, labels, {first, last});
+  const auto edges = attribute(grid, labels, {first, last}, no_quiet_motion(5), at_rest);
   ASSERT_EQ(edges.size(), 3u);
   EXPECT_EQ(edges[0].attribution, Attribution::basin);
   EXPECT_EQ(edges[0].first, 1u);
@@ -28,7 +34,7 @@ TEST(Attribution, BasinCeasesAndUnresolved) {
 
   first.orbits.erase(2);
   first.ends = {{1, 2, 25, 0.5, "fold"}};
-  const auto ceases = attribute(grid, labels, {first, last});
+  const auto ceases = attribute(grid, labels, {first, last}, no_quiet_motion(5), at_rest);
   EXPECT_EQ(ceases[0].attribution, Attribution::ceases);
   EXPECT_EQ(ceases[0].kind, "fold");
 }
@@ -41,10 +47,38 @@ TEST(Attribution, WhatCeasesOnOneSideIsStronger) {
   grid.unbalance = {0.5};
   const std::array<std::string, 2> labels{"subharmonic_2", "subharmonic_4"};
   const Family a{0, {{0, {}}, {1, {}}}, {}, {0}}, b{1, {{1, {}}}, {{1, 0, 15, 0.5, "period_halving"}}, {1}};
-  const auto edges = attribute(grid, labels, {a, b});
+  const auto edges = attribute(grid, labels, {a, b}, no_quiet_motion(2), at_rest);
   ASSERT_EQ(edges.size(), 1u);
   EXPECT_EQ(edges[0].attribution, Attribution::ceases);
   EXPECT_EQ(edges[0].kind, "period_halving");
+}
+
+/// The quiet motion is one that could be followed as well: beside chaos it is there on both sides, where its
+/// whirl would touch or grow it ceases, and what ceases of the other motion is stronger.
+TEST(Attribution, TheQuietMotion) {
+  sweep::Grid grid;
+  grid.speed_hz = {10, 20, 30, 40, 50};
+  grid.unbalance = {0.5};
+  const std::array<std::string, 5> labels{"chaotic", "non_contact", "subharmonic_2", "non_contact",
+                                          "unsettled"};
+  std::vector<Quiet> quiet(5, Quiet::stable);
+  Family family{2, {{1, {}}, {2, {}}}, {{2, 3, 35, 0.5, "fold"}}, {2}};
+  auto edges = attribute(grid, labels, {family}, quiet, at_rest);
+  ASSERT_EQ(edges.size(), 4u);
+  EXPECT_EQ(edges[0].attribution, Attribution::basin);
+  EXPECT_EQ(edges[0].kind, one_motion);
+  EXPECT_EQ(edges[1].attribution, Attribution::basin);
+  EXPECT_EQ(edges[1].kind, "") << "both are there on both sides";
+  EXPECT_EQ(edges[2].attribution, Attribution::ceases);
+  EXPECT_EQ(edges[2].kind, "fold");
+  EXPECT_EQ(edges[3].kind, one_motion);
+  quiet[0] = Quiet::touches;
+  quiet[4] = Quiet::unstable;
+  edges = attribute(grid, labels, {family}, quiet, at_rest);
+  EXPECT_EQ(edges[0].attribution, Attribution::ceases);
+  EXPECT_EQ(edges[0].kind, "graze");
+  EXPECT_EQ(edges[3].attribution, Attribution::ceases);
+  EXPECT_EQ(edges[3].kind, "stability");
 }
 
 TEST(Attribution, KindsThatAreNoEnds) {

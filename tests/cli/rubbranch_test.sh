@@ -48,6 +48,18 @@ expect_exit 0 "$figure06" --cell 75,0.4 --along kick.force_n --from 190 --to 210
 [[ $(cells kick/branch.csv floquet_modulus | awk '{ printf "%.6f\n", $1 }' | sort -u | wc -l) == 1 ]] ||
   fail 'the kick changes an orbit that is there without it'
 
+# An oval in a centred annulus, whose period is none of the shaft: the orbit and the multipliers that a map proves.
+annulus=$top/configs/figure11_annulus.yaml
+expect_exit 0 "$annulus" --cell 180,0.6 --from 179.5 --to 180.5 --output oval
+expect_matches stdout '^branch 0  order 1, speed_hz 179.5 to 180.5, .* ends left_range and left_range$'
+"${rubsweep%/*}/rubsweep" "$annulus" --quiet --output cell \
+  --set 'sweep={speed_hz: {values: [180]}, whirl_ratio: {values: [0.6]}}' || fail 'no map'
+read -r spacing modulus <<<"$(cells cell/map.csv comb_spacing floquet_modulus | tail -n 1 | tr , ' ')"
+near() { echo "abs($1 - $2) < 1e-7"; }
+[[ $(count_rows oval/branch.csv \
+  "arclength == 0 and $(near 1/period_turns "$spacing") and $(near floquet_modulus "$modulus")") == 1 ]] ||
+  fail "not the oval with comb spacing $spacing and modulus $modulus"
+
 # Its picture, where there is gnuplot.
 if command -v gnuplot >/dev/null; then
   "$top/scripts/branch_figure.sh" doubled out/picture Heading >stdout 2>stderr || fail 'branch_figure.sh failed'
@@ -83,7 +95,7 @@ expect_exit 3 --map no_such_map
   --set 'sweep={speed_hz: {from: 60, to: 95, count: 8}, whirl_ratio: {values: [0.3, 0.4]}}' || fail 'no map'
 expect_exit 0 --map map --threads 2
 expect_empty stderr
-expect_files map boundaries.csv config.yaml edges.csv families.csv map.csv
+expect_files map boundaries.csv config.yaml contradictions.csv edges.csv families.csv map.csv
 expect_contains stdout 'the orbits of 0 were not found again'
 [[ $(head -n 1 map/boundaries.csv) == family,kind,speed_hz,whirl_ratio ]] || fail 'another header'
 [[ $(count_rows map/families.csv "order == 2 and hits == 1 and cells_existing >= cells_reached") == 1 ]] || fail 'no half orbit'
@@ -92,13 +104,14 @@ upper=$(folds first | tail -n 1)
 grep -q "^0,fold,${upper%?}" map/boundaries.csv || fail "no fold at $upper in map/boundaries.csv"
 [[ $(count_rows map/edges.csv "attribution not in ('ceases', 'basin', 'unresolved')") == 0 ]] || fail 'another attribution'
 [[ $(count_rows map/edges.csv "label_1 == label_2") == 0 ]] || fail 'an edge between equal labels'
+expect_contains stdout '0 labels contradict the domains of the families'
 if command -v gnuplot >/dev/null; then
   "$top/scripts/domain_map.sh" map/map.csv out/map Heading >stdout 2>stderr || fail 'domain_map.sh failed'
   expect_empty stderr
   expect_contains out/map.svg 'orbit ends in a fold'
 fi
 expect_same_families() {
-  for file in boundaries.csv edges.csv families.csv; do expect_same "$1/$file" "$2/$file"; done
+  for file in boundaries.csv contradictions.csv edges.csv families.csv; do expect_same "$1/$file" "$2/$file"; done
 }
 cp -r map once
 expect_exit 0 --map map --threads 1 --quiet
@@ -111,12 +124,14 @@ expect_usage_error '--fresh goes with --map' "$minimal" --cell 70,0.4 --fresh
   --set 'sweep={speed_hz: {from: 60, to: 95, count: 30}, whirl_ratio: {values: [0.3, 0.35, 0.4]}}' || fail 'no map'
 expect_exit 0 --map wide --output whole
 expect_files wide config.yaml map.csv
+[[ $(count_rows whole/contradictions.csv "side == 'inside' and finding == 'stays' and contradiction == 0") -gt 0 ]] ||
+  fail 'nothing was started on the orbit'
 set -m # or SIGINT would be ignored in the background
 # kill_after RECORDS SIGNAL [ARGUMENT]...: kills a call as soon as so many lines of its journal are there.
 kill_after() {
   "$rubsweep" --map wide --output killed "${@:3}" >stdout 2>stderr </dev/null &
   local running=$! code=0
-  until [[ -e killed/families.journal ]] && (($(grep -cE ' (settled|way) ' killed/families.journal) >= $1)); do
+  until [[ -e killed/families.journal ]] && (($(grep -cE ' (settled|way|stays) ' killed/families.journal) >= $1)); do
     kill -0 "$running" 2>/dev/null || break
     sleep 0.002
   done
@@ -132,7 +147,7 @@ kill_after 10 KILL --threads 1
 kill_after 30 KILL --threads 2
 expect_contains stderr 'goes on with'
 expect_missing killed/families.csv
-found=$(grep -cE ' (settled|way) ' killed/families.journal)
+found=$(grep -cE ' (settled|way|stays) ' killed/families.journal)
 ((found >= 30)) || fail 'what was found is lost'
 cp -r killed torn
 # A line cut in the middle, and one letter that is another.
@@ -142,7 +157,7 @@ cp -r torn other
 expect_exit 0 --map wide --output killed --threads 1 --quiet
 expect_contains stderr "goes on with $found orbits and ways"
 expect_same_families killed whole
-expect_files killed boundaries.csv edges.csv families.csv
+expect_files killed boundaries.csv contradictions.csv edges.csv families.csv
 expect_exit 0 --map wide --output torn --threads 2
 expect_contains stderr '1 damaged records; what they held is computed again'
 expect_contains stderr "goes on with $((found - 2)) orbits and ways"
@@ -163,7 +178,7 @@ expect_same_families full whole
 expect_exit 2 --map narrow --output other
 expect_contains stderr 'other/families.journal: holds finished cells of another configuration'
 expect_exit 0 --map narrow --output other --fresh
-expect_files other boundaries.csv edges.csv families.csv
+expect_files other boundaries.csv contradictions.csv edges.csv families.csv
 mv map/config.yaml other.yaml
 sed 's/mass_kg: 0.8/mass_kg: 0.9/' other.yaml >map/config.yaml
 expect_exit 2 --map map

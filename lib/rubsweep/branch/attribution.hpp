@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "rubsweep/branch/family.hpp"
+#include "rubsweep/branch/quiet_cells.hpp"
 
 namespace rubsweep::branch {
 
 /// Why two neighbouring cells of a map have different labels.
 enum class Attribution {
-  ceases,  ///< between them an orbit that one of the kicks leads to ends, or loses its stability
-  basin,   ///< that orbit exists and is stable in both cells: the kick of the other one no longer reaches it
-  unresolved,  ///< neither cell has an orbit that could be followed, or following it failed
+  ceases,  ///< between them a motion that one of the kicks leads to ends, or loses its stability
+  basin,   ///< a motion that one of the kicks leads to, the quiet one included, exists and is stable in both
+           ///< cells: the kick of the other one no longer reaches it
+  unresolved,  ///< neither cell has a motion that could be followed, or following it failed
 };
 
 constexpr std::string_view to_string(Attribution attribution) {
@@ -32,14 +34,20 @@ constexpr std::string_view to_string(Attribution attribution) {
 struct MapEdge {
   std::size_t first = 0, second = 0;
   Attribution attribution = Attribution::unresolved;
-  std::string_view kind;  ///< of what ceases; of what is unresolved why, or empty
+  /// Of what ceases; of what is unresolved why, or empty; of a basin empty where both motions are there on
+  /// both sides, `one_motion` where that is known of one of them, and the other one may cease as well.
+  std::string_view kind;
 };
+
+constexpr std::string_view one_motion = "one_motion";
 
 /// Whether `kind` is something that happens to an orbit, and not to following it.
 bool is_an_end(std::string_view kind);
 
-/// Every pair of neighbouring cells with different labels, one label per cell of the grid.
+/// Every pair of neighbouring cells with different labels. For each cell of the grid: its label, and its
+/// quiet motion, which is what the cells labelled `quiet_label` settle on.
 std::vector<MapEdge> attribute(const sweep::Grid& grid, std::span<const std::string> labels,
-                               const std::vector<Family>& families);
+                               const std::vector<Family>& families, std::span<const Quiet> quiet,
+                               std::string_view quiet_label);
 
 }  // namespace rubsweep::branch

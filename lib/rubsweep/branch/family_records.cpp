@@ -12,7 +12,8 @@
 namespace rubsweep::branch {
 namespace {
 
-constexpr std::string_view settled_word = "settled", passage_word = "way", arrived_word = "arrives";
+constexpr std::string_view settled_word = "settled", passage_word = "way", arrived_word = "arrives",
+                           stays_word = "stays";
 
 /// Words parted by single blanks.
 class Words {
@@ -96,6 +97,12 @@ bool FamilyRecords::read(std::size_t cell, std::string_view line) {
     return true;
   }
   std::size_t from = 0, to = 0;
+  if (word == stays_word) {
+    int stays = 0;
+    if (!words.read(to) || !words.read(stays) || !words.empty()) return false;
+    stays_.try_emplace({cell, to}, stays != 0);
+    return true;
+  }
   if (word != passage_word || !words.read(from) || !words.read(to)) return false;
   auto passage = read_passage(words);
   if (!passage) return false;
@@ -123,6 +130,16 @@ void FamilyRecords::keep_passage(std::size_t seed, std::size_t from, std::size_t
   keep(seed,
        fmt::format("{} {} {} {} {}{}", passage_word, from, to, passage.arrived ? arrived_word : passage.kind,
                    passage.parameter, passage.arrived ? text_of(*passage.arrived) : std::string()));
+}
+
+std::optional<bool> FamilyRecords::stays(std::size_t seed, std::size_t cell) const {
+  const auto found = stays_.find({seed, cell});
+  return found == stays_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void FamilyRecords::keep_stays(std::size_t seed, std::size_t cell, bool stays) {
+  stays_.insert_or_assign({seed, cell}, stays);
+  keep(seed, fmt::format("{} {} {}", stays_word, cell, stays ? 1 : 0));
 }
 
 void FamilyRecords::keep(std::size_t cell, std::string_view line) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "rubsweep/branch/passage.hpp"
 
@@ -33,12 +34,18 @@ class FamilyRecords {
   const Passage* passage(std::size_t seed, std::size_t from, std::size_t to) const;
   void keep_passage(std::size_t seed, std::size_t from, std::size_t to, const Passage& passage);
 
+  /// Whether the machine that starts on the orbit of the family of `seed` in a cell settles on it; empty: not
+  /// known yet.
+  std::optional<bool> stays(std::size_t seed, std::size_t cell) const;
+  void keep_stays(std::size_t seed, std::size_t cell, bool stays);
+
  private:
   void keep(std::size_t cell, std::string_view line) const;
 
   Keep keep_;
   std::map<std::size_t, std::optional<CellOrbit>> settled_;
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, Passage> passages_;
+  std::map<std::pair<std::size_t, std::size_t>, bool> stays_;
 };
 
 }  // namespace rubsweep::branch

@@ -19,6 +19,7 @@ enum class Evaluation {
 
 /// What an orbit does over its period.
 struct OrbitFacts {
+  double period_turns = 0;      ///< of the shaft
   int hits = 0;                 ///< over the whole period
   double contact_fraction = 0;  ///< of the period
   double amplitude_m = 0;       ///< largest distance of the rotor from its mean position

@@ -72,6 +72,7 @@ class SceneOrbits {
     request.peaks = request.switches = true;
     integrate::run::TurnReport report;
     OrbitFacts facts;
+    facts.period_turns = order_;
     std::vector<Eigen::Vector2d> places_m;
     for (int turn = 0; turn < order_; ++turn) {
       facts.sections.push_back(state);

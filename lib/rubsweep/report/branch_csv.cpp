@@ -31,16 +31,18 @@ std::string branch_comments(const std::string& version, const std::string& diges
 }
 
 std::string branch_csv(const std::vector<branch::Branch>& branches) {
-  std::string text = "branch,parameter,arclength,order,stable,unstable_multipliers" + multiplier_columns() +
-                     ",amplitude_m,peak_displacement_m,peak_contact_force_n,hits,contact_fraction,feasible\n";
+  std::string text =
+      "branch,parameter,arclength,order,stable,unstable_multipliers" + multiplier_columns() +
+      ",amplitude_m,peak_displacement_m,peak_contact_force_n,hits,contact_fraction,feasible,period_turns\n";
   for (std::size_t i = 0; i < branches.size(); ++i) {
     for (const branch::BranchPoint& point : branches[i].points) {
       const branch::OrbitFacts& facts = point.facts;
-      text += fmt::format("{},{},{},{},{},{}{},{},{},{},{},{},{}\n", i, csv_number(point.parameter),
+      text += fmt::format("{},{},{},{},{},{}{},{},{},{},{},{},{},{}\n", i, csv_number(point.parameter),
                           csv_number(point.arclength), branches[i].order, point.stable() ? 1 : 0,
                           point.unstable, multiplier_cells(point.multipliers), csv_number(facts.amplitude_m),
                           csv_number(facts.peak_displacement_m), csv_number(facts.peak_contact_force_n),
-                          facts.hits, csv_number(facts.contact_fraction), facts.feasible ? 1 : 0);
+                          facts.hits, csv_number(facts.contact_fraction), facts.feasible ? 1 : 0,
+                          csv_number(facts.period_turns));
     }
   }
   return text;

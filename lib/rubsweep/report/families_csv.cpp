@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "rubsweep/batch/csv_table.hpp"
@@ -81,6 +82,38 @@ std::string edges_csv(const sweep::Grid& grid, std::span<const std::string> labe
                         csv_number(unbalance_of(grid, edge.first)), csv_number(speed_of(grid, edge.second)),
                         csv_number(unbalance_of(grid, edge.second)), labels[edge.first], labels[edge.second],
                         to_string(edge.attribution), edge.kind);
+  }
+  return text;
+}
+
+std::string contradictions_csv(const sweep::Grid& grid, std::span<const std::string> labels,
+                               const std::vector<branch::LabelCheck>& checks) {
+  std::string text = fmt::format("speed_hz,{},label,family,side,finding,contradiction,end,other_family\n",
+                                 to_string(grid.measure));
+  const auto number = [](const std::optional<std::size_t>& family) {
+    return family ? fmt::format("{}", *family) : std::string();
+  };
+  for (const branch::LabelCheck& check : checks) {
+    if (check.finding == branch::Finding::reached) continue;
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_number(speed_of(grid, check.cell)),
+                        csv_number(unbalance_of(grid, check.cell)), labels[check.cell], number(check.family),
+                        check.inside ? "inside" : "outside", to_string(check.finding),
+                        branch::contradicts(check.finding) ? 1 : 0, check.end, number(check.other_family));
+  }
+  return text;
+}
+
+std::string contradictions_summary(const std::vector<branch::LabelCheck>& checks) {
+  const auto count = [&](const auto& condition) { return std::ranges::count_if(checks, condition); };
+  std::string text = fmt::format(
+      "{} labels contradict the domains of the families: looked at {} inside, {} of the same kind just "
+      "outside\n",
+      count([](const branch::LabelCheck& check) { return branch::contradicts(check.finding); }),
+      count([](const branch::LabelCheck& check) { return check.inside; }),
+      count([](const branch::LabelCheck& check) { return !check.inside; }));
+  for (const branch::Finding finding : branch::all_findings) {
+    const auto found = count([&](const branch::LabelCheck& check) { return check.finding == finding; });
+    if (found > 0) text += fmt::format("{:8}  {}\n", found, to_string(finding));
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rubsweep/branch/attribution.hpp"
+#include "rubsweep/branch/contradiction.hpp"
 #include "rubsweep/branch/family.hpp"
 #include "rubsweep/sweep/grid.hpp"
 
@@ -21,6 +22,13 @@ std::string families_csv(const sweep::Grid& grid, const std::vector<branch::Fami
 /// A row for every pair of neighbouring cells with different labels.
 std::string edges_csv(const sweep::Grid& grid, std::span<const std::string> labels,
                       const std::vector<branch::MapEdge>& edges);
+
+/// A row for every label that was looked at, but for those that the kick leads to.
+std::string contradictions_csv(const sweep::Grid& grid, std::span<const std::string> labels,
+                               const std::vector<branch::LabelCheck>& checks);
+
+/// How many labels agree with the domains of the families, by what was found, for a terminal.
+std::string contradictions_summary(const std::vector<branch::LabelCheck>& checks);
 
 /// Shares of the attributions, of the kinds of what ceases, and the cells that were not followed, for a
 /// terminal.

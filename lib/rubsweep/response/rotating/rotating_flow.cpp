@@ -24,8 +24,14 @@ void append_samples(const integrate::run::TurnReport& turn, Eigen::Index states,
       Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.sample_count).topRows(states);
 }
 
-/// What a turn, or the part of one that ends an arc, adds to its measures.
-void add_measures(const integrate::run::TurnReport& turn, RotatingArc& arc) {
+/// What a turn, or the part of one that ends an arc, adds to its measures; `left_rad` of the arc when it
+/// began.
+void add_measures(const integrate::run::TurnReport& turn, double left_rad, RotatingArc& arc) {
+  for (integrate::run::ModeSwitch change : turn.switches) {
+    change.phase_rad += arc.angle_rad - left_rad;
+    arc.switches.push_back(change);
+  }
+  arc.slip_reversed = arc.slip_reversed || turn.slip_reversed;
   arc.hits += turn.hits;
   arc.contact_fraction += turn.contact_fraction * full_turn / arc.angle_rad;
   arc.peak_displacement_m = std::max(arc.peak_displacement_m, turn.peak_displacement_m);
@@ -45,6 +51,7 @@ Followed follow_by_series(const scene::Scene& scene, const integrate::run::Solve
   integrate::run::TurnReport turn;
   request.samples_per_revolution = samples_per_revolution;
   request.peaks = samples_per_revolution > 0;
+  request.switches = true;
   if (transition) request.tangent_vectors.setIdentity(states, states);
   for (double left = arc.angle_rad; left > 0; left -= full_turn) {
     const integrate::taylor::TaylorEnding ending = run.advance(request, turn, std::min(left, full_turn));
@@ -52,7 +59,7 @@ Followed follow_by_series(const scene::Scene& scene, const integrate::run::Solve
     if (ending != integrate::taylor::TaylorEnding::ok) return Followed::failed;
     if (transition) request.tangent_vectors = *turn.tangent_vectors.get();
     if (samples_per_revolution > 0) append_samples(turn, states, states, arc);
-    add_measures(turn, arc);
+    add_measures(turn, left, arc);
   }
   arc.end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -arc.angle_rad);
   if (transition) arc.transition = turned(request.tangent_vectors, -arc.angle_rad);
@@ -87,11 +94,12 @@ std::optional<RotatingArc> follow(const scene::Scene& scene, const integrate::ru
   integrate::run::TurnReport turn;
   request.samples_per_revolution = samples_per_revolution;
   request.peaks = samples_per_revolution > 0;
+  request.switches = true;
   for (double left = angle_rad; left > 0; left -= full_turn) {
     const double end_phase = std::min(left, full_turn);
     if (run.advance(request, turn, end_phase) != integrate::run::Outcome::ok) return std::nullopt;
     if (samples_per_revolution > 0) append_samples(turn, states, states * (states + 1), arc);
-    add_measures(turn, arc);
+    add_measures(turn, left, arc);
   }
   const double* end = turn.section.data();
   arc.end = turned(Eigen::Map<const Eigen::VectorXd>(end, states), -angle_rad);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::response::rotating {
@@ -16,6 +17,9 @@ struct RotatingArc {
   double angle_rad = 0;        ///< its length, in rotation of the shaft
   int hits = 0;
   double contact_fraction = 0;
+  bool slip_reversed = false;  ///< some slip speed was <= 0 while touching
+  /// Changes of contact mode, phases from the start of the arc; none where contacts are smoothed.
+  std::vector<integrate::run::ModeSwitch> switches;
   double peak_displacement_m = 0;  ///< this and what follows only where samples are asked for
   double peak_contact_force_n = 0;
   double peak_casing_displacement_m = 0;

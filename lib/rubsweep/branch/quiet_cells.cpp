@@ -1,0 +1,32 @@
+#include "rubsweep/branch/quiet_cells.hpp"
+
+#include <cstddef>
+#include <numbers>
+
+#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/structure/stability.hpp"
+
+namespace rubsweep::branch {
+
+std::vector<Quiet> quiet_cells(const sweep::Study& study) {
+  constexpr double rounding = 1e-9;  ///< growth per radian of rotation that is none
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  std::vector<bool> grows;
+  for (const double speed_hz : study.grid.speed_hz) {
+    const double speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
+    grows.push_back(structure::growth_per_s(prepared.assembly, speed_rad_per_s) > rounding * speed_rad_per_s);
+  }
+  std::vector<Quiet> cells;
+  for (const double unbalance : study.grid.unbalance) {
+    for (std::size_t i = 0; i < grows.size(); ++i) {
+      const scene::Cell cell =
+          scene::build_cell(prepared, study.grid.speed_hz[i], sweep::unbalance_of(study.grid, unbalance));
+      cells.push_back(cell.start != scene::Start::quiet ? Quiet::touches
+                      : grows[i]                        ? Quiet::unstable
+                                                        : Quiet::stable);
+    }
+  }
+  return cells;
+}
+
+}  // namespace rubsweep::branch

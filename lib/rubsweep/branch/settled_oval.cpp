@@ -1,0 +1,72 @@
+#include "rubsweep/branch/settled_oval.hpp"
+
+#include <algorithm>
+
+#include "rubsweep/branch/oval_orbits.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
+#include "rubsweep/response/rotating/apex_return_search.hpp"
+#include "rubsweep/response/rotating/limit_cycle.hpp"
+#include "rubsweep/response/rotating/rotating_flow.hpp"
+#include "rubsweep/response/rotating/rotating_frame.hpp"
+#include "rubsweep/response/rotating/symmetry.hpp"
+#include "rubsweep/response/settle.hpp"
+
+namespace rubsweep::branch {
+namespace {
+
+using Eigen::VectorXd;
+namespace rotating = response::rotating;
+
+integrate::run::SolverOptions with_tolerance(integrate::run::SolverOptions solver, double tolerance) {
+  solver.relative_tolerance = tolerance;
+  return solver;
+}
+
+}  // namespace
+
+std::optional<VectorXd> oval_from(const scene::Scene& with_pulses, const VectorXd& section,
+                                  const integrate::run::SolverOptions& solver,
+                                  const response::motion::ResponseOptions& options,
+                                  response::motion::Workspace& workspace) {
+  if (!rotating::rotationally_symmetric(with_pulses)) return std::nullopt;
+  const scene::Scene scene = response::proof::after_the_kick(with_pulses);
+  const rotating::RotatingField field(scene, solver);
+  const rotating::RotatingFlow rough(scene, with_tolerance(solver, 1e-6), 0),
+      exact(scene, with_tolerance(solver, std::min(solver.relative_tolerance, 1e-8)), 0);
+  const rotating::RotatingMotion motion{
+      [&](const VectorXd& state) { return field.rate(state); },
+      [&](const VectorXd& state, double angle_rad) { return rough.from(state, angle_rad); },
+      [&](const VectorXd& state, double angle_rad) { return exact.from(state, angle_rad); },
+      [&](const VectorXd& state, double angle_rad) { return rough.end_from(state, angle_rad); }};
+  const integrate::run::Run run = integrate::start(scene, solver, workspace.modes);
+  run.restart({section.data(), static_cast<std::size_t>(section.size())});
+  rotating::ApexReturnSearch search(scene);
+  integrate::run::TurnRequest request;
+  request.samples_per_revolution = options.samples_per_revolution;
+  integrate::run::TurnReport turn;
+  for (int revolution = 0; revolution < options.max_revolutions; ++revolution) {
+    if (run.advance(request, turn) != integrate::run::Outcome::ok) return std::nullopt;
+    search.add(turn);
+    const auto candidate = search.candidate();
+    if (!candidate) continue;
+    const VectorXd here =
+        Eigen::Map<const VectorXd>(turn.section.data(), static_cast<Eigen::Index>(turn.section.size()));
+    if (const auto cycle = rotating::prove_limit_cycle(motion, here, candidate->periods_rad))
+      return oval_state(scene, solver, cycle->state, cycle->once.angle_rad);
+    search.refuse(*candidate);
+  }
+  return std::nullopt;
+}
+
+std::optional<VectorXd> settle_on_oval(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
+                                       const response::motion::ResponseOptions& options,
+                                       response::motion::Workspace& workspace) {
+  const response::SettledRun settled = response::settle(cell, solver, options, workspace);
+  if (settled.section.empty()) return std::nullopt;
+  const Eigen::Map<const VectorXd> section(settled.section.data(),
+                                           static_cast<Eigen::Index>(settled.section.size()));
+  return oval_from(cell.scene, section, solver, options, workspace);
+}
+
+}  // namespace rubsweep::branch
