@@ -107,6 +107,9 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
     return nothing_to_follow(
         fmt::format("the cell settles on no periodic orbit in contact, its motion is {}", to_string(motion)));
   }
+  if (plane && closing == Closing::in_the_turning_frame)
+    return nothing_to_follow(
+        "--curve: an oval, which closes in the turning frame, has no curves in two parameters");
   const branch::OrbitProblem problem = problem_of(family, closing, order, study, workspace);
   const auto start = branch::orbit_from(problem, *state, family.start);
   if (!start) return nothing_to_follow("Newton's iteration does not find the orbit that the cell settles on");
