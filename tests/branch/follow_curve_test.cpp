@@ -196,7 +196,7 @@ TEST(FollowCurve, EndsWhereThereIsNoMachineOrTheSolverFails) {
   for (const auto& [evaluation, ending] : {std::pair{Evaluation::infeasible, Ending::infeasible},
                                            std::pair{Evaluation::failed, Ending::failed}}) {
     PlaneOrbits orbits = cusp_plane();
-    orbits.returns = [map = orbits.returns, evaluation](const Place& at, Eigen::VectorXd& x,
+    orbits.returns = [map = orbits.returns, evaluation = evaluation](const Place& at, Eigen::VectorXd& x,
                                                         Eigen::MatrixXd* monodromy) {
       return at.second > 0.8 ? evaluation : map(at, x, monodromy);
     };
