@@ -197,7 +197,7 @@ TEST(FollowCurve, EndsWhereThereIsNoMachineOrTheSolverFails) {
                                            std::pair{Evaluation::failed, Ending::failed}}) {
     PlaneOrbits orbits = cusp_plane();
     orbits.returns = [map = orbits.returns, evaluation = evaluation](const Place& at, Eigen::VectorXd& x,
-                                                        Eigen::MatrixXd* monodromy) {
+                                                                     Eigen::MatrixXd* monodromy) {
       return at.second > 0.8 ? evaluation : map(at, x, monodromy);
     };
     const double q = 0.48, x = std::sqrt(q / 3);
