@@ -11,6 +11,7 @@ std::optional<Eigen::VectorXd> oval_of(const scene::Cell& cell) {
   response::motion::Workspace workspace;
   response::motion::ResponseOptions options;
   options.max_revolutions = 60;
+  options.window_revolutions = 24;  // two of them are within a run
   return settle_on_oval(cell, {}, options, workspace);
 }
 
