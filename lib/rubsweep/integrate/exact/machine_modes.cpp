@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/step_table.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {
@@ -77,6 +78,13 @@ const LinearMode<N>* MachineModes<N>::mode(std::size_t joint) {
     made_[joint] = true;
   }
   return modes_[joint].get();
+}
+
+std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts) {
+  const auto states = static_cast<std::size_t>(2 * coordinates);
+  const std::size_t guards = 2 * contacts, matrices = 3 + numerics::exact_step_count;
+  const std::size_t numbers = 1 + states * (states * matrices + numerics::series_rows * guards);
+  return (numbers << (2 * contacts)) * sizeof(double);
 }
 
 bool exact_applies(const scene::Scene& scene) {

@@ -109,7 +109,10 @@ class TubeReference {
   Spread slip_spread() {
     const LinearMode<N>& mode = motion_.mode();
     const Eigen::Index n = mode.rest.size();
-    const double growth = std::exp(std::min(700.0, norm_of(mode)));
+    if (&mode != grown_in_) {
+      growth_ = std::exp(std::min(700.0, norm_of(mode)));
+      grown_in_ = &mode;
+    }
     double largest = 0;
     for (const TouchWatch<N>& touch : mode.touches)
       largest = std::max(largest, touch.sliding.cwiseAbs().sum());
@@ -118,7 +121,7 @@ class TubeReference {
       const State physical = mode.from_free(z);
       const double size = std::max(physical.head(n).cwiseAbs().maxCoeff(),
                                    physical.tail(n).cwiseAbs().maxCoeff() / mode.fastest_rad_per_s);
-      values.push_back(scale_.length_m * largest * mode.fastest_rad_per_s * growth * size);
+      values.push_back(scale_.length_m * largest * mode.fastest_rad_per_s * growth_ * size);
     }
     return spread_of(values);
   }
@@ -129,6 +132,8 @@ class TubeReference {
   run::StateScale scale_;
   bool slips_ = false;
   std::size_t base_ = 0;
+  const LinearMode<N>* grown_in_ = nullptr;  ///< the mode of `growth_`
+  double growth_ = 0;                        ///< of a disturbance in a step
 };
 
 }  // namespace rubsweep::integrate::exact
