@@ -61,6 +61,13 @@ TEST(Footprint, CountsTheFlowsOfEveryMachineUpToWhatIsKept) {
   EXPECT_EQ(bytes_beyond(more, one), 0u);
 }
 
+TEST(Footprint, IsNeverMoreThanIsKnownWithoutTheMachine) {
+  Study study = one_side_study({50, 60}, {0.1});
+  EXPECT_LT(footprint(study, {2}).memory_bytes, most_memory_bytes(study, {2}));
+  study.threshold.emplace().axis.keys = {"stops.0.friction.coefficient"};
+  EXPECT_EQ(footprint(study, {2}).memory_bytes, most_memory_bytes(study, {2}));
+}
+
 TEST(TakePilotCells, SpreadsThemEvenlyAndLeavesTheOthers) {
   Cells cells(10);
   std::iota(cells.begin(), cells.end(), std::size_t{100});

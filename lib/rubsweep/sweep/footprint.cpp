@@ -35,8 +35,7 @@ bool varies_machines(const Study& study) {
 }
 
 /// What the flows of the machines of a study take in the cache of one thread, at most.
-std::size_t flow_bytes(const Study& study) {
-  const structure::Assembly assembly = scene::prepare_machine(study.machine).assembly;
+std::size_t flow_bytes(const Study& study, const structure::Assembly& assembly) {
   const bool by_speed = assembly.gyroscopic.size() > 0 || assembly.circulatory.size() > 0;
   const std::size_t bytes = integrate::exact::most_bytes_of_modes(
       assembly.system.coordinates(),
@@ -52,17 +51,28 @@ std::size_t flow_bytes(const Study& study) {
   return varies_machines(study) || machines > most / bytes ? most : machines * bytes;
 }
 
+std::size_t memory_bytes(const Study& study, const Workers& workers, std::size_t flows_of_a_thread) {
+  const std::size_t samples = static_cast<std::size_t>(study.response.window_revolutions) *
+                              static_cast<std::size_t>(study.response.samples_per_revolution);
+  return program_bytes + (workers.ranks > 0 ? mpi_bytes : 0) +
+         static_cast<std::size_t>(workers.threads) *
+             (thread_bytes + sample_bytes * samples + flows_of_a_thread) +
+         cell_bytes * cell_count(study.grid);
+}
+
 }  // namespace
 
 Footprint footprint(const Study& study, const Workers& workers) {
-  const std::size_t cells = cell_count(study.grid);
-  const std::size_t samples = static_cast<std::size_t>(study.response.window_revolutions) *
-                              static_cast<std::size_t>(study.response.samples_per_revolution);
-  return {program_bytes + (workers.ranks > 0 ? mpi_bytes : 0) +
-              static_cast<std::size_t>(workers.threads) *
-                  (thread_bytes + sample_bytes * samples + flow_bytes(study)) +
-              cell_bytes * cells,
-          row_bytes * cells};
+  return footprint(study, scene::prepare_machine(study.machine), workers);
+}
+
+Footprint footprint(const Study& study, const scene::PreparedMachine& prepared, const Workers& workers) {
+  return {memory_bytes(study, workers, flow_bytes(study, prepared.assembly)),
+          row_bytes * cell_count(study.grid)};
+}
+
+std::size_t most_memory_bytes(const Study& study, const Workers& workers) {
+  return memory_bytes(study, workers, integrate::exact::most_bytes_of_a_mode_cache);
 }
 
 std::vector<std::size_t> take_pilot_cells(std::vector<std::size_t>& cells, std::size_t count) {

@@ -54,8 +54,10 @@ class TubeReference {
   /// What guard `e` of the present mode makes of the disturbances.
   Seen seen(std::size_t e) {
     const auto& pairs = motion_.mode().guards[e].terms.list;
+    const auto tangents = motion_.tangents();
     Seen seen;
-    for (const State& z : motion_.tangents()) {
+    for (auto* list : {&seen.value, &seen.rate, &seen.curvature}) list->reserve(tangents.size());
+    for (const State& z : tangents) {
       const ModalSum sum = sum_of(pairs, z.data(), motion_.mode().paired);
       seen.value.push_back(sum.value());
       seen.rate.push_back(sum.rate());
@@ -116,8 +118,10 @@ class TubeReference {
     double largest = 0;
     for (const TouchWatch<N>& touch : mode.touches)
       largest = std::max(largest, touch.sliding.cwiseAbs().sum());
+    const auto tangents = motion_.tangents();
     std::vector<double> values;
-    for (const State& z : motion_.tangents()) {
+    values.reserve(tangents.size());
+    for (const State& z : tangents) {
       const State physical = mode.from_free(z);
       const double size = std::max(physical.head(n).cwiseAbs().maxCoeff(),
                                    physical.tail(n).cwiseAbs().maxCoeff() / mode.fastest_rad_per_s);
