@@ -44,8 +44,6 @@ class TubeBuilder {
   using GuardValue = typename ExactMotion<N>::GuardValue;
   static constexpr int most_steps = 100'000;
   static constexpr double shortest_step = 1e-12;  ///< of a turn
-  /// Radians of the mode's fastest vibration. What disturbances may make of a slip is bounded over one.
-  static constexpr double longest_contact_step = 1, longest_flight_step = 4;
   static constexpr std::size_t none = TubeSwitch<N>::none;
 
   ExactMotion<N>& motion() { return reference_.motion(); }
@@ -62,9 +60,7 @@ class TubeBuilder {
   /// first. Empty where a guard stands at zero.
   std::optional<Choice> choose(const std::vector<GuardValue>& guards) const {
     const LinearMode<N>& mode = motion().mode();
-    const double radians = mode.touches.empty() ? longest_flight_step : longest_contact_step;
-    Choice choice{
-        std::min({mode.longest_step_s, radians / mode.fastest_rad_per_s, tube_.period_s - time_s_})};
+    Choice choice{std::min({mode.longest_step_s, 1 / mode.fastest_rad_per_s, tube_.period_s - time_s_})};
     for (std::size_t e = 0; e < guards.size(); ++e) {
       const GuardValue& guard = guards[e];
       if (e == behind_) {
