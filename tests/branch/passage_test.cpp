@@ -16,7 +16,7 @@ class Passages : public ::testing::Test {
   CellOrbit orbit_of_cell_2() {
     const scene::Cell cell = scene::build_cell(prepared, 75, scene::WhirlRatio{0.4});
     const SettledStart settled = settle_on_orbit(cell, {}, {}, workspace);
-    return stable_orbit(study, prepared, 2, *settled.order, settled.section, workspace).value();
+    return stable_orbit(study, prepared, 2, settled, workspace).value();
   }
 
   sweep::Study study = test::half_orbit_study({0.4});
@@ -52,9 +52,13 @@ TEST_F(Passages, EndInAFold) {
 /// Not even where the way begins: what is no orbit is not stable there.
 TEST_F(Passages, OfWhatIsNoOrbit) {
   CellOrbit orbit = orbit_of_cell_2();
-  EXPECT_TRUE(stable_orbit(study, prepared, 2, 2, orbit.state, workspace));
+  SettledStart settled{response::motion::MotionClass::subharmonic, 2, Closing::with_the_shaft, orbit.state};
+  EXPECT_TRUE(stable_orbit(study, prepared, 2, settled, workspace));
   orbit.state.setConstant(100);
-  EXPECT_FALSE(stable_orbit(study, prepared, 2, 2, orbit.state, workspace));
+  settled.state = orbit.state;
+  EXPECT_FALSE(stable_orbit(study, prepared, 2, settled, workspace));
+  settled.order.reset();
+  EXPECT_FALSE(stable_orbit(study, prepared, 2, settled, workspace));
   const Passage passage = pass(study, prepared, 2, orbit, 3, workspace);
   EXPECT_FALSE(passage.arrived);
   EXPECT_EQ(passage.kind, "stability");
