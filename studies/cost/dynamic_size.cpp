@@ -1,6 +1,7 @@
 // dynamic_size: what an exact turn costs where the number of coordinates is known at run time only, as in a
 // rotor kit, against the same turn with the number known to the compiler.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <vector>
