@@ -149,7 +149,7 @@ class TubeBuilder {
 
   bool begin_slip() {
     if (!reference_.slips()) return true;
-    slip_width_ = reference_.slip_spread();
+    seen_by_slips_ = reference_.seen_by_slips();
     return reference_.begin_slip();
   }
 
@@ -158,7 +158,8 @@ class TubeBuilder {
     if (!reference_.slips()) return true;
     reference_.slip().advance(duration_s);
     const double margin = reference_.slip().margin_m_per_s(motion(), motion().physical());
-    keep_margin(margin, slip_width_);
+    for (const SeenByDisturbances& seen : seen_by_slips_)
+      keep_margin(margin, reference_.spread_over(seen, duration_s));
     return margin > 0;
   }
 
@@ -182,7 +183,7 @@ class TubeBuilder {
   }
 
   TubeReference<N> reference_;
-  Spread slip_width_;
+  std::vector<SeenByDisturbances> seen_by_slips_;  ///< where the step began
   std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
   double time_s_ = 0;
   TurnTube tube_;

@@ -251,6 +251,7 @@ class ModeBuilder {
     mode_->pushes = mode_->pushes || touch.pushes;
     const Row sliding = by_v(c.second_row);
     touch.sliding = sliding;
+    touch.sliding_of_free = terms_of(sliding * mode_->basis, all_pairs());
     touch.sliding_rate_bound = bound(rate(sliding * mode_->basis));
     if (!mode_->paired && only_released()) {
       if (auto slip = released_slip(system_, friction_, mode_->modes, i, mode_->longest_step_s)) {

@@ -71,6 +71,7 @@ struct TouchWatch {
   ModalTerms force_of_free;                        ///< the free vibration's part of it
   bool pushes = false;                             ///< false: released, the normal force is zero
   typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
+  ModalTerms sliding_of_free;                      ///< the free vibration's part of it
   typename ExactTypes<N>::Row sliding_rate_bound;  ///< of the free vibration's part of d sliding / dt
   /// Empty in most modes. Where every touching contact is released there is nothing but friction, mu K p at
   /// contact k, between rotor and casings, and the penetrations p only fall. `sliding_rate_bound` is then on

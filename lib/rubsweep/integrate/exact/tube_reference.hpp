@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -52,16 +50,14 @@ class TubeReference {
   std::size_t base() const { return base_; }               ///< disturbances that are not kicks
 
   /// What guard `e` of the present mode makes of the disturbances.
-  Seen seen(std::size_t e) {
-    const auto& pairs = motion_.mode().guards[e].terms.list;
-    Seen seen;
-    for (const State& z : motion_.tangents()) {
-      const ModalSum sum = sum_of(pairs, z.data(), motion_.mode().paired);
-      seen.value.push_back(sum.value());
-      seen.rate.push_back(sum.rate());
-      seen.curvature.push_back(sum.curvature());
-    }
-    return seen;
+  Seen seen(std::size_t e) { return seen_by(motion_.mode().guards[e].terms, 1); }
+
+  /// The same of the slip of every touching contact, m/s.
+  std::vector<Seen> seen_by_slips() {
+    std::vector<Seen> all;
+    for (const TouchWatch<N>& touch : motion_.mode().touches)
+      all.push_back(seen_by(touch.sliding_of_free, scale_.length_m));
+    return all;
   }
 
   Spread spread_of(const std::vector<double>& values) const { return exact::spread_of(values, base_); }
@@ -104,26 +100,19 @@ class TubeReference {
     return generator.cwiseAbs().rowwise().sum().maxCoeff();
   }
 
-  /// What disturbances may make of a sliding speed until the end of a step, m/s: by the largest component in
-  /// units of (1, fastest rate), which grows no faster than the norm of the generator.
-  Spread slip_spread() {
-    const LinearMode<N>& mode = motion_.mode();
-    const Eigen::Index n = mode.rest.size();
-    const double growth = std::exp(std::min(700.0, norm_of(mode)));
-    double largest = 0;
-    for (const TouchWatch<N>& touch : mode.touches)
-      largest = std::max(largest, touch.sliding.cwiseAbs().sum());
-    std::vector<double> values;
+ private:
+  /// A linear function of the free vibration times `unit`.
+  Seen seen_by(const ModalTerms& terms, double unit) {
+    Seen seen;
     for (const State& z : motion_.tangents()) {
-      const State physical = mode.from_free(z);
-      const double size = std::max(physical.head(n).cwiseAbs().maxCoeff(),
-                                   physical.tail(n).cwiseAbs().maxCoeff() / mode.fastest_rad_per_s);
-      values.push_back(scale_.length_m * largest * mode.fastest_rad_per_s * growth * size);
+      const ModalSum sum = sum_of(terms.list, z.data(), motion_.mode().paired);
+      seen.value.push_back(unit * sum.value());
+      seen.rate.push_back(unit * sum.rate());
+      seen.curvature.push_back(unit * sum.curvature());
     }
-    return spread_of(values);
+    return seen;
   }
 
- private:
   ExactMotion<N> motion_;
   SlipWatch<N> slip_;
   run::StateScale scale_;

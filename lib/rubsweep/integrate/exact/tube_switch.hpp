@@ -74,12 +74,13 @@ class TubeSwitch {
     if (!reference_.slips()) return true;
     if (!reference_.begin_slip()) return false;
     const auto [margin, rate] = reference_.slip().at_start(motion_);
-    TurnTube::Other slip;
-    slip.value = -margin;
-    slip.rate = rate;
-    slip.spread = reference_.slip_spread();
-    change.others.push_back(std::move(slip));
-    other_rows_.push_back(State::Zero(motion_.free().size()).transpose());
+    const std::vector<SeenByDisturbances> seen = reference_.seen_by_slips();
+    for (std::size_t t = 0; t < seen.size(); ++t) {
+      change.others.push_back({-margin, rate, 0, reference_.spread_of(seen[t].value),
+                               reference_.spread_of(seen[t].rate), reference_.spread_of(seen[t].curvature),
+                               0});
+      other_rows_.push_back(reference_.scale().length_m * motion_.mode().touches[t].sliding);
+    }
     return true;
   }
 
