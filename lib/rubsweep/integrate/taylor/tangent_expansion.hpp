@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/taylor/contact_slopes.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 
@@ -34,7 +36,8 @@ class TangentExpansion {
       keeping_.resize(contact::most_sticking, count_);
       distance_.assign(system_.contacts.size() * (order + 1), Pair(2, count_));
       distance_rate_ = distance_;
-      if (system_.contacts.size() > 0) {
+      if (std::ranges::any_of(system_.contacts,
+                              [](const auto& c) { return contact::dry_coefficient(c.friction) > 0; })) {
         distance_acceleration_ = distance_;
         holding_.assign(distance_.size(), Line(count_));
       }
