@@ -263,19 +263,22 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
 }
 
 template <int N>
-double ExactMotion<N>::sliding_rate_bound(const TouchWatch<N>& touch, const State& physical) const {
-  if (!touch.friction_rate.empty()) return sliding_rate_bound_without_contact(touch, physical);
-  const auto t = static_cast<std::size_t>(&touch - mode_->touches.data());
-  double bound = touch.sliding_rate_bound.dot(sizes().transpose());
-  for_each_response(*cell_, acting_, now_,
-                    [&](const auto& response, Complex) { bound += response.sliding[t]; });
-  return bound;
+typename ExactMotion<N>::GuardValue ExactMotion<N>::sliding(std::size_t t) const {
+  const ModalSum free = sum_of(mode_->touches[t].sliding_of_free.list, now_.free.data(), mode_->paired);
+  GuardValue sliding{free.value(), free.rate(), free.curvature()};
+  for_each_response(*cell_, acting_, now_, [&](const auto& response, Complex phasor) {
+    const Complex z = product(response.at_sliding[t], phasor);
+    sliding.value += z.real();
+    sliding.rate -= response.rate * z.imag();
+    sliding.curvature += pair_size(response.at_sliding[t].real(), response.at_sliding[t].imag()) *
+                         response.rate * response.rate;
+  });
+  return sliding;
 }
 
 /// Every run has entered the open mode first, so that its flow is there, and so are its responses.
 template <int N>
-double ExactMotion<N>::sliding_rate_bound_without_contact(const TouchWatch<N>& touch,
-                                                          const State& physical) const {
+double ExactMotion<N>::sliding_rate_bound(const TouchWatch<N>& touch, const State& physical) const {
   const LinearMode<N>& open = *machine_->mode(0);
   const ModeCell& cell = cells_[open.index];
   const State free = open.to_free(physical - forced(open, cell, here()));

@@ -39,7 +39,7 @@ struct HarmonicResponse {
   std::vector<double> annular_length;   ///< per annular stop: bound on |at_annular_guard e^{i rate t}|
   std::vector<Complex> at_force;        ///< per touch
   std::vector<double> force_curvature;  ///< per touch: |at_force| rate^2
-  std::vector<double> sliding;          ///< per touch: |sliding amplitude| rate
+  std::vector<Complex> at_sliding;      ///< per touch
   std::array<Complex, numerics::exact_step_count>
       steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked
 

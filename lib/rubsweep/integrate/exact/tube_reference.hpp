@@ -22,10 +22,7 @@ class TubeReference {
   using Seen = SeenByDisturbances;
 
   TubeReference(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
-      : motion_(scene, modes), slip_(scene, modes->friction()), scale_(run::state_scale(scene)) {
-    for (const contact::SaturatedFriction& friction : modes->friction())
-      slips_ = slips_ || friction.above_m_per_s > 0;
-  }
+      : motion_(scene, modes), slip_(scene, modes->friction()), scale_(run::state_scale(scene)) {}
 
   /// Begins a turn at `section` with the disturbances that span the tube, one per column. False where the
   /// motion has no closed form, or an annular stop is armed.
@@ -36,9 +33,10 @@ class TubeReference {
     scale_.to_seconds(physical);
     motion_.set_phases(0);
     if (!motion_.enter(0, physical)) return false;
-    const std::size_t joint =
+    const std::size_t modes =
         joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));
-    if (joint != 0 && !motion_.enter(joint, physical)) return false;
+    if (modes != 0 && !motion_.enter(slip_.with_ways(motion_.machine(), modes, physical), physical))
+      return false;
     if (!motion_.mode().annular_guards.empty()) return false;
     motion_.carry_tangents(disturbances);
     return true;
@@ -52,11 +50,23 @@ class TubeReference {
   /// What guard `e` of the present mode makes of the disturbances.
   Seen seen(std::size_t e) { return seen_by(motion_.mode().guards[e].terms, 1); }
 
-  /// The same of the slip of every touching contact, m/s.
-  std::vector<Seen> seen_by_slips() {
-    std::vector<Seen> all;
-    for (const TouchWatch<N>& touch : motion_.mode().touches)
-      all.push_back(seen_by(touch.sliding_of_free, scale_.length_m));
+  /// What is left of the slip of a touching contact, m/s, before friction leaves saturation, as a guard, and
+  /// what it makes of the disturbances; `row` is its own on the state.
+  struct SlipGuard {
+    typename ExactMotion<N>::GuardValue value;
+    Seen seen;
+    typename ExactTypes<N>::Row row;
+  };
+  /// Of all whose friction is saturated only above a slip.
+  std::vector<SlipGuard> slip_guards() {
+    std::vector<SlipGuard> all;
+    const State here = motion_.physical();
+    for (std::size_t t = 0; t < motion_.mode().touches.size(); ++t) {
+      if (slip_.always(motion_, t)) continue;
+      const TouchWatch<N>& touch = motion_.mode().touches[t];
+      all.push_back({slip_.guard(motion_, t, here), seen_by(touch.sliding_of_free, scale_.length_m),
+                     scale_.length_m * touch.sliding});
+    }
     return all;
   }
 
@@ -84,12 +94,7 @@ class TubeReference {
     return margins;
   }
 
-  /// Whether some friction of a touching contact is saturated only above a slip.
-  bool slips() const { return slips_ && !motion_.mode().touches.empty(); }
-
-  /// Starts a stretch of slips here; false where friction is not saturated.
-  bool begin_slip() { return slip_.begin(motion_, motion_.physical()); }
-  SlipWatch<N>& slip() { return slip_; }
+  const SlipWatch<N>& slip() const { return slip_; }
 
   /// Norm of the generator in units of (1, fastest rate).
   static double norm_of(const LinearMode<N>& mode) {
@@ -116,7 +121,6 @@ class TubeReference {
   ExactMotion<N> motion_;
   SlipWatch<N> slip_;
   run::StateScale scale_;
-  bool slips_ = false;
   std::size_t base_ = 0;
 };
 
