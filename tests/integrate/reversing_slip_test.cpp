@@ -12,17 +12,17 @@
 namespace rubsweep::integrate {
 namespace {
 
-/// A thin shaft: the surface goes at 0.47 m/s, the rotor in contact faster, and back again.
-test::OneSideRotor thin_shaft(double steepness_s_per_m) {
+/// A thin shaft, whose surface goes at 0.24 m/s: the rotor in contact goes back faster, for a while.
+test::OneSideRotor thin_shaft(double steepness_s_per_m, double radius_m = 5e-4) {
   test::OneSideRotor rotor;
-  rotor.contact_radius_m = 1e-3;
+  rotor.contact_radius_m = radius_m;
   rotor.friction_steepness_s_per_m = steepness_s_per_m;
   return rotor;
 }
 
 /// The same with dry friction.
 scene::Scene dry_scene() {
-  model::Machine machine = test::machine_of(thin_shaft(100));
+  model::Machine machine = test::machine_of(thin_shaft(100, 3e-4));
   machine.stops[0].friction = model::ConstantFriction{0.1};
   return scene::build_cell(machine, 75, scene::WhirlRatio{0.4}).scene;
 }
@@ -44,7 +44,7 @@ void expect_long_double(const test::OneSideRotor& rotor, int steps, double bound
     EXPECT_LT(test::section_error(turn.section, reference[static_cast<std::size_t>(k)], rotor), bound) << k;
   }
   EXPECT_GT(turn.effort.taylor_turns, 0);
-  EXPECT_GT(turn.effort.steps, 2 * turn.effort.taylor_pieces);  // most of the way is by closed forms
+  EXPECT_GT(turn.effort.steps, turn.effort.taylor_pieces);  // some of the way is by closed forms
   EXPECT_EQ(turn.effort.adaptive_turns, 0);
 }
 
@@ -126,7 +126,7 @@ TEST(ReversingSlip, BetweenTwoStops) {
     EXPECT_LT(difference(a.section, b.section), 1e-11) << k;
   }
   EXPECT_GT(a.effort.taylor_pieces, 0);
-  EXPECT_LT(2 * a.effort.taylor_pieces, b.effort.steps);
+  EXPECT_LT(a.effort.taylor_pieces, b.effort.steps);
 }
 
 /// A belt that runs backwards has a slip that never goes forward, saturated all the time: no turn needs a
