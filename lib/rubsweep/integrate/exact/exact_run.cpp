@@ -321,7 +321,7 @@ bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
   const auto& mode = motion_.mode();
   const auto& contacts = motion_.machine().system().contacts;
   const State here = motion_.physical();
-  std::size_t modes = 0;
+  std::size_t joint = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& c = contacts[i];
     const Mode from = mode.modes[i];
@@ -331,15 +331,22 @@ bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
       if (mode.guards[e].contact == i) to = contact::mode_through(from, mode.guards[e].next, kinematics);
       to = contact::mode_after(to, c.stiffness, c.damping, kinematics);
     }
-    modes += in_joint_mode(to, i);
+    if (to != Mode::open) joint += in_joint_mode(to, i) + way_in_joint_mode(i, from, here);
     if (to == from) continue;
     ++effort_.switches;
     report.add({speed_ * time_s_, static_cast<int>(i), from, to}, switches_wanted_);
   }
-  const std::size_t joint = slip_.with_ways(motion_.machine(), modes, here);
   if (!motion_.enter(joint, here) || !begin_slip(here)) return false;
   if (peaks_wanted_) peaks_.begin(motion_);
   return true;
+}
+
+/// The bit of a contact that touches and did `from` before: as long as it touches its slip keeps its way.
+template <int N>
+std::size_t ExactRun<N>::way_in_joint_mode(std::size_t i, Mode from, const State& here) const {
+  const std::size_t bit = backward_in_joint_mode(i, motion_.mode().modes.size());
+  if (from != Mode::open) return motion_.joint() & bit;
+  return slip_.goes_backward(motion_.machine(), i, here) ? bit : 0;
 }
 
 /// False where friction is not saturated, and the run ends at `here`.

@@ -93,6 +93,7 @@ class ExactRun {
   void land(run::TurnReport& report, std::size_t guard, double latest_s);
   bool switch_mode(run::TurnReport& report, std::size_t guard);
 
+  std::size_t way_in_joint_mode(std::size_t contact, contact::Mode from, const State& here) const;
   bool begin_slip(const State& here);
   bool renew_slip_watch(StepChoice& choice);
   ExactEnding without_closed_form() const {

@@ -54,10 +54,15 @@ class SlipWatch {
   std::size_t with_ways(const MachineModes<N>& machine, std::size_t modes, const State& physical) const {
     std::size_t joint = modes;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      if (mode_in_joint_mode(modes, i) == contact::Mode::open || contacts_[i].always()) continue;
-      if (slip(machine, i, physical) < 0) joint += backward_in_joint_mode(i, contacts_.size());
+      if (mode_in_joint_mode(modes, i) == contact::Mode::open) continue;
+      if (goes_backward(machine, i, physical)) joint += backward_in_joint_mode(i, contacts_.size());
     }
     return joint;
+  }
+
+  /// Whether the slip of contact `i` does at `physical`, and its friction with it.
+  bool goes_backward(const MachineModes<N>& machine, std::size_t i, const State& physical) const {
+    return !contacts_[i].always() && slip(machine, i, physical) < 0;
   }
 
   /// Starts a stretch at `physical`, the motion's state; false when friction is not saturated here, or so
@@ -180,7 +185,9 @@ class SlipWatch {
 
   double slip(const MachineModes<N>& machine, std::size_t i, const State& physical) const {
     const Eigen::RowVectorXd& row = machine.system().contacts[i].second_row;
-    return contacts_[i].surface_speed_m_per_s + length_m_ * row.dot(physical.tail(row.size()).transpose());
+    double sliding = 0;
+    for (Eigen::Index j = 0; j < row.size(); ++j) sliding += row(j) * physical(row.size() + j);
+    return contacts_[i].surface_speed_m_per_s + length_m_ * sliding;
   }
 
   double slip(const TouchWatch<N>& touch, const State& physical) const {
