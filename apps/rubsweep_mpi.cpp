@@ -107,7 +107,8 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
   }
   watch.reset();
   journal.reset();
-  mpi::wait_for_all();
+  mpi::wait_for_all();  // before the first rank reads the journals
+  mpi::wait_for_all();  // while it writes the map and draws
   return done;
 }
 
@@ -121,6 +122,7 @@ int lead(MapJob& job, int ranks) {
   }
   MpiLeader leader(job, ranks);
   const std::size_t finished = leader.run(ranks - 1, stop);
+  mpi::wait_for_all();  // all journals are closed
   const bool refined = job.config.study.grid.refinement.has_value();
   if (refined ? leader.signal() != 0 : finished < directory.missing().size()) {
     mpi::wait_for_all();
