@@ -263,15 +263,17 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
 }
 
 template <int N>
-typename ExactMotion<N>::GuardValue ExactMotion<N>::sliding(std::size_t t) const {
-  const ModalSum free = sum_of(mode_->touches[t].sliding_of_free.list, now_.free.data(), mode_->paired);
-  GuardValue sliding{free.value(), free.rate(), free.curvature()};
+typename ExactMotion<N>::SlidingRate ExactMotion<N>::sliding_rate(std::size_t t) const {
+  SlidingRate sliding;
+  for (const ModalTerm& pair : mode_->touches[t].sliding_of_free.list) {
+    const double u = now_.free(pair.u), v = now_.free(pair.v);
+    sliding.rate += pair.rate_u * u + pair.rate_v * v;
+    sliding.curvature += mode_->paired ? pair.bound_u * pair_size(u, v)
+                                       : pair.bound_u * std::abs(u) + pair.bound_v * std::abs(v);
+  }
   for_each_response(*cell_, acting_, now_, [&](const auto& response, Complex phasor) {
-    const Complex z = product(response.at_sliding[t], phasor);
-    sliding.value += z.real();
-    sliding.rate -= response.rate * z.imag();
-    sliding.curvature += pair_size(response.at_sliding[t].real(), response.at_sliding[t].imag()) *
-                         response.rate * response.rate;
+    sliding.rate -= response.rate * product(response.at_sliding[t], phasor).imag();
+    sliding.curvature += response.sliding_curvature[t];
   });
   return sliding;
 }

@@ -125,8 +125,12 @@ class ExactMotion {
   /// Normal force in newtons of the touching contact `t`, one that pushes, at an instant of the present mode.
   GuardValue force(std::size_t t, const Instant& instant) const;
 
-  /// Sliding speed of the touching contact `t`, scaled length per second.
-  GuardValue sliding(std::size_t t) const;
+  /// How fast the sliding speed of the touching contact `t` changes, scaled length per second squared, and a
+  /// bound of its second derivative within the mode's longest step.
+  struct SlidingRate {
+    double rate = 0, curvature = 0;
+  };
+  SlidingRate sliding_rate(std::size_t t) const;
 
   void step_by_table(int k);
   /// Any duration up to the mode's longest step.

@@ -81,6 +81,7 @@ class SlipWatch {
       }
       const Guard left = guard(motion, t, physical);
       if (!(left.value < 0)) return false;
+      if (numerics::stays_below(left.value, left.rate, left.curvature, longest_s_)) continue;
       longest_s_ = std::min(longest_s_, numerics::safe_step(left.value, left.rate, left.curvature));
     }
     if (may_reverse_) note(motion, physical);
@@ -96,7 +97,7 @@ class SlipWatch {
     const Contact& c = contacts_[touch.contact];
     const double value = c.above_m_per_s - touch.way * slip(touch, physical);
     if (!touch.friction_rate.empty()) return {value, rate_bound(motion, touch, physical), 0};
-    const Guard sliding = motion.sliding(t);
+    const auto sliding = motion.sliding_rate(t);
     return {value, -touch.way * length_m_ * sliding.rate, length_m_ * sliding.curvature};
   }
 
@@ -154,11 +155,12 @@ class SlipWatch {
     const TouchWatch<N>& touch = motion.mode().touches[t];
     const double now = slip(touch, physical), longest_s = motion.mode().longest_step_s;
     may_reverse_ = may_reverse_ ||
-                   (touch.friction_rate.empty() ? !stays_forward(now, motion.sliding(t), longest_s)
+                   (touch.friction_rate.empty() ? !stays_forward(now, motion.sliding_rate(t), longest_s)
                                                 : now <= rate_bound(motion, touch, physical) * longest_s);
   }
 
-  bool stays_forward(double slip_m_per_s, const Guard& sliding, double duration_s) const {
+  bool stays_forward(double slip_m_per_s, const typename ExactMotion<N>::SlidingRate& sliding,
+                     double duration_s) const {
     return numerics::stays_below(-slip_m_per_s, -length_m_ * sliding.rate, length_m_ * sliding.curvature,
                                  duration_s);
   }
