@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -58,6 +60,10 @@ struct CrossingSearch {
   }
 
  private:
+  /// Of the height of a slip's interpolant over a step: from there its largest value is looked at closely.
+  static constexpr double near_zero = 0.1;
+  static constexpr double shortest_share = 1e-12;  ///< of a step, that an event takes at least
+
   /// What holds a contact that sticks, and at most could.
   struct Friction {
     double holds_n = 0, largest_n = 0;
@@ -98,11 +104,49 @@ struct CrossingSearch {
     const double rate = moved ? 0 : sign * h * dynamics.slip_rate(i, step.start, step.start_rate);
     const double end_rate = sign * h * dynamics.slip_rate(i, step.end, step.end_rate);
     if (!moved && numerics::clearly_below_zero(at_start, rate, at_end, end_rate)) return std::nullopt;
-    const auto rise =
-        numerics::bernstein_root(numerics::quartic_through(at_start, rate, value(0.5), at_end, end_rate));
-    const auto phase = rise ? refine(value, *rise) : std::nullopt;
+    const numerics::Quartic quartic = numerics::quartic_through(at_start, rate, value(0.5), at_end, end_rate);
+    const auto rise = numerics::bernstein_root(quartic);
+    auto phase = rise ? refine(value, *rise) : std::nullopt;
+    if (!phase && at_end >= 0) phase = hidden_rise(value);
+    if (!phase && !moved && comes_near_zero(quartic)) phase = shallow_rise(value);
     if (!phase) return std::nullopt;
     return Crossing{*phase, i, {}, Crossing::Event::stop, {}};
+  }
+
+  /// Where a function rose that is at or above zero at the end of the step, and not at its start but for a
+  /// slip that left zero there. It may have come back before any place that the interpolant knows of.
+  template <class Value>
+  std::optional<double> hidden_rise(const Value& value) {
+    double x = 1;
+    while (x > shortest_share) {
+      x /= 2;
+      if (value(x) < 0) return rise_between(value, x, 2 * x);
+    }
+    return step.start_phase + x * (step.end_phase - step.start_phase);
+  }
+
+  static bool comes_near_zero(const numerics::Quartic& quartic) {
+    const auto [low, high] = std::ranges::minmax(quartic);
+    return high > -near_zero * (high - low);
+  }
+
+  /// First place where a function that is negative at the start of the step is not, looked for about its
+  /// largest value. A slip that only just comes to zero stops: unlike a shallow graze it changes the motion.
+  template <class Value>
+  std::optional<double> shallow_rise(const Value& value) {
+    constexpr int places = 16;
+    int best = 1;
+    double largest = value(1.0 / places);
+    for (int k = 2; k <= places; ++k) {
+      const double here = value(static_cast<double>(k) / places);
+      if (here > largest) largest = here, best = k;
+    }
+    std::uintmax_t iterations = 60;
+    const auto top = boost::math::tools::brent_find_minima(
+        [&](double x) { return -value(x); }, static_cast<double>(best - 1) / places,
+        std::min(1.0, static_cast<double>(best + 1) / places), std::numeric_limits<double>::digits / 2,
+        iterations);
+    return top.second <= 0 ? rise_between(value, 0, top.first) : std::nullopt;
   }
 
   /// Contact `i` sticks: where friction no longer holds it. The friction that it takes has no derivative at
@@ -122,8 +166,9 @@ struct CrossingSearch {
       const double a = first.over(sign), b = middle.over(sign), c = last.over(sign);
       const auto rise =
           numerics::bernstein_root(numerics::quartic_through(a, 4 * b - 3 * a - c, b, c, a - 4 * b + 3 * c));
-      if (!rise) continue;
-      const auto phase = refine([&](double x) { return friction_at(x).over(sign); }, *rise);
+      const auto value = [&](double x) { return friction_at(x).over(sign); };
+      auto phase = rise ? refine(value, *rise) : std::nullopt;
+      if (!phase && c > 0) phase = hidden_rise(value);
       if (phase && (!earliest || *phase < earliest->phase))
         earliest = Crossing{*phase, i, {}, Crossing::Event::release, slip};
     }
@@ -150,19 +195,26 @@ struct CrossingSearch {
   /// tolerance sees.
   template <class Value>
   std::optional<double> refine(const Value& value, double rise) {
-    const double h = step.end_phase - step.start_phase;
     for (double reach = 1e-7; reach < 30; reach *= 30) {
       const double low = std::max(0.0, rise - reach), high = std::min(1.0, rise + reach);
       const double at_low = value(low), at_high = value(high);
-      if (!(at_low < 0 && at_high >= 0)) continue;
-      if (at_high == 0) return step.start_phase + high * h;
-      std::uintmax_t iterations = 60;
-      const auto close_enough = [](double a, double b) { return std::abs(b - a) < 1e-15; };
-      const auto bracket =
-          boost::math::tools::toms748_solve(value, low, high, at_low, at_high, close_enough, iterations);
-      return step.start_phase + bracket.second * h;  // the side that is past zero
+      if (at_low < 0 && at_high >= 0) return rise_between(value, low, high);
     }
     return std::nullopt;
+  }
+
+  /// The same where `low` and `high` are known to lie on either side of it; empty where they do not.
+  template <class Value>
+  std::optional<double> rise_between(const Value& value, double low, double high) {
+    const double h = step.end_phase - step.start_phase;
+    const double at_low = value(low), at_high = value(high);
+    if (!(at_low < 0 && at_high >= 0)) return std::nullopt;
+    if (at_high == 0) return step.start_phase + high * h;
+    std::uintmax_t iterations = 60;
+    const auto close_enough = [](double a, double b) { return std::abs(b - a) < 1e-15; };
+    const auto bracket =
+        boost::math::tools::toms748_solve(value, low, high, at_low, at_high, close_enough, iterations);
+    return step.start_phase + bracket.second * h;  // the side that is past zero
   }
 };
 
