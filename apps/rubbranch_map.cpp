@@ -61,6 +61,12 @@ int run_on_map(const RubbranchArguments& arguments) {
         fmt::format("{}: sweep: has axes over keys, allowed with --map: speed and unbalance only",
                     (directory / "config.yaml").string()));
   }
+  if (study.grid.refinement) {
+    throw ConfigError(fmt::format(
+        "{}: sweep.refine: most cells of a refined map are not computed, allowed with --map: a map "
+        "of every cell, without sweep.refine",
+        (directory / "config.yaml").string()));
+  }
   const page::MapTable map = read_map_of(study, directory / "map.csv");
   if (map.rows != sweep::cell_count(study.grid)) {
     throw ConfigError(fmt::format("{}: holds {} cells of {}, allowed: a finished map",

@@ -122,6 +122,11 @@ expect_contains stdout '0 labels contradict the domains of the families'
 [[ $(count_rows annular/boundaries.csv "kind == 'fold' and whirl_ratio == 0.7 and abs(speed_hz - 75.858194951125) < 1e-9") == 1 ]] ||
   fail 'the circle does not end in its fold'
 
+# A refined map does not hold every cell.
+"${rubsweep%/*}/rubsweep" "$minimal" --quiet --output refined --set 'sweep.refine={levels: 1}' || fail 'no map'
+expect_exit 2 --map refined
+expect_contains stderr 'sweep.refine: most cells of a refined map are not computed, allowed with --map: a map of every cell'
+
 # However a call ends, the same command goes on, and the files are those of an undisturbed one, on any number of threads.
 expect_usage_error '--fresh goes with --map' "$minimal" --cell 70,0.4 --fresh
 "${rubsweep%/*}/rubsweep" "$figure06" --quiet --output wide \

@@ -48,7 +48,7 @@ class Follower {
 
   void make_step() {
     const Position guess = position_of(problem_, here()) + side_.step() * here().tangent;
-    const Correction found = correct(problem_, guess, here().tangent);
+    const Correction found = correct(problem_, guess, here().tangent, here().difference_step);
     if (found.evaluation == Evaluation::infeasible) return side_.shorten(Ending::infeasible);
     if (found.evaluation == Evaluation::failed) return side_.shorten(Ending::failed);
     if (!found.converged || side_.is_far((position_of(problem_, found.point) - guess).norm()))

@@ -1,12 +1,17 @@
 #include "rubsweep/integrate/exact/machine_modes.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/integrate/exact/joint_mode.hpp"
 #include "rubsweep/numerics/step_table.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {
+
+/// As many as there are modes of six stops whose slips all go forward.
+constexpr std::size_t most_backward_modes = 4096;
 
 bool same(const scene::Contact& a, const scene::Contact& b) {
   const auto friction_a = contact::saturated_friction(a.friction),
@@ -59,32 +64,55 @@ template <int N>
 std::size_t MachineModes<N>::bytes() const {
   const auto states = static_cast<std::size_t>(2 * system_.coordinates());
   std::size_t numbers = modes_.size();
-  for (const auto& mode : modes_) {
-    if (!mode) continue;
+  const auto count = [&](const std::unique_ptr<LinearMode<N>>& mode) {
+    if (!mode) return;
     const std::size_t matrices = 3 + mode->steps.size(), columns = 4 * mode->pair_steps.size();
     numbers += states * (states * matrices + columns + numerics::series_rows * mode->guards.size());
-  }
+  };
+  for (const auto& mode : modes_) count(mode);
+  for (const auto& [joint, mode] : backward_modes_) count(mode);
   return numbers * sizeof(double);
 }
 
 template <int N>
 const LinearMode<N>* MachineModes<N>::mode(std::size_t joint) {
+  if (joint >= modes_.size()) {
+    const auto found = backward_modes_.find(joint);
+    if (found != backward_modes_.end()) return found->second.get();
+    if (backward_modes_.size() >= most_backward_modes) return nullptr;
+    return (backward_modes_[joint] = make(joint)).get();
+  }
   if (!made_[joint]) {
-    std::vector<contact::Mode> modes;
-    for (std::size_t i = 0, rest = joint; i < scene_.contacts.size(); ++i, rest /= contact::mode_count)
-      modes.push_back(static_cast<contact::Mode>(rest % contact::mode_count));
-    modes_[joint] = make_linear_mode<N>(system_, friction_, std::move(modes));
-    if (modes_[joint]) modes_[joint]->index = count_++;
+    modes_[joint] = make(joint);
     made_[joint] = true;
   }
   return modes_[joint].get();
+}
+
+template <int N>
+std::unique_ptr<LinearMode<N>> MachineModes<N>::make(std::size_t joint) {
+  const std::size_t contacts = scene_.contacts.size();
+  std::vector<contact::Mode> modes;
+  std::vector<bool> backward;
+  for (std::size_t i = 0; i < contacts; ++i) {
+    modes.push_back(mode_in_joint_mode(joint, i));
+    backward.push_back((joint & backward_in_joint_mode(i, contacts)) != 0);
+  }
+  auto mode = make_linear_mode<N>(system_, friction_, std::move(modes), backward);
+  if (mode) mode->index = count_++;
+  return mode;
 }
 
 std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts) {
   const auto states = static_cast<std::size_t>(2 * coordinates);
   const std::size_t guards = 2 * contacts, matrices = 3 + numerics::exact_step_count;
   const std::size_t numbers = 1 + states * (states * matrices + numerics::series_rows * guards);
-  return (numbers << (2 * contacts)) * sizeof(double);
+  std::size_t forward = 1, both = 1;  // where friction pushes one way alone, or either way
+  for (std::size_t i = 0; i < contacts; ++i) {
+    forward *= contact::mode_count;
+    both *= 2 * contact::mode_count - 1;
+  }
+  return std::min(both, forward + most_backward_modes) * numbers * sizeof(double);
 }
 
 bool exact_applies(const scene::Scene& scene) {
