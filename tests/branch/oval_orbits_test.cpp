@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "response/annular_cell.hpp"
+#include "rubsweep/branch/doubling.hpp"
 #include "rubsweep/branch/follow.hpp"
 #include "rubsweep/branch/settled_oval.hpp"
 #include "rubsweep/branch/settled_start.hpp"
@@ -116,6 +117,23 @@ TEST(OvalOrbits, DoubleLoopInTheRing) {
 
 /// Damping leaves its mark on every orbit: the product of the multipliers is exp(-4 zeta T), the trivial one
 /// being 1; the two zeros stand for the shift and the time.
+TEST(OvalOrbits, SectionsOfTheDoubledSingleLoop) {
+  const auto start = at_five(ring_problem(4.2, 6.3), -0.704301, -0.464544, 2.512046, 1.197679);
+  ASSERT_TRUE(start);
+  const Branch branch = follow_both_ways(ring_problem(4.2, 6.3), *start, {});
+  const auto doubling = std::ranges::find(branch.events, EventKind::period_doubling, &BranchEvent::kind);
+  ASSERT_NE(doubling, branch.events.end());
+  const OrbitProblem doubled = oval_orbits(ring, 2, {});
+  const auto switched = doubled_start(doubled, doubling->point);
+  ASSERT_TRUE(switched);
+  ASSERT_EQ(switched->facts.sections.size(), 2u);
+  for (const Eigen::VectorXd& section : switched->facts.sections) {
+    Eigen::VectorXd returned = section;
+    ASSERT_EQ(doubled.returns(switched->parameter, returned, nullptr), Evaluation::ok);
+    EXPECT_LT((returned - section).cwiseAbs().maxCoeff(), 1e-8);
+  }
+}
+
 TEST(OvalOrbits, MultipliersOfTheRing) {
   const OrbitProblem problem = ring_problem(4.2, 6.3);
   const auto start = at_five(problem, -0.704301, -0.464544, 2.512046, 1.197679);

@@ -9,7 +9,6 @@
 
 #include "rubsweep/branch/recent.hpp"
 #include "rubsweep/branch/whole_turns.hpp"
-#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/response/rotating/rotating_flow.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
@@ -42,18 +41,13 @@ struct OvalScene {
   scene::Scene scene;
   RotatingField field;
   RotatingFlow flow, sampled_flow;
-  bool slip_may_not_reverse = false;
 
   OvalScene(double at, const scene::Scene& with_pulses, const integrate::run::SolverOptions& solver)
       : parameter(at),
         scene(response::proof::after_the_kick(with_pulses)),
         field(scene, solver),
         flow(scene, solver, 0),
-        sampled_flow(scene, solver, samples_per_turn) {
-    slip_may_not_reverse = std::ranges::any_of(scene.contacts, [](const scene::Contact& contact) {
-      return contact::keeps_its_direction(contact.friction);
-    });
-  }
+        sampled_flow(scene, solver, samples_per_turn) {}
 
   const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed() const {
     return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
@@ -135,6 +129,7 @@ class OvalOrbits {
     for (int loops = 0; loops < loops_; ++loops) {
       VectorXd section = state;
       if (loops > 0 && advance(loops, parameter, section, nullptr) != Evaluation::ok) return std::nullopt;
+      section(state.size() - 1) = state(state.size() - 1);  // loops of different length have one mean
       facts.sections.push_back(section);
     }
     const Eigen::Index n = state.size() - 1;
@@ -146,7 +141,7 @@ class OvalOrbits {
     facts.hits = arc->hits;
     facts.contact_fraction = arc->contact_fraction;
     facts.touched = arc->contact_fraction > 0;
-    facts.feasible = !(at->slip_may_not_reverse && arc->slip_reversed);
+    facts.feasible = !arc->slip_reversed;
     facts.peak_displacement_m = arc->peak_displacement_m;
     facts.peak_contact_force_n = arc->peak_contact_force_n;
     facts.amplitude_m = arc->peak_displacement_m;  // about the axis, around which the oval turns

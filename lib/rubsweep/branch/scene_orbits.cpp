@@ -9,7 +9,6 @@
 
 #include "rubsweep/branch/recent.hpp"
 #include "rubsweep/branch/whole_turns.hpp"
-#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/start.hpp"
@@ -27,18 +26,13 @@ struct SceneAt {
   scene::Scene scene;
   response::proof::SceneMap map;
   integrate::run::Run run;
-  bool slip_may_not_reverse = false;
 
   SceneAt(double at, const scene::Scene& with_pulses, const integrate::run::SolverOptions& solver,
           integrate::exact::ModeCache& modes)
       : parameter(at),
         scene(response::proof::after_the_kick(with_pulses)),
         map(scene, solver, modes),
-        run(integrate::start(scene, solver, modes)) {
-    slip_may_not_reverse = std::ranges::any_of(scene.contacts, [](const scene::Contact& contact) {
-      return contact::keeps_its_direction(contact.friction);
-    });
-  }
+        run(integrate::start(scene, solver, modes)) {}
 };
 
 std::span<double> numbers(Eigen::VectorXd& state) {
@@ -80,7 +74,7 @@ class SceneOrbits {
       at->run.restart(numbers(state));
       if (at->run.advance(request, report) != integrate::run::Outcome::ok) return std::nullopt;
       add(report, turn, facts);
-      if (at->slip_may_not_reverse && report.slip_reversed) facts.feasible = false;
+      if (report.slip_reversed) facts.feasible = false;
       const Eigen::Map<const Eigen::MatrixXd> samples(report.samples.data(), state.size(),
                                                       report.sample_count);
       for (Eigen::Index k = 0; k < samples.cols(); ++k) {

@@ -52,7 +52,8 @@ class ScenePlaneOrbits {
   std::optional<Eigen::VectorXd> at_phase(const Place& place, const Eigen::VectorXd& state,
                                           double& phase_rad) {
     const auto scene = scene_at(place);
-    if (!scene) return std::nullopt;
+    // With torsion the unbalance turns with the twist, which `begun_at_phase` does not.
+    if (!scene || scene->twist) return std::nullopt;
     const integrate::run::Run run = integrate::start(*scene, solver_, modes_);
     const auto sample = std::llround(phase_rad / turn_rad * samples_per_turn);
     integrate::run::TurnRequest request;
