@@ -104,15 +104,15 @@ class Expansion {
     const ContactSeries& c = contacts_[i];
     const double v1 = system_.contacts[i].first_row.dot(v_.col(0)),
                  v2 = system_.contacts[i].second_row.dot(v_.col(0));
-    const double sliding =
-        laws_[i].annular ? (c.d1[0] * v2 - c.d2[0] * v1) / std::hypot(c.d1[0], c.d2[0]) : v2;
+    const numerics::Two d = c.distance()[0];
+    const double sliding = laws_[i].annular ? (d[0] * v2 - d[1] * v1) / std::sqrt(d[0] * d[0] + d[1] * d[1]) : v2;
     return laws_[i].slip_scale_m_per_s * sliding + laws_[i].surface_speed_m_per_s;
   }
 
   void put_distance(std::size_t i, int k) {
     const auto& c = system_.contacts[i];
-    contacts_[i].d1.set(k, c.first_row.dot(u_.col(k)) + (k == 0 ? c.offset[0] : 0));
-    contacts_[i].d2.set(k, c.second_row.dot(u_.col(k)) + (k == 0 ? c.offset[1] : 0));
+    contacts_[i].set_distance(k, c.first_row.dot(u_.col(k)) + (k == 0 ? c.offset[0] : 0),
+                              c.second_row.dot(u_.col(k)) + (k == 0 ? c.offset[1] : 0));
   }
 
   void begin_contacts(const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
