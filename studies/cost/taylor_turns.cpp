@@ -1,6 +1,6 @@
 // taylor_turns CONFIGS_DIRECTORY [CONFIG.yaml [KEY=VALUE...]]: what turns by Taylor series cost, plain, with
-// one tangent vector, with all of them, and with what a window records, in annular stops; and their error. For
-// a configuration: processor time and turns of its cells by their class.
+// one tangent vector, with all of them, and with what a window records, in annular stops; and their error.
+// For a configuration: processor time and turns of its cells by their class.
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -19,7 +19,8 @@ namespace {
 
 using namespace rubsweep;
 
-/// Scenes of the table, by the configuration's set D or by set C, which differs in casing, stiffness and kick.
+/// Scenes of the table, by the configuration's set D or by set C, which differs in casing, stiffness and
+/// kick.
 struct Motion {
   const char* config;
   std::vector<std::string> overrides;
@@ -28,8 +29,10 @@ struct Motion {
 };
 
 const std::vector<std::string> set_c{
-    "rotor.damping_ratio=0.04",         "stops.0.stiffness_n_per_m=2.0e6",
-    "stops.0.casing.damping_ratio=1.0", "stops.0.casing.stiffness_n_per_m=5.0e5",
+    "rotor.damping_ratio=0.04",
+    "stops.0.stiffness_n_per_m=2.0e6",
+    "stops.0.casing.damping_ratio=1.0",
+    "stops.0.casing.stiffness_n_per_m=5.0e5",
     "kick.force_n=150",
 };
 
@@ -86,8 +89,7 @@ void table(const std::filesystem::path& configs) {
         scene::build_cell(study.machine, m.speed_hz, scene::WhirlRatio{m.whirl_ratio}).scene;
     const Eigen::Index states = 2 * scene.structure.coordinates();
     std::vector<integrate::run::TurnRequest> requests(5);
-    requests[1].tangent_vectors =
-        response::first_disturbance(static_cast<std::size_t>(states)).normalized();
+    requests[1].tangent_vectors = response::first_disturbance(static_cast<std::size_t>(states)).normalized();
     requests[2].tangent_vectors = requests[1].tangent_vectors;
     requests[2].tangent_accuracy = response::growth_accuracy;
     requests[3].tangent_vectors = Eigen::MatrixXd::Identity(states, states);
@@ -97,10 +99,11 @@ void table(const std::filesystem::path& configs) {
     const auto us = microseconds(scene, requests, steps);
     const double error =
         bench::section_difference(early_section(scene), bench::reference_section(scene, early, {}).section);
-    std::printf("  %-44s %6.2f (%.1f steps, %.2f us each); tangent %.2f, to %g %.2f; all %.2f; recorded %.2f; "
-                "error %.0e\n",
-                m.name, us[0], steps, us[0] / steps, us[1] / us[0], response::growth_accuracy, us[2] / us[0],
-                us[3] / us[0], us[4] / us[0], error);
+    std::printf(
+        "  %-44s %6.2f (%.1f steps, %.2f us each); tangent %.2f, to %g %.2f; all %.2f; recorded %.2f; "
+        "error %.0e\n",
+        m.name, us[0], steps, us[0] / steps, us[1] / us[0], response::growth_accuracy, us[2] / us[0],
+        us[3] / us[0], us[4] / us[0], error);
   }
 }
 

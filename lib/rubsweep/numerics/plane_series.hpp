@@ -1,34 +1,45 @@
 #pragma once
 
+#include <cstring>
+
 #include "rubsweep/numerics/taylor_series.hpp"
 
 namespace rubsweep::numerics {
 
 /// One register of every x86-64 processor; wider ones would have to be taken apart where they are missing.
-using Two [[gnu::vector_size(16)]] = double;
+using Twin [[gnu::vector_size(16)]] = double;
 
-inline Two both(double value) { return Two{value, value}; }
-inline double sum_of(Two pair) { return pair[0] + pair[1]; }
+inline Twin both(double value) { return Twin{value, value}; }
+inline Twin swapped(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 0); }
+inline Twin first_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 0, 0); }
+inline Twin second_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 1); }
+/// Twice.
+inline Twin sum_of(Twin pair) { return pair + swapped(pair); }
+/// That of the first, that of the second.
+inline Twin sums_of(Twin first, Twin second) {
+  return __builtin_shufflevector(first, second, 0, 2) + __builtin_shufflevector(first, second, 1, 3);
+}
+inline void store(double* to, Twin pair) { std::memcpy(to, &pair, sizeof pair); }
 /// A quarter of a turn further: (-y, x).
-inline Two quarter_turned(Two pair) { return Two{-pair[1], pair[0]}; }
+inline Twin quarter_turned(Twin pair) { return Twin{-1, 1} * swapped(pair); }
 
 /// Coefficients of the power series of a vector in a plane. That of a number has each of them twice. A
 /// coefficient is one register, written and read as a whole: a product waits neither for one that was just
 /// written nor for a sum across registers.
 class PlaneSeries {
  public:
-  Two operator[](int k) const { return terms_[k]; }
-  void set(int k, Two value) { terms_[k] = value; }
+  Twin operator[](int k) const { return terms_[k]; }
+  void set(int k, Twin value) { terms_[k] = value; }
   void set(int k, double value) { terms_[k] = both(value); }
   double number(int k) const { return terms_[k][0]; }
 
  private:
-  Two terms_[most_taylor_order + 2];  ///< one more than the order: a rate asks for the next
+  Twin terms_[most_taylor_order + 2];  ///< one more than the order: a rate asks for the next
 };
 
 /// Sum of a_j b_{k-j}, component by component, for `first` <= j <= `last`.
-inline Two sum_of_products(const PlaneSeries& a, const PlaneSeries& b, int k, int first, int last) {
-  Two even{}, odd{};
+inline Twin sum_of_products(const PlaneSeries& a, const PlaneSeries& b, int k, int first, int last) {
+  Twin even{}, odd{};
   int j = first;
   for (; j < last; j += 2) {
     even += a[j] * b[k - j];
@@ -39,7 +50,7 @@ inline Two sum_of_products(const PlaneSeries& a, const PlaneSeries& b, int k, in
 }
 
 /// Coefficient k of a b, component by component.
-inline Two product_term(const PlaneSeries& a, const PlaneSeries& b, int k) {
+inline Twin product_term(const PlaneSeries& a, const PlaneSeries& b, int k) {
   return sum_of_products(a, b, k, 0, k);
 }
 

@@ -11,7 +11,7 @@ using numerics::PlaneSeries;
 using numerics::quarter_turned;
 using numerics::sum_of;
 using numerics::sum_of_products;
-using numerics::Two;
+using numerics::Twin;
 
 void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s, contact::Slip way) {
   law_ = &law;
@@ -42,9 +42,7 @@ double ContactSeries::turn_rate() const {
                        : 0;
 }
 
-ContactSeries::Force ContactSeries::force_term(int k) {
-  return law_->annular ? annular_term(k) : flat_term(k);
-}
+Twin ContactSeries::force_term(int k) { return law_->annular ? annular_term(k) : flat_term(k); }
 
 /// A flat contact's slip changes as t . d''. Around the rotor d1 d2'' - d2 d1'' = s r', s being the sliding
 /// speed: of all its products of order k, the one with d'' of that order is looked for.
@@ -56,9 +54,9 @@ double ContactSeries::keeping_term(int k) const {
   return rest * inverse_length_;
 }
 
-void ContactSeries::hold(int k, double force_n, double a1, double a2) {
+void ContactSeries::hold(int k, double force_n, Twin acceleration) {
   holding_.set(k, force_n);
-  acceleration_.set(k, Two{a1, a2});
+  acceleration_.set(k, acceleration);
 }
 
 /// Coefficient k of mu from that of the slip.
@@ -82,33 +80,33 @@ double ContactSeries::friction_slope_term(int k) const {
   return slope * law_->slip_scale_m_per_s;
 }
 
-ContactSeries::Force ContactSeries::flat_term(int k) {
+Twin ContactSeries::flat_term(int k) {
   const double spring = law_->stiffness * (distance_[k][0] - (k == 0 ? law_->clearance : 0));
   const double total = spring_factor_ * spring + damper_ * velocity_[k][0];
-  if (!varies_) return {total, constant_mu_ * spring};
-  load_.set(k, Two{spring, 0});
+  if (!varies_) return Twin{total, constant_mu_ * spring};
+  load_.set(k, Twin{spring, 0});
   sliding_.set(k, velocity_[k][1]);
   add_slip_term(law_->slip_scale_m_per_s * sliding_[k] + (k == 0 ? law_->surface_speed_m_per_s : 0), k);
-  return {total, product_term(mu_, load_, k)[0]};
+  return Twin{total, product_term(mu_, load_, k)[0]};
 }
 
 /// Coefficient k of the normal n by r n = d, then of r' = n . d', and with `damped` of r' n, which is
 /// returned. r is known up to k.
 template <bool damped>
-Two ContactSeries::normal_and_rate(int k) {
+Twin ContactSeries::normal_and_rate(int k) {
   if (k == 0) {
-    const Two square = distance_[0] * distance_[0];
-    const double length = std::sqrt(sum_of(square));
+    const Twin square = distance_[0] * distance_[0];
+    const double length = std::sqrt(sum_of(square)[0]);
     inverse_length_ = 1 / length;
     length_.set(0, length);
     normal_.set(0, distance_[0] * both(inverse_length_));
     length_rate_.set(0, sum_of(normal_[0] * velocity_[0]));
-    return damped ? length_rate_[0] * normal_[0] : Two{};
+    return damped ? length_rate_[0] * normal_[0] : Twin{};
   }
   // Of the newest coefficients, which the others need not wait for, only the sums' ends are made.
-  Two by_length[2]{}, by_velocity[2]{}, by_rate[2]{};
+  Twin by_length[2]{}, by_velocity[2]{}, by_rate[2]{};
   const auto add = [&](int j, int half) {
-    const Two n = normal_[k - j];
+    const Twin n = normal_[k - j];
     by_length[half] += length_[j] * n;
     by_velocity[half] += velocity_[j] * n;
     if constexpr (damped) by_rate[half] += length_rate_[j] * n;
@@ -119,23 +117,23 @@ Two ContactSeries::normal_and_rate(int k) {
     add(j + 1, 1);
   }
   if (j < k) add(j, 0);
-  const Two normal =
+  const Twin normal =
       (distance_[k] - (by_length[0] + by_length[1] + length_[k] * normal_[0])) * both(inverse_length_);
-  const double rate =
+  const Twin rate =
       sum_of(by_velocity[0] + by_velocity[1] + velocity_[k] * normal_[0] + velocity_[0] * normal);
   normal_.set(k, normal);
   length_rate_.set(k, rate);
-  if constexpr (!damped) return Two{};
-  return by_rate[0] + by_rate[1] + length_rate_[0] * normal + both(rate) * normal_[0];
+  if constexpr (!damped) return Twin{};
+  return by_rate[0] + by_rate[1] + length_rate_[0] * normal + rate * normal_[0];
 }
 
-/// The force is F n + mu S t with normal force F, spring force S = K (r - C) and t a quarter of a turn from n:
-/// S n = K (d - C n) and, where the damper works, F n has d r' n besides.
-ContactSeries::Force ContactSeries::annular_term(int k) {
-  const Two damping = damper_ == 0 ? normal_and_rate<false>(k) : both(damper_) * normal_and_rate<true>(k);
-  length_.set(k + 1, length_rate_.number(k) * numerics::one_over(k + 1));
-  const Two load = both(law_->stiffness) * (distance_[k] - both(law_->clearance) * normal_[k]);
-  Two force = both(spring_factor_) * load + damping;
+/// The force is F n + mu S t with normal force F, spring force S = K (r - C) and t a quarter of a turn from
+/// n: S n = K (d - C n) and, where the damper works, F n has d r' n besides.
+Twin ContactSeries::annular_term(int k) {
+  const Twin damping = damper_ == 0 ? normal_and_rate<false>(k) : both(damper_) * normal_and_rate<true>(k);
+  length_.set(k + 1, length_rate_[k] * both(numerics::one_over(k + 1)));
+  const Twin load = both(law_->stiffness) * (distance_[k] - both(law_->clearance) * normal_[k]);
+  Twin force = both(spring_factor_) * load + damping;
   if (sticks_) {
     if (k == 0)
       sliding_speed_ = normal_[0][0] * velocity_[0][1] - normal_[0][1] * velocity_[0][0];
@@ -149,15 +147,15 @@ ContactSeries::Force ContactSeries::annular_term(int k) {
   } else {
     force += both(constant_mu_) * quarter_turned(load);
   }
-  return {force[0], force[1]};
+  return force;
 }
 
 /// d' . t = n1 d2' - n2 d1'.
 void ContactSeries::add_sliding_term(int k) {
-  Two sum{};
+  Twin sum{};
   for (int j = 0; j <= k; ++j) {
-    const Two v = velocity_[k - j];
-    sum += normal_[j] * Two{v[1], v[0]};
+    const Twin v = velocity_[k - j];
+    sum += normal_[j] * numerics::swapped(v);
   }
   sliding_.set(k, sum[0] - sum[1]);
 }
@@ -182,10 +180,10 @@ void ContactSeries::make_open_penetration(int order) {
   if (!law_->annular) return;
   for (int k = 0; k <= order; ++k) {
     const int half = k / 2;
-    Two sum = both(2) * sum_of_products(distance_, distance_, k, 0, (k - 1) / 2);
-    if (k == 0) sum = Two{};
+    Twin sum = both(2) * sum_of_products(distance_, distance_, k, 0, (k - 1) / 2);
+    if (k == 0) sum = Twin{};
     if (k % 2 == 0) sum += distance_[half] * distance_[half];
-    square_[static_cast<std::size_t>(k)] = sum_of(sum);
+    square_[static_cast<std::size_t>(k)] = sum_of(sum)[0];
   }
 }
 

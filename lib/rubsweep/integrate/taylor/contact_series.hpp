@@ -14,27 +14,24 @@ namespace rubsweep::integrate::taylor {
 /// directions the relative displacement is d = (d1, d2); around the rotor r = |d| and the normal is d / r.
 class ContactSeries {
  public:
-  struct Force {
-    double first = 0, second = 0;  ///< on the casing, newtons, along the contact's two fixed directions
-  };
-
-  /// Relative displacement, offset included. Whoever expands the motion writes coefficient k + 1 before
-  /// `force_term(k)` is asked for.
-  void set_distance(int k, double first, double second) {
-    distance_.set(k, numerics::Two{first, second});
-    if (k > 0) velocity_.set(k - 1, distance_[k] * numerics::both(k));
+  /// Relative displacement, offset included, and coefficients of its rate in their order: coefficient k
+  /// before `force_term(k)` is asked for.
+  void set_distance(numerics::Twin distance) { distance_.set(0, distance); }
+  void set_velocity(int k, numerics::Twin velocity) {
+    velocity_.set(k, velocity);
+    distance_.set(k + 1, velocity * numerics::both(numerics::one_over(k + 1)));
   }
   const numerics::PlaneSeries& distance() const { return distance_; }
-  /// Its rate.
   const numerics::PlaneSeries& velocity() const { return velocity_; }
 
   /// Starts an expansion in `mode` with the slip there, which says what of the friction is saturated. Dry
   /// friction goes by `way` instead.
   void begin(const ContactLaw& law, contact::Mode mode, double slip_m_per_s, contact::Slip way);
 
-  /// Coefficient k of the force; coefficients are asked for in their order. The contact touches. Where it
-  /// sticks, the holding friction's coefficient k is not in it yet.
-  Force force_term(int k);
+  /// Coefficient k of the force on the casing, newtons, along the contact's two fixed directions;
+  /// coefficients are asked for in their order. The contact touches. Where it sticks, the holding friction's
+  /// coefficient k is not in it yet.
+  numerics::Twin force_term(int k);
 
   /// The contact sticks: its slip keeps its value by a friction that the system as a whole decides.
   bool sticks() const { return sticks_; }
@@ -45,7 +42,7 @@ class ContactSeries {
   /// two fixed directions so far, without the holding friction's coefficient k.
   double keeping_term(int k) const;
   /// That coefficient of the holding friction, and with it those of d''.
-  void hold(int k, double force_n, double a1, double a2);
+  void hold(int k, double force_n, numerics::Twin acceleration);
   /// Each coefficient twice.
   const numerics::PlaneSeries& holding() const { return holding_; }
   /// Coefficient k of mu S -+ the holding friction, which is above zero as long as it holds.
@@ -90,10 +87,10 @@ class ContactSeries {
   const numerics::PlaneSeries& acceleration() const { return acceleration_; }
 
  private:
-  Force flat_term(int k);
-  Force annular_term(int k);
+  numerics::Twin flat_term(int k);
+  numerics::Twin annular_term(int k);
   template <bool damped>
-  numerics::Two normal_and_rate(int k);
+  numerics::Twin normal_and_rate(int k);
   void add_slip_term(double slip, int k);
   void add_sliding_term(int k);
 

@@ -33,8 +33,8 @@ class TangentExpansion {
   void begin(const Eigen::MatrixXd& tangents) { tangents_ = tangents; }
   Eigen::Index count() const { return tangents_.cols(); }
 
-  /// Moves them over `duration_rad` of the motion as it was expanded. Each is expanded until its last two terms
-  /// are `accuracy` of its largest ones, in displacements and in rates.
+  /// Moves them over `duration_rad` of the motion as it was expanded. Each is expanded until its last two
+  /// terms are `accuracy` of its largest ones, in displacements and in rates.
   void pass(Expansion<N>& motion, double duration_rad, double accuracy) {
     if (count() == 0) return;
     const int most = std::min(order, motion.order() - 1);
@@ -58,9 +58,9 @@ class TangentExpansion {
   }
 
   template <class Direction>
-  numerics::Two at_contact(std::size_t i, const Direction& of) const {
+  numerics::Twin at_contact(std::size_t i, const Direction& of) const {
     const auto& c = system_.contacts[i];
-    return numerics::Two{c.first_row.dot(of), c.second_row.dot(of)};
+    return numerics::Twin{c.first_row.dot(of), c.second_row.dot(of)};
   }
 
   void begin_column(Expansion<N>& motion, Eigen::Index column) {
@@ -103,13 +103,13 @@ class TangentExpansion {
     }
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (!touches(motion, i)) continue;
-      const numerics::Two force = contacts_[i].force_term(k, at_contact(i, rate_.col(k)));
+      const numerics::Twin force = contacts_[i].force_term(k, at_contact(i, rate_.col(k)));
       push(i, force);
     }
     if (motion.sticking() > 0) hold(motion, k);
   }
 
-  void push(std::size_t i, numerics::Two force) {
+  void push(std::size_t i, numerics::Twin force) {
     acceleration_ += system_.contacts[i].first_push * force[0];
     acceleration_ += system_.contacts[i].second_push * force[1];
   }
@@ -117,7 +117,7 @@ class TangentExpansion {
   /// What is kept of a contact that sticks.
   struct Sticking {
     std::array<double, contact::most_sticking> holding{};
-    std::array<numerics::Two, contact::most_sticking> acceleration{};
+    std::array<numerics::Twin, contact::most_sticking> acceleration{};
   };
 
   /// Coefficient k of what holds the contacts that stick: of d1 d2'' - d2 d1'' = s r' (at a flat stop d2'' =
@@ -147,7 +147,7 @@ class TangentExpansion {
   void turn_holding(Expansion<N>& motion, Eigen::Index stuck, int k) {
     const std::size_t i = motion.stuck(stuck);
     if (!motion.contact(i).law().annular) return;
-    numerics::Two sum{};
+    numerics::Twin sum{};
     for (int j = 0; j < k; ++j)
       sum += numerics::both(stuck_at(j).holding[static_cast<std::size_t>(stuck)]) *
              motion.contact(i).normal()[k - j];
@@ -160,13 +160,13 @@ class TangentExpansion {
     const numerics::PlaneSeries &d = contact.distance(), &w = contacts_[i].displacement();
     const double sliding =
         contact.normal()[0][0] * contact.velocity()[0][1] - contact.normal()[0][1] * contact.velocity()[0][0];
-    double sum = sliding * (k + 1) * numerics::sum_of(numerics::product_term(contact.normal(), w, k + 1));
+    double sum = sliding * (k + 1) * numerics::sum_of(numerics::product_term(contact.normal(), w, k + 1))[0];
     for (int j = 0; j <= k; ++j) {
-      const numerics::Two a = contact.acceleration()[k - j];
+      const numerics::Twin a = contact.acceleration()[k - j];
       sum -= w[j][0] * a[1] - w[j][1] * a[0];
     }
     for (int j = 1; j <= k; ++j) {
-      const numerics::Two b = stuck_at(k - j).acceleration[static_cast<std::size_t>(stuck)];
+      const numerics::Twin b = stuck_at(k - j).acceleration[static_cast<std::size_t>(stuck)];
       sum -= d[j][0] * b[1] - d[j][1] * b[0];
     }
     return sum * contact.inverse_length();
