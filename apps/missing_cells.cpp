@@ -48,14 +48,19 @@ bool MissingCells::run_refined() {
   RefinedCells known(study_.grid);
   std::optional<Watch> watch(
       std::in_place, [this] { refresh(); }, [this] { leave(); });
+  bool alone = false;
   while (!stop_) {
     known.read(directory_);
     std::vector<std::size_t> wanted = known.wanted(), own = wanted;
     std::erase_if(own, [&](std::size_t cell) { return !directory_.has_in_share(cell); });
     if (!own.empty()) {
+      alone = false;
       run_cells(own);
     } else if (directory_.is_at_work_on(wanted)) {
+      alone = false;
       std::this_thread::sleep_for(shard_patience);
+    } else if (!wanted.empty() && !alone) {
+      alone = true;  // what others wrote before they left is read once more
     } else {
       left_to_others_ = wanted.size();
       break;
@@ -133,7 +138,7 @@ void MissingCells::refresh() {
 /// Nothing can get into the journal any more once the mutex is held.
 void MissingCells::leave() {
   const std::lock_guard lock(mutex_);
-  if (all_finished() || complete_) return;
+  if (complete_ || (!study_.grid.refinement && all_finished())) return;
   say_interrupted();
   directory_.leave();
   std::_Exit(128 + caught_signal());
@@ -151,7 +156,7 @@ std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const swee
     say(fmt::format("{}: {} of {} cells were finished before\n", how.program, directory.finished(),
                     directory.cells()));
   }
-  if (directory.missing().empty()) return 0;
+  if (directory.missing().empty() && !study.grid.refinement) return 0;
   MissingCells missing(how, study, directory);
   if (!missing.run()) return std::nullopt;
   return missing.left_to_others();

@@ -15,6 +15,7 @@
 #include "rubbasin_arguments.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/report/basin_slice.hpp"
@@ -44,15 +45,17 @@ config::RunConfig sliced_config(const RubbasinArguments& arguments) {
                                             : usual_range(number, given, arguments.cell.speed_hz);
     axes[i] = axis_of(number, range, arguments.starts[i]);
   }
-  std::vector<std::string> overrides = arguments.overrides;
-  overrides.emplace_back("study={kind: map}");
-  overrides.emplace_back("response.robustness=off");
+  config::RunConfig plain = given;
+  plain.study.threshold.reset();
+  plain.study.basin.reset();
+  plain.study.robustness = sweep::Robustness::off;
+  std::vector<std::string> overrides;  // those of the command line are in it
   // What the configuration says of the start stays; with any, nothing is kicked.
   if (has_state && !given.study.machine.start) overrides.emplace_back("start={}");
   overrides.push_back(fmt::format("sweep={{speed_hz: {{values: [{}]}}, {}: {{values: [{}]}}, x: {}, y: {}}}",
                                   arguments.cell.speed_hz, to_string(given.study.grid.measure),
                                   arguments.cell.unbalance, axes[0], axes[1]));
-  return config::read_run_config(arguments.config, overrides);
+  return config::read_run_config_text(config::print_config(plain), arguments.config, overrides);
 }
 
 int write_slice(const RubbasinArguments& arguments, const config::RunConfig& config, const fs::path& map) {

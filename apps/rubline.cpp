@@ -86,6 +86,14 @@ scene::Place place_at(const RublineArguments& arguments, const sweep::Grid& grid
   return place;
 }
 
+/// The study with these keys in their places; where the line lies stays.
+sweep::Study with_keys(const sweep::Study& study, const std::vector<sweep::KeyValue>& keys) {
+  if (keys.empty()) return study;
+  sweep::Study held = study.with_keys(keys);
+  held.grid = study.grid;
+  return held;
+}
+
 /// The study of the cell at `value` of a line that runs along a key.
 sweep::Study study_at(const RublineArguments& arguments, const sweep::Study& study,
                       const config::LineKeys& keys, double value) {
@@ -96,12 +104,11 @@ sweep::Study study_at(const RublineArguments& arguments, const sweep::Study& stu
     const auto same = std::ranges::find_if(own, [&](double place) { return keys.factor * place == value; });
     const double at = same == own.end() ? value / keys.factor : *same;
     for (sweep::KeyValue& key : sweep::keys_at(keys.along, at)) held.push_back(std::move(key));
-    return study.with_keys(held);
+    return with_keys(study, held);
   }
   std::vector<std::string> overrides = arguments.overrides;
   overrides.push_back(fmt::format("{}={}", arguments.along, batch::csv_number(value)));
-  sweep::Study varied = config::read_run_config(arguments.config, overrides).study;
-  return held.empty() ? varied : varied.with_keys(held);
+  return with_keys(config::read_run_config(arguments.config, overrides).study, held);
 }
 
 std::vector<line::LineCell> cells_of(const RublineArguments& arguments, const config::RunConfig& config) {
@@ -116,12 +123,11 @@ std::vector<line::LineCell> cells_of(const RublineArguments& arguments, const co
     if (!in_the_map) {
       study = std::make_shared<sweep::Study>(study_at(arguments, config.study, keys, value));
     } else if (!study) {
-      study = std::make_shared<sweep::Study>(keys.fixed.empty() ? config.study
-                                                                : config.study.with_keys(keys.fixed));
+      study = std::make_shared<sweep::Study>(with_keys(config.study, keys.fixed));
     }
     if (!in_the_map || !machine)
       machine = std::make_shared<scene::PreparedMachine>(scene::prepare_machine(study->machine));
-    cells.push_back({value, study, machine, place_at(arguments, grid, study->machine, value)});
+    cells.push_back({value, study, machine, place_at(arguments, study->grid, study->machine, value)});
   }
   return cells;
 }

@@ -106,15 +106,6 @@ std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probe
   return report::probe_summary(period, *pair, probes);
 }
 
-/// With the stiffness of the row, where the secant of a line contact was taken anew.
-scene::PreparedMachine as_computed(const scene::PreparedMachine& prepared, const sweep::Row& row) {
-  scene::PreparedMachine own = prepared;
-  if (!row.hertz) return own;
-  if (auto machine = sweep::with_secant_at(prepared.machine, row.hertz->force_n))
-    own.machine = *std::move(machine);
-  return own;
-}
-
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const scene::Place place{arguments.place.speed_hz.value(),
                            unbalance_of(arguments.place, config.study.machine)};
@@ -141,7 +132,9 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 
   // A second run of the cell: the first one, which classifies, ends where the motion is proven and asks the
   // solver for other samples, so that its steps are not those of a trace of all revolutions.
-  const scene::Cell cell = scene::build_cell(as_computed(prepared, row), place.speed_hz, place.unbalance);
+  const std::optional<double> secant_n = row.hertz ? std::optional(row.hertz->force_n) : std::nullopt;
+  const scene::Cell cell =
+      scene::build_cell(sweep::with_secant_of_row(prepared, secant_n), place.speed_hz, place.unbalance);
   trace::Trace trace;
   if (scene::can_run(cell.start)) {
     trace = trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,

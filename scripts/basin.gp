@@ -16,7 +16,6 @@ starts = work . "/starts"
 named = words(attractors) / 2
 
 # Attractors of one kind are shades of its colour.
-part(c, i) = int("0x" . c[2 * i:2 * i + 1])
 shade(c, rank) = sprintf("#%02X%02X%02X", mix(part(c, 1), rank), mix(part(c, 2), rank), mix(part(c, 3), rank))
 mix(value, rank) = rank == 0 ? value : rank % 2 ? value + (255 - value) * (rank < 3 ? 0.5 : 0.75) : value * (rank < 4 ? 0.6 : 0.35)
 array tint[named + 2]

@@ -15,7 +15,7 @@ with_map = words(classes) > 0
 
 all_kinds = "fold period_doubling neimark_sacker branch_point graze"
 place(k) = sum [i = 1:words(all_kinds)] (word(all_kinds, i) eq word(kinds_of_curves, k) ? i : 0)
-name_of(k) = word("fold period-doubling torus symmetry-breaking graze", place(k))
+name_of(k) = word("fold period-doubling torus branch-point graze", place(k))
 array dash[5] = [1, 2, 4, 5, 3]
 array curve_colour[5] = ["#000000", "#7A0000", "#00217A", "#005A1E", "#333333"]
 

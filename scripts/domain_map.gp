@@ -62,8 +62,6 @@ at(list, k) = k > words(list) ? kinds : int(word(list, k))  # gnuplot reads the 
 x_if(i) = strcol(7) eq kind[i] ? $1 : NaN
 
 # A cell of strength 0 keeps a fifth of its colour, mixed with white.
-digit(c) = strstrt("0123456789ABCDEF", c) - 1
-part(hex, k) = 16 * digit(hex[2 * k:2 * k]) + digit(hex[2 * k + 1:2 * k + 1])
 mixed(level, strength) = int(255 - (0.2 + 0.8 * strength) * (255 - level) + 0.5)
 faded(i, strength) = 65536 * mixed(part(colour[i], 1), strength) + 256 * mixed(part(colour[i], 2), strength) + \
   mixed(part(colour[i], 3), strength)

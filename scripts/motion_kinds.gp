@@ -11,3 +11,5 @@ array legend[kinds] = ["no contact", "synchronous circle", "backward circle", "s
 array colour[kinds] = ["#F4F4F4", "#4F9BD0", "#F4A6B8", "#88CCEE", "#CC6677", \
   "#332288", "#DDCC77", "#117733", "#882255", "#44AA99", "#999933", \
   "#EE8866", "#7A4F20", "#AA4499", "#000000", "#555555", "#999999", "#CC0000"]
+# The level of red (1), green (2) or blue (3) of a colour.
+part(c, i) = int("0x" . c[2 * i:2 * i + 1])

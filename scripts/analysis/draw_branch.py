@@ -1,7 +1,6 @@
 """The program behind branch_figure.sh, which says what it does."""
 
 import os
-import tempfile
 
 import branch_layout
 import configuration
@@ -10,34 +9,26 @@ import map_heading
 from command import run_program
 
 
-def write(path, lines):
-    with open(path, "w", encoding="utf-8") as file:
-        file.writelines(line + "\n" for line in lines)
-
-
 def main(arguments):
     # Absolute names: to gnuplot others may be commands.
     directory, output = (os.path.abspath(name) for name in arguments[:2])
     branches = branch_layout.Branches(directory)
     config = configuration.read_configuration(os.path.join(directory, "config.yaml"))
     marks = [kind for kind in branch_layout.MARKS if branches.mark_lines(kind)]
-    with tempfile.TemporaryDirectory() as work:
-        for order in branches.orders():
-            # What is empty would not be read: a line without numbers is.
-            write(os.path.join(work, f"stable_{order}"), ["NaN NaN", *branches.line_lines(order, True)])
-            write(os.path.join(work, f"unstable_{order}"), ["NaN NaN", *branches.line_lines(order, False)])
-        for kind in marks:
-            write(os.path.join(work, kind), branches.mark_lines(kind))
-        os.makedirs(os.path.dirname(output), exist_ok=True)
-        gnuplot.draw(
-            "branch_figure.gp",
-            work,
-            output,
-            map_heading.heading(arguments[2], config, None),
-            " ".join(str(order) for order in branches.orders()),
-            " ".join(marks),
-            branches.parameter,
-        )
+    files = {kind: branches.mark_lines(kind) for kind in marks}
+    for order in branches.orders():
+        # What is empty would not be read: a line without numbers is.
+        files[f"stable_{order}"] = ["NaN NaN", *branches.line_lines(order, True)]
+        files[f"unstable_{order}"] = ["NaN NaN", *branches.line_lines(order, False)]
+    gnuplot.draw_files(
+        "branch_figure.gp",
+        files,
+        output,
+        map_heading.heading(arguments[2], config, None),
+        " ".join(str(order) for order in branches.orders()),
+        " ".join(marks),
+        branches.parameter,
+    )
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
 """The program behind curve_figure.sh, which says what it does."""
 
 import os
-import tempfile
 
 import configuration
 import csv_table
@@ -25,11 +24,6 @@ def map_cells(map_file, parameters):
     return domain_map.read_cells(map_file, plane[1], None, plane[0])
 
 
-def write(path, lines):
-    with open(path, "w", encoding="utf-8") as file:
-        file.writelines(line + "\n" for line in lines)
-
-
 def main(arguments):
     # Absolute names: to gnuplot others may be commands.
     directory, output = (os.path.abspath(name) for name in arguments[:2])
@@ -37,22 +31,17 @@ def main(arguments):
     config = configuration.read_configuration(os.path.join(directory, "config.yaml"))
     cells = map_cells(os.path.abspath(arguments[3]), curves.parameters) if len(arguments) > 3 else []
     marks = list(curves.mark_lines())
-    with tempfile.TemporaryDirectory() as work:
-        for kind in curves.kinds():
-            write(os.path.join(work, kind), curves.line_lines(kind))
-        write(os.path.join(work, "meetings"), marks)
-        write(os.path.join(work, "cells"), domain_map.cell_lines(cells))
-        os.makedirs(os.path.dirname(output), exist_ok=True)
-        gnuplot.draw(
-            "curve_figure.gp",
-            work,
-            output,
-            map_heading.heading(arguments[2], config, None),
-            " ".join(curves.kinds()),
-            " ".join(sorted({cell.kind for cell in cells})),
-            *curves.parameters,
-            str(len(marks)),
-        )
+    files = {kind: curves.line_lines(kind) for kind in curves.kinds()}
+    gnuplot.draw_files(
+        "curve_figure.gp",
+        files | {"meetings": marks, "cells": domain_map.cell_lines(cells)},
+        output,
+        map_heading.heading(arguments[2], config, None),
+        " ".join(curves.kinds()),
+        " ".join(sorted({cell.kind for cell in cells})),
+        *curves.parameters,
+        str(len(marks)),
+    )
 
 
 if __name__ == "__main__":

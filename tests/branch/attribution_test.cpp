@@ -12,14 +12,20 @@ namespace {
 
 constexpr std::string_view at_rest = "non_contact";
 
+/// Cells at 10, 20, ... Hz.
+sweep::Grid row_of(std::size_t cells) {
+  sweep::Grid grid;
+  for (std::size_t i = 1; i <= cells; ++i) grid.speed_hz.push_back(10.0 * static_cast<double>(i));
+  grid.unbalance = {0.5};
+  return grid;
+}
+
 std::vector<Quiet> no_quiet_motion(std::size_t cells) { return std::vector<Quiet>(cells, Quiet::touches); }
 
 /// Five cells in a row: two of family 0, whose orbit goes on to the third and folds before the fourth; the
 /// last one has an orbit that could not be followed.
 TEST(Attribution, BasinCeasesAndUnresolved) {
-  sweep::Grid grid;
-  grid.speed_hz = {10, 20, 30, 40, 50};
-  grid.unbalance = {0.5};
+  const sweep::Grid grid = row_of(5);
   const std::array<std::string, 5> labels{"subharmonic_2", "subharmonic_2", "non_contact", "chaotic",
                                           "subharmonic_3"};
   Family first{0, {{0, {}}, {1, {}}, {2, {}}}, {{2, 3, 35, 0.5, "fold"}}, {0, 1}};
@@ -42,9 +48,7 @@ TEST(Attribution, BasinCeasesAndUnresolved) {
 /// Of two orbits side by side one goes on into the other's cell: what the map shows there ceases all the
 /// same.
 TEST(Attribution, WhatCeasesOnOneSideIsStronger) {
-  sweep::Grid grid;
-  grid.speed_hz = {10, 20};
-  grid.unbalance = {0.5};
+  const sweep::Grid grid = row_of(2);
   const std::array<std::string, 2> labels{"subharmonic_2", "subharmonic_4"};
   const Family a{0, {{0, {}}, {1, {}}}, {}, {0}}, b{1, {{1, {}}}, {{1, 0, 15, 0.5, "period_halving"}}, {1}};
   const auto edges = attribute(grid, labels, {a, b}, no_quiet_motion(2), at_rest);
@@ -56,9 +60,7 @@ TEST(Attribution, WhatCeasesOnOneSideIsStronger) {
 /// The quiet motion is one that could be followed as well: beside chaos it is there on both sides, where its
 /// whirl would touch or grow it ceases, and what ceases of the other motion is stronger.
 TEST(Attribution, TheQuietMotion) {
-  sweep::Grid grid;
-  grid.speed_hz = {10, 20, 30, 40, 50};
-  grid.unbalance = {0.5};
+  const sweep::Grid grid = row_of(5);
   const std::array<std::string, 5> labels{"chaotic", "non_contact", "subharmonic_2", "non_contact",
                                           "unsettled"};
   std::vector<Quiet> quiet(5, Quiet::stable);

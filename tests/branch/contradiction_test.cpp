@@ -7,19 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "branch/half_orbit_study.hpp"
 #include "rubsweep/branch/branch_point.hpp"
-#include "support/set_a_cell.hpp"
 
 namespace rubsweep::branch {
 namespace {
 
-sweep::Study study() {
-  sweep::Study study;
-  study.machine = test::machine_of({});
-  study.grid.speed_hz = {55, 65, 75, 85, 95};
-  study.grid.unbalance = {0.4};
-  return study;
-}
+sweep::Study study() { return test::half_orbit_study({0.4}); }
 
 /// The half orbit at a whirl ratio of 0.4, which exists from 61.6 to 90.9 Hz: cells 1 to 3, where the kick of
 /// cell 2 leads to it.

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "branch/half_orbit_study.hpp"
 #include "rubsweep/branch/follow.hpp"
 #include "rubsweep/branch/scene_orbits.hpp"
 #include "support/set_a_cell.hpp"
@@ -14,13 +15,7 @@
 namespace rubsweep::branch {
 namespace {
 
-sweep::Study study() {
-  sweep::Study study;
-  study.machine = test::machine_of({});
-  study.grid.speed_hz = {55, 65, 75, 85, 95};
-  study.grid.unbalance = {0.3, 0.4};
-  return study;
-}
+sweep::Study study() { return test::half_orbit_study({0.3, 0.4}); }
 
 /// The half orbit of the reference machine at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz: the
 /// family is in the cells between, and ends at these folds, which continuation along the whole branch finds

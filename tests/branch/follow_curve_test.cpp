@@ -7,21 +7,16 @@
 #include <numbers>
 #include <vector>
 
-#include "branch/plain_planes.hpp"
+#include "branch/cusp_plane.hpp"
 
 namespace rubsweep::branch {
 namespace {
 
+using test::cusp_plane;
 using test::plain_plane;
 using test::plain_plane_of_one_number;
 
 Eigen::VectorXd number(double x) { return Eigen::VectorXd::Constant(1, x); }
-
-/// x -> x + p + q x - x^3: folds on 27 p^2 = 4 q^3, which meet in a cusp at (0, 0).
-PlaneOrbits cusp_plane() {
-  return plain_plane_of_one_number([](double p, double q, double x) { return x + p + q * x - x * x * x; },
-                                   [](double, double q, double x) { return 1 + q - 3 * x * x; });
-}
 
 Curve followed(const PlaneOrbits& orbits, EventKind kind, const Eigen::VectorXd& state, double p, double q,
                const CurveOptions& options = {}) {

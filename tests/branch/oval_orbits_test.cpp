@@ -41,10 +41,19 @@ std::optional<BranchPoint> at_five(const OrbitProblem& problem, double u, double
   return state ? orbit_from(problem, *state, speed) : std::nullopt;
 }
 
-OrbitProblem ring_problem() {
+OrbitProblem ring_problem(double low = 0, double high = 0) {
   OrbitProblem problem = oval_orbits(ring, 1, {});
   problem.parameter_scale = 2;
+  problem.low = low;
+  problem.high = high;
   return problem;
+}
+
+/// The stable piece of the branch through an orbit.
+Branch stable_branch(const OrbitProblem& problem, const BranchPoint& start) {
+  FollowOptions options;
+  options.stop_at_first_change = true;
+  return follow_both_ways(problem, start, options);
 }
 
 /// Largest radius of the orbit at a parameter, on the first piece of the branch that comes by it.
@@ -70,15 +79,11 @@ std::optional<BranchEvent> first_of(const Branch& branch, EventKind kind, double
 }
 
 TEST(OvalOrbits, SingleLoopInTheRing) {
-  OrbitProblem problem = ring_problem();
-  problem.low = 4.2;
-  problem.high = 6.3;
+  const OrbitProblem problem = ring_problem(4.2, 6.3);
   const auto start = at_five(problem, -0.704301, -0.464544, 2.512046, 1.197679);
   ASSERT_TRUE(start);
   EXPECT_TRUE(start->stable());
-  FollowOptions options;
-  options.stop_at_first_change = true;
-  const Branch branch = follow_both_ways(problem, *start, options);
+  const Branch branch = stable_branch(problem, *start);
   const auto doubling = first_of(branch, EventKind::period_doubling, 4.2691);
   ASSERT_TRUE(doubling);
   EXPECT_NEAR(doubling->point.parameter, 4.2691, 1e-4);
@@ -93,16 +98,12 @@ TEST(OvalOrbits, SingleLoopInTheRing) {
 }
 
 TEST(OvalOrbits, DoubleLoopInTheRing) {
-  OrbitProblem problem = ring_problem();
-  problem.low = 4.7;
-  problem.high = 6.3;
+  const OrbitProblem problem = ring_problem(4.7, 6.3);
   const auto start = at_five(problem, -0.666092, -0.157668, -1.960638, -0.553556);
   ASSERT_TRUE(start);
   EXPECT_TRUE(start->stable());
   EXPECT_NEAR(start->facts.peak_displacement_m, 1.34176, 1e-4);
-  FollowOptions options;
-  options.stop_at_first_change = true;
-  const Branch branch = follow_both_ways(problem, *start, options);
+  const Branch branch = stable_branch(problem, *start);
   const auto doubling = first_of(branch, EventKind::period_doubling, 4.8624);
   ASSERT_TRUE(doubling);
   // AUTO's 4.8624 is that of the smoothed contact, whose steepness 150 counts here: an integration of the
@@ -115,9 +116,7 @@ TEST(OvalOrbits, DoubleLoopInTheRing) {
 /// Damping leaves its mark on every orbit: the product of the multipliers is exp(-4 zeta T), the trivial one
 /// being 1; the two zeros stand for the shift and the time.
 TEST(OvalOrbits, MultipliersOfTheRing) {
-  OrbitProblem problem = ring_problem();
-  problem.low = 4.2;
-  problem.high = 6.3;
+  const OrbitProblem problem = ring_problem(4.2, 6.3);
   const auto start = at_five(problem, -0.704301, -0.464544, 2.512046, 1.197679);
   ASSERT_TRUE(start);
   ASSERT_EQ(start->multipliers.size(), 5);

@@ -65,6 +65,9 @@ expect_exit 0 "$minimal" --cell 70,0.4 --plane casing0.x,vx --grid 3x2 --output 
   --set 'study={kind: basin, samples: 5, over: [{key: kick.force_n, from: 0, to: 400}]}'
 expect_matches casing/slice.csv '^-0.002,-0.879[0-9]+,[1-9],[a-z_]+'
 expect_contains casing/slice.csv casing0_x_m,vx_m_per_s,attractor,label,status
+# Nor does how a map says what is robust.
+expect_exit 0 "$minimal" --cell 70,0.4 --plane vx,vy --grid 2x2 --output probable --quiet \
+  --set response.robustness=probability --set response.robustness_neighbours=4
 expect_exit 0 "$minimal" --cell 70,0.4 --plane kick.force_n,kick.angle_deg --grid 3x2 --from 50,60 --to 400,120 --output kicks
 expect_contains kicks/slice.csv kick.force_n,kick.angle_deg,attractor
 expect_contains kicks/map.csv ,kick,

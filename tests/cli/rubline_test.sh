@@ -56,6 +56,14 @@ for file in "${files[@]}"; do expect_same "one/$file" "two/$file"; done
   fail 'cells that do not start from their neighbour'
 [[ $(grep -c ',kick,' one/line.csv) == 2 ]] || fail 'the first cells are not kicked'
 
+# An unbalance in g mm belongs to the mass of each cell, wherever it is said.
+heavier=("$minimal" --along rotor.mass_kg --from 0.5 --to 1 --count 2 --quiet)
+expect_exit 0 "${heavier[@]}" --speed-hz 90 --unbalance-g-mm 240 --output by_option
+expect_exit 0 "${heavier[@]}" --set 'sweep={speed_hz: {values: [90]}, unbalance_g_mm: {values: [240]}}' --output by_sweep
+[[ $(count_rows by_option/line.csv 'abs(eccentricity_m * value - 240e-6) < 1e-18') == 2 ]] || fail 'another unbalance'
+diff <(grep '^kick,' by_option/line.csv | cut -d, -f3-) <(grep '^kick,' by_sweep/line.csv | cut -d, -f3-) ||
+  fail 'the unbalance of the sweep is another'
+
 # Along the unbalance and along any number.
 expect_exit 0 "$minimal" --along whirl_ratio --speed-hz 90 --output ratio --quiet
 [[ $(cells ratio/line.csv value whirl_ratio | head -n 2) == $'0.2,0.2\n0.4,0.4' ]] || fail 'another line along the whirl ratio'

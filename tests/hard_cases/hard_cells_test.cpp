@@ -109,27 +109,26 @@ TEST(HardCells, WithoutUnbalanceTheKickDiesOut) {
   expect_row(study_of(scene::one_side_machine(), 75, 0), {"non_contact", "ok"});
 }
 
+model::Machine in_a_rigid_ring(const model::Friction& friction) {
+  model::Machine machine = scene::one_side_machine();
+  model::Stop& stop = machine.stops[0];
+  stop.geometry = model::AnnularGeometry{};
+  stop.casing.reset();
+  stop.friction = friction;
+  return machine;
+}
+
 /// One-way friction does not reverse: it drives the rotor round a rigid annular stop ever faster. The run
 /// ends as soon as there is no number for it, and says what is wrong with the model.
 TEST(HardCells, FrictionThatNeverReversesRunsAwayAndIsNamed) {
-  model::Machine machine = scene::one_side_machine();
-  auto& stop = machine.stops[0];
-  stop.geometry = model::AnnularGeometry{};
-  stop.casing.reset();
-  stop.friction = model::OneWayFriction{0.2};
-  Study study = study_of(machine, 75, 0.1);
+  Study study = study_of(in_a_rigid_ring(model::OneWayFriction{0.2}), 75, 0.1);
   study.response.max_revolutions = 600;
   expect_row(study, {"failed", "non_finite;slip_reversal"});
 }
 
 /// Dry friction drives it backwards, too, but no faster than it rolls.
 TEST(HardCells, DryWhipEndsWhereTheSlipReverses) {
-  model::Machine machine = scene::one_side_machine();
-  auto& stop = machine.stops[0];
-  stop.geometry = model::AnnularGeometry{};
-  stop.casing.reset();
-  stop.friction = model::ConstantFriction{0.2};
-  Study study = study_of(machine, 75, 0.1);
+  Study study = study_of(in_a_rigid_ring(model::ConstantFriction{0.2}), 75, 0.1);
   study.response.max_revolutions = 300;
   response::motion::Workspace workspace;
   const Row row = evaluate_cell(study, 0, workspace);

@@ -29,7 +29,6 @@ struct HardScene {
   std::vector<double> section = {};
   std::optional<int> hits = {};         ///< over all turns
   std::optional<double> energy_j = {};  ///< stored at the end as at the start
-  bool slip_reverses = false;           ///< must be noticed
   double error_per_tolerance = 100;  ///< largest section error, in units of the solver's relative tolerance
 };
 
@@ -164,9 +163,7 @@ inline HardScene slip_reversal() {
   OneSideRotor rotor;
   rotor.contact_radius_m = 0;
   rotor.friction_steepness_s_per_m = 1e4;
-  HardScene hard{.name = "slip_reversal", .scene = cell_of(rotor).scene, .turns = 4};
-  hard.slip_reverses = true;
-  return hard;
+  return {.name = "slip_reversal", .scene = cell_of(rotor).scene, .turns = 4};
 }
 
 /// The tanh of steepness 1e4 s/m never saturates here.

@@ -12,7 +12,6 @@
 
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "support/annular_scene.hpp"
 #include "support/rolling_scene.hpp"
 #include "support/simple_scenes.hpp"
 
@@ -70,7 +69,6 @@ TEST(DryFriction, AFreeVibrationLosesTheSameAmplitudeInEveryHalfPeriodAndThenSti
   run::TurnReport report;
   const auto taylor = after(belt.scene(2.2, 0), {}, 3, report);
   EXPECT_NEAR(taylor.first, -0.5, 1e-14);  // a quarter period after -1.2, about the centre -mu N
-  EXPECT_FALSE(report.slip_reversed);      // in the third turn
   EXPECT_GT(report.effort.taylor_turns, 0);
   EXPECT_EQ(report.effort.adaptive_turns, 0);
   for (const int turns : {4, 5, 40}) {
@@ -115,7 +113,7 @@ TEST(DryFriction, TanhFrictionComesNearerAsOneOverItsSteepness) {
   const Belt belt{.damping = 0.1, .surface = 0.8, .revolution = 3};
   run::TurnReport report;
   const double exact = after(belt.scene(1.5, 2.0), {}, 3, report).first;
-  EXPECT_TRUE(report.slip_reversed || report.effort.switches > 0);
+  EXPECT_GT(report.effort.switches, 0);
   double last = 0;
   for (const double steepness : {1e2, 1e3, 1e4}) {
     scene::Scene scene = belt.scene(1.5, 2.0);
@@ -131,6 +129,16 @@ TEST(DryFriction, TanhFrictionComesNearerAsOneOverItsSteepness) {
   EXPECT_LT(last, 1e-3);
 }
 
+TEST(DryFriction, ASlipThatComesToZeroInTheFirstStepOfARunSticks) {
+  const Belt belt{.surface = 0.5, .revolution = 1};
+  for (const double slip : {1e-9, -1e-9, 1e-6}) {
+    run::TurnReport report;
+    const auto found =
+        after(belt.scene(0.1, slip - belt.surface), stepper(run::Stepper::dopri5, 1e-8), 1, report);
+    EXPECT_NEAR(found.second, -belt.surface, 1e-12) << slip;
+  }
+}
+
 TEST(DryFriction, TwoWallsOfOneRigidCasingThatStickTogetherAreNamed) {
   const Belt belt{.revolution = pi / 2};
   scene::Scene scene = belt.scene(2.2, 0);
@@ -140,8 +148,12 @@ TEST(DryFriction, TwoWallsOfOneRigidCasingThatStickTogetherAreNamed) {
     const run::Run run = start(scene, options, modes);
     run::TurnReport report;
     run::Outcome outcome = run::Outcome::ok;
+    ASSERT_EQ(run.advance({}, report), outcome);
+    const std::vector<double> moves = report.section;
     for (int k = 0; k < 6 && outcome == run::Outcome::ok; ++k) outcome = run.advance({}, report);
     EXPECT_EQ(outcome, run::Outcome::stick_undetermined);
+    run.restart(moves);
+    EXPECT_EQ(run.advance({}, report), run::Outcome::ok);
   }
 }
 
@@ -219,27 +231,13 @@ scene::Scene random_scene(std::mt19937& random, bool annular, int stops) {
   return scene;
 }
 
-/// One turn from `section` with tanh friction so steep that it errs by less than 1e-4 in these scenes.
-std::vector<double> with_steep_friction(scene::Scene scene, const std::vector<double>& section,
-                                        exact::ModeCache& modes) {
-  for (scene::Contact& stop : scene.contacts) {
-    const double mu = std::get<model::ConstantFriction>(stop.friction).coefficient;
-    stop.friction = model::StribeckFriction{{0, 0, 0, mu, 1e5, 0}};
-  }
-  const run::Run run = start(scene, stepper(run::Stepper::rosenbrock4, 1e-9), modes);
-  run.restart(section);
-  run::TurnReport turn;
-  EXPECT_EQ(run.advance({}, turn), run::Outcome::ok);
-  return turn.section;
-}
-
 class RandomDryFriction : public testing::TestWithParam<std::pair<bool, int>> {};
 
 TEST_P(RandomDryFriction, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDifferences) {
   const auto [annular, stops] = GetParam();
   std::mt19937 random(7);
-  int stuck = 0, compared = 0, good = 0, passed_over = 0;
-  for (int cell = 0; cell < 40; ++cell) {
+  int stuck = 0, compared = 0, good = 0;
+  for (int cell = 0; cell < 100; ++cell) {
     scene::Scene scene = random_scene(random, annular, stops);
     exact::ModeCache modes;
     const run::Run run = start(scene, {}, modes),
@@ -255,15 +253,10 @@ TEST_P(RandomDryFriction, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDiff
       asked.tangent_vectors.setIdentity(4, 4);
       ASSERT_EQ(run.advance(asked, a), run::Outcome::ok);
       ASSERT_EQ(other.advance({}, b), run::Outcome::ok);
-      if (!(distance(a.section, b.section) < 2e-8)) {
-        // A stepper may pass over a slip that only just comes to zero; a third route decides.
-        ++passed_over;
-        EXPECT_LT(distance(a.section, with_steep_friction(scene, before, modes)), 1e-4)
-            << "cell " << cell << " turn " << k;
-      }
-      stuck += a.slip_reversed;
+      EXPECT_LT(distance(a.section, b.section), 2e-8) << "cell " << cell << " turn " << k;
       if (const Eigen::MatrixXd* moved = a.tangent_vectors.get()) {
         const Eigen::MatrixXd by_solver = *moved;
+        stuck += std::abs(by_solver.determinant()) < 1e-9;  // what sticks loses a rank
         asked.tangent_vectors.resize(4, 0);
         double worst = 0;
         for (Eigen::Index j = 0; j < 4; ++j) {
@@ -289,9 +282,8 @@ TEST_P(RandomDryFriction, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDiff
       before = a.section;
     }
   }
-  EXPECT_LE(passed_over, 2);
-  EXPECT_GT(stuck, 60);
-  EXPECT_GT(compared, 60);
+  EXPECT_GT(stuck, 150);
+  EXPECT_GT(compared, 150);
   // A difference that straddles a graze is no derivative.
   EXPECT_GE(good, compared - compared / 25) << compared;
 }
@@ -308,7 +300,6 @@ TEST(DryFriction, RollingHasTheDerivativeOfDifferences) {
   run::TurnReport turn, up, down;
   asked.tangent_vectors.setIdentity(4, 4);
   for (int k = 0; k < 3; ++k) ASSERT_EQ(run.advance(asked, turn), run::Outcome::ok);
-  EXPECT_TRUE(turn.slip_reversed);
   ASSERT_NE(turn.tangent_vectors.get(), nullptr);
   std::vector<double> before{scene.displacement_m(0), 0, 0, scene.velocity_m_per_s(1)};
   run.restart(before);
@@ -329,7 +320,6 @@ TEST(DryFriction, RollingHasTheDerivativeOfDifferences) {
       EXPECT_NEAR((up.section[place] - down.section[place]) / (2 * d), by_solver(r, j), 2e-6) << r << j;
     }
   }
-  EXPECT_TRUE(turn.slip_reversed);
   EXPECT_LT(std::abs(by_solver.determinant()), 1e-10);
 }
 

@@ -54,6 +54,14 @@ TEST(PaintedTable, GivesTheCellsOfAUniformBlockItsClassAndNothingElse) {
   EXPECT_EQ(painted.map.number("revolutions", 10), 102);
 }
 
+TEST(PaintedTable, RefusesAMapThatLacksACell) {
+  const auto without = [](const Cells& cells) {
+    return painted_table(map_of(cells, std::vector<std::string>(cells.size(), "subharmonic")), grid());
+  };
+  EXPECT_NO_THROW(without({0, 4, 10, 14}));
+  EXPECT_THROW(without({0, 4, 10}), IoError);
+}
+
 TEST(PaintedTable, PaintsEachBlockByItself) {
   // The right half is of another class; the middle column is where the block was split.
   const Cells cells{0, 2, 4, 5, 7, 9, 10, 12, 14};

@@ -105,6 +105,26 @@ TEST(HertzSecant, NothingIsRunAgainWithinTheRangeOrWithoutContact) {
   EXPECT_EQ(same(1.01 * contact::hertz_force_limit_n(*study.machine.stops[0].hertz)).hertz->iterations, 1);
 }
 
+TEST(HertzSecant, AnotherProgramMakesTheMachineOfARowFromItsForce) {
+  Study study = study_with(100, 3);
+  study.machine.stops.push_back(study.machine.stops[0]);
+  make_rigid_and_frictionless(study.machine.stops[1], 10);
+  for (const double force_n : {0.0, 50.0, 200.0, 800.0}) {
+    model::Machine used;
+    const Row row =
+        with_hertz_iterations(study.machine, study.hertz_iterations, [&](const model::Machine& machine) {
+          used = machine;
+          return row_with_force(force_n);
+        });
+    scene::PreparedMachine prepared;
+    prepared.machine = study.machine;
+    const model::Machine again = with_secant_of_row(prepared, row.hertz->force_n).machine;
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_EQ(again.stops[i].stiffness_n_per_m, used.stops[i].stiffness_n_per_m)
+          << force_n << " N, stop " << i;
+  }
+}
+
 TEST(HertzSecant, SaysSoWhereItDoesNotCome) {
   // A force that jumps to and fro, and one under which the contact is wider than long.
   const Study study = study_with(20, 3);

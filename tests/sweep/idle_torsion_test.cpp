@@ -36,6 +36,17 @@ TEST(WhyTorsionIsIdle, SaysSoWhereNoFrictionAsksForTheSlip) {
   EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(started), 50), "") << "hits of any strength";
 }
 
+TEST(WhyTorsionIsIdle, AsksEveryStop) {
+  // The smaller of two radii changes the slip by less and by more of itself.
+  model::Machine machine = twisting(model::OneWayFriction{0.005});
+  machine.stops.push_back(machine.stops[0]);
+  machine.stops[1].contact_radius_m *= 0.4;
+  machine.stops[1].friction = model::OneWayFriction{0.025};
+  ASSERT_NE(why_torsion_is_idle(scene::prepare_machine(machine), 50), "");
+  machine.stops[1].friction = model::OneWayFriction{0.1};
+  EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(machine), 50), "");
+}
+
 /// What it says is true: the row is nearly that of the rotor without torsion.
 TEST(WhyTorsionIsIdle, TheMotionIsTheSameWithoutTorsion) {
   ASSERT_NE(why(model::StribeckFriction{{0, 0, 0, 0.005, 100, 0}}, 60), "");

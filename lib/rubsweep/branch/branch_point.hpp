@@ -11,6 +11,12 @@
 
 namespace rubsweep::branch {
 
+/// Smooth functions of the multipliers, which are zero where one of them is +1 or -1 or a pair has the product
+/// 1; or their slopes along a branch.
+struct MultiplierTests {
+  double unit = 0, doubling = 0, torus = 0;
+};
+
 /// An orbit on a branch. Continuation measures lengths in the coordinates (state / sqrt(states),
 /// parameter / parameter_scale).
 struct BranchPoint {
@@ -23,6 +29,7 @@ struct BranchPoint {
   int unstable = 0;              ///< multipliers outside the unit circle
   double branching = 0;  ///< determinant of the bordered derivative, which changes sign at branch points
   double slope_difference = 0;  ///< relative, of the derivatives by the parameter at two step sizes
+  std::optional<MultiplierTests> slopes;  ///< per unit of arclength, where they were needed
   OrbitFacts facts;
 
   bool stable() const { return unstable == 0; }

@@ -9,14 +9,12 @@
 #include <utility>
 
 #include "rubsweep/branch/curve_newton.hpp"
+#include "rubsweep/branch/growing_half.hpp"
 #include "rubsweep/branch/meetings.hpp"
 
 namespace rubsweep::branch {
 namespace {
 
-constexpr double gentle_turn = 0.985;  ///< cosine of the angle between tangents that lets the step grow
-constexpr double sharp_turn = 0.94;    ///< and of the one that halves it
-constexpr double most_missed = 0.2;    ///< by the guess, per step
 constexpr int easy_iterations = 5;
 constexpr double same_place = 1e-7;    ///< between positions
 constexpr double still_closed = 1e-8;  ///< of an orbit at a branch point, per unit of its size
@@ -59,55 +57,32 @@ std::optional<CurvePoint> one_between(const ExtendedSystem& system, const CurveP
 class CurveFollower {
  public:
   CurveFollower(const ExtendedSystem& system, const CurvePoint& start, const CurveOptions& options)
-      : system_(system),
-        options_(options),
-        step_(options.first_step),
-        start_turns_(all_turns(system, start)) {
-    half_.points.push_back(start);
-  }
+      : system_(system), side_(start, options), start_turns_(all_turns(system, start)) {}
 
   HalfCurve run() {
-    while (!ended_) {
-      if (half_.points.size() >= static_cast<std::size_t>(options_.most_points)) {
-        end(Ending::point_limit);
-      } else {
-        make_step();
-      }
-    }
-    return std::move(half_);
+    side_.grow([&] { make_step(); });
+    return std::move(side_.half);
   }
 
  private:
-  const CurvePoint& here() const { return half_.points.back(); }
-
-  void end(Ending ending) {
-    half_.ending = ending;
-    ended_ = true;
-  }
-
-  /// No point was found one step ahead: half of it, until there is no half.
-  void shorten(Ending otherwise) {
-    step_ /= 2;
-    if (step_ < options_.shortest_step) end(otherwise);
-  }
+  const CurvePoint& here() const { return side_.here(); }
 
   void make_step() {
-    const Position guess = here().at + step_ * here().tangent;
+    const Position guess = here().at + side_.step() * here().tangent;
     const CurveCorrection found = correct(system_, guess, here().tangent);
-    if (found.evaluation == Evaluation::infeasible) return shorten(Ending::infeasible);
-    if (found.evaluation == Evaluation::failed) return shorten(Ending::failed);
-    if (found.singular) return shorten(Ending::singular);
-    if (!found.converged || (found.at - guess).norm() > most_missed * step_)
-      return shorten(Ending::step_too_small);
+    if (found.evaluation == Evaluation::infeasible) return side_.shorten(Ending::infeasible);
+    if (found.evaluation == Evaluation::failed) return side_.shorten(Ending::failed);
+    if (found.singular) return side_.shorten(Ending::singular);
+    if (!found.converged || side_.is_far((found.at - guess).norm()))
+      return side_.shorten(Ending::step_too_small);
     if (!holds(*system_.orbits, place_of(system_, found.at))) return step_to_end_of_range(found.at);
-    auto next = completed(system_, found, here().tangent, here().arclength + step_);
-    if (!next) return shorten(Ending::singular);
+    auto next = completed(system_, found, here().tangent, here().arclength + side_.step());
+    if (!next) return side_.shorten(Ending::singular);
     const double turn = next->tangent.dot(here().tangent);
-    if (turn < sharp_turn && step_ > 100 * options_.shortest_step) return shorten(Ending::step_too_small);
-    if (unfolds(*next)) return shorten(Ending::unfolds);
-    if (!accept(std::move(*next))) return shorten(Ending::step_too_small);
-    if (turn > gentle_turn && found.iterations <= easy_iterations)
-      step_ = std::min(options_.longest_step, 1.5 * step_);
+    if (side_.turns_sharply(turn)) return side_.shorten(Ending::step_too_small);
+    if (unfolds(*next)) return side_.shorten(Ending::unfolds);
+    if (!accept(std::move(*next))) return side_.shorten(Ending::step_too_small);
+    side_.lengthen(turn, found.iterations <= easy_iterations);
   }
 
   bool unfolds(const CurvePoint& point) const {
@@ -135,17 +110,18 @@ class CurveFollower {
       edge = there;
       crossed = plane + k;
     }
-    if (!(share > 0)) return end(Ending::left_range);
+    if (!(share > 0)) return side_.end(Ending::left_range);
     Position guess = here().at + share * (beyond - here().at);
     guess(crossed) = edge;
     Position direction = Position::Zero(beyond.size());
     direction(crossed) = 1;
     const CurveCorrection found = correct(system_, guess, direction);
     const double length = here().tangent.dot(found.at - here().at);
-    if (!found.converged || !(length > 0) || length > 2 * step_) return shorten(Ending::step_too_small);
+    if (!found.converged || !(length > 0) || length > 2 * side_.step())
+      return side_.shorten(Ending::step_too_small);
     auto last = completed(system_, found, here().tangent, here().arclength + length);
-    if (!last || !accept(std::move(*last))) return shorten(Ending::step_too_small);
-    if (!ended_) end(Ending::left_range);
+    if (!last || !accept(std::move(*last))) return side_.shorten(Ending::step_too_small);
+    if (!side_.ended()) side_.end(Ending::left_range);
   }
 
   /// False where what lies between here and `next` is not one piece of a curve.
@@ -154,10 +130,10 @@ class CurveFollower {
     auto meetings = meetings_between(system_, here(), next);
     if (!meetings) return false;
     for (Meeting& meeting : *meetings) {
-      half_.meetings.push_back(std::move(meeting));
-      if (ends_at(half_.meetings.back())) return true;
+      side_.half.meetings.push_back(std::move(meeting));
+      if (ends_at(side_.half.meetings.back())) return true;
     }
-    half_.points.push_back(std::move(next));
+    side_.half.points.push_back(std::move(next));
     return true;
   }
 
@@ -165,58 +141,46 @@ class CurveFollower {
     if (system_.kind != EventKind::neimark_sacker ||
         (meeting.kind != MeetingKind::resonance_1_1 && meeting.kind != MeetingKind::resonance_1_2))
       return false;
-    half_.points.push_back(meeting.point);
-    end(Ending::resonance);
+    side_.half.points.push_back(meeting.point);
+    side_.end(Ending::resonance);
     return true;
   }
 
   bool is_closed_by(const CurvePoint& next) {
-    if (half_.points.size() < 3) return false;
+    if (side_.half.points.size() < 3) return false;
     const auto there = one_between(system_, here(), next, start_turns_);
     if (!there) return false;
     if (auto meetings = meetings_between(system_, here(), *there))
-      std::ranges::move(*meetings, std::back_inserter(half_.meetings));
-    half_.points.push_back(*there);
-    end(Ending::closed);
+      std::ranges::move(*meetings, std::back_inserter(side_.half.meetings));
+    side_.half.points.push_back(*there);
+    side_.end(Ending::closed);
     return true;
   }
 
   const ExtendedSystem& system_;
-  const CurveOptions& options_;
-  double step_;
+  GrowingHalf<HalfCurve> side_;
   std::vector<Position> start_turns_;
-  HalfCurve half_;
-  bool ended_ = false;
 };
-
-/// Its arclengths as those of the other side: below 0.
-void turn_half_about(HalfCurve& half) {
-  for (CurvePoint& point : half.points) point.arclength = -point.arclength;
-  for (Meeting& meeting : half.meetings) meeting.point.arclength = -meeting.point.arclength;
-  std::ranges::reverse(half.points);
-  std::ranges::reverse(half.meetings);
-}
 
 }  // namespace
 
 Curve follow_curve(const ExtendedSystem& system, const CurvePoint& start, const CurveOptions& options) {
-  Curve curve{system.kind, system.orbits->order, {}, {}};
-  HalfCurve forward = CurveFollower(system, start, options).run();
-  curve.forward = curve.backward = forward.ending;
+  HalfCurve forward = CurveFollower(system, start, options).run(), backward{{}, {}, forward.ending};
   if (forward.ending != Ending::closed) {
     CurvePoint turned = start;
     turned.tangent = -turned.tangent;
-    HalfCurve backward = CurveFollower(system, turned, options).run();
-    curve.backward = backward.ending;
-    turn_half_about(backward);
-    backward.points.pop_back();  // the start, which is the first of the other side
+    backward = CurveFollower(system, turned, options).run();
+    backward.points.erase(backward.points.begin());  // the start, which is the first of the other side
     for (CurvePoint& point : backward.points) point.tangent = -point.tangent;
-    curve.points = std::move(backward.points);
-    curve.meetings = std::move(backward.meetings);
+    turn_about(backward.points, [](CurvePoint& point) -> CurvePoint& { return point; });
+    turn_about(backward.meetings, [](Meeting& meeting) -> CurvePoint& { return meeting.point; });
   }
-  std::ranges::move(forward.points, std::back_inserter(curve.points));
-  std::ranges::move(forward.meetings, std::back_inserter(curve.meetings));
-  return curve;
+  return {system.kind,
+          system.orbits->order,
+          joined(std::move(backward.points), std::move(forward.points)),
+          joined(std::move(backward.meetings), std::move(forward.meetings)),
+          backward.ending,
+          forward.ending};
 }
 
 bool lies_on(const ExtendedSystem& system, const Curve& curve, const CurvePoint& point) {

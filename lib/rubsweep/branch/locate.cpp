@@ -8,7 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "rubsweep/branch/dip.hpp"
 #include "rubsweep/branch/graze.hpp"
+#include "rubsweep/branch/multiplier_slopes.hpp"
 #include "rubsweep/branch/multipliers.hpp"
 #include "rubsweep/branch/segment.hpp"
 
@@ -18,6 +20,9 @@ namespace {
 /// Roots are enclosed to this, in the coordinate along the branch.
 constexpr double root_width = 1e-12;
 constexpr std::uintmax_t root_evaluations = 100;
+/// A step in which a pair of roots is looked for is parted at most so often, and not below this length.
+constexpr int most_parted = 6;
+constexpr double shortest_parted = 1e-6;
 
 using Test = std::function<double(const BranchPoint&)>;
 
@@ -80,10 +85,18 @@ void sharpen_halving(const OrbitProblem& problem, BranchEvent& halving) {
 class Finder {
  public:
   Finder(const OrbitProblem& problem, const BranchPoint& from, const BranchPoint& to)
-      : problem_(problem), from_(from), to_(to), segment_(problem, from, to) {}
+      : problem_(problem), from_(from), to_(to), segment_(problem, from, to) {
+    if (!(segment_.length() > 0)) throw Broken{};
+  }
+
+  /// The orbit at which the step is to be parted because one of the functions may have two roots in it.
+  std::optional<BranchPoint> between_a_pair() const {
+    if (segment_.length() < shortest_parted || is_about_half_period()) return std::nullopt;
+    if (const auto share = share_of_a_pair()) return orbit_at(segment_, *share * segment_.length());
+    return std::nullopt;
+  }
 
   std::vector<BranchEvent> all(bool every_graze) {
-    if (!(segment_.length() > 0)) throw Broken{};
     if (!joins_half_period()) find_turns();
     find_doublings();
     find_tori();
@@ -105,9 +118,33 @@ class Finder {
     return true;
   }
 
+  /// The functions of the multipliers by cubics through their values and slopes; the tangent's component
+  /// along the parameter, which is the parameter's slope, by what the parameter comes to.
+  std::optional<double> share_of_a_pair() const {
+    const double length = segment_.length(), cosine = from_.tangent.dot(to_.tangent);
+    if (!(cosine > 0)) return std::nullopt;
+    const double mean = (to_.parameter - from_.parameter) / problem_.parameter_scale / length;
+    if (const auto share = dip_of_quadratic(fold_test(from_), fold_test(to_) / cosine, mean)) return share;
+    const MultiplierTests begin = tests_of_multipliers(from_.multipliers),
+                          end = tests_of_multipliers(to_.multipliers),
+                          out = from_.slopes ? *from_.slopes : multiplier_slopes(problem_, from_),
+                          in = to_.slopes ? *to_.slopes : multiplier_slopes(problem_, to_);
+    for (const auto test : {&MultiplierTests::unit, &MultiplierTests::doubling, &MultiplierTests::torus}) {
+      const StepEnds ends{begin.*test, end.*test, out.*test, in.*test / cosine};
+      if (const auto share = dip_of_cubic(ends, length)) return share;
+    }
+    return std::nullopt;
+  }
+
+  bool has_half_period() const { return problem_.order % 2 == 0 && problem_.facts; }
+
+  bool is_about_half_period() const {
+    return has_half_period() && half_period_difference(from_).dot(half_period_difference(to_)) < 0;
+  }
+
   /// The branch then turns back as its own shift by half a period, which is no fold.
   bool joins_half_period() {
-    if (problem_.order % 2 != 0 || !problem_.facts) return false;
+    if (!has_half_period()) return false;
     const Eigen::VectorXd before = half_period_difference(from_).normalized();
     if (!find(EventKind::period_halving,
               [&](const BranchPoint& point) { return before.dot(half_period_difference(point)); }))
@@ -168,12 +205,24 @@ class Finder {
   int single_ = 0, pairs_ = 0;  ///< multipliers, and complex pairs of them, that passed the unit circle
 };
 
+/// `parted`: how often the step has been parted already.
+std::vector<BranchEvent> events_of_piece(const OrbitProblem& problem, const BranchPoint& from,
+                                         const BranchPoint& to, bool every_graze, int parted) {
+  Finder finder(problem, from, to);
+  const auto middle = parted < most_parted ? finder.between_a_pair() : std::nullopt;
+  if (!middle) return finder.all(every_graze);
+  auto events = events_of_piece(problem, from, *middle, every_graze, parted + 1);
+  std::ranges::move(events_of_piece(problem, *middle, to, every_graze, parted + 1),
+                    std::back_inserter(events));
+  return events;
+}
+
 }  // namespace
 
 std::optional<std::vector<BranchEvent>> events_between(const OrbitProblem& problem, const BranchPoint& from,
                                                        const BranchPoint& to, bool every_graze) {
   try {
-    return Finder(problem, from, to).all(every_graze);
+    return events_of_piece(problem, from, to, every_graze, 0);
   } catch (const Broken&) {
     return std::nullopt;
   }

@@ -15,8 +15,10 @@ namespace rubsweep::branch {
 /// period apart changes sign. A graze is found where the sequence of contact modes changes, and is the root
 /// of the squared duration of what appears there, which is smooth and zero at the graze. Where the count of
 /// multipliers outside the unit circle changes in a way that these do not explain, the place is found by
-/// bisection of that count. Empty where the piece between the points is not continuous: an orbit on the way
-/// is not found, or the two points belong to different branches.
+/// bisection of that count. A step in which the slopes of these functions at its ends let two roots of one of
+/// them be expected is parted where that function comes nearest to zero, and both parts are looked at in the
+/// same way. Empty where the piece between the points is not continuous: an orbit on the way is not found, or
+/// the two points belong to different branches.
 std::optional<std::vector<BranchEvent>> events_between(const OrbitProblem& problem, const BranchPoint& from,
                                                        const BranchPoint& to, bool every_graze);
 

@@ -53,8 +53,6 @@ double turned(const Eigen::VectorXd& vector, const Eigen::VectorXd& reference) {
   return vector.dot(reference) < 0 ? -1 : 1;
 }
 
-double unit_test(const Multipliers& multipliers) { return doubling_test(-multipliers); }
-
 std::vector<NamedTest> tests_of_one_multiplier(double sign, const Critical& reference) {
   const Some rest = [sign](const CurvePoint& point) { return others(point.multipliers, sign); };
   const Test flip = [rest](const CurvePoint& point) { return doubling_test(rest(point)); };

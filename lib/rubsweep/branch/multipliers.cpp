@@ -42,6 +42,8 @@ double doubling_test(const Eigen::VectorXcd& multipliers) {
   return product.real();
 }
 
+double unit_test(const Eigen::VectorXcd& multipliers) { return doubling_test(-multipliers); }
+
 double torus_test(const Eigen::VectorXcd& multipliers) {
   Complex product = 1;
   for_each_pair(multipliers, [&](Complex a, Complex b) { product *= a * b - 1.0; });

@@ -13,6 +13,9 @@ int count_outside(const Eigen::VectorXcd& multipliers);
 /// det(M + 1): changes sign where one multiplier passes -1.
 double doubling_test(const Eigen::VectorXcd& multipliers);
 
+/// det(1 - M): changes sign where one multiplier passes +1.
+double unit_test(const Eigen::VectorXcd& multipliers);
+
 /// Product of (a b - 1) over all pairs a, b of multipliers, the determinant of the bialternate product of the
 /// monodromy matrix with itself minus 1: real, smooth, and zero where a complex pair lies on the unit circle,
 /// but also where two real multipliers have the product 1.

@@ -23,15 +23,6 @@ double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 
 double root_of_states(Eigen::Index states) { return std::sqrt(static_cast<double>(states)); }
 
-double parameter_of(const OrbitProblem& problem, const Position& position) {
-  return position(position.size() - 1) * problem.parameter_scale;
-}
-
-VectorXd state_of(const Position& position) {
-  const Eigen::Index states = position.size() - 1;
-  return position.head(states) * root_of_states(states);
-}
-
 /// d(image) / d(parameter coordinate) at one step size; one-sided where the other side has no machine.
 bool difference(const OrbitProblem& problem, const VectorXd& state, double parameter, double step,
                 VectorXd& slope) {
@@ -68,6 +59,15 @@ Position position_of(const OrbitProblem& problem, const VectorXd& state, double 
   Position position(state.size() + 1);
   position << state / root_of_states(state.size()), parameter / problem.parameter_scale;
   return position;
+}
+
+double parameter_of(const OrbitProblem& problem, const Position& position) {
+  return position(position.size() - 1) * problem.parameter_scale;
+}
+
+VectorXd state_of(const Position& position) {
+  const Eigen::Index states = position.size() - 1;
+  return position.head(states) * root_of_states(states);
 }
 
 Correction correct(const OrbitProblem& problem, const Position& guess, const VectorXd& direction) {

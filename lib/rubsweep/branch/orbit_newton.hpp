@@ -16,6 +16,9 @@ inline Position position_of(const OrbitProblem& problem, const BranchPoint& poin
   return position_of(problem, point.state, point.parameter);
 }
 
+double parameter_of(const OrbitProblem& problem, const Position& position);
+Eigen::VectorXd state_of(const Position& position);
+
 /// What Newton's iteration came to.
 struct Correction {
   Evaluation evaluation = Evaluation::ok;

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <list>
 #include <memory>
 #include <numbers>
 #include <utility>
 
+#include "rubsweep/branch/recent.hpp"
+#include "rubsweep/branch/whole_turns.hpp"
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/response/rotating/rotating_flow.hpp"
@@ -154,44 +155,24 @@ class OvalOrbits {
   }
 
  private:
-  /// The last few are kept: an orbit and its neighbours for the derivative by the parameter.
   OvalScene* scene_at(double parameter) {
-    constexpr std::size_t kept = 3;
-    for (auto at = kept_.begin(); at != kept_.end(); ++at) {
-      if ((*at)->parameter != parameter) continue;
-      kept_.splice(kept_.begin(), kept_, at);
-      return kept_.front().get();
-    }
+    if (OvalScene* at = recent_.find([&](const OvalScene& one) { return one.parameter == parameter; }))
+      return at;
     const auto scene = family_(parameter);
     if (!scene || !response::rotating::rotationally_symmetric(*scene)) return nullptr;
-    kept_.push_front(std::make_unique<OvalScene>(parameter, *scene, solver_));
-    if (kept_.size() > kept) kept_.pop_back();
-    return kept_.front().get();
+    return recent_.keep(std::make_unique<OvalScene>(parameter, *scene, solver_));
   }
 
   SceneFamily family_;
   int loops_;
   integrate::run::SolverOptions solver_;
-  std::list<std::unique_ptr<OvalScene>> kept_;
+  Recent<OvalScene> recent_{3};  ///< an orbit and its neighbours for the derivative by the parameter
 };
 
 }  // namespace
 
 OrbitProblem oval_orbits(SceneFamily family, int loops, const integrate::run::SolverOptions& solver) {
-  auto orbits = std::make_shared<OvalOrbits>(std::move(family), loops, solver);
-  OrbitProblem problem;
-  problem.order = loops;
-  const auto map_of = [&](int count) -> OrbitMap {
-    return [orbits, count](double parameter, VectorXd& state, MatrixXd* monodromy) {
-      return orbits->advance(count, parameter, state, monodromy);
-    };
-  };
-  problem.returns = map_of(loops);
-  if (loops % 2 == 0) problem.half_returns = map_of(loops / 2);
-  problem.facts = [orbits](double parameter, const VectorXd& state) {
-    return orbits->facts(parameter, state);
-  };
-  return problem;
+  return problem_of_whole_turns(std::make_shared<OvalOrbits>(std::move(family), loops, solver), loops);
 }
 
 std::optional<VectorXd> oval_state(const scene::Scene& scene, const integrate::run::SolverOptions& solver,

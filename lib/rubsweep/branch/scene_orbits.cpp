@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <complex>
-#include <list>
 #include <memory>
 #include <numbers>
 #include <span>
 #include <utility>
 
+#include "rubsweep/branch/recent.hpp"
+#include "rubsweep/branch/whole_turns.hpp"
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
@@ -113,48 +114,28 @@ class SceneOrbits {
     return amplitude;
   }
 
-  /// The last few are kept: an orbit and its neighbours for the derivative by the parameter.
   SceneAt* scene_at(double parameter) {
-    constexpr std::size_t kept = 2;
-    for (auto at = kept_.begin(); at != kept_.end(); ++at) {
-      if ((*at)->parameter != parameter) continue;
-      kept_.splice(kept_.begin(), kept_, at);
-      return kept_.front().get();
-    }
+    if (SceneAt* at = recent_.find([&](const SceneAt& one) { return one.parameter == parameter; })) return at;
     const auto scene = family_(parameter);
     if (!scene) return nullptr;
     if (!integrate::run::same_every_turn(scene->impulses))
       throw ConfigError("impulses that are not the same in every revolution have no orbits to follow");
-    kept_.push_front(std::make_unique<SceneAt>(parameter, *scene, solver_, modes_));
-    if (kept_.size() > kept) kept_.pop_back();
-    return kept_.front().get();
+    return recent_.keep(std::make_unique<SceneAt>(parameter, *scene, solver_, modes_));
   }
 
   SceneFamily family_;
   int order_;
   integrate::run::SolverOptions solver_;
   integrate::exact::ModeCache& modes_;
-  std::list<std::unique_ptr<SceneAt>> kept_;
+  Recent<SceneAt> recent_{2};  ///< an orbit and a neighbour for the derivative by the parameter
 };
 
 }  // namespace
 
 OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::SolverOptions& solver,
                           integrate::exact::ModeCache& modes) {
-  auto orbits = std::make_shared<SceneOrbits>(std::move(family), order, solver, modes);
-  OrbitProblem problem;
-  problem.order = order;
-  const auto map_of = [&](int turns) -> OrbitMap {
-    return [orbits, turns](double parameter, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
-      return orbits->advance(turns, parameter, state, monodromy);
-    };
-  };
-  problem.returns = map_of(order);
-  if (order % 2 == 0) problem.half_returns = map_of(order / 2);
-  problem.facts = [orbits](double parameter, const Eigen::VectorXd& state) {
-    return orbits->facts(parameter, state);
-  };
-  return problem;
+  return problem_of_whole_turns(std::make_shared<SceneOrbits>(std::move(family), order, solver, modes),
+                                order);
 }
 
 }  // namespace rubsweep::branch

@@ -1,13 +1,14 @@
 #include "rubsweep/branch/scene_plane.hpp"
 
 #include <cmath>
-#include <list>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <span>
 #include <utility>
 
 #include "rubsweep/branch/guard_motion.hpp"
+#include "rubsweep/branch/recent.hpp"
 #include "rubsweep/branch/scene_orbits.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
@@ -29,22 +30,12 @@ class ScenePlaneOrbits {
                    integrate::exact::ModeCache& modes)
       : plane_(std::move(plane)), order_(order), solver_(solver), modes_(modes) {}
 
-  const OrbitProblem& line_at(const Place& place) {
-    constexpr std::size_t kept = 3;  // a line and its neighbours for derivatives
-    for (auto line = lines_.begin(); line != lines_.end(); ++line) {
-      if (line->second != place.second || line->phase_rad != place.phase_rad) continue;
-      lines_.splice(lines_.begin(), lines_, line);
-      return lines_.front().orbits;
-    }
-    const auto family = [plane = plane_, second = place.second,
-                         phase = place.phase_rad](double first) -> std::optional<scene::Scene> {
-      auto scene = plane(first, second);
-      if (!scene || phase == 0) return scene;
-      return begun_at_phase(std::move(*scene), phase);
-    };
-    lines_.push_front({place.second, place.phase_rad, scene_orbits(family, order_, solver_, modes_)});
-    if (lines_.size() > kept) lines_.pop_back();
-    return lines_.front().orbits;
+  Evaluation returns(const Place& place, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
+    return line_at(place).returns(place.first, state, monodromy);
+  }
+
+  std::optional<OrbitFacts> facts(const Place& place, const Eigen::VectorXd& state) {
+    return line_at(place).facts(place.first, state);
   }
 
   std::optional<GuardMotion> guard(const Place& place, const Eigen::VectorXd& state,
@@ -80,6 +71,22 @@ class ScenePlaneOrbits {
     OrbitProblem orbits;
   };
 
+  const OrbitProblem& line_at(const Place& place) {
+    const Line* known = recent_.find(
+        [&](const Line& line) { return line.second == place.second && line.phase_rad == place.phase_rad; });
+    if (known != nullptr) return known->orbits;
+    const auto family = [plane = plane_, second = place.second,
+                         phase = place.phase_rad](double first) -> std::optional<scene::Scene> {
+      auto scene = plane(first, second);
+      if (!scene || phase == 0) return scene;
+      return begun_at_phase(std::move(*scene), phase);
+    };
+    return recent_
+        .keep(std::make_unique<Line>(
+            Line{place.second, place.phase_rad, scene_orbits(family, order_, solver_, modes_)}))
+        ->orbits;
+  }
+
   std::optional<scene::Scene> scene_at(const Place& place) const {
     auto scene = plane_(place.first, place.second);
     if (!scene) return std::nullopt;
@@ -90,7 +97,7 @@ class ScenePlaneOrbits {
   int order_;
   integrate::run::SolverOptions solver_;
   integrate::exact::ModeCache& modes_;
-  std::list<Line> lines_;
+  Recent<Line> recent_{3};  ///< a line and its neighbours for derivatives
   std::unique_ptr<SectionGuards> guards_;
   Place guards_at_;
 };
@@ -99,22 +106,14 @@ class ScenePlaneOrbits {
 
 PlaneOrbits scene_plane_orbits(ScenePlane plane, int order, const integrate::run::SolverOptions& solver,
                                integrate::exact::ModeCache& modes) {
-  auto orbits = std::make_shared<ScenePlaneOrbits>(std::move(plane), order, solver, modes);
-  PlaneOrbits problem;
-  problem.order = order;
-  problem.returns = [orbits](const Place& place, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
-    return orbits->line_at(place).returns(place.first, state, monodromy);
-  };
-  problem.facts = [orbits](const Place& place, const Eigen::VectorXd& state) {
-    return orbits->line_at(place).facts(place.first, state);
-  };
-  problem.guard = [orbits](const Place& place, const Eigen::VectorXd& state, const ArmedGuard& guard) {
-    return orbits->guard(place, state, guard);
-  };
-  problem.at_phase = [orbits](const Place& place, const Eigen::VectorXd& state, double& phase_rad) {
-    return orbits->at_phase(place, state, phase_rad);
-  };
-  return problem;
+  const auto orbits = std::make_shared<ScenePlaneOrbits>(std::move(plane), order, solver, modes);
+  return {std::bind_front(&ScenePlaneOrbits::returns, orbits),
+          std::bind_front(&ScenePlaneOrbits::facts, orbits),
+          std::bind_front(&ScenePlaneOrbits::guard, orbits),
+          std::bind_front(&ScenePlaneOrbits::at_phase, orbits),
+          order,
+          {},
+          {}};
 }
 
 }  // namespace rubsweep::branch

@@ -133,7 +133,8 @@ bool depends_on_slip(const model::Friction& friction) {
 }
 
 bool keeps_its_direction(const model::Friction& friction) {
-  return std::holds_alternative<OneWayFriction>(friction);
+  const auto* one_way = std::get_if<OneWayFriction>(&friction);
+  return one_way && one_way->coefficient != 0;
 }
 
 double dry_coefficient(const model::Friction& friction) {

@@ -8,9 +8,12 @@
 #include <optional>
 
 #include "rubsweep/page/painted_table.hpp"
+#include "rubsweep/response/motion/motion_class.hpp"
 
 namespace rubsweep::page {
 namespace {
+
+using response::motion::MotionClass;
 
 using Rows = std::vector<std::size_t>;
 
@@ -154,9 +157,10 @@ std::vector<std::string> findings(const MapTable& map, const sweep::Grid& grid) 
   const auto rubs = [&](std::size_t row) {
     const std::string_view motion = map.word("class", row);
     // What a painted cell is measured by is not known.
-    if (map.word("status", row) == not_computed)
-      return motion == "synchronous" || motion == "subharmonic" || motion == "quasi_periodic" ||
-             motion == "chaotic";
+    if (map.word("status", row) == not_computed) {
+      const auto motion_class = response::motion::motion_class_of(motion);
+      return motion_class && *motion_class != MotionClass::unsettled && row_of(*motion_class).rubs;
+    }
     return motion != "non_contact" && map.number("contact_fraction", row).value_or(0) > 0;
   };
   add_rub(map, words, words.rows_where(rubs), said);

@@ -92,6 +92,8 @@ PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid) {
     row_of[cell] = row;
     table.computed.push_back(cell);
   }
+  if (const auto wanted = sweep::wanted_cells(grid, table.labels); !wanted.empty())
+    throw IoError(fmt::format("map.csv: lacks {} cells that its refined map wants", wanted.size()));
   std::ranges::sort(table.computed);
   const std::vector<std::size_t> shown = rows_to_show(grid, table.labels, row_of);
 

@@ -21,7 +21,7 @@ struct PaintedTable {
 /// Gives every cell of `grid` a row: those of `map` as they are; any other has its place, the class and order
 /// of its block (see sweep/refinement.hpp), orbit, whirl and comb of the computed cell of that label nearest
 /// before it, the status not_computed, and nothing else. Throws IoError where a row of the map lies in no
-/// cell.
+/// cell, or a cell that the refinement asks for has no row.
 PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid);
 
 }  // namespace rubsweep::page

@@ -104,15 +104,6 @@ SettledOrbit quiet_orbit(const scene::Cell& cell, const sweep::Study& study, lon
   return recorder.finish({end.data(), static_cast<std::size_t>(end.size())}, workspace.spectrum);
 }
 
-/// The machine that the row of the map was computed with.
-scene::PreparedMachine as_computed(const scene::PreparedMachine& prepared, const KnownMotion& known) {
-  scene::PreparedMachine own = prepared;
-  if (!known.hertz_force_n) return own;
-  if (auto machine = sweep::with_secant_at(prepared.machine, *known.hertz_force_n))
-    own.machine = *std::move(machine);
-  return own;
-}
-
 /// Advances to the revolution from which on the motion is recorded; empty when the run fails.
 std::optional<long> settle(const integrate::run::Run& run, const KnownMotion& known,
                            const response::motion::ResponseOptions& options, const Lengths& lengths,
@@ -141,7 +132,8 @@ std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene
   }
   if (is(known, MotionClass::failed) || is(known, MotionClass::initial_contact)) return std::nullopt;
   const auto [speed_hz, unbalance] = sweep::place_of(study.grid, cell);
-  const scene::Cell start = scene::build_cell(as_computed(prepared, known), speed_hz, unbalance);
+  const scene::Cell start =
+      scene::build_cell(sweep::with_secant_of_row(prepared, known.hertz_force_n), speed_hz, unbalance);
   if (!scene::can_run(start.start)) return std::nullopt;
   if (is(known, MotionClass::non_contact) && start.scene.impulses.empty())
     return quiet_orbit(start, study, known.revolutions, workspace);

@@ -32,9 +32,8 @@ class MotionReader {
 
   sweep::SampledMotion motion(const batch::CsvReader& row) const {
     sweep::Row read;
-    const auto found = std::ranges::find(response::motion::motion_classes, row.cells()[class_],
-                                         [](MotionClass c) { return response::motion::to_string(c); });
-    if (found == response::motion::motion_classes.end()) {
+    const auto found = response::motion::motion_class_of(row.cells()[class_]);
+    if (!found) {
       throw IoError(fmt::format("{}:{}: '{}' is no class of motion", row.path().string(), row.place().line,
                                 row.cells()[class_]));
     }

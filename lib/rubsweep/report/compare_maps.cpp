@@ -41,11 +41,8 @@ std::string label(const CsvReader& row) {
 
 /// Motions whose numbers do not depend on when one looks.
 bool repeats(const CsvReader& row) {
-  using response::motion::motion_classes, response::motion::MotionClass;
-  const std::string& name = text(row, "class");
-  return std::ranges::any_of(motion_classes, [&](MotionClass motion_class) {
-    return row_of(motion_class).repeats && row_of(motion_class).word == name;
-  });
+  const auto motion_class = response::motion::motion_class_of(text(row, "class"));
+  return motion_class && row_of(*motion_class).repeats;
 }
 
 /// A pair of rows for one cell, and what their columns say.

@@ -48,6 +48,7 @@ std::string explain_friction(const model::Stop& stop, const scene::Contact& cont
   if (!contact::acts(stop.friction)) return fmt::format("  friction: {}\n", name);
   const double mu = contact::friction_coefficient(stop.friction, slip);
   if (!contact::depends_on_slip(stop.friction)) {
+    if (mu == 0) return fmt::format("  friction: {} 0\n", name);
     const bool reverses = !contact::keeps_its_direction(stop.friction);
     return fmt::format("  friction: {} {}; {}\n", name, mu,
                        reverses ? "reverses with the slip, and may hold the surfaces together"

@@ -130,7 +130,9 @@ std::string hertz_stiffness_n_per_m(const Row& row) {
 constexpr std::array of_hertz{
     StudyColumn{"hertz_iterations", "how often the secant of the line contact was taken anew",
                 hertz_iterations},
-    StudyColumn{"hertz_force_n", "force of that secant, of the first stop that has hertz", hertz_force_n},
+    StudyColumn{"hertz_force_n",
+                "force of that secant, of the stop with hertz that has the smallest design_force_n",
+                hertz_force_n},
     StudyColumn{"hertz_stiffness_n_per_m", "the stiffness that it gives that stop", hertz_stiffness_n_per_m},
 };
 

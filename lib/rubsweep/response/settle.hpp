@@ -22,7 +22,7 @@ struct SettledRun {
   /// From the kick to the end of the windows; those that measure an exponent do not count.
   long revolutions = 0;
   std::optional<long> last_contact_revolution;  ///< 1 for the first; empty: the wall was never touched
-  bool slip_reversed = false;                   ///< some slip speed was <= 0 while touching
+  bool slip_reversed = false;                   ///< as of the turns
   integrate::run::Effort effort;
   /// The state after these revolutions, scaled as TurnReport::section; empty where there was none.
   std::vector<double> section;

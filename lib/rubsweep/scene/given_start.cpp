@@ -61,7 +61,6 @@ void start_in_given_state(Scene& scene, const PreparedMachine& prepared) {
   for (std::size_t i = 0; i < start.casings.size(); ++i) {
     if (start.casings[i]) add(*start.casings[i], *assembly.casing_points[i]);
   }
-  scene.pulses.clear();
   scene.displacement_m = brought_to(displacement, scene.displacement_m, assembly.system.stiffness);
   scene.velocity_m_per_s = brought_to(velocity, scene.velocity_m_per_s, assembly.system.mass);
 }

@@ -20,11 +20,6 @@
 namespace rubsweep::sweep {
 namespace {
 
-bool some_friction_keeps_its_direction(const model::Machine& machine) {
-  return std::ranges::any_of(
-      machine.stops, [](const model::Stop& stop) { return contact::keeps_its_direction(stop.friction); });
-}
-
 /// Whether a force is too large for the stiffness of some stop that has it from a line contact. Where stops
 /// differ the narrowest counts, whichever the force acts at: the word is a doubt.
 bool beyond_hertz(const model::Machine& machine, double force_n) {
@@ -40,7 +35,7 @@ void doubt(Row& row, const model::Machine& machine, double clearance_m) {
   if (beyond_hertz(machine, row.measures->contact.peak_contact_force_n)) add_status(row, "beyond_hertz");
 }
 
-void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) {
+void fill(Row& row, const response::SettledRun& run) {
   row.motion_class = run.motion.motion_class;
   row.order = run.motion.order;
   row.proof = run.proof;
@@ -54,7 +49,7 @@ void fill(Row& row, const response::SettledRun& run, bool slip_may_not_reverse) 
     add_status(row, integrate::run::to_string(run.outcome));
   }
   if (run.motion.status != response::motion::MotionStatus::ok) add_status(row, to_string(run.motion.status));
-  if (slip_may_not_reverse && run.slip_reversed) add_status(row, "slip_reversal");
+  if (run.slip_reversed) add_status(row, "slip_reversal");
 }
 
 /// The cell at a place with the stiffnesses that the machine has.
@@ -154,7 +149,7 @@ Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machi
               : !cell.scene.pulses.empty()          ? RunStart::kick
                                                     : RunStart::quiet;
   if (run == nullptr) return row;
-  fill(row, *run, some_friction_keeps_its_direction(machine));
+  fill(row, *run);
   doubt(row, machine, cell.scene.length_scale_m);
   return row;
 }

@@ -21,8 +21,16 @@ bool fits(const model::Machine& used, const model::Machine& asked) {
   return true;
 }
 
-HertzSecant secant_of(const model::Machine& machine, int iterations) {
-  const model::Stop& stop = *std::ranges::find_if(machine.stops, has_hertz);
+/// Every other stop is made again from the force of the one with the smallest design force: a force below its
+/// own design force changes nothing at a stop.
+HertzSecant secant_of(const model::Machine& original, const model::Machine& used, int iterations) {
+  std::optional<std::size_t> lowest;
+  for (std::size_t i = 0; i < original.stops.size(); ++i) {
+    const auto& hertz = original.stops[i].hertz;
+    if (hertz && (!lowest || hertz->design_force_n < original.stops[*lowest].hertz->design_force_n))
+      lowest = i;
+  }
+  const model::Stop& stop = used.stops[lowest.value()];
   return {iterations, stop.hertz->design_force_n, stop.stiffness_n_per_m};
 }
 
@@ -44,12 +52,12 @@ std::optional<model::Machine> with_secant_at(const model::Machine& machine, doub
   return changed;
 }
 
-void add_status(Row& row, std::string_view word) {
-  if (row.status == "ok") {
-    row.status = word;
-  } else if (row.status.find(word) == std::string::npos) {
-    row.status.append(";").append(word);
-  }
+scene::PreparedMachine with_secant_of_row(const scene::PreparedMachine& prepared,
+                                          std::optional<double> force_n) {
+  scene::PreparedMachine changed = prepared;
+  if (!force_n) return changed;
+  if (auto machine = with_secant_at(prepared.machine, *force_n)) changed.machine = *std::move(machine);
+  return changed;
 }
 
 Row with_hertz_iterations(const model::Machine& machine, int most,
@@ -57,7 +65,7 @@ Row with_hertz_iterations(const model::Machine& machine, int most,
   Row row = run(machine);
   model::Machine used = machine;
   for (int iterations = 0;; ++iterations) {
-    if (row.start) row.hertz = secant_of(used, iterations);
+    if (row.start) row.hertz = secant_of(machine, used, iterations);
     const double force_n = row.measures ? row.measures->contact.peak_contact_force_n : 0;
     if (!(force_n > 0)) return row;
     std::optional<model::Machine> asked = with_secant_at(machine, force_n);

@@ -2,9 +2,9 @@
 
 #include <functional>
 #include <optional>
-#include <string_view>
 
 #include "rubsweep/model/machine.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/row.hpp"
 #include "rubsweep/sweep/study.hpp"
 
@@ -19,6 +19,11 @@ bool takes_secants_anew(const Study& study);
 /// is wider than long under it.
 std::optional<model::Machine> with_secant_at(const model::Machine& machine, double force_n);
 
+/// The machine that a row was computed with: `force_n` is HertzSecant::force_n of that row, nothing where its
+/// secants are those of the configuration.
+scene::PreparedMachine with_secant_of_row(const scene::PreparedMachine& prepared,
+                                          std::optional<double> force_n);
+
 /// The row of a cell whose secants belong to its forces, of a machine some of whose stops have hertz. `run`
 /// evaluates the cell for a machine. While the largest contact force of the measured motion asks for a secant
 /// that differs by more than contact::hertz_secant_tolerance from the one that was used, the cell is run
@@ -27,8 +32,5 @@ std::optional<model::Machine> with_secant_at(const model::Machine& machine, doub
 /// not fit, the status says `beyond_hertz`.
 Row with_hertz_iterations(const model::Machine& machine, int most,
                           const std::function<Row(const model::Machine&)>& run);
-
-/// Adds a word to the status of a row, once.
-void add_status(Row& row, std::string_view word);
 
 }  // namespace rubsweep::sweep

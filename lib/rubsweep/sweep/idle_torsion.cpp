@@ -38,19 +38,18 @@ std::string why_torsion_is_idle(const scene::PreparedMachine& prepared, double s
     const double change = mu * 2 * impulse_ns * radius * radius / polar_inertia_kg_m2(prepared);
     const auto saturated = contact::saturated_friction(stop.friction);
     if (!saturated || !(surface - change > saturated->above_m_per_s)) return "";
-    if (!(radius > 0) || change < change_m_per_s) continue;
+    if (!(radius > 0)) continue;
+    share = std::max(share, change / surface);
+    twist_rad = std::max(twist_rad, change / radius / torsional_rad_per_s);
+    if (change < change_m_per_s) continue;
     change_m_per_s = change;
     surface_m_per_s = surface;
-    share = change / surface;
-    twist_rad = change / radius / torsional_rad_per_s;
   }
   if (share > negligible_share || twist_rad > negligible_share) return "";
   return fmt::format(
       "torsion: hardly changes the motion: no friction depends on the slip where it is, and a hit of twice "
-      "the "
-      "kick's impulse twists the surface by about {:.2g} m/s of {:.3g} m/s and the unbalance by {:.2g} "
-      "degrees; "
-      "without rotor.torsion the motion is the same but for that, and computed exactly\n",
+      "the kick's impulse twists the surface by about {:.2g} m/s of {:.3g} m/s and the unbalance by {:.2g} "
+      "degrees; without rotor.torsion the motion is the same but for that, and computed exactly\n",
       change_m_per_s, surface_m_per_s, twist_rad * 180 / std::numbers::pi);
 }
 

@@ -9,6 +9,14 @@ std::string motion_name(const Row& row) {
   return row.order.value_or(1) > 1 ? fmt::format("{} 1/{}", word, *row.order) : std::string(word);
 }
 
+void add_status(Row& row, std::string_view word) {
+  if (row.status == "ok") {
+    row.status = word;
+  } else if (row.status.find(word) == std::string::npos) {
+    row.status.append(";").append(word);
+  }
+}
+
 SampledMotion sampled_motion(const Row& row) {
   const auto kind = response::motion::row_of(row.motion_class);
   SampledMotion motion{motion_name(row), !row.measures, kind.rubs, kind.repeats, {}};

@@ -38,8 +38,10 @@ constexpr std::string_view to_string(RunStart start) {
 
 /// The secant of Hertz' line contacts that a cell was computed with in the end.
 struct HertzSecant {
-  int iterations = 0;            ///< how often it was taken anew
-  double force_n = 0;            ///< at which it is taken, of the first stop that has hertz
+  int iterations = 0;  ///< how often it was taken anew
+  /// At which it is taken, of the stop with hertz that has the smallest design force, and by which those of
+  /// the other stops follow.
+  double force_n = 0;
   double stiffness_n_per_m = 0;  ///< of that stop
 };
 
@@ -71,6 +73,9 @@ struct Row {
 
 /// Class and order of a motion, such as "subharmonic 1/2" or "chaotic".
 std::string motion_name(const Row& row);
+
+/// Adds a word to the status of a row, once.
+void add_status(Row& row, std::string_view word);
 
 /// What tells the attractor of a row apart: class, order, peak_displacement_m and the two lines at 1X.
 SampledMotion sampled_motion(const Row& row);

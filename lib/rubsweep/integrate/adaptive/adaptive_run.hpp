@@ -1,12 +1,12 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <vector>
 
+#include "rubsweep/integrate/adaptive/crossing_search.hpp"
 #include "rubsweep/integrate/adaptive/dynamics.hpp"
 #include "rubsweep/integrate/adaptive/settle_slips.hpp"
 #include "rubsweep/integrate/adaptive/step_observer.hpp"
@@ -15,7 +15,6 @@
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
-#include "rubsweep/numerics/bernstein_root.hpp"
 
 namespace rubsweep::integrate::adaptive {
 
@@ -81,17 +80,6 @@ class AdaptiveRun {
   static constexpr double full_turn = 2 * std::numbers::pi;
   static constexpr double smallest_size = 1e-14;
 
-  /// What ends a step: a guard of a contact mode, a slip that comes to zero, a contact that sticks and is let
-  /// go.
-  enum class Event { mode, stop, release };
-  struct Crossing {
-    double phase = 0;
-    std::size_t contact = 0;
-    contact::Mode next = contact::Mode::open;
-    Event event = Event::mode;
-    contact::Slip slip = contact::Slip::forward;  ///< after a release
-  };
-
   static void resize(State& state, std::size_t size) {
     if constexpr (requires { state.resize(size); }) state.resize(size);
   }
@@ -110,7 +98,9 @@ class AdaptiveRun {
 
   void enter_slips(double phase) {
     enter_slips_by_state(dynamics_, step_.start, step_.start_rate, phase);
-    std::fill(just_moved_.begin(), just_moved_.end(), true);
+    for (std::size_t i = 0; i < just_moved_.size(); ++i)
+      just_moved_[i] = dynamics_.touches_dry(i) && dynamics_.slips()[i] != contact::Slip::sticking &&
+                       stands(dynamics_, i, step_.start);
   }
 
   /// Rate and kinematics at the start of a step, by the law now in force.
@@ -188,136 +178,28 @@ class AdaptiveRun {
     step_.start_phase = end_phase;
   }
 
+  std::optional<Crossing> first_crossing() {
+    return CrossingSearch<StepMethod, Law>{dynamics_,       method_,     step_,  start_kinematics_,
+                                           end_kinematics_, just_moved_, probe_, probe_rate_}
+        .first();
+  }
+
   void cut_step(double phase) {
     method_.state_at(dynamics_, step_, phase, probe_);
     step_.end = probe_;
     step_.end_phase = phase;
-    // The force is continuous across the switch: this rate holds on both sides of it.
+    // The force is continuous across the switch of a mode: this rate holds on both sides of it.
     dynamics_(step_.end, step_.end_rate, phase);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
       end_kinematics_[i] = dynamics_.kinematics(i, step_.end, step_.end_rate);
     }
   }
 
-  contact::Guards guards(std::size_t i, const contact::Kinematics& kinematics) const {
-    const auto& c = system_.contacts[i];
-    return contact::guards_of(dynamics_.modes()[i], c.stiffness, c.damping, kinematics);
-  }
-
-  /// Value of one guard function of contact `i` inside the step.
-  double guard_value(std::size_t i, int guard, double phase) {
-    method_.state_at(dynamics_, step_, phase, probe_);
-    // Values need no acceleration, so any rate will do for the third number.
-    return guards(i, dynamics_.kinematics(i, probe_, step_.end_rate))
-        .list[static_cast<std::size_t>(guard)]
-        .value;
-  }
-
-  std::optional<Crossing> first_crossing() {
-    std::optional<Crossing> first;
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-      const contact::Guards at_start = guards(i, start_kinematics_[i]);
-      const contact::Guards at_end = guards(i, end_kinematics_[i]);
-      for (int e = 0; e < at_start.count; ++e) {
-        const auto k = static_cast<std::size_t>(e);
-        const auto candidate = locate(i, e, at_start.list[k], at_end.list[k]);
-        if (candidate && (!first || candidate->phase < first->phase)) first = candidate;
-      }
-      if (!dynamics_.touches_dry(i)) continue;
-      const auto candidate =
-          dynamics_.slips()[i] == contact::Slip::sticking ? locate_release(i) : locate_stop(i);
-      if (candidate && (!first || candidate->phase < first->phase)) first = candidate;
-    }
-    return first;
-  }
-
-  const State& state_inside(double phase) {
-    if (phase <= step_.start_phase) return step_.start;
-    if (phase >= step_.end_phase) return step_.end;
-    method_.state_at(dynamics_, step_, phase, probe_);
-    return probe_;
-  }
-
-  /// Contact `i` slips: where its slip comes to zero. A slip that starts at zero starts away from it.
-  std::optional<Crossing> locate_stop(std::size_t i) {
-    const double h = step_.end_phase - step_.start_phase;
-    const double sign = -contact::sign_of(dynamics_.slips()[i]);
-    const auto value = [&](double x) {
-      return sign * dynamics_.slip(i, state_inside(step_.start_phase + x * h));
-    };
-    const bool moved = just_moved_[i];
-    const double at_start = moved ? 0 : value(0), at_end = value(1);
-    const double rate = moved ? 0 : sign * h * dynamics_.slip_rate(i, step_.start, step_.start_rate);
-    const double end_rate = sign * h * dynamics_.slip_rate(i, step_.end, step_.end_rate);
-    if (!moved && numerics::clearly_below_zero(at_start, rate, at_end, end_rate)) return std::nullopt;
-    const auto rise =
-        numerics::bernstein_root(numerics::quartic_through(at_start, rate, value(0.5), at_end, end_rate));
-    const auto phase = rise ? refine(value, *rise) : std::nullopt;
-    if (!phase) return std::nullopt;
-    return Crossing{*phase, i, {}, Event::stop, {}};
-  }
-
-  /// Contact `i` sticks: where friction no longer holds it. The friction that it takes has no derivative at
-  /// hand; a parabola through three places stands for it.
-  std::optional<Crossing> locate_release(std::size_t i) {
-    const double h = step_.end_phase - step_.start_phase;
-    std::optional<Crossing> first;
-    for (const contact::Slip slip : {contact::Slip::forward, contact::Slip::backward}) {
-      const auto value = [&](double x) {
-        const double phase = step_.start_phase + x * h;
-        const State& state = state_inside(phase);
-        dynamics_(state, probe_rate_, phase);
-        return contact::sign_of(slip) * dynamics_.holding_force_n(i) - dynamics_.largest_friction_n(i, state);
-      };
-      const double a = value(0), b = value(0.5), c = value(1);
-      const auto rise =
-          numerics::bernstein_root(numerics::quartic_through(a, 4 * b - 3 * a - c, b, c, a - 4 * b + 3 * c));
-      const auto phase = rise ? refine(value, *rise) : std::nullopt;
-      if (phase && (!first || *phase < first->phase)) first = Crossing{*phase, i, {}, Event::release, slip};
-    }
-    return first;
-  }
-
-  std::optional<Crossing> locate(std::size_t i, int guard, const contact::Guard& at_start,
-                                 const contact::Guard& at_end) {
-    const double h = step_.end_phase - step_.start_phase;
-    if (numerics::clearly_below_zero(at_start.value, h * at_start.rate, at_end.value, h * at_end.rate))
-      return std::nullopt;
-    const double middle = guard_value(i, guard, step_.start_phase + h / 2);
-    const auto rise = numerics::bernstein_root(
-        numerics::quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
-    if (!rise) return std::nullopt;
-    const auto phase =
-        refine([&](double x) { return guard_value(i, guard, step_.start_phase + x * h); }, *rise);
-    if (!phase) return std::nullopt;
-    return Crossing{*phase, i, at_start.next};
-  }
-
-  /// Root of the true guard function `value` near the root of its interpolant; both in units of the step.
-  /// Empty when the function stays on one side: a graze shallower than the interpolation error, which no
-  /// tolerance sees.
-  template <class Value>
-  std::optional<double> refine(const Value& value, double rise) {
-    const double h = step_.end_phase - step_.start_phase;
-    for (double reach = 1e-7; reach < 30; reach *= 30) {
-      const double low = std::max(0.0, rise - reach), high = std::min(1.0, rise + reach);
-      const double at_low = value(low), at_high = value(high);
-      if (!(at_low < 0 && at_high >= 0)) continue;
-      if (at_high == 0) return step_.start_phase + high * h;
-      std::uintmax_t iterations = 60;
-      const auto close_enough = [](double a, double b) { return std::abs(b - a) < 1e-15; };
-      const auto bracket =
-          boost::math::tools::toms748_solve(value, low, high, at_low, at_high, close_enough, iterations);
-      return step_.start_phase + bracket.second * h;  // the side that is past zero
-    }
-    return std::nullopt;
-  }
-
   void switch_modes(const std::optional<Crossing>& crossing, StepObserver& observer) {
     bool switched = false;
     const std::size_t before = joint_mode();
     std::fill(just_moved_.begin(), just_moved_.end(), false);
-    if (crossing && crossing->event != Event::mode) {
+    if (crossing && crossing->event != Crossing::Event::mode) {
       switch_slip(*crossing);
       switched = true;
     }
@@ -325,7 +207,7 @@ class AdaptiveRun {
       const auto& c = system_.contacts[i];
       contact::Mode& mode = dynamics_.modes()[i];
       const contact::Mode from = mode;
-      if (crossing && crossing->contact == i && crossing->event == Event::mode)
+      if (crossing && crossing->contact == i && crossing->event == Crossing::Event::mode)
         mode = contact::mode_through(from, crossing->next, end_kinematics_[i]);
       mode = contact::mode_after(mode, c.stiffness, c.damping, end_kinematics_[i]);
       if (mode == from) continue;
@@ -349,7 +231,7 @@ class AdaptiveRun {
 
   void switch_slip(const Crossing& crossing) {
     ++switches_;
-    if (crossing.event == Event::release) {
+    if (crossing.event == Crossing::Event::release) {
       dynamics_.slips()[crossing.contact] = crossing.slip;
       just_moved_[crossing.contact] = true;
     } else {

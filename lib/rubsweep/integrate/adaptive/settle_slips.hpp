@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -42,7 +44,7 @@ void settle_slips(Law& law, const State& state, State& rate, double phase, const
   contact::settle_slips(mobility, law.accelerations(standing, state, rate), limit, slips.data(), force);
   for (std::size_t k = 0; k < standing.count; ++k) law.slips()[standing.list[k]] = slips[k];
   if (standing.count > 1 && law.stuck_contacts().count > 0 && !contact::determined(mobility))
-    law.leave_undetermined();
+    law.leave_undetermined(true);
 }
 
 /// Which way contact `i` slips by the state alone; what stands is left to `settle_slips`.
@@ -57,6 +59,7 @@ void take_slip_of_state(Law& law, std::size_t i, const State& state) {
 template <class Law, class State>
 void enter_slips_by_state(Law& law, const State& state, State& rate, double phase) {
   if (!law.any_dry()) return;
+  law.leave_undetermined(false);
   for (std::size_t i = 0; i < law.slips().size(); ++i) {
     if (law.touches_dry(i)) take_slip_of_state(law, i, state);
   }

@@ -29,8 +29,7 @@ class SlipWatch {
       contacts_.push_back(
           {.above_m_per_s = saturates ? friction[i].above_m_per_s : std::numeric_limits<double>::infinity(),
            .surface_speed_m_per_s = scene.contacts[i].surface_speed_m_per_s,
-           .constant =
-               contact::keeps_its_direction(scene.contacts[i].friction) && friction[i].coefficient != 0});
+           .constant = contact::keeps_its_direction(scene.contacts[i].friction)});
     }
   }
 
@@ -92,12 +91,12 @@ class SlipWatch {
   /// How long a stretch that began here may be.
   double longest_s() const { return longest_s_; }
 
-  /// Whether friction was saturated all along the stretch that ends at `physical`; says when the slip there
-  /// is reversed.
+  /// Whether friction was saturated all along the stretch that ends at `physical`; says when the slip of a
+  /// constant friction is reversed there.
   bool held(const ExactMotion<N>& motion, const State& physical, bool& reversed) const {
     for (const TouchWatch<N>& touch : motion.mode().touches) {
       const double end = slip(touch, physical);
-      if (end <= 0) reversed = true;
+      if (end <= 0 && contacts_[touch.contact].constant) reversed = true;
       if (!(least_m_per_s(touch, end) > contacts_[touch.contact].above_m_per_s)) return false;
     }
     return true;

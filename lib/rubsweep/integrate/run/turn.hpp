@@ -81,7 +81,7 @@ struct TurnReport {
   double peak_torque_nm = 0;              ///< largest torque in the drive; 0 without torsion
   bool touched = false;                   ///< some contact was touching at some time in the turn
   bool touching_at_end = false;
-  bool slip_reversed = false;  ///< a slip speed was <= 0 while touching
+  bool slip_reversed = false;  ///< under one-way friction a slip speed was <= 0 while touching
   Effort effort;               ///< of the whole run so far
 
   /// Forgets all but the section and the effort.

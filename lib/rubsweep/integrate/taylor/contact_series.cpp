@@ -20,11 +20,10 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s,
   damper_ = law.damper(mode);
   sliding_made_ = false;
   saturated_steepness_ = 0;
-  slip_sign_ = std::copysign(1.0, slip_m_per_s);
-  sticks_ = law.friction.dry > 0 && mode != Mode::open && way == contact::Slip::sticking;
-  dry_sign_ = contact::sign_of(way);
-  if (law.friction.dry > 0) slip_sign_ = dry_sign_;
-  constant_mu_ = law.friction.dry > 0 ? law.friction.dry * dry_sign_ : law.friction.constant;
+  const bool dry = law.friction.dry > 0;
+  sticks_ = dry && mode != Mode::open && way == contact::Slip::sticking;
+  slip_sign_ = dry ? contact::sign_of(way) : std::copysign(1.0, slip_m_per_s);
+  constant_mu_ = dry ? law.friction.dry * slip_sign_ : law.friction.constant;
   varies_ = law.friction.viscous_s_per_m != 0;
   for (std::size_t i = 0; i < law.friction.count; ++i) {
     const auto& term = law.friction.tanh[i];

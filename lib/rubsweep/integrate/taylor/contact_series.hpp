@@ -98,7 +98,7 @@ class ContactSeries {
   contact::Mode mode_ = contact::Mode::open;
   double spring_factor_ = 0, damper_ = 0;
   bool varies_ = false, sliding_made_ = false, sticks_ = false;
-  double dry_sign_ = 1, sliding_speed_ = 0;
+  double sliding_speed_ = 0;
   double constant_mu_ = 0;  ///< of the terms that do not vary
   double saturated_steepness_ = 0, slip_sign_ = 1;
   std::array<bool, 3> active_{};

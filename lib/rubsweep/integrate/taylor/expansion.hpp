@@ -109,6 +109,7 @@ class Expansion {
   int order() const { return order_; }
   const ContactLaw& law(std::size_t i) const { return laws_[i]; }
   ContactSeries& contact(std::size_t i) { return contacts_[i]; }
+  const ContactSeries& contact(std::size_t i) const { return contacts_[i]; }
 
  private:
   double slip(std::size_t i) const {

@@ -2,10 +2,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/taylor/contact_tangent.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 
@@ -26,7 +28,9 @@ class TangentExpansion {
         rate_(system.coordinates(), order + 1),
         acceleration_(system.coordinates()),
         contacts_(system.contacts.size()) {
-    if (system.contacts.size() > 0) sticking_.resize(order + 1);
+    if (std::ranges::any_of(system.contacts,
+                            [](const auto& c) { return contact::dry_coefficient(c.friction) > 0; }))
+      sticking_.resize(order + 1);
   }
 
   /// One per column, as TurnRequest::tangent_vectors.

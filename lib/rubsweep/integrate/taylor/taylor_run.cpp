@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "rubsweep/integrate/adaptive/settle_slips.hpp"
+#include "rubsweep/integrate/taylor/joint_event.hpp"
+#include "rubsweep/integrate/taylor/step_length.hpp"
 #include "rubsweep/integrate/taylor/step_peaks.hpp"
 #include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
@@ -13,18 +15,8 @@ namespace {
 
 using contact::Mode;
 
-/// A step times the fastest rate. Up to here a polynomial of order 24 moves what a mode that is not excited
-/// has of rounding as the motion does, within 8^25 / 25! = 2e-3.
-constexpr double longest_times_fastest = 8;
 constexpr double same_instant = 1e-13;  ///< radians: landings nearer than that make no progress
 constexpr int longest_standstill = 16;  ///< landings without progress before one is stepped over
-
-/// The same where tangent vectors are carried: they excite every mode, by as much as themselves, whatever the
-/// motion does. Of e^x what is left out of order 23 is x^24 / 24!: 3.3 for 4e-12.
-double longest_times_fastest_of_tangents(double accuracy) {
-  constexpr int next = TangentExpansion<2>::order + 1;
-  return std::min(longest_times_fastest, std::pow(accuracy * std::tgamma(next + 1), 1.0 / next));
-}
 
 }  // namespace
 
@@ -113,6 +105,7 @@ template <int N>
 void TaylorRun<N>::enter_by_state(double phase) {
   pulses_.go_to(phase);
   std::ranges::fill(dynamics_.modes(), Mode::open);
+  std::ranges::fill(zero_terms_, 0);
   dynamics_(state_, rate_, phase);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) dynamics_.enter_by_state(i, state_, rate_);
   adaptive::enter_slips_by_state(dynamics_, state_, rate_, phase);
@@ -133,32 +126,10 @@ double TaylorRun<N>::next_boundary() const {
   return std::min({end_phase_, impulses_.next_phase_rad(), pulses_.next_change()});
 }
 
-/// Of the structure and of the springs that contacts join it with: an underdamped oscillator has eigenvalues
-/// of its undamped frequency's size, an overdamped one none above its damping.
 template <int N>
-double TaylorRun<N>::fastest_rate() const {
-  double square = structure_rate_ * structure_rate_;
-  double linear = 1;
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    const Mode mode = dynamics_.modes()[i];
-    if (mode == Mode::open) continue;
-    const ContactLaw& law = motion_.law(i);
-    square += std::max(law.stiffness, law.spring(mode)) * law.mobility;
-    linear += law.damper(mode) * law.mobility;
-  }
-  return std::max(linear, std::sqrt(square));
-}
-
-template <int N>
-double TaylorRun<N>::longest_step(double fastest) {
+double TaylorRun<N>::longest_step(double fastest) const {
   if (tangents_.count() == 0) return longest_times_fastest / fastest;
-  double turning = 0;
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    if (dynamics_.modes()[i] != Mode::open)
-      turning = std::max(turning, std::abs(motion_.contact(i).turn_rate()));
-  }
-  // The stiffness across a turning normal comes round twice a turn.
-  return longest_of_tangents_ / (fastest + 2 * turning);
+  return longest_of_tangents_ / (fastest + 2 * fastest_normal(motion_, dynamics_.modes()));
 }
 
 template <int N>
@@ -167,7 +138,7 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   pulses_.go_to(phase_);
   motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
   ++effort_.steps;
-  const double fastest = fastest_rate();
+  const double fastest = fastest_rate(structure_rate_, motion_, dynamics_.modes());
   bool friction_varies = false;
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     friction_varies =
@@ -189,34 +160,14 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   }
   const bool limited = wanted >= left;
   double duration = limited ? left : wanted;
-  const Crossing crossing = first_crossing(duration);
-  const bool cut = crossing.share < 1 || crossing.contact;
-  duration *= crossing.share;
+  const JointEvent event = first_event(motion_, dynamics_, zero_terms_, duration);
+  const bool cut = event.share < 1 || event.contact;
+  duration *= event.share;
   take(report, fastest, duration, cut ? phase_ + duration : limited ? boundary : phase_ + duration);
   if (!std::isfinite(state_[0])) return TaylorEnding::non_finite;
   standstill_ = duration > same_instant ? 0 : standstill_ + 1;
-  if (crossing.contact) switch_modes(report, crossing);
+  if (event.contact) switch_modes(report, event);
   return TaylorEnding::ok;
-}
-
-template <int N>
-typename TaylorRun<N>::Crossing TaylorRun<N>::first_crossing(double duration) {
-  Crossing first;
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    const double searched = first.share * duration;
-    const auto crossing = first_guard(motion_.contact(i), motion_.order(), searched);
-    if (crossing) first = {first.share * crossing->share, i, crossing->next};
-    if (dynamics_.modes()[i] == Mode::open) continue;
-    if (dynamics_.touches_dry(i)) {
-      const auto event =
-          first_slip_event(motion_.contact(i), motion_.order(), first.share * duration, zero_terms_[i]);
-      if (event) first = {first.share * event->share, i, Mode::open, event->next};
-      continue;
-    }
-    const double share = saturated_share(motion_.contact(i), motion_.order(), first.share * duration);
-    if (share < 1) first = {first.share * share, std::nullopt, Mode::open};
-  }
-  return first;
 }
 
 /// Moves on by `duration` within the modes of the expansion, and looks at what was asked for.
@@ -246,9 +197,7 @@ void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duratio
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     if (dynamics_.modes()[i] == Mode::open) continue;
     touching = true;
-    if (dynamics_.touches_dry(i)) {
-      report.slip_reversed = report.slip_reversed || dynamics_.slips()[i] != contact::Slip::forward;
-    } else if (!report.slip_reversed)
+    if (motion_.law(i).friction.constant != 0 && !report.slip_reversed)
       report.slip_reversed = slip_reverses(motion_.contact(i), motion_.order(), duration);
     if (!peaks_wanted_) continue;
     const double peak_n = largest_force(motion_.contact(i), motion_.order(), fastest, duration);
@@ -274,21 +223,19 @@ void TaylorRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from
 
 /// The force is continuous across the switch of a mode: one rate holds on both sides of it.
 template <int N>
-void TaylorRun<N>::switch_modes(run::TurnReport& report, const Crossing& crossing) {
+void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event) {
   pulses_.go_to(phase_);
   dynamics_(state_, rate_, phase_);
-  if (crossing.slip) {
+  if (event.slip) {
     ++effort_.switches;
-    report.slip_reversed = true;
-    switch_slip(*crossing.contact, *crossing.slip);
+    switch_slip(*event.contact, *event.slip);
   }
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     const auto& c = system_.contacts[i];
     Mode& mode = dynamics_.modes()[i];
     const Mode from = mode;
     const contact::Kinematics kinematics = dynamics_.kinematics(i, state_, rate_);
-    if (crossing.contact == i && !crossing.slip)
-      mode = contact::mode_through(from, crossing.next, kinematics);
+    if (event.contact == i && !event.slip) mode = contact::mode_through(from, event.next, kinematics);
     mode = contact::mode_after(mode, c.stiffness, c.damping, kinematics);
     if (mode == from) continue;
     note_switch(report, i, from);

@@ -12,7 +12,7 @@
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
-#include "rubsweep/integrate/taylor/guard_search.hpp"
+#include "rubsweep/integrate/taylor/joint_event.hpp"
 #include "rubsweep/integrate/taylor/tangent_expansion.hpp"
 
 namespace rubsweep::integrate::taylor {
@@ -56,23 +56,14 @@ class TaylorRun {
  private:
   static constexpr double full_turn = 2 * std::numbers::pi;
 
-  struct Crossing {
-    double share = 1;
-    std::optional<std::size_t> contact;  ///< none: friction leaves saturation, and nothing changes
-    contact::Mode next = contact::Mode::open;
-    std::optional<contact::Slip> slip{};  ///< the slip of the contact changes, not its mode
-  };
-
   void enter_by_state(double phase);
   double next_boundary() const;
   TaylorEnding step(run::TurnReport& report);
-  double fastest_rate() const;
-  double longest_step(double fastest);
-  Crossing first_crossing(double duration);
+  double longest_step(double fastest) const;
   void take(run::TurnReport& report, double fastest, double duration, double end_phase);
   void put_samples(run::TurnReport& report, double end_phase);
   void watch(run::TurnReport& report, double fastest, double duration);
-  void switch_modes(run::TurnReport& report, const Crossing& crossing);
+  void switch_modes(run::TurnReport& report, const JointEvent& event);
   void switch_slip(std::size_t i, contact::Slip slip);
   void stop_slip(std::size_t i);
   void project_tangents();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include "rubsweep/vocabulary.hpp"
@@ -80,5 +82,12 @@ constexpr std::string_view to_string(MotionClass motion_class) { return row_of(m
 /// Every class, in the order of the enumeration.
 inline constexpr auto motion_classes =
     enumerators_of<MotionClass, [](MotionClass motion_class) { return row_of(motion_class).word; }>;
+
+/// The class of a word in map.csv; empty for any other word.
+constexpr std::optional<MotionClass> motion_class_of(std::string_view word) {
+  const auto found = std::ranges::find(motion_classes, word,
+                                       [](MotionClass motion_class) { return to_string(motion_class); });
+  return found == motion_classes.end() ? std::nullopt : std::optional(*found);
+}
 
 }  // namespace rubsweep::response::motion

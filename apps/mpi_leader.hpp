@@ -1,0 +1,99 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "map_directory.hpp"
+#include "refined_cells.hpp"
+#include "rubsweep/batch/chunk_queue.hpp"
+#include "rubsweep/batch/line_log.hpp"
+#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/config/run_config.hpp"
+#include "rubsweep_arguments.hpp"
+
+namespace rubsweep::apps {
+
+inline constexpr std::string_view mpi_program_name = "rubsweep-mpi";
+
+/// What the first rank found out before there is anything to share.
+struct MapJob {
+  RubsweepArguments arguments;
+  config::RunConfig config;
+  std::optional<MapDirectory> directory;
+};
+
+/// What a run that ended early says, `finished` being the cells that it finished itself.
+std::string interrupted_map(const MapDirectory& directory, std::size_t finished);
+
+/// The first rank: deals out chunks to all ranks, itself included, and shows what is finished. A refined map
+/// is computed in rounds: what it wants next is known when all that was dealt out is finished.
+class MpiLeader {
+ public:
+  MpiLeader(MapJob& job, int ranks);
+
+  /// Returns how many cells were finished, of all or before a signal.
+  std::size_t run(int workers, const std::atomic<bool>& stop);
+
+  /// That ended the work of any rank; 0: none did.
+  int signal() const { return signal_; }
+
+  /// What a refined map cost; empty of any other.
+  std::string description() const { return refined_ ? refined_->description() : ""; }
+
+ private:
+  using ChunkClock = batch::ChunkQueue::Clock;
+
+  /// A signal to one rank ends the work of all.
+  void end(int signal);
+
+  /// No cell is dealt out any more, and nobody waits for another round.
+  void give_up();
+
+  /// Deals out the next round of a refined map once all ranks wait for it, and tells them when there is none.
+  /// Returns how many of the `workers` are done.
+  int begin_round(int workers);
+
+  /// Sends a rank its next chunk, or lets it wait for the next round; 1 when there is nothing left for it.
+  /// With the mutex held.
+  int answer(int rank);
+
+  /// The next chunk of this rank; empty when nothing is left.
+  batch::Chunk own_chunk();
+
+  /// Cells that still run are given up, here and in the other ranks.
+  [[noreturn]] void leave();
+
+  /// Answers one report, if there is one; true when that worker is done.
+  bool serve();
+
+  void compute();
+
+  /// With the mutex held.
+  void keep(std::size_t cell, const std::string& line);
+
+  MapJob& job_;
+  batch::ChunkQueue chunks_;
+  /// No other round comes; not of a refined map before all its cells are there. Guarded by the mutex.
+  bool complete_ = true;
+  std::optional<ChunkClock::time_point> ended_;  ///< when the first signal was heard of
+  int signal_ = 0;
+  std::atomic<bool> ending_ = false;  ///< no new cell starts
+  std::mutex mutex_;                  ///< guards the journal and what follows
+  std::condition_variable next_round_;
+  std::optional<RefinedCells> refined_;
+  bool own_waits_ = false;    ///< this rank has nothing to do before the next round
+  std::vector<int> waiting_;  ///< nor have these
+  batch::LineLog partial_;
+  batch::Progress progress_;
+  std::size_t finished_ = 0;
+  std::size_t pilots_ = 0;  ///< finished cells that a forecast wants; 0: none, or no longer
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace rubsweep::apps

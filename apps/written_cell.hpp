@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubbranch_arguments.hpp"
+#include "rubsweep/branch/plane_orbits.hpp"
+#include "rubsweep/config/run_config.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
+
+namespace rubsweep::apps {
+
+/// The cell of --cell with values of parameters written over it. A parameter is speed_hz, whirl_ratio,
+/// eccentricity_m, or the key of a number as --set names it.
+class WrittenCell {
+ public:
+  struct Written {
+    std::string key;
+    double value = 0;
+  };
+
+  WrittenCell(const RubbranchArguments& arguments, const config::RunConfig& config);
+
+  /// Empty where a speed or an unbalance is none. Throws ConfigError where the configuration may not have the
+  /// number.
+  std::optional<scene::Cell> with(const std::vector<Written>& all) const;
+
+  /// Empty as well where there is no such configuration, or where the cell cannot run.
+  std::optional<scene::Scene> scene_with(const std::vector<Written>& all) const;
+
+  /// The value of `key` where `all` is written over the cell. Throws ConfigError where that is no machine.
+  double value_of(const std::string& key, const std::vector<Written>& all) const;
+
+ private:
+  RubbranchArguments arguments_;
+  config::RunConfig config_;
+  std::string text_;
+  std::shared_ptr<const scene::PreparedMachine> prepared_;
+};
+
+/// Whether it is the key of a number.
+bool is_key(const std::string& parameter);
+/// Whether it says the unbalance.
+bool is_unbalance(const std::string& parameter);
+
+/// Throws ConfigError, which names `option`, where `parameter` is a key of no number of the configuration.
+void require_number(std::string_view option, const std::string& parameter, const config::RunConfig& config);
+
+/// What the sweep covers of a parameter; of a key from half of what it is to twice that. It holds `start`.
+branch::ParameterRange usual_range(const std::string& parameter, double start, const sweep::Grid& grid);
+
+}  // namespace rubsweep::apps
