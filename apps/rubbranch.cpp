@@ -15,10 +15,9 @@
 #include "rubbranch_arguments.hpp"
 #include "rubbranch_curves.hpp"
 #include "rubbranch_map.hpp"
+#include "rubsweep/branch/closed_orbits.hpp"
 #include "rubsweep/branch/doubling.hpp"
 #include "rubsweep/branch/follow.hpp"
-#include "rubsweep/branch/oval_orbits.hpp"
-#include "rubsweep/branch/settled_oval.hpp"
 #include "rubsweep/branch/settled_start.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
@@ -34,15 +33,10 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 5> file_names{"config.yaml", "branch.csv", "events.csv", "curves.csv",
                                                      "meetings.csv"};
 
-/// What is followed: orbits that close after whole turns, or ovals, which close in the turning frame.
-enum class Closing { with_the_shaft, in_the_turning_frame };
-
-branch::OrbitProblem problem_of(const BranchFamily& family, Closing closing, int order,
+branch::OrbitProblem problem_of(const BranchFamily& family, branch::Closing closing, int order,
                                 const sweep::Study& study, response::motion::Workspace& workspace) {
   branch::OrbitProblem problem =
-      closing == Closing::in_the_turning_frame
-          ? branch::oval_orbits(family.scenes, order, study.solver)
-          : branch::scene_orbits(family.scenes, order, study.solver, workspace.modes);
+      branch::closed_orbits(closing, family.scenes, order, study.solver, workspace.modes);
   problem.low = family.low;
   problem.high = family.high;
   problem.parameter_scale = family.high - family.low;
@@ -50,7 +44,7 @@ branch::OrbitProblem problem_of(const BranchFamily& family, Closing closing, int
 }
 
 /// Of every period doubling of a branch the one with twice the period, as far as one is found.
-void add_doubled(const BranchFamily& family, Closing closing, const branch::FollowOptions& options,
+void add_doubled(const BranchFamily& family, branch::Closing closing, const branch::FollowOptions& options,
                  const sweep::Study& study, response::motion::Workspace& workspace,
                  std::vector<branch::Branch>& branches) {
   const branch::Branch single = branches.front();
@@ -74,22 +68,6 @@ int nothing_to_follow(const std::string& why) {
   return some_cells_failed;
 }
 
-struct Start {
-  Closing closing = Closing::with_the_shaft;
-  int order = 1;
-  std::optional<Eigen::VectorXd> state;  ///< empty: there is no orbit to follow
-  response::motion::MotionClass motion = response::motion::MotionClass::failed;
-};
-
-Start start_of(const scene::Cell& cell, const sweep::Study& study, response::motion::Workspace& workspace) {
-  const branch::SettledStart settled = branch::settle_on_orbit(cell, study.solver, study.response, workspace);
-  if (settled.order) return {Closing::with_the_shaft, *settled.order, settled.section, settled.motion_class};
-  Start start{Closing::in_the_turning_frame, 1, {}, settled.motion_class};
-  if (settled.motion_class == response::motion::MotionClass::quasi_periodic)
-    start.state = branch::settle_on_oval(cell, study.solver, study.response, workspace);
-  return start;
-}
-
 int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
   const BranchFamily family = branch_family(arguments, config);
@@ -102,16 +80,17 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
                                              sweep::unbalance_of(study.grid, arguments.cell.unbalance));
   if (!scene::can_run(cell.start)) return nothing_to_follow("the cell has no motion that could be run");
   response::motion::Workspace workspace;
-  const auto [closing, order, state, motion] = start_of(cell, study, workspace);
-  if (!state) {
-    return nothing_to_follow(
-        fmt::format("the cell settles on no periodic orbit in contact, its motion is {}", to_string(motion)));
+  const branch::SettledStart settled = branch::settle_on_orbit(cell, study.solver, study.response, workspace);
+  if (!settled.order) {
+    return nothing_to_follow(fmt::format("the cell settles on no periodic orbit in contact, its motion is {}",
+                                         to_string(settled.motion_class)));
   }
-  if (plane && closing == Closing::in_the_turning_frame)
+  const branch::Closing closing = settled.closing;
+  if (plane && closing == branch::Closing::in_the_turning_frame)
     return nothing_to_follow(
         "--curve: an oval, which closes in the turning frame, has no curves in two parameters");
-  const branch::OrbitProblem problem = problem_of(family, closing, order, study, workspace);
-  const auto start = branch::orbit_from(problem, *state, family.start);
+  const branch::OrbitProblem problem = problem_of(family, closing, *settled.order, study, workspace);
+  const auto start = branch::orbit_from(problem, settled.state, family.start);
   if (!start) return nothing_to_follow("Newton's iteration does not find the orbit that the cell settles on");
   branch::FollowOptions options;
   options.most_points = arguments.most_points;

@@ -39,12 +39,15 @@ std::string label_of(const page::MapTable& map, std::size_t cell) {
 }
 
 constexpr std::string_view quiet_label = to_string(response::motion::MotionClass::non_contact);
+constexpr std::string_view oval_label = to_string(response::motion::MotionClass::quasi_periodic);
 
 const std::string interrupted =
     "rubbranch: interrupted; what was found is kept, the same command goes on from there\n";
 
+/// Closed orbits that are proven: periodic motions, and ovals of a rotationally symmetric machine.
 bool is_followed(const page::MapTable& map, std::size_t cell) {
-  return map.number("order", cell).has_value() && map.word("proof", cell).starts_with("floquet");
+  const bool closes = map.number("order", cell).has_value() || map.word("class", cell) == oval_label;
+  return closes && map.word("proof", cell).starts_with("floquet");
 }
 
 }  // namespace
@@ -57,6 +60,12 @@ int run_on_map(const RubbranchArguments& arguments) {
     throw ConfigError(
         fmt::format("{}: sweep: has axes over keys, allowed with --map: speed and unbalance only",
                     (directory / "config.yaml").string()));
+  }
+  if (study.grid.refinement) {
+    throw ConfigError(fmt::format(
+        "{}: sweep.refine: most cells of a refined map are not computed, allowed with --map: a map "
+        "of every cell, without sweep.refine",
+        (directory / "config.yaml").string()));
   }
   const page::MapTable map = read_map_of(study, directory / "map.csv");
   if (map.rows != sweep::cell_count(study.grid)) {

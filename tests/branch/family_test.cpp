@@ -4,10 +4,13 @@
 
 #include <atomic>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "branch/half_orbit_study.hpp"
+#include "response/annular_cell.hpp"
 #include "rubsweep/branch/follow.hpp"
 #include "rubsweep/branch/scene_orbits.hpp"
 #include "support/set_a_cell.hpp"
@@ -95,6 +98,54 @@ TEST(Families, GoOnFromWhatWasFound) {
     for (const auto& [cell, orbit] : resumed.list[i].orbits)
       EXPECT_EQ(orbit.state, undisturbed.list[i].orbits.at(cell).state);
   }
+}
+
+/// Full annular rub in closed form, with casing and friction: with the dynamic stiffness R of the rotor and C
+/// of the casing and F = K (|u| - c) (1 + i mu) u / |u| at the approach u = z - z_c, the circle is R (u + F /
+/// C) + F = m e w^2. |left side|^2 is a quadratic in |u|, and its minimum is the smallest unbalance that
+/// keeps the circle: a fold. In terms of the whirl ratio, which is that of the quiet circle to c.
+double least_whirl_ratio_of_a_circle(double speed_hz) {
+  constexpr double mass = 0.8, natural = 2 * std::numbers::pi * 30, damping_ratio = 0.04;
+  constexpr double casing_mass = 0.05, casing_stiffness = 5e5, contact = 2e6, mu = 0.02, clearance = 1e-3;
+  const double w = 2 * std::numbers::pi * speed_hz;
+  const auto dynamic = [w](double m, double k, double ratio) {
+    return std::complex<double>(k - m * w * w, 2 * ratio * std::sqrt(k * m) * w);
+  };
+  const std::complex<double> rotor = dynamic(mass, mass * natural * natural, damping_ratio),
+                             casing = dynamic(casing_mass, casing_stiffness, 1),
+                             press = contact * std::complex<double>(1, mu) * (rotor / casing + 1.0);
+  const std::complex<double> a = rotor + press, b = -press * clearance;
+  const double approach = -(std::conj(a) * b).real() / std::norm(a);
+  EXPECT_GT(approach, clearance) << "it touches";
+  return std::abs(a * approach + b) / (clearance * std::abs(rotor));
+}
+
+/// Circles and ovals in an annulus: two families of one map. The circle ends at the fold that its closed form
+/// has, on both axes.
+TEST(Families, CirclesAndOvalsInAnAnnulus) {
+  sweep::Study annulus;
+  annulus.machine = response::testing::annular_machine();
+  annulus.grid.speed_hz = {60, 80, 165, 170};
+  annulus.grid.unbalance = {0.2, 0.6};
+  const std::atomic<bool> stop{false};
+  const std::vector<std::size_t> proven{5, 6};  // at 0.6
+  const Families families = families_of(annulus, proven, 2, stop);
+  EXPECT_TRUE(families.not_followed.empty());
+  ASSERT_EQ(families.list.size(), 2u);
+  const Family &circle = families.list[0], &oval = families.list[1];
+  EXPECT_EQ(circle.closing(), Closing::with_the_shaft);
+  EXPECT_EQ(oval.closing(), Closing::in_the_turning_frame);
+  EXPECT_EQ(oval.reached, std::vector<std::size_t>{6});
+  EXPECT_TRUE(oval.orbits.contains(7)) << "the neighbour's oval";
+  EXPECT_EQ(oval.orbits.at(7).state.size(), 9);
+
+  int folds = 0;
+  for (const FamilyEnd& end : circle.ends) {
+    if (end.kind != "fold") continue;
+    ++folds;
+    EXPECT_NEAR(least_whirl_ratio_of_a_circle(end.speed_hz), end.unbalance, 1e-9) << end.speed_hz;
+  }
+  EXPECT_GE(folds, 3) << "two along the speed, one along the unbalance";
 }
 
 /// A cell whose kick leads to rest has no orbit to follow, whatever a map says.

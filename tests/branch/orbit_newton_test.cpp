@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "branch/plain_maps.hpp"
@@ -43,6 +44,23 @@ TEST(OrbitNewton, SaysWhatTheMapCouldNotMake) {
   problem.returns = [](double, Eigen::VectorXd&, Eigen::MatrixXd*) { return Evaluation::infeasible; };
   EXPECT_EQ(correct_at(problem, number(0.5), 0.25).evaluation, Evaluation::infeasible);
   EXPECT_FALSE(correct_at(problem, number(0.5), 0.25).converged);
+}
+
+/// x -> x / 2 + p + 5 sqrt(p - 0.3), the root beyond 0.3 only, as behind a graze: before it x = 2 p. A
+/// difference that leads over 0.3 is none of the branch's slope.
+TEST(OrbitNewton, DifferencesDoNotLeadOverAGraze) {
+  const auto problem =
+      test::one_number([](double x, double p) { return 0.5 * x + p + 5 * std::sqrt(std::max(p - 0.3, 0.0)); },
+                       [](double, double) { return 0.5; }, 0, 1);
+  for (const double distance : {1e-3, 3e-7, 2e-8, 1e-11}) {
+    const Correction found = correct_at(problem, test::number(0.6), 0.3 - distance);
+    ASSERT_TRUE(found.converged);
+    BranchPoint point = found.point;
+    ASSERT_TRUE(complete(problem, Eigen::Vector2d(0, 1), point));
+    EXPECT_NEAR(point.tangent(0) / point.tangent(1), 2, 1e-4) << distance;
+    EXPECT_LT(point.slope_difference, 1e-3) << distance;
+    EXPECT_EQ(point.difference_step == usual_difference_step, distance == 1e-3);
+  }
 }
 
 }  // namespace

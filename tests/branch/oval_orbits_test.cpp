@@ -12,6 +12,7 @@
 #include "response/annular_cell.hpp"
 #include "rubsweep/branch/follow.hpp"
 #include "rubsweep/branch/settled_oval.hpp"
+#include "rubsweep/branch/settled_start.hpp"
 #include "rubsweep/response/settle.hpp"
 #include "support/annular_scene.hpp"
 
@@ -155,8 +156,8 @@ TEST(OvalOrbits, AgreeWithASettledRun) {
   response::motion::Workspace workspace;
   const response::SettledRun settled = response::settle(cell, {}, {}, workspace);
   ASSERT_EQ(settled.motion.motion_class, response::motion::MotionClass::quasi_periodic);
-  const auto state = settle_on_oval(cell, {}, {}, workspace);
-  ASSERT_TRUE(state);
+  const SettledStart start = settle_on_orbit(cell, {}, {}, workspace);
+  ASSERT_EQ(start.closing, Closing::in_the_turning_frame);
   OrbitProblem problem = oval_orbits(
       [](double speed_hz) -> std::optional<scene::Scene> {
         return response::testing::annular_cell(speed_hz, 0.6).scene;
@@ -165,7 +166,7 @@ TEST(OvalOrbits, AgreeWithASettledRun) {
   problem.low = 160;
   problem.high = 170;
   problem.parameter_scale = 10;
-  const auto orbit = orbit_from(problem, *state, 165);
+  const auto orbit = orbit_from(problem, start.state, 165);
   ASSERT_TRUE(orbit);
   const response::motion::Measures& measures = settled.motion.measures;
   EXPECT_NEAR(1 / orbit->facts.period_turns, measures.comb_spacing.value(), 1e-8);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "response/annular_cell.hpp"
+#include "rubsweep/response/settle.hpp"
 
 namespace rubsweep::branch {
 namespace {
@@ -12,7 +13,10 @@ std::optional<Eigen::VectorXd> oval_of(const scene::Cell& cell) {
   response::motion::ResponseOptions options;
   options.max_revolutions = 60;
   options.window_revolutions = 24;  // two of them are within a run
-  return settle_on_oval(cell, {}, options, workspace);
+  const response::SettledRun settled = response::settle(cell, {}, options, workspace);
+  const Eigen::Map<const Eigen::VectorXd> section(settled.section.data(),
+                                                  static_cast<Eigen::Index>(settled.section.size()));
+  return oval_from(cell.scene, section, {}, options, workspace);
 }
 
 /// Its period is that of the comb that a long run shows, see RotatingProof; the state is a maximum of the

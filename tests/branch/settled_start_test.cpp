@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "response/annular_cell.hpp"
 #include "rubsweep/branch/follow.hpp"
 #include "rubsweep/branch/scene_orbits.hpp"
 #include "support/set_a_cell.hpp"
@@ -28,7 +29,7 @@ TEST(SettledStart, AHalfOrbitAndItsClosedBranch) {
   problem.low = 45;
   problem.high = 240;
   problem.parameter_scale = 195;
-  const auto start = orbit_from(problem, settled.section, rotor.speed_hz);
+  const auto start = orbit_from(problem, settled.state, rotor.speed_hz);
   ASSERT_TRUE(start);
   EXPECT_TRUE(start->stable());
   const Branch branch = follow_both_ways(problem, *start, {});
@@ -39,6 +40,19 @@ TEST(SettledStart, AHalfOrbitAndItsClosedBranch) {
     EXPECT_LT(event.parameter_error, 1e-10 * event.point.parameter);
     EXPECT_NEAR(std::abs(event.point.multipliers(0)), 1, 1e-4);
   }
+}
+
+/// Of the two ways in which an orbit closes.
+TEST(SettledStart, ACircleAndAnOvalInAnAnnulus) {
+  response::motion::Workspace workspace;
+  const SettledStart circle = settle_on_orbit(response::testing::annular_cell(80, 0.6), {}, {}, workspace);
+  EXPECT_EQ(circle.order, 1);
+  EXPECT_EQ(circle.closing, Closing::with_the_shaft);
+  EXPECT_EQ(circle.state.size(), 8);
+  const SettledStart oval = settle_on_orbit(response::testing::annular_cell(165, 0.6), {}, {}, workspace);
+  EXPECT_EQ(oval.order, 1);
+  EXPECT_EQ(oval.closing, Closing::in_the_turning_frame);
+  EXPECT_EQ(oval.state.size(), 9) << "with its time";
 }
 
 TEST(SettledStart, ARotorThatComesToRestHasNoOrbit) {

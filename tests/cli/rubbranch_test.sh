@@ -111,6 +111,22 @@ expect_exit 0 --map map --threads 1 --quiet
 expect_empty stdout
 expect_same_families map once
 
+# Circles and ovals of an annular map. The circle of full annular rub ends where its closed form folds: as a quadratic in
+# the approach, (unbalance)^2 has its minimum at 75.858194951125 Hz for a whirl ratio of 0.7.
+"${rubsweep%/*}/rubsweep" "$annulus" --quiet --output annular \
+  --set 'sweep={speed_hz: {values: [60, 80, 180, 200]}, whirl_ratio: {values: [0.5, 0.7]}}' || fail 'no map'
+expect_exit 0 --map annular --threads 2
+expect_contains stdout '0 labels contradict the domains of the families'
+[[ $(count_rows annular/families.csv "closing == 'with_the_shaft' and order == 1 and hits == 0") == 1 ]] || fail 'no circle'
+[[ $(count_rows annular/families.csv "closing == 'in_the_turning_frame'") -ge 1 ]] || fail 'no oval'
+[[ $(count_rows annular/boundaries.csv "kind == 'fold' and whirl_ratio == 0.7 and abs(speed_hz - 75.858194951125) < 1e-9") == 1 ]] ||
+  fail 'the circle does not end in its fold'
+
+# A refined map does not hold every cell.
+"${rubsweep%/*}/rubsweep" "$minimal" --quiet --output refined --set 'sweep.refine={levels: 1}' || fail 'no map'
+expect_exit 2 --map refined
+expect_contains stderr 'sweep.refine: most cells of a refined map are not computed, allowed with --map: a map of every cell'
+
 # However a call ends, the same command goes on, and the files are those of an undisturbed one, on any number of threads.
 expect_usage_error '--fresh goes with --map' "$minimal" --cell 70,0.4 --fresh
 "${rubsweep%/*}/rubsweep" "$figure06" --quiet --output wide \

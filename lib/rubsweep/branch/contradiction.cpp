@@ -44,11 +44,11 @@ class Checker {
     const scene::Place place = sweep::place_of(study_.grid, number);
     scene::Cell cell = scene::build_cell(prepared_, place.speed_hz, place.unbalance);
     cell.scene = response::proof::after_the_kick(std::move(cell.scene));
-    integrate::run::set_initial_state(cell.scene,
-                                      {orbit.state.data(), static_cast<std::size_t>(orbit.state.size())});
+    // Behind the state of an oval stands its time.
+    const Eigen::Index numbers = 2 * cell.scene.displacement_m.size();
+    integrate::run::set_initial_state(cell.scene, {orbit.state.data(), static_cast<std::size_t>(numbers)});
     const SettledStart settled = settle_on_orbit(cell, study_.solver, study_.response, workspace);
-    if (settled.order != orbit.order) return false;
-    const auto there = stable_orbit(study_, prepared_, number, orbit.order, settled.section, workspace);
+    const auto there = stable_orbit(study_, prepared_, number, settled, workspace);
     return there && same_orbit(study_, prepared_, number, orbit, *there, workspace);
   }
 

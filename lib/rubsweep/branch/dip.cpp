@@ -7,7 +7,7 @@
 namespace rubsweep::branch {
 namespace {
 
-constexpr double near_zero = 0.2;  ///< of the end that is nearer to zero
+constexpr double near_zero = 0.5;  ///< of the end that is nearer to zero
 
 /// a + b t + c t^2 + d t^3 for 0 <= t <= 1.
 struct Cubic {

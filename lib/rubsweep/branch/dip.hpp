@@ -11,8 +11,8 @@ struct StepEnds {
 };
 
 /// Where between the ends, as a share of the step, a function should be looked at because it may have two
-/// roots more than its signs at the ends tell: the cubic through `ends` comes as near to zero there as a
-/// fifth of the nearer end, or beyond it. Empty where it does not. `length` > 0: of the step.
+/// roots more than its signs at the ends tell: the cubic through `ends` comes as near to zero there as
+/// half of the nearer end, or beyond it. Empty where it does not. `length` > 0: of the step.
 std::optional<double> dip_of_cubic(const StepEnds& ends, double length);
 
 /// The same of a function with these values at the ends and this mean in between, by a quadratic.

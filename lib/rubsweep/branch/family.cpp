@@ -74,8 +74,7 @@ class Explorer {
     const scene::Cell cell = scene::build_cell(prepared_, place.speed_hz, place.unbalance);
     if (!scene::can_run(cell.start)) return std::nullopt;
     const SettledStart start = settle_on_orbit(cell, study_.solver, study_.response, workspace);
-    if (!start.order) return std::nullopt;
-    return stable_orbit(study_, prepared_, number, *start.order, start.section, workspace);
+    return stable_orbit(study_, prepared_, number, start, workspace);
   }
 
   std::vector<Passage> passages_of(const std::vector<Task>& tasks, const Family& family) {

@@ -30,6 +30,7 @@ struct Family {
   std::vector<std::size_t> reached;         ///< cells whose kick leads to the family, ascending
 
   int order() const { return orbits.at(seed).order; }
+  Closing closing() const { return orbits.at(seed).closing; }
   int hits() const { return orbits.at(seed).hits; }
   /// The end on the way from one cell to another; null where the family goes on.
   const FamilyEnd* end_between(std::size_t inside, std::size_t outside) const;
@@ -44,10 +45,11 @@ struct Families {
   std::vector<std::size_t> not_followed;  ///< cells whose proven orbit is not found again as a stable one
 };
 
-/// Settles the cells `proven` (ascending), whose motion a map calls periodic and proven, and follows every
-/// family that they belong to over the whole grid, each once. The result does not depend on the number of
-/// threads, nor on what `records` already knew: what they do not is added to them, one call at a time. Once
-/// `stop` is true nothing more is begun, and what is returned is not whole. What the records throw ends it.
+/// Settles the cells `proven` (ascending), whose motion a map calls periodic or quasi-periodic and proven,
+/// and follows every family that they belong to over the whole grid, each once. The result does not depend on
+/// the number of threads, nor on what `records` already knew: what they do not is added to them, one call at
+/// a time. Once `stop` is true nothing more is begun, and what is returned is not whole. What the records
+/// throw ends it.
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
                      const std::atomic<bool>& stop, FamilyRecords& records);
 

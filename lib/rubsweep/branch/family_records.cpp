@@ -40,13 +40,19 @@ class Words {
 };
 
 std::string text_of(const CellOrbit& orbit) {
-  std::string text = fmt::format(" {} {}", orbit.order, orbit.hits);
+  std::string text = fmt::format(" {} {} {}", to_string(orbit.closing), orbit.order, orbit.hits);
   for (const double number : orbit.state) text += fmt::format(" {}", number);
   return text;
 }
 
 std::optional<CellOrbit> read_orbit(Words& words) {
   CellOrbit orbit;
+  const std::string_view closing = words.next();
+  if (closing == to_string(Closing::in_the_turning_frame)) {
+    orbit.closing = Closing::in_the_turning_frame;
+  } else if (closing != to_string(Closing::with_the_shaft)) {
+    return std::nullopt;
+  }
   if (!words.read(orbit.order) || !words.read(orbit.hits) || orbit.order < 1) return std::nullopt;
   std::vector<double> numbers;
   while (!words.empty()) {

@@ -20,9 +20,10 @@ bool in_range(const OrbitProblem& problem, double parameter) {
   return parameter >= problem.low && parameter <= problem.high;
 }
 
-/// Whether its turns begin in the same states before the period is over.
+/// Whether its turns begin in the same states before the period is over. Close to where a branch joins that
+/// of a shorter period Newton's iteration leaves as much as this.
 bool repeats_sooner(const BranchPoint& point) {
-  constexpr double same = 1e-8;
+  constexpr double same = 1e-6;
   const auto& sections = point.facts.sections;
   for (std::size_t k = 1; k < sections.size(); ++k) {
     if (sections.size() % k == 0 && (sections[k] - point.state).cwiseAbs().maxCoeff() < same) return true;
@@ -47,7 +48,7 @@ class Follower {
 
   void make_step() {
     const Position guess = position_of(problem_, here()) + side_.step() * here().tangent;
-    const Correction found = correct(problem_, guess, here().tangent);
+    const Correction found = correct(problem_, guess, here().tangent, here().difference_step);
     if (found.evaluation == Evaluation::infeasible) return side_.shorten(Ending::infeasible);
     if (found.evaluation == Evaluation::failed) return side_.shorten(Ending::failed);
     if (!found.converged || side_.is_far((position_of(problem_, found.point) - guess).norm()))
@@ -72,7 +73,8 @@ class Follower {
         here().tangent.dot(position_of(problem_, found.point) - position_of(problem_, here()));
     auto last = completed(problem_, found.point, here().tangent, here().arclength + length);
     if (!last || !(length > 0) || length > 2 * side_.step()) return side_.shorten(Ending::step_too_small);
-    if (!accept(std::move(*last))) return side_.shorten(Ending::step_too_small);
+    if (falls_on_shorter_period(*last) || !accept(std::move(*last)))
+      return side_.shorten(Ending::step_too_small);
     if (!side_.ended()) side_.end(Ending::left_range);
   }
 

@@ -136,7 +136,12 @@ class Finder {
     return std::nullopt;
   }
 
-  bool has_half_period() const { return problem_.order % 2 == 0 && problem_.facts; }
+  bool has_half_period() const {
+    const auto has = [](const BranchPoint& point) {
+      return !point.facts.sections.empty() && point.facts.sections.size() % 2 == 0;
+    };
+    return has(from_) && has(to_);
+  }
 
   bool is_about_half_period() const {
     return has_half_period() && half_period_difference(from_).dot(half_period_difference(to_)) < 0;

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rubsweep/branch/multipliers.hpp"
 
@@ -15,15 +16,25 @@ using Eigen::VectorXd;
 constexpr int newton_iterations = 10;
 constexpr double closed = 1e-12;        ///< return error of an orbit found, per unit of the state's size
 constexpr double nearly_closed = 1e-9;  ///< the same where rounding or the solver's tolerance lets no better
-/// Of the central difference by the parameter, in the coordinate of the parameter: the noise of a turn,
-/// 1e-13, and the error of the formula both stay near 1e-7.
-constexpr double difference_step = 1e-6;
+constexpr double finest_difference_step = 1e-9;
+constexpr double agreement = 1e-4;  ///< of differences at two step sizes, relative
 
 double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 
 double root_of_states(Eigen::Index states) { return std::sqrt(static_cast<double>(states)); }
 
-/// d(image) / d(parameter coordinate) at one step size; one-sided where the other side has no machine.
+/// d(image) / d(parameter coordinate) on one side: where `step` > 0 on that of greater parameters.
+bool one_sided_difference(const OrbitProblem& problem, const VectorXd& state, double parameter, double step,
+                          VectorXd& slope) {
+  VectorXd beside = state, here = state;
+  if (problem.returns(parameter + step * problem.parameter_scale, beside, nullptr) != Evaluation::ok ||
+      problem.returns(parameter, here, nullptr) != Evaluation::ok)
+    return false;
+  slope = (beside - here) / step;
+  return slope.allFinite();
+}
+
+/// The same at both sides; on one where the other side has no machine.
 bool difference(const OrbitProblem& problem, const VectorXd& state, double parameter, double step,
                 VectorXd& slope) {
   const double h = step * problem.parameter_scale;
@@ -37,10 +48,35 @@ bool difference(const OrbitProblem& problem, const VectorXd& state, double param
     return true;
   }
   if (!has_above && !has_below) return false;
-  VectorXd here = state;
-  if (problem.returns(parameter, here, nullptr) != Evaluation::ok) return false;
-  slope = has_above ? VectorXd((above - here) / step) : VectorXd((here - below) / step);
-  return slope.allFinite();
+  return one_sided_difference(problem, state, parameter, has_above ? step : -step, slope);
+}
+
+/// The derivative by the parameter at the largest step at which it agrees with that at half of it. Within
+/// the finest step of a graze it is that on the side which agrees best with itself.
+bool best_difference(const OrbitProblem& problem, BranchPoint& point, VectorXd& slope) {
+  double least = std::numeric_limits<double>::infinity();
+  VectorXd wide, narrow;
+  const auto take = [&](double step, double half_weight) {
+    const double apart = (wide - narrow).norm() / std::max(narrow.norm(), 1e-300);
+    if (!(apart < least)) return;
+    least = point.slope_difference = apart;
+    point.difference_step = step;
+    slope = narrow + half_weight * (narrow - wide);
+  };
+  for (double step = usual_difference_step; step >= finest_difference_step && least > agreement; step /= 10) {
+    if (!difference(problem, point.state, point.parameter, step, wide) ||
+        !difference(problem, point.state, point.parameter, step / 2, narrow))
+      break;
+    take(step, 0);
+  }
+  if (!std::isfinite(least)) return false;
+  if (least <= agreement) return true;
+  for (const double side : {usual_difference_step, -usual_difference_step}) {
+    if (one_sided_difference(problem, point.state, point.parameter, side, wide) &&
+        one_sided_difference(problem, point.state, point.parameter, side / 2, narrow))
+      take(finest_difference_step, 1);  // their error is linear in the step
+  }
+  return true;
 }
 
 /// [d(image)/d(state) - 1, d(image)/d(parameter); direction] in the coordinates of positions.
@@ -70,7 +106,8 @@ VectorXd state_of(const Position& position) {
   return position.head(states) * root_of_states(states);
 }
 
-Correction correct(const OrbitProblem& problem, const Position& guess, const VectorXd& direction) {
+Correction correct(const OrbitProblem& problem, const Position& guess, const VectorXd& direction,
+                   double difference_step) {
   Correction found;
   const Eigen::Index n = guess.size() - 1;
   const bool parameter_moves = direction.head(n).cwiseAbs().maxCoeff() > 0;
@@ -118,18 +155,16 @@ Correction correct_at(const OrbitProblem& problem, const VectorXd& state, double
 }
 
 bool complete(const OrbitProblem& problem, const VectorXd& direction, BranchPoint& point) {
-  VectorXd wide, narrow;
-  if (!difference(problem, point.state, point.parameter, difference_step, wide)) return false;
-  if (!difference(problem, point.state, point.parameter, difference_step / 2, narrow)) return false;
-  point.slope_difference = (wide - narrow).norm() / std::max(narrow.norm(), 1e-300);
+  VectorXd slope;
+  if (!best_difference(problem, point, slope)) return false;
   VectorXd right = VectorXd::Zero(direction.size());
   right(right.size() - 1) = 1;
-  VectorXd tangent = bordered(point.monodromy, narrow, direction).partialPivLu().solve(right);
+  VectorXd tangent = bordered(point.monodromy, slope, direction).partialPivLu().solve(right);
   if (!tangent.allFinite() || !(tangent.norm() > 0)) return false;
   tangent.normalize();
   if (tangent.dot(direction) < 0) tangent = -tangent;
   point.tangent = tangent;
-  point.branching = bordered(point.monodromy, narrow, tangent).partialPivLu().determinant();
+  point.branching = bordered(point.monodromy, slope, tangent).partialPivLu().determinant();
   point.multipliers = multipliers_of(point.monodromy);
   point.unstable = count_outside(point.multipliers);
   return true;

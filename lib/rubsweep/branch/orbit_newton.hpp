@@ -28,14 +28,18 @@ struct Correction {
 };
 
 /// Newton's iteration from `guess` for an orbit on the plane direction . (position - guess) = 0. The
-/// derivative by the state is the monodromy matrix, that by the parameter a central difference at the guess.
-Correction correct(const OrbitProblem& problem, const Position& guess, const Eigen::VectorXd& direction);
+/// derivative by the state is the monodromy matrix, that by the parameter a central difference at the guess,
+/// of `difference_step`.
+Correction correct(const OrbitProblem& problem, const Position& guess, const Eigen::VectorXd& direction,
+                   double difference_step = usual_difference_step);
 
 /// The same at a fixed parameter.
 Correction correct_at(const OrbitProblem& problem, const Eigen::VectorXd& state, double parameter);
 
 /// Fills what belongs to an orbit found: its tangent, on the side of `direction`, its multipliers and their
-/// counts. False where the tangent cannot be told, or the map not be differentiated.
+/// counts. The derivative by the parameter is made at two step sizes; where they disagree, as beside a graze
+/// that one of them leads over, finer ones are tried, and those count that agree best. False where the
+/// tangent cannot be told, or the map not be differentiated.
 bool complete(const OrbitProblem& problem, const Eigen::VectorXd& direction, BranchPoint& point);
 
 }  // namespace rubsweep::branch

@@ -31,7 +31,9 @@ struct OrbitFacts {
   bool feasible = true;
   /// In the order of time; phases count from the start of the orbit.
   std::vector<integrate::run::ModeSwitch> switches;
-  std::vector<Eigen::VectorXd> sections;  ///< states where the turns of the period begin
+  /// States where the turns of the period begin; of an oval of one loop its own and, where there is one, that
+  /// half a period on.
+  std::vector<Eigen::VectorXd> sections;
 };
 
 /// Replaces `state` by its image at `parameter` and, where given (not null), `monodromy` by the derivative of
@@ -42,7 +44,8 @@ using OrbitMap =
 /// Orbits of a map that depends on a parameter: fixed points of `returns`, the map over the whole period.
 struct OrbitProblem {
   OrbitMap returns;
-  OrbitMap half_returns;  ///< the same over half the period, where it is an even number of turns
+  OrbitMap
+      half_returns;  ///< the same over half the period, where that is a whole number of turns, or of an oval
   /// Facts of the orbit from `state`; empty where it cannot be followed. May be left out, and then nothing is
   /// known of contacts, nor of shorter periods.
   std::function<std::optional<OrbitFacts>(double parameter, const Eigen::VectorXd& state)> facts;

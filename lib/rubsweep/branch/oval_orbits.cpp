@@ -105,14 +105,15 @@ class OvalOrbits {
   OvalOrbits(SceneFamily family, int loops, const integrate::run::SolverOptions& solver)
       : family_(std::move(family)), loops_(loops), solver_(exact(solver)) {}
 
-  Evaluation advance(int loops, double parameter, VectorXd& state, MatrixXd* monodromy) {
+  /// `loops`: a whole number, or 0.5 to the maximum half a loop on.
+  Evaluation advance(double loops, double parameter, VectorXd& state, MatrixXd* monodromy) {
     OvalScene* at = scene_at(parameter);
     if (at == nullptr) return Evaluation::infeasible;
     const Eigen::Index n = state.size() - 1;
     const double loop_rad = full_turn * state(n);
     if (!(loop_rad > 0) || !std::isfinite(loop_rad)) return Evaluation::failed;
     const VectorXd y = state.head(n);
-    const auto landing = land(*at, y, loops * loop_rad, loop_rad);
+    const auto landing = land(*at, y, loops * loop_rad, std::min(loops, 1.0) * loop_rad);
     if (!landing) return Evaluation::failed;
     state << landing->y, landing->angle_rad / (loops * full_turn);
     if (monodromy == nullptr) return Evaluation::ok;
@@ -138,6 +139,7 @@ class OvalOrbits {
     }
     const Eigen::Index n = state.size() - 1;
     const double period_rad = loops_ * full_turn * state(n);
+    if (loops_ == 1) add_half_way(*at, state, facts);
     const auto arc = at->sampled_flow.from(state.head(n), period_rad);
     if (!arc) return std::nullopt;
     facts.period_turns = loops_ * state(n);
@@ -155,6 +157,17 @@ class OvalOrbits {
   }
 
  private:
+  /// One loop may have two parts that come to be the same: the oval then joins that of half its period. Known
+  /// by the maximum half a period on, where there is one.
+  static void add_half_way(const OvalScene& at, const VectorXd& state, OrbitFacts& facts) {
+    const Eigen::Index n = state.size() - 1;
+    const double half_rad = full_turn * state(n) / 2;
+    const auto landing = land(at, state.head(n), half_rad, half_rad);
+    if (!landing) return;
+    facts.sections.push_back(state);
+    facts.sections.back().head(n) = landing->y;
+  }
+
   OvalScene* scene_at(double parameter) {
     if (OvalScene* at = recent_.find([&](const OvalScene& one) { return one.parameter == parameter; }))
       return at;
@@ -172,7 +185,14 @@ class OvalOrbits {
 }  // namespace
 
 OrbitProblem oval_orbits(SceneFamily family, int loops, const integrate::run::SolverOptions& solver) {
-  return problem_of_whole_turns(std::make_shared<OvalOrbits>(std::move(family), loops, solver), loops);
+  const auto orbits = std::make_shared<OvalOrbits>(std::move(family), loops, solver);
+  OrbitProblem problem = problem_of_whole_turns(orbits, loops);
+  if (loops == 1) {
+    problem.half_returns = [orbits](double parameter, VectorXd& state, MatrixXd* monodromy) {
+      return orbits->advance(0.5, parameter, state, monodromy);
+    };
+  }
+  return problem;
 }
 
 std::optional<VectorXd> oval_state(const scene::Scene& scene, const integrate::run::SolverOptions& solver,

@@ -17,8 +17,10 @@ namespace rubsweep::branch {
 /// state at the maximum nearest to that time, and the time that it took. Orbits are fixed points, their
 /// multipliers those of the orbit without the trivial one, and two zeros, which stand for the shift and for
 /// the time. `loops`: of the period that is looked for, so that 2 stands for orbits of twice the period; the
-/// time is then the mean of the loops. A scene that is not rotationally symmetric is infeasible. Range and
-/// scale of the parameter are left to the caller. The solver works at 1e-11.
+/// time is then the mean of the loops. An oval of one loop may itself come to be one of half its time, where
+/// the maximum half a loop on becomes the same: its facts have that maximum as a second section. A scene that
+/// is not rotationally symmetric is infeasible. Range and scale of the parameter are left to the caller. The
+/// solver works at 1e-11.
 OrbitProblem oval_orbits(SceneFamily family, int loops, const integrate::run::SolverOptions& solver);
 
 /// The state with which `orbit_from` finds the oval through `point` (2n scaled numbers in the turning frame)

@@ -7,7 +7,6 @@
 
 #include "rubsweep/branch/follow.hpp"
 #include "rubsweep/branch/orbit_newton.hpp"
-#include "rubsweep/branch/scene_orbits.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::branch {
@@ -42,7 +41,7 @@ struct Way {
 
 /// From one cell to another along one axis; along the speed where they are the same.
 Way way_between(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
-                std::size_t neighbour, int order, response::motion::Workspace& workspace) {
+                std::size_t neighbour, Closing closing, int order, response::motion::Workspace& workspace) {
   const sweep::Grid& grid = study.grid;
   const GridPlace a = place_in(grid, cell), b = place_in(grid, neighbour);
   const bool along_speed = a.unbalance == b.unbalance;
@@ -52,7 +51,8 @@ Way way_between(const sweep::Study& study, const scene::PreparedMachine& prepare
                        : scene_of(prepared, speed_hz, sweep::unbalance_of(grid, p));
   };
   const std::vector<double>& axis = along_speed ? grid.speed_hz : grid.unbalance;
-  Way way{scene_orbits(family, order, study.solver, workspace.modes), along_speed ? speed_hz : unbalance,
+  Way way{closed_orbits(closing, family, order, study.solver, workspace.modes),
+          along_speed ? speed_hz : unbalance,
           along_speed ? grid.speed_hz[b.speed] : grid.unbalance[b.unbalance]};
   // Behind the start as well, where a branch may come back after a fold.
   const double behind = way.from + (way.from - way.to);
@@ -62,7 +62,9 @@ Way way_between(const sweep::Study& study, const scene::PreparedMachine& prepare
   return way;
 }
 
-CellOrbit orbit_of(const BranchPoint& point, int order) { return {order, point.facts.hits, point.state}; }
+CellOrbit orbit_of(const BranchPoint& point, Closing closing, int order) {
+  return {order, point.facts.hits, point.state, closing};
+}
 
 FollowOptions options_of_a_passage() {
   FollowOptions options;
@@ -76,6 +78,18 @@ FollowOptions options_of_a_passage() {
 
 /// The same where that does not come through: a long way along the branch between two cells.
 constexpr int patient_points = 5000;
+
+constexpr double same = 1e-6;
+
+/// By what does not depend on which of its maxima an oval is known by.
+bool same_oval(const OrbitFacts& a, const OrbitFacts& b) {
+  const auto agree = [](double x, double y) {
+    return std::abs(x - y) <= same * std::max(std::abs(x), std::abs(y));
+  };
+  return a.hits == b.hits && agree(a.period_turns, b.period_turns) &&
+         agree(a.peak_displacement_m, b.peak_displacement_m) &&
+         agree(a.peak_contact_force_n, b.peak_contact_force_n);
+}
 
 /// The following ended, and not the orbit.
 bool given_up(Ending ending) {
@@ -102,24 +116,25 @@ HalfBranch follow_patiently(Way way, const CellOrbit& orbit, HalfBranch first) {
 }  // namespace
 
 std::optional<CellOrbit> stable_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
-                                      std::size_t cell, int order, const Eigen::VectorXd& state,
+                                      std::size_t cell, const SettledStart& settled,
                                       response::motion::Workspace& workspace) {
-  const Way way = way_between(study, prepared, cell, cell, order, workspace);
-  const auto point = orbit_from(way.problem, state, way.from);
+  if (!settled.order) return std::nullopt;
+  const Way way = way_between(study, prepared, cell, cell, settled.closing, *settled.order, workspace);
+  const auto point = orbit_from(way.problem, settled.state, way.from);
   if (!point || !point->stable() || !point->facts.touched) return std::nullopt;
-  return orbit_of(*point, order);
+  return orbit_of(*point, settled.closing, *settled.order);
 }
 
 Passage pass(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
              const CellOrbit& orbit, std::size_t neighbour, response::motion::Workspace& workspace) {
-  const Way way = way_between(study, prepared, cell, neighbour, orbit.order, workspace);
+  const Way way = way_between(study, prepared, cell, neighbour, orbit.closing, orbit.order, workspace);
   const auto start = orbit_from(way.problem, orbit.state, way.from);
   if (!start || !start->stable()) return {{}, to_string(EventKind::stability), way.from};
   HalfBranch half = follow_the_way(way, orbit, options_of_a_passage());
   if (given_up(half.ending)) half = follow_patiently(way, orbit, std::move(half));
   const BranchPoint& last = half.points.back();
   if (half.ending == Ending::left_range && last.parameter == way.to)
-    return {orbit_of(last, orbit.order), {}, way.to};
+    return {orbit_of(last, orbit.closing, orbit.order), {}, way.to};
   const bool by_event = half.ending == Ending::first_change && !half.events.empty();
   if (half.ending == Ending::off_the_walls) return {{}, to_string(EventKind::graze), last.parameter};
   return {{}, by_event ? to_string(half.events.back().kind) : to_string(half.ending), last.parameter};
@@ -127,13 +142,17 @@ Passage pass(const sweep::Study& study, const scene::PreparedMachine& prepared, 
 
 bool same_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                 const CellOrbit& orbit, const CellOrbit& other, response::motion::Workspace& workspace) {
-  constexpr double same = 1e-6;
-  if (orbit.order != other.order) return false;
-  const Way way = way_between(study, prepared, cell, cell, orbit.order, workspace);
+  if (orbit.closing != other.closing || orbit.order != other.order) return false;
+  const Way way = way_between(study, prepared, cell, cell, orbit.closing, orbit.order, workspace);
   const auto facts = way.problem.facts(way.from, orbit.state);
-  return facts && std::ranges::any_of(facts->sections, [&](const Eigen::VectorXd& section) {
-           return (section - other.state).cwiseAbs().maxCoeff() < same;
-         });
+  if (!facts) return false;
+  if (orbit.closing == Closing::in_the_turning_frame) {
+    const auto others = way.problem.facts(way.from, other.state);
+    return others && same_oval(*facts, *others);
+  }
+  return std::ranges::any_of(facts->sections, [&](const Eigen::VectorXd& section) {
+    return (section - other.state).cwiseAbs().maxCoeff() < same;
+  });
 }
 
 }  // namespace rubsweep::branch

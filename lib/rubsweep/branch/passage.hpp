@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "rubsweep/branch/closed_orbits.hpp"
+#include "rubsweep/branch/settled_start.hpp"
 #include "rubsweep/response/motion/workspace.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/study.hpp"
@@ -13,9 +15,10 @@ namespace rubsweep::branch {
 
 /// An orbit of a cell of a map.
 struct CellOrbit {
-  int order = 1;
+  int order = 1;          ///< turns of the period; of an oval loops
   int hits = 0;           ///< over the period
-  Eigen::VectorXd state;  ///< section at the start of one of its turns
+  Eigen::VectorXd state;  ///< as closed_orbits() have it: section at the start of one of its turns
+  Closing closing = Closing::with_the_shaft;
 };
 
 /// What becomes of a stable orbit on the straight way from its cell to a neighbour.
@@ -25,16 +28,17 @@ struct Passage {
   double parameter = 0;              ///< and where, in the parameter of the axis that the way is along
 };
 
-/// The stable orbit near `state`, of a cell that can run. Empty where there is none.
+/// The stable orbit that a cell settles on. Empty where there is none.
 std::optional<CellOrbit> stable_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
-                                      std::size_t cell, int order, const Eigen::VectorXd& state,
+                                      std::size_t cell, const SettledStart& settled,
                                       response::motion::Workspace& workspace);
 
 /// Follows `orbit` from `cell` to `neighbour`, which differs from it on one axis of the grid.
 Passage pass(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
              const CellOrbit& orbit, std::size_t neighbour, response::motion::Workspace& workspace);
 
-/// Whether `state` is where one of the turns of `orbit` begins, in its cell.
+/// Whether both are one orbit of the cell, by whichever of its turns, or of the largest distances of an oval
+/// from the axis, they have it.
 bool same_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                 const CellOrbit& orbit, const CellOrbit& other, response::motion::Workspace& workspace);
 

@@ -1,5 +1,6 @@
 #include "rubsweep/branch/segment.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "rubsweep/branch/hermite.hpp"
@@ -23,7 +24,8 @@ std::optional<BranchPoint> Segment::at(double s) const {
   if (s <= 0) return from_;
   if (s >= length_) return to_;
   const Position on_plane = hermite_guess({begin_, from_.tangent}, {end_, to_.tangent}, length_, s);
-  const Correction found = correct(problem_, on_plane, from_.tangent);
+  const Correction found =
+      correct(problem_, on_plane, from_.tangent, std::min(from_.difference_step, to_.difference_step));
   if (!found.converged) return std::nullopt;
   return completed(problem_, found.point, from_.tangent,
                    from_.arclength + s / length_ * (to_.arclength - from_.arclength));

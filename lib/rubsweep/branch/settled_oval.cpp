@@ -10,7 +10,6 @@
 #include "rubsweep/response/rotating/rotating_flow.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 #include "rubsweep/response/rotating/symmetry.hpp"
-#include "rubsweep/response/settle.hpp"
 
 namespace rubsweep::branch {
 namespace {
@@ -57,16 +56,6 @@ std::optional<VectorXd> oval_from(const scene::Scene& with_pulses, const VectorX
     search.refuse(*candidate);
   }
   return std::nullopt;
-}
-
-std::optional<VectorXd> settle_on_oval(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
-                                       const response::motion::ResponseOptions& options,
-                                       response::motion::Workspace& workspace) {
-  const response::SettledRun settled = response::settle(cell, solver, options, workspace);
-  if (settled.section.empty()) return std::nullopt;
-  const Eigen::Map<const VectorXd> section(settled.section.data(),
-                                           static_cast<Eigen::Index>(settled.section.size()));
-  return oval_from(cell.scene, section, solver, options, workspace);
 }
 
 }  // namespace rubsweep::branch

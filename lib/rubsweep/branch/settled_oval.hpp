@@ -6,7 +6,7 @@
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/response/motion/options.hpp"
 #include "rubsweep/response/motion/workspace.hpp"
-#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::branch {
 
@@ -17,11 +17,5 @@ std::optional<Eigen::VectorXd> oval_from(const scene::Scene& scene, const Eigen:
                                          const integrate::run::SolverOptions& solver,
                                          const response::motion::ResponseOptions& options,
                                          response::motion::Workspace& workspace);
-
-/// The same of what the cell settles on. `cell` can run.
-std::optional<Eigen::VectorXd> settle_on_oval(const scene::Cell& cell,
-                                              const integrate::run::SolverOptions& solver,
-                                              const response::motion::ResponseOptions& options,
-                                              response::motion::Workspace& workspace);
 
 }  // namespace rubsweep::branch

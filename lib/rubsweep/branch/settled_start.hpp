@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "rubsweep/branch/closed_orbits.hpp"
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
 #include "rubsweep/response/motion/options.hpp"
@@ -14,11 +15,13 @@ namespace rubsweep::branch {
 /// What a cell settles on when it is run from its kick.
 struct SettledStart {
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
-  std::optional<int> order;  ///< of a periodic motion in contact; empty: there is no orbit to follow
-  Eigen::VectorXd section;   ///< scaled, near the orbit
+  std::optional<int> order;  ///< of the closed orbit, in contact; empty: there is none to follow
+  Closing closing = Closing::with_the_shaft;
+  Eigen::VectorXd state;  ///< near the orbit, as its closed_orbits() have it
 };
 
-/// Runs the cell until its motion is known. `cell` can run.
+/// Runs the cell until its motion is known: a periodic one, or an oval of a rotationally symmetric scene.
+/// `cell` can run.
 SettledStart settle_on_orbit(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
                              const response::motion::ResponseOptions& options,
                              response::motion::Workspace& workspace);

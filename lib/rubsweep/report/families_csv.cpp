@@ -60,15 +60,15 @@ std::string boundaries_csv(const sweep::Grid& grid, const std::vector<branch::Fa
 
 std::string families_csv(const sweep::Grid& grid, const std::vector<branch::Family>& families) {
   std::string text = fmt::format(
-      "family,order,hits,speed_hz,{0},cells_existing,cells_reached,share_reached,area_hz_times_{0}\n",
+      "family,order,hits,speed_hz,{0},cells_existing,cells_reached,share_reached,area_hz_times_{0},closing\n",
       to_string(grid.measure));
   for (std::size_t i = 0; i < families.size(); ++i) {
     const branch::Family& family = families[i];
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", i, family.order(), family.hits(),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", i, family.order(), family.hits(),
                         csv_number(speed_of(grid, family.seed)), csv_number(unbalance_of(grid, family.seed)),
                         family.orbits.size(), family.reached.size(),
                         csv_number(share(family.reached.size(), family.orbits.size())),
-                        csv_number(area_of(grid, family)));
+                        csv_number(area_of(grid, family)), to_string(family.closing()));
   }
   return text;
 }
