@@ -79,7 +79,7 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
   TurnReport turn, again;
   asked.switches = true;
   std::vector<double> before;
-  long adaptive_turns = 0;
+  long adaptive_turns = 0, taylor_turns = 0;
   for (int k = 0, quiet = 0; k < turns && quiet < free_turns; ++k) {
     before = turn.section;
     if (exact.advance(asked, turn) != Outcome::ok) {
@@ -90,6 +90,7 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
     quiet = turn.touched ? 0 : quiet + 1;
     const bool closed_form =
         turn.effort.adaptive_turns == std::exchange(adaptive_turns, turn.effort.adaptive_turns);
+    const bool pieces = turn.effort.taylor_turns != std::exchange(taylor_turns, turn.effort.taylor_turns);
     other.restart(before);
     if (other.advance(asked, again) != Outcome::ok) {
       audit.other_failed = true;
@@ -97,7 +98,8 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
     }
     ++audit.turns;
     audit.touched += turn.touched;
-    audit.exact_turns += closed_form;
+    audit.exact_turns += closed_form && !pieces;
+    audit.turns_with_pieces += pieces;
     const std::string unshared = first_unshared(turn.switches, again.switches);
     const double apart = section_distance(turn.section, again.section);
     // A dry whip of constant friction grows without end: what counts there is digits, not clearances.

@@ -17,9 +17,10 @@ struct EventDifference {
 };
 
 struct EventAudit {
-  long turns = 0;        ///< compared
-  long touched = 0;      ///< of these with contact
-  long exact_turns = 0;  ///< of these made by closed forms alone
+  long turns = 0;              ///< compared
+  long touched = 0;            ///< of these with contact
+  long exact_turns = 0;        ///< of these made by closed forms alone
+  long turns_with_pieces = 0;  ///< with Taylor pieces, where there are none
   /// The two saw different changes of mode and still agree: a graze below the other's tolerance.
   long grazes = 0;
   /// Farther apart than the tolerance with the same changes of mode, in a turn that the exact solver handed

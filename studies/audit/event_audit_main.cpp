@@ -20,14 +20,15 @@ using namespace rubsweep;
 constexpr int turns_of_a_cell = 60;
 
 struct Total {
-  long cells = 0, turns = 0, touched = 0, exact_turns = 0, grazes = 0, parted = 0, exact_failed = 0,
-       other_failed = 0, other_wrong = 0, wrong = 0;
+  long cells = 0, turns = 0, touched = 0, exact_turns = 0, pieces = 0, grazes = 0, parted = 0,
+       exact_failed = 0, other_failed = 0, other_wrong = 0, wrong = 0;
 
   void add(const audit::EventAudit& cell) {
     ++cells;
     turns += cell.turns;
     touched += cell.touched;
     exact_turns += cell.exact_turns;
+    pieces += cell.turns_with_pieces;
     grazes += cell.grazes;
     parted += cell.parted;
     exact_failed += cell.exact_failed;
@@ -63,18 +64,18 @@ int main(int argc, char** argv) {
         std::fflush(stdout);
       },
       stop);
-  fmt::print("{:15} {:>7} {:>9} {:>9} {:>12} {:>7} {:>7} {:>12} {:>13} {:>11} {:>6}\n", "stops", "cells",
-             "turns", "touching", "closed forms", "grazes", "parted", "exact failed", "rkf78 failed",
-             "rkf78 wrong", "wrong");
+  fmt::print("{:15} {:>7} {:>9} {:>9} {:>12} {:>7} {:>7} {:>7} {:>12} {:>13} {:>11} {:>6}\n", "stops",
+             "cells", "turns", "touching", "closed forms", "pieces", "grazes", "parted", "exact failed",
+             "rkf78 failed", "rkf78 wrong", "wrong");
   long wrong = 0;
   for (std::size_t kind = 0; kind < asked->kinds.size(); ++kind) {
     Total total;
     for (std::size_t i = kind; i < count; i += asked->kinds.size()) total.add(results[i]);
     wrong += total.wrong;
-    fmt::print("{:15} {:>7} {:>9} {:>9} {:>12} {:>7} {:>7} {:>12} {:>13} {:>11} {:>6}\n",
+    fmt::print("{:15} {:>7} {:>9} {:>9} {:>12} {:>7} {:>7} {:>7} {:>12} {:>13} {:>11} {:>6}\n",
                audit::to_string(asked->kinds[kind]), total.cells, total.turns, total.touched,
-               total.exact_turns, total.grazes, total.parted, total.exact_failed, total.other_failed,
-               total.other_wrong, total.wrong);
+               total.exact_turns, total.pieces, total.grazes, total.parted, total.exact_failed,
+               total.other_failed, total.other_wrong, total.wrong);
   }
   return wrong > 0;
 }

@@ -64,6 +64,17 @@ void put_flats(Draw& draw, const model::JeffcottRotor& rotor, bool equal, int co
   }
 }
 
+/// At the speed of such a surface the rotor in contact goes back faster, for a while.
+void make_thin(Draw& draw, model::Stop& stop) {
+  stop.contact_radius_m = draw.log(1e-4, 3e-3);
+  const double coefficient = draw.even(0.02, 0.4);
+  if (draw.chance(0.5)) {
+    stop.friction = model::ConstantFriction{coefficient};
+  } else {
+    stop.friction = model::StribeckFriction{{0, 0, 0, coefficient, draw.log(30, 3000), 0}};
+  }
+}
+
 }  // namespace
 
 RandomCell random_cell(StopKind kind, std::mt19937_64& random) {
@@ -82,9 +93,14 @@ RandomCell random_cell(StopKind kind, std::mt19937_64& random) {
     annular.geometry = geometry;
     machine.stops.push_back(annular);
   } else {
-    const int count = kind == StopKind::one_flat ? 1 : draw.whole(2, 4);
+    const int count = kind == StopKind::one_flat     ? 1
+                      : kind == StopKind::thin_flats ? draw.whole(1, 4)
+                                                     : draw.whole(2, 4);
     put_flats(draw, std::get<model::JeffcottRotor>(machine.rotor), kind == StopKind::equal_flats, count,
               machine.stops);
+    if (kind == StopKind::thin_flats) {
+      for (model::Stop& thin : machine.stops) make_thin(draw, thin);
+    }
   }
   const double natural_rad_per_s =
       2 * std::numbers::pi * std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;

@@ -10,18 +10,24 @@ namespace rubsweep::audit {
 
 /// What stands around the rotor of a random machine.
 enum class StopKind {
-  one_flat,       ///< one flat stop at any angle
-  flats,          ///< two to four, each with numbers of its own
-  equal_flats,    ///< two to four alike, or nearly: contacts begin and end at nearly equal instants
-  annular,        ///< centred around the rotor
-  offset_annular  ///< the rotor rests off its centre
+  one_flat,        ///< one flat stop at any angle
+  flats,           ///< two to four, each with numbers of its own
+  equal_flats,     ///< two to four alike, or nearly: contacts begin and end at nearly equal instants
+  annular,         ///< centred around the rotor
+  offset_annular,  ///< the rotor rests off its centre
+  thin_flats       ///< one to four flat stops with friction around a shaft so thin that slips reverse
 };
+/// Those that an audit draws where none is named.
 inline constexpr std::array stop_kinds{StopKind::one_flat, StopKind::flats, StopKind::equal_flats,
                                        StopKind::annular, StopKind::offset_annular};
 
+inline constexpr std::array named_stop_kinds{StopKind::one_flat,       StopKind::flats,
+                                             StopKind::equal_flats,    StopKind::annular,
+                                             StopKind::offset_annular, StopKind::thin_flats};
+
 constexpr std::string_view to_string(StopKind kind) {
-  constexpr std::array<std::string_view, 5> names{"one_flat", "flats", "equal_flats", "annular",
-                                                  "offset_annular"};
+  constexpr std::array<std::string_view, 6> names{"one_flat", "flats",          "equal_flats",
+                                                  "annular",  "offset_annular", "thin_flats"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -20,9 +20,9 @@ std::optional<CellsAndSeed> cells_and_seed(int argc, char** argv) {
   CellsAndSeed asked;
   if (!read(argv[1], asked.cells) || !read(argv[2], asked.seed)) return std::nullopt;
   for (int i = 3; i < argc; ++i) {
-    const auto kind =
-        std::ranges::find(stop_kinds, std::string_view(argv[i]), [](StopKind k) { return to_string(k); });
-    if (kind == stop_kinds.end()) return std::nullopt;
+    const auto kind = std::ranges::find(named_stop_kinds, std::string_view(argv[i]),
+                                        [](StopKind k) { return to_string(k); });
+    if (kind == named_stop_kinds.end()) return std::nullopt;
     asked.kinds.push_back(*kind);
   }
   if (asked.kinds.empty()) asked.kinds.assign(stop_kinds.begin(), stop_kinds.end());

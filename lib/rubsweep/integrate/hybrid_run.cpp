@@ -1,6 +1,7 @@
 #include "rubsweep/integrate/hybrid_run.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
@@ -13,6 +14,9 @@ namespace rubsweep::integrate {
 namespace {
 
 constexpr int longest_absence = 64;  ///< turns by other means before closed forms are tried again
+/// Closed forms do not take over nearer to the end of a turn than that: they would have to make it in no
+/// time.
+constexpr double last_join = 2 * std::numbers::pi - 1e-9;
 
 /// The scene as it stands at the start of revolution `revolution`, at `section`.
 scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long revolution) {
@@ -23,6 +27,13 @@ scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long 
   return scene;
 }
 
+/// Whether turns are handed on in the middle: between flat stops, by Taylor's series.
+bool may_be_in_pieces(const scene::Scene& scene, const run::SolverOptions& options) {
+  return scene.impulses.empty() && options.stepper == run::Stepper::automatic &&
+         options.contact == run::ContactHandling::located &&
+         std::ranges::all_of(scene.contacts, [](const scene::Contact& c) { return contact::linear(c.wall); });
+}
+
 /// Exact turns; Taylor pieces where there is no closed form; a stepper's where friction is stiff, or where
 /// one was asked for by name.
 template <int N>
@@ -30,7 +41,10 @@ class HybridRun {
  public:
   HybridRun(const scene::Scene& scene, const run::SolverOptions& options,
             std::shared_ptr<exact::MachineModes<N>> modes)
-      : scene_(scene), options_(options), run_(scene, std::move(modes), options.max_steps_per_revolution) {}
+      : scene_(scene),
+        options_(options),
+        run_(scene, std::move(modes), options.max_steps_per_revolution),
+        in_pieces_(may_be_in_pieces(scene, options)) {}
 
   run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
     if (!away_) {
@@ -41,6 +55,9 @@ class HybridRun {
           return finish(report, run::Outcome::step_limit);
         case exact::ExactEnding::non_finite:
           return finish(report, run::Outcome::non_finite);
+        case exact::ExactEnding::unsaturated:
+          if (in_pieces_) return go_on_in_pieces(request, report);
+          [[fallthrough]];
         case exact::ExactEnding::beyond:
           leave();
       }
@@ -57,10 +74,71 @@ class HybridRun {
  private:
   using TaylorRun = taylor::TaylorRun<N>;
 
-  void leave() {
+  /// A turn that friction leaves saturation in: pieces by Taylor's series until it is saturated again, and
+  /// closed forms in between. The run stands where the first of these pieces begins.
+  run::Outcome go_on_in_pieces(const run::TurnRequest& request, run::TurnReport& report) {
+    if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
+    for (;;) {
+      const auto& place = run_.place();
+      taylor_->join(request, run_.revolution(), place.phase_rad, place.state, place.modes,
+                    place.tangent_vectors);
+      switch (make_piece(report)) {
+        case taylor::TaylorEnding::ok:
+          break;
+        case taylor::TaylorEnding::stiff:
+          be_away();
+          start_stepper();
+          return advance_adaptively(request, report);
+        case taylor::TaylorEnding::step_limit:
+          return finish(report, run::Outcome::step_limit);
+        case taylor::TaylorEnding::non_finite:
+          return finish(report, run::Outcome::non_finite);
+        case taylor::TaylorEnding::stick_undetermined:
+          return finish(report, run::Outcome::stick_undetermined);
+      }
+      if (taylor_->at_end_of_turn()) {
+        taylor_->finish(report);
+        run_.resume(report.section);
+        ++taylor_turns_;
+        return finish(report, run::Outcome::ok);
+      }
+      taylor_->put_tangents(tangents_);
+      switch (run_.go_to_end(tangents_, report)) {
+        case exact::ExactEnding::ok:
+          ++taylor_turns_;
+          return finish(report, run::Outcome::ok);
+        case exact::ExactEnding::step_limit:
+          return finish(report, run::Outcome::step_limit);
+        case exact::ExactEnding::non_finite:
+          return finish(report, run::Outcome::non_finite);
+        case exact::ExactEnding::unsaturated:
+          break;
+        case exact::ExactEnding::beyond:
+          leave();
+          return advance_by_series(request, report);
+      }
+    }
+  }
+
+  /// To where closed forms take over again, or to the end of the turn.
+  taylor::TaylorEnding make_piece(run::TurnReport& report) {
+    for (;;) {
+      const taylor::TaylorEnding ending = taylor_->go_on(report);
+      if (ending != taylor::TaylorEnding::ok || taylor_->at_end_of_turn()) return ending;
+      const bool may_join = !taylor_->sticks() && taylor_->phase_rad() < last_join;
+      if (may_join && run_.join(taylor_->phase_rad(), taylor_->section(), taylor_->modes(), report))
+        return ending;
+    }
+  }
+
+  void be_away() {
     away_ = true;
     absent_ = 0;
     absence_ = std::min(2 * absence_, longest_absence);
+  }
+
+  void leave() {
+    be_away();
     if (options_.stepper != run::Stepper::automatic || options_.contact != run::ContactHandling::located)
       return start_stepper();
     if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
@@ -128,7 +206,10 @@ class HybridRun {
 
   run::Outcome finish(run::TurnReport& report, run::Outcome outcome) {
     report.effort = sum(sum(past_, adaptive_effort_), run_.effort());
-    if (taylor_) report.effort = sum(report.effort, taylor_->effort());
+    if (taylor_) {
+      report.effort = sum(report.effort, taylor_->effort());
+      report.effort.taylor_pieces = taylor_->effort().steps;
+    }
     report.effort.taylor_turns = taylor_turns_;
     report.effort.adaptive_turns = adaptive_turns_;
     return outcome;
@@ -137,10 +218,12 @@ class HybridRun {
   scene::Scene scene_;
   run::SolverOptions options_;
   exact::ExactRun<N> run_;
+  bool in_pieces_ = false;             ///< turns whose friction leaves saturation are
   std::unique_ptr<TaylorRun> taylor_;  ///< made when first needed
   run::Cursor adaptive_;               ///< empty while no stepper is at work
   bool away_ = false;                  ///< from closed forms
   std::vector<double> section_;        ///< where the run left them
+  Eigen::MatrixXd tangents_;           ///< handed back in the middle of a turn
   int absence_ = 1, absent_ = 0;
   long taylor_turns_ = 0, adaptive_turns_ = 0;
   run::Effort past_, adaptive_effort_;

@@ -44,10 +44,15 @@ std::string effort_text(const integrate::run::Effort& effort, long revolutions) 
   const auto per_turn = [&](long count) {
     return static_cast<double>(count) / static_cast<double>(revolutions);
   };
-  return fmt::format(
+  std::string text = fmt::format(
       "{:.1f} right-hand sides, {:.1f} steps, {:.1f} refused, {:.2f} mode switches per revolution",
       per_turn(effort.rhs_calls), per_turn(effort.steps), per_turn(effort.refused),
       per_turn(effort.switches));
+  if (effort.taylor_turns > 0)
+    text += fmt::format("; {} revolutions with Taylor pieces, {:.1f} in each", effort.taylor_turns,
+                        static_cast<double>(effort.taylor_pieces) / static_cast<double>(effort.taylor_turns));
+  if (effort.adaptive_turns > 0) text += fmt::format("; {} revolutions by a stepper", effort.adaptive_turns);
+  return text;
 }
 
 }  // namespace

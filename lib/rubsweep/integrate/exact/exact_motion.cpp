@@ -263,19 +263,24 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
 }
 
 template <int N>
-double ExactMotion<N>::sliding_rate_bound(const TouchWatch<N>& touch, const State& physical) const {
-  if (!touch.friction_rate.empty()) return sliding_rate_bound_without_contact(touch, physical);
-  const auto t = static_cast<std::size_t>(&touch - mode_->touches.data());
-  double bound = touch.sliding_rate_bound.dot(sizes().transpose());
-  for_each_response(*cell_, acting_, now_,
-                    [&](const auto& response, Complex) { bound += response.sliding[t]; });
-  return bound;
+typename ExactMotion<N>::SlidingRate ExactMotion<N>::sliding_rate(std::size_t t) const {
+  SlidingRate sliding;
+  for (const ModalTerm& pair : mode_->touches[t].sliding_of_free.list) {
+    const double u = now_.free(pair.u), v = now_.free(pair.v);
+    sliding.rate += pair.rate_u * u + pair.rate_v * v;
+    sliding.curvature += mode_->paired ? pair.bound_u * pair_size(u, v)
+                                       : pair.bound_u * std::abs(u) + pair.bound_v * std::abs(v);
+  }
+  for_each_response(*cell_, acting_, now_, [&](const auto& response, Complex phasor) {
+    sliding.rate -= response.rate * product(response.at_sliding[t], phasor).imag();
+    sliding.curvature += response.sliding_curvature[t];
+  });
+  return sliding;
 }
 
 /// Every run has entered the open mode first, so that its flow is there, and so are its responses.
 template <int N>
-double ExactMotion<N>::sliding_rate_bound_without_contact(const TouchWatch<N>& touch,
-                                                          const State& physical) const {
+double ExactMotion<N>::sliding_rate_bound(const TouchWatch<N>& touch, const State& physical) const {
   const LinearMode<N>& open = *machine_->mode(0);
   const ModeCell& cell = cells_[open.index];
   const State free = open.to_free(physical - forced(open, cell, here()));

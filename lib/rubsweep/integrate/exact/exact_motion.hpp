@@ -125,6 +125,13 @@ class ExactMotion {
   /// Normal force in newtons of the touching contact `t`, one that pushes, at an instant of the present mode.
   GuardValue force(std::size_t t, const Instant& instant) const;
 
+  /// How fast the sliding speed of the touching contact `t` changes, scaled length per second squared, and a
+  /// bound of its second derivative within the mode's longest step.
+  struct SlidingRate {
+    double rate = 0, curvature = 0;
+  };
+  SlidingRate sliding_rate(std::size_t t) const;
+
   void step_by_table(int k);
   /// Any duration up to the mode's longest step.
   void step_by(double duration_s);
@@ -135,8 +142,8 @@ class ExactMotion {
   /// ahead. Returns the duration.
   double land(std::size_t e, double within_s);
 
-  /// Bound on |d slip / dt| / length scale of a touching contact within the mode's longest step from
-  /// `physical`, the present state. Where the touch has a `friction_rate`, what friction adds is not in it.
+  /// Bound on |d slip / dt| / length scale of a touching contact that has a `friction_rate`, within the
+  /// mode's longest step from `physical`, the present state; what friction adds is not in it.
   double sliding_rate_bound(const TouchWatch<N>& touch, const State& physical) const;
 
   void carry_no_tangents() { tangents_.clear(); }
@@ -201,7 +208,6 @@ class ExactMotion {
       visit(cell.pulses[acting[k]].response, instant.pulse_phasors[k]);
   }
   State forced(const LinearMode<N>& mode, const ModeCell& cell, const Instant& instant) const;
-  double sliding_rate_bound_without_contact(const TouchWatch<N>& touch, const State& physical) const;
   void turn_phasors(Instant& instant, double duration_s) const;
   void turn_pulses_by_table(Instant& instant, std::size_t table_step) const;
   void step_by_series(double duration_s);

@@ -23,6 +23,9 @@ constexpr double shortest_to_annular =
 /// closed forms are small differences of large numbers: the adaptive solver makes such a turn.
 constexpr long most_steps = 100'000;
 constexpr double steps_per_turn_when_watched = 64;
+/// Of a mode's longest step: friction must be certain to stay saturated for so long where a turn comes back
+/// from another solver. More than what ends an exact piece, so that the two do not take turns at each step.
+constexpr double stretch_to_join = 16 * SlipWatch<2>::shortest_stretch;
 
 }  // namespace
 
@@ -72,7 +75,12 @@ void ExactRun<N>::restart(std::span<const double> section) {
 
 template <int N>
 ExactEnding ExactRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report) {
-  if (!begin_turn(request, report)) return ExactEnding::beyond;
+  if (!begin_turn(request, report)) return without_closed_form();
+  return run_to_end(report);
+}
+
+template <int N>
+ExactEnding ExactRun<N>::run_to_end(run::TurnReport& report) {
   step_limit_ = effort_.steps + std::min(max_steps_, most_steps);
   ExactEnding ending = ExactEnding::ok;
   while (ending == ExactEnding::ok && time_s_ < period_s_) {
@@ -86,6 +94,45 @@ ExactEnding ExactRun<N>::advance(const run::TurnRequest& request, run::TurnRepor
 }
 
 template <int N>
+const typename ExactRun<N>::Place& ExactRun<N>::place() {
+  place_.phase_rad = speed_ * time_s_;
+  place_.state.assign(here_.data(), here_.data() + here_.size());
+  scale_.from_seconds(Eigen::Map<Eigen::VectorXd>(place_.state.data(), here_.size()));
+  place_.modes = motion_.mode().modes;
+  place_.tangent_vectors.resize(here_.size(), tangents_);
+  motion_.put_tangents(place_.tangent_vectors);
+  return place_;
+}
+
+template <int N>
+bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const std::vector<Mode>& modes,
+                       const run::TurnReport& report) {
+  State physical = turn_start_;
+  std::copy(state.begin(), state.end(), physical.data());
+  scale_.to_seconds(physical);
+  std::size_t joint = 0;
+  for (std::size_t i = 0; i < modes.size(); ++i) joint += in_joint_mode(modes[i], i);
+  const auto saturated = slip_.saturated_mode(motion_.machine(), joint, physical);
+  if (!saturated) return false;
+  time_s_ = phase_rad / speed_;
+  pulses_.go_to(time_s_);
+  motion_.carry_no_tangents();
+  motion_.set_phases(phase_rad, pulses_, time_s_);
+  if (!motion_.enter(*saturated, physical) || !slip_.begin(motion_, physical, stretch_to_join)) return false;
+  unsaturated_ = false;
+  standstill_ = 0;
+  samples_.resume(report);
+  if (peaks_wanted_) peaks_.begin(motion_);
+  return true;
+}
+
+template <int N>
+ExactEnding ExactRun<N>::go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report) {
+  motion_.carry_tangents(tangent_vectors);
+  return run_to_end(report);
+}
+
+template <int N>
 bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& report) {
   report.clear();
   samples_.begin(request, report, period_s_, turn_start_.size());
@@ -93,11 +140,13 @@ bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& r
   standstill_ = 0;
   motion_.carry_no_tangents();
   if (!impulses_.none()) impulses_.begin_turn(revolution_);
-  if (!start_motion() || !slip_.begin(motion_, turn_start_)) return false;
-  motion_.carry_tangents(request.tangent_vectors);
+  unsaturated_ = false;
   tangents_ = request.tangent_vectors.cols();
   peaks_wanted_ = request.peaks;
   switches_wanted_ = request.switches;
+  if (!start_motion()) return false;
+  motion_.carry_tangents(request.tangent_vectors);
+  if (!begin_slip(turn_start_)) return false;
   if (peaks_wanted_) peaks_.begin(motion_);
   return impulses_.next_phase_rad() > 0 || apply_impulses(report);
 }
@@ -127,15 +176,14 @@ bool ExactRun<N>::start_motion() {
 template <int N>
 bool ExactRun<N>::enter_by_state(const State& physical) {
   if (!motion_.enter(0, physical)) return false;
-  const std::size_t joint =
+  const std::size_t modes =
       joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));
-  return joint == 0 || motion_.enter(joint, physical);
+  return modes == 0 || motion_.enter(slip_.with_ways(motion_.machine(), modes, physical), physical);
 }
 
 template <int N>
 ExactEnding ExactRun<N>::end_turn(run::TurnReport& report) {
   const State end = motion_.physical();
-  if (!slip_held(report, end)) return ExactEnding::beyond;
   if (!end.allFinite()) return ExactEnding::non_finite;
   turn_start_ = end;
   ++revolution_;
@@ -161,10 +209,11 @@ ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
                                               .shortest_to_annular_s = shortest_to_annular * period_s_,
                                               .same_instant_s = same_instant * period_s_});
     ++effort_.steps;
-    if (choice.annular || !renew_slip_watch(report, choice)) return ExactEnding::beyond;
+    if (choice.annular) return ExactEnding::beyond;
+    if (!renew_slip_watch(choice)) return ExactEnding::unsaturated;
     if (choice.crossing != StepChoice::none && standstill_ < longest_standstill) {
       land(report, choice.crossing, choice.step_s);
-      return switch_mode(report, choice.crossing) ? ExactEnding::ok : ExactEnding::beyond;
+      return switch_mode(report, choice.crossing) ? ExactEnding::ok : without_closed_form();
     }
     if (peaks_wanted_) choice.step_s = shorten_for_peaks(choice.step_s);
     const double step = std::max(choice.step_s, shortest_step * period_s_);
@@ -195,7 +244,7 @@ ExactEnding ExactRun<N>::reach_boundary(run::TurnReport& report, double boundary
   motion_.step_by(until);
   passed(report, until);
   time_s_ = boundary_s;
-  if (boundary_s < period_s_ && !pass_boundary(report)) return ExactEnding::beyond;
+  if (boundary_s < period_s_ && !pass_boundary(report)) return without_closed_form();
   return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
 }
 
@@ -212,9 +261,8 @@ template <int N>
 bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
   if (pulses_.go_to(time_s_)) {
     const State here = motion_.physical();
-    if (!slip_held(report, here)) return false;
     motion_.set_phases(speed_ * time_s_, pulses_, time_s_);
-    if (!motion_.enter(motion_.joint(), here) || !slip_.begin(motion_, here)) return false;
+    if (!motion_.enter(motion_.joint(), here) || !begin_slip(here)) return false;
     if (peaks_wanted_) peaks_.begin(motion_);
   }
   return time_s_ < next_impulse_s() || apply_impulses(report);
@@ -224,7 +272,6 @@ bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
 template <int N>
 bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
   State here = motion_.physical();
-  if (!slip_held(report, here)) return false;
   const std::vector<Mode>& from = motion_.mode().modes;
   while (time_s_ >= next_impulse_s())
     here.tail(here.size() / 2) += impulses_.take() / scale_.in_seconds().unit_velocity_m_per_s();
@@ -235,7 +282,7 @@ bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
     ++effort_.switches;
     report.add({speed_ * time_s_, static_cast<int>(i), from[i], to}, switches_wanted_);
   }
-  if (!slip_.begin(motion_, here)) return false;
+  if (!begin_slip(here)) return false;
   if (peaks_wanted_) peaks_.begin(motion_);
   return true;
 }
@@ -244,6 +291,7 @@ template <int N>
 void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
   time_s_ += duration_s;
   if (motion_.joint() != 0) {
+    report.touched = true;
     slip_.advance(duration_s);
     if (slip_.may_reverse())
       report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
@@ -273,7 +321,6 @@ bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
   const auto& mode = motion_.mode();
   const auto& contacts = motion_.machine().system().contacts;
   const State here = motion_.physical();
-  if (!slip_held(report, here)) return false;
   std::size_t joint = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& c = contacts[i];
@@ -284,29 +331,38 @@ bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
       if (mode.guards[e].contact == i) to = contact::mode_through(from, mode.guards[e].next, kinematics);
       to = contact::mode_after(to, c.stiffness, c.damping, kinematics);
     }
-    joint += in_joint_mode(to, i);
+    if (to != Mode::open) joint += in_joint_mode(to, i) + way_in_joint_mode(i, from, here);
     if (to == from) continue;
     ++effort_.switches;
     report.add({speed_ * time_s_, static_cast<int>(i), from, to}, switches_wanted_);
   }
-  if (!motion_.enter(joint, here) || !slip_.begin(motion_, here)) return false;
+  if (!motion_.enter(joint, here) || !begin_slip(here)) return false;
   if (peaks_wanted_) peaks_.begin(motion_);
   return true;
 }
 
+/// The bit of a contact that touches and did `from` before: as long as it touches its slip keeps its way.
 template <int N>
-bool ExactRun<N>::slip_held(run::TurnReport& report, const State& here) {
-  if (motion_.joint() == 0) return true;
-  report.touched = true;
-  return slip_.held(motion_, here, report.slip_reversed);
+std::size_t ExactRun<N>::way_in_joint_mode(std::size_t i, Mode from, const State& here) const {
+  const std::size_t bit = backward_in_joint_mode(i, motion_.mode().modes.size());
+  if (from != Mode::open) return motion_.joint() & bit;
+  return slip_.goes_backward(motion_.machine(), i, here) ? bit : 0;
+}
+
+/// False where friction is not saturated, and the run ends at `here`.
+template <int N>
+bool ExactRun<N>::begin_slip(const State& here) {
+  if (slip_.begin(motion_, here)) return true;
+  unsaturated_ = true;
+  here_ = here;
+  return false;
 }
 
 /// The bounds of the watch hold over one longest stretch.
 template <int N>
-bool ExactRun<N>::renew_slip_watch(run::TurnReport& report, StepChoice& choice) {
+bool ExactRun<N>::renew_slip_watch(StepChoice& choice) {
   if (motion_.joint() == 0 || slip_.duration_s() + choice.step_s <= slip_.longest_s()) return true;
-  const State here = motion_.physical();
-  if (!slip_held(report, here) || !slip_.begin(motion_, here)) return false;
+  if (!begin_slip(motion_.physical())) return false;
   if (choice.step_s > slip_.longest_s()) choice = {.step_s = slip_.longest_s()};
   return true;
 }

@@ -18,8 +18,8 @@ namespace rubsweep::integrate::exact {
 /// How a turn of an exact run ended.
 enum class ExactEnding {
   ok,
-  beyond,  ///< this turn has no closed form: touching an annular stop, friction not saturated, an undamped
-           ///< resonance
+  beyond,       ///< this turn has no closed form: touching an annular stop, an undamped resonance
+  unsaturated,  ///< nor has what follows in it: the friction of a touching contact leaves saturation
   step_limit,
   non_finite,
 };
@@ -36,8 +36,25 @@ class ExactRun {
   ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps_per_revolution);
 
   /// Integrates the next revolution. After `beyond` the run stands where the revolution began, and the
-  /// report means nothing.
+  /// report means nothing. After `unsaturated` the turn is made up to `place()`, and so is the report.
   ExactEnding advance(const run::TurnRequest& request, run::TurnReport& report);
+
+  /// Where a turn goes on that another solver has to make a piece of.
+  struct Place {
+    double phase_rad = 0;
+    std::vector<double> state;         ///< as TurnReport::section
+    std::vector<contact::Mode> modes;  ///< per contact
+    Eigen::MatrixXd tangent_vectors;   ///< as TurnRequest::tangent_vectors
+  };
+  /// After `unsaturated`. Its memory is kept from piece to piece.
+  const Place& place();
+
+  /// Goes on in the turn where it stands now after a piece by another solver, up to which `report` is made.
+  /// False, with nothing changed, where friction is not saturated there, or only for a moment.
+  bool join(double phase_rad, std::span<const double> state, const std::vector<contact::Mode>& modes,
+            const run::TurnReport& report);
+  /// The rest of the turn, behind `join`, as `advance`.
+  ExactEnding go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report);
 
   /// The next revolution starts from `section` (as TurnReport::section): another solver made the turns before
   /// it.
@@ -58,6 +75,7 @@ class ExactRun {
   using State = typename Motion::State;
 
   bool begin_turn(const run::TurnRequest& request, run::TurnReport& report);
+  ExactEnding run_to_end(run::TurnReport& report);
   bool start_motion();
   ExactEnding end_turn(run::TurnReport& report);
   bool enter_by_state(const State& physical);
@@ -75,8 +93,12 @@ class ExactRun {
   void land(run::TurnReport& report, std::size_t guard, double latest_s);
   bool switch_mode(run::TurnReport& report, std::size_t guard);
 
-  bool slip_held(run::TurnReport& report, const State& here);
-  bool renew_slip_watch(run::TurnReport& report, StepChoice& choice);
+  std::size_t way_in_joint_mode(std::size_t contact, contact::Mode from, const State& here) const;
+  bool begin_slip(const State& here);
+  bool renew_slip_watch(StepChoice& choice);
+  ExactEnding without_closed_form() const {
+    return unsaturated_ ? ExactEnding::unsaturated : ExactEnding::beyond;
+  }
 
   Motion motion_;
   run::StateScale scale_;  ///< of sections
@@ -96,6 +118,9 @@ class ExactRun {
   bool peaks_wanted_ = false, switches_wanted_ = false;
   Eigen::Index tangents_ = 0;  ///< asked for in this turn
   int standstill_ = 0;
+  bool unsaturated_ = false;  ///< the turn has come to where friction leaves saturation
+  State here_;                ///< physical, where it did
+  Place place_;
   run::Effort effort_;
 };
 

@@ -51,6 +51,13 @@ class TubeBuilder {
 
   void keep_margin(double margin, Spread spread) { tube_.margins.push_back({margin, std::move(spread)}); }
 
+  /// The margin of a guard over a step of `duration_s`; false where the reference itself has none.
+  bool keep_below_zero(const GuardValue& guard, const SeenByDisturbances& seen, double duration_s) {
+    const double end = guard.value + duration_s * (guard.rate + duration_s / 2 * guard.curvature);
+    keep_margin(-std::max(guard.value, end), reference_.spread_over(seen, duration_s));
+    return tube_.margins.back().margin > 0;
+  }
+
   struct Choice {
     double step_s = 0;
     std::size_t crossing = none;
@@ -100,9 +107,12 @@ class TubeBuilder {
       seen_by.push_back(reference_.seen(e));
     }
     const auto choice = choose(guards);
-    if (!choice || !begin_slip()) return false;
+    if (!choice) return false;
+    const auto slips = reference_.slip_guards();
     const double duration_s = move(choice->crossing, choice->step_s);
-    if (!end_slip(duration_s)) return false;
+    for (const auto& slip : slips) {
+      if (!keep_below_zero(slip.value, slip.seen, duration_s)) return false;
+    }
     for (std::size_t e = 0; e < count; ++e) {
       if (e == choice->crossing) continue;
       const Spread spread = reference_.spread_over(seen_by[e], duration_s);
@@ -110,9 +120,7 @@ class TubeBuilder {
         raise(tube_.switches.back().spread, spread);
         continue;
       }
-      const GuardValue& guard = guards[e];
-      const double end = guard.value + duration_s * (guard.rate + duration_s / 2 * guard.curvature);
-      keep_margin(-std::max(guard.value, end), spread);
+      keep_below_zero(guards[e], seen_by[e], duration_s);
     }
     behind_ = none;
     if (choice->crossing == none) return true;
@@ -147,21 +155,6 @@ class TubeBuilder {
     return duration_s;
   }
 
-  bool begin_slip() {
-    if (!reference_.slips()) return true;
-    slip_width_ = reference_.slip_spread();
-    return reference_.begin_slip();
-  }
-
-  /// The stretch that began last: how far every slip stayed above where friction is no longer saturated.
-  bool end_slip(double duration_s) {
-    if (!reference_.slips()) return true;
-    reference_.slip().advance(duration_s);
-    const double margin = reference_.slip().margin_m_per_s(motion(), motion().physical());
-    keep_margin(margin, slip_width_);
-    return margin > 0;
-  }
-
   void finish(std::vector<double>& section, const Eigen::MatrixXd& end_norm) {
     const auto scaled = [&](State state) -> Eigen::VectorXd {
       reference_.scale().from_seconds(state);
@@ -182,7 +175,6 @@ class TubeBuilder {
   }
 
   TubeReference<N> reference_;
-  Spread slip_width_;
   std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
   double time_s_ = 0;
   TurnTube tube_;

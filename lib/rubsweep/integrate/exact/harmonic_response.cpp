@@ -70,7 +70,8 @@ bool make_harmonic_response(const LinearMode<N>& mode, const Eigen::VectorXcd& f
   for (const auto& touch : mode.touches) {
     response.at_force.push_back(row_on(touch.force, response.amplitude, rate));
     response.force_curvature.push_back(std::abs(response.at_force.back()) * rate * rate);
-    response.sliding.push_back(std::abs(row_on(touch.sliding, response.amplitude, rate)) * rate);
+    response.at_sliding.push_back(row_on(touch.sliding, response.amplitude, rate));
+    response.sliding_curvature.push_back(std::abs(response.at_sliding.back()) * rate * rate);
   }
   return true;
 }

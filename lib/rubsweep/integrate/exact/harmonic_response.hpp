@@ -36,10 +36,11 @@ struct HarmonicResponse {
   /// Per guard: Taylor coefficients as of Guard, of the real and of the imaginary part of the phasor.
   std::vector<numerics::SeriesTable<2>> taylor;
   std::vector<std::array<Complex, 2>> at_annular_guard;
-  std::vector<double> annular_length;   ///< per annular stop: bound on |at_annular_guard e^{i rate t}|
-  std::vector<Complex> at_force;        ///< per touch
-  std::vector<double> force_curvature;  ///< per touch: |at_force| rate^2
-  std::vector<double> sliding;          ///< per touch: |sliding amplitude| rate
+  std::vector<double> annular_length;     ///< per annular stop: bound on |at_annular_guard e^{i rate t}|
+  std::vector<Complex> at_force;          ///< per touch
+  std::vector<double> force_curvature;    ///< per touch: |at_force| rate^2
+  std::vector<Complex> at_sliding;        ///< per touch
+  std::vector<double> sliding_curvature;  ///< per touch: |at_sliding| rate^2
   std::array<Complex, numerics::exact_step_count>
       steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked
 

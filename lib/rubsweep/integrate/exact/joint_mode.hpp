@@ -9,9 +9,25 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Share of contact `i` in the number of a joint mode: the modes of all contacts, two bits each.
+/// Share of contact `i` in the number of a joint mode: the modes of all contacts, two bits each, and above
+/// them one bit for each of the contacts, whose slip goes backward.
 constexpr std::size_t in_joint_mode(contact::Mode mode, std::size_t i) {
   return static_cast<std::size_t>(mode) << (2 * i);
+}
+
+/// The bit that says so of contact `i` of `contacts`.
+constexpr std::size_t backward_in_joint_mode(std::size_t i, std::size_t contacts) {
+  return std::size_t{1} << (2 * contacts + i);
+}
+
+/// The modes alone.
+constexpr std::size_t modes_of_joint_mode(std::size_t joint, std::size_t contacts) {
+  return joint & ((std::size_t{1} << 2 * contacts) - 1);
+}
+
+/// Mode of contact `i`.
+constexpr contact::Mode mode_in_joint_mode(std::size_t joint, std::size_t i) {
+  return static_cast<contact::Mode>((joint >> 2 * i) % contact::mode_count);
 }
 
 /// Kinematics of a flat scaled contact at (u, u').

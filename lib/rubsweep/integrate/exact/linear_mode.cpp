@@ -41,8 +41,9 @@ Row over_state(const Row& by_u, const Row& by_v) {
 template <int N>
 class ModeBuilder {
  public:
-  ModeBuilder(const System& system, const Frictions& friction, std::vector<Mode> modes)
-      : system_(system), friction_(friction), mode_(std::make_unique<LinearMode<N>>()) {
+  ModeBuilder(const System& system, const Frictions& friction, std::vector<Mode> modes,
+              const std::vector<bool>& backward)
+      : system_(system), friction_(friction), backward_(backward), mode_(std::make_unique<LinearMode<N>>()) {
     mode_->modes = std::move(modes);
   }
 
@@ -70,6 +71,8 @@ class ModeBuilder {
     return true;
   }
 
+  double way(std::size_t i) const { return backward_[i] ? -1 : 1; }
+
   void assemble() {
     mode_->stiffness = system_.stiffness;
     mode_->damping = system_.damping;
@@ -79,8 +82,8 @@ class ModeBuilder {
       const Mode mode = mode_->modes[i];
       if (mode == Mode::open) continue;
       const contact::LinearLaw law = contact::law_of(mode);
-      const Eigen::VectorXd push =
-          c.stiffness * (law.spring * c.first_push + law.friction * friction_[i].coefficient * c.second_push);
+      const double coefficient = law.friction * way(i) * friction_[i].coefficient;
+      const Eigen::VectorXd push = c.stiffness * (law.spring * c.first_push + coefficient * c.second_push);
       mode_->stiffness -= push * c.first_row;
       mode_->damping -= law.damper * c.damping * c.first_push * c.first_row;
       constant_ -= push * c.clearance;
@@ -240,6 +243,7 @@ class ModeBuilder {
     const auto& c = system_.contacts[i];
     TouchWatch<N> touch;
     touch.contact = i;
+    touch.way = way(i);
     const contact::LinearLaw law = contact::law_of(mode_->modes[i]);
     const Row force =
         law.spring * c.stiffness * by_u(c.first_row) + law.damper * c.damping * by_v(c.first_row);
@@ -251,6 +255,7 @@ class ModeBuilder {
     mode_->pushes = mode_->pushes || touch.pushes;
     const Row sliding = by_v(c.second_row);
     touch.sliding = sliding;
+    touch.sliding_of_free = terms_of(sliding * mode_->basis, all_pairs());
     touch.sliding_rate_bound = bound(rate(sliding * mode_->basis));
     if (!mode_->paired && only_released()) {
       if (auto slip = released_slip(system_, friction_, mode_->modes, i, mode_->longest_step_s)) {
@@ -269,6 +274,7 @@ class ModeBuilder {
 
   const System& system_;
   const Frictions& friction_;
+  const std::vector<bool>& backward_;
   std::unique_ptr<LinearMode<N>> mode_;
   Eigen::VectorXd constant_;
   std::optional<numerics::ModalForm> form_;
@@ -279,18 +285,17 @@ class ModeBuilder {
 
 template <int N>
 std::unique_ptr<LinearMode<N>> make_linear_mode(const System& system, const Frictions& friction,
-                                                std::vector<Mode> modes) {
-  return ModeBuilder<N>(system, friction, std::move(modes)).build();
+                                                std::vector<Mode> modes, const std::vector<bool>& backward) {
+  return ModeBuilder<N>(system, friction, std::move(modes), backward).build();
 }
 
 template std::unique_ptr<LinearMode<2>> make_linear_mode<2>(const System&, const Frictions&,
-                                                            std::vector<Mode>);
+                                                            std::vector<Mode>, const std::vector<bool>&);
 template std::unique_ptr<LinearMode<4>> make_linear_mode<4>(const System&, const Frictions&,
-                                                            std::vector<Mode>);
+                                                            std::vector<Mode>, const std::vector<bool>&);
 template std::unique_ptr<LinearMode<6>> make_linear_mode<6>(const System&, const Frictions&,
-                                                            std::vector<Mode>);
-template std::unique_ptr<LinearMode<Eigen::Dynamic>> make_linear_mode<Eigen::Dynamic>(const System&,
-                                                                                      const Frictions&,
-                                                                                      std::vector<Mode>);
+                                                            std::vector<Mode>, const std::vector<bool>&);
+template std::unique_ptr<LinearMode<Eigen::Dynamic>> make_linear_mode<Eigen::Dynamic>(
+    const System&, const Frictions&, std::vector<Mode>, const std::vector<bool>&);
 
 }  // namespace rubsweep::integrate::exact

@@ -70,7 +70,9 @@ struct TouchWatch {
   double force_constant = 0;
   ModalTerms force_of_free;                        ///< the free vibration's part of it
   bool pushes = false;                             ///< false: released, the normal force is zero
+  double way = 1;                                  ///< -1: the slip, and friction with it, goes backward
   typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
+  ModalTerms sliding_of_free;                      ///< the free vibration's part of it
   typename ExactTypes<N>::Row sliding_rate_bound;  ///< of the free vibration's part of d sliding / dt
   /// Empty in most modes. Where every touching contact is released there is nothing but friction, mu K p at
   /// contact k, between rotor and casings, and the penetrations p only fall. `sliding_rate_bound` is then on
@@ -122,24 +124,26 @@ struct LinearMode {
   }
 };
 
-/// Linear mode of one joint contact mode of a system scaled with time in seconds: `friction` and `modes` per
-/// contact. Null where the mode has no equilibrium, as in a structure without springs.
+/// Linear mode of one joint contact mode of a system scaled with time in seconds: `friction`, `modes` and
+/// whether the slip goes `backward`, per contact. Null where the mode has no equilibrium, as in a structure
+/// without springs.
 template <int N>
 std::unique_ptr<LinearMode<N>> make_linear_mode(const run::ScaledSystem<Eigen::Dynamic>& system,
                                                 const std::vector<contact::SaturatedFriction>& friction,
-                                                std::vector<contact::Mode> modes);
+                                                std::vector<contact::Mode> modes,
+                                                const std::vector<bool>& backward);
 
 extern template std::unique_ptr<LinearMode<2>> make_linear_mode<2>(
     const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    std::vector<contact::Mode>);
+    std::vector<contact::Mode>, const std::vector<bool>&);
 extern template std::unique_ptr<LinearMode<4>> make_linear_mode<4>(
     const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    std::vector<contact::Mode>);
+    std::vector<contact::Mode>, const std::vector<bool>&);
 extern template std::unique_ptr<LinearMode<6>> make_linear_mode<6>(
     const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    std::vector<contact::Mode>);
+    std::vector<contact::Mode>, const std::vector<bool>&);
 extern template std::unique_ptr<LinearMode<Eigen::Dynamic>> make_linear_mode<Eigen::Dynamic>(
     const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    std::vector<contact::Mode>);
+    std::vector<contact::Mode>, const std::vector<bool>&);
 
 }  // namespace rubsweep::integrate::exact

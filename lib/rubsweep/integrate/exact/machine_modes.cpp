@@ -3,9 +3,13 @@
 #include <Eigen/Cholesky>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/integrate/exact/joint_mode.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {
+
+/// As many as there are modes of six stops whose slips all go forward.
+constexpr std::size_t most_backward_modes = 4096;
 
 bool same(const scene::Contact& a, const scene::Contact& b) {
   const auto friction_a = contact::saturated_friction(a.friction),
@@ -58,25 +62,43 @@ template <int N>
 std::size_t MachineModes<N>::bytes() const {
   const auto states = static_cast<std::size_t>(2 * system_.coordinates());
   std::size_t numbers = modes_.size();
-  for (const auto& mode : modes_) {
-    if (!mode) continue;
+  const auto count = [&](const std::unique_ptr<LinearMode<N>>& mode) {
+    if (!mode) return;
     const std::size_t matrices = 3 + mode->steps.size(), columns = 4 * mode->pair_steps.size();
     numbers += states * (states * matrices + columns + numerics::series_rows * mode->guards.size());
-  }
+  };
+  for (const auto& mode : modes_) count(mode);
+  for (const auto& [joint, mode] : backward_modes_) count(mode);
   return numbers * sizeof(double);
 }
 
 template <int N>
 const LinearMode<N>* MachineModes<N>::mode(std::size_t joint) {
+  if (joint >= modes_.size()) {
+    const auto found = backward_modes_.find(joint);
+    if (found != backward_modes_.end()) return found->second.get();
+    if (backward_modes_.size() >= most_backward_modes) return nullptr;
+    return (backward_modes_[joint] = make(joint)).get();
+  }
   if (!made_[joint]) {
-    std::vector<contact::Mode> modes;
-    for (std::size_t i = 0, rest = joint; i < scene_.contacts.size(); ++i, rest /= contact::mode_count)
-      modes.push_back(static_cast<contact::Mode>(rest % contact::mode_count));
-    modes_[joint] = make_linear_mode<N>(system_, friction_, std::move(modes));
-    if (modes_[joint]) modes_[joint]->index = count_++;
+    modes_[joint] = make(joint);
     made_[joint] = true;
   }
   return modes_[joint].get();
+}
+
+template <int N>
+std::unique_ptr<LinearMode<N>> MachineModes<N>::make(std::size_t joint) {
+  const std::size_t contacts = scene_.contacts.size();
+  std::vector<contact::Mode> modes;
+  std::vector<bool> backward;
+  for (std::size_t i = 0; i < contacts; ++i) {
+    modes.push_back(mode_in_joint_mode(joint, i));
+    backward.push_back((joint & backward_in_joint_mode(i, contacts)) != 0);
+  }
+  auto mode = make_linear_mode<N>(system_, friction_, std::move(modes), backward);
+  if (mode) mode->index = count_++;
+  return mode;
 }
 
 bool exact_applies(const scene::Scene& scene) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "rubsweep/integrate/exact/linear_mode.hpp"
@@ -23,8 +24,9 @@ class MachineModes {
   /// About what the flows of all modes made so far take.
   std::size_t bytes() const;
 
-  /// Linear mode of a joint contact mode, numbered mode of contact i times 4^i. Null where the mode has no
-  /// equilibrium, as in a structure without springs.
+  /// Linear mode of a joint contact mode, numbered as by `in_joint_mode`. Null where the mode has no
+  /// equilibrium, as in a structure without springs, and where as many modes with a slip that goes backward
+  /// are kept as there is room for.
   const LinearMode<N>* mode(std::size_t joint);
 
   /// Scaled with time in seconds.
@@ -37,16 +39,20 @@ class MachineModes {
   run::ScaledSystem<Eigen::Dynamic> system_;
   Eigen::MatrixXd inverse_mass_;
   std::vector<contact::SaturatedFriction> friction_;
-  std::vector<std::unique_ptr<LinearMode<N>>> modes_;
+  std::unique_ptr<LinearMode<N>> make(std::size_t joint);
+
+  std::vector<std::unique_ptr<LinearMode<N>>> modes_;  ///< by number, those without a slip that goes backward
   std::vector<bool> made_;
+  std::unordered_map<std::size_t, std::unique_ptr<LinearMode<N>>> backward_modes_;
   std::size_t count_ = 0;
 };
 
 /// Stops whose joint contact modes can be numbered.
 inline constexpr std::size_t most_exact_contacts = 6;
 
-/// Whether the exact solver and Taylor pieces know the scene: walls that are flat or round, not more stops than
-/// joint modes are numbered for, nor more coordinates than a mode holds (all that a configuration can ask for).
+/// Whether the exact solver and Taylor pieces know the scene: walls that are flat or round, not more stops
+/// than joint modes are numbered for, nor more coordinates than a mode holds (all that a configuration can
+/// ask for).
 bool exact_applies(const scene::Scene& scene);
 
 extern template class MachineModes<2>;

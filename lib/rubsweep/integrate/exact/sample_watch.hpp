@@ -24,6 +24,12 @@ class SampleWatch {
     if (count_ > 0) report.samples.resize(static_cast<std::size_t>(count_ * states));
   }
 
+  /// Goes on behind the samples that another solver has put into the report.
+  void resume(const run::TurnReport& report) {
+    next_ = report.sample_count;
+    visit_ = -1;
+  }
+
   bool wanted() const { return next_ < count_; }
 
   /// Whether samples are wanted between the ends of steps in the motion's mode.

@@ -2,25 +2,29 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
-#include <variant>
+#include <optional>
 #include <vector>
 
 #include "rubsweep/integrate/exact/exact_motion.hpp"
+#include "rubsweep/integrate/exact/joint_mode.hpp"
 #include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/numerics/certified_step.hpp"
 #include "rubsweep/numerics/cubic_maximum.hpp"
 
 namespace rubsweep::integrate::exact {
 
-/// Watches that friction stays saturated, so that its coefficient is the constant that the linear mode
-/// was made with, over stretches of contact no longer than the mode's longest step. Between two instants T
-/// apart a slip whose rate is at most L stays above (slip at the one + slip at the other - L T) / 2. Where
-/// nearly equal modes cancel each other L is a hundred times what the slip does: stretches are then so short
-/// that a slip that hardly changes passes.
+/// Watches that friction stays saturated and keeps its way, so that its coefficient is the constant that the
+/// linear mode was made with, over stretches of contact no longer than the mode's longest step. What is left
+/// of a slip is a guard like any other: from its value, its rate and a bound of its second derivative follows
+/// a stretch over which it cannot come to zero. So what a stretch was begun for holds all along it, and a
+/// motion whose next stretch would be too short to be worth a step still stands where friction is saturated.
 template <int N>
 class SlipWatch {
  public:
   using State = typename ExactTypes<N>::State;
+  using Guard = typename ExactMotion<N>::GuardValue;
 
   SlipWatch(const scene::Scene& scene, const std::vector<contact::SaturatedFriction>& friction)
       : length_m_(scene.length_scale_m) {
@@ -29,42 +33,81 @@ class SlipWatch {
       contacts_.push_back(
           {.above_m_per_s = saturates ? friction[i].above_m_per_s : std::numeric_limits<double>::infinity(),
            .surface_speed_m_per_s = scene.contacts[i].surface_speed_m_per_s,
-           .constant = contact::keeps_its_direction(scene.contacts[i].friction)});
+           .one_way =
+               contact::keeps_its_direction(scene.contacts[i].friction) && friction[i].coefficient != 0});
     }
+  }
+
+  /// The joint mode of these contact modes in which every slip goes the way it has at `physical`. Empty where
+  /// the friction of a touching contact is not saturated there.
+  std::optional<std::size_t> saturated_mode(const MachineModes<N>& machine, std::size_t modes,
+                                            const State& physical) const {
+    const std::size_t joint = with_ways(machine, modes, physical);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (mode_in_joint_mode(modes, i) == contact::Mode::open || contacts_[i].always()) continue;
+      if (!(std::abs(slip(machine, i, physical)) > contacts_[i].above_m_per_s)) return std::nullopt;
+    }
+    return joint;
+  }
+
+  /// The same whether or not it is saturated.
+  std::size_t with_ways(const MachineModes<N>& machine, std::size_t modes, const State& physical) const {
+    std::size_t joint = modes;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (mode_in_joint_mode(modes, i) == contact::Mode::open) continue;
+      if (goes_backward(machine, i, physical)) joint += backward_in_joint_mode(i, contacts_.size());
+    }
+    return joint;
+  }
+
+  /// Whether the slip of contact `i` does at `physical`, and its friction with it.
+  bool goes_backward(const MachineModes<N>& machine, std::size_t i, const State& physical) const {
+    return !contacts_[i].always() && slip(machine, i, physical) < 0;
   }
 
   /// Starts a stretch at `physical`, the motion's state; false when friction is not saturated here, or so
-  /// little beyond it that the bounds hold over no stretch worth a step.
-  bool begin(const ExactMotion<N>& motion, const State& physical) {
+  /// little beyond it, with a slip that goes back, that it is certain to stay so over no stretch of
+  /// `least_share` of the mode's longest step.
+  bool begin(const ExactMotion<N>& motion, const State& physical, double least_share = shortest_stretch) {
     duration_s_ = 0;
     longest_s_ = motion.mode().longest_step_s;
     may_reverse_ = false;
-    for (const TouchWatch<N>& touch : motion.mode().touches) {
+    for (std::size_t t = 0; t < motion.mode().touches.size(); ++t) {
+      const TouchWatch<N>& touch = motion.mode().touches[t];
       Contact& c = contacts_[touch.contact];
-      c.start_m_per_s = slip(touch, physical);
-      c.rate_bound = length_m_ * motion.sliding_rate_bound(touch, physical);
-      c.friction_rate = c.friction_swing = 0;
-      for (std::size_t k = 0; k < touch.friction_rate.size(); ++k) {
-        const auto& other = motion.machine().system().contacts[k];
-        const double penetration =
-            other.first_row.dot(physical.head(other.first_row.size()).transpose()) - other.clearance;
-        c.friction_rate += length_m_ * touch.friction_rate[k] * std::max(0.0, penetration);
-        c.friction_swing += length_m_ * touch.friction_swing[k] * std::max(0.0, penetration);
+      if (c.always()) {
+        if (c.one_way) look_at_one_way(motion, t, physical);
+        continue;
       }
-      if (!(c.start_m_per_s > c.above_m_per_s)) return false;
-      const double longest_s = motion.mode().longest_step_s;
-      const double rate_bound = c.rate_bound + c.friction_rate + c.friction_swing * longest_s;
-      may_reverse_ = may_reverse_ || (c.constant && c.start_m_per_s <= rate_bound * longest_s);
-      const double margin = c.start_m_per_s - c.above_m_per_s;
-      if (share_of_margin * margin < rate_bound * longest_s_)
-        longest_s_ = share_of_margin * margin / rate_bound;
+      const Guard left = guard(motion, t, physical);
+      if (!(left.value < 0)) return false;
+      if (numerics::stays_below(left.value, left.rate, left.curvature, longest_s_)) continue;
+      longest_s_ = std::min(longest_s_, numerics::safe_step(left.value, left.rate, left.curvature));
     }
     if (may_reverse_) note(motion, physical);
-    return longest_s_ >= shortest_stretch * motion.mode().longest_step_s;
+    return longest_s_ >= least_share * motion.mode().longest_step_s;
   }
 
-  /// Whether the slip of a constant friction, which holds at every speed and so never ends a stretch, may
-  /// come to zero in this one.
+  /// What is left of the slip of touch `t` at `physical`, the motion's state, before friction leaves
+  /// saturation, m/s: as a guard, negative while it is saturated, with a bound of its second derivative
+  /// within the mode's longest step. Where the touch has a `friction_rate` the bound is one of the first
+  /// derivative, which stands as the rate. For contacts that are not `always` saturated.
+  Guard guard(const ExactMotion<N>& motion, std::size_t t, const State& physical) const {
+    const TouchWatch<N>& touch = motion.mode().touches[t];
+    const Contact& c = contacts_[touch.contact];
+    const double value = c.above_m_per_s - touch.way * slip(touch, physical);
+    if (!touch.friction_rate.empty()) return {value, rate_bound(motion, touch, physical), 0};
+    const auto sliding = motion.sliding_rate(t);
+    return {value, -touch.way * length_m_ * sliding.rate, length_m_ * sliding.curvature};
+  }
+
+  /// Whether the friction of touch `t` holds at every slip.
+  bool always(const ExactMotion<N>& motion, std::size_t t) const {
+    return contacts_[motion.mode().touches[t].contact].always();
+  }
+
+  /// Whether the slip of a one-way friction, which holds at every speed and so never ends a stretch, may come
+  /// to zero in this one.
   bool may_reverse() const { return may_reverse_; }
 
   /// At the end of a step of `duration_s` inside the stretch: whether such a slip came to zero in it, by the
@@ -81,7 +124,7 @@ class SlipWatch {
       const ValueAndRate start = starts[count++], end = before(touch);
       const double largest =
           numerics::cubic_maximum(-start.value, -duration_s * start.rate, -end.value, -duration_s * end.rate);
-      reversed = reversed || (contacts_[touch.contact].constant && largest >= 0);
+      reversed = reversed || (contacts_[touch.contact].one_way && largest >= 0);
     }
     return reversed;
   }
@@ -91,42 +134,8 @@ class SlipWatch {
   /// How long a stretch that began here may be.
   double longest_s() const { return longest_s_; }
 
-  /// Whether friction was saturated all along the stretch that ends at `physical`; says when the slip of a
-  /// constant friction is reversed there.
-  bool held(const ExactMotion<N>& motion, const State& physical, bool& reversed) const {
-    for (const TouchWatch<N>& touch : motion.mode().touches) {
-      const double end = slip(touch, physical);
-      if (end <= 0 && contacts_[touch.contact].constant) reversed = true;
-      if (!(least_m_per_s(touch, end) > contacts_[touch.contact].above_m_per_s)) return false;
-    }
-    return true;
-  }
-
-  struct AtStart {
-    double margin_m_per_s = 0;  ///< least distance of a slip from where it is no longer saturated
-    double rate_m_per_s2 = 0;   ///< no slip changes faster within the mode's longest step
-  };
-  /// Of the stretch that began last.
-  AtStart at_start(const ExactMotion<N>& motion) const {
-    AtStart all{std::numeric_limits<double>::infinity(), 0};
-    for (const TouchWatch<N>& touch : motion.mode().touches) {
-      const Contact& c = contacts_[touch.contact];
-      all.margin_m_per_s = std::min(all.margin_m_per_s, c.start_m_per_s - c.above_m_per_s);
-      all.rate_m_per_s2 = std::max(all.rate_m_per_s2, c.rate_bound + c.friction_rate +
-                                                          c.friction_swing * motion.mode().longest_step_s);
-    }
-    return all;
-  }
-
-  /// How far the slips stayed above what saturation takes, all along the stretch that ends at `physical`.
-  double margin_m_per_s(const ExactMotion<N>& motion, const State& physical) const {
-    double margin = std::numeric_limits<double>::infinity();
-    for (const TouchWatch<N>& touch : motion.mode().touches) {
-      const double least = least_m_per_s(touch, slip(touch, physical));
-      margin = std::min(margin, least - contacts_[touch.contact].above_m_per_s);
-    }
-    return margin;
-  }
+  /// Of a mode's longest step: the shortest stretch that is worth a step.
+  static constexpr double shortest_stretch = 1.0 / 256;
 
  private:
   struct ValueAndRate {
@@ -136,12 +145,38 @@ class SlipWatch {
   struct Contact {
     double above_m_per_s = 0;  ///< saturated from here on
     double surface_speed_m_per_s = 0;
-    bool constant = false;  ///< friction that does not depend on the slip, nor on its sign
-    ValueAndRate last{};    ///< slip at the end of the last step
-    double start_m_per_s = 0;
-    double rate_bound = 0, friction_rate = 0;  ///< m/s^2
-    double friction_swing = 0;                 ///< m/s^3
+    bool one_way = false;  ///< friction that does not depend on the slip, nor on its sign
+    ValueAndRate last{};   ///< slip at the end of the last step
+
+    bool always() const { return above_m_per_s < 0; }
   };
+
+  void look_at_one_way(const ExactMotion<N>& motion, std::size_t t, const State& physical) {
+    const TouchWatch<N>& touch = motion.mode().touches[t];
+    const double now = slip(touch, physical), longest_s = motion.mode().longest_step_s;
+    may_reverse_ = may_reverse_ ||
+                   (touch.friction_rate.empty() ? !stays_forward(now, motion.sliding_rate(t), longest_s)
+                                                : now <= rate_bound(motion, touch, physical) * longest_s);
+  }
+
+  bool stays_forward(double slip_m_per_s, const typename ExactMotion<N>::SlidingRate& sliding,
+                     double duration_s) const {
+    return numerics::stays_below(-slip_m_per_s, -length_m_ * sliding.rate, length_m_ * sliding.curvature,
+                                 duration_s);
+  }
+
+  /// Of a slip within the mode's longest step, m/s^2.
+  double rate_bound(const ExactMotion<N>& motion, const TouchWatch<N>& touch, const State& physical) const {
+    double rate = motion.sliding_rate_bound(touch, physical), swing = 0;
+    for (std::size_t k = 0; k < touch.friction_rate.size(); ++k) {
+      const auto& other = motion.machine().system().contacts[k];
+      const double penetration = std::max(
+          0.0, other.first_row.dot(physical.head(other.first_row.size()).transpose()) - other.clearance);
+      rate += touch.friction_rate[k] * penetration;
+      swing += touch.friction_swing[k] * penetration;
+    }
+    return length_m_ * (rate + swing * motion.mode().longest_step_s);
+  }
 
   void note(const ExactMotion<N>& motion, const State& physical) {
     const State rate = motion.rate_of(physical);
@@ -150,21 +185,17 @@ class SlipWatch {
                                        length_m_ * touch.sliding.dot(rate.transpose())};
   }
 
-  /// Bound from below over the stretch that ends with slip `end_m_per_s`.
-  double least_m_per_s(const TouchWatch<N>& touch, double end_m_per_s) const {
-    const Contact& c = contacts_[touch.contact];
-    const double friction = c.friction_rate + c.friction_swing * duration_s_;
-    return (end_m_per_s + c.start_m_per_s - (c.rate_bound + friction) * duration_s_) / 2;
+  double slip(const MachineModes<N>& machine, std::size_t i, const State& physical) const {
+    const Eigen::RowVectorXd& row = machine.system().contacts[i].second_row;
+    double sliding = 0;
+    for (Eigen::Index j = 0; j < row.size(); ++j) sliding += row(j) * physical(row.size() + j);
+    return contacts_[i].surface_speed_m_per_s + length_m_ * sliding;
   }
 
   double slip(const TouchWatch<N>& touch, const State& physical) const {
     return contacts_[touch.contact].surface_speed_m_per_s +
            length_m_ * touch.sliding.dot(physical.transpose());
   }
-
-  /// Of twice the margin, the most that a slip that stays the same can be shown to keep.
-  static constexpr double share_of_margin = 1.8;
-  static constexpr double shortest_stretch = 1.0 / 256;  ///< of the mode's longest step
 
   double length_m_;
   double duration_s_ = 0, longest_s_ = 0;

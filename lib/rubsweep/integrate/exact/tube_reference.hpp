@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -24,10 +22,7 @@ class TubeReference {
   using Seen = SeenByDisturbances;
 
   TubeReference(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
-      : motion_(scene, modes), slip_(scene, modes->friction()), scale_(run::state_scale(scene)) {
-    for (const contact::SaturatedFriction& friction : modes->friction())
-      slips_ = slips_ || friction.above_m_per_s > 0;
-  }
+      : motion_(scene, modes), slip_(scene, modes->friction()), scale_(run::state_scale(scene)) {}
 
   /// Begins a turn at `section` with the disturbances that span the tube, one per column. False where the
   /// motion has no closed form, or an annular stop is armed.
@@ -38,9 +33,10 @@ class TubeReference {
     scale_.to_seconds(physical);
     motion_.set_phases(0);
     if (!motion_.enter(0, physical)) return false;
-    const std::size_t joint =
+    const std::size_t modes =
         joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));
-    if (joint != 0 && !motion_.enter(joint, physical)) return false;
+    if (modes != 0 && !motion_.enter(slip_.with_ways(motion_.machine(), modes, physical), physical))
+      return false;
     if (!motion_.mode().annular_guards.empty()) return false;
     motion_.carry_tangents(disturbances);
     return true;
@@ -52,16 +48,26 @@ class TubeReference {
   std::size_t base() const { return base_; }               ///< disturbances that are not kicks
 
   /// What guard `e` of the present mode makes of the disturbances.
-  Seen seen(std::size_t e) {
-    const auto& pairs = motion_.mode().guards[e].terms.list;
+  Seen seen(std::size_t e) { return seen_by(motion_.mode().guards[e].terms, 1); }
+
+  /// What is left of the slip of a touching contact, m/s, before friction leaves saturation, as a guard, and
+  /// what it makes of the disturbances; `row` is its own on the state.
+  struct SlipGuard {
+    typename ExactMotion<N>::GuardValue value;
     Seen seen;
-    for (const State& z : motion_.tangents()) {
-      const ModalSum sum = sum_of(pairs, z.data(), motion_.mode().paired);
-      seen.value.push_back(sum.value());
-      seen.rate.push_back(sum.rate());
-      seen.curvature.push_back(sum.curvature());
+    typename ExactTypes<N>::Row row;
+  };
+  /// Of all whose friction is saturated only above a slip.
+  std::vector<SlipGuard> slip_guards() {
+    std::vector<SlipGuard> all;
+    const State here = motion_.physical();
+    for (std::size_t t = 0; t < motion_.mode().touches.size(); ++t) {
+      if (slip_.always(motion_, t)) continue;
+      const TouchWatch<N>& touch = motion_.mode().touches[t];
+      all.push_back({slip_.guard(motion_, t, here), seen_by(touch.sliding_of_free, scale_.length_m),
+                     scale_.length_m * touch.sliding});
     }
-    return seen;
+    return all;
   }
 
   Spread spread_of(const std::vector<double>& values) const { return exact::spread_of(values, base_); }
@@ -88,12 +94,7 @@ class TubeReference {
     return margins;
   }
 
-  /// Whether some friction of a touching contact is saturated only above a slip.
-  bool slips() const { return slips_ && !motion_.mode().touches.empty(); }
-
-  /// Starts a stretch of slips here; false where friction is not saturated.
-  bool begin_slip() { return slip_.begin(motion_, motion_.physical()); }
-  SlipWatch<N>& slip() { return slip_; }
+  const SlipWatch<N>& slip() const { return slip_; }
 
   /// Norm of the generator in units of (1, fastest rate).
   static double norm_of(const LinearMode<N>& mode) {
@@ -104,30 +105,22 @@ class TubeReference {
     return generator.cwiseAbs().rowwise().sum().maxCoeff();
   }
 
-  /// What disturbances may make of a sliding speed until the end of a step, m/s: by the largest component in
-  /// units of (1, fastest rate), which grows no faster than the norm of the generator.
-  Spread slip_spread() {
-    const LinearMode<N>& mode = motion_.mode();
-    const Eigen::Index n = mode.rest.size();
-    const double growth = std::exp(std::min(700.0, norm_of(mode)));
-    double largest = 0;
-    for (const TouchWatch<N>& touch : mode.touches)
-      largest = std::max(largest, touch.sliding.cwiseAbs().sum());
-    std::vector<double> values;
+ private:
+  /// A linear function of the free vibration times `unit`.
+  Seen seen_by(const ModalTerms& terms, double unit) {
+    Seen seen;
     for (const State& z : motion_.tangents()) {
-      const State physical = mode.from_free(z);
-      const double size = std::max(physical.head(n).cwiseAbs().maxCoeff(),
-                                   physical.tail(n).cwiseAbs().maxCoeff() / mode.fastest_rad_per_s);
-      values.push_back(scale_.length_m * largest * mode.fastest_rad_per_s * growth * size);
+      const ModalSum sum = sum_of(terms.list, z.data(), motion_.mode().paired);
+      seen.value.push_back(unit * sum.value());
+      seen.rate.push_back(unit * sum.rate());
+      seen.curvature.push_back(unit * sum.curvature());
     }
-    return spread_of(values);
+    return seen;
   }
 
- private:
   ExactMotion<N> motion_;
   SlipWatch<N> slip_;
   run::StateScale scale_;
-  bool slips_ = false;
   std::size_t base_ = 0;
 };
 

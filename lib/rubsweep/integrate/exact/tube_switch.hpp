@@ -45,9 +45,11 @@ class TubeSwitch {
     const auto kinematics = kinematics_of(contact, here, motion_.closing_acceleration(i, here));
     if (contact::mode_after(guard.next, contact.stiffness, contact.damping, kinematics) != guard.next)
       return std::nullopt;
-    const std::size_t joint =
-        motion_.joint() - in_joint_mode(from.modes[i], i) + in_joint_mode(guard.next, i);
-    if (!motion_.enter(joint, here)) return std::nullopt;
+    const std::size_t count = motion_.machine().system().contacts.size();
+    const std::size_t modes = modes_of_joint_mode(motion_.joint(), count) - in_joint_mode(from.modes[i], i) +
+                              in_joint_mode(guard.next, i);
+    if (!motion_.enter(reference_.slip().with_ways(motion_.machine(), modes, here), here))
+      return std::nullopt;
     const LinearMode<N>& to = motion_.mode();
     for (std::size_t k = 0; k < to.guards.size(); ++k) {
       if (to.guards[k].contact == i && to.guards[k].physical == -guard.physical) behind_ = k;
@@ -71,15 +73,10 @@ class TubeSwitch {
   /// What is left of the slips at a change of mode, for whoever touches in its window: in the old mode until
   /// the guard is crossed, in the new one from then on.
   bool add_slip(TurnTube::Switch& change) {
-    if (!reference_.slips()) return true;
-    if (!reference_.begin_slip()) return false;
-    const auto [margin, rate] = reference_.slip().at_start(motion_);
-    TurnTube::Other slip;
-    slip.value = -margin;
-    slip.rate = rate;
-    slip.spread = reference_.slip_spread();
-    change.others.push_back(std::move(slip));
-    other_rows_.push_back(State::Zero(motion_.free().size()).transpose());
+    for (const auto& slip : reference_.slip_guards()) {
+      if (!add_other(change, slip.value, slip.seen)) return false;
+      other_rows_.push_back(slip.row);
+    }
     return true;
   }
 
@@ -87,13 +84,16 @@ class TubeSwitch {
   bool add_others(TurnTube::Switch& change, std::size_t but) {
     for (std::size_t k = 0; k < motion_.mode().guards.size(); ++k) {
       if (k == but) continue;
-      const GuardValue at = motion_.guard(k);
-      if (!(at.value < 0)) return false;
-      const SeenByDisturbances on = reference_.seen(k);
-      change.others.push_back({at.value, std::abs(at.rate), at.curvature, reference_.spread_of(on.value),
-                               reference_.spread_of(on.rate), reference_.spread_of(on.curvature), 0});
+      if (!add_other(change, motion_.guard(k), reference_.seen(k))) return false;
       other_rows_.push_back(motion_.mode().guards[k].physical);
     }
+    return true;
+  }
+
+  bool add_other(TurnTube::Switch& change, const GuardValue& at, const SeenByDisturbances& on) const {
+    if (!(at.value < 0)) return false;
+    change.others.push_back({at.value, std::abs(at.rate), at.curvature, reference_.spread_of(on.value),
+                             reference_.spread_of(on.rate), reference_.spread_of(on.curvature), 0});
     return true;
   }
 

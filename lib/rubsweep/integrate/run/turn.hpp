@@ -26,7 +26,8 @@ struct Effort {
   long refused = 0;  ///< refused by the error control
   long switches = 0;
   long implicit_steps = 0;  ///< accepted ones that Stepper::automatic took with rosenbrock4
-  long taylor_turns = 0;    ///< revolutions without a closed form, by pieces of Taylor series
+  long taylor_turns = 0;    ///< revolutions with pieces of Taylor series, where there is no closed form
+  long taylor_pieces = 0;   ///< such pieces, part of the steps
   long adaptive_turns = 0;  ///< revolutions without a closed form, by a stepper
 };
 

@@ -50,12 +50,9 @@ template <int N>
 TaylorEnding TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report,
                                    double end_phase) {
   report.clear();
-  samples_wanted_ = request.samples_per_revolution;
-  peaks_wanted_ = request.peaks;
-  switches_wanted_ = request.switches;
+  ask(request);
   phase_ = 0;
   end_phase_ = end_phase;
-  standstill_ = 0;
   if (samples_wanted_ > 0) report.samples.resize(static_cast<std::size_t>(samples_wanted_) * state_.size());
   pulses_.begin_turn(revolution_);
   if (!impulses_.none()) impulses_.begin_turn(revolution_);
@@ -64,19 +61,63 @@ TaylorEnding TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnRep
   start_ = state_;
   start_modes_ = dynamics_.modes();
   start_slips_ = dynamics_.slips();
-  tangents_.begin(request.tangent_vectors);
-  if (tangents_.count() > 0) {
-    project_tangents();
-    tangent_accuracy_ = request.tangent_accuracy;
-    longest_of_tangents_ = longest_times_fastest_of_tangents(tangent_accuracy_);
-  }
-  step_limit_ = effort_.steps + max_steps_;
+  begin_tangents(request.tangent_vectors, request.tangent_accuracy);
   TaylorEnding ending = TaylorEnding::ok;
   while (ending == TaylorEnding::ok && phase_ < end_phase_) {
     if (phase_ >= impulses_.next_phase_rad()) apply_impulses(report);
     ending = effort_.steps < step_limit_ ? step(report) : TaylorEnding::step_limit;
   }
   return end(report, ending);
+}
+
+template <int N>
+void TaylorRun<N>::ask(const run::TurnRequest& request) {
+  samples_wanted_ = request.samples_per_revolution;
+  peaks_wanted_ = request.peaks;
+  switches_wanted_ = request.switches;
+  standstill_ = 0;
+  step_limit_ = effort_.steps + max_steps_;
+}
+
+template <int N>
+void TaylorRun<N>::begin_tangents(const Eigen::MatrixXd& vectors, double accuracy) {
+  tangents_.begin(vectors);
+  if (tangents_.count() == 0) return;
+  project_tangents();
+  tangent_accuracy_ = accuracy;
+  longest_of_tangents_ = longest_times_fastest_of_tangents(accuracy);
+}
+
+template <int N>
+void TaylorRun<N>::put_tangents(Eigen::MatrixXd& vectors) const {
+  vectors.resize(static_cast<Eigen::Index>(state_.size()), tangents_.count());
+  if (tangents_.count() > 0) tangents_.put(vectors);
+}
+
+template <int N>
+void TaylorRun<N>::join(const run::TurnRequest& request, long revolution, double phase_rad,
+                        std::span<const double> state, const std::vector<contact::Mode>& modes,
+                        const Eigen::MatrixXd& tangent_vectors) {
+  ask(request);
+  phase_ = phase_rad;
+  end_phase_ = full_turn;
+  revolution_ = revolution;
+  pulses_.begin_turn(revolution_);
+  pulses_.go_to(phase_);
+  std::copy(state.begin(), state.end(), state_.begin());
+  dynamics_.modes() = modes;
+  std::ranges::fill(zero_terms_, 0);
+  adaptive::enter_slips_by_state(dynamics_, state_, rate_, phase_);
+  entered_ = true;
+  start_ = state_;
+  start_modes_ = dynamics_.modes();
+  start_slips_ = dynamics_.slips();
+  begin_tangents(tangent_vectors, request.tangent_accuracy);
+}
+
+template <int N>
+TaylorEnding TaylorRun<N>::go_on(run::TurnReport& report) {
+  return effort_.steps < step_limit_ ? step(report) : TaylorEnding::step_limit;
 }
 
 template <int N>

@@ -48,7 +48,26 @@ class TaylorRun {
   /// The next revolution is number `revolution` and starts from `section` (as TurnReport::section).
   void resume(std::span<const double> section, long revolution);
 
-  /// Scaled state where the next revolution begins.
+  /// Goes on inside revolution `revolution` of a scene without impulses, which another solver has made up to
+  /// `phase_rad`: at `state` (as TurnReport::section), with these modes of its contacts and these tangent
+  /// vectors (as TurnRequest::tangent_vectors).
+  void join(const run::TurnRequest& request, long revolution, double phase_rad, std::span<const double> state,
+            const std::vector<contact::Mode>& modes, const Eigen::MatrixXd& tangent_vectors);
+  /// One piece of the turn that was joined; `report` goes on. After `ok` the run is at `phase_rad()`.
+  TaylorEnding go_on(run::TurnReport& report);
+  /// That piece reached the end of the turn.
+  bool at_end_of_turn() const { return phase_ >= end_phase_; }
+  /// Completes the report of a turn that was joined and is at its end.
+  void finish(run::TurnReport& report) { end(report, TaylorEnding::ok); }
+
+  double phase_rad() const { return phase_; }
+  /// Dry friction holds a contact.
+  bool sticks() const { return dynamics_.any_dry() && dynamics_.stuck_contacts().count > 0; }
+  const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
+  /// As many tangent vectors as were given, where they are now.
+  void put_tangents(Eigen::MatrixXd& vectors) const;
+
+  /// Scaled state where the run is: where the next revolution begins, or in the turn that was joined.
   const std::vector<double>& section() const { return state_; }
   long revolution() const { return revolution_; }
   const run::Effort& effort() const { return effort_; }
@@ -56,6 +75,8 @@ class TaylorRun {
  private:
   static constexpr double full_turn = 2 * std::numbers::pi;
 
+  void ask(const run::TurnRequest& request);
+  void begin_tangents(const Eigen::MatrixXd& vectors, double accuracy);
   void enter_by_state(double phase);
   double next_boundary() const;
   TaylorEnding step(run::TurnReport& report);

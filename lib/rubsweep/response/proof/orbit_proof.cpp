@@ -70,7 +70,7 @@ std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> se
   const auto radius = map_->exact() ? ball_radius(scene_, workspace_.modes, start, *norms) : std::nullopt;
   const double distance = adapted_distance(section, *orbit, *norms);
   const Nearness wanted = radius ? Nearness{*radius, 0} : Nearness{followed_down * distance, on_the_orbit};
-  const long most_turns = patience(*orbit, *norms, distance / wanted.adapted, radius.has_value());
+  const long most_turns = patience(*orbit, *norms, distance / wanted.adapted, map_->closed_forms());
   if (!comes_near(radius ? map : as_it_runs(), section, *orbit, *norms, wanted, most_turns))
     return std::nullopt;
   const auto measures = measure(start, orbit->order);

@@ -37,6 +37,11 @@ class SceneMap {
   /// The exact solver makes the turns, as far as they have closed forms.
   bool exact() const { return exact_; }
 
+  /// Every revolution made up to now had one.
+  bool closed_forms() const {
+    return exact_ && report_.effort.taylor_turns == 0 && report_.effort.adaptive_turns == 0;
+  }
+
   /// Some contact was touching at some time in the revolution made last.
   bool touched() const { return report_.touched; }
 

@@ -1,0 +1,154 @@
+// Slips that reverse between flat stops: closed forms on either side of the reversal, Taylor pieces in
+// between, against long double, against Taylor pieces alone and against differences.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rubsweep/integrate/hybrid_run.hpp"
+#include "rubsweep/integrate/taylor/taylor_run.hpp"
+#include "support/long_double_reference.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+/// A thin shaft, whose surface goes at 0.24 m/s: the rotor in contact goes back faster, for a while.
+test::OneSideRotor thin_shaft(double steepness_s_per_m, double radius_m = 5e-4) {
+  test::OneSideRotor rotor;
+  rotor.contact_radius_m = radius_m;
+  rotor.friction_steepness_s_per_m = steepness_s_per_m;
+  return rotor;
+}
+
+/// The same with dry friction.
+scene::Scene dry_scene() {
+  model::Machine machine = test::machine_of(thin_shaft(100, 3e-4));
+  machine.stops[0].friction = model::ConstantFriction{0.1};
+  return scene::build_cell(machine, 75, scene::WhirlRatio{0.4}).scene;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+void expect_long_double(const test::OneSideRotor& rotor, int steps, double bound) {
+  constexpr int turns = 6;
+  const auto reference = test::long_double_sections(rotor, turns, steps);
+  exact::ModeCache modes;
+  const auto run = start_hybrid(test::cell_of(rotor).scene, {}, modes);
+  run::TurnReport turn;
+  for (int k = 1; k <= turns; ++k) {
+    ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
+    EXPECT_LT(test::section_error(turn.section, reference[static_cast<std::size_t>(k)], rotor), bound) << k;
+  }
+  EXPECT_GT(turn.effort.taylor_turns, 0);
+  EXPECT_GT(turn.effort.steps, turn.effort.taylor_pieces);  // some of the way is by closed forms
+  EXPECT_EQ(turn.effort.adaptive_turns, 0);
+}
+
+TEST(ReversingSlip, AgainstLongDouble) { expect_long_double(thin_shaft(100), 6000, 1e-12); }
+
+TEST(ReversingSlip, AgainstLongDoubleWhereHardlyAnythingIsSaturated) {
+  test::OneSideRotor rotor = thin_shaft(30);
+  constexpr int turns = 6;
+  const auto reference = test::long_double_sections(rotor, turns, 3000);
+  exact::ModeCache modes;
+  const auto run = start_hybrid(test::cell_of(rotor).scene, {}, modes);
+  run::TurnReport turn;
+  for (int k = 1; k <= turns; ++k) {
+    ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
+    EXPECT_LT(test::section_error(turn.section, reference[static_cast<std::size_t>(k)], rotor), 1e-12) << k;
+  }
+}
+
+/// Turn by turn from the same sections, with all that a turn may be asked for.
+void expect_pieces_alone(const scene::Scene& scene, int turns, double bound, double tangent_bound) {
+  exact::ModeCache modes;
+  const auto run = start_hybrid(scene, {}, modes);
+  taylor::TaylorRun<4> pieces(scene, {});
+  run::TurnRequest asked;
+  asked.samples_per_revolution = 64;
+  asked.peaks = asked.switches = true;
+  asked.tangent_vectors.setIdentity(8, 8);
+  run::TurnReport a, b;
+  long alone = 0;
+  for (int k = 0; k < turns; ++k) {
+    if (k > 0) pieces.resume(a.section, k);
+    ASSERT_EQ(run.advance(asked, a), run::Outcome::ok) << k;
+    ASSERT_EQ(pieces.advance(asked, b), taylor::TaylorEnding::ok) << k;
+    EXPECT_LT(difference(a.section, b.section), bound) << k;
+    ASSERT_EQ(a.sample_count, 64) << k;
+    ASSERT_EQ(b.sample_count, 64) << k;
+    a.samples.resize(std::size_t{64} * 8);
+    b.samples.resize(std::size_t{64} * 8);
+    EXPECT_LT(difference(a.samples, b.samples), bound) << k;
+    EXPECT_EQ(a.hits, b.hits) << k;
+    EXPECT_EQ(a.switches.size(), b.switches.size()) << k;
+    EXPECT_EQ(a.touched, b.touched) << k;
+    EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 1e-10) << k;
+    EXPECT_NEAR(a.peak_displacement_m, b.peak_displacement_m, 1e-5 * b.peak_displacement_m) << k;
+    EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-4 * b.peak_contact_force_n + 1e-9) << k;
+    ASSERT_NE(a.tangent_vectors.get(), nullptr) << k;
+    const Eigen::MatrixXd& moved = *a.tangent_vectors.get();
+    EXPECT_LT((moved - *b.tangent_vectors.get()).cwiseAbs().maxCoeff(),
+              tangent_bound * moved.cwiseAbs().maxCoeff())
+        << k;
+    alone = b.effort.steps;
+  }
+  EXPECT_GT(a.effort.taylor_pieces, 0);
+  EXPECT_LT(2 * a.effort.taylor_pieces, alone);
+}
+
+TEST(ReversingSlip, TanhIsAsByPiecesAlone) {
+  expect_pieces_alone(test::cell_of(thin_shaft(100)).scene, 12, 1e-11, 1e-9);
+}
+
+TEST(ReversingSlip, DryIsAsByPiecesAlone) { expect_pieces_alone(dry_scene(), 12, 1e-11, 1e-9); }
+
+/// A stop on either side, whose slips go opposite ways at equal rotation.
+TEST(ReversingSlip, BetweenTwoStops) {
+  model::Machine machine = test::machine_of(thin_shaft(300));
+  machine.stops.push_back(machine.stops[0]);
+  std::get<model::OneSideGeometry>(machine.stops[1].geometry).angle_deg = -90;
+  machine.stops[0].casing = machine.stops[1].casing = {};
+  const scene::Scene scene = scene::build_cell(machine, 75, scene::WhirlRatio{0.6}).scene;
+  ASSERT_EQ(scene.structure.coordinates(), 2);
+  exact::ModeCache modes;
+  const auto run = start_hybrid(scene, {}, modes);
+  taylor::TaylorRun<2> pieces(scene, {});
+  run::TurnReport a, b;
+  for (int k = 0; k < 12; ++k) {
+    if (k > 0) pieces.resume(a.section, k);
+    ASSERT_EQ(run.advance({}, a), run::Outcome::ok) << k;
+    ASSERT_EQ(pieces.advance({}, b), taylor::TaylorEnding::ok) << k;
+    EXPECT_LT(difference(a.section, b.section), 1e-11) << k;
+  }
+  EXPECT_GT(a.effort.taylor_pieces, 0);
+  EXPECT_LT(a.effort.taylor_pieces, b.effort.steps);
+}
+
+/// A belt that runs backwards has a slip that never goes forward, saturated all the time: no turn needs a
+/// piece.
+TEST(ReversingSlip, AlwaysBackwardHasClosedForms) {
+  scene::Scene scene = test::cell_of(thin_shaft(100)).scene;
+  scene.contacts[0].surface_speed_m_per_s = -16;
+  exact::ModeCache modes;
+  const auto run = start_hybrid(scene, {}, modes);
+  taylor::TaylorRun<4> pieces(scene, {});
+  run::TurnReport a, b;
+  long switches = 0;
+  for (int k = 0; k < 8; ++k) {
+    if (k > 0) pieces.resume(a.section, k);
+    ASSERT_EQ(run.advance({}, a), run::Outcome::ok) << k;
+    ASSERT_EQ(pieces.advance({}, b), taylor::TaylorEnding::ok) << k;
+    EXPECT_LT(difference(a.section, b.section), 1e-12) << k;
+    switches = a.effort.switches;
+  }
+  EXPECT_GT(switches, 4);
+  EXPECT_EQ(a.effort.taylor_turns, 0);
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate
