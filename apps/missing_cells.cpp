@@ -95,7 +95,7 @@ bool MissingCells::run() {
   std::optional<Watch> watch(
       std::in_place, [this] { refresh(); }, [this] { leave(); });
   // A few cells from all over the map tell how long it will take, where somebody is there to read it.
-  if (say_progress(report::describe_footprint(study_, {threads})) &&
+  if (say_progress(report::describe_footprint(study_, prepared, {threads})) &&
       cells.size() >= least_cells_to_forecast) {
     const auto pilots = sweep::take_pilot_cells(cells, pilots_per_thread * static_cast<std::size_t>(threads));
     const auto start = std::chrono::steady_clock::now();

@@ -7,6 +7,7 @@
 
 #include "batch/message_of.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/scene/build_scene.hpp"
 #include "scene/kit_machine.hpp"
 
 namespace rubsweep::scene {
@@ -25,6 +26,34 @@ TEST(PrepareMachine, RefusesNumbersThatNoShaftHas) {
             std::string::npos);
   EXPECT_NE(refusal([](auto& kit) { kit.shaft[0].outer_diameter_m = 1e100; }).find("is out of range"),
             std::string::npos);
+}
+
+TEST(PrepareMachine, AnotherKickLeavesTheStructure) {
+  const model::Machine machine = light_shaft_machine();
+  model::Machine other = machine;
+  *other.kick = {.force_n = 50, .duration_s = 0.002, .angle_deg = 30, .position_m = {}, .phase_deg = 40};
+  const auto scene_of = [](const PreparedMachine& prepared) {
+    return build_cell(prepared, 60, WhirlRatio{0.5}).scene;
+  };
+  const scene::Scene anew = scene_of(prepare_machine(other)),
+                     taken_over = scene_of(prepare_other_kick(prepare_machine(machine), other));
+  EXPECT_EQ(taken_over.structure.stiffness, anew.structure.stiffness);
+  EXPECT_EQ(taken_over.structure.damping, anew.structure.damping);
+  EXPECT_EQ(taken_over.structure.mass, anew.structure.mass);
+  EXPECT_EQ(taken_over.harmonic_n, anew.harmonic_n);
+  ASSERT_EQ(taken_over.pulses.size(), 1u);
+  EXPECT_EQ(taken_over.pulses[0].force_n, 50);
+  EXPECT_EQ(taken_over.pulses[0].duration_s, anew.pulses.at(0).duration_s);
+  EXPECT_EQ(taken_over.pulses[0].direction, anew.pulses.at(0).direction);
+}
+
+TEST(PrepareMachine, AnotherKickMustBeAllowed) {
+  model::Machine machine = light_shaft_machine();
+  const PreparedMachine prepared = prepare_machine(machine);
+  machine.kick->duration_s = -1;
+  EXPECT_NE(
+      message_of<ConfigError>([&] { prepare_other_kick(prepared, machine); }).find("kick.duration_s: -1"),
+      std::string::npos);
 }
 
 /// Every number at either end of what is allowed, one at a time: a prepared machine or a refusal.

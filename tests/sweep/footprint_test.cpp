@@ -4,6 +4,9 @@
 
 #include <numeric>
 
+#include "rubsweep/integrate/exact/mode_cache.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
+#include "scene/kit_machine.hpp"
 #include "sweep/one_side_study.hpp"
 
 namespace rubsweep::sweep {
@@ -15,7 +18,8 @@ TEST(Footprint, GrowsWithThreadsWindowsAndCells) {
   Study study = one_side_study({50, 60}, {0.1});
   const Footprint one = footprint(study, {1});
   const std::size_t window = 12 * 32;
-  EXPECT_EQ(footprint(study, {3}).memory_bytes - one.memory_bytes, 2 * (1'000'000 + 192 * window));
+  const std::size_t flows = integrate::exact::most_bytes_of_modes(4, 1);
+  EXPECT_EQ(footprint(study, {3}).memory_bytes - one.memory_bytes, 2 * (1'000'000 + 192 * window + flows));
   EXPECT_EQ(footprint(study, {3}).disk_bytes, one.disk_bytes);
   study.response.window_revolutions *= 100;
   EXPECT_EQ(footprint(study, {1}).memory_bytes - one.memory_bytes, 192 * 99 * window);
@@ -27,6 +31,41 @@ TEST(Footprint, OfRanksIsThatOfEach) {
   const Study study = one_side_study({50, 60}, {0.1});
   EXPECT_EQ(footprint(study, {2, 1}).memory_bytes - footprint(study, {2}).memory_bytes, 30'000'000u);
   EXPECT_EQ(footprint(study, {2, 9}).memory_bytes, footprint(study, {2, 1}).memory_bytes);
+}
+
+std::size_t bytes_beyond(const Study& study, const Study& less) {
+  return footprint(study, {1}).memory_bytes - footprint(less, {1}).memory_bytes -
+         24 * cell_count(study.grid) + 24 * cell_count(less.grid);
+}
+
+/// Gyroscopic forces make another machine of a kit at each speed, and axes over its keys do.
+TEST(Footprint, CountsTheFlowsOfEveryMachineUpToWhatIsKept) {
+  Study one = one_side_study({50}, {0.1, 0.2}), more = one;
+  more.grid.speed_hz = {50, 60, 70};
+  EXPECT_EQ(bytes_beyond(more, one), 0u);
+  more.grid.axes = {{{"stops.0.stiffness_n_per_m"}, {1}, {1e6, 2e6}}};
+  EXPECT_EQ(bytes_beyond(more, one), integrate::exact::most_bytes_of_modes(4, 1));
+  more.grid.axes = {{{"kick.force_n"}, {1}, {10, 20}}};
+  EXPECT_EQ(bytes_beyond(more, one), 0u);
+
+  one.machine = more.machine = scene::light_shaft_machine();
+  const Eigen::Index coordinates = scene::prepare_machine(one.machine).assembly.system.coordinates();
+  EXPECT_EQ(bytes_beyond(more, one), 2 * integrate::exact::most_bytes_of_modes(coordinates, 1));
+  more.grid.speed_hz.resize(10'000);
+  const std::size_t most = integrate::exact::most_bytes_of_a_mode_cache;
+  EXPECT_EQ(bytes_beyond(more, one), most - integrate::exact::most_bytes_of_modes(coordinates, 1));
+  more = one;
+  more.threshold.emplace().axis.keys = {"stops.0.friction.coefficient"};
+  EXPECT_EQ(bytes_beyond(more, one), most - integrate::exact::most_bytes_of_modes(coordinates, 1));
+  more.threshold->axis.keys = {"kick.force_n"};
+  EXPECT_EQ(bytes_beyond(more, one), 0u);
+}
+
+TEST(Footprint, IsNeverMoreThanIsKnownWithoutTheMachine) {
+  Study study = one_side_study({50, 60}, {0.1});
+  EXPECT_LT(footprint(study, {2}).memory_bytes, most_memory_bytes(study, {2}));
+  study.threshold.emplace().axis.keys = {"stops.0.friction.coefficient"};
+  EXPECT_EQ(footprint(study, {2}).memory_bytes, most_memory_bytes(study, {2}));
 }
 
 TEST(TakePilotCells, SpreadsThemEvenlyAndLeavesTheOthers) {

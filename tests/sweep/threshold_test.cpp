@@ -99,6 +99,68 @@ TEST(Threshold, OfACellIsWhereItsOwnRunChanges) {
   EXPECT_EQ(motion_after(first.from * (1 - 1e-3)), "non_contact");
 }
 
+/// Numbers under these two keys, one of which makes another structure.
+Study with_force_and_frequency(const Study& study, std::span<const KeyValue> keys) {
+  Study varied = study;
+  for (const KeyValue& key : keys) {
+    if (key.key == "kick.force_n") varied.machine.kick->force_n = key.value;
+    if (key.key == "rotor.natural_frequency_hz")
+      std::get<model::JeffcottRotor>(varied.machine.rotor).natural_frequency_hz = key.value;
+  }
+  return varied;
+}
+
+Threshold threshold_at(const Study& study, std::size_t cell) {
+  response::motion::Workspace workspace;
+  return evaluate_cell(study, cell, workspace).threshold.value();
+}
+
+void expect_equal(const Threshold& a, const Threshold& b) {
+  EXPECT_EQ(a.probes, b.probes);
+  ASSERT_EQ(a.intervals.size(), b.intervals.size());
+  for (std::size_t i = 0; i < a.intervals.size(); ++i) {
+    EXPECT_EQ(a.intervals[i].from, b.intervals[i].from);
+    EXPECT_EQ(a.intervals[i].to, b.intervals[i].to);
+    EXPECT_EQ(a.intervals[i].motions, b.intervals[i].motions);
+  }
+}
+
+/// Kicks are tried on the structure that the cell's own keys have made, whichever way a number comes into it.
+TEST(Threshold, OfACellWithKeysOfItsOwnIsThatOfItsMachine) {
+  Study plain = one_side_study({75}, {0.4});
+  plain.response.max_revolutions = 200;
+  plain.threshold = scan({20, 80, 200}, 0.1);
+  Study study = plain;
+  study.grid.axes = {{{"rotor.natural_frequency_hz"}, {1}, {30, 33}}};
+  plain.with_keys = [plain](std::span<const KeyValue> keys) { return with_force_and_frequency(plain, keys); };
+  study.with_keys = plain.with_keys;
+  const Threshold other = threshold_at(study, 1);
+  expect_equal(threshold_at(study, 0), threshold_at(plain, 0));
+  Study own = with_force_and_frequency(plain, std::vector{KeyValue{"rotor.natural_frequency_hz", 33}});
+  own.with_keys = [own](std::span<const KeyValue> keys) { return with_force_and_frequency(own, keys); };
+  expect_equal(other, threshold_at(own, 0));
+  ASSERT_FALSE(other.intervals.empty());
+  EXPECT_NE(other.intervals.front().from, threshold_at(plain, 0).intervals.front().from);
+}
+
+/// The structure is made anew for every number where it depends on it.
+TEST(Threshold, OfANumberOfTheRotorIsWhereItsOwnRunChanges) {
+  Study study = one_side_study({75}, {0.4});
+  study.response.max_revolutions = 200;
+  study.threshold = scan({20, 40}, 0.1);
+  study.threshold->axis.keys = {"rotor.natural_frequency_hz"};
+  study.with_keys = [plain = study](std::span<const KeyValue> keys) {
+    return with_force_and_frequency(plain, keys);
+  };
+  response::motion::Workspace workspace;
+  for (const RubInterval& interval : threshold_at(study, 0).intervals) {
+    Study own = with_force_and_frequency(one_side_study({75}, {0.4}),
+                                         std::vector{KeyValue{"rotor.natural_frequency_hz", interval.from}});
+    own.response.max_revolutions = 200;
+    EXPECT_EQ(motion_name(evaluate_cell(own, 0, workspace)), interval.motions.front());
+  }
+}
+
 TEST(Threshold, OfAKickIsNotAskedForWhereNoneIsSimulated) {
   Study study = one_side_study({75}, {1.2});
   study.threshold = scan({10, 20});

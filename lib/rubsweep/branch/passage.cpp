@@ -110,7 +110,7 @@ HalfBranch follow_patiently(Way way, const CellOrbit& orbit, HalfBranch first) {
   options.most_points = patient_points;
   way.problem.parameter_scale = std::abs(way.to - way.from);
   HalfBranch second = follow_the_way(way, orbit, options);
-  return given_up(second.ending) ? first : second;
+  return given_up(second.ending) ? std::move(first) : std::move(second);
 }
 
 }  // namespace

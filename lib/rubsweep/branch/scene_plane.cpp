@@ -49,7 +49,8 @@ class ScenePlaneOrbits {
     return guards_->at(numbers(state), armed);
   }
 
-  std::optional<Eigen::VectorXd> at_phase(const Place& place, Eigen::VectorXd state, double& phase_rad) {
+  std::optional<Eigen::VectorXd> at_phase(const Place& place, const Eigen::VectorXd& state,
+                                          double& phase_rad) {
     const auto scene = scene_at(place);
     if (!scene) return std::nullopt;
     const integrate::run::Run run = integrate::start(*scene, solver_, modes_);

@@ -18,7 +18,12 @@ std::string shown(std::size_t bytes) {
 }  // namespace
 
 std::string describe_footprint(const sweep::Study& study, const sweep::Workers& workers) {
-  const sweep::Footprint needed = sweep::footprint(study, workers);
+  return describe_footprint(study, scene::prepare_machine(study.machine), workers);
+}
+
+std::string describe_footprint(const sweep::Study& study, const scene::PreparedMachine& prepared,
+                               const sweep::Workers& workers) {
+  const sweep::Footprint needed = sweep::footprint(study, prepared, workers);
   const bool mpi = workers.ranks > 0;
   return fmt::format("{} cells on {}{} threads: up to {} of memory{}, {} of disk",
                      sweep::cell_count(study.grid), mpi ? fmt::format("{} ranks of ", workers.ranks) : "",
@@ -27,6 +32,7 @@ std::string describe_footprint(const sweep::Study& study, const sweep::Workers& 
 }
 
 void refuse_more_memory_than(std::size_t bytes, const sweep::Study& study, const sweep::Workers& workers) {
+  if (sweep::most_memory_bytes(study, workers) <= bytes) return;
   if (sweep::footprint(study, workers).memory_bytes <= bytes) return;
   const bool mpi = workers.ranks > 0;
   throw ConfigError(fmt::format(

@@ -180,7 +180,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
                   const motion::ResponseOptions& options, motion::Workspace& workspace) {
   SettledRun run;
   const integrate::run::Run motion = integrate::start(cell.scene, solver, workspace.modes);
-  proof::RestProof rest(cell);
+  proof::RestProof rest(cell, workspace.forms);
   MotionProof proof(cell.scene, solver, options, workspace);
   const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
   TorusWatch torus(cell.scene, options, worth_watching(cell.scene, options, kick_turns));

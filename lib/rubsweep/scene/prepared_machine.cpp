@@ -26,4 +26,9 @@ PreparedMachine prepare_machine(const model::Machine& machine) {
   return prepared;
 }
 
+PreparedMachine prepare_other_kick(const PreparedMachine& prepared, const model::Machine& machine) {
+  model::validate(machine);
+  return {machine, prepared.assembly, prepared.reduction};
+}
+
 }  // namespace rubsweep::scene

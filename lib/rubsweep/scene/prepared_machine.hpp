@@ -19,4 +19,8 @@ struct PreparedMachine {
 /// each allowed but too far apart for the structure to be computed.
 PreparedMachine prepare_machine(const model::Machine& machine);
 
+/// The same for a machine that differs from a prepared one in nothing but force, duration, direction and
+/// phase of its kick, none of which the structure knows of.
+PreparedMachine prepare_other_kick(const PreparedMachine& prepared, const model::Machine& machine);
+
 }  // namespace rubsweep::scene

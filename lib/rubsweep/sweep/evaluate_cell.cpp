@@ -1,7 +1,9 @@
 #include "rubsweep/sweep/evaluate_cell.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -88,27 +90,42 @@ Row evaluate_place(const Study& study, const scene::PreparedMachine& prepared, c
   return row;
 }
 
-/// What evaluates a prepared study at a place: evaluate or evaluate_place.
-using Evaluation = Row (*)(const Study&, const scene::PreparedMachine&, const scene::Place&,
-                           response::motion::Workspace&);
+/// A study and its machine, prepared.
+struct Varied {
+  Study study;
+  scene::PreparedMachine prepared;
+};
 
-/// A cell whose keys hold numbers of their own.
-Row evaluate_keys(const Study& study, std::span<const KeyValue> keys, const scene::Place& place,
-                  response::motion::Workspace& workspace, Evaluation evaluation) {
+bool of_kick_alone(const KeyValue& key) {
+  constexpr std::array<std::string_view, 4> keys{"kick.force_n", "kick.duration_s", "kick.angle_deg",
+                                                 "kick.phase_deg"};
+  return std::ranges::find(keys, key.key) != keys.end();
+}
+
+/// The study with these numbers under `keys`; `others` are those of them that `prepared` was not made with.
+/// Empty where each number is allowed by itself, which was seen to before, but all of them together are not.
+std::optional<Varied> vary(const Study& study, std::span<const KeyValue> keys,
+                           const scene::PreparedMachine& prepared, std::span<const KeyValue> others) {
   try {
-    const Study varied = study.with_keys(keys);
-    return evaluation(varied, scene::prepare_machine(varied.machine), place, workspace);
+    Study varied = study.with_keys(keys);
+    scene::PreparedMachine machine = std::ranges::all_of(others, of_kick_alone)
+                                         ? scene::prepare_other_kick(prepared, varied.machine)
+                                         : scene::prepare_machine(varied.machine);
+    return Varied{std::move(varied), std::move(machine)};
   } catch (const ConfigError&) {
-    // Each number is allowed by itself, which was seen to before; all of them together are not.
-    Row row;
-    row.speed_hz = place.speed_hz;
-    row.whirl_ratio = row.eccentricity_m = std::numeric_limits<double>::quiet_NaN();
-    std::visit(overloaded{[&](const scene::WhirlRatio& ratio) { row.whirl_ratio = ratio.value; },
-                          [&](const scene::Eccentricity& given) { row.eccentricity_m = given.value_m; }},
-               place.unbalance);
-    row.status = "not_allowed";
-    return row;
+    return std::nullopt;
   }
+}
+
+Row not_allowed(const scene::Place& place) {
+  Row row;
+  row.speed_hz = place.speed_hz;
+  row.whirl_ratio = row.eccentricity_m = std::numeric_limits<double>::quiet_NaN();
+  std::visit(overloaded{[&](const scene::WhirlRatio& ratio) { row.whirl_ratio = ratio.value; },
+                        [&](const scene::Eccentricity& given) { row.eccentricity_m = given.value_m; }},
+             place.unbalance);
+  row.status = "not_allowed";
+  return row;
 }
 
 /// Where the quiet motion itself reaches a wall no kick is simulated, whatever its numbers.
@@ -162,12 +179,16 @@ Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, st
                   response::motion::Workspace& workspace) {
   const scene::Place place = place_of(study.grid, cell);
   const std::vector<KeyValue> keys = key_values(study.grid, cell);
+  std::optional<Varied> own;  // of a cell whose keys hold numbers of their own
+  if (!keys.empty()) own = vary(study, keys, prepared, keys);
   Row row = keys.empty() ? evaluate_place(study, prepared, place, workspace)
-                         : evaluate_keys(study, keys, place, workspace, evaluate_place);
+            : own        ? evaluate_place(own->study, own->prepared, place, workspace)
+                         : not_allowed(place);
   for (const KeyValue& key : keys) row.key_values.push_back(key.value);
   if (study.grid.refinement) row.refinement_level = refinement_level(study.grid, cell);
-  const auto run = [&](std::vector<KeyValue> others) {
-    return evaluate_keys(study, with(keys, std::move(others)), place, workspace, evaluate);
+  const auto run = [&](const std::vector<KeyValue>& others) {
+    const auto varied = vary(study, with(keys, others), own ? own->prepared : prepared, others);
+    return varied ? evaluate(varied->study, varied->prepared, place, workspace) : not_allowed(place);
   };
   if (study.threshold && may_be_varied(row, keys_at(study.threshold->axis, 1))) {
     row.threshold = find_threshold(

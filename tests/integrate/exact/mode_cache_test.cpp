@@ -45,6 +45,15 @@ TEST(ModeCache, DropsWhatWasNotUsedForLongest) {
   EXPECT_NE(filled(2e5), second);
 }
 
+/// What a footprint counts: every mode of the machine, made.
+TEST(ModeCache, HoldsNoMoreThanTheModesOfItsMachinesTakeAtMost) {
+  ModeCache cache;
+  const auto modes = cache.modes_of<4>(scene_with(1e5));
+  for (std::size_t joint = 0; joint < 4; ++joint) EXPECT_NE(modes->mode(joint), nullptr);
+  EXPECT_LE(modes->bytes(), most_bytes_of_modes(4, 1));
+  EXPECT_GT(modes->bytes(), most_bytes_of_modes(4, 1) / 8);
+}
+
 TEST(ModeCache, KeepsTheMachineAskedForWhateverItsSize) {
   ModeCache cache(0);
   const auto only = cache.modes_of<4>(scene_with(1e5));

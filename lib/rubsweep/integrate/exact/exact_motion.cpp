@@ -166,8 +166,7 @@ typename ExactMotion<N>::State ExactMotion<N>::rate_of(const State& physical) co
   const Eigen::Index n = mode_->rest.size();
   State offset = physical;
   offset.template head<N>(n) -= mode_->rest;
-  State rate(2 * n);
-  rate = mode_->generator.lazyProduct(offset);
+  State rate = numerics::product_of<State>(mode_->generator, offset);
   for (Eigen::Index j = 0; j < n; ++j) {
     rate(n + j) += real_product(unbalance_.acceleration(j), now_.phasor);
     for (std::size_t k = 0; k < acting_.size(); ++k)

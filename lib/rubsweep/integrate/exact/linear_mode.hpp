@@ -10,6 +10,7 @@
 #include "rubsweep/integrate/exact/modal_terms.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"
+#include "rubsweep/numerics/matrix_vector.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -120,7 +121,7 @@ struct LinearMode {
  private:
   typename Types::State change(const typename Types::Flow& matrix, const typename Types::State& state) const {
     if (diagonal_basis) return matrix.diagonal().cwiseProduct(state);
-    return matrix.lazyProduct(state);
+    return numerics::product_of<typename Types::State>(matrix, state);
   }
 };
 

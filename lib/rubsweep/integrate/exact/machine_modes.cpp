@@ -1,9 +1,11 @@
 #include "rubsweep/integrate/exact/machine_modes.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/exact/joint_mode.hpp"
+#include "rubsweep/numerics/step_table.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {
@@ -99,6 +101,18 @@ std::unique_ptr<LinearMode<N>> MachineModes<N>::make(std::size_t joint) {
   auto mode = make_linear_mode<N>(system_, friction_, std::move(modes), backward);
   if (mode) mode->index = count_++;
   return mode;
+}
+
+std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts) {
+  const auto states = static_cast<std::size_t>(2 * coordinates);
+  const std::size_t guards = 2 * contacts, matrices = 3 + numerics::exact_step_count;
+  const std::size_t numbers = 1 + states * (states * matrices + numerics::series_rows * guards);
+  std::size_t forward = 1, both = 1;  // where friction pushes one way alone, or either way
+  for (std::size_t i = 0; i < contacts; ++i) {
+    forward *= contact::mode_count;
+    both *= 2 * contact::mode_count - 1;
+  }
+  return std::min(both, forward + most_backward_modes) * numbers * sizeof(double);
 }
 
 bool exact_applies(const scene::Scene& scene) {

@@ -47,6 +47,9 @@ class MachineModes {
   std::size_t count_ = 0;
 };
 
+/// What the flows of all modes of a machine take at most: none of them has a modal form.
+std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts);
+
 /// Stops whose joint contact modes can be numbered.
 inline constexpr std::size_t most_exact_contacts = 6;
 

@@ -11,6 +11,9 @@
 
 namespace rubsweep::integrate::exact {
 
+/// What a ModeCache keeps at most, if not told otherwise.
+inline constexpr std::size_t most_bytes_of_a_mode_cache = std::size_t{256} << 20;
+
 /// The modes of the machines that were used last, so that runs of one machine at other unbalances need not
 /// factorise again: a rotor whose gyroscopic forces grow with the speed is another machine at each speed, and
 /// a map comes back to every speed once a row. Belongs to one thread.
@@ -18,7 +21,7 @@ class ModeCache {
  public:
   /// What the cache holds is dropped, longest unused first, until it is no more than this; the machine asked
   /// for stays. A kit of 24 states takes about 1 MB a speed, one of 200 states 100.
-  explicit ModeCache(std::size_t most_bytes = std::size_t{256} << 20) : most_bytes_(most_bytes) {}
+  explicit ModeCache(std::size_t most_bytes = most_bytes_of_a_mode_cache) : most_bytes_(most_bytes) {}
 
   template <int N>
   std::shared_ptr<MachineModes<N>> modes_of(const scene::Scene& scene) {

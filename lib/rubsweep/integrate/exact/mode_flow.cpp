@@ -12,8 +12,9 @@ namespace {
 template <int N>
 void differentiate(const LinearMode<N>& mode, double factor, typename ExactTypes<N>::Part& u,
                    typename ExactTypes<N>::Part& v) {
-  typename ExactTypes<N>::Vector push = mode.stiffness.lazyProduct(u.matrix());
-  push += mode.damping.lazyProduct(v.matrix());
+  using Vector = typename ExactTypes<N>::Vector;
+  const Vector push = numerics::product_of<Vector>(mode.stiffness, u.matrix()) +
+                      numerics::product_of<Vector>(mode.damping, v.matrix());
   u = factor * v;
   v = -factor * push.array();
 }

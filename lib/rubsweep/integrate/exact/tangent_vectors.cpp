@@ -55,10 +55,10 @@ void TangentVectors<N>::catch_up(const LinearMode<N>& mode) {
   }
   const double rest_s = table_steps(mode, mode.fastest_rad_per_s, duration_s, [&](int k) {
     for (std::size_t i = 0; i < count_; ++i) {
-      const State next = mode.steps[static_cast<std::size_t>(k)].lazyProduct(list_[i]);
-      list_[i] = next;
+      list_[i] = numerics::product_of<State>(mode.steps[static_cast<std::size_t>(k)], list_[i]);
     }
   });
+  if (rest_s == 0) return;  // a step of the table
   for (std::size_t i = 0; i < count_; ++i) move_by_series(mode, rest_s, list_[i]);
 }
 

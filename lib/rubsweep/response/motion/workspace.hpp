@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rubsweep/integrate/exact/mode_cache.hpp"
+#include "rubsweep/numerics/modal_form_cache.hpp"
 #include "rubsweep/response/spectrum/full_spectrum.hpp"
 
 namespace rubsweep::response::motion {
@@ -9,6 +10,7 @@ namespace rubsweep::response::motion {
 struct Workspace {
   spectrum::SpectrumWorkspace spectrum;
   integrate::exact::ModeCache modes;
+  numerics::ModalFormCache forms;  ///< of rotors in flight
 };
 
 }  // namespace rubsweep::response::motion

@@ -1,9 +1,9 @@
 #include "rubsweep/response/proof/rest_proof.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "rubsweep/integrate/run/scaled_system.hpp"
-#include "rubsweep/numerics/modal_form.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -13,11 +13,16 @@ constexpr double growth_tolerance = 1e-12;  ///< rounding of an undamped mode's 
 }  // namespace
 
 RestProof::RestProof(const scene::Cell& cell) {
+  numerics::ModalFormCache forms;
+  *this = RestProof(cell, forms);
+}
+
+RestProof::RestProof(const scene::Cell& cell, numerics::ModalFormCache& forms) {
   const scene::Scene& scene = cell.scene;
   // At a whirl ratio of 1 rounding must not decide.
   if (cell.start != scene::Start::quiet) return;
   const auto system = integrate::run::scale<Eigen::Dynamic>(scene);
-  const auto form = numerics::modal_form(system.stiffness, system.damping);
+  const std::optional<numerics::ModalForm>& form = forms.form_of(system.stiffness, system.damping);
   grows_ = form && form->growth > growth_tolerance;
   // With torsion no free vibration is linear.
   if (!form || grows_ || !scene.impulses.empty() || scene.twist) return;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "rubsweep/numerics/modal_form_cache.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::response::proof {
@@ -17,7 +18,8 @@ namespace rubsweep::response::proof {
 class RestProof {
  public:
   /// Without effect (`proves` is always false) when the quiet motion itself touches, a mode grows, there is
-  /// no modal form, or impulses keep on disturbing the rotor.
+  /// no modal form, or impulses keep on disturbing the rotor. `forms` keeps what cells of one speed share.
+  RestProof(const scene::Cell& cell, numerics::ModalFormCache& forms);
   explicit RestProof(const scene::Cell& cell);
 
   /// Whether the quiet motion is known not to last, because some free vibration about it grows.

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/numerics/modal_form.hpp"
+
+namespace rubsweep::numerics {
+
+/// Modal forms of the systems that were asked for last: the eigenvectors of a rotor kit take milliseconds in
+/// long double, and all cells of one speed ask for the same. Belongs to one thread.
+class ModalFormCache {
+ public:
+  /// Forms are dropped, longest unused first, until they take no more than this; the last one stays.
+  explicit ModalFormCache(std::size_t most_bytes = std::size_t{16} << 20) : most_bytes_(most_bytes) {}
+
+  /// As of modal_form; the reference holds until the next call.
+  const std::optional<ModalForm>& form_of(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping);
+
+  std::size_t size() const { return recent_.size(); }
+
+ private:
+  struct Kept {
+    Eigen::MatrixXd stiffness, damping;
+    std::optional<ModalForm> form;
+
+    std::size_t bytes() const;
+  };
+
+  std::size_t most_bytes_;
+  std::vector<Kept> recent_;  ///< the one used last comes first
+};
+
+}  // namespace rubsweep::numerics
