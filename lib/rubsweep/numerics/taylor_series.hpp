@@ -63,12 +63,6 @@ class Series {
   double backward_[last + 1];
 };
 
-/// Coefficient k of a b, both known up to k.
-inline double product_term(const Series& a, const Series& b, int k) {
-  if (k == 0) return a[0] * b[0];
-  return a[0] * b[k] + a[k] * b[0] + inner_sum(a, b, k);
-}
-
 /// Sum of a_j a_{k-j} for 1 <= j <= k - 1, each pair taken once.
 inline double inner_square(const Series& a, int k) {
   const int half = (k + 1) / 2;
@@ -79,17 +73,6 @@ inline double inner_square(const Series& a, int k) {
 /// Coefficient k of a a.
 inline double square_term(const Series& a, int k) {
   return k == 0 ? a[0] * a[0] : 2 * a[0] * a[k] + inner_square(a, k);
-}
-
-/// Coefficient k of the square root r of a series: r_0 = sqrt(a_0), 2 r_0 r_k = a_k - sum r_j r_{k-j}.
-/// `a_k` is that coefficient of it and `inverse` 1 / r_0; r is known up to k - 1 >= 0.
-inline double root_term(const Series& r, double a_k, int k, double inverse) {
-  return (a_k - inner_square(r, k)) * (0.5 * inverse);
-}
-
-/// Coefficient k of q = 1 / a: a_0 q_k = -sum_{j >= 1} a_j q_{k-j}. q is known up to k - 1, a up to k.
-inline double reciprocal_term(const Series& q, const Series& a, int k) {
-  return k == 0 ? 1 / a[0] : -(a[k] * q[0] + inner_sum(a, q, k)) * q[0];
 }
 
 /// y = tanh(g w) with z = 1 - y^2, by y' = g w' z. `rate` holds k w_k; y and z are written up to k.

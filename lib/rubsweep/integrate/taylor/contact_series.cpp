@@ -6,8 +6,12 @@
 namespace rubsweep::integrate::taylor {
 
 using contact::Mode;
-using numerics::product_term;
-using numerics::square_term;
+using numerics::both;
+using numerics::PlaneSeries;
+using numerics::quarter_turned;
+using numerics::sum_of;
+using numerics::sum_of_products;
+using numerics::Twin;
 
 void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s, contact::Slip way) {
   law_ = &law;
@@ -33,27 +37,25 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s,
 }
 
 double ContactSeries::turn_rate() const {
-  return law_->annular ? (d1[0] * d2[1] - d2[0] * d1[1]) / s_[0] : 0;
+  return law_->annular ? (normal_[0][0] * velocity_[0][1] - normal_[0][1] * velocity_[0][0]) * inverse_length_
+                       : 0;
 }
 
-ContactSeries::Force ContactSeries::force_term(int k) {
-  return law_->annular ? annular_term(k) : flat_term(k);
-}
+Twin ContactSeries::force_term(int k) { return law_->annular ? annular_term(k) : flat_term(k); }
 
 /// A flat contact's slip changes as t . d''. Around the rotor d1 d2'' - d2 d1'' = s r', s being the sliding
 /// speed: of all its products of order k, the one with d'' of that order is looked for.
 double ContactSeries::keeping_term(int k) const {
   if (!law_->annular) return 0;
-  double rest = sliding_speed_ * (k + 1) * r_[k + 1];
-  for (int j = 1; j <= k; ++j) rest -= d1[j] * a2_[k - j] - d2[j] * a1_[k - j];
-  return rest * q_[0];
+  double rest = sliding_speed_ * length_rate_.number(k);
+  for (int j = 1; j <= k; ++j)
+    rest -= distance_[j][0] * acceleration_[k - j][1] - distance_[j][1] * acceleration_[k - j][0];
+  return rest * inverse_length_;
 }
 
-void ContactSeries::hold(int k, double force_n, double a1, double a2) {
+void ContactSeries::hold(int k, double force_n, Twin acceleration) {
   holding_.set(k, force_n);
-  a1_.set(k, a1);
-  a2_.set(k, a2);
-  if (law_->annular) holding_over_length_.set(k, product_term(holding_, q_, k));
+  acceleration_.set(k, acceleration);
 }
 
 /// Coefficient k of mu from that of the slip.
@@ -77,67 +79,84 @@ double ContactSeries::friction_slope_term(int k) const {
   return slope * law_->slip_scale_m_per_s;
 }
 
-ContactSeries::Force ContactSeries::flat_term(int k) {
-  const double spring = law_->stiffness * (d1[k] - (k == 0 ? law_->clearance : 0));
-  const double total = spring_factor_ * spring + damper_ * (k + 1) * d1[k + 1];
-  if (!varies_) return {total, constant_mu_ * spring};
-  spring_.set(k, spring);
-  sliding_.set(k, (k + 1) * d2[k + 1]);
+Twin ContactSeries::flat_term(int k) {
+  const double spring = law_->stiffness * (distance_[k][0] - (k == 0 ? law_->clearance : 0));
+  const double total = spring_factor_ * spring + damper_ * velocity_[k][0];
+  if (!varies_) return Twin{total, constant_mu_ * spring};
+  load_.set(k, Twin{spring, 0});
+  sliding_.set(k, velocity_[k][1]);
   add_slip_term(law_->slip_scale_m_per_s * sliding_[k] + (k == 0 ? law_->surface_speed_m_per_s : 0), k);
-  return {total, product_term(mu_, spring_, k)};
+  return Twin{total, product_term(mu_, load_, k)[0]};
 }
 
-/// With z = d1 + i d2, normal force F and spring force S the force is (F + i mu S) z / r. S / r = K (1 - C q)
-/// and, where the damper works, F / r is that plus d r' q.
-ContactSeries::Force ContactSeries::annular_term(int k) {
+/// Coefficient k of the normal n by r n = d, then of r' = n . d', and with `damped` of r' n, which is
+/// returned. r is known up to k.
+template <bool damped>
+Twin ContactSeries::normal_and_rate(int k) {
   if (k == 0) {
-    s_.set(0, square_term(d1, 0) + square_term(d2, 0));
-    r_.set(0, std::sqrt(s_[0]));
+    const Twin square = distance_[0] * distance_[0];
+    const double length = std::sqrt(sum_of(square)[0]);
+    inverse_length_ = 1 / length;
+    length_.set(0, length);
+    normal_.set(0, distance_[0] * both(inverse_length_));
+    length_rate_.set(0, sum_of(normal_[0] * velocity_[0]));
+    return damped ? length_rate_[0] * normal_[0] : Twin{};
   }
-  s_.set(k + 1, square_term(d1, k + 1) + square_term(d2, k + 1));
-  q_.set(k, numerics::reciprocal_term(q_, r_, k));
-  r_.set(k + 1, numerics::root_term(r_, s_[k + 1], k + 1, q_[0]));
-  e_.set(k, law_->stiffness * ((k == 0 ? 1 : 0) - law_->clearance * q_[k]));
-  Force force;
-  double zx = 0, zy = 0;
-  if (!damped() || varies_ || constant_mu_ != 0) {
-    zx = product_term(e_, d1, k);
-    zy = product_term(e_, d2, k);
+  // Of the newest coefficients, which the others need not wait for, only the sums' ends are made.
+  Twin by_length[2]{}, by_velocity[2]{}, by_rate[2]{};
+  const auto add = [&](int j, int half) {
+    const Twin n = normal_[k - j];
+    by_length[half] += length_[j] * n;
+    by_velocity[half] += velocity_[j] * n;
+    if constexpr (damped) by_rate[half] += length_rate_[j] * n;
+  };
+  int j = 1;
+  for (; j + 1 < k; j += 2) {
+    add(j, 0);
+    add(j + 1, 1);
   }
-  if (damped()) {
-    length_rate_.set(k, (k + 1) * r_[k + 1]);
-    alpha_.set(k, spring_factor_ * e_[k] + damper_ * product_term(length_rate_, q_, k));
-    force = {product_term(alpha_, d1, k), product_term(alpha_, d2, k)};
-  } else {
-    alpha_.set(k, spring_factor_ * e_[k]);
-    force = {spring_factor_ * zx, spring_factor_ * zy};
-  }
-  if (sticks_) {
-    if (k == 0) sliding_speed_ = (d1[0] * d2[1] - d2[0] * d1[1]) * q_[0];
-    // f (-d2, d1) / r without f_k.
-    double over = 0;
-    for (int j = 0; j < k; ++j) over += holding_[j] * q_[k - j];
-    double first = over * d2[0], second = over * d1[0];
-    for (int j = 0; j < k; ++j) {
-      first += holding_over_length_[j] * d2[k - j];
-      second += holding_over_length_[j] * d1[k - j];
-    }
-    return {force.first - first, force.second + second};
-  }
-  if (!varies_) return {force.first - constant_mu_ * zy, force.second + constant_mu_ * zx};
-  zx_.set(k, zx);
-  zy_.set(k, zy);
-  add_sliding_term(k);
-  add_slip_term(law_->slip_scale_m_per_s * sliding_[k] + (k == 0 ? law_->surface_speed_m_per_s : 0), k);
-  return {force.first - product_term(mu_, zy_, k), force.second + product_term(mu_, zx_, k)};
+  if (j < k) add(j, 0);
+  const Twin normal =
+      (distance_[k] - (by_length[0] + by_length[1] + length_[k] * normal_[0])) * both(inverse_length_);
+  const Twin rate =
+      sum_of(by_velocity[0] + by_velocity[1] + velocity_[k] * normal_[0] + velocity_[0] * normal);
+  normal_.set(k, normal);
+  length_rate_.set(k, rate);
+  if constexpr (!damped) return Twin{};
+  return by_rate[0] + by_rate[1] + length_rate_[0] * normal + rate * normal_[0];
 }
 
-/// d' . t = (d1 d2' - d2 d1') / r.
+/// The force is F n + mu S t with normal force F, spring force S = K (r - C) and t a quarter of a turn from
+/// n: S n = K (d - C n) and, where the damper works, F n has d r' n besides.
+Twin ContactSeries::annular_term(int k) {
+  const Twin damping = damper_ == 0 ? normal_and_rate<false>(k) : both(damper_) * normal_and_rate<true>(k);
+  length_.set(k + 1, length_rate_[k] * both(numerics::one_over(k + 1)));
+  const Twin load = both(law_->stiffness) * (distance_[k] - both(law_->clearance) * normal_[k]);
+  Twin force = both(spring_factor_) * load + damping;
+  if (sticks_) {
+    if (k == 0)
+      sliding_speed_ = normal_[0][0] * velocity_[0][1] - normal_[0][1] * velocity_[0][0];
+    else
+      force += quarter_turned(sum_of_products(holding_, normal_, k, 0, k - 1));
+  } else if (varies_) {
+    load_.set(k, load);
+    add_sliding_term(k);
+    add_slip_term(law_->slip_scale_m_per_s * sliding_[k] + (k == 0 ? law_->surface_speed_m_per_s : 0), k);
+    force += quarter_turned(product_term(mu_, load_, k));
+  } else {
+    force += both(constant_mu_) * quarter_turned(load);
+  }
+  return force;
+}
+
+/// d' . t = n1 d2' - n2 d1'.
 void ContactSeries::add_sliding_term(int k) {
-  v1_.set(k, (k + 1) * d1[k + 1]);
-  v2_.set(k, (k + 1) * d2[k + 1]);
-  cross_.set(k, product_term(d1, v2_, k) - product_term(d2, v1_, k));
-  sliding_.set(k, product_term(cross_, q_, k));
+  Twin sum{};
+  for (int j = 0; j <= k; ++j) {
+    const Twin v = velocity_[k - j];
+    sum += normal_[j] * numerics::swapped(v);
+  }
+  sliding_.set(k, sum[0] - sum[1]);
 }
 
 void ContactSeries::make_sliding(int order) {
@@ -147,7 +166,7 @@ void ContactSeries::make_sliding(int order) {
     if (law_->annular) {
       add_sliding_term(k);
     } else {
-      sliding_.set(k, (k + 1) * d2[k + 1]);
+      sliding_.set(k, velocity_[k][1]);
     }
   }
 }
@@ -158,13 +177,20 @@ double ContactSeries::slip_term(int k) const {
 
 void ContactSeries::make_open_penetration(int order) {
   if (!law_->annular) return;
-  for (int k = 0; k <= order; ++k) s_.set(k, square_term(d1, k) + square_term(d2, k));
+  for (int k = 0; k <= order; ++k) {
+    const int half = k / 2;
+    Twin sum = both(2) * sum_of_products(distance_, distance_, k, 0, (k - 1) / 2);
+    if (k == 0) sum = Twin{};
+    if (k % 2 == 0) sum += distance_[half] * distance_[half];
+    square_[static_cast<std::size_t>(k)] = sum_of(sum)[0];
+  }
 }
 
 double ContactSeries::penetration_term(int k) const {
-  if (!law_->annular) return d1[k] - (k == 0 ? law_->clearance : 0);
-  if (mode_ != Mode::open) return r_[k] - (k == 0 ? law_->clearance : 0);
-  return (s_[k] - (k == 0 ? law_->clearance * law_->clearance : 0)) / (2 * law_->clearance);
+  if (!law_->annular) return distance_[k][0] - (k == 0 ? law_->clearance : 0);
+  if (mode_ != Mode::open) return length_.number(k) - (k == 0 ? law_->clearance : 0);
+  const double square = square_[static_cast<std::size_t>(k)];
+  return (square - (k == 0 ? law_->clearance * law_->clearance : 0)) / (2 * law_->clearance);
 }
 
 }  // namespace rubsweep::integrate::taylor

@@ -5,6 +5,7 @@
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/dry_friction.hpp"
 #include "rubsweep/integrate/taylor/contact_law.hpp"
+#include "rubsweep/numerics/plane_series.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
 
 namespace rubsweep::integrate::taylor {
@@ -13,36 +14,40 @@ namespace rubsweep::integrate::taylor {
 /// directions the relative displacement is d = (d1, d2); around the rotor r = |d| and the normal is d / r.
 class ContactSeries {
  public:
-  struct Force {
-    double first = 0, second = 0;  ///< on the casing, newtons, along the contact's two fixed directions
-  };
-
-  /// Relative displacement, offset included. Whoever expands the motion writes coefficient k + 1 before
-  /// `force_term(k)` is asked for.
-  numerics::Series d1, d2;
+  /// Relative displacement, offset included, and coefficients of its rate in their order: coefficient k
+  /// before `force_term(k)` is asked for.
+  void set_distance(numerics::Twin distance) { distance_.set(0, distance); }
+  void set_velocity(int k, numerics::Twin velocity) {
+    velocity_.set(k, velocity);
+    distance_.set(k + 1, velocity * numerics::both(numerics::one_over(k + 1)));
+  }
+  const numerics::PlaneSeries& distance() const { return distance_; }
+  const numerics::PlaneSeries& velocity() const { return velocity_; }
 
   /// Starts an expansion in `mode` with the slip there, which says what of the friction is saturated. Dry
   /// friction goes by `way` instead.
   void begin(const ContactLaw& law, contact::Mode mode, double slip_m_per_s, contact::Slip way);
 
-  /// Coefficient k of the force; coefficients are asked for in their order. The contact touches. Where it
-  /// sticks, the holding friction's coefficient k is not in it yet.
-  Force force_term(int k);
+  /// Coefficient k of the force on the casing, newtons, along the contact's two fixed directions;
+  /// coefficients are asked for in their order. The contact touches. Where it sticks, the holding friction's
+  /// coefficient k is not in it yet.
+  numerics::Twin force_term(int k);
 
   /// The contact sticks: its slip keeps its value by a friction that the system as a whole decides.
   bool sticks() const { return sticks_; }
   /// Normal where the expansion starts.
-  double cosine() const { return law_->annular ? d1[0] * q_[0] : 1; }
-  double sine() const { return law_->annular ? d2[0] * q_[0] : 0; }
+  double cosine() const { return law_->annular ? normal_[0][0] : 1; }
+  double sine() const { return law_->annular ? normal_[0][1] : 0; }
   /// Coefficient k of (tangent at the start) . d'' that keeps the slip; `a1`, `a2` are those of d'' in the
   /// two fixed directions so far, without the holding friction's coefficient k.
   double keeping_term(int k) const;
   /// That coefficient of the holding friction, and with it those of d''.
-  void hold(int k, double force_n, double a1, double a2);
-  const numerics::Series& holding() const { return holding_; }
+  void hold(int k, double force_n, numerics::Twin acceleration);
+  /// Each coefficient twice.
+  const numerics::PlaneSeries& holding() const { return holding_; }
   /// Coefficient k of mu S -+ the holding friction, which is above zero as long as it holds.
   double reserve_term(int k, double sign) const {
-    return law_->friction.dry * law_->stiffness * penetration_term(k) - sign * holding_[k];
+    return law_->friction.dry * law_->stiffness * penetration_term(k) - sign * holding_.number(k);
   }
 
   const ContactLaw& law() const { return *law_; }
@@ -65,26 +70,29 @@ class ContactSeries {
   double saturated_steepness() const { return saturated_steepness_; }
   double slip_sign() const { return slip_sign_; }
 
-  // For the slopes of the force.
-  const numerics::Series& inverse_length() const { return q_; }
-  const numerics::Series& spring_over_length() const { return e_; }
-  const numerics::Series& total_over_length() const { return alpha_; }
-  const numerics::Series& length() const { return r_; }
+  // For the tangent vectors. Around the rotor: normal, r and r'.
+  const numerics::PlaneSeries& normal() const { return normal_; }
+  const numerics::PlaneSeries& length() const { return length_; }
+  const numerics::PlaneSeries& length_rate() const { return length_rate_; }
+  double inverse_length() const { return inverse_length_; }  ///< where the expansion starts
   const numerics::Series& sliding() const { return sliding_; }
-  /// Of d'' in the two fixed directions, where the contact sticks.
-  const numerics::Series& first_acceleration() const { return a1_; }
-  const numerics::Series& second_acceleration() const { return a2_; }
-  const numerics::Series& coefficient() const { return mu_; }
+  /// Friction that varies: its coefficient, and the force that it is multiplied by (at a flat stop the first
+  /// component of it).
+  const numerics::PlaneSeries& coefficient() const { return mu_; }
+  const numerics::PlaneSeries& load() const { return load_; }
   double constant_coefficient() const { return constant_mu_; }
   /// Coefficient k of d mu / d(sliding).
   double friction_slope_term(int k) const;
+  /// Of d'' in the two fixed directions, where the contact sticks.
+  const numerics::PlaneSeries& acceleration() const { return acceleration_; }
 
  private:
-  Force flat_term(int k);
-  Force annular_term(int k);
+  numerics::Twin flat_term(int k);
+  numerics::Twin annular_term(int k);
+  template <bool damped>
+  numerics::Twin normal_and_rate(int k);
   void add_slip_term(double slip, int k);
   void add_sliding_term(int k);
-  bool damped() const { return damper_ != 0; }
 
   const ContactLaw* law_ = nullptr;
   contact::Mode mode_ = contact::Mode::open;
@@ -95,10 +103,12 @@ class ContactSeries {
   double saturated_steepness_ = 0, slip_sign_ = 1;
   std::array<bool, 3> active_{};
   std::array<numerics::TanhSeries, 3> tanh_;
-  numerics::Series mu_, spring_, holding_, a1_, a2_, holding_over_length_;
-  // Annular: squared length, length, its inverse; K (r - C) / r; (total normal force) / r.
-  numerics::Series s_, r_, q_, e_, alpha_, length_rate_;
-  numerics::Series zx_, zy_, v1_, v2_, cross_, sliding_;
+  numerics::PlaneSeries distance_, velocity_, mu_, load_, holding_, acceleration_;
+  // Annular: the normal; r and its rate; 1 / r where the expansion starts; |d|^2 while open.
+  numerics::PlaneSeries normal_, length_, length_rate_;
+  double inverse_length_ = 0;
+  std::array<double, numerics::most_taylor_order + 1> square_{};
+  numerics::Series sliding_;
 };
 
 }  // namespace rubsweep::integrate::taylor

@@ -33,6 +33,11 @@ class Expansion {
         contacts_(system.contacts.size()) {
     for (const auto& contact : system.contacts) laws_.emplace_back(contact);
     pulses_.reserve(system.pulses.size());
+    touching_.reserve(contacts_.size());
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      pushed_.push_back(
+          {at_contact(i, system.contacts[i].first_push), at_contact(i, system.contacts[i].second_push)});
+    }
   }
 
   /// Expands from `state` (u then u') at `phase_rad` into the revolution, with the pulses that act there.
@@ -44,6 +49,12 @@ class Expansion {
     v_.col(0) = u_.col(1) = ConstMap(state + n, n);
     begin_contacts(modes, slips);
     start_drives(phase_rad, pulses);
+    if constexpr (N != Eigen::Dynamic) {
+      if (system_.diagonal && touching_.size() == 1 && sticking_ == 0 && pulses_.empty()) {
+        expand_in_registers(touching_[0]);
+        return complete_contacts();
+      }
+    }
     for (int k = 0; k < order_; ++k) {
       accelerate(k);
       v_.col(k + 1) = acceleration_ * numerics::one_over(k + 1);
@@ -103,25 +114,29 @@ class Expansion {
  private:
   double slip(std::size_t i) const {
     const ContactSeries& c = contacts_[i];
-    const double v1 = system_.contacts[i].first_row.dot(v_.col(0)),
-                 v2 = system_.contacts[i].second_row.dot(v_.col(0));
+    const numerics::Twin d = c.distance()[0], v = c.velocity()[0];
     const double sliding =
-        laws_[i].annular ? (c.d1[0] * v2 - c.d2[0] * v1) / std::hypot(c.d1[0], c.d2[0]) : v2;
+        laws_[i].annular ? (d[0] * v[1] - d[1] * v[0]) / std::sqrt(d[0] * d[0] + d[1] * d[1]) : v[1];
     return laws_[i].slip_scale_m_per_s * sliding + laws_[i].surface_speed_m_per_s;
   }
 
-  void put_distance(std::size_t i, int k) {
+  /// In the contact's two directions.
+  template <class Direction>
+  numerics::Twin at_contact(std::size_t i, const Direction& of) const {
     const auto& c = system_.contacts[i];
-    contacts_[i].d1.set(k, c.first_row.dot(u_.col(k)) + (k == 0 ? c.offset[0] : 0));
-    contacts_[i].d2.set(k, c.second_row.dot(u_.col(k)) + (k == 0 ? c.offset[1] : 0));
+    return numerics::Twin{c.first_row.dot(of), c.second_row.dot(of)};
   }
 
   void begin_contacts(const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
     sticking_ = 0;
+    touching_.clear();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      put_distance(i, 0);
+      const auto& offset = system_.contacts[i].offset;
+      contacts_[i].set_distance(at_contact(i, u_.col(0)) + numerics::Twin{offset[0], offset[1]});
+      contacts_[i].set_velocity(0, at_contact(i, v_.col(0)));
       const bool open = modes[i] == contact::Mode::open;
       contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i), slips[i]);
+      if (!open) touching_.push_back(i);
       if (contacts_[i].sticks()) stuck_[sticking_++] = i;
     }
   }
@@ -143,35 +158,87 @@ class Expansion {
     }
   }
 
-  /// Coefficient k of the acceleration; the drives go on to the next.
+  /// Coefficient k of the acceleration; drives and contacts go on to the next.
   void accelerate(int k) {
+    Vector& a = acceleration_;
     if (system_.diagonal) {
-      acceleration_ = -system_.stiffness_diagonal.cwiseProduct(u_.col(k)) -
-                      system_.damping_diagonal.cwiseProduct(v_.col(k));
+      a = -system_.stiffness_diagonal.cwiseProduct(u_.col(k)) -
+          system_.damping_diagonal.cwiseProduct(v_.col(k));
     } else {
-      acceleration_.noalias() = system_.stiffness * u_.col(k);
-      acceleration_.noalias() += system_.damping * v_.col(k);
-      acceleration_ = -acceleration_;
+      a.noalias() = system_.stiffness * u_.col(k);
+      a.noalias() += system_.damping * v_.col(k);
+      a = -a;
     }
-    if (k == 0) acceleration_ += system_.constant;
-    acceleration_ += system_.cosine * cosine_ + system_.sine * sine_;
+    if (k == 0) a += system_.constant;
+    a += system_.cosine * cosine_ + system_.sine * sine_;
     const double next = numerics::one_over(k + 1), cosine = cosine_;
     cosine_ = -next * sine_;
     sine_ = next * cosine;
     for (ActingPulse& pulse : pulses_) {
-      acceleration_ += system_.pulses[pulse.index].top * pulse.sine;
+      a += system_.pulses[pulse.index].top * pulse.sine;
       const double rate = system_.pulses[pulse.index].rate * next, sine = pulse.sine;
       pulse.sine = rate * pulse.cosine;
       pulse.cosine = -rate * sine;
     }
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      if (contacts_[i].mode() == contact::Mode::open) continue;
-      put_distance(i, k + 1);
-      const ContactSeries::Force force = contacts_[i].force_term(k);
-      acceleration_ += system_.contacts[i].first_push * force.first;
-      acceleration_ += system_.contacts[i].second_push * force.second;
+    for (const std::size_t i : touching_) {
+      const numerics::Twin force = contacts_[i].force_term(k);
+      a += system_.contacts[i].first_push * force[0];
+      a += system_.contacts[i].second_push * force[1];
     }
     if (sticking_ > 0) hold(k);
+    for (const std::size_t i : touching_)
+      contacts_[i].set_velocity(k + 1, at_contact(i, acceleration_) * numerics::both(next));
+  }
+
+  /// All coefficients, of a diagonal structure that touches one stop and slips there while no pulse acts: the
+  /// usual step. What it waits for is the contact, whose next coefficient comes from what the structure does
+  /// of itself and from the force alone.
+  void expand_in_registers(std::size_t i) {
+    using numerics::both, numerics::Twin;
+    constexpr Eigen::Index pairs = N / 2;
+    using Pairs = std::array<Twin, static_cast<std::size_t>(pairs)>;
+    const auto of = [](const auto& vector) {
+      Pairs all;
+      for (std::size_t h = 0; h < all.size(); ++h)
+        all[h] = Twin{vector(static_cast<Eigen::Index>(2 * h)), vector(static_cast<Eigen::Index>(2 * h + 1))};
+      return all;
+    };
+    const auto& c = system_.contacts[i];
+    ContactSeries& contact = contacts_[i];
+    const Pairs stiffness = of(system_.stiffness_diagonal), damping = of(system_.damping_diagonal),
+                cosines = of(system_.cosine), sines = of(system_.sine), first_push = of(c.first_push),
+                second_push = of(c.second_push), first_row = of(c.first_row), second_row = of(c.second_row),
+                constant = of(system_.constant);
+    const Twin by_first = pushed_[i].first, by_second = pushed_[i].second;
+    Pairs u = of(u_.col(0)), v = of(v_.col(0));
+    Twin cosine = both(cosine_), sine = both(sine_);
+    for (int k = 0; k < order_; ++k) {
+      const Twin next = both(numerics::one_over(k + 1)), after = both(numerics::one_over(k + 2));
+      Pairs a;
+      Twin along_first{}, along_second{};
+      for (std::size_t h = 0; h < a.size(); ++h) {
+        a[h] = (cosines[h] * cosine + sines[h] * sine) - (stiffness[h] * u[h] + damping[h] * v[h]);
+        if (k == 0) a[h] += constant[h];
+        along_first += first_row[h] * a[h];
+        along_second += second_row[h] * a[h];
+      }
+      const Twin turned = cosine;
+      cosine = -(next * sine);
+      sine = next * turned;
+      const Twin force = contact.force_term(k), first = numerics::first_twice(force),
+                 second = numerics::second_twice(force);
+      const Twin free = numerics::sums_of(along_first, along_second);
+      contact.set_velocity(k + 1, (free + by_first * first + by_second * second) * next);
+      double *to_u = u_.col(k + 2).data(), *to_v = v_.col(k + 1).data();
+      for (std::size_t h = 0; h < a.size(); ++h) {
+        const Twin u_next = v[h] * next,
+                   v_next = (a[h] + first_push[h] * first + second_push[h] * second) * next;
+        u[h] = u_next;
+        v[h] = v_next;
+        numerics::store(to_v + 2 * h, v_next);
+        numerics::store(to_u + 2 * h, v_next * after);
+      }
+    }
   }
 
   /// Coefficient k of what holds the contacts that stick.
@@ -189,18 +256,15 @@ class Expansion {
       rest(j) = tangential_row(stuck(j)).dot(acceleration_.transpose()) - contacts_[stuck(j)].keeping_term(k);
     const contact::StickVector force = contact::holding_forces(mobility_, rest);
     for (Eigen::Index j = 0; j < count; ++j) acceleration_ += force(j) * tangential_push(stuck(j));
-    for (Eigen::Index j = 0; j < count; ++j) {
-      const auto& c = system_.contacts[stuck(j)];
-      contacts_[stuck(j)].hold(k, force(j), c.first_row.dot(acceleration_.transpose()),
-                               c.second_row.dot(acceleration_.transpose()));
-    }
+    for (Eigen::Index j = 0; j < count; ++j)
+      contacts_[stuck(j)].hold(k, force(j), at_contact(stuck(j), acceleration_));
   }
 
   /// What guards ask for.
   void complete_contacts() {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (contacts_[i].mode() != contact::Mode::open) continue;
-      for (int k = 1; k <= order_; ++k) put_distance(i, k);
+      for (int k = 1; k < order_; ++k) contacts_[i].set_velocity(k, at_contact(i, v_.col(k)));
     }
   }
 
@@ -210,6 +274,11 @@ class Expansion {
   Vector acceleration_;
   std::vector<ContactLaw> laws_;
   std::vector<ContactSeries> contacts_;
+  struct Pushed {
+    numerics::Twin first, second;
+  };
+  std::vector<Pushed> pushed_;  ///< what a newton along either direction accelerates of the contact itself
+  std::vector<std::size_t> touching_;
   std::array<std::size_t, contact::most_sticking> stuck_{};
   std::size_t sticking_ = 0;
   contact::StickMobility mobility_;

@@ -25,8 +25,8 @@ std::span<const double> first(const Coefficients& c, int count) {
 double fastest_distance(const ContactSeries& contact, int order, double duration_rad) {
   double first_sum = 0, second_sum = 0, power = 1;
   for (int k = 0; k < order; ++k, power *= duration_rad) {
-    first_sum += std::abs((k + 1) * contact.d1[k + 1]) * power;
-    second_sum += std::abs((k + 1) * contact.d2[k + 1]) * power;
+    first_sum += std::abs(contact.velocity()[k][0]) * power;
+    second_sum += std::abs(contact.velocity()[k][1]) * power;
   }
   return contact.law().annular ? std::sqrt(first_sum * first_sum + second_sum * second_sum) : second_sum;
 }
@@ -73,8 +73,8 @@ Coefficients slip_polynomial(ContactSeries& contact, int order, double duration_
 bool far_from_wall(const ContactSeries& contact, int order, double duration_rad) {
   double first_sum = 0, second_sum = 0, power = 1;
   for (int k = 0; k <= order; ++k, power *= duration_rad) {
-    first_sum += std::abs(contact.d1[k]) * power;
-    second_sum += std::abs(contact.d2[k]) * power;
+    first_sum += std::abs(contact.distance()[k][0]) * power;
+    second_sum += std::abs(contact.distance()[k][1]) * power;
   }
   const double clearance = contact.law().clearance;
   return first_sum * first_sum + second_sum * second_sum < clearance * clearance;
@@ -87,9 +87,9 @@ double guards_converged_rad(ContactSeries& contact, int order, double duration_r
   constexpr double rounding = 0x1p-52;
   if (contact.sticks()) {
     const double unit =
-        std::max(law.friction.dry * law.stiffness * law.clearance, std::abs(contact.holding()[0]));
+        std::max(law.friction.dry * law.stiffness * law.clearance, std::abs(contact.holding().number(0)));
     for (int k = order - 2; k < order; ++k) {
-      const double term = std::abs(contact.holding()[k]) / unit;
+      const double term = std::abs(contact.holding().number(k)) / unit;
       if (term * std::pow(duration_rad, k) > rounding) duration_rad = std::pow(rounding / term, 1.0 / k);
     }
   }

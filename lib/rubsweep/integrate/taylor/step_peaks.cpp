@@ -1,10 +1,12 @@
 #include "rubsweep/integrate/taylor/step_peaks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "rubsweep/numerics/cubic_maximum.hpp"
+#include "rubsweep/numerics/plane_series.hpp"
 
 namespace rubsweep::integrate::taylor {
 namespace {
@@ -26,22 +28,6 @@ double largest_square(const Map& map, const State& from, const State& to, double
                         b_rate = map * to.tail(n);
   return numerics::cubic_maximum(a.squaredNorm(), 2 * duration_rad * a.dot(a_rate), b.squaredNorm(),
                                  2 * duration_rad * b.dot(b_rate));
-}
-
-/// Of what has the value and the rate that `at` gives.
-template <class At>
-double largest_of(const At& at, double fastest, double duration_rad) {
-  const int pieces = pieces_of(fastest, duration_rad);
-  const double size = duration_rad / pieces;
-  auto [value, rate] = at(0.0);
-  double largest = value;
-  for (int i = 1; i <= pieces; ++i) {
-    const auto [next, next_rate] = at(size * i);
-    largest = std::max(largest, numerics::cubic_maximum(value, size * rate, next, size * next_rate));
-    value = next;
-    rate = next_rate;
-  }
-  return largest;
 }
 
 }  // namespace
@@ -69,17 +55,35 @@ LargestDisplacements largest_displacements(const Expansion<N>& motion, const run
 }
 
 double largest_force(const ContactSeries& contact, int order, double fastest, double duration_rad) {
+  using numerics::both, numerics::Twin;
   const double spring = contact.law().spring(contact.mode()), damper = contact.law().damper(contact.mode());
-  const auto force = [&](double at) {
-    double value = 0, rate = 0;
-    for (int k = order - 1; k >= 0; --k) {
-      rate = rate * at + value;
-      value = value * at + spring * contact.penetration_term(k) +
-              damper * (k + 1) * contact.penetration_term(k + 1);
-    }
-    return std::pair{value, rate};
+  std::array<double, numerics::most_taylor_order> force;
+  for (int k = 0; k < order; ++k)
+    force[static_cast<std::size_t>(k)] =
+        spring * contact.penetration_term(k) + damper * (k + 1) * contact.penetration_term(k + 1);
+  const int pieces = pieces_of(fastest, duration_rad);
+  const double size = duration_rad / pieces;
+  const double start = force[0], start_rate = order > 1 ? force[1] : 0;
+  double largest = start, last = start, last_rate = start_rate;
+  const auto next = [&](double value, double rate) {
+    largest = std::max(largest, numerics::cubic_maximum(last, size * last_rate, value, size * rate));
+    last = value;
+    last_rate = rate;
   };
-  return largest_of(force, fastest, duration_rad);
+  // Four ends of pieces at a time: one alone would wait for its own sum.
+  for (int i = 1; i <= pieces; i += 4) {
+    const Twin at[2] = {Twin{size * i, size * (i + 1)}, Twin{size * (i + 2), size * (i + 3)}};
+    Twin value[2]{}, rate[2]{};
+    for (auto k = static_cast<std::size_t>(order); k-- > 0;) {
+      for (int pair = 0; pair < 2; ++pair) {
+        rate[pair] = rate[pair] * at[pair] + value[pair];
+        value[pair] = value[pair] * at[pair] + both(force[k]);
+      }
+    }
+    for (int end = 0; end < 4 && i + end <= pieces; ++end)
+      next(value[end / 2][end % 2], rate[end / 2][end % 2]);
+  }
+  return largest;
 }
 
 template LargestDisplacements largest_displacements<2>(const Expansion<2>&, const run::ScaledSystem<2>&,

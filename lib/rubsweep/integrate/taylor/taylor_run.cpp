@@ -84,6 +84,7 @@ void TaylorRun<N>::begin_tangents(const Eigen::MatrixXd& vectors, double accurac
   tangents_.begin(vectors);
   if (tangents_.count() == 0) return;
   project_tangents();
+  tangent_accuracy_ = accuracy;
   longest_of_tangents_ = longest_times_fastest_of_tangents(accuracy);
 }
 
@@ -215,7 +216,7 @@ template <int N>
 void TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
   put_samples(report, end_phase);
   watch(report, fastest, duration);
-  tangents_.pass(motion_, duration);
+  tangents_.pass(motion_, duration, tangent_accuracy_);
   motion_.put_state(duration, state_.data());
   phase_ = end_phase;
   std::ranges::fill(zero_terms_, 0);

@@ -100,6 +100,7 @@ class TaylorRun {
   run::Impulses impulses_;
   double structure_rate_ = 0;  ///< fastest of the structure without contacts, per radian
   double stiff_above_ = 0;
+  double tangent_accuracy_ = 0;
   double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
   long max_steps_ = 0, step_limit_ = 0;
   std::vector<double> state_, start_, rate_, probe_, other_probe_;

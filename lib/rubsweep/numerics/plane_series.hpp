@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstring>
+
+#include "rubsweep/numerics/taylor_series.hpp"
+
+namespace rubsweep::numerics {
+
+/// One register of every x86-64 processor; wider ones would have to be taken apart where they are missing.
+using Twin [[gnu::vector_size(16)]] = double;
+
+inline Twin both(double value) { return Twin{value, value}; }
+inline Twin swapped(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 0); }
+inline Twin first_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 0, 0); }
+inline Twin second_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 1); }
+/// Twice.
+inline Twin sum_of(Twin pair) { return pair + swapped(pair); }
+/// That of the first, that of the second.
+inline Twin sums_of(Twin first, Twin second) {
+  return __builtin_shufflevector(first, second, 0, 2) + __builtin_shufflevector(first, second, 1, 3);
+}
+inline void store(double* to, Twin pair) { std::memcpy(to, &pair, sizeof pair); }
+/// A quarter of a turn further: (-y, x).
+inline Twin quarter_turned(Twin pair) { return Twin{-1, 1} * swapped(pair); }
+
+/// Coefficients of the power series of a vector in a plane. That of a number has each of them twice. A
+/// coefficient is one register, written and read as a whole: a product waits neither for one that was just
+/// written nor for a sum across registers.
+class PlaneSeries {
+ public:
+  Twin operator[](int k) const { return terms_[k]; }
+  void set(int k, Twin value) { terms_[k] = value; }
+  void set(int k, double value) { terms_[k] = both(value); }
+  double number(int k) const { return terms_[k][0]; }
+
+ private:
+  Twin terms_[most_taylor_order + 2];  ///< one more than the order: a rate asks for the next
+};
+
+/// Sum of a_j b_{k-j}, component by component, for `first` <= j <= `last`.
+inline Twin sum_of_products(const PlaneSeries& a, const PlaneSeries& b, int k, int first, int last) {
+  Twin even{}, odd{};
+  int j = first;
+  for (; j < last; j += 2) {
+    even += a[j] * b[k - j];
+    odd += a[j + 1] * b[k - j - 1];
+  }
+  if (j == last) even += a[j] * b[k - j];
+  return even + odd;
+}
+
+/// Coefficient k of a b, component by component.
+inline Twin product_term(const PlaneSeries& a, const PlaneSeries& b, int k) {
+  return sum_of_products(a, b, k, 0, k);
+}
+
+}  // namespace rubsweep::numerics

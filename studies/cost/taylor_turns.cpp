@@ -1,0 +1,147 @@
+// taylor_turns CONFIGS_DIRECTORY [CONFIG.yaml [KEY=VALUE...]]: what turns by Taylor series cost, plain, with
+// one tangent vector, with all of them, and with what a window records, in annular stops; and their error.
+// For a configuration: processor time and turns of its cells by their class.
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "rubsweep/bench/processor_time.hpp"
+#include "rubsweep/bench/reference.hpp"
+#include "rubsweep/bench/work_precision.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/response/growth.hpp"
+#include "rubsweep/sweep/evaluate_cell.hpp"
+
+namespace {
+
+using namespace rubsweep;
+
+/// Scenes of the table, by the configuration's set D or by set C, which differs in casing, stiffness and
+/// kick.
+struct Motion {
+  const char* config;
+  std::vector<std::string> overrides;
+  double speed_hz, whirl_ratio;
+  const char* name;
+};
+
+const std::vector<std::string> set_c{
+    "rotor.damping_ratio=0.04",
+    "stops.0.stiffness_n_per_m=2.0e6",
+    "stops.0.casing.damping_ratio=1.0",
+    "stops.0.casing.stiffness_n_per_m=5.0e5",
+    "kick.force_n=150",
+};
+
+const std::vector<Motion> motions{
+    {"figure11_annulus", set_c, 80, 0.6, "set C, 80 Hz, 0.6: circle"},
+    {"figure11_annulus", set_c, 165, 0.6, "set C, 165 Hz, 0.6: oval"},
+    {"figure11_annulus", set_c, 120, 0.6, "set C, 120 Hz, 0.6: weak oval"},
+    {"figure12_annulus_offset", {}, 184.3, 0.66, "figure 12, 184.3 Hz, 0.66: always touching"},
+    {"figure12_annulus_offset", {}, 110, 0.553, "figure 12, 110 Hz, 0.553: chaotic"},
+    {"figure12_annulus_offset", {}, 91.4, 0.98, "figure 12, 91.4 Hz, 0.98: chaotic"},
+};
+
+constexpr int early = 6, settling = 300, turns = 300, repeats = 5;
+
+std::vector<double> early_section(const scene::Scene& scene) {
+  integrate::exact::ModeCache modes;
+  const integrate::run::Run run = integrate::start(scene, {}, modes);
+  integrate::run::TurnReport turn;
+  for (int k = 0; k < early; ++k) run.advance({}, turn);
+  return turn.section;
+}
+
+/// Microseconds per turn of `turns` from where the motion has settled, by what each request asks.
+std::vector<double> microseconds(const scene::Scene& scene,
+                                 const std::vector<integrate::run::TurnRequest>& requests, double& steps) {
+  integrate::exact::ModeCache modes;
+  const integrate::run::Run run = integrate::start(scene, {}, modes);
+  integrate::run::TurnReport turn;
+  for (int k = 0; k < settling; ++k) run.advance({}, turn);
+  const std::vector<double> settled = turn.section;
+  std::vector<std::vector<double>> times(requests.size());
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      run.restart(settled);
+      const long before = turn.effort.steps;
+      const double start = bench::processor_time_s();
+      for (int k = 0; k < turns; ++k) run.advance(requests[i], turn);
+      times[i].push_back(1e6 * (bench::processor_time_s() - start) / turns);
+      if (i == 0) steps = static_cast<double>(turn.effort.steps - before) / turns;
+    }
+  }
+  std::vector<double> medians;
+  for (const auto& list : times) medians.push_back(bench::median(list));
+  return medians;
+}
+
+void table(const std::filesystem::path& configs) {
+  std::printf("us per turn, medians of %d runs of %d turns; errors after %d turns against rkf78 at 1e-13\n",
+              repeats, turns, early);
+  for (const Motion& m : motions) {
+    const auto study =
+        config::read_run_config(configs / (std::string(m.config) + ".yaml"), m.overrides).study;
+    const scene::Scene scene =
+        scene::build_cell(study.machine, m.speed_hz, scene::WhirlRatio{m.whirl_ratio}).scene;
+    const Eigen::Index states = 2 * scene.structure.coordinates();
+    std::vector<integrate::run::TurnRequest> requests(5);
+    requests[1].tangent_vectors = response::first_disturbance(static_cast<std::size_t>(states)).normalized();
+    requests[2].tangent_vectors = requests[1].tangent_vectors;
+    requests[2].tangent_accuracy = response::growth_accuracy;
+    requests[3].tangent_vectors = Eigen::MatrixXd::Identity(states, states);
+    requests[4].peaks = true;
+    requests[4].samples_per_revolution = study.response.samples_per_revolution;
+    double steps = 0;
+    const auto us = microseconds(scene, requests, steps);
+    const double error =
+        bench::section_difference(early_section(scene), bench::reference_section(scene, early, {}).section);
+    std::printf(
+        "  %-44s %6.2f (%.1f steps, %.2f us each); tangent %.2f, to %g %.2f; all %.2f; recorded %.2f; "
+        "error %.0e\n",
+        m.name, us[0], steps, us[0] / steps, us[1] / us[0], response::growth_accuracy, us[2] / us[0],
+        us[3] / us[0], us[4] / us[0], error);
+  }
+}
+
+void by_class(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  struct Share {
+    double time_s = 0;
+    long cells = 0, revolutions = 0;
+  };
+  const sweep::Study study = config::read_run_config(file, overrides).study;
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  std::map<std::string, Share> shares;
+  response::motion::Workspace workspace;
+  for (std::size_t i = 0; i < sweep::cell_count(study.grid); ++i) {
+    const double start = bench::processor_time_s();
+    const sweep::Row row = sweep::evaluate_cell(study, prepared, i, workspace);
+    Share& share = shares[std::string(to_string(row.motion_class))];
+    share.time_s += bench::processor_time_s() - start;
+    ++share.cells;
+    share.revolutions += row.revolutions;
+  }
+  for (const auto& [name, share] : shares) {
+    std::printf("  %-14s %5ld cells %8ld revolutions %8.1f ms, %.2f us per revolution\n", name.c_str(),
+                share.cells, share.revolutions, 1e3 * share.time_s,
+                1e6 * share.time_s / static_cast<double>(std::max(share.revolutions, 1L)));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::printf("usage: taylor_turns CONFIGS_DIRECTORY [CONFIG.yaml [KEY=VALUE...]]\n");
+    return 1;
+  }
+  if (argc == 2) {
+    table(argv[1]);
+  } else {
+    by_class(argv[2], std::vector<std::string>(argv + 3, argv + argc));
+  }
+  return 0;
+}

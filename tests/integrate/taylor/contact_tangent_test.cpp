@@ -1,0 +1,80 @@
+#include "rubsweep/integrate/taylor/contact_tangent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "support/annular_scene.hpp"
+
+namespace rubsweep::integrate::taylor {
+namespace {
+
+using contact::Mode;
+using numerics::Twin;
+
+constexpr int order = 16;
+
+/// Coefficient k of the rates of a motion and of a change of it, which decay as those of a smooth one do.
+Twin motion_rate(int k) {
+  return Twin{0.3 * std::cos(1.0 + k), 0.4 * std::sin(0.7 * k)} / std::tgamma(k + 1.0);
+}
+Twin change_rate(int k) { return Twin{std::sin(2.0 + k), std::cos(0.3 + 1.3 * k)} / std::tgamma(k + 1.0); }
+
+/// Coefficients of the force along the motion plus `share` of its change.
+std::array<Twin, order> forces(ContactSeries& series, const ContactLaw& law, Mode mode, double slip,
+                               double share) {
+  series.set_distance(Twin{1.3, 0.5} + numerics::both(share) * Twin{0.6, -0.8});
+  series.begin(law, mode, slip, contact::Slip::forward);
+  std::array<Twin, order> force;
+  for (int k = 0; k < order; ++k) {
+    series.set_velocity(k, motion_rate(k) + numerics::both(share) * change_rate(k));
+    force[static_cast<std::size_t>(k)] = series.force_term(k);
+  }
+  return force;
+}
+
+/// Against the difference of two motions, for both walls, modes with and without damper, friction that is
+/// constant and that varies.
+TEST(ContactTangent, IsTheDifferenceOfTwoMotions) {
+  auto scene = test::annular_scene(1, 0, 1, 0, 0, 10, 0.1);
+  const auto system = run::scale<2>(scene);
+  for (const bool annular : {false, true}) {
+    for (const Mode mode : {Mode::sprung, Mode::clamped, Mode::released}) {
+      for (const bool varies : {false, true}) {
+        ContactLaw law(system.contacts[0]);
+        law.annular = annular;
+        law.stiffness = 10;
+        law.damping = 2;
+        law.slip_scale_m_per_s = 1;
+        law.surface_speed_m_per_s = 0.2;
+        law.friction = contact::friction_terms(
+            varies ? model::Friction{model::StribeckFriction{{0, 0, 0, 0.3, 0.8, 0.05}}}
+                   : model::Friction{model::StribeckFriction{{0, 0, 0, 0.3, 1e4, 0}}});
+        ContactSeries series;
+        // Of the sliding speed only the sign counts where friction does not vary.
+        const double slip = varies ? 0.1 : 1;
+        constexpr double small = 1e-5;
+        const auto later = forces(series, law, mode, slip, small),
+                   earlier = forces(series, law, mode, slip, -small);
+        forces(series, law, mode, slip, 0);
+        EXPECT_EQ(series.friction_varies(), varies);
+        ContactTangent tangent;
+        tangent.follow(series, order - 1);
+        tangent.begin(Twin{0.6, -0.8});
+        for (int k = 0; k < order - 1; ++k) {
+          const Twin change = tangent.force_term(k, change_rate(k));
+          const auto index = static_cast<std::size_t>(k);
+          for (int side = 0; side < 2; ++side) {
+            const double expected = (later[index][side] - earlier[index][side]) / (2 * small);
+            EXPECT_NEAR(change[side], expected, 1e-7 * (1 + std::abs(expected)))
+                << annular << varies << static_cast<int>(mode) << ' ' << k << ' ' << side;
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate::taylor
