@@ -34,10 +34,12 @@ TEST(ExplainStudy, SolverAndHowACellEnds) {
   sweep::Study study = sweep::one_side_study({50}, {0.4});
   EXPECT_TRUE(says(explain_study(study), "solver: exact (auto: wherever it applies), closed forms"));
   EXPECT_TRUE(says(explain_study(study),
-                   "turns whose friction is not saturated in Taylor pieces, stiff ones "
-                   "by the\n  adaptive one: dopri5"));
-  EXPECT_TRUE(says(explain_study(study), "relative tolerance 1e-08\n"));
+                   "turns whose friction is not saturated in\n  Taylor pieces, to rounding, too\n"));
   EXPECT_TRUE(says(explain_study(study), "contact: located"));
+  study.solver.stepper = integrate::run::Stepper::dopri5;
+  EXPECT_TRUE(says(explain_study(study), "turns whose friction is not saturated by the\n  adaptive one: dopri5"));
+  EXPECT_TRUE(says(explain_study(study), "relative tolerance 1e-08\n"));
+  study.solver.stepper = integrate::run::Stepper::automatic;
   EXPECT_TRUE(says(explain_study(study),
                    "a cell ends when rest or a stable orbit is proven, else after 40 revolutions, by its "
                    "last two windows of 12\n"));
@@ -51,6 +53,8 @@ TEST(ExplainStudy, SolverAndHowACellEnds) {
 
 TEST(ExplainStudy, SaysWhichStepperAutoTakesAndWhy) {
   sweep::Study study = sweep::one_side_study({50}, {0.4});
+  EXPECT_FALSE(says(explain_study(study), "stepper auto"));
+  study.solver.method = integrate::run::Method::adaptive;
   EXPECT_TRUE(says(explain_study(study), "stepper auto: rosenbrock4 (implicit"));
   // 4 tolerance^(-1/4)
   EXPECT_TRUE(says(explain_study(study), "change the slip 400 times faster than the contact spring"));

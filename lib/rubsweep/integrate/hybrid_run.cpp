@@ -34,8 +34,8 @@ bool may_be_in_pieces(const scene::Scene& scene, const run::SolverOptions& optio
          std::ranges::all_of(scene.contacts, [](const scene::Contact& c) { return contact::linear(c.wall); });
 }
 
-/// Exact turns; Taylor pieces where there is no closed form; a stepper's where friction is stiff, or where
-/// one was asked for by name.
+/// Exact turns; Taylor pieces where there is no closed form; a stepper's where one
+/// was asked for by name.
 template <int N>
 class HybridRun {
  public:
@@ -85,10 +85,6 @@ class HybridRun {
       switch (make_piece(report)) {
         case taylor::TaylorEnding::ok:
           break;
-        case taylor::TaylorEnding::stiff:
-          be_away();
-          start_stepper();
-          return advance_adaptively(request, report);
         case taylor::TaylorEnding::step_limit:
           return finish(report, run::Outcome::step_limit);
         case taylor::TaylorEnding::non_finite:
@@ -155,9 +151,6 @@ class HybridRun {
     switch (taylor_->advance(request, report)) {
       case taylor::TaylorEnding::ok:
         break;
-      case taylor::TaylorEnding::stiff:
-        start_stepper();
-        return advance_adaptively(request, report);
       case taylor::TaylorEnding::step_limit:
         return finish(report, run::Outcome::step_limit);
       case taylor::TaylorEnding::non_finite:
@@ -209,6 +202,7 @@ class HybridRun {
     if (taylor_) {
       report.effort = sum(report.effort, taylor_->effort());
       report.effort.taylor_pieces = taylor_->effort().steps;
+      report.effort.creep_pieces = taylor_->effort().creep_pieces;
     }
     report.effort.taylor_turns = taylor_turns_;
     report.effort.adaptive_turns = adaptive_turns_;

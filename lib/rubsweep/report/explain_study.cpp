@@ -17,6 +17,9 @@
 namespace rubsweep::report {
 namespace {
 
+constexpr std::string_view located =
+    "contact: located, every change of contact mode is found to rounding\n";
+
 bool friction_depends_on_slip(const model::Machine& machine) {
   return std::ranges::any_of(machine.stops,
                              [](const model::Stop& stop) { return contact::depends_on_slip(stop.friction); });
@@ -55,13 +58,14 @@ bool exact(const sweep::Study& study) {
 std::string explain_solver(const sweep::Study& study) {
   const integrate::run::SolverOptions& solver = study.solver;
   const bool chosen = solver.method == integrate::run::Method::automatic;
+  const bool smoothed = solver.contact == integrate::run::ContactHandling::smoothed;
   std::string text;
   if (exact(study)) {
-    text = fmt::format(
-        "solver: exact{}, closed forms between mode switches, which certified steps find; {} {}by the\n  "
-        "adaptive one: ",
-        chosen ? " (auto: wherever it applies)" : "", explain_beyond(study.machine),
-        solver.stepper == integrate::run::Stepper::automatic ? "in Taylor pieces, stiff ones " : "");
+    text = fmt::format("solver: exact{}, closed forms between mode switches, which certified steps find; {} ",
+                       chosen ? " (auto: wherever it applies)" : "", explain_beyond(study.machine));
+    if (!smoothed && solver.stepper == integrate::run::Stepper::automatic)
+      return text + "in\n  Taylor pieces, to rounding, too\n" + located;
+    text += "by the\n  adaptive one: ";
   } else {
     text =
         fmt::format("solver: adaptive{}, ",
@@ -70,11 +74,11 @@ std::string explain_solver(const sweep::Study& study) {
   text += fmt::format("{}, relative tolerance {}\n", integrate::adaptive::row_of(solver.stepper).description,
                       solver.relative_tolerance);
   if (solver.stepper == integrate::run::Stepper::automatic) text += explain_automatic(study);
-  if (solver.contact == integrate::run::ContactHandling::smoothed) {
+  if (smoothed) {
     return text +
            fmt::format("contact: smoothed over {} m of penetration, no event location\n", solver.smoothing_m);
   }
-  return text + "contact: located, every change of contact mode is found to rounding\n";
+  return text + located;
 }
 
 std::string explain_axis(const sweep::KeyAxis& axis) {

@@ -48,9 +48,13 @@ std::string effort_text(const integrate::run::Effort& effort, long revolutions) 
       "{:.1f} right-hand sides, {:.1f} steps, {:.1f} refused, {:.2f} mode switches per revolution",
       per_turn(effort.rhs_calls), per_turn(effort.steps), per_turn(effort.refused),
       per_turn(effort.switches));
-  if (effort.taylor_turns > 0)
+  if (effort.taylor_turns > 0) {
+    const auto pieces = static_cast<double>(effort.taylor_pieces);
     text += fmt::format("; {} revolutions with Taylor pieces, {:.1f} in each", effort.taylor_turns,
-                        static_cast<double>(effort.taylor_pieces) / static_cast<double>(effort.taylor_turns));
+                        pieces / static_cast<double>(effort.taylor_turns));
+    if (effort.creep_pieces > 0)
+      text += fmt::format(", {:.2g} % of them of creep", 100 * static_cast<double>(effort.creep_pieces) / pieces);
+  }
   if (effort.adaptive_turns > 0) text += fmt::format("; {} revolutions by a stepper", effort.adaptive_turns);
   return text;
 }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
-#include "rubsweep/integrate/hybrid_run.hpp"
 #include "support/rolling_scene.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -78,16 +77,6 @@ TEST(AutomaticStepper, SamplesInsideImplicitStepsFollowTheClosedForm) {
     EXPECT_NEAR(turn.samples[4 * k], z.real(), 1e-4);
     EXPECT_NEAR(turn.samples[4 * k + 1], z.imag(), 1e-4);
   }
-}
-
-TEST(AutomaticStepper, ImplicitStepsOfTurnsWithoutClosedFormAreCounted) {
-  const auto rolling = test::rolling_scene(1e5);
-  exact::ModeCache modes;
-  const auto exact = start_hybrid(rolling.scene, with(run::Stepper::automatic, 1e-6), modes);
-  run::TurnReport turn;
-  ASSERT_EQ(exact.advance({}, turn), run::Outcome::ok);
-  EXPECT_EQ(turn.effort.adaptive_turns, 1);
-  EXPECT_GT(turn.effort.implicit_steps, 0);
 }
 
 TEST(StiffFrictionRatio, GrowsWithTheFourthRootOfTheAccuracy) {

@@ -252,17 +252,6 @@ TEST(TaylorRun, RollsBackwardOnItsClosedForm) {
   }
 }
 
-/// Leaves the turn to others where an implicit stepper is cheaper, and stands where it began.
-TEST(TaylorRun, SaysWhereFrictionIsStiff) {
-  const test::RollingScene rolling = test::rolling_scene(1e5);
-  TaylorRun<2> run(rolling.scene, {});
-  const std::vector<double> before = run.section();
-  run::TurnReport turn;
-  EXPECT_EQ(run.advance({}, turn), TaylorEnding::stiff);
-  EXPECT_EQ(run.section(), before);
-  EXPECT_EQ(run.revolution(), 0);
-}
-
 /// Elastic stops without damping, friction and unbalance: the energy of rotor, casing and contact springs
 /// stays.
 TEST(TaylorRun, KeepsTheEnergyOfAConservativeScene) {

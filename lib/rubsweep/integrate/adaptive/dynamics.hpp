@@ -125,23 +125,28 @@ class Dynamics : public ContactStates<N, Smoothed> {
     return coefficient(i, f) * normal_force(i, f.penetration, f.closing_speed).spring_n;
   }
 
-  /// Rate at which friction alone changes the slip at a contact, over the angular frequency of that contact's
-  /// spring between the masses it joins; the largest of all contacts that touch. Zero where friction does not
-  /// depend on the slip.
+  /// Rate at which friction alone changes the slip at contact `i`, over the angular frequency of that
+  /// contact's spring between the masses it joins. Zero where friction does not depend on the slip, and in a
+  /// contact that is open.
   template <class State>
-  double friction_ratio(const State& state) const {
+  double friction_ratio(std::size_t i, const State& state) const {
     const Eigen::Index n = system_.coordinates();
     const ConstMap u(&state[0], n), v(&state[0] + n, n);
+    const Contact& c = system_.contacts[i];
+    if (!Smoothed && modes_[i] == contact::Mode::open) return 0;
+    const contact::ContactFrame f = contact_frame(c, u, v);
+    const double slope = coefficient_slope(i, f);
+    if (slope <= 0) return 0;
+    const double spring_n = normal_force(i, f.penetration, f.closing_speed).spring_n;
+    return slope * spring_n * std::sqrt(c.mobility() / c.stiffness);
+  }
+
+  /// The largest of all contacts that touch.
+  template <class State>
+  double friction_ratio(const State& state) const {
     double largest = 0;
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-      const Contact& c = system_.contacts[i];
-      if (!Smoothed && modes_[i] == contact::Mode::open) continue;
-      const contact::ContactFrame f = contact_frame(c, u, v);
-      const double slope = coefficient_slope(i, f);
-      if (slope <= 0) continue;
-      const double spring_n = normal_force(i, f.penetration, f.closing_speed).spring_n;
-      largest = std::max(largest, slope * spring_n * std::sqrt(c.mobility() / c.stiffness));
-    }
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+      largest = std::max(largest, friction_ratio(i, state));
     return largest;
   }
 

@@ -28,6 +28,7 @@ struct Effort {
   long implicit_steps = 0;  ///< accepted ones that Stepper::automatic took with rosenbrock4
   long taylor_turns = 0;    ///< revolutions with pieces of Taylor series, where there is no closed form
   long taylor_pieces = 0;   ///< such pieces, part of the steps
+  long creep_pieces = 0;    ///< of these, such in which steep friction holds a slip
   long adaptive_turns = 0;  ///< revolutions without a closed form, by a stepper
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubsweep/integrate/taylor/creep.hpp"
+
 namespace rubsweep::integrate::taylor {
 
 using contact::Mode;
@@ -22,6 +24,7 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s,
   saturated_steepness_ = 0;
   const bool dry = law.friction.dry > 0;
   sticks_ = dry && mode != Mode::open && way == contact::Slip::sticking;
+  creep_ = nullptr;
   slip_sign_ = dry ? contact::sign_of(way) : std::copysign(1.0, slip_m_per_s);
   constant_mu_ = dry ? law.friction.dry * slip_sign_ : law.friction.constant;
   varies_ = law.friction.viscous_s_per_m != 0;
@@ -36,6 +39,13 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s,
   }
 }
 
+void ContactSeries::follow(const Creep& creep) {
+  creep_ = &creep;
+  sticks_ = true;
+  varies_ = false;
+  constant_mu_ = saturated_steepness_ = 0;
+}
+
 double ContactSeries::turn_rate() const {
   return law_->annular ? (normal_[0][0] * velocity_[0][1] - normal_[0][1] * velocity_[0][0]) * inverse_length_
                        : 0;
@@ -43,11 +53,18 @@ double ContactSeries::turn_rate() const {
 
 Twin ContactSeries::force_term(int k) { return law_->annular ? annular_term(k) : flat_term(k); }
 
-/// A flat contact's slip changes as t . d''. Around the rotor d1 d2'' - d2 d1'' = s r', s being the sliding
-/// speed: of all its products of order k, the one with d'' of that order is looked for.
+/// A flat contact's slip changes as t . d''. Around the rotor d1 d2'' - d2 d1'' = (s r)', s being the sliding
+/// speed, which is constant unless the contact creeps: of all its products of order k, the one with d'' of
+/// that order is looked for.
 double ContactSeries::keeping_term(int k) const {
-  if (!law_->annular) return 0;
-  double rest = sliding_speed_ * length_rate_.number(k);
+  if (!law_->annular) return creep_ ? (k + 1) * creep_->sliding()[k + 1] : 0;
+  double rest = 0;
+  if (creep_) {
+    for (int j = 0; j <= k + 1; ++j) rest += length_.number(j) * creep_->sliding()[k + 1 - j];
+    rest *= k + 1;
+  } else {
+    rest = sliding_speed_ * length_rate_.number(k);
+  }
   for (int j = 1; j <= k; ++j)
     rest -= distance_[j][0] * acceleration_[k - j][1] - distance_[j][1] * acceleration_[k - j][0];
   return rest * inverse_length_;

@@ -10,6 +10,8 @@
 
 namespace rubsweep::integrate::taylor {
 
+class Creep;
+
 /// Motion and forces of one contact as power series of the time, within one contact mode. In its two fixed
 /// directions the relative displacement is d = (d1, d2); around the rotor r = |d| and the normal is d / r.
 class ContactSeries {
@@ -27,14 +29,19 @@ class ContactSeries {
   /// Starts an expansion in `mode` with the slip there, which says what of the friction is saturated. Dry
   /// friction goes by `way` instead.
   void begin(const ContactLaw& law, contact::Mode mode, double slip_m_per_s, contact::Slip way);
+  /// The expansion that has begun keeps the slip that `creep` says, by a friction that the system as a whole
+  /// decides: as a contact that sticks, whose slip is constant. `creep` outlives the expansion.
+  void follow(const Creep& creep);
 
   /// Coefficient k of the force on the casing, newtons, along the contact's two fixed directions;
   /// coefficients are asked for in their order. The contact touches. Where it sticks, the holding friction's
   /// coefficient k is not in it yet.
   numerics::Twin force_term(int k);
 
-  /// The contact sticks: its slip keeps its value by a friction that the system as a whole decides.
+  /// The contact sticks or creeps: its slip is given, by a friction that the system as a whole decides.
   bool sticks() const { return sticks_; }
+  /// Null where it does not creep.
+  const Creep* creep() const { return creep_; }
   /// Normal where the expansion starts.
   double cosine() const { return law_->annular ? normal_[0][0] : 1; }
   double sine() const { return law_->annular ? normal_[0][1] : 0; }
@@ -98,6 +105,7 @@ class ContactSeries {
   contact::Mode mode_ = contact::Mode::open;
   double spring_factor_ = 0, damper_ = 0;
   bool varies_ = false, sliding_made_ = false, sticks_ = false;
+  const Creep* creep_ = nullptr;
   double sliding_speed_ = 0;
   double constant_mu_ = 0;  ///< of the terms that do not vary
   double saturated_steepness_ = 0, slip_sign_ = 1;

@@ -24,6 +24,10 @@ class ContactTangent {
 
   /// w, up to one more than the last term asked for.
   const numerics::PlaneSeries& displacement() const { return displacement_; }
+  /// Change of r of an annular stop, as far; each coefficient twice.
+  const numerics::PlaneSeries& length() const { return length_; }
+  /// Coefficient k of the change of the spring force.
+  double load_term(int k) const { return stiffness_ * (annular_ ? length_.number(k) : displacement_[k][0]); }
 
  private:
   numerics::Twin flat_term(int k);

@@ -12,6 +12,7 @@
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/taylor/contact_law.hpp"
 #include "rubsweep/integrate/taylor/contact_series.hpp"
+#include "rubsweep/integrate/taylor/creep.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
 
 namespace rubsweep::integrate::taylor {
@@ -30,7 +31,9 @@ class Expansion {
         u_(system.coordinates(), order + 2),
         v_(system.coordinates(), order + 1),
         acceleration_(system.coordinates()),
-        contacts_(system.contacts.size()) {
+        contacts_(system.contacts.size()),
+        creeps_(system.contacts.size()),
+        creeping_(system.contacts.size(), false) {
     for (const auto& contact : system.contacts) laws_.emplace_back(contact);
     pulses_.reserve(system.pulses.size());
     touching_.reserve(contacts_.size());
@@ -63,6 +66,22 @@ class Expansion {
     complete_contacts();
   }
 
+  /// From the next expansion on contact `i` creeps, or no longer does; it starts with the slip that it has
+  /// where the expansion is now.
+  void let_creep(std::size_t i, bool creeps) {
+    creeping_[i] = creeps;
+    if (creeps) creeps_[i].begin(laws_[i], slip(i));
+  }
+  Creep& creep(std::size_t i) { return creeps_[i]; }
+  /// Slip of contact `i` where the expansion starts.
+  double slip(std::size_t i) const {
+    const ContactSeries& c = contacts_[i];
+    const numerics::Twin d = c.distance()[0], v = c.velocity()[0];
+    const double sliding =
+        laws_[i].annular ? (d[0] * v[1] - d[1] * v[0]) / std::sqrt(d[0] * d[0] + d[1] * d[1]) : v[1];
+    return laws_[i].slip_scale_m_per_s * sliding + laws_[i].surface_speed_m_per_s;
+  }
+
   /// u then u' after `duration_rad`.
   void put_state(double duration_rad, double* state) const {
     const Eigen::Index n = system_.coordinates();
@@ -92,7 +111,7 @@ class Expansion {
     return longest;
   }
 
-  // Of contacts that stick.
+  // Of contacts that stick or creep.
   std::size_t sticking() const { return sticking_; }
   std::size_t stuck(Eigen::Index k) const { return stuck_[static_cast<std::size_t>(k)]; }
   const contact::StickMobility& mobility() const { return mobility_; }
@@ -106,20 +125,22 @@ class Expansion {
     return contacts_[i].cosine() * c.second_push - contacts_[i].sine() * c.first_push;
   }
 
+  /// Changes the velocities of `state` by an impulse of friction at contacts that stick or creep, so that
+  /// their sliding speeds change by `by`.
+  void change_slips(const contact::StickVector& by, double* state) const {
+    const contact::StickVector impulse = contact::holding_forces(mobility_, by);
+    Eigen::Map<Vector> v(state + system_.coordinates(), system_.coordinates());
+    for (Eigen::Index j = 0; j < by.size(); ++j) v -= impulse(j) * tangential_push(stuck(j));
+  }
+  /// Largest velocity where the expansion starts.
+  double speed() const { return v_.col(0).template lpNorm<Eigen::Infinity>(); }
+
   int order() const { return order_; }
   const ContactLaw& law(std::size_t i) const { return laws_[i]; }
   ContactSeries& contact(std::size_t i) { return contacts_[i]; }
   const ContactSeries& contact(std::size_t i) const { return contacts_[i]; }
 
  private:
-  double slip(std::size_t i) const {
-    const ContactSeries& c = contacts_[i];
-    const numerics::Twin d = c.distance()[0], v = c.velocity()[0];
-    const double sliding =
-        laws_[i].annular ? (d[0] * v[1] - d[1] * v[0]) / std::sqrt(d[0] * d[0] + d[1] * d[1]) : v[1];
-    return laws_[i].slip_scale_m_per_s * sliding + laws_[i].surface_speed_m_per_s;
-  }
-
   /// In the contact's two directions.
   template <class Direction>
   numerics::Twin at_contact(std::size_t i, const Direction& of) const {
@@ -137,6 +158,7 @@ class Expansion {
       const bool open = modes[i] == contact::Mode::open;
       contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i), slips[i]);
       if (!open) touching_.push_back(i);
+      if (!open && creeping_[i]) contacts_[i].follow(creeps_[i]);
       if (contacts_[i].sticks()) stuck_[sticking_++] = i;
     }
   }
@@ -274,6 +296,8 @@ class Expansion {
   Vector acceleration_;
   std::vector<ContactLaw> laws_;
   std::vector<ContactSeries> contacts_;
+  std::vector<Creep> creeps_;
+  std::vector<char> creeping_;
   struct Pushed {
     numerics::Twin first, second;
   };

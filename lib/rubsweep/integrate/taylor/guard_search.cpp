@@ -85,7 +85,7 @@ bool far_from_wall(const ContactSeries& contact, int order, double duration_rad)
 double guards_converged_rad(ContactSeries& contact, int order, double duration_rad) {
   const ContactLaw& law = contact.law();
   constexpr double rounding = 0x1p-52;
-  if (contact.sticks()) {
+  if (contact.sticks() && !contact.creep()) {
     const double unit =
         std::max(law.friction.dry * law.stiffness * law.clearance, std::abs(contact.holding().number(0)));
     for (int k = order - 2; k < order; ++k) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rubsweep/integrate/adaptive/settle_slips.hpp"
+#include "rubsweep/integrate/taylor/creep_sweeps.hpp"
 #include "rubsweep/integrate/taylor/joint_event.hpp"
 #include "rubsweep/integrate/taylor/step_length.hpp"
 #include "rubsweep/integrate/taylor/step_peaks.hpp"
@@ -17,11 +18,15 @@ using contact::Mode;
 
 constexpr double same_instant = 1e-13;  ///< radians: landings nearer than that make no progress
 constexpr int longest_standstill = 16;  ///< landings without progress before one is stepped over
+/// What is left of a slip's own start falls by a factor of a hundred or more in each usual piece.
+constexpr int pieces_until_creep = 6;
+constexpr double least_gain = 12;  ///< usual pieces that one of creep has to be worth
 
 }  // namespace
 
 template <int N>
-TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& options, int order)
+TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& options, int order,
+                        double creep_above)
     : system_(run::scale<N>(scene)),
       dynamics_(system_, 0),
       motion_(system_, order),
@@ -29,7 +34,7 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       pulses_(scene, system_.scale, full_turn),
       impulses_(scene),
       structure_rate_(numerics::spectral_radius(numerics::generator_of(system_.stiffness, system_.damping))),
-      stiff_above_(run::stiff_friction_ratio(options.relative_tolerance)),
+      creep_above_(creep_above),
       max_steps_(options.max_steps_per_revolution),
       state_(run::scaled_initial_state(scene)),
       rate_(state_.size()),
@@ -58,9 +63,6 @@ TaylorEnding TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnRep
   if (!impulses_.none()) impulses_.begin_turn(revolution_);
   if (!entered_) enter_by_state(0);
   entered_ = true;
-  start_ = state_;
-  start_modes_ = dynamics_.modes();
-  start_slips_ = dynamics_.slips();
   begin_tangents(request.tangent_vectors, request.tangent_accuracy);
   TaylorEnding ending = TaylorEnding::ok;
   while (ending == TaylorEnding::ok && phase_ < end_phase_) {
@@ -75,7 +77,7 @@ void TaylorRun<N>::ask(const run::TurnRequest& request) {
   samples_wanted_ = request.samples_per_revolution;
   peaks_wanted_ = request.peaks;
   switches_wanted_ = request.switches;
-  standstill_ = 0;
+  standstill_ = without_creep_ = 0;
   step_limit_ = effort_.steps + max_steps_;
 }
 
@@ -109,9 +111,6 @@ void TaylorRun<N>::join(const run::TurnRequest& request, long revolution, double
   std::ranges::fill(zero_terms_, 0);
   adaptive::enter_slips_by_state(dynamics_, state_, rate_, phase_);
   entered_ = true;
-  start_ = state_;
-  start_modes_ = dynamics_.modes();
-  start_slips_ = dynamics_.slips();
   begin_tangents(tangent_vectors, request.tangent_accuracy);
 }
 
@@ -122,12 +121,6 @@ TaylorEnding TaylorRun<N>::go_on(run::TurnReport& report) {
 
 template <int N>
 TaylorEnding TaylorRun<N>::end(run::TurnReport& report, TaylorEnding ending) {
-  if (ending == TaylorEnding::stiff) {
-    state_ = start_;
-    dynamics_.modes() = start_modes_;
-    dynamics_.slips() = start_slips_;
-    return ending;
-  }
   report.effort = effort_;
   if (ending != TaylorEnding::ok) return ending;
   ++revolution_;
@@ -177,17 +170,14 @@ template <int N>
 TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   if (dynamics_.undetermined()) return TaylorEnding::stick_undetermined;
   pulses_.go_to(phase_);
+  stop_creep();
   motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
   ++effort_.steps;
   const double fastest = fastest_rate(structure_rate_, motion_, dynamics_.modes());
-  bool friction_varies = false;
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i)
-    friction_varies =
-        friction_varies || (dynamics_.modes()[i] != Mode::open && motion_.contact(i).friction_varies());
-  const double friction_ratio = friction_varies ? dynamics_.friction_ratio(state_) : 0;
-  if (friction_ratio > stiff_above_) return TaylorEnding::stiff;
   const double boundary = next_boundary(), left = boundary - phase_;
-  double wanted = std::min(motion_.converged_rad(), longest_step(fastest * std::max(1.0, friction_ratio)));
+  const bool creeps = let_creep(fastest);
+  double wanted = std::min(motion_.converged_rad(), longest_step(fastest * std::max(1.0, friction_ratio())));
+  if (creeps) wanted = std::min(wanted, creep_rad_);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);
   if (!(wanted > 0)) return TaylorEnding::non_finite;
@@ -204,22 +194,74 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   const JointEvent event = first_event(motion_, dynamics_, zero_terms_, duration);
   const bool cut = event.share < 1 || event.contact;
   duration *= event.share;
-  take(report, fastest, duration, cut ? phase_ + duration : limited ? boundary : phase_ + duration);
+  if (!take(report, fastest, duration, cut ? phase_ + duration : limited ? boundary : phase_ + duration)) {
+    without_creep_ = pieces_until_creep;
+    --effort_.steps;
+    return step(report);
+  }
+  if (creeps) ++effort_.creep_pieces;
   if (!std::isfinite(state_[0])) return TaylorEnding::non_finite;
   standstill_ = duration > same_instant ? 0 : standstill_ + 1;
   if (event.contact) switch_modes(report, event);
   return TaylorEnding::ok;
 }
 
-/// Moves on by `duration` within the modes of the expansion, and looks at what was asked for.
+/// Largest of the contacts that touch and neither creep nor stick.
 template <int N>
-void TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
+double TaylorRun<N>::friction_ratio() const {
+  double largest = 0;
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    if (dynamics_.modes()[i] != Mode::open && motion_.contact(i).friction_varies())
+      largest = std::max(largest, dynamics_.friction_ratio(i, state_));
+  }
+  return largest;
+}
+
+template <int N>
+void TaylorRun<N>::stop_creep() {
+  if (creep_rad_ == 0) return;
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) motion_.let_creep(i, false);
+  creep_rad_ = 0;
+}
+
+/// Expands anew with all contacts creeping that friction holds, where that is known to last; else leaves the
+/// expansion as it is.
+template <int N>
+bool TaylorRun<N>::let_creep(double fastest) {
+  const double ratio = friction_ratio();
+  if (!(ratio > creep_above_) || standstill_ > 0) return false;
+  if (without_creep_ > 0) {
+    --without_creep_;
+    return false;
+  }
+  std::size_t held = motion_.sticking();
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    if (dynamics_.modes()[i] == Mode::open || !motion_.contact(i).friction_varies()) continue;
+    const bool creeps = held < contact::most_sticking && dynamics_.friction_ratio(i, state_) > creep_above_;
+    motion_.let_creep(i, creeps);
+    if (creeps) ++held;
+  }
+  creep_rad_ = settle_creep(motion_, state_, probe_, phase_, pulses_, dynamics_.modes(), dynamics_.slips(),
+                            longest_step(fastest), least_gain * longest_step(fastest * ratio));
+  if (creep_rad_ > 0) return true;
+  without_creep_ = pieces_until_creep;
+  creep_rad_ = fastest;  // contacts were set to creep
+  stop_creep();
+  motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
+  return false;
+}
+
+/// Moves on by `duration` within the modes of the expansion, and looks at what was asked for. False, and
+/// nothing done, where contacts creep and tangent vectors do not yet.
+template <int N>
+bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
+  if (!tangents_.pass(motion_, duration, tangent_accuracy_)) return false;
   put_samples(report, end_phase);
   watch(report, fastest, duration);
-  tangents_.pass(motion_, duration, tangent_accuracy_);
   motion_.put_state(duration, state_.data());
   phase_ = end_phase;
   std::ranges::fill(zero_terms_, 0);
+  return true;
 }
 
 template <int N>

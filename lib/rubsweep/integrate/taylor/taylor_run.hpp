@@ -20,7 +20,6 @@ namespace rubsweep::integrate::taylor {
 /// How a turn by Taylor's series ended.
 enum class TaylorEnding {
   ok,
-  stiff,  ///< friction that changes the slip so fast that an implicit stepper is cheaper
   step_limit,
   non_finite,
   stick_undetermined,
@@ -29,19 +28,24 @@ enum class TaylorEnding {
 /// A run in pieces that are power series of the phase: within one joint contact mode every law is analytic,
 /// so that a step of order 24 goes as far as its last terms are rounding. Guards are polynomials over a step,
 /// whose first rise through zero is found by signs of Bernstein coefficients, so that none is passed over.
+/// Where friction is so steep that it holds the slip to what the rest of the motion asks for, pieces are as
+/// long as without it (`Creep`), once nothing is left of the slip's own start.
 /// With dry friction pieces end, too, where a slip comes to zero and where a contact that sticks is let go.
 /// Takes flat and annular stops, any friction, any number of coordinates.
 template <int N>
 class TaylorRun {
  public:
+  /// Contacts creep where `Dynamics::friction_ratio` is above `creep_above`.
   explicit TaylorRun(const scene::Scene& scene, const run::SolverOptions& options,
-                     int order = numerics::most_taylor_order);
+                     int order = numerics::most_taylor_order, double creep_above = usual_creep_above);
+
+  /// Sweeps cost as much as a dozen usual pieces, whose length goes down with the ratio, and converge by it.
+  static constexpr double usual_creep_above = 20;
 
   TaylorRun(const TaylorRun&) = delete;
   TaylorRun& operator=(const TaylorRun&) = delete;
 
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
-  /// After `stiff` the run stands where the revolution began, and the report means nothing.
   TaylorEnding advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = full_turn);
 
@@ -81,7 +85,10 @@ class TaylorRun {
   double next_boundary() const;
   TaylorEnding step(run::TurnReport& report);
   double longest_step(double fastest) const;
-  void take(run::TurnReport& report, double fastest, double duration, double end_phase);
+  bool let_creep(double fastest);
+  void stop_creep();
+  double friction_ratio() const;
+  bool take(run::TurnReport& report, double fastest, double duration, double end_phase);
   void put_samples(run::TurnReport& report, double end_phase);
   void watch(run::TurnReport& report, double fastest, double duration);
   void switch_modes(run::TurnReport& report, const JointEvent& event);
@@ -99,13 +106,14 @@ class TaylorRun {
   run::PulseTimes pulses_;
   run::Impulses impulses_;
   double structure_rate_ = 0;  ///< fastest of the structure without contacts, per radian
-  double stiff_above_ = 0;
+  double creep_above_ = 0;
+  double creep_rad_ = 0;   ///< how far contacts that creep are known to; zero where none does
+  int without_creep_ = 0;  ///< pieces to be made before creep is looked for again
   double tangent_accuracy_ = 0;
   double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
   long max_steps_ = 0, step_limit_ = 0;
-  std::vector<double> state_, start_, rate_, probe_, other_probe_;
-  std::vector<contact::Mode> start_modes_, modes_before_;
-  std::vector<contact::Slip> start_slips_;
+  std::vector<double> state_, rate_, probe_, other_probe_;
+  std::vector<contact::Mode> modes_before_;
   /// Per contact with dry friction: so many of the slip's first coefficients are zero where it is now.
   std::vector<int> zero_terms_;
   Eigen::MatrixXd tangents_here_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
 
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
@@ -39,12 +40,10 @@ void add_measures(const integrate::run::TurnReport& turn, double left_rad, Rotat
   arc.peak_casing_displacement_m = std::max(arc.peak_casing_displacement_m, turn.peak_casing_displacement_m);
 }
 
-enum class Followed { made, stiff, failed };
-
-/// By Taylor pieces, the transition where it is asked for; `stiff` where a stepper must do it.
+/// By Taylor pieces, the transition where it is asked for; false where a turn fails.
 template <int N>
-Followed follow_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
-                          int samples_per_revolution, bool transition, RotatingArc& arc) {
+bool follow_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
+                      int samples_per_revolution, bool transition, RotatingArc& arc) {
   integrate::taylor::TaylorRun<N> run(scene, options);
   const Eigen::Index states = 2 * scene.structure.coordinates();
   integrate::run::TurnRequest request;
@@ -55,20 +54,19 @@ Followed follow_by_series(const scene::Scene& scene, const integrate::run::Solve
   if (transition) request.tangent_vectors.setIdentity(states, states);
   for (double left = arc.angle_rad; left > 0; left -= full_turn) {
     const integrate::taylor::TaylorEnding ending = run.advance(request, turn, std::min(left, full_turn));
-    if (ending == integrate::taylor::TaylorEnding::stiff) return Followed::stiff;
-    if (ending != integrate::taylor::TaylorEnding::ok) return Followed::failed;
+    if (ending != integrate::taylor::TaylorEnding::ok) return false;
     if (transition) request.tangent_vectors = *turn.tangent_vectors.get();
     if (samples_per_revolution > 0) append_samples(turn, states, states, arc);
     add_measures(turn, left, arc);
   }
   arc.end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -arc.angle_rad);
   if (transition) arc.transition = turned(request.tangent_vectors, -arc.angle_rad);
-  return Followed::made;
+  return true;
 }
 
 /// The usual scene, a rotor and one casing, gets a fixed size.
-Followed follow_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
-                          int samples_per_revolution, bool transition, RotatingArc& arc) {
+bool follow_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
+                      int samples_per_revolution, bool transition, RotatingArc& arc) {
   return scene.structure.coordinates() == 4
              ? follow_by_series<4>(scene, options, samples_per_revolution, transition, arc)
              : follow_by_series<Eigen::Dynamic>(scene, options, samples_per_revolution, transition, arc);
@@ -140,9 +138,8 @@ std::optional<RotatingArc> RotatingFlow::from(const Eigen::VectorXd& state, doub
   if (by_series(options_)) {
     RotatingArc arc;
     arc.angle_rad = angle_rad;
-    const Followed followed = follow_by_series(scene, options_, samples, true, arc);
-    if (followed == Followed::made) return arc;
-    if (followed == Followed::failed) return std::nullopt;
+    return follow_by_series(scene, options_, samples, true, arc) ? std::optional(std::move(arc))
+                                                                 : std::nullopt;
   }
   if (options_.contact == integrate::run::ContactHandling::smoothed)
     return follow<std::vector<double>, any, true>(scene, options_, samples, angle_rad);
@@ -156,9 +153,8 @@ std::optional<Eigen::VectorXd> RotatingFlow::end_from(const Eigen::VectorXd& sta
   if (by_series(options_)) {
     RotatingArc arc;
     arc.angle_rad = angle_rad;
-    const Followed followed = follow_by_series(scene, options_, 0, false, arc);
-    if (followed == Followed::made) return arc.end;
-    if (followed == Followed::failed) return std::nullopt;
+    return follow_by_series(scene, options_, 0, false, arc) ? std::optional(std::move(arc.end))
+                                                            : std::nullopt;
   }
   if (options_.contact == integrate::run::ContactHandling::smoothed)
     return end_of<std::vector<double>, any, true>(scene, options_, angle_rad);

@@ -27,7 +27,7 @@ struct RotatingArc {
 };
 
 /// Follows a rotationally symmetric scene, its pulses left out, and the derivative of the motion by its
-/// start, from any state over any angle, by Taylor pieces, or by dopri5 where friction is stiff, contacts are
+/// start, from any state over any angle, by Taylor pieces, or by dopri5 where contacts are
 /// smoothed or a stepper is named. In the frame that turns with the shaft such a scene does not depend on
 /// time, so that every start is one at phase 0, where the two frames coincide.
 class RotatingFlow {

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "rubsweep/integrate/taylor/expansion.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// The duration up to which what the last sweep of `creep` changed is at most `smallest`; zero where it is
+/// more from the start on.
+inline double unchanged_rad(const Creep& creep, int order, double smallest) {
+  if (std::abs(creep.change(0)) > smallest) return 0;
+  double longest = std::numeric_limits<double>::infinity();
+  for (int k = 1; k < order; ++k) {
+    const double change = std::abs(creep.change(k));
+    if (change * std::pow(std::min(longest, 1.0), k) > smallest)
+      longest = std::min(longest, std::pow(smallest / change, 1.0 / k));
+  }
+  return longest;
+}
+
+/// Expands a motion whose contacts as `Expansion::let_creep` has it creep, from `state`, until the sweeps
+/// change nothing but rounding. Of `state` the slips become what they are without anything of their own start
+/// left, where that moves them by no more than rounding. Returns the duration over which all that holds, at
+/// most `longest_rad`; zero, and `state` as it was, where it is less than `worth_rad`. `settled` has room for
+/// a state.
+template <int N>
+double settle_creep(Expansion<N>& motion, std::vector<double>& state, std::vector<double>& settled,
+                    double phase_rad, const run::PulseTimes& pulses, const std::vector<contact::Mode>& modes,
+                    const std::vector<contact::Slip>& slips, double longest_rad, double worth_rad) {
+  constexpr double rounding = 1e-16, start_noise = 1e-13;
+  settled = state;
+  double moved = 0, reach = 0;
+  for (int sweep = 0; sweep < most_creep_sweeps; ++sweep) {
+    motion.expand(settled.data(), phase_rad, pulses, modes, slips);
+    const double speed = std::max(1.0, motion.speed());
+    const double wanted = std::min(longest_rad, motion.converged_rad());
+    if (!(wanted >= worth_rad)) return 0;
+    reach = wanted;
+    double change = 0;
+    contact::StickVector by(static_cast<Eigen::Index>(motion.sticking()));
+    for (Eigen::Index j = 0; j < by.size(); ++j) {
+      const std::size_t i = motion.stuck(j);
+      by(j) = 0;
+      if (!motion.contact(i).creep()) continue;
+      Creep& creep = motion.creep(i);
+      if (!creep.sweep(motion.contact(i), motion.order())) return 0;
+      by(j) = (creep.slip_m_per_s() - motion.slip(i)) / motion.law(i).slip_scale_m_per_s;
+      change = std::max(change, std::abs(creep.change(0)));
+      reach = std::min(reach, unchanged_rad(creep, motion.order(), rounding * speed));
+    }
+    if (reach >= wanted) break;
+    motion.change_slips(by, settled.data());
+    moved = 0;
+    for (std::size_t k = state.size() / 2; k < state.size(); ++k)
+      moved = std::max(moved, std::abs(settled[k] - state[k]));
+    // What is left of the slip's own start is known by now, and will not change.
+    if (moved > start_noise * speed && change < 0.1 * moved) return 0;
+  }
+  if (moved > start_noise * std::max(1.0, motion.speed()) || reach < worth_rad) return 0;
+  motion.put_state(0, state.data());
+  return reach;
+}
+
+}  // namespace rubsweep::integrate::taylor
