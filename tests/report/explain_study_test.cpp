@@ -37,7 +37,8 @@ TEST(ExplainStudy, SolverAndHowACellEnds) {
                    "turns whose friction is not saturated in\n  Taylor pieces, to rounding, too\n"));
   EXPECT_TRUE(says(explain_study(study), "contact: located"));
   study.solver.stepper = integrate::run::Stepper::dopri5;
-  EXPECT_TRUE(says(explain_study(study), "turns whose friction is not saturated by the\n  adaptive one: dopri5"));
+  EXPECT_TRUE(
+      says(explain_study(study), "turns whose friction is not saturated by the\n  adaptive one: dopri5"));
   EXPECT_TRUE(says(explain_study(study), "relative tolerance 1e-08\n"));
   study.solver.stepper = integrate::run::Stepper::automatic;
   EXPECT_TRUE(says(explain_study(study),

@@ -17,8 +17,7 @@
 namespace rubsweep::report {
 namespace {
 
-constexpr std::string_view located =
-    "contact: located, every change of contact mode is found to rounding\n";
+constexpr const char* located = "contact: located, every change of contact mode is found to rounding\n";
 
 bool friction_depends_on_slip(const model::Machine& machine) {
   return std::ranges::any_of(machine.stops,

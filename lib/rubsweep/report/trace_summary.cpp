@@ -53,7 +53,8 @@ std::string effort_text(const integrate::run::Effort& effort, long revolutions) 
     text += fmt::format("; {} revolutions with Taylor pieces, {:.1f} in each", effort.taylor_turns,
                         pieces / static_cast<double>(effort.taylor_turns));
     if (effort.creep_pieces > 0)
-      text += fmt::format(", {:.2g} % of them of creep", 100 * static_cast<double>(effort.creep_pieces) / pieces);
+      text +=
+          fmt::format(", {:.2g} % of them of creep", 100 * static_cast<double>(effort.creep_pieces) / pieces);
   }
   if (effort.adaptive_turns > 0) text += fmt::format("; {} revolutions by a stepper", effort.adaptive_turns);
   return text;
