@@ -119,8 +119,8 @@ TEST(SplitBall, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
   ASSERT_TRUE(radii);
   const auto radius = ball_radius(motion.scene, motion.modes, motion.section, motion.norms);
   ASSERT_TRUE(radius);
-  EXPECT_GT(radii->fast, *radius);
-  EXPECT_GT(radii->slow, 0.01);
+  EXPECT_GE(radii->fast, *radius);
+  EXPECT_GT(radii->slow, 100 * *radius);
   const auto size_of = [&](const std::vector<double>& state, std::size_t at) {
     const Eigen::Map<const Eigen::VectorXd> x(state.data(), static_cast<Eigen::Index>(state.size()));
     const auto parts = parts_of(*norms, at, x - motion.orbit.sections[at]);

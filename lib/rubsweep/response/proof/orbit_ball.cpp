@@ -126,10 +126,11 @@ std::optional<Parts> split_ball_radii(const scene::Scene& scene, integrate::exac
   }
   tubes.close(parts_of(norms, 0, vector_of(now) - vector_of(section)));
   std::optional<Parts> best;
-  for (const double ratio : {1.0, 1e2, 1e4, 1e6}) {
+  for (const double ratio : {1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0}) {
     const auto radii = tubes.largest({1, ratio});
     if (radii && (!best || turns_to_enter(norms, distance, *radii) < turns_to_enter(norms, distance, *best)))
       best = radii;
+    if (best && turns_to_enter(norms, distance, *best) == 0) break;
   }
   return best;
 }
