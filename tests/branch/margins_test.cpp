@@ -20,6 +20,7 @@ std::vector<BranchEvent> on_one_step(const SceneFamily& family, double first, do
   OrbitProblem problem = scene_orbits(family, 1, {}, modes);
   problem.low = first;
   problem.high = last;
+  problem.parameter_scale = (last - first) / 10;  // beside it the state changes little: the tangent keeps on
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(4);
   const auto from = orbit_from(problem, rest, first);
   auto to = orbit_from(problem, rest, last);
@@ -93,7 +94,7 @@ TEST(Margins, AFlightThatComesAndGoesInOneStep) {
 
 /// Between its two resonances the response falls just below the gap.
 TEST(Margins, AHitThatGoesAndComesBackInOneStep) {
-  constexpr double force = 1.245;
+  static constexpr double force = 1.245;
   const auto family = [](double w) -> std::optional<scene::Scene> {
     scene::Scene scene = test::two_mass_scene(w);
     scene.harmonic_n(1) = force;
@@ -134,7 +135,7 @@ TEST(Margins, AreMatchedByTheirPhases) {
     return Margin{
         Margin::Kind::approach, contact, contact::Mode::open, contact::Mode::sprung, phase_rad, value, slope};
   };
-  constexpr double period_rad = 6;
+  static constexpr double period_rad = 6;
   const std::vector<Margin> from{margin(0, 0.1, 1, -4), margin(0, 3, 1, 0)},
       to{margin(0, 3.1, 1, 0), margin(0, 5.9, 1, 4)};
   const auto share = share_of_dip(from, to, period_rad, 1, 1);
