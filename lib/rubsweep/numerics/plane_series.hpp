@@ -19,6 +19,11 @@ inline Twin sum_of(Twin pair) { return pair + swapped(pair); }
 inline Twin sums_of(Twin first, Twin second) {
   return __builtin_shufflevector(first, second, 0, 2) + __builtin_shufflevector(first, second, 1, 3);
 }
+inline Twin load(const double* from) {
+  Twin pair;
+  std::memcpy(&pair, from, sizeof pair);
+  return pair;
+}
 inline void store(double* to, Twin pair) { std::memcpy(to, &pair, sizeof pair); }
 /// A quarter of a turn further: (-y, x).
 inline Twin quarter_turned(Twin pair) { return Twin{-1, 1} * swapped(pair); }
