@@ -35,7 +35,10 @@ double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 
 struct Closed {
   VectorXd x;
-  RotatingArc once;
+  RotatingArc once;  ///< from x
+  /// After Newton's next step, which an iteration that goes on to another accuracy need not make again.
+  VectorXd next_x;
+  double next_period_rad = 0;
 };
 
 /// Newton step of (state, period), the state staying across `across`.
@@ -60,10 +63,13 @@ std::optional<Closed> close(const RotatingMotion& motion, const RotatingMotion::
     const auto arc = flow(x, period);
     if (!arc || !arc->end.allFinite()) return std::nullopt;
     const double error = largest(arc->end - x);
-    if (error < closed) return Closed{x, *arc};
+    const VectorXd step = newton_step(x, *arc, motion.rate(arc->end), across);
+    if (error < closed) {
+      if (!step.allFinite()) return Closed{x, *arc, x, period};
+      return Closed{x, *arc, x + step.head(x.size()), period + step(x.size())};
+    }
     if (error > proof::farthest_orbit || (i > 2 && error > last / 2)) return std::nullopt;
     last = error;
-    const VectorXd step = newton_step(x, *arc, motion.rate(arc->end), across);
     x += step.head(x.size());
     period += step(x.size());
     if (!x.allFinite() || largest(x - start) > proof::farthest_orbit ||
@@ -127,12 +133,11 @@ std::optional<LimitCycle> exact_cycle(const RotatingMotion& motion, const Vector
 /// closes.
 std::optional<LimitCycle> smallest_cycle(const RotatingMotion& motion, const Closed& cycle) {
   for (int k = most_periods; k > 1; --k) {
-    const double period_rad = cycle.once.angle_rad / k;
-    const auto end = motion.end(cycle.x, period_rad);
-    if (!end || !(largest(*end - cycle.x) < returns_early)) continue;
-    if (auto found = exact_cycle(motion, cycle.x, period_rad)) return found;
+    const auto end = motion.end(cycle.next_x, cycle.next_period_rad / k);
+    if (!end || !(largest(*end - cycle.next_x) < returns_early)) continue;
+    if (auto found = exact_cycle(motion, cycle.next_x, cycle.next_period_rad / k)) return found;
   }
-  return exact_cycle(motion, cycle.x, cycle.once.angle_rad);
+  return exact_cycle(motion, cycle.next_x, cycle.next_period_rad);
 }
 
 }  // namespace
