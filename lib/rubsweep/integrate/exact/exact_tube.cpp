@@ -14,6 +14,11 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
+/// Of matrix . y for a unit y.
+double largest_length(const Eigen::MatrixXd& matrix) {
+  return matrix.size() == 0 ? 0 : Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues()(0);
+}
+
 /// Follows the reference by certified steps and takes down what the tube must keep away from.
 template <int N>
 class TubeBuilder {
@@ -26,8 +31,8 @@ class TubeBuilder {
   }
 
   std::optional<TurnTube> build(std::vector<double>& section, const Eigen::MatrixXd& disturbances,
-                                const Eigen::MatrixXd& end_norm) {
-    if (!reference_.start(section, disturbances)) return std::nullopt;
+                                const Eigen::MatrixXd& end_norm, Eigen::Index slow) {
+    if (!reference_.start(section, disturbances, static_cast<std::size_t>(slow))) return std::nullopt;
     tube_.margins = reference_.clamped_margins();
     if (!std::ranges::all_of(tube_.margins, [](const TurnTube::Margin& m) { return m.margin > 0; }))
       return std::nullopt;
@@ -160,16 +165,24 @@ class TubeBuilder {
       reference_.scale().from_seconds(state);
       return state;
     };
-    const std::size_t base = reference_.base();
+    const auto fast = static_cast<Eigen::Index>(reference_.base().fast),
+               slow = static_cast<Eigen::Index>(reference_.base().slow);
+    const std::size_t base = reference_.base().all();
     const auto list = motion().tangents();
     const auto at_end = [&](std::size_t i) -> Eigen::VectorXd {
       return end_norm * scaled(motion().mode().from_free(list[i]));
     };
-    Eigen::MatrixXd linear(end_norm.rows(), static_cast<Eigen::Index>(base));
+    Eigen::MatrixXd linear(end_norm.rows(), fast + slow);
     for (std::size_t i = 0; i < base; ++i) linear.col(static_cast<Eigen::Index>(i)) = at_end(i);
-    tube_.contraction = Eigen::JacobiSVD<Eigen::MatrixXd>(linear).singularValues()(0);
+    tube_.to_fast = {largest_length(linear.topLeftCorner(fast, fast)),
+                     largest_length(linear.topRightCorner(fast, slow))};
+    tube_.to_slow = {largest_length(linear.bottomLeftCorner(slow, fast)),
+                     largest_length(linear.bottomRightCorner(slow, slow))};
+    const auto lengths = [&](const Eigen::VectorXd& x) -> Parts {
+      return {x.head(fast).norm(), x.tail(slow).norm()};
+    };
     for (std::size_t i = base; i + 1 < list.size(); i += 2)
-      tube_.kicks.push_back({at_end(i).norm(), at_end(i + 1).norm()});
+      tube_.kicks.push_back({lengths(at_end(i)), lengths(at_end(i + 1))});
     const Eigen::VectorXd end = scaled(motion().physical());
     section.assign(end.data(), end.data() + end.size());
   }
@@ -183,13 +196,14 @@ class TubeBuilder {
 }  // namespace
 
 std::optional<TurnTube> turn_tube(const scene::Scene& scene, ModeCache& modes, std::vector<double>& section,
-                                  const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& end_norm) {
+                                  const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& end_norm,
+                                  Eigen::Index slow) {
   const bool saturates = std::ranges::all_of(scene.contacts, [](const scene::Contact& contact) {
     return contact::saturated_friction(contact.friction).has_value();
   });
   if (!saturates || !exact_applies(scene) || !scene.impulses.empty()) return std::nullopt;
   return run::with_coordinates(scene.structure.coordinates(), [&](auto n) {
-    return TubeBuilder<n()>(scene, modes.modes_of<n()>(scene)).build(section, disturbances, end_norm);
+    return TubeBuilder<n()>(scene, modes.modes_of<n()>(scene)).build(section, disturbances, end_norm, slow);
   });
 }
 

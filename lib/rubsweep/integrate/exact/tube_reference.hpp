@@ -24,10 +24,10 @@ class TubeReference {
   TubeReference(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
       : motion_(scene, modes), slip_(scene, modes->friction()), scale_(run::state_scale(scene)) {}
 
-  /// Begins a turn at `section` with the disturbances that span the tube, one per column. False where the
-  /// motion has no closed form, or an annular stop is armed.
-  bool start(const std::vector<double>& section, const Eigen::MatrixXd& disturbances) {
-    base_ = static_cast<std::size_t>(disturbances.cols());
+  /// Begins a turn at `section` with the disturbances that span the tube, one per column, the last `slow` of
+  /// them its slow part. False where the motion has no closed form, or an annular stop is armed.
+  bool start(const std::vector<double>& section, const Eigen::MatrixXd& disturbances, std::size_t slow = 0) {
+    base_ = {static_cast<std::size_t>(disturbances.cols()) - slow, slow};
     State physical =
         Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
     scale_.to_seconds(physical);
@@ -45,7 +45,7 @@ class TubeReference {
   ExactMotion<N>& motion() { return motion_; }
   const ExactMotion<N>& motion() const { return motion_; }
   const run::StateScale& scale() const { return scale_; }  ///< of sections
-  std::size_t base() const { return base_; }               ///< disturbances that are not kicks
+  const PartSizes& base() const { return base_; }          ///< disturbances that are not kicks
 
   /// What guard `e` of the present mode makes of the disturbances.
   Seen seen(std::size_t e) { return seen_by(motion_.mode().guards[e].terms, 1); }
@@ -121,7 +121,7 @@ class TubeReference {
   ExactMotion<N> motion_;
   SlipWatch<N> slip_;
   run::StateScale scale_;
-  std::size_t base_ = 0;
+  PartSizes base_;
 };
 
 }  // namespace rubsweep::integrate::exact

@@ -5,15 +5,19 @@
 
 namespace rubsweep::integrate::exact {
 
-TurnTube::Spread spread_of(const std::vector<double>& values, std::size_t base) {
+TurnTube::Spread spread_of(const std::vector<double>& values, const PartSizes& base) {
+  const auto length = [&values](std::size_t from, std::size_t to) {
+    double square = 0;
+    for (std::size_t i = from; i < to; ++i) square += values[i] * values[i];
+    return std::sqrt(square);
+  };
   TurnTube::Spread spread;
-  for (std::size_t i = 0; i < base; ++i) spread.width += values[i] * values[i];
-  spread.width = std::sqrt(spread.width);
-  for (std::size_t i = base; i < values.size(); ++i) spread.kicks.push_back(std::abs(values[i]));
+  spread.width = {length(0, base.fast), length(base.fast, base.all())};
+  for (std::size_t i = base.all(); i < values.size(); ++i) spread.kicks.push_back(std::abs(values[i]));
   return spread;
 }
 
-TurnTube::Spread spread_over(const SeenByDisturbances& seen, std::size_t base, double duration_s) {
+TurnTube::Spread spread_over(const SeenByDisturbances& seen, const PartSizes& base, double duration_s) {
   std::vector<double> end = seen.value, bend = seen.curvature;
   for (std::size_t i = 0; i < end.size(); ++i) {
     end[i] += duration_s * seen.rate[i];
@@ -22,13 +26,15 @@ TurnTube::Spread spread_over(const SeenByDisturbances& seen, std::size_t base, d
   TurnTube::Spread spread = spread_of(seen.value, base);
   raise(spread, spread_of(end, base));
   const TurnTube::Spread bent = spread_of(bend, base);
-  spread.width += bent.width;
+  spread.width.fast += bent.width.fast;
+  spread.width.slow += bent.width.slow;
   for (std::size_t i = 0; i < spread.kicks.size(); ++i) spread.kicks[i] += bent.kicks[i];
   return spread;
 }
 
 void raise(TurnTube::Spread& spread, const TurnTube::Spread& other) {
-  spread.width = std::max(spread.width, other.width);
+  spread.width.fast = std::max(spread.width.fast, other.width.fast);
+  spread.width.slow = std::max(spread.width.slow, other.width.slow);
   for (std::size_t i = 0; i < spread.kicks.size() && i < other.kicks.size(); ++i)
     spread.kicks[i] = std::max(spread.kicks[i], other.kicks[i]);
 }
