@@ -1,7 +1,9 @@
 #include "rubsweep/integrate/exact/exact_tube.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "rubsweep/contact/friction_law.hpp"
@@ -14,9 +16,13 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// Of matrix . y for a unit y.
+/// Of matrix . y for a unit y; infinite where the matrix is not finite.
 double largest_length(const Eigen::MatrixXd& matrix) {
-  return matrix.size() == 0 ? 0 : Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues()(0);
+  if (matrix.size() == 0) return 0;
+  const Eigen::MatrixXd square = matrix.transpose() * matrix;
+  if (!square.allFinite()) return std::numeric_limits<double>::infinity();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(square, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 
 /// Follows the reference by certified steps and takes down what the tube must keep away from.
@@ -105,13 +111,13 @@ class TubeBuilder {
 
   bool go_on() {
     const std::size_t count = motion().mode().guards.size();
-    std::vector<GuardValue> guards;
-    std::vector<SeenByDisturbances> seen_by;
+    if (seen_.size() < count) seen_.resize(count);
+    guards_.clear();
     for (std::size_t e = 0; e < count; ++e) {
-      guards.push_back(motion().guard(e));
-      seen_by.push_back(reference_.seen(e));
+      guards_.push_back(motion().guard(e));
+      reference_.see(e, seen_[e]);
     }
-    const auto choice = choose(guards);
+    const auto choice = choose(guards_);
     if (!choice) return false;
     const auto slips = reference_.slip_guards();
     const double duration_s = move(choice->crossing, choice->step_s);
@@ -120,18 +126,18 @@ class TubeBuilder {
     }
     for (std::size_t e = 0; e < count; ++e) {
       if (e == choice->crossing) continue;
-      const Spread spread = reference_.spread_over(seen_by[e], duration_s);
+      const Spread spread = reference_.spread_over(seen_[e], duration_s);
       if (e == behind_) {
         raise(tube_.switches.back().spread, spread);
         continue;
       }
-      keep_below_zero(guards[e], seen_by[e], duration_s);
+      keep_below_zero(guards_[e], seen_[e], duration_s);
     }
     behind_ = none;
     if (choice->crossing == none) return true;
-    const Spread spread = reference_.spread_over(seen_by[choice->crossing], duration_s);
+    const Spread spread = reference_.spread_over(seen_[choice->crossing], duration_s);
     TubeSwitch<N> change(reference_);
-    auto made = change.through(choice->crossing, guards[choice->crossing], spread, duration_s);
+    auto made = change.through(choice->crossing, guards_[choice->crossing], spread, duration_s);
     if (!made) return false;
     made->time_s = time_s_;
     made->margins_before = tube_.margins.size();
@@ -190,6 +196,8 @@ class TubeBuilder {
   TubeReference<N> reference_;
   std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
   double time_s_ = 0;
+  std::vector<GuardValue> guards_;        ///< of the present mode, at the start of a step
+  std::vector<SeenByDisturbances> seen_;  ///< what these make of the disturbances
   TurnTube tube_;
 };
 
