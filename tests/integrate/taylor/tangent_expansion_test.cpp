@@ -53,12 +53,11 @@ TEST(TangentExpansion, MovesAsTheVariationalEquations) {
     ASSERT_TRUE(turn.tangent_vectors.get());
     const Eigen::MatrixXd all = *turn.tangent_vectors.get();
     EXPECT_LT((all - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
-    // One direction alone is moved as it is among all.
+    // One direction alone is moved as it is among all, to the last bit.
     TaylorRun<4> again(scene, {});
     ASSERT_EQ(again.advance({.tangent_vectors = Eigen::VectorXd::Unit(8, 5)}, turn), TaylorEnding::ok);
     ASSERT_TRUE(turn.tangent_vectors.get());
-    EXPECT_LT((*turn.tangent_vectors.get() - all.col(5)).cwiseAbs().maxCoeff(),
-              1e-13 * all.cwiseAbs().maxCoeff());
+    EXPECT_EQ(*turn.tangent_vectors.get(), all.col(5));
   }
   const auto exact = start_hybrid(flat, {}, modes);
   TaylorRun<4> run(flat, {});
