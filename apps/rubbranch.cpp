@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +11,7 @@
 
 #include "branch_family.hpp"
 #include "branch_plane.hpp"
+#include "cell_on_axes.hpp"
 #include "exit_code.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
@@ -121,10 +124,20 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   return done;
 }
 
+/// The keys of a cell on axes over keys are written into its configuration.
+int run_on_cell(RubbranchArguments arguments) {
+  config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  CellOnAxes placed = cell_on_axes(arguments.cell_values, config.study.grid, arguments.overrides);
+  arguments.cell = placed.cell;
+  if (placed.overrides.empty()) return run(arguments, config);
+  std::ranges::move(placed.overrides, std::back_inserter(arguments.overrides));
+  return run(arguments, config::read_run_config(arguments.config, arguments.overrides));
+}
+
 int perform(const RubbranchArguments& arguments) {
   if (answered("rubbranch", arguments.action, rubbranch_help)) return done;
   if (!arguments.map.empty()) return run_on_map(arguments);
-  return run(arguments, config::read_run_config(arguments.config, arguments.overrides));
+  return run_on_cell(arguments);
 }
 
 }  // namespace

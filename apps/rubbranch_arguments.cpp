@@ -76,7 +76,7 @@ RubbranchArguments parse_rubbranch_arguments(int argc, const char* const* argv) 
   }
   if (given.count("fresh") != 0) throw UsageError("--fresh goes with --map");
   if (given.count("cell") == 0) throw UsageError("a cell to start from is needed: --cell SPEED_HZ,UNBALANCE");
-  arguments.cell = read_cell(given["cell"].as<std::string>());
+  arguments.cell_values = read_cell_values(given["cell"].as<std::string>());
   arguments.along = given["along"].as<std::string>();
   arguments.from = finite(given, "from");
   arguments.to = finite(given, "to");

@@ -12,8 +12,9 @@ struct RubbranchArguments : StudyArguments {
   std::filesystem::path map = {};  ///< a finished map, all of whose families are followed; empty: one cell is
   int threads = 0;                 ///< for a map
   bool fresh = false;              ///< for a map: what an interrupted call found is forgotten
-  CellArgument cell = {};
-  std::string along = {};  ///< speed_hz, whirl_ratio, eccentricity_m or a key as --set names it
+  CellValues cell_values = {};     ///< as --cell says them
+  CellArgument cell = {};          ///< what they mean on the axes of the configuration
+  std::string along = {};          ///< speed_hz, whirl_ratio, eccentricity_m or a key as --set names it
   std::optional<double> from = {}, to = {};
   std::string curve = {};  ///< as `along`; empty: no curves in two parameters
   std::optional<double> curve_from = {}, curve_to = {};

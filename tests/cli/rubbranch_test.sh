@@ -8,6 +8,7 @@ expect_help cell along from to curve curve-from curve-to switch points map fresh
 expect_usage_error 'a configuration file is needed'
 expect_usage_error 'a cell to start from is needed' "$minimal"
 expect_usage_error '--cell 75: allowed: SPEED_HZ,UNBALANCE' "$minimal" --cell 75
+expect_usage_error '--cell 0,0.4: allowed: SPEED_HZ,UNBALANCE' "$minimal" --cell 0,0.4
 expect_usage_error '--from and --to: allowed' "$minimal" --cell 70,0.4 --from 80 --to 60
 expect_usage_error '--points: allowed' "$minimal" --cell 70,0.4 --points 1
 
@@ -42,6 +43,18 @@ expect_exit 0 "$figure06" --cell 75,0.3 --along whirl_ratio --switch --output do
 expect_matches stdout '^branch 1  order 4, whirl_ratio .* ends period_halving and left_range$'
 expect_exit 0 "$figure06" --cell 75,0.4 --along stops.0.casing.mass_kg --from 0.04 --to 0.06 --output casing
 expect_matches stdout '^branch 0  order 2, stops.0.casing.mass_kg 0.04 to 0.06, .* ends left_range and left_range$'
+
+# On axes over keys --cell says a place on the two that have several values.
+masses='x: {key: stops.0.casing.mass_kg, values: [0.05, 0.055]}'
+speeds='speed_hz: {values: [74, 75]}, whirl_ratio: {values: [0.4]}'
+expect_exit 0 "$figure06" --set "sweep={$speeds, $masses}" --cell 75,0.055 --from 74 --to 76 --output on_axes
+expect_exit 0 "$figure06" --set stops.0.casing.mass_kg=0.055 --cell 75,0.4 --from 74 --to 76 --output written
+expect_same <(grep -v '^#' on_axes/branch.csv) <(grep -v '^#' written/branch.csv)
+expect_exit 0 "$figure06" --set "sweep={$speeds, $masses}" --set stops.0.casing.mass_kg=0.055 --cell 75,0.4 \
+  --from 74 --to 76 --output held
+expect_same <(grep -v '^#' held/branch.csv) <(grep -v '^#' written/branch.csv)
+expect_exit 2 "$figure06" --set "sweep={$speeds, $masses, y: {key: kick.force_n, values: [100, 200]}}" --cell 75,0.055
+expect_contains stderr '--cell: X,Y say the place on two axes of the sweep, and 3 of its axes have several values'
 
 # What it is along does not change an orbit: the same one by the speed of another configuration.
 expect_exit 0 "$figure06" --cell 75,0.4 --along kick.force_n --from 190 --to 210 --output kick

@@ -19,6 +19,17 @@ TEST(Eigenvalues, OfADampedOscillatorAreItsRates) {
   EXPECT_NEAR(spectral_radius(generator), rad_per_s, 1e-14);
 }
 
+TEST(Eigenvectors, AreStretchedByTheirValues) {
+  const Eigen::MatrixXd matrix{{0, 2, 1}, {-2, 0, 3}, {0, 0, 0.5}};
+  const Eigenvectors found = eigenvectors(matrix);
+  ASSERT_EQ(found.values.size(), 3);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Eigen::VectorXcd direction = found.vectors.col(i);
+    EXPECT_NEAR(direction.norm(), 1, 1e-12);
+    EXPECT_LE((matrix * direction - found.values(i) * direction).norm(), 1e-14);
+  }
+}
+
 TEST(Eigenvalues, SpectralRadiusGoesByTheModulus) {
   EXPECT_NEAR(spectral_radius(Eigen::MatrixXd{{-5, 1}, {0, 4}}), 5, 1e-14);
 }

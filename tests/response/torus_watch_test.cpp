@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "rubsweep/response/settle.hpp"
 #include "support/set_a_cell.hpp"
@@ -15,11 +16,13 @@ namespace {
 
 constexpr double golden_angle = 2.39996322972865332;  ///< returns as badly as an angle can
 
-/// What the watch makes of a made-up motion of four states: section and growth after each turn. Returns the
+/// What the watch makes of a made-up motion of four states: section and growth after each turn. The
 /// revolutions at which it was called a torus, or those at which the watch ended.
 struct Watched {
   long revolutions = 0;
   bool torus = false;
+  long record_begin = 0;
+  std::optional<motion::Exponent> chaos;
 };
 
 Watched watch(const std::function<void(int turn, std::vector<double>& section)>& section_after,
@@ -40,10 +43,10 @@ Watched watch(const std::function<void(int turn, std::vector<double>& section)>&
       turn.tangent_vectors.fill(4, 1) = std::exp(growth_in(k)) * request.tangent_vectors;
     section_after(k, turn.section);
     watch.add(request, turn);
-    if (k + 1 == watch.next_look() && watch.next_look() < max_revolutions && watch.look(workspace))
-      return {k + 1, true};
+    if (k + 1 == watch.next_look() && watch.next_look() < max_revolutions) watch.look(workspace);
+    if (watch.torus()) return {k + 1, true, watch.record_begin(), {}};
   }
-  return {watch.next_look(), false};
+  return {watch.next_look(), false, watch.record_begin(), watch.chaos()};
 }
 
 void turn_by(double angle, std::vector<double>& section, int k, double radius = 1) {
@@ -55,6 +58,7 @@ TEST(TorusWatch, SeesATorusAtItsFirstLook) {
                              [](int k) { return 0.4 * std::cos(golden_angle * k); });
   EXPECT_TRUE(seen.torus);
   EXPECT_EQ(seen.revolutions, 400);
+  EXPECT_EQ(seen.record_begin, 400);
 }
 
 TEST(TorusWatch, TakesNeitherPeriodsNorChaosNorSlowDecayForOne) {
@@ -66,17 +70,32 @@ TEST(TorusWatch, TakesNeitherPeriodsNorChaosNorSlowDecayForOne) {
   EXPECT_FALSE(watch(on_a_circle, [&](int k) { return uneven(k) + 4e-4; }).torus);
 }
 
-/// Chaos costs no more tangent vectors than those up to the first look.
-TEST(TorusWatch, EndsWhereItSeesChaos) {
+/// Chaos ends no run, but its exponent is known at the end; where it stops on the way, it is none.
+TEST(TorusWatch, KnowsChaosThatLastsToTheEnd) {
   int carried = 0;
-  const Watched seen = watch([](int k, auto& section) { turn_by(golden_angle, section, k); },
-                             [&](int) {
-                               ++carried;
-                               return 0.1;
-                             });
+  double growth_later = 0.1;
+  const auto growth_in = [&](int k) {
+    ++carried;
+    return (k < 900 ? 0.1 : growth_later) + 0.4 * std::cos(golden_angle * k);
+  };
+  const auto wandering = [](int k, std::vector<double>& s) {
+    turn_by(golden_angle, s, k, 1 + std::sin(0.3 * k * k));
+  };
+  const Watched seen = watch(wandering, growth_in);
   EXPECT_FALSE(seen.torus);
   EXPECT_EQ(seen.revolutions, 1500);
-  EXPECT_EQ(carried, 200);
+  EXPECT_EQ(seen.record_begin, 1500 - 2 * 64);
+  EXPECT_EQ(carried, 1300);
+  ASSERT_TRUE(seen.chaos);
+  EXPECT_NEAR(seen.chaos->per_revolution, 0.1, 1e-3);
+  growth_later = 0;
+  EXPECT_FALSE(watch(wandering, growth_in).chaos);
+  // Too short to be told from a transient.
+  growth_later = 0.1;
+  EXPECT_FALSE(watch(wandering, growth_in, 1400).chaos);
+  // A section that returns is periodic, whatever grows.
+  const auto returning = [](int k, std::vector<double>& s) { turn_by(2 * std::numbers::pi / 7, s, k); };
+  EXPECT_FALSE(watch(returning, growth_in).chaos);
 }
 
 TEST(TorusWatch, DoesNotBeginWhereItWouldSaveNothing) {

@@ -11,14 +11,33 @@
 
 namespace rubsweep::branch {
 
-/// Smooth functions of the multipliers, which are zero where one of them is +1 or -1 or a pair has the product
-/// 1; or their slopes along a branch.
+/// Smooth functions of the multipliers, which are zero where one of them is +1 or -1 or a pair has the
+/// product 1; or their slopes along a branch.
 struct MultiplierTests {
   double unit = 0, doubling = 0, torus = 0;
 };
 
-/// Of central differences by the parameter, in its coordinate: the noise of a turn, 1e-13, and the error of the
-/// formula both stay near 1e-7. Beside a graze, which they must not lead over, they are finer.
+/// A smooth function along a branch which is zero where the sequence of contact modes changes at one place of
+/// the orbit.
+struct Margin {
+  enum class Kind {
+    approach,  ///< of Approach: its distance
+    stretch,   ///< squared duration, in shaft rotation, of a stretch between two changes at one contact
+  };
+  Kind kind = Kind::approach;
+  int contact = 0;
+  contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< of the change that begins it
+  double phase_rad = 0;
+  double value = 0;  ///< >= 0
+  double slope = 0;  ///< per unit of arclength
+
+  bool is_like(const Margin& other) const {
+    return kind == other.kind && contact == other.contact && from == other.from && to == other.to;
+  }
+};
+
+/// Of central differences by the parameter, in its coordinate: the noise of a turn, 1e-13, and the error of
+/// the formula both stay near 1e-7. Beside a graze, which they must not lead over, they are finer.
 inline constexpr double usual_difference_step = 1e-6;
 
 /// An orbit on a branch. Continuation measures lengths in the coordinates (state / sqrt(states),
@@ -34,7 +53,8 @@ struct BranchPoint {
   double branching = 0;  ///< determinant of the bordered derivative, which changes sign at branch points
   double slope_difference = 0;  ///< relative, of the derivatives by the parameter at two step sizes
   double difference_step = usual_difference_step;  ///< of that derivative
-  std::optional<MultiplierTests> slopes;  ///< per unit of arclength, where they were needed
+  std::optional<MultiplierTests> slopes;           ///< per unit of arclength, where they were needed
+  std::optional<std::vector<Margin>> margins;      ///< where they were needed
   OrbitFacts facts;
 
   bool stable() const { return unstable == 0; }
@@ -94,8 +114,8 @@ enum class Ending {
   step_too_small,  ///< Newton's iteration finds no orbit however near the last one
   singular,        ///< no direction of the branch can be told
   point_limit,
-  resonance,  ///< of a curve of tori: beyond a 1:1 or 1:2 resonance its two multipliers are real
-  unfolds,    ///< of a curve of branch points: branches cross no longer when the second parameter changes
+  resonance,     ///< of a curve of tori: beyond a 1:1 or 1:2 resonance its two multipliers are real
+  unfolds,       ///< of a curve of branch points: branches cross no longer when the second parameter changes
   first_change,  ///< stability was lost or regained, where following was to stop there
   target,        ///< the wanted parameter is reached
 };

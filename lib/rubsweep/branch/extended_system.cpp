@@ -1,5 +1,6 @@
 #include "rubsweep/branch/extended_system.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -18,6 +19,8 @@ constexpr double usual_parameter_step = 1e-6, usual_state_step = 1e-5;
 /// A graze is an orbit that misses the guard by so much of the length scale: on the other side its
 /// derivative would have a square root of what rounding leaves.
 constexpr double miss = 4e-12;
+/// Of what Newton's iteration divides by at a branch point.
+constexpr double least_cubic = 1e-3;
 
 double root_of(Index states) { return std::sqrt(static_cast<double>(states)); }
 
@@ -136,7 +139,10 @@ class Extender {
     extended.residual += left * (critical.quadratic - critical.open_defect);
     const Eigen::RowVectorXd open = left.transpose() * extended.jacobian;
     Eigen::RowVectorXd bent = Eigen::RowVectorXd::Zero(n_ + extra_);
-    bent.head(n_) = root_of(n_) * critical.cubic * critical.right.transpose();
+    // Where symmetry breaks neither softly nor hard this derivative vanishes, and with it the matrix its
+    // rank. Any other number leaves the direction of the curve as it is.
+    const double slope = std::copysign(std::max(std::abs(critical.cubic), least_cubic), critical.cubic);
+    bent.head(n_) = root_of(n_) * slope * critical.right.transpose();
     extended.jacobian += left * (bent - open);
   }
 

@@ -7,6 +7,7 @@
 
 #include "rubsweep/branch/growing_half.hpp"
 #include "rubsweep/branch/locate.hpp"
+#include "rubsweep/branch/margins.hpp"
 #include "rubsweep/branch/multiplier_slopes.hpp"
 #include "rubsweep/branch/orbit_newton.hpp"
 #include "rubsweep/branch/segment.hpp"
@@ -88,6 +89,7 @@ class Follower {
   bool accept(BranchPoint next) {
     if (is_closed_by(next)) return true;
     next.slopes = multiplier_slopes(problem_, next);
+    if (options_.every_graze) next.margins = margins_of(problem_, next);
     auto events = events_between(problem_, here(), next, options_.every_graze);
     if (!events) return false;
     for (BranchEvent& event : *events) {

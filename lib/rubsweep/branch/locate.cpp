@@ -5,11 +5,13 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "rubsweep/branch/dip.hpp"
 #include "rubsweep/branch/graze.hpp"
+#include "rubsweep/branch/margins.hpp"
 #include "rubsweep/branch/multiplier_slopes.hpp"
 #include "rubsweep/branch/multipliers.hpp"
 #include "rubsweep/branch/segment.hpp"
@@ -90,9 +92,11 @@ class Finder {
   }
 
   /// The orbit at which the step is to be parted because one of the functions may have two roots in it.
-  std::optional<BranchPoint> between_a_pair() const {
+  std::optional<BranchPoint> between_a_pair(bool every_graze) const {
     if (segment_.length() < shortest_parted || is_about_half_period()) return std::nullopt;
-    if (const auto share = share_of_a_pair()) return orbit_at(segment_, *share * segment_.length());
+    auto share = share_of_a_pair();
+    if (!share && every_graze) share = share_of_two_grazes();
+    if (share) return orbit_at(segment_, *share * segment_.length());
     return std::nullopt;
   }
 
@@ -134,6 +138,14 @@ class Finder {
       if (const auto share = dip_of_cubic(ends, length)) return share;
     }
     return std::nullopt;
+  }
+
+  std::optional<double> share_of_two_grazes() const {
+    const double cosine = from_.tangent.dot(to_.tangent);
+    if (!problem_.passages || !(cosine > 0)) return std::nullopt;
+    return share_of_dip(from_.margins ? *from_.margins : margins_of(problem_, from_),
+                        to_.margins ? *to_.margins : margins_of(problem_, to_),
+                        2 * std::numbers::pi * problem_.order, segment_.length(), cosine);
   }
 
   bool has_half_period() const {
@@ -214,8 +226,10 @@ class Finder {
 std::vector<BranchEvent> events_of_piece(const OrbitProblem& problem, const BranchPoint& from,
                                          const BranchPoint& to, bool every_graze, int parted) {
   Finder finder(problem, from, to);
-  const auto middle = parted < most_parted ? finder.between_a_pair() : std::nullopt;
+  auto middle = parted < most_parted ? finder.between_a_pair(every_graze) : std::nullopt;
   if (!middle) return finder.all(every_graze);
+  middle->slopes = multiplier_slopes(problem, *middle);
+  if (every_graze) middle->margins = margins_of(problem, *middle);
   auto events = events_of_piece(problem, from, *middle, every_graze, parted + 1);
   std::ranges::move(events_of_piece(problem, *middle, to, every_graze, parted + 1),
                     std::back_inserter(events));

@@ -36,6 +36,20 @@ struct OrbitFacts {
   std::vector<Eigen::VectorXd> sections;
 };
 
+/// Where a guard of a contact comes nearest to what it guards, without reaching it.
+struct Approach {
+  int contact = 0;
+  contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< the change that does not happen
+  double phase_rad = 0;                                                ///< as that of a switch
+  double distance = 0;  ///< >= 0, in the unit of the guard; smooth along a branch, and zero at the graze
+};
+
+/// What an orbit does at its contacts, and what it nearly does.
+struct ContactPassages {
+  std::vector<integrate::run::ModeSwitch> switches;
+  std::vector<Approach> approaches;
+};
+
 /// Replaces `state` by its image at `parameter` and, where given (not null), `monodromy` by the derivative of
 /// the image by the state.
 using OrbitMap =
@@ -49,6 +63,8 @@ struct OrbitProblem {
   /// Facts of the orbit from `state`; empty where it cannot be followed. May be left out, and then nothing is
   /// known of contacts, nor of shorter periods.
   std::function<std::optional<OrbitFacts>(double parameter, const Eigen::VectorXd& state)> facts;
+  /// The same of approaches. Without these a hit that comes and goes between two orbits is not looked for.
+  std::function<std::optional<ContactPassages>(double parameter, const Eigen::VectorXd& state)> passages;
   int order = 1;               ///< turns of the period
   double low = 0, high = 0;    ///< range of the parameter that is looked at
   double parameter_scale = 1;  ///< > 0: change of the parameter that counts as much as one unit of state

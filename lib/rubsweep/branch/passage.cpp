@@ -97,10 +97,8 @@ bool given_up(Ending ending) {
          ending == Ending::point_limit;
 }
 
-HalfBranch follow_the_way(const Way& way, const CellOrbit& orbit, const FollowOptions& options) {
-  const auto start = orbit_from(way.problem, orbit.state, way.from);
-  if (!start) return {{}, {}, Ending::failed};
-  return follow(way.problem, way.to > way.from ? *start : turned_about(*start), options);
+HalfBranch follow_the_way(const Way& way, const BranchPoint& start, const FollowOptions& options) {
+  return follow(way.problem, way.to > way.from ? start : turned_about(start), options);
 }
 
 /// A parameter that counts for much hides turns behind a graze that take place within a billionth of its
@@ -109,7 +107,9 @@ HalfBranch follow_patiently(Way way, const CellOrbit& orbit, HalfBranch first) {
   FollowOptions options = options_of_a_passage();
   options.most_points = patient_points;
   way.problem.parameter_scale = std::abs(way.to - way.from);
-  HalfBranch second = follow_the_way(way, orbit, options);
+  const auto start = orbit_from(way.problem, orbit.state, way.from);  // its tangent is in the coordinates
+  if (!start) return first;
+  HalfBranch second = follow_the_way(way, *start, options);
   return given_up(second.ending) ? std::move(first) : std::move(second);
 }
 
@@ -130,7 +130,7 @@ Passage pass(const sweep::Study& study, const scene::PreparedMachine& prepared, 
   const Way way = way_between(study, prepared, cell, neighbour, orbit.closing, orbit.order, workspace);
   const auto start = orbit_from(way.problem, orbit.state, way.from);
   if (!start || !start->stable()) return {{}, to_string(EventKind::stability), way.from};
-  HalfBranch half = follow_the_way(way, orbit, options_of_a_passage());
+  HalfBranch half = follow_the_way(way, *start, options_of_a_passage());
   if (given_up(half.ending)) half = follow_patiently(way, orbit, std::move(half));
   const BranchPoint& last = half.points.back();
   if (half.ending == Ending::left_range && last.parameter == way.to)

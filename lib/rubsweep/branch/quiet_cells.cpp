@@ -9,13 +9,10 @@
 namespace rubsweep::branch {
 
 std::vector<Quiet> quiet_cells(const sweep::Study& study) {
-  constexpr double rounding = 1e-9;  ///< growth per radian of rotation that is none
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   std::vector<bool> grows;
-  for (const double speed_hz : study.grid.speed_hz) {
-    const double speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
-    grows.push_back(structure::growth_per_s(prepared.assembly, speed_rad_per_s) > rounding * speed_rad_per_s);
-  }
+  for (const double speed_hz : study.grid.speed_hz)
+    grows.push_back(structure::grows(prepared.assembly, 2 * std::numbers::pi * speed_hz));
   std::vector<Quiet> cells;
   for (const double unbalance : study.grid.unbalance) {
     for (std::size_t i = 0; i < grows.size(); ++i) {

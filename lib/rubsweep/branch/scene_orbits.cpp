@@ -6,7 +6,9 @@
 #include <numbers>
 #include <span>
 #include <utility>
+#include <vector>
 
+#include "rubsweep/branch/approaches.hpp"
 #include "rubsweep/branch/recent.hpp"
 #include "rubsweep/branch/whole_turns.hpp"
 #include "rubsweep/error.hpp"
@@ -87,17 +89,45 @@ class SceneOrbits {
     return facts;
   }
 
+  /// As the facts, without peaks.
+  std::optional<ContactPassages> passages(double parameter, Eigen::VectorXd state) {
+    SceneAt* at = scene_at(parameter);
+    if (at == nullptr) return std::nullopt;
+    integrate::run::TurnRequest request;
+    request.samples_per_revolution = samples_per_turn;
+    request.switches = true;
+    integrate::run::TurnReport report;
+    ContactPassages passages;
+    SampledOrbit orbit{Eigen::MatrixXd(state.size(), order_ * samples_per_turn),
+                       2 * std::numbers::pi / samples_per_turn};
+    for (int turn = 0; turn < order_; ++turn) {
+      at->run.restart(numbers(state));
+      if (at->run.advance(request, report) != integrate::run::Outcome::ok) return std::nullopt;
+      add_switches(report, turn, passages.switches);
+      orbit.states.middleCols(turn * samples_per_turn, samples_per_turn) =
+          Eigen::Map<const Eigen::MatrixXd>(report.samples.data(), state.size(), samples_per_turn);
+      std::ranges::copy(report.section, state.begin());
+    }
+    passages.approaches = approaches_of(at->scene, orbit, passages.switches);
+    return passages;
+  }
+
  private:
+  static void add_switches(const integrate::run::TurnReport& report, int turn,
+                           std::vector<integrate::run::ModeSwitch>& switches) {
+    for (integrate::run::ModeSwitch change : report.switches) {
+      change.phase_rad += 2 * std::numbers::pi * turn;
+      switches.push_back(change);
+    }
+  }
+
   static void add(const integrate::run::TurnReport& report, int turn, OrbitFacts& facts) {
     facts.hits += report.hits;
     facts.contact_fraction += report.contact_fraction;
     facts.peak_displacement_m = std::max(facts.peak_displacement_m, report.peak_displacement_m);
     facts.peak_contact_force_n = std::max(facts.peak_contact_force_n, report.peak_contact_force_n);
     facts.touched = facts.touched || report.touched;
-    for (integrate::run::ModeSwitch change : report.switches) {
-      change.phase_rad += 2 * std::numbers::pi * turn;
-      facts.switches.push_back(change);
-    }
+    add_switches(report, turn, facts.switches);
   }
 
   static double amplitude_of(const std::vector<Eigen::Vector2d>& places_m) {

@@ -22,10 +22,6 @@ bool is_named(std::string_view key, const std::vector<std::string>& overrides) {
   });
 }
 
-bool are_named(const sweep::KeyAxis& axis, const std::vector<std::string>& overrides) {
-  return std::ranges::all_of(axis.keys, [&](const std::string& key) { return is_named(key, overrides); });
-}
-
 /// The factor of an axis for one of its keys; 0 where that is none of them, or does not change along it.
 double factor_of(const sweep::KeyAxis& axis, std::string_view key) {
   const auto found = std::ranges::find(axis.keys, key);
@@ -33,6 +29,10 @@ double factor_of(const sweep::KeyAxis& axis, std::string_view key) {
 }
 
 }  // namespace
+
+bool are_named(const sweep::KeyAxis& axis, const std::vector<std::string>& overrides) {
+  return std::ranges::all_of(axis.keys, [&](const std::string& key) { return is_named(key, overrides); });
+}
 
 LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::filesystem::path& file,
                    const std::vector<std::string>& overrides) {

@@ -16,6 +16,9 @@ struct LineKeys {
   double factor = 1;     ///< of that axis for the key that names the line, not 0
 };
 
+/// Whether all keys of an axis are named by an override, which writes the key itself or a map around it.
+bool are_named(const sweep::KeyAxis& axis, const std::vector<std::string>& overrides);
+
 /// `along` is the key that the line runs along. The keys of an axis that are all named by an override hold
 /// what that says; an axis with one value holds it. Throws ConfigError with the places of all other axes:
 /// which of their values is meant must be said. `grid` is that of the configuration in `file` under these

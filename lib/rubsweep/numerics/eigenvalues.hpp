@@ -8,6 +8,13 @@ namespace rubsweep::numerics {
 /// templates are compiled once.
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix);
 
+/// The same with their eigenvectors, one per column. Those of a pair of complex eigenvalues are conjugate.
+struct Eigenvectors {
+  Eigen::VectorXcd values;
+  Eigen::MatrixXcd vectors;
+};
+Eigenvectors eigenvectors(const Eigen::MatrixXd& matrix);
+
 /// Largest |eigenvalue|: of a monodromy matrix the modulus of the largest multiplier, of a generator its
 /// fastest rate.
 double spectral_radius(const Eigen::MatrixXd& matrix);

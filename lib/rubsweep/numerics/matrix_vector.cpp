@@ -1,5 +1,6 @@
 #include "rubsweep/numerics/matrix_vector.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace rubsweep::numerics {
@@ -11,44 +12,71 @@ struct Lanes {
   typedef double Type __attribute__((vector_size(bytes)));
 };
 
-/// `count` lanes of rows at once, each with a sum of its own that waits for no other.
+/// `count` lanes of rows at once, each with a sum of its own that waits for no other. The last one begins at
+/// row `last`.
 template <std::size_t bytes, std::size_t count>
-[[gnu::always_inline]] inline void some_rows(std::ptrdiff_t rows, std::ptrdiff_t columns,
-                                             const double* matrix, const double* vector, double* product) {
+[[gnu::always_inline]] inline void some_lanes(std::ptrdiff_t rows, std::ptrdiff_t columns,
+                                              const double* matrix, std::ptrdiff_t last, const double* vector,
+                                              double* product) {
   using Lane = typename Lanes<bytes>::Type;
+  constexpr std::size_t width = bytes / sizeof(double);
+  const auto row_of = [last](std::size_t i) { return i + 1 < count ? i * width : std::size_t(last); };
   Lane sums[count];
+#pragma GCC unroll 8
   for (std::size_t i = 0; i < count; ++i) {
     Lane entries;
-    std::memcpy(&entries, reinterpret_cast<const char*>(matrix) + i * bytes, bytes);
+    std::memcpy(&entries, matrix + row_of(i), bytes);
     sums[i] = entries * vector[0];
   }
   for (std::ptrdiff_t k = 1; k < columns; ++k) {
-    const char* column = reinterpret_cast<const char*>(matrix + k * rows);
+    const double* const column = matrix + k * rows;
     const double factor = vector[k];
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < count; ++i) {
       Lane entries;
-      std::memcpy(&entries, column + i * bytes, bytes);
+      std::memcpy(&entries, column + row_of(i), bytes);
       sums[i] += entries * factor;
     }
   }
-  std::memcpy(product, sums, sizeof sums);
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < count; ++i) std::memcpy(product + row_of(i), &sums[i], bytes);
 }
 
+/// All rows, at least as many as a lane has: lanes side by side, about as many at a time in every pass, and
+/// the very last one shifted back to end with the last row. What it makes again has the same bits.
 template <std::size_t bytes>
 [[gnu::always_inline]] inline void all_rows(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
                                             const double* vector, double* product) {
-  constexpr auto lanes = static_cast<std::ptrdiff_t>(bytes / sizeof(double));
-  std::ptrdiff_t i = 0;
-  for (; i + 6 * lanes <= rows; i += 6 * lanes)
-    some_rows<bytes, 6>(rows, columns, matrix + i, vector, product + i);
-  for (; i + 2 * lanes <= rows; i += 2 * lanes)
-    some_rows<bytes, 2>(rows, columns, matrix + i, vector, product + i);
-  for (; i + 2 <= rows; i += 2) some_rows<16, 1>(rows, columns, matrix + i, vector, product + i);
-  for (; i < rows; ++i) {
-    double sum = matrix[i] * vector[0];
-    for (std::ptrdiff_t k = 1; k < columns; ++k) sum += matrix[k * rows + i] * vector[k];
-    product[i] = sum;
+  constexpr auto width = static_cast<std::ptrdiff_t>(bytes / sizeof(double));
+  constexpr std::ptrdiff_t most = 6;  // at a time: sums, entries and a factor fit into sixteen registers
+  std::ptrdiff_t lanes = (rows + width - 1) / width;
+  for (std::ptrdiff_t passes = (lanes + most - 1) / most, first = 0; passes > 0; --passes) {
+    const std::ptrdiff_t now = (lanes + passes - 1) / passes;
+    const std::ptrdiff_t last = std::min((now - 1) * width, rows - width - first);
+    const auto go = [&]<std::size_t count>() __attribute__((always_inline)) {
+      some_lanes<bytes, count>(rows, columns, matrix + first, last, vector, product + first);
+    };
+    switch (now) {
+      case 1:
+        go.template operator()<1>();
+        break;
+      case 2:
+        go.template operator()<2>();
+        break;
+      case 3:
+        go.template operator()<3>();
+        break;
+      case 4:
+        go.template operator()<4>();
+        break;
+      case 5:
+        go.template operator()<5>();
+        break;
+      default:
+        go.template operator()<6>();
+    }
+    lanes -= now;
+    first += now * width;
   }
 }
 
@@ -56,16 +84,29 @@ using Multiply = void (*)(std::ptrdiff_t, std::ptrdiff_t, const double*, const d
 
 void by_two(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix, const double* vector,
             double* product) {
-  all_rows<16>(rows, columns, matrix, vector, product);
+  if (rows >= 2) return all_rows<16>(rows, columns, matrix, vector, product);
+  double sum = matrix[0] * vector[0];
+  for (std::ptrdiff_t k = 1; k < columns; ++k) sum += matrix[k] * vector[k];
+  product[0] = sum;
 }
 
 #ifdef __x86_64__
 [[gnu::target("avx")]] void by_four(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
                                     const double* vector, double* product) {
+  if (rows < 4) return by_two(rows, columns, matrix, vector, product);
   all_rows<32>(rows, columns, matrix, vector, product);
 }
 
-Multiply fastest() { return __builtin_cpu_supports("avx") ? by_four : by_two; }
+[[gnu::target("avx512f")]] void by_eight(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
+                                         const double* vector, double* product) {
+  if (rows < 8) return by_four(rows, columns, matrix, vector, product);
+  all_rows<64>(rows, columns, matrix, vector, product);
+}
+
+Multiply fastest() {
+  if (__builtin_cpu_supports("avx512f")) return by_eight;
+  return __builtin_cpu_supports("avx") ? by_four : by_two;
+}
 #else
 Multiply fastest() { return by_two; }
 #endif

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstring>
 
 #include "rubsweep/numerics/taylor_series.hpp"
@@ -19,6 +20,11 @@ inline Twin sum_of(Twin pair) { return pair + swapped(pair); }
 inline Twin sums_of(Twin first, Twin second) {
   return __builtin_shufflevector(first, second, 0, 2) + __builtin_shufflevector(first, second, 1, 3);
 }
+inline Twin load(const double* from) {
+  Twin pair;
+  std::memcpy(&pair, from, sizeof pair);
+  return pair;
+}
 inline void store(double* to, Twin pair) { std::memcpy(to, &pair, sizeof pair); }
 /// A quarter of a turn further: (-y, x).
 inline Twin quarter_turned(Twin pair) { return Twin{-1, 1} * swapped(pair); }
@@ -37,8 +43,32 @@ class PlaneSeries {
   Twin terms_[most_taylor_order + 2];  ///< one more than the order: a rate asks for the next
 };
 
-/// Sum of a_j b_{k-j}, component by component, for `first` <= j <= `last`.
-inline Twin sum_of_products(const PlaneSeries& a, const PlaneSeries& b, int k, int first, int last) {
+/// `Count` such series side by side: what is done with all of them alike waits less than what is done with
+/// one after the other.
+template <int Count>
+class PlaneSeriesBundle {
+ public:
+  using Term = std::array<Twin, static_cast<std::size_t>(Count)>;  ///< coefficient of each
+  const Term& operator[](int k) const { return terms_[k]; }
+  void set(int k, const Term& value) { terms_[k] = value; }
+  void set(int k, std::size_t which, Twin value) { terms_[k][which] = value; }
+
+  /// One of them, as a PlaneSeries is read.
+  struct Member {
+    const PlaneSeriesBundle& all;
+    std::size_t which;
+    Twin operator[](int k) const { return all[k][which]; }
+  };
+  Member member(std::size_t which) const { return {*this, which}; }
+
+ private:
+  Term terms_[most_taylor_order + 2];
+};
+
+/// Sum of a_j b_{k-j}, component by component, for `first` <= j <= `last`; of series or members of
+/// bundles.
+template <class A, class B>
+Twin sum_of_products(const A& a, const B& b, int k, int first, int last) {
   Twin even{}, odd{};
   int j = first;
   for (; j < last; j += 2) {
@@ -50,7 +80,8 @@ inline Twin sum_of_products(const PlaneSeries& a, const PlaneSeries& b, int k, i
 }
 
 /// Coefficient k of a b, component by component.
-inline Twin product_term(const PlaneSeries& a, const PlaneSeries& b, int k) {
+template <class A, class B>
+Twin product_term(const A& a, const B& b, int k) {
   return sum_of_products(a, b, k, 0, k);
 }
 

@@ -94,6 +94,17 @@ std::optional<double> search(std::span<const double> c, const Hull& hull, double
   return search(c, right, low + width / 2, width / 2);
 }
 
+/// The same by the Bernstein form of the first terms and what the others may add: a polynomial's hull costs
+/// the square of its degree, and the last terms of a power series are small.
+bool low_part_negative(std::span<const double> c) {
+  constexpr std::size_t low = 13, worth_while = 20;
+  if (c.size() < worth_while) return false;
+  double rest = 0;
+  for (const double term : c.subspan(low)) rest += std::max(term, 0.0);
+  const Hull hull = hull_of(c.first(low));
+  return *std::max_element(hull.b.begin(), hull.b.begin() + low) + rest < 0;
+}
+
 }  // namespace
 
 bool clearly_negative(std::span<const double> c) {
@@ -113,6 +124,7 @@ std::optional<double> first_rise_of(std::span<const double> c, double noise) {
     if (clearly_negative(c.subspan(1))) return std::nullopt;
     c = c.subspan(1);
   }
+  if (low_part_negative(c)) return std::nullopt;
   return search(c, hull_of(c), 0, 1);
 }
 

@@ -16,20 +16,29 @@ namespace {
 constexpr std::size_t looks[] = {640, 1280, 2560};
 constexpr std::size_t shortest_chaos = 1280;
 
+/// Of the section in the last two fifths of the turns.
+std::optional<motion::SectionPeriod> period_of(const Followed& motion) {
+  const std::size_t half = 2 * motion.turns() / 5;
+  return motion::period_of_section(motion.last_rows(half), static_cast<int>(motion.states),
+                                   static_cast<int>(half) / 2);
+}
+
+bool chaotic(const Followed& motion, const motion::Exponent& exponent) {
+  return exponent.per_revolution > std::max(exponent.error_bar, chaos_floor) &&
+         motion.turns() >= shortest_chaos;
+}
+
 /// Fills class and evidence; false when the turns so far do not decide.
 bool decide(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
             spectrum::SpectrumWorkspace& workspace, Aperiodic& result) {
   result.exponent = exponent_of(motion.contributions);
-  const std::size_t half = 2 * motion.turns() / 5;
-  const auto period = motion::period_of_section(motion.last_rows(half), static_cast<int>(motion.states),
-                                                static_cast<int>(half) / 2);
-  if (period) {
+  if (const auto period = period_of(motion)) {
     result.returns_after = period->order;
     return true;
   }
   const auto [exponent, bar] = *result.exponent;
   if (exponent < -std::max(bar, chaos_floor)) return true;
-  if (exponent > std::max(bar, chaos_floor) && motion.turns() >= shortest_chaos) {
+  if (chaotic(motion, *result.exponent)) {
     result.motion_class = motion::MotionClass::chaotic;
     return true;
   }
@@ -41,6 +50,15 @@ bool decide(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynami
 }
 
 }  // namespace
+
+std::optional<motion::Exponent> lasting_chaos(const Followed& motion) {
+  if (motion.turns() < shortest_chaos) return std::nullopt;
+  const motion::Exponent exponent = exponent_of(motion.contributions);
+  const BumpMeans means = bump_means(motion.contributions);
+  if (!chaotic(motion, exponent) || std::min(means.first, means.last) <= chaos_floor || period_of(motion))
+    return std::nullopt;
+  return exponent;
+}
 
 Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
                              std::vector<double> section,

@@ -44,4 +44,9 @@ Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& to
                              const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
                              spectrum::SpectrumWorkspace& workspace);
 
+/// The exponent of a motion that has been chaotic for as long as it was followed: 1280 turns or more, the
+/// exponent positive beyond its bar and above chaos_floor, by smooth weights in either half as well, and a
+/// section that does not return. Empty for any other.
+std::optional<motion::Exponent> lasting_chaos(const Followed& motion);
+
 }  // namespace rubsweep::response

@@ -39,6 +39,11 @@ double bump_mean(std::span<const double> contributions) {
   return weights > 0 ? sum / weights : 0;
 }
 
+BumpMeans bump_means(std::span<const double> contributions) {
+  const auto kept = contributions.subspan(contributions.size() / 5);
+  return {bump_mean(kept), bump_mean(kept.first(kept.size() / 2)), bump_mean(kept.last(kept.size() / 2))};
+}
+
 motion::Exponent exponent_of(std::span<const double> contributions) {
   if (contributions.size() < fewest) {
     throw SolverError(

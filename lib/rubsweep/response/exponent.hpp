@@ -22,4 +22,10 @@ motion::Exponent exponent_of(std::span<const double> contributions);
 /// Zero for none.
 double bump_mean(std::span<const double> contributions);
 
+/// Of contributions without their first fifth, and of either half of these.
+struct BumpMeans {
+  double all = 0, first = 0, last = 0;
+};
+BumpMeans bump_means(std::span<const double> contributions);
+
 }  // namespace rubsweep::response

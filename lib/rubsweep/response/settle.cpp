@@ -77,19 +77,26 @@ bool may_be_aperiodic(const motion::WindowVerdict& verdict) {
   return verdict.motion_class == motion::MotionClass::unsettled && !verdict.period;
 }
 
-/// Verdict at the end of the run; `section` is that of its last turn.
+/// Verdict at the end of the run; `section` is that of its last turn, `chaos` what a watch has seen of it.
 motion::Motion verdict(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                        const motion::ResponseOptions& options, const motion::Record& record,
-                       std::span<const double> section, motion::Workspace& workspace) {
+                       std::span<const double> section, const std::optional<motion::Exponent>& chaos,
+                       motion::Workspace& workspace) {
   const motion::WindowVerdict previous =
       motion::classify_window(record.window(0), options, workspace.spectrum);
   const motion::WindowVerdict last = motion::classify_window(record.window(1), options, workspace.spectrum);
   motion::Motion motion = motion::settle_verdict(previous, last);
   if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return motion;
   if (rotating::rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
-  if (options.exponent && motion.motion_class == motion::MotionClass::unsettled &&
-      integrate::run::same_every_turn(scene.impulses))
+  if (!options.exponent || motion.motion_class != motion::MotionClass::unsettled ||
+      !integrate::run::same_every_turn(scene.impulses))
+    return motion;
+  if (chaos) {
+    motion.motion_class = motion::MotionClass::chaotic;
+    motion.exponent = chaos;
+  } else {
     follow_on(scene, solver, options, section, workspace, motion);
+  }
   return motion;
 }
 
@@ -151,18 +158,18 @@ bool worth_watching(const scene::Scene& scene, const motion::ResponseOptions& op
          integrate::run::same_every_turn(scene.impulses) && !rotating::rotationally_symmetric(scene);
 }
 
-/// Whether the two windows up to now show neither period nor rest and the watch sees a torus.
+/// Whether the window since the watch saw a torus shows neither period nor rest.
 bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
                        const motion::ResponseOptions& options, motion::Workspace& workspace,
                        SettledRun& run) {
-  const auto exponent = torus.look(workspace.spectrum);
-  if (!exponent) return false;
-  const auto previous = motion::classify_window(record.window(0), options, workspace.spectrum),
-             last = motion::classify_window(record.window(1), options, workspace.spectrum);
-  if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return false;
-  run.motion = motion::settle_verdict(previous, last);
+  const auto window = motion::classify_window(record.window(0), options, workspace.spectrum);
+  if (!may_be_aperiodic(window)) {
+    torus.refuse();
+    return false;
+  }
+  run.motion = motion::settle_verdict(window, window);
   run.motion.motion_class = motion::MotionClass::quasi_periodic;
-  run.motion.exponent = exponent;
+  run.motion.exponent = torus.torus();
   run.proof = motion::Proof::observed;
   return true;
 }
@@ -188,7 +195,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   integrate::run::TurnRequest request;
   integrate::run::TurnReport turn;
   while (run.revolutions < options.max_revolutions) {
-    const long first_recorded = torus.next_look() - 2L * options.window_revolutions;
+    const long first_recorded = torus.record_begin();
     request.samples_per_revolution = proof.samples_wanted();
     if (run.revolutions >= first_recorded) request.samples_per_revolution = options.samples_per_revolution;
     request.peaks = run.revolutions >= first_recorded;
@@ -217,11 +224,14 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
       conclude_at_rest(cell, options, workspace, run);
       return run;
     }
-    if (run.revolutions == torus.next_look() && run.revolutions < options.max_revolutions &&
+    if (run.revolutions == options.max_revolutions) break;
+    if (run.revolutions == torus.next_look()) torus.look(workspace.spectrum);
+    if (torus.torus() && run.revolutions == torus.record_begin() + options.window_revolutions &&
         conclude_on_torus(torus, record, options, workspace, run))
       return run;
   }
-  conclude(verdict(cell.scene, solver, options, record, turn.section, workspace), cell, rest, run);
+  conclude(verdict(cell.scene, solver, options, record, turn.section, torus.chaos(), workspace), cell, rest,
+           run);
   return run;
 }
 

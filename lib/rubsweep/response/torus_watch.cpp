@@ -4,8 +4,10 @@
 #include <cmath>
 #include <span>
 
+#include "rubsweep/response/aperiodic.hpp"
 #include "rubsweep/response/exponent.hpp"
 #include "rubsweep/response/growth.hpp"
+#include "rubsweep/response/motion/section.hpp"
 
 namespace rubsweep::response {
 namespace {
@@ -28,12 +30,14 @@ TorusWatch::TorusWatch(const scene::Scene& scene, const motion::ResponseOptions&
               .rows = {},
               .contributions = {}},
       direction_(first_disturbance(motion_.states).normalized()),
-      look_(settled_after + std::max(first_look, 2L * options.window_revolutions)) {
-  if (!wanted || look_ + 2L * options_.window_revolutions > options_.max_revolutions) end();
+      look_(settled_after + std::max(first_look, 2L * options.window_revolutions)),
+      record_begin_(last_windows()) {
+  if (!wanted || !worth_a_look()) end();
 }
 
 void TorusWatch::ask(long revolutions, integrate::run::TurnRequest& request) const {
-  if (look_ < options_.max_revolutions && revolutions >= settled_after) {
+  const bool carrying = look_ < options_.max_revolutions || chaotic_;
+  if (carrying && revolutions >= settled_after) {
     request.tangent_vectors = direction_;
     request.tangent_accuracy = growth_accuracy;
   } else {
@@ -44,26 +48,43 @@ void TorusWatch::ask(long revolutions, integrate::run::TurnRequest& request) con
 void TorusWatch::add(const integrate::run::TurnRequest& request, const integrate::run::TurnReport& turn) {
   if (request.tangent_vectors.cols() == 0) return;
   const Eigen::MatrixXd* moved = turn.tangent_vectors.get();
-  if (!moved) return end();
+  if (!moved) return refuse();
   direction_ = *moved;
   motion_.add(turn.section, take_growth(direction_), turn.touched);
 }
 
-std::optional<motion::Exponent> TorusWatch::look(spectrum::SpectrumWorkspace& workspace) {
-  // The first fifth turns the disturbance into the direction of largest growth.
-  const std::span<const double> all = motion_.contributions, kept = all.subspan(all.size() / 5);
-  const double first = bump_mean(kept.first(kept.size() / 2)), last = bump_mean(kept.last(kept.size() / 2));
-  const bool zero = std::abs(bump_mean(kept)) < torus_exponent && std::abs(first) < torus_half_exponent &&
+/// With contact, without a period in the last window, and returning as a torus does.
+bool TorusWatch::shows_a_torus(spectrum::SpectrumWorkspace& workspace) const {
+  const int window = options_.window_revolutions;
+  if (motion_.turns_without_contact >= window) return false;
+  const auto rows = motion_.last_rows(static_cast<std::size_t>(window) + 1);
+  return !motion::period_of_section(rows, static_cast<int>(motion_.states), options_.max_order) &&
+         returns_like_a_torus(motion_, observed_, window, return_rate_known_to, workspace);
+}
+
+void TorusWatch::look(spectrum::SpectrumWorkspace& workspace) {
+  const auto [all, first, last] = bump_means(motion_.contributions);
+  const bool zero = std::abs(all) < torus_exponent && std::abs(first) < torus_half_exponent &&
                     std::abs(last) < torus_half_exponent;
-  const bool torus =
-      zero && motion_.turns_without_contact < options_.window_revolutions &&
-      returns_like_a_torus(motion_, observed_, options_.window_revolutions, return_rate_known_to, workspace);
-  if (torus) return exponent_of(motion_.contributions);
-  const long known = look_ - settled_after;
-  look_ = settled_after + known + std::max(known / 2, 2L * options_.window_revolutions);
-  const bool chaotic = std::min(first, last) > chaotic_half_exponent;
-  if (chaotic || look_ + 2L * options_.window_revolutions > options_.max_revolutions) end();
-  return std::nullopt;
+  if (zero && shows_a_torus(workspace)) {
+    torus_ = exponent_of(motion_.contributions);
+    record_begin_ = look_;
+    return end();
+  }
+  look_ += (look_ - settled_after) / 2;
+  chaotic_ = std::min(first, last) > chaotic_half_exponent;
+  if (chaotic_ || !worth_a_look()) end();
+}
+
+void TorusWatch::refuse() {
+  torus_.reset();
+  chaotic_ = false;
+  record_begin_ = last_windows();
+  end();
+}
+
+std::optional<motion::Exponent> TorusWatch::chaos() const {
+  return chaotic_ ? lasting_chaos(motion_) : std::nullopt;
 }
 
 }  // namespace rubsweep::response

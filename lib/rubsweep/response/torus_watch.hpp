@@ -13,13 +13,14 @@ namespace rubsweep::response {
 
 /// Looks now and then, while a run goes on, whether it has come to a torus: a motion that never has a period
 /// to be proven, and would else take every run to its end. From turn `settled_after` on a tangent vector is
-/// carried; looks come 200 turns later and then after half as many again, as long as the last of them still
-/// saves two windows. Chaos is never decided here: what looks like it may be a transient.
+/// carried; looks come 200 turns later and then after half as many again, as long as the window that is to
+/// show the torus ends before the run's last two begin. Chaos may be a transient and ends no run; but the
+/// growth of what was carried then counts at its end.
 class TorusWatch {
  public:
   static constexpr long settled_after = 200;
 
-  /// `wanted`: else nothing is watched, and the next look is the end of the run.
+  /// `wanted`: else nothing is watched, and the windows that are recorded are the run's last.
   TorusWatch(const scene::Scene& scene, const motion::ResponseOptions& options, bool wanted);
 
   /// The turn after `revolutions` turns is to carry this.
@@ -29,17 +30,34 @@ class TorusWatch {
 
   /// Revolutions after which it is time for a look; the run's most where none is left.
   long next_look() const { return look_; }
-  /// The exponent of a torus, or nothing. Sets the next look.
-  std::optional<motion::Exponent> look(spectrum::SpectrumWorkspace& workspace);
+  /// Sets the next look, or where it sees a torus the begin of the window that is to show it.
+  void look(spectrum::SpectrumWorkspace& workspace);
+
+  /// Revolutions after which the windows begin that a verdict is made from: two of them, or one where a torus
+  /// was seen, since the section has shown what the one before it would.
+  long record_begin() const { return record_begin_; }
+  /// Of the torus that was seen; else empty.
+  const std::optional<motion::Exponent>& torus() const { return torus_; }
+  /// The window shows something else than a torus: the watch ends.
+  void refuse();
+
+  /// The exponent of a motion that was chaotic from the first turn that was watched up to now, 1280 turns or
+  /// more; else empty.
+  std::optional<motion::Exponent> chaos() const;
 
  private:
   void end() { look_ = options_.max_revolutions; }
+  long last_windows() const { return options_.max_revolutions - 2L * options_.window_revolutions; }
+  bool worth_a_look() const { return look_ + options_.window_revolutions <= last_windows(); }
+  bool shows_a_torus(spectrum::SpectrumWorkspace& workspace) const;
 
   motion::ResponseOptions options_;
   Eigen::Matrix<double, 2, Eigen::Dynamic> observed_;
   Followed motion_;
   Eigen::MatrixXd direction_;  ///< states x 1, unit length
-  long look_ = 0;
+  long look_ = 0, record_begin_ = 0;
+  bool chaotic_ = false;  ///< at its last look
+  std::optional<motion::Exponent> torus_;
 };
 
 }  // namespace rubsweep::response

@@ -25,15 +25,15 @@ Eigen::VectorXcd rates_per_s(const Assembly& assembly, double speed_rad_per_s) {
   return generator.eigenvalues();
 }
 
-bool grows(const Assembly& assembly, double speed_rad_per_s) {
-  const Eigen::VectorXcd rates = rates_per_s(assembly, speed_rad_per_s);
-  return rates.real().maxCoeff() > rounding * rates.cwiseAbs().maxCoeff();
-}
-
 }  // namespace
 
 double growth_per_s(const Assembly& assembly, double speed_rad_per_s) {
   return rates_per_s(assembly, speed_rad_per_s).real().maxCoeff();
+}
+
+bool grows(const Assembly& assembly, double speed_rad_per_s) {
+  const Eigen::VectorXcd rates = rates_per_s(assembly, speed_rad_per_s);
+  return rates.real().maxCoeff() > rounding * rates.cwiseAbs().maxCoeff();
 }
 
 std::optional<double> instability_hz(const Assembly& assembly, double highest_hz) {

@@ -10,9 +10,11 @@ namespace rubsweep::structure {
 /// less where all decay. `speed_rad_per_s` >= 0.
 double growth_per_s(const Assembly& assembly, double speed_rad_per_s);
 
+/// Whether such a vibration grows. Growth below a billionth of the fastest rate counts as rounding.
+bool grows(const Assembly& assembly, double speed_rad_per_s);
+
 /// The lowest speed up to `highest_hz` from which on a free vibration grows, found on a grid of 200 speeds
-/// and bisected to 1e-9 of it: empty where there is none, 0 where the rotor is unstable at rest. Growth below
-/// a billionth of the fastest rate counts as rounding.
+/// and bisected to 1e-9 of it: empty where there is none, 0 where the rotor is unstable at rest.
 std::optional<double> instability_hz(const Assembly& assembly, double highest_hz);
 
 }  // namespace rubsweep::structure

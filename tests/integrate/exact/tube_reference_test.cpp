@@ -12,7 +12,7 @@ TEST(TubeReference, AGuardSeesItsRowOnEveryDisturbance) {
   RubbingTurn turn;
   TubeReference<4> reference(turn.scene, turn.modes.modes_of<4>(turn.scene));
   ASSERT_TRUE(reference.start(turn.start, Eigen::MatrixXd::Identity(8, 8)));
-  EXPECT_EQ(reference.base(), 8u);
+  EXPECT_EQ(reference.base().all(), 8u);
   const auto& mode = reference.motion().mode();
   for (std::size_t e = 0; e < mode.guards.size(); ++e) {
     const auto seen = reference.seen(e);
@@ -26,7 +26,7 @@ TEST(TubeReference, AGuardSeesItsRowOnEveryDisturbance) {
     }
     // Of one Euclidean length: the norm of the values.
     const auto spread = reference.spread_of(seen.value);
-    EXPECT_NEAR(spread.width, Eigen::Map<const Eigen::VectorXd>(seen.value.data(), 8).norm(), 1e-12);
+    EXPECT_NEAR(spread.width.fast, Eigen::Map<const Eigen::VectorXd>(seen.value.data(), 8).norm(), 1e-12);
     EXPECT_TRUE(spread.kicks.empty());
   }
 }
@@ -51,7 +51,7 @@ TEST(TubeReference, AClampedContactKeepsItsPenetration) {
   const auto margins = reference.clamped_margins();
   ASSERT_EQ(margins.size(), 1u);
   EXPECT_NEAR(margins[0].margin, 0.01, 1e-12);
-  EXPECT_NEAR(margins[0].spread.width, std::sqrt(2), 1e-12);  // rotor against casing
+  EXPECT_NEAR(margins[0].spread.width.fast, std::sqrt(2), 1e-12);  // rotor against casing
 }
 
 }  // namespace

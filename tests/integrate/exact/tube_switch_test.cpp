@@ -31,7 +31,7 @@ TEST(TubeSwitch, TheLawsDifferByAVectorTimesTheGuard) {
   const Eigen::MatrixXd open = motion.mode().generator;
   const Eigen::RowVectorXd row = motion.mode().guards[0].physical;
   TubeSwitch<4> change(landing.reference);
-  const auto made = change.through(0, landing.before, {.width = 1e-3}, landing.landing_s);
+  const auto made = change.through(0, landing.before, {.width = {1e-3}}, landing.landing_s);
   ASSERT_TRUE(made);
   EXPECT_EQ(motion.mode().modes[0], contact::Mode::clamped);
   const Eigen::MatrixXd difference = motion.mode().generator - open;
@@ -46,12 +46,12 @@ TEST(TubeSwitch, SaysHowFastTheGuardRises) {
   Landing landing;
   const double rate = landing.reference.motion().guard(0).rate;
   TubeSwitch<4> change(landing.reference);
-  const auto made = change.through(0, landing.before, {.width = 1e-3}, landing.landing_s);
+  const auto made = change.through(0, landing.before, {.width = {1e-3}}, landing.landing_s);
   ASSERT_TRUE(made);
   EXPECT_EQ(made->rate, rate);
   EXPECT_GT(made->lowest_rate, 0);
   EXPECT_LE(made->lowest_rate, std::min(rate, landing.before.rate) * (1 + 1e-12));
-  EXPECT_EQ(made->spread.width, 1e-3);
+  EXPECT_EQ(made->spread.width.fast, 1e-3);
   EXPECT_GT(made->longest_window_s, 0);
   for (const TurnTube::Other& other : made->others) EXPECT_LT(other.value, 0);
 }

@@ -36,7 +36,7 @@ std::array<Twin, order> forces(ContactSeries& series, const ContactLaw& law, Mod
 
 /// Against the difference of two motions, for both walls, modes with and without damper, friction that is
 /// constant and that varies.
-TEST(ContactTangent, IsTheDifferenceOfTwoMotions) {
+TEST(ContactTangents, IsTheDifferenceOfTwoMotions) {
   auto scene = test::annular_scene(1, 0, 1, 0, 0, 10, 0.1);
   const auto system = run::scale<2>(scene);
   for (const bool annular : {false, true}) {
@@ -59,11 +59,11 @@ TEST(ContactTangent, IsTheDifferenceOfTwoMotions) {
                    earlier = forces(series, law, mode, slip, -small);
         forces(series, law, mode, slip, 0);
         EXPECT_EQ(series.friction_varies(), varies);
-        ContactTangent tangent;
+        ContactTangents<1> tangent;
         tangent.follow(series, order - 1);
-        tangent.begin(Twin{0.6, -0.8});
+        tangent.begin({Twin{0.6, -0.8}});
         for (int k = 0; k < order - 1; ++k) {
-          const Twin change = tangent.force_term(k, change_rate(k));
+          const Twin change = tangent.force_term(k, {change_rate(k)})[0];
           const auto index = static_cast<std::size_t>(k);
           for (int side = 0; side < 2; ++side) {
             const double expected = (later[index][side] - earlier[index][side]) / (2 * small);

@@ -28,13 +28,13 @@ Expansion<2> expanded(const run::ScaledSystem<2>& system, const scene::Scene& sc
 TEST(StepPeaks, FindTheLongHalfAxisOfAnEllipse) {
   const scene::Scene scene = test::annular_scene(1, 0, 1, 0, 0, 10, 0);
   const auto system = run::scale<2>(scene);
-  std::vector<double> probe(4), other(4);
+  std::vector<double> states;
   const Expansion<2> motion = expanded(system, scene, {0.3, 0, 0, 0.9}, Mode::open);
-  EXPECT_NEAR(largest_displacements<2>(motion, system, 1, 2.0, probe, other).observed, 0.9, 5e-5);
+  EXPECT_NEAR(largest_displacements<2>(motion, system, 1, 2.0, states).observed, 0.9, 5e-5);
   const double end = 1.0;
-  EXPECT_NEAR(largest_displacements<2>(motion, system, 1, end, probe, other).observed,
+  EXPECT_NEAR(largest_displacements<2>(motion, system, 1, end, states).observed,
               std::hypot(0.3 * std::cos(end), 0.9 * std::sin(end)), 1e-12);
-  EXPECT_NEAR(largest_displacements<2>(motion, system, 1, 0.01, probe, other).observed,
+  EXPECT_NEAR(largest_displacements<2>(motion, system, 1, 0.01, states).observed,
               std::hypot(0.3 * std::cos(0.01), 0.9 * std::sin(0.01)), 1e-12);
 }
 

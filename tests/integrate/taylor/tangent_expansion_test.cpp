@@ -18,11 +18,11 @@
 namespace rubsweep::integrate::taylor {
 namespace {
 
-Eigen::MatrixXd transition_by_dopri5(const scene::Scene& scene) {
+Eigen::MatrixXd transition_by_dopri5(const scene::Scene& scene, double tolerance = 1e-13) {
   const auto states = std::size_t(2 * scene.structure.coordinates());
   adaptive::AdaptiveRun<adaptive::Dopri5<std::vector<double>>, Eigen::Dynamic, false,
                         response::rotating::VariationalDynamics<Eigen::Dynamic, false>>
-      run(scene, {.relative_tolerance = 1e-13});
+      run(scene, {.relative_tolerance = tolerance});
   run::TurnReport turn;
   EXPECT_EQ(run.advance({}, turn), run::Outcome::ok);
   return Eigen::Map<const Eigen::MatrixXd>(turn.section.data() + states, Eigen::Index(states),
@@ -53,12 +53,11 @@ TEST(TangentExpansion, MovesAsTheVariationalEquations) {
     ASSERT_TRUE(turn.tangent_vectors.get());
     const Eigen::MatrixXd all = *turn.tangent_vectors.get();
     EXPECT_LT((all - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
-    // One direction alone is moved as it is among all.
+    // One direction alone is moved as it is among all, to the last bit.
     TaylorRun<4> again(scene, {});
     ASSERT_EQ(again.advance({.tangent_vectors = Eigen::VectorXd::Unit(8, 5)}, turn), TaylorEnding::ok);
     ASSERT_TRUE(turn.tangent_vectors.get());
-    EXPECT_LT((*turn.tangent_vectors.get() - all.col(5)).cwiseAbs().maxCoeff(),
-              1e-13 * all.cwiseAbs().maxCoeff());
+    EXPECT_EQ(*turn.tangent_vectors.get(), all.col(5));
   }
   const auto exact = start_hybrid(flat, {}, modes);
   TaylorRun<4> run(flat, {});
@@ -77,7 +76,7 @@ TEST(TangentExpansion, FollowsWhatTheMotionDoesNotExcite) {
     test::FullRub rub;
     rub.k_c = stiffness;
     const scene::Scene scene = rub.scene();
-    const Eigen::MatrixXd expected = transition_by_dopri5(scene);
+    const Eigen::MatrixXd expected = transition_by_dopri5(scene, 1e-11);
     TaylorRun<2> run(scene, {});
     run::TurnReport turn;
     ASSERT_EQ(run.advance({.tangent_vectors = Eigen::MatrixXd::Identity(4, 4)}, turn), TaylorEnding::ok);

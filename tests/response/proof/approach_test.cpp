@@ -52,6 +52,26 @@ TEST(ComesNear, ATransientThatMeetsAnEdgeLaterDoesNot) {
   EXPECT_FALSE(comes_near(spiral, far, at.orbit, at.norms, {1e-6, 0}, 10'000));
 }
 
+/// Two decays at different rates, in norms apart: the slower one decides, unless its ball is large.
+TEST(ComesInside, EitherPartMustBeInItsBall) {
+  const TurnMap decay = [](std::span<double> s, Eigen::MatrixXd* disturbances) {
+    const Eigen::Vector2d factors(0.5, 0.9);
+    if (disturbances) *disturbances = factors.asDiagonal() * *disturbances;
+    s[0] *= factors(0), s[1] *= factors(1);
+    return true;
+  };
+  const std::array<double, 2> here{0.01, 0.01};
+  const auto orbit = find_orbit(decay, here, 1);
+  ASSERT_TRUE(orbit);
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(2, 2);
+  const SplitNorms norms{.norm = {identity}, .unit = {identity}, .fast = 1, .contraction = {0.5, 0.9}};
+  EXPECT_TRUE(comes_inside(decay, here, *orbit, norms, {1e-4, 0.02}, 7));
+  EXPECT_FALSE(comes_inside(decay, here, *orbit, norms, {1e-4, 0.02}, 6));
+  EXPECT_TRUE(comes_inside(decay, here, *orbit, norms, {1e-4, 1e-3}, 22));
+  EXPECT_FALSE(comes_inside(decay, here, *orbit, norms, {1e-4, 1e-3}, 21));
+  EXPECT_TRUE(comes_inside(decay, here, *orbit, norms, {0.1, 0.1}, 0));
+}
+
 TEST(ComesNear, EitherMeasureWillDo) {
   const std::array<double, 2> near{0.02, 0};
   const Found at = orbit_near(near);

@@ -109,6 +109,71 @@ TEST(OrbitBall, FartherOutOtherModesOccur) {
   EXPECT_GT(others, 0);
 }
 
+/// A vibration along the wall may fill a ball far larger than that of all directions alike.
+TEST(SplitBall, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
+  HalfMotion motion;
+  const auto norms = split_norms(motion.orbit.transitions, seen_by_contacts(motion.scene));
+  ASSERT_TRUE(norms);
+  EXPECT_EQ(norms->slow(), 2);
+  const auto radii = split_ball_radii(motion.scene, motion.modes, motion.section, *norms, {1e-3, 0.1});
+  ASSERT_TRUE(radii);
+  const auto radius = ball_radius(motion.scene, motion.modes, motion.section, motion.norms);
+  ASSERT_TRUE(radius);
+  EXPECT_GE(radii->fast, *radius);
+  EXPECT_GT(radii->slow, 100 * *radius);
+  const auto size_of = [&](const std::vector<double>& state, std::size_t at) {
+    const Eigen::Map<const Eigen::VectorXd> x(state.data(), static_cast<Eigen::Index>(state.size()));
+    const auto parts = parts_of(*norms, at, x - motion.orbit.sections[at]);
+    return std::max(parts.fast / radii->fast, parts.slow / radii->slow);
+  };
+  const auto own = switches_of(motion, motion.modes, motion.section);
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 200; ++trial) {
+    Eigen::VectorXd y(norms->norm[0].rows());
+    for (double& x : y) x = normal(random);
+    y.head(norms->fast) *= radii->fast / y.head(norms->fast).norm();
+    y.tail(norms->slow()) *= radii->slow / y.tail(norms->slow()).norm();
+    const Eigen::VectorXd from = motion.orbit.sections[0] + norms->unit[0] * y;
+    std::vector<double> state(from.begin(), from.end());
+    const auto switches = switches_of(motion, motion.modes, state);
+    ASSERT_EQ(switches.size(), own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      EXPECT_EQ(switches[i].contact, own[i].contact);
+      EXPECT_EQ(switches[i].to, own[i].to);
+    }
+    double last = size_of(state, 0);
+    EXPECT_NEAR(last, 1, 1e-9);
+    for (std::size_t k = 1; k <= 4; ++k) {
+      ASSERT_TRUE(motion.map(state));
+      const double now = size_of(state, k % 2);
+      EXPECT_LT(now, last);
+      last = now;
+    }
+  }
+}
+
+/// Friction that leaves its saturation ends the slow part's ball as any other.
+TEST(SplitBall, SlipsMustStaySaturatedForTheSlowPartToo) {
+  HalfMotion motion;
+  const auto norms = split_norms(motion.orbit.transitions, seen_by_contacts(motion.scene));
+  ASSERT_TRUE(norms);
+  const auto slow_at = [&](double share) {
+    scene::Scene scene = motion.scene;
+    scene.contacts.front().surface_speed_m_per_s *= share;
+    integrate::exact::ModeCache modes;
+    const auto radii = split_ball_radii(scene, modes, motion.section, *norms, {1e-3, 0.1});
+    return radii ? radii->slow : 0;
+  };
+  double none = 0, some = 1;
+  ASSERT_GT(slow_at(some), 0);
+  for (int i = 0; i < 30; ++i) {
+    const double middle = (none + some) / 2;
+    (slow_at(middle) > 0 ? some : none) = middle;
+  }
+  EXPECT_LT(slow_at(some), 0.5 * slow_at(1));
+}
+
 TEST(OrbitBall, NoneWhereTurnsHaveNoClosedForm) {
   HalfMotion motion;
   motion.scene.contacts.front().friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0.01}};

@@ -1,7 +1,9 @@
 #include "rubsweep/integrate/exact/exact_tube.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "rubsweep/contact/friction_law.hpp"
@@ -13,6 +15,15 @@
 
 namespace rubsweep::integrate::exact {
 namespace {
+
+/// Of matrix . y for a unit y; infinite where the matrix is not finite.
+double largest_length(const Eigen::MatrixXd& matrix) {
+  if (matrix.size() == 0) return 0;
+  const Eigen::MatrixXd square = matrix.transpose() * matrix;
+  if (!square.allFinite()) return std::numeric_limits<double>::infinity();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(square, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
+}
 
 /// Follows the reference by certified steps and takes down what the tube must keep away from.
 template <int N>
@@ -26,8 +37,8 @@ class TubeBuilder {
   }
 
   std::optional<TurnTube> build(std::vector<double>& section, const Eigen::MatrixXd& disturbances,
-                                const Eigen::MatrixXd& end_norm) {
-    if (!reference_.start(section, disturbances)) return std::nullopt;
+                                const Eigen::MatrixXd& end_norm, Eigen::Index slow) {
+    if (!reference_.start(section, disturbances, static_cast<std::size_t>(slow))) return std::nullopt;
     tube_.margins = reference_.clamped_margins();
     if (!std::ranges::all_of(tube_.margins, [](const TurnTube::Margin& m) { return m.margin > 0; }))
       return std::nullopt;
@@ -100,13 +111,13 @@ class TubeBuilder {
 
   bool go_on() {
     const std::size_t count = motion().mode().guards.size();
-    std::vector<GuardValue> guards;
-    std::vector<SeenByDisturbances> seen_by;
+    if (seen_.size() < count) seen_.resize(count);
+    guards_.clear();
     for (std::size_t e = 0; e < count; ++e) {
-      guards.push_back(motion().guard(e));
-      seen_by.push_back(reference_.seen(e));
+      guards_.push_back(motion().guard(e));
+      reference_.see(e, seen_[e]);
     }
-    const auto choice = choose(guards);
+    const auto choice = choose(guards_);
     if (!choice) return false;
     const auto slips = reference_.slip_guards();
     const double duration_s = move(choice->crossing, choice->step_s);
@@ -115,18 +126,18 @@ class TubeBuilder {
     }
     for (std::size_t e = 0; e < count; ++e) {
       if (e == choice->crossing) continue;
-      const Spread spread = reference_.spread_over(seen_by[e], duration_s);
+      const Spread spread = reference_.spread_over(seen_[e], duration_s);
       if (e == behind_) {
         raise(tube_.switches.back().spread, spread);
         continue;
       }
-      keep_below_zero(guards[e], seen_by[e], duration_s);
+      keep_below_zero(guards_[e], seen_[e], duration_s);
     }
     behind_ = none;
     if (choice->crossing == none) return true;
-    const Spread spread = reference_.spread_over(seen_by[choice->crossing], duration_s);
+    const Spread spread = reference_.spread_over(seen_[choice->crossing], duration_s);
     TubeSwitch<N> change(reference_);
-    auto made = change.through(choice->crossing, guards[choice->crossing], spread, duration_s);
+    auto made = change.through(choice->crossing, guards_[choice->crossing], spread, duration_s);
     if (!made) return false;
     made->time_s = time_s_;
     made->margins_before = tube_.margins.size();
@@ -160,16 +171,24 @@ class TubeBuilder {
       reference_.scale().from_seconds(state);
       return state;
     };
-    const std::size_t base = reference_.base();
+    const auto fast = static_cast<Eigen::Index>(reference_.base().fast),
+               slow = static_cast<Eigen::Index>(reference_.base().slow);
+    const std::size_t base = reference_.base().all();
     const auto list = motion().tangents();
     const auto at_end = [&](std::size_t i) -> Eigen::VectorXd {
       return end_norm * scaled(motion().mode().from_free(list[i]));
     };
-    Eigen::MatrixXd linear(end_norm.rows(), static_cast<Eigen::Index>(base));
+    Eigen::MatrixXd linear(end_norm.rows(), fast + slow);
     for (std::size_t i = 0; i < base; ++i) linear.col(static_cast<Eigen::Index>(i)) = at_end(i);
-    tube_.contraction = Eigen::JacobiSVD<Eigen::MatrixXd>(linear).singularValues()(0);
+    tube_.to_fast = {largest_length(linear.topLeftCorner(fast, fast)),
+                     largest_length(linear.topRightCorner(fast, slow))};
+    tube_.to_slow = {largest_length(linear.bottomLeftCorner(slow, fast)),
+                     largest_length(linear.bottomRightCorner(slow, slow))};
+    const auto lengths = [&](const Eigen::VectorXd& x) -> Parts {
+      return {x.head(fast).norm(), x.tail(slow).norm()};
+    };
     for (std::size_t i = base; i + 1 < list.size(); i += 2)
-      tube_.kicks.push_back({at_end(i).norm(), at_end(i + 1).norm()});
+      tube_.kicks.push_back({lengths(at_end(i)), lengths(at_end(i + 1))});
     const Eigen::VectorXd end = scaled(motion().physical());
     section.assign(end.data(), end.data() + end.size());
   }
@@ -177,19 +196,22 @@ class TubeBuilder {
   TubeReference<N> reference_;
   std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
   double time_s_ = 0;
+  std::vector<GuardValue> guards_;        ///< of the present mode, at the start of a step
+  std::vector<SeenByDisturbances> seen_;  ///< what these make of the disturbances
   TurnTube tube_;
 };
 
 }  // namespace
 
 std::optional<TurnTube> turn_tube(const scene::Scene& scene, ModeCache& modes, std::vector<double>& section,
-                                  const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& end_norm) {
+                                  const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& end_norm,
+                                  Eigen::Index slow) {
   const bool saturates = std::ranges::all_of(scene.contacts, [](const scene::Contact& contact) {
     return contact::saturated_friction(contact.friction).has_value();
   });
   if (!saturates || !exact_applies(scene) || !scene.impulses.empty()) return std::nullopt;
   return run::with_coordinates(scene.structure.coordinates(), [&](auto n) {
-    return TubeBuilder<n()>(scene, modes.modes_of<n()>(scene)).build(section, disturbances, end_norm);
+    return TubeBuilder<n()>(scene, modes.modes_of<n()>(scene)).build(section, disturbances, end_norm, slow);
   });
 }
 

@@ -13,10 +13,12 @@ template <int N>
 void differentiate(const LinearMode<N>& mode, double factor, typename ExactTypes<N>::Part& u,
                    typename ExactTypes<N>::Part& v) {
   using Vector = typename ExactTypes<N>::Vector;
-  const Vector push = numerics::product_of<Vector>(mode.stiffness, u.matrix()) +
-                      numerics::product_of<Vector>(mode.damping, v.matrix());
-  u = factor * v;
-  v = -factor * push.array();
+  const Vector spring = numerics::product_of<Vector>(mode.stiffness, u.matrix()),
+               damper = numerics::product_of<Vector>(mode.damping, v.matrix());
+  for (Eigen::Index j = 0; j < u.size(); ++j) {
+    u(j) = factor * v(j);
+    v(j) = -factor * (spring(j) + damper(j));
+  }
 }
 
 }  // namespace

@@ -14,10 +14,21 @@ template <class Pairs, class Column>
 void move_pairs(const Pairs& flow, Column&& z) {
   constexpr int N = Pairs::RowsAtCompileTime;
   const Eigen::Index n = flow.rows();
-  const typename ExactTypes<N>::Part u = z.template head<N>(n).array(),
-                                     v = z.template segment<N>(n, n).array();
-  z.template head<N>(n) = (flow.col(0) * u + flow.col(1) * v).matrix();
-  z.template segment<N>(n, n) = (flow.col(2) * u + flow.col(3) * v).matrix();
+  if constexpr (N == Eigen::Dynamic) {  // no copies of what the compiler cannot keep in registers
+    double* const u = z.data();
+    double* const v = u + n;
+    const double *const uu = flow.data(), *const uv = uu + n, *const vu = uv + n, *const vv = vu + n;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const double a = u[j], b = v[j];
+      u[j] = uu[j] * a + uv[j] * b;
+      v[j] = vu[j] * a + vv[j] * b;
+    }
+  } else {
+    const typename ExactTypes<N>::Part u = z.template head<N>(n).array(),
+                                       v = z.template segment<N>(n, n).array();
+    z.template head<N>(n) = (flow.col(0) * u + flow.col(1) * v).matrix();
+    z.template segment<N>(n, n) = (flow.col(2) * u + flow.col(3) * v).matrix();
+  }
 }
 
 /// Flow of a mode of pairs over any duration, in closed form.

@@ -24,10 +24,10 @@ class TubeReference {
   TubeReference(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
       : motion_(scene, modes), slip_(scene, modes->friction()), scale_(run::state_scale(scene)) {}
 
-  /// Begins a turn at `section` with the disturbances that span the tube, one per column. False where the
-  /// motion has no closed form, or an annular stop is armed.
-  bool start(const std::vector<double>& section, const Eigen::MatrixXd& disturbances) {
-    base_ = static_cast<std::size_t>(disturbances.cols());
+  /// Begins a turn at `section` with the disturbances that span the tube, one per column, the last `slow` of
+  /// them its slow part. False where the motion has no closed form, or an annular stop is armed.
+  bool start(const std::vector<double>& section, const Eigen::MatrixXd& disturbances, std::size_t slow = 0) {
+    base_ = {static_cast<std::size_t>(disturbances.cols()) - slow, slow};
     State physical =
         Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
     scale_.to_seconds(physical);
@@ -45,10 +45,16 @@ class TubeReference {
   ExactMotion<N>& motion() { return motion_; }
   const ExactMotion<N>& motion() const { return motion_; }
   const run::StateScale& scale() const { return scale_; }  ///< of sections
-  std::size_t base() const { return base_; }               ///< disturbances that are not kicks
+  const PartSizes& base() const { return base_; }          ///< disturbances that are not kicks
 
   /// What guard `e` of the present mode makes of the disturbances.
-  Seen seen(std::size_t e) { return seen_by(motion_.mode().guards[e].terms, 1); }
+  Seen seen(std::size_t e) {
+    Seen seen;
+    see(e, seen);
+    return seen;
+  }
+  /// The same into what may be used again.
+  void see(std::size_t e, Seen& seen) { see_by(motion_.mode().guards[e].terms, 1, seen); }
 
   /// What is left of the slip of a touching contact, m/s, before friction leaves saturation, as a guard, and
   /// what it makes of the disturbances; `row` is its own on the state.
@@ -60,12 +66,13 @@ class TubeReference {
   /// Of all whose friction is saturated only above a slip.
   std::vector<SlipGuard> slip_guards() {
     std::vector<SlipGuard> all;
+    if (motion_.mode().touches.empty()) return all;
     const State here = motion_.physical();
     for (std::size_t t = 0; t < motion_.mode().touches.size(); ++t) {
       if (slip_.always(motion_, t)) continue;
       const TouchWatch<N>& touch = motion_.mode().touches[t];
-      all.push_back({slip_.guard(motion_, t, here), seen_by(touch.sliding_of_free, scale_.length_m),
-                     scale_.length_m * touch.sliding});
+      all.push_back({slip_.guard(motion_, t, here), {}, scale_.length_m * touch.sliding});
+      see_by(touch.sliding_of_free, scale_.length_m, all.back().seen);
     }
     return all;
   }
@@ -107,21 +114,24 @@ class TubeReference {
 
  private:
   /// A linear function of the free vibration times `unit`.
-  Seen seen_by(const ModalTerms& terms, double unit) {
-    Seen seen;
-    for (const State& z : motion_.tangents()) {
-      const ModalSum sum = sum_of(terms.list, z.data(), motion_.mode().paired);
-      seen.value.push_back(unit * sum.value());
-      seen.rate.push_back(unit * sum.rate());
-      seen.curvature.push_back(unit * sum.curvature());
+  void see_by(const ModalTerms& terms, double unit, Seen& seen) {
+    const auto disturbances = motion_.tangents();
+    const std::size_t count = disturbances.size();
+    seen.value.resize(count);
+    seen.rate.resize(count);
+    seen.curvature.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const ModalSum sum = sum_of(terms.list, disturbances[i].data(), motion_.mode().paired);
+      seen.value[i] = unit * sum.value();
+      seen.rate[i] = unit * sum.rate();
+      seen.curvature[i] = unit * sum.curvature();
     }
-    return seen;
   }
 
   ExactMotion<N> motion_;
   SlipWatch<N> slip_;
   run::StateScale scale_;
-  std::size_t base_ = 0;
+  PartSizes base_;
 };
 
 }  // namespace rubsweep::integrate::exact

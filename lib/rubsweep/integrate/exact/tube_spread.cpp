@@ -5,30 +5,43 @@
 
 namespace rubsweep::integrate::exact {
 
-TurnTube::Spread spread_of(const std::vector<double>& values, std::size_t base) {
+TurnTube::Spread spread_of(const std::vector<double>& values, const PartSizes& base) {
+  const auto length = [&values](std::size_t from, std::size_t to) {
+    double square = 0;
+    for (std::size_t i = from; i < to; ++i) square += values[i] * values[i];
+    return std::sqrt(square);
+  };
   TurnTube::Spread spread;
-  for (std::size_t i = 0; i < base; ++i) spread.width += values[i] * values[i];
-  spread.width = std::sqrt(spread.width);
-  for (std::size_t i = base; i < values.size(); ++i) spread.kicks.push_back(std::abs(values[i]));
+  spread.width = {length(0, base.fast), length(base.fast, base.all())};
+  spread.kicks.reserve(values.size() - base.all());
+  for (std::size_t i = base.all(); i < values.size(); ++i) spread.kicks.push_back(std::abs(values[i]));
   return spread;
 }
 
-TurnTube::Spread spread_over(const SeenByDisturbances& seen, std::size_t base, double duration_s) {
-  std::vector<double> end = seen.value, bend = seen.curvature;
-  for (std::size_t i = 0; i < end.size(); ++i) {
-    end[i] += duration_s * seen.rate[i];
-    bend[i] *= duration_s * duration_s / 2;
-  }
-  TurnTube::Spread spread = spread_of(seen.value, base);
-  raise(spread, spread_of(end, base));
-  const TurnTube::Spread bent = spread_of(bend, base);
-  spread.width += bent.width;
-  for (std::size_t i = 0; i < spread.kicks.size(); ++i) spread.kicks[i] += bent.kicks[i];
+TurnTube::Spread spread_over(const SeenByDisturbances& seen, const PartSizes& base, double duration_s) {
+  const double half_square = duration_s * duration_s / 2;
+  const auto end = [&](std::size_t i) { return seen.value[i] + duration_s * seen.rate[i]; };
+  const auto width = [&](std::size_t from, std::size_t to) {
+    double at_start = 0, at_end = 0, bent = 0;
+    for (std::size_t i = from; i < to; ++i) {
+      at_start += seen.value[i] * seen.value[i];
+      at_end += end(i) * end(i);
+      bent += seen.curvature[i] * seen.curvature[i];
+    }
+    return std::sqrt(std::max(at_start, at_end)) + half_square * std::sqrt(bent);
+  };
+  TurnTube::Spread spread;
+  spread.width = {width(0, base.fast), width(base.fast, base.all())};
+  spread.kicks.reserve(seen.value.size() - base.all());
+  for (std::size_t i = base.all(); i < seen.value.size(); ++i)
+    spread.kicks.push_back(std::max(std::abs(seen.value[i]), std::abs(end(i))) +
+                           half_square * std::abs(seen.curvature[i]));
   return spread;
 }
 
 void raise(TurnTube::Spread& spread, const TurnTube::Spread& other) {
-  spread.width = std::max(spread.width, other.width);
+  spread.width.fast = std::max(spread.width.fast, other.width.fast);
+  spread.width.slow = std::max(spread.width.slow, other.width.slow);
   for (std::size_t i = 0; i < spread.kicks.size() && i < other.kicks.size(); ++i)
     spread.kicks[i] = std::max(spread.kicks[i], other.kicks[i]);
 }

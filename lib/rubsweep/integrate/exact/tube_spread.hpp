@@ -13,14 +13,21 @@ struct SeenByDisturbances {
   std::vector<double> value, rate, curvature;
 };
 
-/// The spread that these values mean: the first `base` of them belong to the unit disturbances that span the
-/// tube and count as one Euclidean length, the others belong to the kicks at changes of mode, one number
-/// each.
-TurnTube::Spread spread_of(const std::vector<double>& values, std::size_t base);
+/// How many of the disturbances that are carried span the fast part of a tube, and how many after them the
+/// slow one. The rest are kicks at changes of mode.
+struct PartSizes {
+  std::size_t fast = 0, slow = 0;
+
+  std::size_t all() const { return fast + slow; }
+};
+
+/// The spread that these values mean: those of the unit disturbances of either part count as one Euclidean
+/// length, those of kicks as one number each.
+TurnTube::Spread spread_of(const std::vector<double>& values, const PartSizes& base);
 
 /// The largest over a step of `duration_s`: a length is convex, so that along a straight line it is largest
 /// at an end.
-TurnTube::Spread spread_over(const SeenByDisturbances& seen, std::size_t base, double duration_s);
+TurnTube::Spread spread_over(const SeenByDisturbances& seen, const PartSizes& base, double duration_s);
 
 /// Makes `spread` as large as `other`, in what both have.
 void raise(TurnTube::Spread& spread, const TurnTube::Spread& other);

@@ -15,17 +15,17 @@ constexpr double largest_own_kick = 0.2;
 
 }  // namespace
 
-double TurnTube::width(const Spread& spread, double radius, std::span<const Window> before) {
-  double sum = radius * spread.width;
+double TurnTube::width(const Spread& spread, const Parts& radii, std::span<const Window> before) {
+  double sum = radii.fast * spread.width.fast + radii.slow * spread.width.slow;
   for (std::size_t k = 0; k < before.size() && 2 * k + 1 < spread.kicks.size(); ++k)
     sum += before[k].kick *
            (spread.kicks[2 * k] + rate_over_window * before[k].window_s * spread.kicks[2 * k + 1]);
   return sum;
 }
 
-std::optional<TurnTube::Window> TurnTube::window_of(const Switch& change, double radius,
+std::optional<TurnTube::Window> TurnTube::window_of(const Switch& change, const Parts& radii,
                                                     std::span<const Window> before) {
-  const auto wide = [&](const Spread& spread) { return width(spread, radius, before); };
+  const auto wide = [&](const Spread& spread) { return width(spread, radii, before); };
   Window window;
   window.distance = wide(change.spread) / share_of_distance;
   window.window_s = window_in_distances * window.distance / change.rate;
@@ -45,19 +45,19 @@ std::optional<TurnTube::Window> TurnTube::window_of(const Switch& change, double
   return window;
 }
 
-std::optional<std::vector<TurnTube::Window>> TurnTube::windows(double radius) const {
+std::optional<std::vector<TurnTube::Window>> TurnTube::windows(const Parts& radii) const {
   std::vector<Window> found;
   double free_from_s = 0;
   std::size_t next = 0;
   const auto margins_hold = [&](std::size_t end) {
     for (; next < end; ++next) {
-      if (!(width(margins[next].spread, radius, found) < margins[next].margin)) return false;
+      if (!(width(margins[next].spread, radii, found) < margins[next].margin)) return false;
     }
     return true;
   };
   for (const Switch& change : switches) {
     if (!margins_hold(change.margins_before)) return std::nullopt;
-    const auto window = window_of(change, radius, found);
+    const auto window = window_of(change, radii, found);
     if (!window || !(change.time_s - window->window_s > free_from_s)) return std::nullopt;
     free_from_s = change.time_s + window->window_s;
     found.push_back(*window);
@@ -66,14 +66,21 @@ std::optional<std::vector<TurnTube::Window>> TurnTube::windows(double radius) co
   return found;
 }
 
-bool TurnTube::holds(double radius) const { return windows(radius).has_value(); }
+bool TurnTube::holds(const Parts& radii) const { return windows(radii).has_value(); }
 
-double TurnTube::deviation(double radius) const {
-  const auto at = windows(radius);
-  if (!at) return std::numeric_limits<double>::infinity();
-  double sum = 0;
-  for (std::size_t k = 0; k < kicks.size(); ++k)
-    sum += (*at)[k].kick * (kicks[k].at_end + rate_over_window * (*at)[k].window_s * kicks[k].rate_at_end);
+Parts TurnTube::deviation(const Parts& radii) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto at = windows(radii);
+  if (!at) return {infinite, infinite};
+  Parts sum;
+  for (std::size_t k = 0; k < kicks.size(); ++k) {
+    const Window& window = (*at)[k];
+    const auto length = [&](double at_end, double rate_at_end) {
+      return window.kick * (at_end + rate_over_window * window.window_s * rate_at_end);
+    };
+    sum.fast += length(kicks[k].at_end.fast, kicks[k].rate_at_end.fast);
+    sum.slow += length(kicks[k].at_end.slow, kicks[k].rate_at_end.slow);
+  }
   return sum;
 }
 

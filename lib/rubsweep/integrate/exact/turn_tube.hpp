@@ -7,10 +7,17 @@
 
 namespace rubsweep::integrate::exact {
 
+/// One number for each of the two parts that disturbances of a turn are told apart in: those that contacts
+/// soon damp, and those that decay slowly. Where they are not told apart, all are fast.
+struct Parts {
+  double fast = 0, slow = 0;
+};
+
 /// What holds for all motions that start a turn near one motion, its reference: x(0) = reference + W y with
-/// |y| <= radius (Euclidean). For every radius it is asked for, the tube answers whether all of them go
-/// through the same changes of contact mode in the same order, and by how much their ends can differ from the
-/// linear map about the reference. Up to rounding. `turn_tube` fills it in.
+/// y = (y_fast, y_slow) and |y_fast| <= radii.fast, |y_slow| <= radii.slow (Euclidean). For all radii it is
+/// asked for, the tube answers whether all of them go through the same changes of contact mode in the same
+/// order, and by how much their ends can differ from the linear map about the reference. Up to rounding.
+/// `turn_tube` fills it in.
 ///
 /// Lemma. Inside a mode the law is linear, and at a change of mode it goes on without a jump: the two right
 /// hand sides differ by b g, g the guard that rises through zero there. So a motion near the reference
@@ -24,10 +31,10 @@ namespace rubsweep::integrate::exact {
 /// limit by more than the tube's width there; windows neither overlap nor reach the ends of the turn.
 struct TurnTube {
   /// How far something linear in the state can be from its value on the reference: `width` per unit of
-  /// radius, and two numbers for each change of mode before: per unit of the kick that it gave the
+  /// either radius, and two numbers for each change of mode before: per unit of the kick that it gave the
   /// disturbance, and per unit of that kick and second of its window.
   struct Spread {
-    double width = 0;
+    Parts width;
     std::vector<double> kicks{};
   };
 
@@ -56,33 +63,35 @@ struct TurnTube {
     std::size_t margins_before = 0;  ///< how many of `margins` lie before it
   };
 
-  /// A kick at the end of the turn: |end_norm b|, and the same of the rate of b.
+  /// A kick at the end of the turn: the lengths of both parts of end_norm b, and the same of the rate of b.
   struct Kick {
-    double at_end = 0, rate_at_end = 0;
+    Parts at_end, rate_at_end;
   };
 
   double period_s = 0;
   std::vector<Margin> margins;  ///< in the order of time
   std::vector<Switch> switches;
   std::vector<Kick> kicks;  ///< of each switch
-  double contraction = 0;   ///< largest |end_norm DF W y| for |y| = 1
+  /// Largest length of the fast (slow) part of end_norm DF W y, per unit of each part of y.
+  Parts to_fast, to_slow;
 
-  /// Whether the tube of this radius holds. Then for every |y| <= r <= radius
-  ///   |end_norm (F(reference + W y) - F(reference) - DF W y)| <= deviation(radius) (r / radius)^2.
-  /// What holds for a radius holds for every smaller one.
-  bool holds(double radius) const;
+  /// Whether the tube of these radii holds. Then for every y within t times the radii, t <= 1, both parts of
+  ///   end_norm (F(reference + W y) - F(reference) - DF W y)
+  /// are at most deviation(radii) t^2 long. What holds for radii holds for all smaller ones.
+  bool holds(const Parts& radii) const;
 
-  /// Bound of the deviation at the end of the turn; infinite for a radius that does not hold.
-  double deviation(double radius) const;
+  /// Bound of the deviation at the end of the turn; infinite for radii that do not hold.
+  Parts deviation(const Parts& radii) const;
 
  private:
-  /// About one change of mode, for a radius.
+  /// About one change of mode, for given radii.
   struct Window {
     double distance = 0, window_s = 0, kick = 0;
   };
-  std::optional<std::vector<Window>> windows(double radius) const;
-  static std::optional<Window> window_of(const Switch& change, double radius, std::span<const Window> before);
-  static double width(const Spread& spread, double radius, std::span<const Window> before);
+  std::optional<std::vector<Window>> windows(const Parts& radii) const;
+  static std::optional<Window> window_of(const Switch& change, const Parts& radii,
+                                         std::span<const Window> before);
+  static double width(const Spread& spread, const Parts& radii, std::span<const Window> before);
 };
 
 }  // namespace rubsweep::integrate::exact

@@ -10,7 +10,8 @@ using numerics::sum_of;
 using numerics::swapped;
 using numerics::Twin;
 
-void ContactTangent::follow(const ContactSeries& contact, int order) {
+template <int Count>
+void ContactTangents<Count>::follow(const ContactSeries& contact, int order) {
   contact_ = &contact;
   const ContactLaw& law = contact.law();
   stiffness_ = law.stiffness;
@@ -25,74 +26,131 @@ void ContactTangent::follow(const ContactSeries& contact, int order) {
   for (int k = 0; k < order; ++k) slope_.set(k, contact.friction_slope_term(k));
 }
 
-void ContactTangent::begin(Twin displacement) {
+template <int Count>
+void ContactTangents<Count>::begin(const Term& displacement) {
   displacement_.set(0, displacement);
-  if (annular_) length_.set(0, sum_of(contact_->normal()[0] * displacement));
+  if (!annular_) return;
+  for (std::size_t i = 0; i < count; ++i) length_.set(0, i, sum_of(contact_->normal()[0] * displacement[i]));
 }
 
-Twin ContactTangent::force_term(int k, Twin rate) {
+template <int Count>
+auto ContactTangents<Count>::force_term(int k, const Term& rate) -> Term {
   rate_.set(k, rate);
-  displacement_.set(k + 1, rate * both(numerics::one_over(k + 1)));
+  for (std::size_t i = 0; i < count; ++i)
+    displacement_.set(k + 1, i, rate[i] * both(numerics::one_over(k + 1)));
   return annular_ ? annular_term(k) : flat_term(k);
 }
 
-Twin ContactTangent::coefficient_term(double sliding, int k) {
-  sliding_.set(k, sliding);
-  coefficient_.set(k, product_term(slope_, sliding_, k));
-  return coefficient_[k];
+template <int Count>
+void ContactTangents<Count>::add_coefficient_term(std::size_t which, double sliding, int k) {
+  sliding_.set(k, which, both(sliding));
+  coefficient_.set(k, which, product_term(slope_, sliding_.member(which), k));
+}
+
+/// Of mu times the force that it is multiplied by, whose change is `load`.
+template <int Count>
+Twin ContactTangents<Count>::sliding_friction(std::size_t which, Twin load, int k) {
+  load_.set(k, which, load);
+  return product_term(coefficient_.member(which), contact_->load(), k) +
+         product_term(contact_->coefficient(), load_.member(which), k);
 }
 
 /// Normal force K (factor p) + d v, friction mu(slip) K p.
-Twin ContactTangent::flat_term(int k) {
-  const double load = stiffness_ * displacement_[k][0];
-  const double normal = spring_factor_ * load + damper_ * rate_[k][0];
-  if (!varies_) return Twin{normal, friction_ * load};
-  load_.set(k, Twin{load, 0});
-  coefficient_term(rate_[k][1], k);
-  const Twin friction =
-      product_term(coefficient_, contact_->load(), k) + product_term(contact_->coefficient(), load_, k);
-  return Twin{normal, friction[0]};
+template <int Count>
+auto ContactTangents<Count>::flat_term(int k) -> Term {
+  Term force;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double load = stiffness_ * displacement_[k][i][0];
+    const double normal = spring_factor_ * load + damper_ * rate_[k][i][0];
+    if (!varies_) {
+      force[i] = Twin{normal, friction_ * load};
+      continue;
+    }
+    add_coefficient_term(i, rate_[k][i][1], k);
+    force[i] = Twin{normal, sliding_friction(i, Twin{load, 0}, k)[0]};
+  }
+  return force;
 }
 
 /// With m the change of the normal n: the change of r is n . w, r m = w - n (n . w), and that of r' n, which
 /// is returned with `damped`, is (n . w)' n + r' m. Coefficient k of m, and k + 1 of n . w.
+template <int Count>
 template <bool damped>
-Twin ContactTangent::normal_and_rate(int k) {
-  const PlaneSeries &n = contact_->normal(), &r = contact_->length(), &rate = contact_->length_rate();
-  Twin along = n[k + 1] * displacement_[0] + n[0] * displacement_[k + 1] + n[k] * displacement_[1];
-  if (k == 0) along -= n[0] * displacement_[1];
-  Twin by_length = n[k] * length_[0], by_normal{}, first{}, second{};
-  for (int j = 1; j <= k; ++j) {
-    const Twin normal = n[k - j];
-    if (j < k) along += normal * displacement_[j + 1];
-    by_length += normal * length_[j];
-    by_normal += r[j] * normal_[k - j];
-    if constexpr (damped) {
-      first += n[j] * length_rate_[k - j];
-      second += rate[j] * normal_[k - j];
+auto ContactTangents<Count>::normal_and_rate(int k) -> Term {
+  const PlaneSeries &n = contact_->normal(), &r = contact_->length();
+  Term along, by_length, by_normal{};
+  for (std::size_t i = 0; i < count; ++i) {
+    along[i] = n[k + 1] * displacement_[0][i] + n[0] * displacement_[k + 1][i] + n[k] * displacement_[1][i];
+    if (k == 0) along[i] -= n[0] * displacement_[1][i];
+    by_length[i] = n[k] * length_[0][i];
+  }
+  for (int j = 1; j < k; ++j) {
+    const Twin normal = n[k - j], length = r[j];
+    const Term &w = displacement_[j + 1], &change = length_[j], &turn = normal_[k - j];
+    for (std::size_t i = 0; i < count; ++i) {
+      along[i] += normal * w[i];
+      by_length[i] += normal * change[i];
+      by_normal[i] += length * turn[i];
     }
   }
-  length_.set(k + 1, sum_of(along));
-  length_rate_.set(k, both(k + 1) * length_[k + 1]);
-  normal_.set(k, (displacement_[k] - by_length - by_normal) * both(contact_->inverse_length()));
-  if constexpr (!damped) return Twin{};
-  return first + second + n[0] * length_rate_[k] + rate[0] * normal_[k];
+  const Twin inverse_length = both(contact_->inverse_length());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (k > 0) {
+      by_length[i] += n[0] * length_[k][i];
+      by_normal[i] += r[k] * normal_[0][i];
+    }
+    const Twin change = sum_of(along[i]);
+    length_.set(k + 1, i, change);
+    length_rate_.set(k, i, both(k + 1) * change);
+    normal_.set(k, i, (displacement_[k][i] - by_length[i] - by_normal[i]) * inverse_length);
+  }
+  return damped ? damping_products(k) : Term{};
 }
 
-Twin ContactTangent::annular_term(int k) {
-  const Twin damping = damper_ == 0 ? normal_and_rate<false>(k) : both(damper_) * normal_and_rate<true>(k);
-  const Twin load = both(stiffness_) * (displacement_[k] - both(clearance_) * normal_[k]);
-  const Twin force = both(spring_factor_) * load + damping;
-  if (sticks_) return force + quarter_turned(product_term(contact_->holding(), normal_, k));
-  if (!varies_) return force + both(friction_) * quarter_turned(load);
-  load_.set(k, load);
-  Twin sliding{};
-  for (int j = 0; j <= k; ++j)
-    sliding +=
-        normal_[j] * swapped(contact_->velocity()[k - j]) + contact_->normal()[j] * swapped(rate_[k - j]);
-  coefficient_term(sliding[0] - sliding[1], k);
-  return force + quarter_turned(product_term(coefficient_, contact_->load(), k) +
-                                product_term(contact_->coefficient(), load_, k));
+/// Coefficient k of (n . w)' n + r' m.
+template <int Count>
+auto ContactTangents<Count>::damping_products(int k) const -> Term {
+  const PlaneSeries &n = contact_->normal(), &rate = contact_->length_rate();
+  Term first{}, second{};
+  for (int j = 1; j <= k; ++j) {
+    const Twin normal = n[j], speed = rate[j];
+    const Term &change = length_rate_[k - j], &turn = normal_[k - j];
+    for (std::size_t i = 0; i < count; ++i) {
+      first[i] += normal * change[i];
+      second[i] += speed * turn[i];
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    first[i] = first[i] + second[i] + n[0] * length_rate_[k][i] + rate[0] * normal_[k][i];
+  return first;
 }
+
+template <int Count>
+auto ContactTangents<Count>::annular_term(int k) -> Term {
+  const Term damping = damper_ == 0 ? normal_and_rate<false>(k) : normal_and_rate<true>(k);
+  Term all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Twin load = both(stiffness_) * (displacement_[k][i] - both(clearance_) * normal_[k][i]);
+    const Twin damped = damper_ == 0 ? Twin{} : both(damper_) * damping[i];
+    Twin force = both(spring_factor_) * load + damped;
+    if (sticks_) {
+      force += quarter_turned(product_term(contact_->holding(), normal_.member(i), k));
+    } else if (!varies_) {
+      force += both(friction_) * quarter_turned(load);
+    } else {
+      Twin sliding{};
+      for (int j = 0; j <= k; ++j)
+        sliding += normal_[j][i] * swapped(contact_->velocity()[k - j]) +
+                   contact_->normal()[j] * swapped(rate_[k - j][i]);
+      add_coefficient_term(i, sliding[0] - sliding[1], k);
+      force += quarter_turned(sliding_friction(i, load, k));
+    }
+    all[i] = force;
+  }
+  return all;
+}
+
+template class ContactTangents<1>;
+template class ContactTangents<tangents_together>;
 
 }  // namespace rubsweep::integrate::taylor

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 
 #include "rubsweep/integrate/taylor/contact_series.hpp"
 #include "rubsweep/numerics/plane_series.hpp"
@@ -8,42 +8,59 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Change of a contact's force with a small change w of its relative displacement, as a power series along an
-/// expanded motion: the derivatives of the very recurrences that ContactSeries goes by. The friction that
-/// holds a contact that sticks counts as given.
-class ContactTangent {
+/// Tangent vectors that are expanded side by side: the products of one do not keep a processor busy, and
+/// those of more need more than its sixteen registers.
+inline constexpr int tangents_together = 4;
+
+/// Changes of a contact's force with `Count` small changes w of its relative displacement, as power series
+/// along an expanded motion: the derivatives of the very recurrences that ContactSeries goes by. The friction
+/// that holds a contact that sticks counts as given.
+template <int Count>
+class ContactTangents {
  public:
+  using Bundle = numerics::PlaneSeriesBundle<Count>;
+  using Term = typename Bundle::Term;
+
   /// Up to `order` terms. The motion stays as it is until the last `force_term` has been asked for.
   void follow(const ContactSeries& contact, int order);
-  /// Another change of the same motion begins.
-  void begin(numerics::Twin displacement);
+  /// Other changes of the same motion begin.
+  void begin(const Term& displacement);
 
-  /// Coefficient k of the force's change, from coefficient k of w'; asked for in their order. Writes
+  /// Coefficient k of the forces' changes, from coefficient k of w'; asked for in their order. Writes
   /// coefficient k + 1 of w.
-  numerics::Twin force_term(int k, numerics::Twin rate);
+  Term force_term(int k, const Term& rate);
 
   /// w, up to one more than the last term asked for.
-  const numerics::PlaneSeries& displacement() const { return displacement_; }
-  /// Change of r of an annular stop, as far; each coefficient twice.
-  const numerics::PlaneSeries& length() const { return length_; }
+  const Bundle& displacement() const { return displacement_; }
+  /// Coefficient k of the change of r of an annular stop, as far.
+  double length_term(std::size_t which, int k) const { return length_.member(which)[k][0]; }
   /// Coefficient k of the change of the spring force.
-  double load_term(int k) const { return stiffness_ * (annular_ ? length_.number(k) : displacement_[k][0]); }
+  double load_term(std::size_t which, int k) const {
+    return stiffness_ * (annular_ ? length_term(which, k) : displacement_.member(which)[k][0]);
+  }
 
  private:
-  numerics::Twin flat_term(int k);
-  numerics::Twin annular_term(int k);
+  Term flat_term(int k);
+  Term annular_term(int k);
   template <bool damped>
-  numerics::Twin normal_and_rate(int k);
+  Term normal_and_rate(int k);
+  Term damping_products(int k) const;
+  numerics::Twin sliding_friction(std::size_t which, numerics::Twin load, int k);
   /// Of the friction coefficient, from that of the sliding speed.
-  numerics::Twin coefficient_term(double sliding, int k);
+  void add_coefficient_term(std::size_t which, double sliding, int k);
 
+  static constexpr auto count = static_cast<std::size_t>(Count);
   const ContactSeries* contact_ = nullptr;
   double stiffness_ = 0, spring_factor_ = 0, damper_ = 0, clearance_ = 0, friction_ = 0;
   bool varies_ = false, sticks_ = false, annular_ = false;
-  numerics::PlaneSeries displacement_, rate_;
+  Bundle displacement_, rate_;
   /// Changes: of r, of r', of the normal, of the force that friction is multiplied by; of the sliding speed
   /// and the friction coefficient. Then the friction coefficient's slope, which is the motion's.
-  numerics::PlaneSeries length_, length_rate_, normal_, load_, sliding_, coefficient_, slope_;
+  Bundle length_, length_rate_, normal_, load_, sliding_, coefficient_;
+  numerics::PlaneSeries slope_;
 };
+
+extern template class ContactTangents<1>;
+extern template class ContactTangents<tangents_together>;
 
 }  // namespace rubsweep::integrate::taylor

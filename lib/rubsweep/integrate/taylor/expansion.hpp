@@ -73,6 +73,13 @@ class Expansion {
     if (creeps) creeps_[i].begin(laws_[i], slip(i));
   }
   Creep& creep(std::size_t i) { return creeps_[i]; }
+  /// Some contact creeps in the expansion as it is.
+  bool any_creeps() const {
+    for (std::size_t j = 0; j < sticking_; ++j) {
+      if (contacts_[stuck_[j]].creep()) return true;
+    }
+    return false;
+  }
   /// Slip of contact `i` where the expansion starts.
   double slip(std::size_t i) const {
     const ContactSeries& c = contacts_[i];
@@ -84,6 +91,7 @@ class Expansion {
 
   /// u then u' after `duration_rad`.
   void put_state(double duration_rad, double* state) const {
+    if constexpr (N != Eigen::Dynamic) return put_in_registers(std::array{duration_rad}, state);
     const Eigen::Index n = system_.coordinates();
     Eigen::Map<Vector> u(state, n), v(state + n, n);
     u = u_.col(order_ + 1);
@@ -93,6 +101,24 @@ class Expansion {
       u = u * duration_rad + u_.col(k);
       v = v * duration_rad + v_.col(k);
     }
+  }
+
+  /// The same after the durations at(0), ..., at(count - 1), one state behind the other: in less time than
+  /// one by one, because the sums of one need not wait for those of another.
+  template <class At>
+  void put_states(int count, const At& at, double* states) const {
+    const Eigen::Index numbers = 2 * system_.coordinates();
+    int i = 0;
+    if constexpr (N != Eigen::Dynamic) {
+      // As many as sixteen registers hold the sums of.
+      constexpr std::size_t together = N <= 4 ? 3 : 2;
+      for (; i + static_cast<int>(together) <= count; i += static_cast<int>(together)) {
+        std::array<double, together> durations;
+        for (std::size_t j = 0; j < together; ++j) durations[j] = at(i + static_cast<int>(j));
+        put_in_registers(durations, states + i * numbers);
+      }
+    }
+    for (; i < count; ++i) put_state(at(i), states + i * numbers);
   }
 
   /// The longest duration over which the last two terms stay within rounding of the motion's size, or of one
@@ -141,6 +167,37 @@ class Expansion {
   const ContactSeries& contact(std::size_t i) const { return contacts_[i]; }
 
  private:
+  template <std::size_t Count>
+  void put_in_registers(const std::array<double, Count>& durations_rad, double* states) const {
+    using numerics::both, numerics::Twin;
+    constexpr std::size_t pairs = static_cast<std::size_t>(N) / 2, coordinates = 2 * pairs;
+    Twin u[Count][pairs], v[Count][pairs];
+    const auto add = [&](auto& sums, const double* term) {
+      for (std::size_t i = 0; i < Count; ++i) {
+        for (std::size_t h = 0; h < pairs; ++h)
+          sums[i][h] = sums[i][h] * both(durations_rad[i]) + numerics::load(term + 2 * h);
+      }
+    };
+    for (std::size_t i = 0; i < Count; ++i) {
+      for (std::size_t h = 0; h < pairs; ++h) {
+        u[i][h] = numerics::load(u_.col(order_ + 1).data() + 2 * h);
+        v[i][h] = numerics::load(v_.col(order_).data() + 2 * h);
+      }
+    }
+    add(u, u_.col(order_).data());
+    for (int k = order_ - 1; k >= 0; --k) {
+      add(u, u_.col(k).data());
+      add(v, v_.col(k).data());
+    }
+    for (std::size_t i = 0; i < Count; ++i) {
+      double* const to = states + 2 * coordinates * i;
+      for (std::size_t h = 0; h < pairs; ++h) {
+        numerics::store(to + 2 * h, u[i][h]);
+        numerics::store(to + coordinates + 2 * h, v[i][h]);
+      }
+    }
+  }
+
   /// In the contact's two directions.
   template <class Direction>
   numerics::Twin at_contact(std::size_t i, const Direction& of) const {

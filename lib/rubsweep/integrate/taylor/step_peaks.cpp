@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "rubsweep/numerics/cubic_maximum.hpp"
 #include "rubsweep/numerics/plane_series.hpp"
@@ -12,7 +11,7 @@ namespace rubsweep::integrate::taylor {
 namespace {
 
 constexpr double piece_times_fastest = 0.25;  ///< cubics through values and rates have peaks to 2e-5
-constexpr int most_pieces = 64;
+constexpr int most_pieces = most_peak_states - 1;
 
 /// So many that a cubic through values and rates at the ends of a piece has its maximum.
 int pieces_of(double fastest, double duration_rad) {
@@ -34,22 +33,21 @@ double largest_square(const Map& map, const State& from, const State& to, double
 
 template <int N>
 LargestDisplacements largest_displacements(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
-                                           double fastest, double duration_rad, std::vector<double>& probe,
-                                           std::vector<double>& other) {
+                                           double fastest, double duration_rad, std::vector<double>& states) {
   using State = Eigen::Map<const Eigen::VectorXd>;
-  const Eigen::Index n = system.coordinates();
+  const Eigen::Index numbers = 2 * system.coordinates();
   const int pieces = pieces_of(fastest, duration_rad);
   const double size = duration_rad / pieces;
-  std::vector<double>*last = &probe, *next = &other;
-  motion.put_state(0, last->data());
+  states.resize(static_cast<std::size_t>(most_peak_states * numbers));
+  motion.put_states(
+      pieces + 1, [size](int i) { return size * i; }, states.data());
   LargestDisplacements square;
-  for (int i = 1; i <= pieces; ++i) {
-    motion.put_state(size * i, next->data());
-    const State from(last->data(), 2 * n), to(next->data(), 2 * n);
+  for (int i = 0; i < pieces; ++i) {
+    const double* const start = states.data() + i * numbers;
+    const State from(start, numbers), to(start + numbers, numbers);
     square.observed = std::max(square.observed, largest_square(system.observed, from, to, size));
     for (const run::ScaledCasing<N>& casing : system.casings)
       square.casing = std::max(square.casing, largest_square(casing.map, from, to, size));
-    std::swap(last, next);
   }
   return {std::sqrt(square.observed), std::sqrt(square.casing)};
 }
@@ -87,17 +85,13 @@ double largest_force(const ContactSeries& contact, int order, double fastest, do
 }
 
 template LargestDisplacements largest_displacements<2>(const Expansion<2>&, const run::ScaledSystem<2>&,
-                                                       double, double, std::vector<double>&,
-                                                       std::vector<double>&);
+                                                       double, double, std::vector<double>&);
 template LargestDisplacements largest_displacements<4>(const Expansion<4>&, const run::ScaledSystem<4>&,
-                                                       double, double, std::vector<double>&,
-                                                       std::vector<double>&);
+                                                       double, double, std::vector<double>&);
 template LargestDisplacements largest_displacements<6>(const Expansion<6>&, const run::ScaledSystem<6>&,
-                                                       double, double, std::vector<double>&,
-                                                       std::vector<double>&);
+                                                       double, double, std::vector<double>&);
 template LargestDisplacements largest_displacements<Eigen::Dynamic>(const Expansion<Eigen::Dynamic>&,
                                                                     const run::ScaledSystem<Eigen::Dynamic>&,
-                                                                    double, double, std::vector<double>&,
-                                                                    std::vector<double>&);
+                                                                    double, double, std::vector<double>&);
 
 }  // namespace rubsweep::integrate::taylor

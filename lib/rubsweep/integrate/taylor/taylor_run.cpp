@@ -39,7 +39,7 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       state_(run::scaled_initial_state(scene)),
       rate_(state_.size()),
       probe_(state_.size()),
-      other_probe_(state_.size()),
+      states_(static_cast<std::size_t>(most_peak_states) * state_.size()),
       zero_terms_(system_.contacts.size(), 0) {
   dynamics_.follow(pulses_);
 }
@@ -266,12 +266,13 @@ bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration
 
 template <int N>
 void TaylorRun<N>::put_samples(run::TurnReport& report, double end_phase) {
-  for (int& k = report.sample_count; k < samples_wanted_; ++k) {
-    const double due = full_turn * k / samples_wanted_;
-    if (due >= end_phase) return;
-    motion_.put_state(due - phase_, probe_.data());
-    std::ranges::copy(probe_, report.samples.begin() + k * static_cast<std::ptrdiff_t>(probe_.size()));
-  }
+  const auto due = [this](int k) { return full_turn * k / samples_wanted_; };
+  const int first = report.sample_count;
+  int& next = report.sample_count;
+  while (next < samples_wanted_ && due(next) < end_phase) ++next;
+  motion_.put_states(
+      next - first, [&](int i) { return due(first + i) - phase_; },
+      report.samples.data() + static_cast<std::size_t>(first) * state_.size());
 }
 
 template <int N>
@@ -291,8 +292,7 @@ void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duratio
     report.contact_fraction += duration / full_turn;
   }
   if (!peaks_wanted_) return;
-  const auto [observed, casing] =
-      largest_displacements(motion_, system_, fastest, duration, probe_, other_probe_);
+  const auto [observed, casing] = largest_displacements(motion_, system_, fastest, duration, states_);
   const double length_m = system_.scale.length_m;
   report.peak_displacement_m = std::max(report.peak_displacement_m, observed * length_m);
   report.peak_casing_displacement_m = std::max(report.peak_casing_displacement_m, casing * length_m);

@@ -112,7 +112,7 @@ class TaylorRun {
   double tangent_accuracy_ = 0;
   double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
   long max_steps_ = 0, step_limit_ = 0;
-  std::vector<double> state_, rate_, probe_, other_probe_;
+  std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
   /// Per contact with dry friction: so many of the slip's first coefficients are zero where it is now.
   std::vector<int> zero_terms_;

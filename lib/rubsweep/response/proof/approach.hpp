@@ -4,6 +4,7 @@
 
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
+#include "rubsweep/response/proof/split_norms.hpp"
 
 namespace rubsweep::response::proof {
 
@@ -18,6 +19,11 @@ struct Nearness {
 /// after `most_turns` turns.
 bool comes_near(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
                 const AdaptedNorms& norms, const Nearness& wanted, long most_turns);
+
+/// The same until both parts that `norms` tell apart are within `radii`; how far is said by the norm that has
+/// these radii as its ball.
+bool comes_inside(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
+                  const SplitNorms& norms, const integrate::exact::Parts& radii, long most_turns);
 
 /// Distance of a section from the orbit's first one in the adapted norm there.
 double adapted_distance(std::span<const double> section, const StableOrbit& orbit, const AdaptedNorms& norms);

@@ -2,6 +2,8 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "rubsweep/integrate/exact/exact_tube.hpp"
 
@@ -10,44 +12,127 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using integrate::exact::Parts;
 
 constexpr double largest_radius = 0.1, smallest_radius = 1e-9;
 /// What a turn's own deviation may take of what the linear map leaves to 1, and how far the sections given
 /// may be from the orbit itself against the radius: the 5 % that the shares leave cover what that changes.
 constexpr double deviation_share = 0.9, defect_share = 1e-3;
 
+VectorXd vector_of(const std::vector<double>& x) {
+  return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+
+/// The tubes of an orbit's turns, in norms of one part or two.
+class OrbitTubes {
+ public:
+  /// Adds that of the turn that starts at `section` and replaces it by where the turn ends; false where there
+  /// is none.
+  bool add(const scene::Scene& scene, integrate::exact::ModeCache& modes, std::vector<double>& section,
+           const MatrixXd& unit, const MatrixXd& end_norm, Eigen::Index slow) {
+    auto tube = integrate::exact::turn_tube(scene, modes, section, unit, end_norm, slow);
+    if (!tube) return false;
+    tubes_.push_back(std::move(*tube));
+    return true;
+  }
+
+  /// `defect`: how far the orbit's last section misses the first.
+  void close(const Parts& defect) { defect_ = defect; }
+
+  /// The largest of the radii 0.1 `shape`, 0.05 `shape`, ... that all motions come nearer from. What holds
+  /// for radii holds for smaller ones, but for the orbit's own defect, which only a large enough ball
+  /// forgives.
+  std::optional<Parts> largest(const Parts& shape) const {
+    const auto halved = [&](int times) {
+      const double size = std::ldexp(largest_radius, -times);
+      return Parts{size * shape.fast, size * shape.slow};
+    };
+    int too_large = -1;
+    int small_enough = static_cast<int>(std::log2(largest_radius / smallest_radius));
+    if (!draws_together(halved(small_enough))) return std::nullopt;
+    while (small_enough - too_large > 1) {
+      const int middle = (small_enough + too_large) / 2;
+      (draws_together(halved(middle)) ? small_enough : too_large) = middle;
+    }
+    const Parts radii = halved(small_enough), room = room_in(radii);
+    const bool closes =
+        defect_.fast <= defect_share * 0.1 * room.fast && defect_.slow <= defect_share * 0.1 * room.slow;
+    return closes ? std::optional(radii) : std::nullopt;
+  }
+
+ private:
+  /// By how much the linear map, not as the norms were made but as the tubes' own are, brings either part
+  /// below its radius.
+  Parts room_in(const Parts& radii) const {
+    Parts room = radii;
+    for (const integrate::exact::TurnTube& tube : tubes_) {
+      const auto left = [&radii](double radius, const Parts& by) {
+        return radius - by.fast * radii.fast - by.slow * radii.slow;
+      };
+      room.fast = std::min(room.fast, left(radii.fast, tube.to_fast));
+      room.slow = std::min(room.slow, left(radii.slow, tube.to_slow));
+    }
+    return room;
+  }
+
+  bool draws_together(const Parts& radii) const {
+    const Parts room = room_in(radii);
+    if (!(room.fast > 0) || (radii.slow > 0 && !(room.slow > 0))) return false;
+    return std::ranges::all_of(tubes_, [&](const integrate::exact::TurnTube& tube) {
+      const Parts deviation = tube.deviation(radii);
+      return deviation.fast <= deviation_share * room.fast && deviation.slow <= deviation_share * room.slow;
+    });
+  }
+
+  std::vector<integrate::exact::TurnTube> tubes_;
+  Parts defect_;
+};
+
 }  // namespace
 
 std::optional<double> ball_radius(const scene::Scene& scene, integrate::exact::ModeCache& modes,
                                   const std::vector<double>& section, const AdaptedNorms& norms) {
   std::vector<double> now = section;
-  std::vector<integrate::exact::TurnTube> tubes;
+  OrbitTubes tubes;
   const std::size_t turns = norms.norm.size();
   for (std::size_t i = 0; i < turns; ++i) {
     const MatrixXd& norm = norms.norm[i];
     const MatrixXd unit =
         norm.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(norm.rows(), norm.cols()));
-    auto tube = integrate::exact::turn_tube(scene, modes, now, unit, norms.norm[(i + 1) % turns]);
-    if (!tube) return std::nullopt;
-    tubes.push_back(std::move(*tube));
+    if (!tubes.add(scene, modes, now, unit, norms.norm[(i + 1) % turns], 0)) return std::nullopt;
   }
-  const auto as_vector = [](const std::vector<double>& x) {
-    return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+  tubes.close({(norms.norm.front() * (vector_of(now) - vector_of(section))).norm(), 0});
+  const auto radii = tubes.largest({1, 0});
+  return radii ? std::optional(radii->fast) : std::nullopt;
+}
+
+double turns_to_enter(const SplitNorms& norms, const Parts& distance, const Parts& radii) {
+  const auto turns = [](double from, double to, double contraction) {
+    return std::log(std::max(1.0, from / to)) / -std::log(contraction);
   };
-  const double defect = (norms.norm.front() * (as_vector(now) - as_vector(section))).norm();
-  double contraction = 0;
-  for (const integrate::exact::TurnTube& tube : tubes) contraction = std::max(contraction, tube.contraction);
-  // Not as the norms were made, but as the tubes' own linear maps are.
-  const double room = 1 - contraction;
-  if (!(room > 0)) return std::nullopt;
-  for (double radius = largest_radius; radius >= smallest_radius; radius /= 2) {
-    if (!(defect <= defect_share * 0.1 * room * radius)) return std::nullopt;
-    const bool holds = std::ranges::all_of(tubes, [&](const integrate::exact::TurnTube& tube) {
-      return tube.deviation(radius) <= deviation_share * room * radius;
-    });
-    if (holds) return radius;
+  return std::max(turns(distance.fast, radii.fast, norms.contraction.fast),
+                  turns(distance.slow, radii.slow, norms.contraction.slow));
+}
+
+std::optional<Parts> split_ball_radii(const scene::Scene& scene, integrate::exact::ModeCache& modes,
+                                      const std::vector<double>& section, const SplitNorms& norms,
+                                      const Parts& distance) {
+  std::vector<double> now = section;
+  OrbitTubes tubes;
+  const std::size_t turns = norms.norm.size();
+  for (std::size_t i = 0; i < turns; ++i) {
+    if (!tubes.add(scene, modes, now, norms.unit[i], norms.norm[(i + 1) % turns], norms.slow()))
+      return std::nullopt;
   }
-  return std::nullopt;
+  tubes.close(parts_of(norms, 0, vector_of(now) - vector_of(section)));
+  std::optional<Parts> best;
+  for (const double ratio : {1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0}) {
+    const auto radii = tubes.largest({1, ratio});
+    if (radii && (!best || turns_to_enter(norms, distance, *radii) < turns_to_enter(norms, distance, *best)))
+      best = radii;
+    if (best && turns_to_enter(norms, distance, *best) == 0) break;
+  }
+  return best;
 }
 
 }  // namespace rubsweep::response::proof

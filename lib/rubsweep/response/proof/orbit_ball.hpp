@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "rubsweep/integrate/exact/mode_cache.hpp"
+#include "rubsweep/integrate/exact/turn_tube.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
+#include "rubsweep/response/proof/split_norms.hpp"
 #include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::response::proof {
@@ -17,5 +19,18 @@ namespace rubsweep::response::proof {
 /// has no closed form, a guard is grazed, or no radius above 1e-9 clearances holds.
 std::optional<double> ball_radius(const scene::Scene& scene, integrate::exact::ModeCache& modes,
                                   const std::vector<double>& section, const AdaptedNorms& norms);
+
+/// Radii of the two parts that `norms` tell apart, of sets about the sections of which the same holds: the
+/// ball of the norm max(|fast| / radii.fast, |slow| / radii.slow). Of several that differ in the ratio of
+/// their radii it is the one that a motion at `distance` from the orbit is expected to enter first.
+std::optional<integrate::exact::Parts> split_ball_radii(const scene::Scene& scene,
+                                                        integrate::exact::ModeCache& modes,
+                                                        const std::vector<double>& section,
+                                                        const SplitNorms& norms,
+                                                        const integrate::exact::Parts& distance);
+
+/// Turns that both parts need from `distance` to `radii` by the contraction of their norms.
+double turns_to_enter(const SplitNorms& norms, const integrate::exact::Parts& distance,
+                      const integrate::exact::Parts& radii);
 
 }  // namespace rubsweep::response::proof

@@ -9,6 +9,7 @@
 #include "rubsweep/response/proof/approach.hpp"
 #include "rubsweep/response/proof/orbit_ball.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
+#include "rubsweep/response/proof/split_norms.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -22,11 +23,14 @@ constexpr double followed_down = 1e-4;
 
 /// Turns that following a transient may take: three times what the norms promise near the orbit, and some
 /// periods for where it is not yet near. Turns without closed forms cost a hundred times more.
-long patience(const StableOrbit& orbit, const AdaptedNorms& norms, double ratio, bool closed_forms) {
+long patience(const StableOrbit& orbit, double promised, bool closed_forms) {
   constexpr double periods = 64, times = 3;
   const double most = closed_forms ? 200'000 : 1'000;
-  const double promised = std::log(std::max(1.0, ratio)) / -std::log(norms.contraction);
   return static_cast<long>(std::min(most, periods * orbit.order + times * promised));
+}
+
+std::vector<double> start_of(const StableOrbit& orbit) {
+  return {orbit.sections.front().begin(), orbit.sections.front().end()};
 }
 
 }  // namespace
@@ -57,27 +61,54 @@ TurnMap OrbitProof::as_it_runs() {
   return [this](std::span<double> state, Eigen::MatrixXd*) { return (*run_map_)(state); };
 }
 
-std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> section, int order) {
+TurnMap OrbitProof::as_exactly_as_possible() {
   if (!map_) map_.emplace(scene_, solver_, workspace_.modes);
-  const TurnMap map = [this](std::span<double> state, Eigen::MatrixXd* disturbances) {
+  return [this](std::span<double> state, Eigen::MatrixXd* disturbances) {
     return disturbances ? map_->carry(state, *disturbances) : (*map_)(state);
   };
-  const auto orbit = find_orbit(map, section, order);
+}
+
+std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> section, int order) {
+  const auto orbit = find_orbit(as_exactly_as_possible(), section, order);
   if (!orbit) return std::nullopt;
-  const auto norms = adapted_norms(orbit->transitions);
-  if (!norms) return std::nullopt;
-  const std::vector<double> start(orbit->sections.front().begin(), orbit->sections.front().end());
-  const auto radius = map_->exact() ? ball_radius(scene_, workspace_.modes, start, *norms) : std::nullopt;
-  const double distance = adapted_distance(section, *orbit, *norms);
-  const Nearness wanted = radius ? Nearness{*radius, 0} : Nearness{followed_down * distance, on_the_orbit};
-  const long most_turns = patience(*orbit, *norms, distance / wanted.adapted, map_->closed_forms());
-  if (!comes_near(radius ? map : as_it_runs(), section, *orbit, *norms, wanted, most_turns))
-    return std::nullopt;
-  const auto measures = measure(start, orbit->order);
+  const auto proof = converges(section, *orbit);
+  if (!proof) return std::nullopt;
+  const auto measures = measure(start_of(*orbit), orbit->order);
   if (!measures) return std::nullopt;
   return motion::ProvenMotion{
       orbit->order == 1 ? motion::MotionClass::synchronous : motion::MotionClass::subharmonic, orbit->order,
-      *measures, orbit->floquet_modulus, radius ? motion::Proof::floquet : motion::Proof::floquet_observed};
+      *measures, orbit->floquet_modulus, *proof};
+}
+
+/// Follows the transient as far as the word asks for that can be had.
+std::optional<motion::Proof> OrbitProof::converges(std::span<const double> section,
+                                                   const StableOrbit& orbit) {
+  if (map_->exact() && enters_split_ball(section, orbit)) return motion::Proof::floquet;
+  const auto norms = adapted_norms(orbit.transitions);
+  if (!norms) return std::nullopt;
+  const auto radius =
+      map_->exact() ? ball_radius(scene_, workspace_.modes, start_of(orbit), *norms) : std::nullopt;
+  const double distance = adapted_distance(section, orbit, *norms);
+  const Nearness wanted = radius ? Nearness{*radius, 0} : Nearness{followed_down * distance, on_the_orbit};
+  const double promised = std::log(std::max(1.0, distance / wanted.adapted)) / -std::log(norms->contraction);
+  const long most_turns = patience(orbit, promised, map_->closed_forms());
+  if (!comes_near(radius ? as_exactly_as_possible() : as_it_runs(), section, orbit, *norms, wanted,
+                  most_turns))
+    return std::nullopt;
+  return radius ? motion::Proof::floquet : motion::Proof::floquet_observed;
+}
+
+/// Whether there is a ball that a free vibration along the walls, which only the structure damps, may fill
+/// without harm, and the transient comes into it. Most are inside when they are looked at first.
+bool OrbitProof::enters_split_ball(std::span<const double> section, const StableOrbit& orbit) {
+  const auto norms = split_norms(orbit.transitions, seen_by_contacts(scene_));
+  if (!norms) return false;
+  const Eigen::Map<const Eigen::VectorXd> here(section.data(), static_cast<Eigen::Index>(section.size()));
+  const auto distance = parts_of(*norms, 0, here - orbit.sections.front());
+  const auto radii = split_ball_radii(scene_, workspace_.modes, start_of(orbit), *norms, distance);
+  return radii &&
+         comes_inside(as_exactly_as_possible(), section, orbit, *norms, *radii,
+                      patience(orbit, turns_to_enter(*norms, distance, *radii), map_->closed_forms()));
 }
 
 /// Over exactly one period; empty when the orbit touches nothing.

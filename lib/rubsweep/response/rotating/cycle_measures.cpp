@@ -1,6 +1,7 @@
 #include "rubsweep/response/rotating/cycle_measures.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -46,10 +47,11 @@ Complex between(const Knot& a, const Knot& b, double phase_rad) {
   return y * y * ((1 + 2 * x) * a.w + x * h * a.rate) + x * x * ((1 + 2 * y) * b.w - y * h * b.rate);
 }
 
-/// Equidistant samples of w over the period, the end point left out.
+/// Equidistant samples of w over the period, the end point left out: a power of two, which many cells share,
+/// because a plan for a transform of a new length takes longer than the transform.
 std::vector<Complex> one_period(const std::vector<Knot>& knots) {
   const double period = knots.back().phase_rad;
-  const std::size_t count = 2 * knots.size();
+  const std::size_t count = std::bit_ceil(2 * knots.size());
   std::vector<Complex> w;
   std::size_t k = 0;
   for (std::size_t j = 0; j < count; ++j) {

@@ -23,6 +23,11 @@ constexpr double followed_down = 1e-3;  ///< share of its distance that a transi
 constexpr double near_by = 1e-5;        ///< or this distance: what it does next is the rough flow's noise
 constexpr double most_periods_followed = 3000;
 
+/// Or a tenth, if the last three returns came to what the derivative says, up to a tenth of what a return
+/// gains: what is off is of second order in the distance, and the rest of the way is shorter.
+constexpr double down_as_told = 0.1, told_within = 0.1;
+constexpr int told_in_a_row = 3;
+
 /// In (clearance, clearance omega).
 struct Accuracy {
   double closed = 0;   ///< return error of a cycle found
@@ -35,7 +40,10 @@ double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 
 struct Closed {
   VectorXd x;
-  RotatingArc once;
+  RotatingArc once;  ///< from x
+  /// After Newton's next step, which an iteration that goes on to another accuracy need not make again.
+  VectorXd next_x;
+  double next_period_rad = 0;
 };
 
 /// Newton step of (state, period), the state staying across `across`.
@@ -60,10 +68,13 @@ std::optional<Closed> close(const RotatingMotion& motion, const RotatingMotion::
     const auto arc = flow(x, period);
     if (!arc || !arc->end.allFinite()) return std::nullopt;
     const double error = largest(arc->end - x);
-    if (error < closed) return Closed{x, *arc};
+    const VectorXd step = newton_step(x, *arc, motion.rate(arc->end), across);
+    if (error < closed) {
+      if (!step.allFinite()) return Closed{x, *arc, x, period};
+      return Closed{x, *arc, x + step.head(x.size()), period + step(x.size())};
+    }
     if (error > proof::farthest_orbit || (i > 2 && error > last / 2)) return std::nullopt;
     last = error;
-    const VectorXd step = newton_step(x, *arc, motion.rate(arc->end), across);
     x += step.head(x.size());
     period += step(x.size());
     if (!x.allFinite() || largest(x - start) > proof::farthest_orbit ||
@@ -89,24 +100,35 @@ std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_w
 }
 
 /// Follows the transient period by period until a thousandth of its distance from the cycle is left, in the
-/// adapted norm of the return map across the cycle, or `near_by`. Being early or late is no distance: each
-/// period is cut or prolonged by as much as the one before was off along the motion.
+/// adapted norm of the return map across the cycle, or `near_by`, or a tenth of it as the derivative says.
+/// Being early or late is no distance: each period is cut or prolonged by as much as the one before was off
+/// along the motion.
 bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Closed& cycle) {
   const Eigen::Index n = start.size();
   const VectorXd rate = motion.rate(cycle.x), along = rate.normalized();
   const MatrixXd across = MatrixXd::Identity(n, n) - along * along.transpose();
   const auto norms = proof::adapted_norms({across * cycle.once.transition * across});
   if (!norms) return false;
-  VectorXd image = start;
-  double first = 0;
+  const MatrixXd& norm = norms->norm.front();
+  VectorXd image = start, told;
+  double first = 0, last = 0;
+  int as_told = 0;
   const double promised = std::log(followed_down) / std::log(norms->contraction);
   const double patience = std::min(most_periods_followed, 64 + 3 * promised);
   for (int k = 0; k <= patience; ++k) {
     const VectorXd off = across * (image - cycle.x);
-    const double distance = (norms->norm.front() * off).norm();
-    if (k == 0) first = distance;
+    const double distance = (norm * off).norm();
+    if (k == 0) {
+      first = distance;
+    } else {
+      const bool so = (norm * (off - told)).norm() <= told_within * (1 - norms->contraction) * last;
+      as_told = so ? as_told + 1 : 0;
+    }
     if (largest(off) < near_by || distance < followed_down * first) return true;
+    if (as_told >= told_in_a_row && distance < down_as_told * first) return true;
     if (!(distance < 4 * first)) return false;
+    told = across * (cycle.once.transition * off);
+    last = distance;
     const double late_rad = along.dot(image - cycle.x) / rate.norm();
     const auto end = motion.end(image, cycle.once.angle_rad - late_rad);
     if (!end || !end->allFinite()) return false;
@@ -127,12 +149,11 @@ std::optional<LimitCycle> exact_cycle(const RotatingMotion& motion, const Vector
 /// closes.
 std::optional<LimitCycle> smallest_cycle(const RotatingMotion& motion, const Closed& cycle) {
   for (int k = most_periods; k > 1; --k) {
-    const double period_rad = cycle.once.angle_rad / k;
-    const auto end = motion.end(cycle.x, period_rad);
-    if (!end || !(largest(*end - cycle.x) < returns_early)) continue;
-    if (auto found = exact_cycle(motion, cycle.x, period_rad)) return found;
+    const auto end = motion.end(cycle.next_x, cycle.next_period_rad / k);
+    if (!end || !(largest(*end - cycle.next_x) < returns_early)) continue;
+    if (auto found = exact_cycle(motion, cycle.next_x, cycle.next_period_rad / k)) return found;
   }
-  return exact_cycle(motion, cycle.x, cycle.once.angle_rad);
+  return exact_cycle(motion, cycle.next_x, cycle.next_period_rad);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <utility>
+#include <variant>
 
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
@@ -40,40 +40,32 @@ void add_measures(const integrate::run::TurnReport& turn, double left_rad, Rotat
   arc.peak_casing_displacement_m = std::max(arc.peak_casing_displacement_m, turn.peak_casing_displacement_m);
 }
 
-/// By Taylor pieces, the transition where it is asked for; false where a turn fails.
+/// By Taylor pieces, the transition where it is asked for.
 template <int N>
-bool follow_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
-                      int samples_per_revolution, bool transition, RotatingArc& arc) {
-  integrate::taylor::TaylorRun<N> run(scene, options);
-  const Eigen::Index states = 2 * scene.structure.coordinates();
+HowFollowed follow_by_series(integrate::taylor::TaylorRun<N>& run, const Eigen::VectorXd& state,
+                             int samples_per_revolution, bool transition, RotatingArc& arc) {
+  const Eigen::Index states = state.size();
   integrate::run::TurnRequest request;
   integrate::run::TurnReport turn;
   request.samples_per_revolution = samples_per_revolution;
   request.peaks = samples_per_revolution > 0;
   request.switches = true;
   if (transition) request.tangent_vectors.setIdentity(states, states);
+  run.resume({state.data(), static_cast<std::size_t>(states)}, 0);
   for (double left = arc.angle_rad; left > 0; left -= full_turn) {
     const integrate::taylor::TaylorEnding ending = run.advance(request, turn, std::min(left, full_turn));
-    if (ending != integrate::taylor::TaylorEnding::ok) return false;
+    if (ending != integrate::taylor::TaylorEnding::ok) return HowFollowed::failed;
     if (transition) request.tangent_vectors = *turn.tangent_vectors.get();
     if (samples_per_revolution > 0) append_samples(turn, states, states, arc);
     add_measures(turn, left, arc);
   }
   arc.end = turned(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), states), -arc.angle_rad);
   if (transition) arc.transition = turned(request.tangent_vectors, -arc.angle_rad);
-  return true;
-}
-
-/// The usual scene, a rotor and one casing, gets a fixed size.
-bool follow_by_series(const scene::Scene& scene, const integrate::run::SolverOptions& options,
-                      int samples_per_revolution, bool transition, RotatingArc& arc) {
-  return scene.structure.coordinates() == 4
-             ? follow_by_series<4>(scene, options, samples_per_revolution, transition, arc)
-             : follow_by_series<Eigen::Dynamic>(scene, options, samples_per_revolution, transition, arc);
+  return HowFollowed::made;
 }
 
 /// A stepper that is asked for by name makes every turn.
-bool by_series(const integrate::run::SolverOptions& options) {
+bool series_apply(const integrate::run::SolverOptions& options) {
   return options.method != integrate::run::Method::adaptive &&
          options.stepper == integrate::run::Stepper::automatic &&
          options.contact == integrate::run::ContactHandling::located;
@@ -119,11 +111,40 @@ std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate
 
 }  // namespace
 
+/// One run for all arcs: what it is made from does not depend on where they start. The usual scene, a rotor
+/// and one casing, gets a fixed size.
+class RotatingFlow::Series {
+ public:
+  Series(const scene::Scene& scene, const integrate::run::SolverOptions& options) {
+    if (scene.structure.coordinates() == 4) {
+      run_.emplace<integrate::taylor::TaylorRun<4>>(scene, options);
+    } else {
+      run_.emplace<integrate::taylor::TaylorRun<Eigen::Dynamic>>(scene, options);
+    }
+  }
+
+  HowFollowed follow(const Eigen::VectorXd& state, int samples_per_revolution, bool transition,
+                     RotatingArc& arc) {
+    if (auto* usual = std::get_if<integrate::taylor::TaylorRun<4>>(&run_))
+      return follow_by_series(*usual, state, samples_per_revolution, transition, arc);
+    return follow_by_series(std::get<integrate::taylor::TaylorRun<Eigen::Dynamic>>(run_), state,
+                            samples_per_revolution, transition, arc);
+  }
+
+ private:
+  std::variant<std::monostate, integrate::taylor::TaylorRun<4>, integrate::taylor::TaylorRun<Eigen::Dynamic>>
+      run_;
+};
+
 RotatingFlow::RotatingFlow(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                            int samples_per_revolution)
     : scene_(scene), options_(options), samples_per_revolution_(samples_per_revolution) {
   scene_.pulses.clear();
 }
+
+RotatingFlow::RotatingFlow(RotatingFlow&&) noexcept = default;
+RotatingFlow& RotatingFlow::operator=(RotatingFlow&&) noexcept = default;
+RotatingFlow::~RotatingFlow() = default;
 
 scene::Scene RotatingFlow::scene_at(const Eigen::VectorXd& state) const {
   scene::Scene scene = scene_;
@@ -131,16 +152,22 @@ scene::Scene RotatingFlow::scene_at(const Eigen::VectorXd& state) const {
   return scene;
 }
 
+HowFollowed RotatingFlow::by_series(const Eigen::VectorXd& state, int samples_per_revolution, bool transition,
+                                    RotatingArc& arc) const {
+  if (!series_apply(options_)) return HowFollowed::by_stepper;
+  if (!series_) series_ = std::make_unique<Series>(scene_, options_);
+  return series_->follow(state, samples_per_revolution, transition, arc);
+}
+
 std::optional<RotatingArc> RotatingFlow::from(const Eigen::VectorXd& state, double angle_rad) const {
-  const scene::Scene scene = scene_at(state);
   constexpr int any = Eigen::Dynamic;
   const int samples = samples_per_revolution_;
-  if (by_series(options_)) {
-    RotatingArc arc;
-    arc.angle_rad = angle_rad;
-    return follow_by_series(scene, options_, samples, true, arc) ? std::optional(std::move(arc))
-                                                                 : std::nullopt;
-  }
+  RotatingArc arc;
+  arc.angle_rad = angle_rad;
+  const HowFollowed followed = by_series(state, samples, true, arc);
+  if (followed == HowFollowed::made) return arc;
+  if (followed == HowFollowed::failed) return std::nullopt;
+  const scene::Scene scene = scene_at(state);
   if (options_.contact == integrate::run::ContactHandling::smoothed)
     return follow<std::vector<double>, any, true>(scene, options_, samples, angle_rad);
   if (state.size() == 8) return follow<std::array<double, 72>, 4, false>(scene, options_, samples, angle_rad);
@@ -148,14 +175,13 @@ std::optional<RotatingArc> RotatingFlow::from(const Eigen::VectorXd& state, doub
 }
 
 std::optional<Eigen::VectorXd> RotatingFlow::end_from(const Eigen::VectorXd& state, double angle_rad) const {
-  const scene::Scene scene = scene_at(state);
   constexpr int any = Eigen::Dynamic;
-  if (by_series(options_)) {
-    RotatingArc arc;
-    arc.angle_rad = angle_rad;
-    return follow_by_series(scene, options_, 0, false, arc) ? std::optional(std::move(arc.end))
-                                                            : std::nullopt;
-  }
+  RotatingArc arc;
+  arc.angle_rad = angle_rad;
+  const HowFollowed followed = by_series(state, 0, false, arc);
+  if (followed == HowFollowed::made) return arc.end;
+  if (followed == HowFollowed::failed) return std::nullopt;
+  const scene::Scene scene = scene_at(state);
   if (options_.contact == integrate::run::ContactHandling::smoothed)
     return end_of<std::vector<double>, any, true>(scene, options_, angle_rad);
   if (state.size() == 8) return end_of<std::array<double, 8>, 4, false>(scene, options_, angle_rad);

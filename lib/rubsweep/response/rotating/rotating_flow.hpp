@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct RotatingArc {
   Eigen::MatrixXd samples;  ///< 2n x count: states in the fixed frame at phases 2 pi k / N before the end
 };
 
+/// What came of an arc by Taylor pieces; `by_stepper`: a stepper has to make it.
+enum class HowFollowed { made, by_stepper, failed };
+
 /// Follows a rotationally symmetric scene, its pulses left out, and the derivative of the motion by its
 /// start, from any state over any angle, by Taylor pieces, or by dopri5 where contacts are
 /// smoothed or a stepper is named. In the frame that turns with the shaft such a scene does not depend on
@@ -35,6 +39,9 @@ class RotatingFlow {
   /// `samples_per_revolution`: N of RotatingArc::samples; 0: none.
   RotatingFlow(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                int samples_per_revolution);
+  RotatingFlow(RotatingFlow&&) noexcept;
+  RotatingFlow& operator=(RotatingFlow&&) noexcept;
+  ~RotatingFlow();
 
   /// Empty when the solver fails. `state`: 2n scaled numbers; `angle_rad` > 0.
   std::optional<RotatingArc> from(const Eigen::VectorXd& state, double angle_rad) const;
@@ -43,11 +50,17 @@ class RotatingFlow {
   std::optional<Eigen::VectorXd> end_from(const Eigen::VectorXd& state, double angle_rad) const;
 
  private:
+  class Series;
+
+  /// Up to the end of `arc`, its transition where it is asked for.
+  HowFollowed by_series(const Eigen::VectorXd& state, int samples_per_revolution, bool transition,
+                        RotatingArc& arc) const;
   scene::Scene scene_at(const Eigen::VectorXd& state) const;
 
   scene::Scene scene_;
   integrate::run::SolverOptions options_;
   int samples_per_revolution_;
+  mutable std::unique_ptr<Series> series_;  ///< made when first needed; one arc at a time
 };
 
 }  // namespace rubsweep::response::rotating

@@ -1,0 +1,318 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/integrate/taylor/contact_tangent.hpp"
+#include "rubsweep/integrate/taylor/creep_tangent.hpp"
+#include "rubsweep/integrate/taylor/expansion.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// `Count` tangent vectors of a motion side by side, each as it would be alone: w'' = -stiffness w -
+/// damping w' + change of the contacts' forces. Where a contact sticks, they keep its slip, too.
+template <int N, int Count>
+class TangentBundle {
+ public:
+  /// Highest order: one less than the motion's, which has to be known one further.
+  static constexpr int order = numerics::most_taylor_order - 1;
+
+  explicit TangentBundle(const run::ScaledSystem<N>& system)
+      : system_(system),
+        w_(system.coordinates(), Count * (order + 1)),
+        rate_(system.coordinates(), Count * (order + 1)),
+        acceleration_(system.coordinates(), Count),
+        contacts_(system.contacts.size()),
+        creeps_(system.contacts.size()) {
+    if (std::ranges::any_of(system.contacts, [](const auto& c) {
+          return contact::dry_coefficient(c.friction) > 0 || contact::depends_on_slip(c.friction);
+        }))
+      sticking_.resize(count * (order + 1));
+  }
+
+  /// Moves columns `first` to `first` + Count - 1 over `duration_rad` of the motion as it was expanded. Each
+  /// is expanded until its last two terms are `accuracy` of its largest ones, in displacements and in rates.
+  void pass(Expansion<N>& motion, double duration_rad, double accuracy, Eigen::MatrixXd& tangents,
+            Eigen::Index first) {
+    const int most = begin(motion, tangents, first);
+    expand(motion, most, duration_rad, accuracy);
+    for (Eigen::Index i = 0; i < Count; ++i) sum_up(i, duration_rad, tangents.col(first + i));
+  }
+
+  /// The same of one vector where contacts creep. False where its slips still have a start of their own.
+  bool pass_creeping(Expansion<N>& motion, double duration_rad, double accuracy, Eigen::MatrixXd& tangents,
+                     Eigen::Index column) requires(Count == 1) {
+    if (!settle_creep(motion, begin(motion, tangents, column), duration_rad, accuracy)) return false;
+    sum_up(0, duration_rad, tangents.col(column));
+    return true;
+  }
+
+ private:
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using Terms = Eigen::Matrix<double, N, Eigen::Dynamic>;
+
+  /// Returns the highest order.
+  int begin(Expansion<N>& motion, const Eigen::MatrixXd& tangents, Eigen::Index first) {
+    const int most = std::min(order, motion.order() - 1);
+    const Eigen::Index n = system_.coordinates();
+    for (Eigen::Index i = 0; i < Count; ++i) {
+      w(0, i) = tangents.col(first + i).head(n);
+      rate(0, i) = tangents.col(first + i).tail(n);
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (!touches(motion, i)) continue;
+      contacts_[i].follow(motion.contact(i), most);
+      contacts_[i].begin(at_contact(i, 0, w_));
+    }
+    return most;
+  }
+
+  /// Sweeps as of `taylor::settle_creep`, of the vector that has begun.
+  bool settle_creep(Expansion<N>& motion, int most, double duration_rad, double accuracy) {
+    const Vector start = rate(0, 0);
+    const double size =
+        std::max(w(0, 0).template lpNorm<Eigen::Infinity>(), start.template lpNorm<Eigen::Infinity>());
+    contact::StickVector by(static_cast<Eigen::Index>(motion.sticking()));
+    for (Eigen::Index j = 0; j < by.size(); ++j) {
+      if (motion.contact(motion.stuck(j)).creep()) creeps_[motion.stuck(j)].begin(sliding(motion, j));
+    }
+    for (int sweep = 0; sweep < most_creep_sweeps; ++sweep) {
+      expand(motion, most, duration_rad, 0);
+      double change = 0;
+      for (Eigen::Index j = 0; j < by.size(); ++j) {
+        by(j) = 0;
+        if (!motion.contact(motion.stuck(j)).creep()) continue;
+        change = std::max(change, swept(motion, j, most, duration_rad));
+        by(j) = creeps_[motion.stuck(j)].sliding()[0] - sliding(motion, j);
+      }
+      if (change <= share_of_sweeps * accuracy * size)
+        return (rate(0, 0) - start).template lpNorm<Eigen::Infinity>() <= accuracy * size;
+      change_.resize(2 * w_.rows());
+      change_ << w(0, 0), rate(0, 0);
+      motion.change_slips(by, change_.data());
+      rate(0, 0) = change_.tail(w_.rows());
+    }
+    return false;
+  }
+
+  /// One sweep of a contact that creeps; what it changed.
+  double swept(Expansion<N>& motion, Eigen::Index stuck, int most, double duration_rad) {
+    const std::size_t i = motion.stuck(stuck);
+    creeps_[i].sweep(
+        *motion.contact(i).creep(), most,
+        [&](int k) { return stuck_at(0, k).holding[static_cast<std::size_t>(stuck)]; },
+        [&](int k) { return contacts_[i].load_term(0, k); });
+    return creeps_[i].change(duration_rad);
+  }
+
+  /// Change of the sliding speed of contact `stuck` with the vector where it starts.
+  double sliding(Expansion<N>& motion, Eigen::Index stuck) {
+    const std::size_t i = motion.stuck(stuck);
+    const ContactSeries& contact = motion.contact(i);
+    const numerics::Twin moved = at_contact(i, w(0, 0)), speed = at_contact(i, rate(0, 0));
+    if (!contact.law().annular) return speed[1];
+    const numerics::Twin d = contact.distance()[0], v = contact.velocity()[0];
+    // Of |d| times the sliding speed, which is d1 d2' - d2 d1'.
+    const double product = moved[0] * v[1] - moved[1] * v[0] + d[0] * speed[1] - d[1] * speed[0];
+    return (product - contacts_[i].length_term(0, 0) * contact.creep()->sliding()[0]) *
+           contact.inverse_length();
+  }
+
+  static bool touches(Expansion<N>& motion, std::size_t i) {
+    return motion.contact(i).mode() != contact::Mode::open;
+  }
+
+  static constexpr auto count = static_cast<std::size_t>(Count);
+  using Tangents = ContactTangents<Count>;
+  using Term = typename Tangents::Term;
+
+  // Coefficient k of vector i.
+  auto w(int k, Eigen::Index i) { return w_.col(k * Count + i); }
+  auto rate(int k, Eigen::Index i) { return rate_.col(k * Count + i); }
+
+  template <class Direction>
+  numerics::Twin at_contact(std::size_t contact, const Direction& of) const {
+    const auto& c = system_.contacts[contact];
+    return numerics::Twin{c.first_row.dot(of), c.second_row.dot(of)};
+  }
+  Term at_contact(std::size_t contact, int k, const Terms& of) const {
+    Term all;
+    for (std::size_t i = 0; i < count; ++i)
+      all[i] = at_contact(contact, of.col(k * Count + static_cast<Eigen::Index>(i)));
+    return all;
+  }
+
+  /// Until each has converged; sets the orders that they reached: with an accuracy of zero the highest.
+  void expand(Expansion<N>& motion, int most, double duration_rad, double accuracy) {
+    std::array<double, count> length, speed;
+    std::array<int, count> small{};
+    for (Eigen::Index i = 0; i < Count; ++i) {
+      length[static_cast<std::size_t>(i)] = w(0, i).template lpNorm<Eigen::Infinity>();
+      speed[static_cast<std::size_t>(i)] = rate(0, i).template lpNorm<Eigen::Infinity>();
+    }
+    reached_.fill(0);
+    int left = Count;
+    double power = 1;
+    for (int k = 0; k < most && left > 0; ++k) {
+      accelerate(motion, k);
+      power *= duration_rad;
+      for (Eigen::Index column = 0; column < Count; ++column) {
+        const auto i = static_cast<std::size_t>(column);
+        w(k + 1, column) = rate(k, column) * numerics::one_over(k + 1);
+        rate(k + 1, column) = acceleration_.col(column) * numerics::one_over(k + 1);
+        if (reached_[i] > 0) continue;
+        const double w_size = power * w(k + 1, column).template lpNorm<Eigen::Infinity>(),
+                     rate_size = power * rate(k + 1, column).template lpNorm<Eigen::Infinity>();
+        length[i] = std::max(length[i], w_size);
+        speed[i] = std::max(speed[i], rate_size);
+        small[i] = accuracy > 0 && w_size <= accuracy * length[i] && rate_size <= accuracy * speed[i]
+                       ? small[i] + 1
+                       : 0;
+        if (small[i] < 2) continue;
+        reached_[i] = k + 1;
+        --left;
+      }
+    }
+    for (int& reached : reached_) reached = reached > 0 ? reached : most;
+  }
+
+  /// Coefficients k of the accelerations.
+  void accelerate(Expansion<N>& motion, int k) {
+    for (Eigen::Index i = 0; i < Count; ++i) {
+      auto a = acceleration_.col(i);
+      if (system_.diagonal) {
+        a = -system_.stiffness_diagonal.cwiseProduct(w(k, i)) -
+            system_.damping_diagonal.cwiseProduct(rate(k, i));
+      } else {
+        a.noalias() = -system_.stiffness * w(k, i);
+        a.noalias() -= system_.damping * rate(k, i);
+      }
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (!touches(motion, i)) continue;
+      const Term force = contacts_[i].force_term(k, at_contact(i, k, rate_));
+      for (Eigen::Index j = 0; j < Count; ++j) push(i, j, force[static_cast<std::size_t>(j)]);
+    }
+    if (motion.sticking() == 0) return;
+    for (Eigen::Index i = 0; i < Count; ++i) hold(motion, i, k);
+  }
+
+  void push(std::size_t contact, Eigen::Index column, numerics::Twin force) {
+    acceleration_.col(column) += system_.contacts[contact].first_push * force[0];
+    acceleration_.col(column) += system_.contacts[contact].second_push * force[1];
+  }
+
+  /// What is kept of a contact that sticks.
+  struct Sticking {
+    std::array<double, contact::most_sticking> holding{};
+    std::array<numerics::Twin, contact::most_sticking> acceleration{};
+  };
+
+  /// Coefficient k of what holds the contacts that stick: of d1 d2'' - d2 d1'' = (s r)' (at a flat stop d2''
+  /// = s') small changes obey the derivative, with the sliding speed s as it is where they stick, and with
+  /// its change where they creep.
+  void hold(Expansion<N>& motion, Eigen::Index column, int k) {
+    const auto stuck = static_cast<Eigen::Index>(motion.sticking());
+    Sticking& now = sticking_[place_of(column, k)];
+    for (Eigen::Index j = 0; j < stuck; ++j) turn_holding(motion, column, j, k);
+    contact::StickVector rest(stuck);
+    for (Eigen::Index j = 0; j < stuck; ++j) {
+      const std::size_t i = motion.stuck(j);
+      rest(j) = motion.tangential_row(i).dot(acceleration_.col(column).transpose());
+      if (motion.contact(i).law().annular) {
+        rest(j) -= keeping_term(motion, column, j, k);
+      } else if (motion.contact(i).creep()) {
+        rest(j) -= (k + 1) * creeps_[i].sliding()[k + 1];
+      }
+    }
+    const contact::StickVector force = contact::holding_forces(motion.mobility(), rest);
+    for (Eigen::Index j = 0; j < stuck; ++j) {
+      acceleration_.col(column) += force(j) * motion.tangential_push(motion.stuck(j));
+      now.holding[static_cast<std::size_t>(j)] = force(j);
+    }
+    for (Eigen::Index j = 0; j < stuck; ++j)
+      now.acceleration[static_cast<std::size_t>(j)] = at_contact(motion.stuck(j), acceleration_.col(column));
+  }
+
+  static std::size_t place_of(Eigen::Index column, int k) {
+    return static_cast<std::size_t>(k * Count + column);
+  }
+  const Sticking& stuck_at(Eigen::Index column, int k) const { return sticking_[place_of(column, k)]; }
+
+  /// The change of the holding force, as far as it is known, along the tangent as it turns.
+  void turn_holding(Expansion<N>& motion, Eigen::Index column, Eigen::Index stuck, int k) {
+    const std::size_t i = motion.stuck(stuck);
+    if (!motion.contact(i).law().annular) return;
+    numerics::Twin sum{};
+    for (int j = 0; j < k; ++j)
+      sum += numerics::both(stuck_at(column, j).holding[static_cast<std::size_t>(stuck)]) *
+             motion.contact(i).normal()[k - j];
+    push(i, column, numerics::quarter_turned(sum));
+  }
+
+  double keeping_term(Expansion<N>& motion, Eigen::Index column, Eigen::Index stuck, int k) const {
+    const std::size_t i = motion.stuck(stuck);
+    const ContactSeries& contact = motion.contact(i);
+    const numerics::PlaneSeries& d = contact.distance();
+    const auto w = contacts_[i].displacement().member(static_cast<std::size_t>(column));
+    double sum = 0;
+    if (contact.creep()) {
+      sum = (k + 1) * creeping_term(i, column, k + 1, contact);
+    } else {
+      const double sliding = contact.normal()[0][0] * contact.velocity()[0][1] -
+                             contact.normal()[0][1] * contact.velocity()[0][0];
+      sum = sliding * (k + 1) * numerics::sum_of(numerics::product_term(contact.normal(), w, k + 1))[0];
+    }
+    for (int j = 0; j <= k; ++j) {
+      const numerics::Twin a = contact.acceleration()[k - j];
+      sum -= w[j][0] * a[1] - w[j][1] * a[0];
+    }
+    for (int j = 1; j <= k; ++j) {
+      const numerics::Twin b = stuck_at(column, k - j).acceleration[static_cast<std::size_t>(stuck)];
+      sum -= d[j][0] * b[1] - d[j][1] * b[0];
+    }
+    return sum * contact.inverse_length();
+  }
+
+  /// Coefficient k of the change of s r.
+  double creeping_term(std::size_t i, Eigen::Index column, int k, const ContactSeries& contact) const {
+    const numerics::Series &own = creeps_[i].sliding(), &of_motion = contact.creep()->sliding();
+    double sum = 0;
+    for (int j = 0; j <= k; ++j) {
+      sum += contacts_[i].length_term(static_cast<std::size_t>(column), j) * of_motion[k - j] +
+             contact.length().number(j) * own[k - j];
+    }
+    return sum;
+  }
+
+  /// `tangent` becomes the sum of the series of vector i.
+  template <class Column>
+  void sum_up(Eigen::Index i, double duration_rad, Column&& tangent) {
+    const Eigen::Index n = system_.coordinates();
+    const int highest = reached_[static_cast<std::size_t>(i)];
+    Vector sum = w(highest, i), rate_sum = rate(highest, i);
+    for (int k = highest - 1; k >= 0; --k) {
+      sum = sum * duration_rad + w(k, i);
+      rate_sum = rate_sum * duration_rad + rate(k, i);
+    }
+    tangent.head(n) = sum;
+    tangent.tail(n) = rate_sum;
+  }
+
+  const run::ScaledSystem<N>& system_;
+  Terms w_, rate_;  ///< those of one order side by side
+  Eigen::Matrix<double, N, Count> acceleration_;
+  std::array<int, count> reached_{};
+  std::vector<Tangents> contacts_;
+  std::vector<Sticking> sticking_;                 ///< as the terms
+  static constexpr double share_of_sweeps = 0.01;  ///< of the accuracy asked for
+  std::vector<CreepTangent> creeps_;
+  Eigen::VectorXd change_;
+};
+
+}  // namespace rubsweep::integrate::taylor
