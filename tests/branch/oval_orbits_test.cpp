@@ -80,6 +80,27 @@ std::optional<BranchEvent> first_of(const Branch& branch, EventKind kind, double
   return found;
 }
 
+/// Undamped and driven by nothing the rotor moves on an ellipse of 0.8 x 0.5 within the gap of 1, at half the
+/// speed of the shaft, so that it comes near once a turn. The gap of an annular stop counts by squares.
+TEST(OvalOrbits, ApproachesInFlight) {
+  const auto family = [](double speed) -> std::optional<scene::Scene> {
+    return test::annular_scene(1, 0, speed, 0, 0, 10, 0);
+  };
+  const OrbitProblem problem = oval_orbits(family, 1, {});
+  constexpr double turns = 2.5;
+  Eigen::VectorXd state(5);
+  state << 0.8, 0, 0, 0.25, turns;
+  const auto passages = problem.passages(2, state);
+  ASSERT_TRUE(passages);
+  EXPECT_TRUE(passages->switches.empty());
+  ASSERT_EQ(passages->approaches.size(), 2u);  // the first maximum is the start
+  for (const int k : {0, 1}) {
+    const Approach& approach = passages->approaches.at(static_cast<std::size_t>(k));
+    EXPECT_NEAR(approach.distance, (1 - 0.64) / 2, 1e-7);
+    EXPECT_NEAR(approach.phase_rad, 2 * std::numbers::pi * (k + 1) / turns, 1e-4);
+  }
+}
+
 TEST(OvalOrbits, SingleLoopInTheRing) {
   const OrbitProblem problem = ring_problem(4.2, 6.3);
   const auto start = at_five(problem, -0.704301, -0.464544, 2.512046, 1.197679);

@@ -7,7 +7,7 @@
 namespace rubsweep::numerics {
 namespace {
 
-/// Of every size that is left over when rows go by 24, 12, 8, 4 and 2, not square either.
+/// Of every number of lanes side by side and every number of rows left over, not square either.
 TEST(MatrixVector, HasTheBitsOfThePlainSum) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> entries(-1, 1);

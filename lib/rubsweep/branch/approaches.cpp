@@ -23,12 +23,12 @@ struct Sampled {
 
 class ApproachSearch {
  public:
-  ApproachSearch(const scene::Scene& scene, const Eigen::MatrixXd& samples, double period_rad,
-                 std::span<const ModeSwitch> switches)
+  ApproachSearch(const scene::Scene& scene, const SampledOrbit& orbit, std::span<const ModeSwitch> switches)
       : system_(integrate::run::scale<Eigen::Dynamic>(scene)),
         dynamics_(system_, 0),
-        samples_(samples),
-        step_rad_(period_rad / static_cast<double>(samples.cols())),
+        samples_(orbit.states),
+        step_rad_(orbit.step_rad),
+        closes_(orbit.closes),
         switches_(switches),
         guards_(system_.contacts.size()),
         before_(system_.contacts.size()) {}
@@ -36,7 +36,8 @@ class ApproachSearch {
   std::vector<Approach> all() {
     enter_first_modes();
     const auto count = static_cast<std::size_t>(samples_.cols());
-    for (std::size_t k = 0; k <= count; ++k) {
+    const std::size_t looks = closes_ ? count + 1 : count;
+    for (std::size_t k = 0; k < looks; ++k) {
       take_modes_until(static_cast<double>(k) * step_rad_);
       look_at(static_cast<Eigen::Index>(k % count), static_cast<double>(k) * step_rad_);
       for (std::size_t i = 0; k > 0 && i < guards_.size(); ++i) add_between(i, k);
@@ -107,6 +108,7 @@ class ApproachSearch {
   integrate::adaptive::Dynamics<Eigen::Dynamic, false> dynamics_;
   const Eigen::MatrixXd& samples_;
   double step_rad_;
+  bool closes_;
   std::span<const ModeSwitch> switches_;
   std::size_t next_ = 0;  ///< of the switches
   std::vector<Sampled> guards_, before_;
@@ -116,10 +118,10 @@ class ApproachSearch {
 
 }  // namespace
 
-std::vector<Approach> approaches_of(const scene::Scene& scene, const Eigen::MatrixXd& samples,
-                                    double period_rad, std::span<const ModeSwitch> switches) {
-  if (scene.twist || scene.contacts.empty() || samples.cols() < 2) return {};
-  return ApproachSearch(scene, samples, period_rad, switches).all();
+std::vector<Approach> approaches_of(const scene::Scene& scene, const SampledOrbit& orbit,
+                                    std::span<const ModeSwitch> switches) {
+  if (scene.twist || scene.contacts.empty() || orbit.states.cols() < 2) return {};
+  return ApproachSearch(scene, orbit, switches).all();
 }
 
 }  // namespace rubsweep::branch

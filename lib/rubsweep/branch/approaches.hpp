@@ -9,13 +9,20 @@
 
 namespace rubsweep::branch {
 
+/// States of an orbit at equal steps of the phase: columns of 2n scaled numbers, in the fixed frame, the
+/// first one at the phase 0.
+struct SampledOrbit {
+  Eigen::MatrixXd states;
+  double step_rad = 0;
+  bool closes = true;  ///< one step behind the last state comes the first one
+};
+
 /// Where guards come nearest to what they guard and turn back: in flight the smallest gap between two hits,
 /// in contact the smallest penetration, and so on for every guard that a mode has armed (contact::guards_of).
-/// `samples`: states of the orbit at equal steps of the phase through its whole period (columns of 2n scaled
-/// numbers, as TurnReport has them), the first one at the phase 0. `switches`: all of its changes of contact
-/// mode. Maxima are those of cubics through the guard and its rate at two neighbouring samples between which
-/// the contact does not change its mode. Of a scene with torsion none.
-std::vector<Approach> approaches_of(const scene::Scene& scene, const Eigen::MatrixXd& samples,
-                                    double period_rad, std::span<const integrate::run::ModeSwitch> switches);
+/// `switches`: all changes of contact mode of the orbit, by phase. Maxima are those of cubics through the
+/// guard and its rate at two neighbouring samples between which the contact does not change its mode. Of a
+/// scene with torsion none.
+std::vector<Approach> approaches_of(const scene::Scene& scene, const SampledOrbit& orbit,
+                                    std::span<const integrate::run::ModeSwitch> switches);
 
 }  // namespace rubsweep::branch

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "rubsweep/branch/approaches.hpp"
 #include "rubsweep/branch/recent.hpp"
 #include "rubsweep/branch/whole_turns.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
@@ -149,6 +150,23 @@ class OvalOrbits {
     // As every orbit has them: 2 pi for each turn of its order.
     for (integrate::run::ModeSwitch& change : facts.switches) change.phase_rad /= state(n);
     return facts;
+  }
+
+  /// Between the last whole sample and the end of the period no approach is looked for.
+  std::optional<ContactPassages> passages(double parameter, const VectorXd& state) {
+    OvalScene* at = scene_at(parameter);
+    if (at == nullptr) return std::nullopt;
+    const double turns = state(state.size() - 1);
+    auto arc = at->sampled_flow.from(state.head(state.size() - 1), loops_ * full_turn * turns);
+    if (!arc) return std::nullopt;
+    ContactPassages passages;
+    passages.approaches = approaches_of(
+        at->scene, {std::move(arc->samples), full_turn / samples_per_turn, false}, arc->switches);
+    passages.switches = std::move(arc->switches);
+    // As every orbit has them: 2 pi for each turn of its order.
+    for (Approach& approach : passages.approaches) approach.phase_rad /= turns;
+    for (integrate::run::ModeSwitch& change : passages.switches) change.phase_rad /= turns;
+    return passages;
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "rubsweep/branch/approaches.hpp"
 #include "rubsweep/branch/recent.hpp"
@@ -97,16 +98,17 @@ class SceneOrbits {
     request.switches = true;
     integrate::run::TurnReport report;
     ContactPassages passages;
-    Eigen::MatrixXd samples(state.size(), order_ * samples_per_turn);
+    SampledOrbit orbit{Eigen::MatrixXd(state.size(), order_ * samples_per_turn),
+                       2 * std::numbers::pi / samples_per_turn};
     for (int turn = 0; turn < order_; ++turn) {
       at->run.restart(numbers(state));
       if (at->run.advance(request, report) != integrate::run::Outcome::ok) return std::nullopt;
       add_switches(report, turn, passages.switches);
-      samples.middleCols(turn * samples_per_turn, samples_per_turn) =
+      orbit.states.middleCols(turn * samples_per_turn, samples_per_turn) =
           Eigen::Map<const Eigen::MatrixXd>(report.samples.data(), state.size(), samples_per_turn);
       std::ranges::copy(report.section, state.begin());
     }
-    passages.approaches = approaches_of(at->scene, samples, 2 * std::numbers::pi * order_, passages.switches);
+    passages.approaches = approaches_of(at->scene, orbit, passages.switches);
     return passages;
   }
 
@@ -156,12 +158,8 @@ class SceneOrbits {
 
 OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::SolverOptions& solver,
                           integrate::exact::ModeCache& modes) {
-  const auto orbits = std::make_shared<SceneOrbits>(std::move(family), order, solver, modes);
-  OrbitProblem problem = problem_of_whole_turns(orbits, order);
-  problem.passages = [orbits](double parameter, const Eigen::VectorXd& state) {
-    return orbits->passages(parameter, state);
-  };
-  return problem;
+  return problem_of_whole_turns(std::make_shared<SceneOrbits>(std::move(family), order, solver, modes),
+                                order);
 }
 
 }  // namespace rubsweep::branch
