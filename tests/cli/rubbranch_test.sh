@@ -149,11 +149,19 @@ expect_files wide config.yaml map.csv
 [[ $(count_rows whole/contradictions.csv "side == 'inside' and finding == 'stays' and contradiction == 0") -gt 0 ]] ||
   fail 'nothing was started on the orbit'
 set -m # or SIGINT would be ignored in the background
-# kill_after RECORDS SIGNAL [ARGUMENT]...: kills a call as soon as so many lines of its journal are there.
+# kill_after RECORDS SIGNAL [ARGUMENT]...: kills a call as soon as so many lines of its journal are there, and, where some
+# are from an earlier call, as soon as it has said that it goes on with them.
 kill_after() {
+  local known=false
+  [[ ! -e killed/families.journal ]] || known=true
+  : >stderr
   "$rubsweep" --map wide --output killed "${@:3}" >stdout 2>stderr </dev/null &
   local running=$! code=0
   until [[ -e killed/families.journal ]] && (($(grep -cE ' (settled|way|stays) ' killed/families.journal) >= $1)); do
+    kill -0 "$running" 2>/dev/null || break
+    sleep 0.002
+  done
+  until [[ $known == false || -s stderr ]]; do
     kill -0 "$running" 2>/dev/null || break
     sleep 0.002
   done

@@ -46,6 +46,7 @@ void add_stretches(const std::vector<ModeSwitch>& changes, double period_rad, st
 std::vector<Margin> margins_at(const std::vector<Approach>& approaches,
                                const std::vector<ModeSwitch>& switches, double period_rad) {
   std::vector<Margin> margins;
+  margins.reserve(approaches.size());
   for (const Approach& approach : approaches)
     margins.push_back({Margin::Kind::approach, approach.contact, approach.from, approach.to,
                        approach.phase_rad, approach.distance});

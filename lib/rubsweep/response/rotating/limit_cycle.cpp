@@ -23,9 +23,9 @@ constexpr double followed_down = 1e-3;  ///< share of its distance that a transi
 constexpr double near_by = 1e-5;        ///< or this distance: what it does next is the rough flow's noise
 constexpr double most_periods_followed = 3000;
 
-/// Or a tenth, if the last three returns came to what the derivative says, up to a tenth of what a return
-/// gains: what is off is of second order in the distance, and the rest of the way is shorter.
-constexpr double down_as_told = 0.1, told_within = 0.1;
+/// Or half, if the last three returns came to what the derivative says, up to a tenth of what a return gains:
+/// what is off is of second order in the distance, so that nearer by it is less.
+constexpr double down_as_told = 0.5, told_within = 0.1;
 constexpr int told_in_a_row = 3;
 
 /// In (clearance, clearance omega).
@@ -100,7 +100,7 @@ std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_w
 }
 
 /// Follows the transient period by period until a thousandth of its distance from the cycle is left, in the
-/// adapted norm of the return map across the cycle, or `near_by`, or a tenth of it as the derivative says.
+/// adapted norm of the return map across the cycle, or `near_by`, or half of it as the derivative says.
 /// Being early or late is no distance: each period is cut or prolonged by as much as the one before was off
 /// along the motion.
 bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Closed& cycle) {

@@ -16,6 +16,10 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
+/// A flow that is asked for no better than this need not know its derivative better: fewer terms, longer
+/// steps.
+constexpr double rough_from = 1e-7;
+
 /// Adds the states sampled in a turn: the first `states` of `whole` numbers each.
 void append_samples(const integrate::run::TurnReport& turn, Eigen::Index states, Eigen::Index whole,
                     RotatingArc& arc) {
@@ -43,7 +47,8 @@ void add_measures(const integrate::run::TurnReport& turn, double left_rad, Rotat
 /// By Taylor pieces, the transition where it is asked for.
 template <int N>
 HowFollowed follow_by_series(integrate::taylor::TaylorRun<N>& run, const Eigen::VectorXd& state,
-                             int samples_per_revolution, bool transition, RotatingArc& arc) {
+                             double tolerance, int samples_per_revolution, bool transition,
+                             RotatingArc& arc) {
   const Eigen::Index states = state.size();
   integrate::run::TurnRequest request;
   integrate::run::TurnReport turn;
@@ -51,6 +56,7 @@ HowFollowed follow_by_series(integrate::taylor::TaylorRun<N>& run, const Eigen::
   request.peaks = samples_per_revolution > 0;
   request.switches = true;
   if (transition) request.tangent_vectors.setIdentity(states, states);
+  if (tolerance >= rough_from) request.tangent_accuracy = tolerance;
   run.resume({state.data(), static_cast<std::size_t>(states)}, 0);
   for (double left = arc.angle_rad; left > 0; left -= full_turn) {
     const integrate::taylor::TaylorEnding ending = run.advance(request, turn, std::min(left, full_turn));
@@ -115,7 +121,8 @@ std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate
 /// and one casing, gets a fixed size.
 class RotatingFlow::Series {
  public:
-  Series(const scene::Scene& scene, const integrate::run::SolverOptions& options) {
+  Series(const scene::Scene& scene, const integrate::run::SolverOptions& options)
+      : tolerance_(options.relative_tolerance) {
     if (scene.structure.coordinates() == 4) {
       run_.emplace<integrate::taylor::TaylorRun<4>>(scene, options);
     } else {
@@ -126,12 +133,13 @@ class RotatingFlow::Series {
   HowFollowed follow(const Eigen::VectorXd& state, int samples_per_revolution, bool transition,
                      RotatingArc& arc) {
     if (auto* usual = std::get_if<integrate::taylor::TaylorRun<4>>(&run_))
-      return follow_by_series(*usual, state, samples_per_revolution, transition, arc);
-    return follow_by_series(std::get<integrate::taylor::TaylorRun<Eigen::Dynamic>>(run_), state,
+      return follow_by_series(*usual, state, tolerance_, samples_per_revolution, transition, arc);
+    return follow_by_series(std::get<integrate::taylor::TaylorRun<Eigen::Dynamic>>(run_), state, tolerance_,
                             samples_per_revolution, transition, arc);
   }
 
  private:
+  double tolerance_;
   std::variant<std::monostate, integrate::taylor::TaylorRun<4>, integrate::taylor::TaylorRun<Eigen::Dynamic>>
       run_;
 };
