@@ -68,8 +68,11 @@ expect_between dominant_order -1.6858 -1.6856
 expect_between contact_fraction 0.999999 1.000001
 
 expect_exit 0 ring.yaml --explain
+expect_matches stdout 'turns that touch the annular stop in$'
+expect_matches stdout '^  Taylor pieces, to rounding, too$'
+expect_exit 0 ring.yaml --explain --set solver.method=adaptive
 expect_matches stdout '^stepper auto: rosenbrock4 \(implicit, .* where friction alone would change the slip 400 times faster'
-expect_exit 0 ring.yaml --explain --set 'stops.0.friction={coefficient: 0.1}'
+expect_exit 0 ring.yaml --explain --set solver.method=adaptive --set 'stops.0.friction={coefficient: 0.1}'
 expect_matches stdout '^stepper auto: dopri5 throughout'
 expect_exit 0 ring.yaml --explain --set solver.stepper=rkf78
 expect_matches stdout 'rkf78 \(order 8'
