@@ -20,9 +20,9 @@ constexpr std::string_view to_string(Slip slip) {
 /// Stops that may come to stick at one instant, or stick together.
 inline constexpr int most_sticking = 16;
 
-template <int Columns>
-using StickMatrix = Eigen::Matrix<double, Eigen::Dynamic, Columns == 1 ? 1 : Eigen::Dynamic, Eigen::ColMajor,
-                                  most_sticking, Columns>;
+template <int columns>
+using StickMatrix = Eigen::Matrix<double, Eigen::Dynamic, columns == 1 ? 1 : Eigen::Dynamic, Eigen::ColMajor,
+                                  most_sticking, columns>;
 using StickVector = StickMatrix<1>;
 using StickMobility = StickMatrix<most_sticking>;
 
