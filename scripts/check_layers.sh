@@ -59,15 +59,16 @@ check_include() {
   if [[ $opening == '"' && ! -f $lib/$name ]]; then
     complain "$place" "there is no $name under $lib"
   elif [[ $name == rubsweep/* ]]; then
-    local target
-    target=$(dirname "${name#rubsweep/}")
-    grep -qxF -- "$target" <<<"${allowed[$folder]}" || complain "$place" "$folder may not include $name"
+    local target=${name#rubsweep/}
+    [[ $target == */* ]] && target=${target%/*} || target=.
+    [[ $'\n'${allowed[$folder]}$'\n' == *$'\n'"$target"$'\n'* ]] || complain "$place" "$folder may not include $name"
   fi
 }
 
 declare -A allowed=()
 while IFS= read -r file; do
-  folder=$(dirname "${file#"$lib"/rubsweep/}")
+  folder=${file#"$lib"/rubsweep/}
+  [[ $folder == */* ]] && folder=${folder%/*} || folder=.
   if [[ -z ${below[$folder]+known} ]]; then
     complain "$file" "folder $folder has no place in the layers"
     continue
