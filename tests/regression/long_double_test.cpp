@@ -1,0 +1,43 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+#include "support/long_double_errors.hpp"
+
+namespace rubsweep {
+namespace {
+
+/// One cell of every kind of map in the repository against a run in long double that shares nothing with the
+/// solvers but the scene and the contact law's table of modes. studies/accuracy/every_scene has more cells.
+class LongDouble : public testing::TestWithParam<std::string> {};
+
+TEST_P(LongDouble, HasTheSameSectionAndMonodromyMatrix) {
+  const sweep::Study study =
+      config::read_run_config(std::filesystem::path(RUBSWEEP_CONFIGS) / (GetParam() + ".yaml"), {}).study;
+  const auto at = [](const std::vector<double>& values, double place) {
+    return values[static_cast<std::size_t>(std::lround(place * static_cast<double>(values.size() - 1)))];
+  };
+  const scene::Cell cell = scene::build_cell(study.machine, at(study.grid.speed_hz, 0.4),
+                                             scene::WhirlRatio{at(study.grid.unbalance, 0.3)});
+  ASSERT_EQ(cell.start, scene::Start::quiet);
+  const test::LongDoubleErrors errors = test::errors_against_long_double(cell.scene, study.solver, 6);
+  EXPECT_TRUE(errors.touched);
+  EXPECT_LE(errors.section, 1e-12);
+  EXPECT_LE(errors.monodromy, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(OnEveryKindOfMap, LongDouble,
+                         testing::Values("minimal", "figure06_one_side", "figure06_set_b",
+                                         "figure09_both_sides", "both_sides_unequal", "figure11_annulus",
+                                         "figure12_annulus_offset", "reference/figure11_annulus"),
+                         [](const auto& test) {
+                           return std::filesystem::path(test.param).filename().string() +
+                                  (test.param.find('/') == std::string::npos ? "" : "_of_reference_machine");
+                         });
+
+}  // namespace
+}  // namespace rubsweep
