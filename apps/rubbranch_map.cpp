@@ -50,28 +50,39 @@ bool is_followed(const page::MapTable& map, std::size_t cell) {
   return closes && map.word("proof", cell).starts_with("floquet");
 }
 
-}  // namespace
-
-int run_on_map(const RubbranchArguments& arguments) {
-  batch::require_threads(arguments.threads, 1);
-  const fs::path directory = arguments.map;
-  const sweep::Study study = config::read_run_config(directory / "config.yaml", {}).study;
+/// Of a study whose map has every cell of a grid over speed and unbalance; throws ConfigError of any other.
+sweep::Study study_of_map(const fs::path& directory) {
+  const fs::path file = directory / "config.yaml";
+  sweep::Study study = config::read_run_config(file, {}).study;
   if (!study.grid.axes.empty()) {
-    throw ConfigError(
-        fmt::format("{}: sweep: has axes over keys, allowed with --map: speed and unbalance only",
-                    (directory / "config.yaml").string()));
+    throw ConfigError(fmt::format(
+        "{}: sweep: has axes over keys, allowed with --map: speed and unbalance only", file.string()));
   }
   if (study.grid.refinement) {
     throw ConfigError(fmt::format(
         "{}: sweep.refine: most cells of a refined map are not computed, allowed with --map: a map "
         "of every cell, without sweep.refine",
-        (directory / "config.yaml").string()));
+        file.string()));
   }
-  const page::MapTable map = read_map_of(study, directory / "map.csv");
+  return study;
+}
+
+page::MapTable finished_map(const sweep::Study& study, const fs::path& file) {
+  page::MapTable map = read_map_of(study, file);
   if (map.rows != sweep::cell_count(study.grid)) {
-    throw ConfigError(fmt::format("{}: holds {} cells of {}, allowed: a finished map",
-                                  (directory / "map.csv").string(), map.rows, sweep::cell_count(study.grid)));
+    throw ConfigError(fmt::format("{}: holds {} cells of {}, allowed: a finished map", file.string(),
+                                  map.rows, sweep::cell_count(study.grid)));
   }
+  return map;
+}
+
+}  // namespace
+
+int run_on_map(const RubbranchArguments& arguments) {
+  batch::require_threads(arguments.threads, 1);
+  const fs::path directory = arguments.map;
+  const sweep::Study study = study_of_map(directory);
+  const page::MapTable map = finished_map(study, directory / "map.csv");
   std::vector<std::string> labels;
   std::vector<std::size_t> proven;
   for (std::size_t cell = 0; cell < map.rows; ++cell) {

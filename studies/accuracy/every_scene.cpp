@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/scene/build_scene.hpp"
 #include "support/long_double_errors.hpp"
+#include "support/map_cell.hpp"
 
 namespace {
 
@@ -23,19 +23,11 @@ double median(std::vector<double> values) {
 
 void print(const std::filesystem::path& file) {
   const sweep::Study study = config::read_run_config(file, {}).study;
-  const sweep::Grid& grid = study.grid;
-  const auto at = [](const std::vector<double>& values, double place) {
-    return values[static_cast<std::size_t>(place * static_cast<double>(values.size() - 1) + 0.5)];
-  };
   std::vector<double> section, over_growth, reference, monodromy;
   int touched = 0;
   for (const double unbalance : {0.3, 0.7}) {
     for (const double speed : {0.15, 0.4, 0.7}) {
-      const double size = at(grid.unbalance, unbalance);
-      const scene::Cell cell = scene::build_cell(study.machine, at(grid.speed_hz, speed),
-                                                 grid.measure == sweep::UnbalanceMeasure::whirl_ratio
-                                                     ? scene::Unbalance(scene::WhirlRatio{size})
-                                                     : scene::Unbalance(scene::Eccentricity{size}));
+      const scene::Cell cell = test::build_map_cell(study, test::map_cell(study.grid, speed, unbalance));
       if (!scene::can_run(cell.start)) continue;
       const test::LongDoubleErrors e = test::errors_against_long_double(cell.scene, study.solver, turns);
       touched += e.touched ? 1 : 0;

@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <string>
 
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
+#include "support/map_cell.hpp"
 
 namespace rubsweep {
 namespace {
@@ -20,23 +19,14 @@ class BothSolvers : public testing::TestWithParam<std::string> {
   sweep::Study study_ =
       config::read_run_config(std::filesystem::path(RUBSWEEP_CONFIGS) / (GetParam() + ".yaml"), {}).study;
 
-  /// A cell of the map by its place in the grid, from 0 to 1.
+  /// By its shares of both axes.
   std::size_t cell(double along_speed, double along_unbalance) const {
-    const auto index = [](std::size_t count, double place) {
-      return static_cast<std::size_t>(std::lround(place * static_cast<double>(count - 1)));
-    };
-    const std::size_t speeds = study_.grid.speed_hz.size();
-    return index(study_.grid.unbalance.size(), along_unbalance) * speeds + index(speeds, along_speed);
+    return test::map_cell(study_.grid, along_speed, along_unbalance);
   }
 
   std::vector<double> section(std::size_t cell, const integrate::run::SolverOptions& solver,
                               int turns) const {
-    const std::size_t speeds = study_.grid.speed_hz.size();
-    const double unbalance = study_.grid.unbalance[cell / speeds];
-    const auto start = scene::build_cell(study_.machine, study_.grid.speed_hz[cell % speeds],
-                                         study_.grid.measure == sweep::UnbalanceMeasure::whirl_ratio
-                                             ? scene::Unbalance(scene::WhirlRatio{unbalance})
-                                             : scene::Unbalance(scene::Eccentricity{unbalance}));
+    const scene::Cell start = test::build_map_cell(study_, cell);
     EXPECT_EQ(start.start, scene::Start::quiet);
     integrate::exact::ModeCache modes;
     const integrate::run::Run run = integrate::start(start.scene, solver, modes);

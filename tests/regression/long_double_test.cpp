@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <string>
 
 #include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/scene/build_scene.hpp"
 #include "support/long_double_errors.hpp"
+#include "support/map_cell.hpp"
 
 namespace rubsweep {
 namespace {
@@ -18,11 +17,7 @@ class LongDouble : public testing::TestWithParam<std::string> {};
 TEST_P(LongDouble, HasTheSameSectionAndMonodromyMatrix) {
   const sweep::Study study =
       config::read_run_config(std::filesystem::path(RUBSWEEP_CONFIGS) / (GetParam() + ".yaml"), {}).study;
-  const auto at = [](const std::vector<double>& values, double place) {
-    return values[static_cast<std::size_t>(std::lround(place * static_cast<double>(values.size() - 1)))];
-  };
-  const scene::Cell cell = scene::build_cell(study.machine, at(study.grid.speed_hz, 0.4),
-                                             scene::WhirlRatio{at(study.grid.unbalance, 0.3)});
+  const scene::Cell cell = test::build_map_cell(study, test::map_cell(study.grid, 0.4, 0.3));
   ASSERT_EQ(cell.start, scene::Start::quiet);
   const test::LongDoubleErrors errors = test::errors_against_long_double(cell.scene, study.solver, 6);
   EXPECT_TRUE(errors.touched);

@@ -138,7 +138,6 @@ Real LongDoubleRun::step(Real length, State& end) const {
 
 Real LongDoubleRun::guard(const Contact& c, const contact::GuardForm& form, const State& state) const {
   const Motion m = motion(c, state);
-  if (form.damper == 0) return form.spring * m.penetration;
   return form.spring * m.penetration + form.damper * (c.damper_n / c.spring_n) * m.closing_speed;
 }
 
@@ -157,29 +156,32 @@ Real LongDoubleRun::guard_rate(const Contact& c, const contact::GuardForm& form,
 std::optional<Real> LongDoubleRun::length_to_zero(const Contact& c, const contact::GuardForm& form,
                                                   Real length, const State& end) const {
   State there;
-  const auto root = [&](const auto& function, Real high) {
+  const auto root = [this](const auto& function, Real low, Real high) {
     std::uintmax_t evaluations = 200;
-    const auto bracket = boost::math::tools::toms748_solve(
-        function, Real(0), high, [&](Real a, Real b) { return b - a <= 4e-19L * (phase_ + b); }, evaluations);
-    return bracket.second;
+    const auto near = [this](Real a, Real b) { return b - a <= 4e-19L * (phase_ + b); };
+    return boost::math::tools::toms748_solve(function, low, high, near, evaluations).second;
   };
   const auto value = [&](Real part) {
     if (part == 0) return std::min(guard(c, form, state_), -std::numeric_limits<Real>::min());
     step(part, there);
     return guard(c, form, there);
   };
-  if (guard(c, form, end) > 0) return root(value, length);
+  const auto rate = [&](Real part) {
+    if (part == 0) return guard_rate(c, form, state_, phase_);
+    step(part, there);
+    return guard_rate(c, form, there, phase_ + part);
+  };
+  const bool rises = rate(0) > 0, rises_at_end = rate(length) > 0;
+  if (guard(c, form, end) > 0) {
+    // Where the guard falls first it may have started from zero, which is not where it ends.
+    const Real bottom = !rises && rises_at_end ? root(rate, 0, length) : 0;
+    return value(bottom) < 0 ? root(value, bottom, length) : 0;
+  }
   // A guard that has risen and fallen again may have been above zero in between.
-  if (guard_rate(c, form, state_, phase_) <= 0 || guard_rate(c, form, end, phase_ + length) >= 0) return {};
-  const Real top = root(
-      [&](Real part) {
-        if (part == 0) return -guard_rate(c, form, state_, phase_);
-        step(part, there);
-        return -guard_rate(c, form, there, phase_ + part);
-      },
-      length);
+  if (!rises || rises_at_end) return {};
+  const Real top = root([&](Real part) { return -rate(part); }, 0, length);
   if (value(top) <= 0) return {};
-  return root(value, top);
+  return root(value, 0, top);
 }
 
 /// One step, up to the first end of a contact mode in it.

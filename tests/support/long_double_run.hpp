@@ -12,7 +12,8 @@ namespace rubsweep::test {
 /// Any scene but one with dry friction, torsion or impulse trains (std::invalid_argument), turn by turn in
 /// long double by a route of its own, slow and readable: Runge-Kutta-Fehlberg 7(8) from Boost.Odeint inside
 /// each contact mode, the ends of modes and pulses met by a bracketing search over the length of the step.
-/// States are those of integrate::run::TurnReport::section.
+/// States are those of integrate::run::TurnReport::section. It takes matrices and contacts from the scene;
+/// `long_double_sections` has the one rotor that it knows from its parameters, and so checks the scene too.
 class LongDoubleRun {
  public:
   using Real = long double;
@@ -72,7 +73,8 @@ class LongDoubleRun {
   State state_;
 };
 
-/// d (section after the turn) / d (section before it), by differences of fourth order.
+/// d (section after the turn) / d (section before it), by differences of fourth order: to about 1e-11 where
+/// no change of mode lies within 4e-6 of another.
 LongDoubleRun::Matrix monodromy(LongDoubleRun& run, const LongDoubleRun::State& section, int turn);
 
 }  // namespace rubsweep::test

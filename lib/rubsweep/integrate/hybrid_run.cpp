@@ -98,8 +98,7 @@ class HybridRun {
         ++taylor_turns_;
         return finish(report, run::Outcome::ok);
       }
-      taylor_->put_tangents(tangents_);
-      switch (run_.go_to_end(tangents_, report)) {
+      switch (run_.go_to_end(taylor_->tangents(), report)) {
         case exact::ExactEnding::ok:
           ++taylor_turns_;
           return finish(report, run::Outcome::ok);
@@ -217,7 +216,6 @@ class HybridRun {
   run::Cursor adaptive_;               ///< empty while no stepper is at work
   bool away_ = false;                  ///< from closed forms
   std::vector<double> section_;        ///< where the run left them
-  Eigen::MatrixXd tangents_;           ///< handed back in the middle of a turn
   int absence_ = 1, absent_ = 0;
   long taylor_turns_ = 0, adaptive_turns_ = 0;
   run::Effort past_, adaptive_effort_;

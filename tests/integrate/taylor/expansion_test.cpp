@@ -36,8 +36,8 @@ TEST(Expansion, ConvergesWithItsOrder) {
     for (std::size_t half = 0; half < 2; ++half) {
       const double duration = half == 0 ? 0.04 : 0.02;
       std::array<double, 8> exact{}, here{};
-      reference.put_state(duration, exact.data());
-      motion.put_state(duration, here.data());
+      reference.series().put_state(duration, exact.data());
+      motion.series().put_state(duration, here.data());
       errors[half] = distance(std::span(exact).first(4), std::span(here).first(4));
     }
     EXPECT_NEAR(std::log2(errors[0] / errors[1]), order + 2, 0.5) << order;

@@ -22,7 +22,6 @@ constexpr double shortest_to_annular =
 /// More steps in a turn than this show bounds that do not fit the motion, as with a friction so strong that
 /// closed forms are small differences of large numbers: the adaptive solver makes such a turn.
 constexpr long most_steps = 100'000;
-constexpr double steps_per_turn_when_watched = 64;
 /// Of a mode's longest step: friction must be certain to stay saturated for so long where a turn comes back
 /// from another solver. More than what ends an exact piece, so that the two do not take turns at each step.
 constexpr double stretch_to_join = 16 * SlipWatch<2>::shortest_stretch;
@@ -39,7 +38,7 @@ ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>
       pulses_(scene, scale_.in_seconds(), period_s_),
       impulses_(scene),
       slip_(scene, modes->friction()),
-      peaks_(*modes, scene.length_scale_m),
+      watch_(*modes, scene, period_s_),
       max_steps_(max_steps) {
   const std::vector<double> start = scale_.in_seconds().state(scene.displacement_m, scene.velocity_m_per_s);
   turn_start_.resize(static_cast<Eigen::Index>(start.size()));
@@ -121,8 +120,8 @@ bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const st
   if (!motion_.enter(*saturated, physical) || !slip_.begin(motion_, physical, stretch_to_join)) return false;
   unsaturated_ = false;
   standstill_ = 0;
-  samples_.resume(report);
-  if (peaks_wanted_) peaks_.begin(motion_);
+  watch_.resume(report);
+  watch_.begin_motion(motion_);
   return true;
 }
 
@@ -135,33 +134,18 @@ ExactEnding ExactRun<N>::go_to_end(const Eigen::MatrixXd& tangent_vectors, run::
 template <int N>
 bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& report) {
   report.clear();
-  samples_.begin(request, report, period_s_, turn_start_.size());
+  watch_.begin_turn(request, report, turn_start_.size());
   time_s_ = 0;
   standstill_ = 0;
   motion_.carry_no_tangents();
   if (!impulses_.none()) impulses_.begin_turn(revolution_);
   unsaturated_ = false;
   tangents_ = request.tangent_vectors.cols();
-  peaks_wanted_ = request.peaks;
   switches_wanted_ = request.switches;
   if (!start_motion()) return false;
   motion_.carry_tangents(request.tangent_vectors);
-  if (!begin_slip(turn_start_)) return false;
-  if (peaks_wanted_) peaks_.begin(motion_);
+  if (!begin_motion(turn_start_)) return false;
   return impulses_.next_phase_rad() > 0 || apply_impulses(report);
-}
-
-/// Longest landing.
-template <int N>
-double ExactRun<N>::reach_s() const {
-  return peaks_by_steps() ? peak_reach_s(motion_) : motion_.reach_s();
-}
-
-/// Peaks of a contact force or of a casing's displacement are to be looked for between the ends of short
-/// steps.
-template <int N>
-bool ExactRun<N>::peaks_by_steps() const {
-  return peaks_wanted_ && !motion_.mode().paired && (motion_.mode().pushes || peaks_.watches_casings());
 }
 
 /// Where the motion stands at the end of the last turn only its phase starts again, from exactly zero.
@@ -199,9 +183,10 @@ ExactEnding ExactRun<N>::end_turn(run::TurnReport& report) {
 /// Steps as they follow each other, only one where something is watched, and what ends them.
 template <int N>
 ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
-  samples_.start(motion_, time_s_, report, scale_);
-  const bool watched = peaks_wanted_ || samples_.wanted();
-  const double boundary = std::min(next_boundary(), samples_.boundary_s(motion_)), reach = reach_s();
+  watch_.start_step(motion_, time_s_, report);
+  const bool watched = watch_.wanted();
+  const double boundary = std::min(next_boundary(), watch_.boundary_s(motion_)),
+               reach = watch_.reach_s(motion_), longest_step = watch_.longest_step_s(motion_);
   for (;;) {
     const double until = boundary - time_s_;
     StepChoice choice = choose_step(motion_, {.until_s = until,
@@ -215,8 +200,7 @@ ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
       land(report, choice.crossing, choice.step_s);
       return switch_mode(report, choice.crossing) ? ExactEnding::ok : without_closed_form();
     }
-    if (peaks_wanted_) choice.step_s = shorten_for_peaks(choice.step_s);
-    const double step = std::max(choice.step_s, shortest_step * period_s_);
+    const double step = std::max(std::min(choice.step_s, longest_step), shortest_step * period_s_);
     if (!(step < until)) return reach_boundary(report, boundary);
     const int k = numerics::exact_step_below(step * motion_.mode().longest_steps_per_s);
     if (k < numerics::exact_step_count) {
@@ -230,12 +214,6 @@ ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
     if (!std::isfinite(motion_.free()(0))) return ExactEnding::non_finite;
     if (watched || effort_.steps >= step_limit_ || !(time_s_ < boundary)) return ExactEnding::ok;
   }
-}
-
-template <int N>
-double ExactRun<N>::shorten_for_peaks(double step_s) const {
-  if (!samples_.ahead(motion_)) step_s = std::min(step_s, period_s_ / steps_per_turn_when_watched);
-  return peaks_by_steps() ? std::min(step_s, reach_s()) : step_s;
 }
 
 template <int N>
@@ -262,8 +240,7 @@ bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
   if (pulses_.go_to(time_s_)) {
     const State here = motion_.physical();
     motion_.set_phases(speed_ * time_s_, pulses_, time_s_);
-    if (!motion_.enter(motion_.joint(), here) || !begin_slip(here)) return false;
-    if (peaks_wanted_) peaks_.begin(motion_);
+    if (!motion_.enter(motion_.joint(), here) || !begin_motion(here)) return false;
   }
   return time_s_ < next_impulse_s() || apply_impulses(report);
 }
@@ -278,13 +255,9 @@ bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
   if (!enter_by_state(here)) return false;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const Mode to = motion_.mode().modes[i];
-    if (to == from[i]) continue;
-    ++effort_.switches;
-    report.add({speed_ * time_s_, static_cast<int>(i), from[i], to}, switches_wanted_);
+    if (to != from[i]) note_switch(report, i, from[i], to);
   }
-  if (!begin_slip(here)) return false;
-  if (peaks_wanted_) peaks_.begin(motion_);
-  return true;
+  return begin_motion(here);
 }
 
 template <int N>
@@ -297,16 +270,7 @@ void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
       report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
     report.contact_fraction += duration_s * turns_per_s_;
   }
-  if (peaks_wanted_ || samples_.wanted()) watch(report, duration_s);
-}
-
-template <int N>
-void ExactRun<N>::watch(run::TurnReport& report, double duration_s) {
-  const double rest_s =
-      samples_.end(motion_, time_s_, report, scale_, [&](const State& here, double passed_s) {
-        if (peaks_wanted_) peaks_.pass(here, passed_s, report);
-      });
-  if (peaks_wanted_) peaks_.step(motion_, duration_s, rest_s, report);
+  watch_.end_step(motion_, time_s_, duration_s, report);
 }
 
 template <int N>
@@ -332,13 +296,15 @@ bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
       to = contact::mode_after(to, c.stiffness, c.damping, kinematics);
     }
     if (to != Mode::open) joint += in_joint_mode(to, i) + way_in_joint_mode(i, from, here);
-    if (to == from) continue;
-    ++effort_.switches;
-    report.add({speed_ * time_s_, static_cast<int>(i), from, to}, switches_wanted_);
+    if (to != from) note_switch(report, i, from, to);
   }
-  if (!motion_.enter(joint, here) || !begin_slip(here)) return false;
-  if (peaks_wanted_) peaks_.begin(motion_);
-  return true;
+  return motion_.enter(joint, here) && begin_motion(here);
+}
+
+template <int N>
+void ExactRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from, Mode to) {
+  ++effort_.switches;
+  report.add({speed_ * time_s_, static_cast<int>(i), from, to}, switches_wanted_);
 }
 
 /// The bit of a contact that touches and did `from` before: as long as it touches its slip keeps its way.
@@ -347,6 +313,14 @@ std::size_t ExactRun<N>::way_in_joint_mode(std::size_t i, Mode from, const State
   const std::size_t bit = backward_in_joint_mode(i, motion_.mode().modes.size());
   if (from != Mode::open) return motion_.joint() & bit;
   return slip_.goes_backward(motion_.machine(), i, here) ? bit : 0;
+}
+
+/// In the mode that was entered at `here`; false as of `begin_slip`.
+template <int N>
+bool ExactRun<N>::begin_motion(const State& here) {
+  if (!begin_slip(here)) return false;
+  watch_.begin_motion(motion_);
+  return true;
 }
 
 /// False where friction is not saturated, and the run ends at `here`.

@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "rubsweep/integrate/exact/exact_motion.hpp"
-#include "rubsweep/integrate/exact/peak_watch.hpp"
-#include "rubsweep/integrate/exact/sample_watch.hpp"
 #include "rubsweep/integrate/exact/slip_watch.hpp"
 #include "rubsweep/integrate/exact/step_choice.hpp"
+#include "rubsweep/integrate/exact/turn_watch.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
@@ -80,20 +79,17 @@ class ExactRun {
   ExactEnding end_turn(run::TurnReport& report);
   bool enter_by_state(const State& physical);
   ExactEnding go_on(run::TurnReport& report);
-  double shorten_for_peaks(double step_s) const;
   ExactEnding reach_boundary(run::TurnReport& report, double boundary_s);
   double next_impulse_s() const { return impulses_.next_phase_rad() / speed_; }
   double next_boundary() const;
-  double reach_s() const;
-  bool peaks_by_steps() const;
   bool pass_boundary(run::TurnReport& report);
   bool apply_impulses(run::TurnReport& report);
   void passed(run::TurnReport& report, double duration_s);
-  void watch(run::TurnReport& report, double duration_s);
   void land(run::TurnReport& report, std::size_t guard, double latest_s);
   bool switch_mode(run::TurnReport& report, std::size_t guard);
-
+  void note_switch(run::TurnReport& report, std::size_t contact, contact::Mode from, contact::Mode to);
   std::size_t way_in_joint_mode(std::size_t contact, contact::Mode from, const State& here) const;
+  bool begin_motion(const State& here);
   bool begin_slip(const State& here);
   bool renew_slip_watch(StepChoice& choice);
   ExactEnding without_closed_form() const {
@@ -106,8 +102,7 @@ class ExactRun {
   run::PulseTimes pulses_;  ///< in seconds
   run::Impulses impulses_;
   SlipWatch<N> slip_;
-  PeakWatch<N> peaks_;
-  SampleWatch<N> samples_;
+  TurnWatch<N> watch_;
   long max_steps_ = 0;   ///< of a turn
   long step_limit_ = 0;  ///< of effort_.steps in this turn
 
@@ -115,7 +110,7 @@ class ExactRun {
   long revolution_ = 0;
   bool goes_on_ = false;  ///< the motion stands where the last turn ended
   double time_s_ = 0;     ///< into the revolution
-  bool peaks_wanted_ = false, switches_wanted_ = false;
+  bool switches_wanted_ = false;
   Eigen::Index tangents_ = 0;  ///< asked for in this turn
   int standstill_ = 0;
   bool unsaturated_ = false;  ///< the turn has come to where friction leaves saturation

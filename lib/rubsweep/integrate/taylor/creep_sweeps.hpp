@@ -22,22 +22,21 @@ inline double unchanged_rad(const Creep& creep, int order, double smallest) {
   return longest;
 }
 
-/// Expands a motion whose contacts as `Expansion::let_creep` has it creep, from `state`, until the sweeps
-/// change nothing but rounding. Of `state` the slips become what they are without anything of their own start
-/// left, where that moves them by no more than rounding. Returns the duration over which all that holds, at
-/// most `longest_rad`; zero, and `state` as it was, where it is less than `worth_rad`. `settled` has room for
-/// a state.
-template <int N>
-double settle_creep(Expansion<N>& motion, std::vector<double>& state, std::vector<double>& settled,
-                    double phase_rad, const run::PulseTimes& pulses, const std::vector<contact::Mode>& modes,
-                    const std::vector<contact::Slip>& slips, double longest_rad, double worth_rad) {
+/// Expands a motion whose contacts as `Expansion::let_creep` has it creep, by `expand(state)`,
+/// until the sweeps change nothing but rounding. Of `state` the slips become what they are without anything
+/// of their own start left, where that moves them by no more than rounding. Returns the duration over which
+/// all that holds, at most `longest_rad`; zero, and `state` as it was, where it is less than `worth_rad`.
+/// `settled` has room for a state.
+template <int N, class Expand>
+double settle_creep(Expansion<N>& motion, const Expand& expand, std::vector<double>& state,
+                    std::vector<double>& settled, double longest_rad, double worth_rad) {
   constexpr double rounding = 1e-16, start_noise = 1e-13;
   settled = state;
   double moved = 0, reach = 0;
   for (int sweep = 0; sweep < most_creep_sweeps; ++sweep) {
-    motion.expand(settled.data(), phase_rad, pulses, modes, slips);
-    const double speed = std::max(1.0, motion.speed());
-    const double wanted = std::min(longest_rad, motion.converged_rad());
+    expand(settled);
+    const double speed = std::max(1.0, motion.series().speed());
+    const double wanted = std::min(longest_rad, motion.series().converged_rad());
     if (!(wanted >= worth_rad)) return 0;
     reach = wanted;
     double change = 0;
@@ -60,8 +59,8 @@ double settle_creep(Expansion<N>& motion, std::vector<double>& state, std::vecto
     // What is left of the slip's own start is known by now, and will not change.
     if (moved > start_noise * speed && change < 0.1 * moved) return 0;
   }
-  if (moved > start_noise * std::max(1.0, motion.speed()) || reach < worth_rad) return 0;
-  motion.put_state(0, state.data());
+  if (moved > start_noise * std::max(1.0, motion.series().speed()) || reach < worth_rad) return 0;
+  motion.series().put_state(0, state.data());
   return reach;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "rubsweep/contact/dry_friction.hpp"
@@ -13,6 +12,7 @@
 #include "rubsweep/integrate/taylor/contact_law.hpp"
 #include "rubsweep/integrate/taylor/contact_series.hpp"
 #include "rubsweep/integrate/taylor/creep.hpp"
+#include "rubsweep/integrate/taylor/state_series.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
 
 namespace rubsweep::integrate::taylor {
@@ -23,13 +23,10 @@ template <int N>
 class Expansion {
  public:
   using Vector = Eigen::Matrix<double, N, 1>;
-  using ConstMap = Eigen::Map<const Vector>;
 
   Expansion(const run::ScaledSystem<N>& system, int order)
       : system_(system),
-        order_(order),
-        u_(system.coordinates(), order + 2),
-        v_(system.coordinates(), order + 1),
+        series_(system.coordinates(), order),
         acceleration_(system.coordinates()),
         contacts_(system.contacts.size()),
         creeps_(system.contacts.size()),
@@ -47,9 +44,7 @@ class Expansion {
   /// `modes` per contact, and `slips` of those with dry friction.
   void expand(const double* state, double phase_rad, const run::PulseTimes& pulses,
               const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
-    const Eigen::Index n = system_.coordinates();
-    u_.col(0) = ConstMap(state, n);
-    v_.col(0) = u_.col(1) = ConstMap(state + n, n);
+    series_.begin(state);
     begin_contacts(modes, slips);
     start_drives(phase_rad, pulses);
     if constexpr (N != Eigen::Dynamic) {
@@ -58,10 +53,10 @@ class Expansion {
         return complete_contacts();
       }
     }
-    for (int k = 0; k < order_; ++k) {
+    for (int k = 0; k < order(); ++k) {
       accelerate(k);
-      v_.col(k + 1) = acceleration_ * numerics::one_over(k + 1);
-      u_.col(k + 2) = v_.col(k + 1) * numerics::one_over(k + 2);
+      series_.v(k + 1) = acceleration_ * numerics::one_over(k + 1);
+      series_.u(k + 2) = series_.v(k + 1) * numerics::one_over(k + 2);
     }
     complete_contacts();
   }
@@ -89,54 +84,6 @@ class Expansion {
     return laws_[i].slip_scale_m_per_s * sliding + laws_[i].surface_speed_m_per_s;
   }
 
-  /// u then u' after `duration_rad`.
-  void put_state(double duration_rad, double* state) const {
-    if constexpr (N != Eigen::Dynamic) return put_in_registers(std::array{duration_rad}, state);
-    const Eigen::Index n = system_.coordinates();
-    Eigen::Map<Vector> u(state, n), v(state + n, n);
-    u = u_.col(order_ + 1);
-    v = v_.col(order_);
-    u = u * duration_rad + u_.col(order_);
-    for (int k = order_ - 1; k >= 0; --k) {
-      u = u * duration_rad + u_.col(k);
-      v = v * duration_rad + v_.col(k);
-    }
-  }
-
-  /// The same after the durations at(0), ..., at(count - 1), one state behind the other: in less time than
-  /// one by one, because the sums of one need not wait for those of another.
-  template <class At>
-  void put_states(int count, const At& at, double* states) const {
-    const Eigen::Index numbers = 2 * system_.coordinates();
-    int i = 0;
-    if constexpr (N != Eigen::Dynamic) {
-      // As many as sixteen registers hold the sums of.
-      constexpr std::size_t together = N <= 4 ? 3 : 2;
-      for (; i + static_cast<int>(together) <= count; i += static_cast<int>(together)) {
-        std::array<double, together> durations;
-        for (std::size_t j = 0; j < together; ++j) durations[j] = at(i + static_cast<int>(j));
-        put_in_registers(durations, states + i * numbers);
-      }
-    }
-    for (; i < count; ++i) put_state(at(i), states + i * numbers);
-  }
-
-  /// The longest duration over which the last two terms stay within rounding of the motion's size, or of one
-  /// clearance where it is smaller.
-  double converged_rad() const {
-    constexpr double rounding = 0x1p-53;
-    const double length = std::max(1.0, u_.col(0).template lpNorm<Eigen::Infinity>());
-    const double speed = std::max(1.0, v_.col(0).template lpNorm<Eigen::Infinity>());
-    double longest = std::numeric_limits<double>::infinity();
-    for (int k = order_ - 1; k <= order_; ++k) {
-      const double term = std::max(u_.col(k).template lpNorm<Eigen::Infinity>() / length,
-                                   v_.col(k).template lpNorm<Eigen::Infinity>() / speed);
-      if (!std::isfinite(term)) return 0;
-      if (term > 0) longest = std::min(longest, std::pow(rounding / term, 1.0 / k));
-    }
-    return longest;
-  }
-
   // Of contacts that stick or creep.
   std::size_t sticking() const { return sticking_; }
   std::size_t stuck(Eigen::Index k) const { return stuck_[static_cast<std::size_t>(k)]; }
@@ -158,46 +105,14 @@ class Expansion {
     Eigen::Map<Vector> v(state + system_.coordinates(), system_.coordinates());
     for (Eigen::Index j = 0; j < by.size(); ++j) v -= impulse(j) * tangential_push(stuck(j));
   }
-  /// Largest velocity where the expansion starts.
-  double speed() const { return v_.col(0).template lpNorm<Eigen::Infinity>(); }
 
-  int order() const { return order_; }
+  const StateSeries<N>& series() const { return series_; }
+  int order() const { return series_.order(); }
   const ContactLaw& law(std::size_t i) const { return laws_[i]; }
   ContactSeries& contact(std::size_t i) { return contacts_[i]; }
   const ContactSeries& contact(std::size_t i) const { return contacts_[i]; }
 
  private:
-  template <std::size_t Count>
-  void put_in_registers(const std::array<double, Count>& durations_rad, double* states) const {
-    using numerics::both, numerics::Twin;
-    constexpr std::size_t pairs = static_cast<std::size_t>(N) / 2, coordinates = 2 * pairs;
-    Twin u[Count][pairs], v[Count][pairs];
-    const auto add = [&](auto& sums, const double* term) {
-      for (std::size_t i = 0; i < Count; ++i) {
-        for (std::size_t h = 0; h < pairs; ++h)
-          sums[i][h] = sums[i][h] * both(durations_rad[i]) + numerics::load(term + 2 * h);
-      }
-    };
-    for (std::size_t i = 0; i < Count; ++i) {
-      for (std::size_t h = 0; h < pairs; ++h) {
-        u[i][h] = numerics::load(u_.col(order_ + 1).data() + 2 * h);
-        v[i][h] = numerics::load(v_.col(order_).data() + 2 * h);
-      }
-    }
-    add(u, u_.col(order_).data());
-    for (int k = order_ - 1; k >= 0; --k) {
-      add(u, u_.col(k).data());
-      add(v, v_.col(k).data());
-    }
-    for (std::size_t i = 0; i < Count; ++i) {
-      double* const to = states + 2 * coordinates * i;
-      for (std::size_t h = 0; h < pairs; ++h) {
-        numerics::store(to + 2 * h, u[i][h]);
-        numerics::store(to + coordinates + 2 * h, v[i][h]);
-      }
-    }
-  }
-
   /// In the contact's two directions.
   template <class Direction>
   numerics::Twin at_contact(std::size_t i, const Direction& of) const {
@@ -210,8 +125,8 @@ class Expansion {
     touching_.clear();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const auto& offset = system_.contacts[i].offset;
-      contacts_[i].set_distance(at_contact(i, u_.col(0)) + numerics::Twin{offset[0], offset[1]});
-      contacts_[i].set_velocity(0, at_contact(i, v_.col(0)));
+      contacts_[i].set_distance(at_contact(i, series_.u(0)) + numerics::Twin{offset[0], offset[1]});
+      contacts_[i].set_velocity(0, at_contact(i, series_.v(0)));
       const bool open = modes[i] == contact::Mode::open;
       contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i), slips[i]);
       if (!open) touching_.push_back(i);
@@ -241,11 +156,11 @@ class Expansion {
   void accelerate(int k) {
     Vector& a = acceleration_;
     if (system_.diagonal) {
-      a = -system_.stiffness_diagonal.cwiseProduct(u_.col(k)) -
-          system_.damping_diagonal.cwiseProduct(v_.col(k));
+      a = -system_.stiffness_diagonal.cwiseProduct(series_.u(k)) -
+          system_.damping_diagonal.cwiseProduct(series_.v(k));
     } else {
-      a.noalias() = system_.stiffness * u_.col(k);
-      a.noalias() += system_.damping * v_.col(k);
+      a.noalias() = system_.stiffness * series_.u(k);
+      a.noalias() += system_.damping * series_.v(k);
       a = -a;
     }
     if (k == 0) a += system_.constant;
@@ -289,9 +204,9 @@ class Expansion {
                 second_push = of(c.second_push), first_row = of(c.first_row), second_row = of(c.second_row),
                 constant = of(system_.constant);
     const Twin by_first = pushed_[i].first, by_second = pushed_[i].second;
-    Pairs u = of(u_.col(0)), v = of(v_.col(0));
+    Pairs u = of(series_.u(0)), v = of(series_.v(0));
     Twin cosine = both(cosine_), sine = both(sine_);
-    for (int k = 0; k < order_; ++k) {
+    for (int k = 0; k < order(); ++k) {
       const Twin next = both(numerics::one_over(k + 1)), after = both(numerics::one_over(k + 2));
       Pairs a;
       Twin along_first{}, along_second{};
@@ -308,7 +223,7 @@ class Expansion {
                  second = numerics::second_twice(force);
       const Twin free = numerics::sums_of(along_first, along_second);
       contact.set_velocity(k + 1, (free + by_first * first + by_second * second) * next);
-      double *to_u = u_.col(k + 2).data(), *to_v = v_.col(k + 1).data();
+      double *to_u = series_.u(k + 2).data(), *to_v = series_.v(k + 1).data();
       for (std::size_t h = 0; h < a.size(); ++h) {
         const Twin u_next = v[h] * next,
                    v_next = (a[h] + first_push[h] * first + second_push[h] * second) * next;
@@ -343,13 +258,12 @@ class Expansion {
   void complete_contacts() {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (contacts_[i].mode() != contact::Mode::open) continue;
-      for (int k = 1; k < order_; ++k) contacts_[i].set_velocity(k, at_contact(i, v_.col(k)));
+      for (int k = 1; k < order(); ++k) contacts_[i].set_velocity(k, at_contact(i, series_.v(k)));
     }
   }
 
   const run::ScaledSystem<N>& system_;
-  int order_;
-  Eigen::Matrix<double, N, Eigen::Dynamic> u_, v_;
+  StateSeries<N> series_;
   Vector acceleration_;
   std::vector<ContactLaw> laws_;
   std::vector<ContactSeries> contacts_;

@@ -39,7 +39,7 @@ LargestDisplacements largest_displacements(const Expansion<N>& motion, const run
   const int pieces = pieces_of(fastest, duration_rad);
   const double size = duration_rad / pieces;
   states.resize(static_cast<std::size_t>(most_peak_states * numbers));
-  motion.put_states(
+  motion.series().put_states(
       pieces + 1, [size](int i) { return size * i; }, states.data());
   LargestDisplacements square;
   for (int i = 0; i < pieces; ++i) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
+#include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/integrate/taylor/contact_series.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 
@@ -25,6 +28,22 @@ LargestDisplacements largest_displacements(const Expansion<N>& motion, const run
 
 /// Largest normal force of a touching contact over the same, newtons.
 double largest_force(const ContactSeries& contact, int order, double fastest, double duration_rad);
+
+/// Takes both into the peaks of `report`; `modes` per contact.
+template <int N>
+void note_peaks(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
+                const std::vector<contact::Mode>& modes, double fastest, double duration_rad,
+                std::vector<double>& states, run::TurnReport& report) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (modes[i] == contact::Mode::open) continue;
+    report.peak_contact_force_n = std::max(
+        report.peak_contact_force_n, largest_force(motion.contact(i), motion.order(), fastest, duration_rad));
+  }
+  const auto [observed, casing] = largest_displacements(motion, system, fastest, duration_rad, states);
+  const double length_m = system.scale.length_m;
+  report.peak_displacement_m = std::max(report.peak_displacement_m, observed * length_m);
+  report.peak_casing_displacement_m = std::max(report.peak_casing_displacement_m, casing * length_m);
+}
 
 extern template LargestDisplacements largest_displacements<2>(const Expansion<2>&,
                                                               const run::ScaledSystem<2>&, double, double,

@@ -34,7 +34,9 @@ class TangentExpansion {
     return true;
   }
 
-  void put(Eigen::MatrixXd& tangents) const { tangents = tangents_; }
+  /// Where they are now, to be read or changed between two pieces.
+  Eigen::MatrixXd& vectors() { return tangents_; }
+  const Eigen::MatrixXd& vectors() const { return tangents_; }
 
  private:
   bool pass_creeping(Expansion<N>& motion, double duration_rad, double accuracy) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "rubsweep/integrate/adaptive/settle_slips.hpp"
-#include "rubsweep/integrate/taylor/creep_sweeps.hpp"
 #include "rubsweep/integrate/taylor/joint_event.hpp"
 #include "rubsweep/integrate/taylor/step_length.hpp"
 #include "rubsweep/integrate/taylor/step_peaks.hpp"
@@ -18,9 +17,6 @@ using contact::Mode;
 
 constexpr double same_instant = 1e-13;  ///< radians: landings nearer than that make no progress
 constexpr int longest_standstill = 16;  ///< landings without progress before one is stepped over
-/// What is left of a slip's own start falls by a factor of a hundred or more in each usual piece.
-constexpr int pieces_until_creep = 6;
-constexpr double least_gain = 12;  ///< usual pieces that one of creep has to be worth
 
 }  // namespace
 
@@ -34,7 +30,7 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       pulses_(scene, system_.scale, full_turn),
       impulses_(scene),
       structure_rate_(numerics::spectral_radius(numerics::generator_of(system_.stiffness, system_.damping))),
-      creep_above_(creep_above),
+      creep_(creep_above),
       max_steps_(options.max_steps_per_revolution),
       state_(run::scaled_initial_state(scene)),
       rate_(state_.size()),
@@ -77,7 +73,8 @@ void TaylorRun<N>::ask(const run::TurnRequest& request) {
   samples_wanted_ = request.samples_per_revolution;
   peaks_wanted_ = request.peaks;
   switches_wanted_ = request.switches;
-  standstill_ = without_creep_ = 0;
+  standstill_ = 0;
+  creep_.begin_turn();
   step_limit_ = effort_.steps + max_steps_;
 }
 
@@ -88,12 +85,6 @@ void TaylorRun<N>::begin_tangents(const Eigen::MatrixXd& vectors, double accurac
   project_tangents();
   tangent_accuracy_ = accuracy;
   longest_of_tangents_ = longest_times_fastest_of_tangents(accuracy);
-}
-
-template <int N>
-void TaylorRun<N>::put_tangents(Eigen::MatrixXd& vectors) const {
-  vectors.resize(static_cast<Eigen::Index>(state_.size()), tangents_.count());
-  if (tangents_.count() > 0) tangents_.put(vectors);
 }
 
 template <int N>
@@ -130,7 +121,8 @@ TaylorEnding TaylorRun<N>::end(run::TurnReport& report, TaylorEnding ending) {
   report.touching_at_end =
       std::ranges::any_of(dynamics_.modes(), [](Mode mode) { return mode != Mode::open; });
   if (tangents_.count() > 0)
-    tangents_.put(report.tangent_vectors.fill(static_cast<Eigen::Index>(state_.size()), tangents_.count()));
+    report.tangent_vectors.fill(static_cast<Eigen::Index>(state_.size()), tangents_.count()) =
+        tangents_.vectors();
   return ending;
 }
 
@@ -148,11 +140,7 @@ void TaylorRun<N>::enter_by_state(double phase) {
 /// A change of the state that would let a contact slip that sticks is undone by friction at once.
 template <int N>
 void TaylorRun<N>::project_tangents() {
-  if (tangents_.count() == 0 || !dynamics_.any_dry() || dynamics_.stuck_contacts().count == 0) return;
-  tangents_here_.resize(static_cast<Eigen::Index>(state_.size()), tangents_.count());
-  tangents_.put(tangents_here_);
-  dynamics_.keep_sticking(state_, tangents_here_);
-  tangents_.begin(tangents_here_);
+  if (tangents_.count() > 0 && sticks()) dynamics_.keep_sticking(state_, tangents_.vectors());
 }
 
 template <int N>
@@ -170,14 +158,16 @@ template <int N>
 TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   if (dynamics_.undetermined()) return TaylorEnding::stick_undetermined;
   pulses_.go_to(phase_);
-  stop_creep();
-  motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
+  creep_.end(motion_, dynamics_);
+  expand(state_);
   ++effort_.steps;
   const double fastest = fastest_rate(structure_rate_, motion_, dynamics_.modes());
   const double boundary = next_boundary(), left = boundary - phase_;
-  const bool creeps = let_creep(fastest);
-  double wanted = std::min(motion_.converged_rad(), longest_step(fastest * std::max(1.0, friction_ratio())));
-  if (creeps) wanted = std::min(wanted, creep_rad_);
+  double ratio = friction_ratio(motion_, dynamics_, state_);
+  const bool creeps = let_creep(fastest, ratio);
+  if (creeps) ratio = friction_ratio(motion_, dynamics_, state_);
+  double wanted = std::min(motion_.series().converged_rad(), longest_step(fastest * std::max(1.0, ratio)));
+  if (creeps) wanted = std::min(wanted, creep_.known_rad());
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);
   if (!(wanted > 0)) return TaylorEnding::non_finite;
@@ -195,7 +185,7 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   const bool cut = event.share < 1 || event.contact;
   duration *= event.share;
   if (!take(report, fastest, duration, cut ? phase_ + duration : limited ? boundary : phase_ + duration)) {
-    without_creep_ = pieces_until_creep;
+    creep_.wait();
     --effort_.steps;
     return step(report);
   }
@@ -206,49 +196,18 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   return TaylorEnding::ok;
 }
 
-/// Largest of the contacts that touch and neither creep nor stick.
 template <int N>
-double TaylorRun<N>::friction_ratio() const {
-  double largest = 0;
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    if (dynamics_.modes()[i] != Mode::open && motion_.contact(i).friction_varies())
-      largest = std::max(largest, dynamics_.friction_ratio(i, state_));
-  }
-  return largest;
+void TaylorRun<N>::expand(const std::vector<double>& state) {
+  motion_.expand(state.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
 }
 
+/// Expands anew with contacts that creep, or leaves the expansion as it is.
 template <int N>
-void TaylorRun<N>::stop_creep() {
-  if (creep_rad_ == 0) return;
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i) motion_.let_creep(i, false);
-  creep_rad_ = 0;
-}
-
-/// Expands anew with all contacts creeping that friction holds, where that is known to last; else leaves the
-/// expansion as it is.
-template <int N>
-bool TaylorRun<N>::let_creep(double fastest) {
-  const double ratio = friction_ratio();
-  if (!(ratio > creep_above_) || standstill_ > 0) return false;
-  if (without_creep_ > 0) {
-    --without_creep_;
-    return false;
-  }
-  std::size_t held = motion_.sticking();
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    if (dynamics_.modes()[i] == Mode::open || !motion_.contact(i).friction_varies()) continue;
-    const bool creeps = held < contact::most_sticking && dynamics_.friction_ratio(i, state_) > creep_above_;
-    motion_.let_creep(i, creeps);
-    if (creeps) ++held;
-  }
-  creep_rad_ = settle_creep(motion_, state_, probe_, phase_, pulses_, dynamics_.modes(), dynamics_.slips(),
-                            longest_step(fastest), least_gain * longest_step(fastest * ratio));
-  if (creep_rad_ > 0) return true;
-  without_creep_ = pieces_until_creep;
-  creep_rad_ = fastest;  // contacts were set to creep
-  stop_creep();
-  motion_.expand(state_.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
-  return false;
+bool TaylorRun<N>::let_creep(double fastest, double ratio) {
+  if (standstill_ > 0 || !creep_.due(ratio)) return false;
+  return creep_.begin(
+      motion_, dynamics_, [this](const std::vector<double>& state) { expand(state); }, state_, probe_,
+      longest_step(fastest), longest_step(fastest * ratio));
 }
 
 /// Moves on by `duration` within the modes of the expansion, and looks at what was asked for. False, and
@@ -258,7 +217,7 @@ bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration
   if (!tangents_.pass(motion_, duration, tangent_accuracy_)) return false;
   put_samples(report, end_phase);
   watch(report, fastest, duration);
-  motion_.put_state(duration, state_.data());
+  motion_.series().put_state(duration, state_.data());
   phase_ = end_phase;
   std::ranges::fill(zero_terms_, 0);
   return true;
@@ -270,7 +229,7 @@ void TaylorRun<N>::put_samples(run::TurnReport& report, double end_phase) {
   const int first = report.sample_count;
   int& next = report.sample_count;
   while (next < samples_wanted_ && due(next) < end_phase) ++next;
-  motion_.put_states(
+  motion_.series().put_states(
       next - first, [&](int i) { return due(first + i) - phase_; },
       report.samples.data() + static_cast<std::size_t>(first) * state_.size());
 }
@@ -283,19 +242,12 @@ void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duratio
     touching = true;
     if (motion_.law(i).friction.constant != 0 && !report.slip_reversed)
       report.slip_reversed = slip_reverses(motion_.contact(i), motion_.order(), duration);
-    if (!peaks_wanted_) continue;
-    const double peak_n = largest_force(motion_.contact(i), motion_.order(), fastest, duration);
-    report.peak_contact_force_n = std::max(report.peak_contact_force_n, peak_n);
   }
   if (touching) {
     report.touched = true;
     report.contact_fraction += duration / full_turn;
   }
-  if (!peaks_wanted_) return;
-  const auto [observed, casing] = largest_displacements(motion_, system_, fastest, duration, states_);
-  const double length_m = system_.scale.length_m;
-  report.peak_displacement_m = std::max(report.peak_displacement_m, observed * length_m);
-  report.peak_casing_displacement_m = std::max(report.peak_casing_displacement_m, casing * length_m);
+  if (peaks_wanted_) note_peaks(motion_, system_, dynamics_.modes(), fastest, duration, states_, report);
 }
 
 template <int N>
@@ -345,12 +297,7 @@ void TaylorRun<N>::stop_slip(std::size_t i) {
       zero_terms_[j] = dynamics_.slips()[j] == contact::Slip::sticking ? 0 : 1;
   }
   dynamics_(state_, probe_, phase_);
-  if (tangents_.count() > 0) {
-    tangents_here_.resize(static_cast<Eigen::Index>(state_.size()), tangents_.count());
-    tangents_.put(tangents_here_);
-    adaptive::cross_slip(dynamics_, i, state_, rate_, probe_, tangents_here_);
-    tangents_.begin(tangents_here_);
-  }
+  if (tangents_.count() > 0) adaptive::cross_slip(dynamics_, i, state_, rate_, probe_, tangents_.vectors());
   std::swap(rate_, probe_);
 }
 

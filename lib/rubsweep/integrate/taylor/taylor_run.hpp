@@ -11,6 +11,7 @@
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/integrate/taylor/creep_choice.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 #include "rubsweep/integrate/taylor/joint_event.hpp"
 #include "rubsweep/integrate/taylor/tangent_expansion.hpp"
@@ -69,7 +70,7 @@ class TaylorRun {
   bool sticks() const { return dynamics_.any_dry() && dynamics_.stuck_contacts().count > 0; }
   const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
   /// As many tangent vectors as were given, where they are now.
-  void put_tangents(Eigen::MatrixXd& vectors) const;
+  const Eigen::MatrixXd& tangents() const { return tangents_.vectors(); }
 
   /// Scaled state where the run is: where the next revolution begins, or in the turn that was joined.
   const std::vector<double>& section() const { return state_; }
@@ -85,9 +86,8 @@ class TaylorRun {
   double next_boundary() const;
   TaylorEnding step(run::TurnReport& report);
   double longest_step(double fastest) const;
-  bool let_creep(double fastest);
-  void stop_creep();
-  double friction_ratio() const;
+  void expand(const std::vector<double>& state);
+  bool let_creep(double fastest, double ratio);
   bool take(run::TurnReport& report, double fastest, double duration, double end_phase);
   void put_samples(run::TurnReport& report, double end_phase);
   void watch(run::TurnReport& report, double fastest, double duration);
@@ -106,9 +106,7 @@ class TaylorRun {
   run::PulseTimes pulses_;
   run::Impulses impulses_;
   double structure_rate_ = 0;  ///< fastest of the structure without contacts, per radian
-  double creep_above_ = 0;
-  double creep_rad_ = 0;   ///< how far contacts that creep are known to; zero where none does
-  int without_creep_ = 0;  ///< pieces to be made before creep is looked for again
+  CreepChoice<N> creep_;
   double tangent_accuracy_ = 0;
   double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
   long max_steps_ = 0, step_limit_ = 0;
@@ -116,7 +114,6 @@ class TaylorRun {
   std::vector<contact::Mode> modes_before_;
   /// Per contact with dry friction: so many of the slip's first coefficients are zero where it is now.
   std::vector<int> zero_terms_;
-  Eigen::MatrixXd tangents_here_;
   double phase_ = 0, end_phase_ = full_turn;
   bool entered_ = false;
   int standstill_ = 0;

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "rubsweep/contact/contact_mode.hpp"
+#include "rubsweep/contact/dry_friction.hpp"
+#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/taylor/creep_sweeps.hpp"
+#include "rubsweep/integrate/taylor/expansion.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// Largest `Dynamics::friction_ratio` of the contacts that touch and neither creep nor stick.
+template <int N>
+double friction_ratio(const Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics,
+                      const std::vector<double>& state) {
+  double largest = 0;
+  for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
+    if (dynamics.modes()[i] != contact::Mode::open && motion.contact(i).friction_varies())
+      largest = std::max(largest, dynamics.friction_ratio(i, state));
+  }
+  return largest;
+}
+
+/// Which pieces of a run are expanded with contacts that creep: those where friction is steep, nothing is
+/// left of a slip's own start, and a piece is worth its sweeps.
+template <int N>
+class CreepChoice {
+ public:
+  /// Contacts creep where `Dynamics::friction_ratio` is above `creep_above`.
+  explicit CreepChoice(double creep_above) : creep_above_(creep_above) {}
+
+  void begin_turn() { pieces_to_wait_ = 0; }
+  /// Of the next pieces none creeps.
+  void wait() { pieces_to_wait_ = pieces_until_creep; }
+  /// The next piece may creep, at this largest ratio of its contacts. Counts the pieces that wait.
+  bool due(double ratio) {
+    if (!(ratio > creep_above_)) return false;
+    if (pieces_to_wait_ == 0) return true;
+    --pieces_to_wait_;
+    return false;
+  }
+
+  /// Expands anew, by `expand(state)`, with all contacts creeping that friction holds. False, and the
+  /// expansion as it was, where that is not known to last. `longest_rad` is the longest piece without regard
+  /// to friction, `usual_rad` that of a piece without creep; `state` and `settled` are as of `settle_creep`.
+  template <class Expand>
+  bool begin(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics, const Expand& expand,
+             std::vector<double>& state, std::vector<double>& settled, double longest_rad, double usual_rad) {
+    let_creep(motion, dynamics, state);
+    known_rad_ = settle_creep(motion, expand, state, settled, longest_rad, least_gain * usual_rad);
+    if (known_rad_ > 0) return true;
+    wait();
+    let_none_creep(motion, dynamics);
+    expand(state);
+    return false;
+  }
+  /// How far the contacts that creep are known to.
+  double known_rad() const { return known_rad_; }
+  /// From the next expansion on none does.
+  void end(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics) {
+    if (known_rad_ > 0) let_none_creep(motion, dynamics);
+    known_rad_ = 0;
+  }
+
+ private:
+  /// What is left of a slip's own start falls by a factor of a hundred or more in each usual piece.
+  static constexpr int pieces_until_creep = 6;
+  static constexpr double least_gain = 12;  ///< usual pieces that one of creep has to be worth
+
+  void let_creep(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics,
+                 const std::vector<double>& state) const {
+    std::size_t held = motion.sticking();
+    for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
+      if (dynamics.modes()[i] == contact::Mode::open || !motion.contact(i).friction_varies()) continue;
+      const bool creeps = held < contact::most_sticking && dynamics.friction_ratio(i, state) > creep_above_;
+      motion.let_creep(i, creeps);
+      if (creeps) ++held;
+    }
+  }
+  static void let_none_creep(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics) {
+    for (std::size_t i = 0; i < dynamics.modes().size(); ++i) motion.let_creep(i, false);
+  }
+
+  double creep_above_;
+  double known_rad_ = 0;
+  int pieces_to_wait_ = 0;
+};
+
+}  // namespace rubsweep::integrate::taylor

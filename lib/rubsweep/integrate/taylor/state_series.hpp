@@ -1,0 +1,122 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "rubsweep/numerics/plane_series.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// Displacements u and velocities u' as power series of the phase from one instant on, u one order longer.
+template <int N>
+class StateSeries {
+ public:
+  using Vector = Eigen::Matrix<double, N, 1>;
+
+  StateSeries(Eigen::Index coordinates, int order)
+      : order_(order), u_(coordinates, order + 2), v_(coordinates, order + 1) {}
+
+  /// Starts at `state`, u then u'.
+  void begin(const double* state) {
+    const Eigen::Index n = u_.rows();
+    u_.col(0) = Eigen::Map<const Vector>(state, n);
+    v_.col(0) = u_.col(1) = Eigen::Map<const Vector>(state + n, n);
+  }
+  int order() const { return order_; }
+  // Coefficients: up to order + 1 of u, up to order of u'.
+  auto u(int k) { return u_.col(k); }
+  auto u(int k) const { return u_.col(k); }
+  auto v(int k) { return v_.col(k); }
+  auto v(int k) const { return v_.col(k); }
+
+  /// u then u' after `duration_rad`.
+  void put_state(double duration_rad, double* state) const {
+    if constexpr (N != Eigen::Dynamic) return put_in_registers(std::array{duration_rad}, state);
+    const Eigen::Index n = u_.rows();
+    Eigen::Map<Vector> u(state, n), v(state + n, n);
+    u = u_.col(order_ + 1);
+    v = v_.col(order_);
+    u = u * duration_rad + u_.col(order_);
+    for (int k = order_ - 1; k >= 0; --k) {
+      u = u * duration_rad + u_.col(k);
+      v = v * duration_rad + v_.col(k);
+    }
+  }
+
+  /// The same after the durations at(0), ..., at(count - 1), one state behind the other: in less time than
+  /// one by one, because the sums of one need not wait for those of another.
+  template <class At>
+  void put_states(int count, const At& at, double* states) const {
+    const Eigen::Index numbers = 2 * u_.rows();
+    int i = 0;
+    if constexpr (N != Eigen::Dynamic) {
+      // As many as sixteen registers hold the sums of.
+      constexpr std::size_t together = N <= 4 ? 3 : 2;
+      for (; i + static_cast<int>(together) <= count; i += static_cast<int>(together)) {
+        std::array<double, together> durations;
+        for (std::size_t j = 0; j < together; ++j) durations[j] = at(i + static_cast<int>(j));
+        put_in_registers(durations, states + i * numbers);
+      }
+    }
+    for (; i < count; ++i) put_state(at(i), states + i * numbers);
+  }
+
+  /// The longest duration over which the last two terms stay within rounding of the motion's size, or of one
+  /// clearance where it is smaller.
+  double converged_rad() const {
+    constexpr double rounding = 0x1p-53;
+    const double length = std::max(1.0, u_.col(0).template lpNorm<Eigen::Infinity>());
+    const double speed = std::max(1.0, v_.col(0).template lpNorm<Eigen::Infinity>());
+    double longest = std::numeric_limits<double>::infinity();
+    for (int k = order_ - 1; k <= order_; ++k) {
+      const double term = std::max(u_.col(k).template lpNorm<Eigen::Infinity>() / length,
+                                   v_.col(k).template lpNorm<Eigen::Infinity>() / speed);
+      if (!std::isfinite(term)) return 0;
+      if (term > 0) longest = std::min(longest, std::pow(rounding / term, 1.0 / k));
+    }
+    return longest;
+  }
+
+  /// Largest velocity at the start.
+  double speed() const { return v_.col(0).template lpNorm<Eigen::Infinity>(); }
+
+ private:
+  template <std::size_t Count>
+  void put_in_registers(const std::array<double, Count>& durations_rad, double* states) const {
+    using numerics::both, numerics::Twin;
+    constexpr std::size_t pairs = static_cast<std::size_t>(N) / 2, coordinates = 2 * pairs;
+    Twin u[Count][pairs], v[Count][pairs];
+    const auto add = [&](auto& sums, const double* term) {
+      for (std::size_t i = 0; i < Count; ++i) {
+        for (std::size_t h = 0; h < pairs; ++h)
+          sums[i][h] = sums[i][h] * both(durations_rad[i]) + numerics::load(term + 2 * h);
+      }
+    };
+    for (std::size_t i = 0; i < Count; ++i) {
+      for (std::size_t h = 0; h < pairs; ++h) {
+        u[i][h] = numerics::load(u_.col(order_ + 1).data() + 2 * h);
+        v[i][h] = numerics::load(v_.col(order_).data() + 2 * h);
+      }
+    }
+    add(u, u_.col(order_).data());
+    for (int k = order_ - 1; k >= 0; --k) {
+      add(u, u_.col(k).data());
+      add(v, v_.col(k).data());
+    }
+    for (std::size_t i = 0; i < Count; ++i) {
+      double* const to = states + 2 * coordinates * i;
+      for (std::size_t h = 0; h < pairs; ++h) {
+        numerics::store(to + 2 * h, u[i][h]);
+        numerics::store(to + coordinates + 2 * h, v[i][h]);
+      }
+    }
+  }
+
+  int order_;
+  Eigen::Matrix<double, N, Eigen::Dynamic> u_, v_;
+};
+
+}  // namespace rubsweep::integrate::taylor

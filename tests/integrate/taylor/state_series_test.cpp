@@ -1,0 +1,97 @@
+#include "rubsweep/integrate/taylor/state_series.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace rubsweep::integrate::taylor {
+namespace {
+
+constexpr int order = 24;
+
+/// Coordinate i moves as cos(w t) with w = 1 + i: u_k = w^k / k! times 1, 0, -1, 0.
+template <int N>
+StateSeries<N> cosines(Eigen::Index coordinates) {
+  StateSeries<N> series(coordinates, order);
+  std::vector<double> start(static_cast<std::size_t>(2 * coordinates), 0);
+  std::fill_n(start.begin(), coordinates, 1.0);
+  series.begin(start.data());
+  for (int k = 0; k < order; ++k) {
+    for (Eigen::Index i = 0; i < coordinates; ++i) {
+      const double rate = 1 + static_cast<double>(i);
+      series.v(k + 1)(i) = -rate * rate * series.u(k)(i) / (k + 1);
+      series.u(k + 2)(i) = series.v(k + 1)(i) / (k + 2);
+    }
+  }
+  return series;
+}
+
+template <int N>
+void expect_cosines(Eigen::Index coordinates) {
+  const StateSeries<N> series = cosines<N>(coordinates);
+  std::vector<double> state(static_cast<std::size_t>(2 * coordinates));
+  for (const double duration : {0.0, 0.01, 0.4}) {
+    series.put_state(duration, state.data());
+    for (Eigen::Index i = 0; i < coordinates; ++i) {
+      const double rate = 1 + static_cast<double>(i);
+      EXPECT_NEAR(state[static_cast<std::size_t>(i)], std::cos(rate * duration), 1e-15);
+      EXPECT_NEAR(state[static_cast<std::size_t>(coordinates + i)], -rate * std::sin(rate * duration),
+                  rate * 1e-15);
+    }
+  }
+}
+
+TEST(StateSeries, IsTheMotionOfItsCoefficients) {
+  expect_cosines<2>(2);
+  expect_cosines<4>(4);
+  expect_cosines<6>(6);
+  expect_cosines<Eigen::Dynamic>(5);
+}
+
+/// A sample does not depend on how many are taken with it.
+TEST(StateSeries, GivesTheSameBitsForStatesTogetherAndAlone) {
+  const StateSeries<4> series = cosines<4>(4);
+  constexpr int count = 8;
+  std::array<double, 8 * count> together{};
+  const auto at = [](int i) { return 0.03 * i; };
+  series.put_states(count, at, together.data());
+  for (int i = 0; i < count; ++i) {
+    std::array<double, 8> alone{};
+    series.put_state(at(i), alone.data());
+    for (std::size_t k = 0; k < alone.size(); ++k)
+      EXPECT_EQ(together[8 * static_cast<std::size_t>(i) + k], alone[k]);
+  }
+}
+
+/// Of cos(w t) the terms w^k t^k / k! of the last two orders are rounding there, and one of them is not
+/// beyond.
+TEST(StateSeries, ConvergesUpToWhereItsLastTermsAreRounding) {
+  const StateSeries<2> series = cosines<2>(2);
+  const double longest = series.converged_rad();
+  // The fast coordinate's u' has the larger terms, over its largest speed of one or less at the start.
+  const double last_even = std::pow(2.0, order) / std::tgamma(order + 1.0),
+               last_odd_rate = 2 * std::pow(2.0, order - 1) / std::tgamma(order);
+  const double expected = std::min(std::pow(0x1p-53 / last_even, 1.0 / order),
+                                   std::pow(0x1p-53 / last_odd_rate, 1.0 / (order - 1)));
+  EXPECT_NEAR(longest, expected, 1e-12);
+}
+
+TEST(StateSeries, ConvergesNowhereWhereItIsNotFinite) {
+  StateSeries<2> series = cosines<2>(2);
+  series.u(order)(0) = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(series.converged_rad(), 0);
+}
+
+TEST(StateSeries, KnowsItsLargestSpeedAtTheStart) {
+  StateSeries<2> series(2, order);
+  const std::array<double, 4> start{9, 8, 1, -3};
+  series.begin(start.data());
+  EXPECT_EQ(series.speed(), 3);
+  EXPECT_EQ(series.u(1)(1), -3);
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate::taylor
