@@ -17,6 +17,8 @@ TEST(PlaneSeries, ItsPartsAreWhereTheyAreLookedFor) {
   EXPECT_EQ(sum_of(pair)[1], -2);
   EXPECT_EQ(sums_of(pair, Twin{10, 20})[0], -2);
   EXPECT_EQ(sums_of(pair, Twin{10, 20})[1], 30);
+  EXPECT_EQ(magnitudes(pair)[0], 3);
+  EXPECT_EQ(magnitudes(pair)[1], 5);
   // i (3 - 5 i) = 5 + 3 i.
   EXPECT_EQ(quarter_turned(pair)[0], 5);
   EXPECT_EQ(quarter_turned(pair)[1], 3);

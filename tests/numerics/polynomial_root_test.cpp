@@ -88,6 +88,29 @@ TEST(FirstRise, OfRandomProductsIsTheirFirstRisingRoot) {
   EXPECT_GT(rises, 500);
 }
 
+/// However near the next root is, down to where rounding hides the rise, the residue is that of the sum
+/// itself.
+TEST(FirstRise, IsARootToRoundingBesideAnother) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> place(0.1, 0.9), width(0.7, 1.5);
+  for (int trial = 0; trial < 400; ++trial) {
+    const double root = place(random), apart = std::pow(10, -1 - trial % 5);
+    std::vector<double> c = times({-root, 1}, {root + apart, -1});
+    while (c.size() < 24) {
+      const double centre = place(random), wide = width(random);
+      c = times(c, {wide * wide + centre * centre, -2 * centre, 1});
+    }
+    const auto found = first_rise_of(c, 0);
+    ASSERT_TRUE(found) << trial;
+    long double sum = 0, size = 0;
+    for (std::size_t k = c.size(); k-- > 0;) {
+      sum = sum * *found + c[k];
+      size = size * *found + std::abs(c[k]);
+    }
+    EXPECT_LE(std::abs(sum), 3e-16L * size) << trial;
+  }
+}
+
 /// Nothing that a thousand points see is passed over.
 TEST(FirstRise, IsNotPassedOverInRandomPolynomials) {
   std::mt19937_64 random(11);

@@ -45,6 +45,21 @@ TEST(Series, InnerSumsOfEveryLengthAreTheSums) {
   }
 }
 
+TEST(Power, IsTheProduct) {
+  EXPECT_EQ(power(3, 0), 1);
+  for (int k = 1; k <= order; ++k) {
+    EXPECT_EQ(power(2, k), std::ldexp(1, k));
+    EXPECT_NEAR(power(0.7, k), std::pow(0.7, k), 1e-14 * std::pow(0.7, k)) << k;
+  }
+}
+
+TEST(LongestBelow, IsWhereTheTermReachesWhatIsAllowed) {
+  EXPECT_EQ(longest_below(0.5, 1, 24, 1e-3), 0.5);  // 0.5^24 = 6e-8
+  const double longest = longest_below(2, 1, 24, 1e-3);
+  EXPECT_NEAR(std::pow(longest, 24), 1e-3, 1e-15);
+  EXPECT_EQ(longest_below(2, 0, 24, 1e-3), 2);
+}
+
 TEST(TanhSeries, FollowsTanhOfAMovingArgument) {
   for (const double start : {-3.0, -0.4, 0.0, 1.5, 12.0}) {
     const Series w = cosine(0.8, 0.2);

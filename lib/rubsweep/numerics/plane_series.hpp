@@ -14,6 +14,7 @@ inline Twin both(double value) { return Twin{value, value}; }
 inline Twin swapped(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 0); }
 inline Twin first_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 0, 0); }
 inline Twin second_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 1); }
+inline Twin magnitudes(Twin pair) { return pair < 0 ? -pair : pair; }
 /// Twice.
 inline Twin sum_of(Twin pair) { return pair + swapped(pair); }
 /// That of the first, that of the second.

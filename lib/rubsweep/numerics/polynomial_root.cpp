@@ -62,20 +62,27 @@ int sign_changes(const Hull& hull) {
   return changes;
 }
 
-/// The one root between `low`, where the polynomial is below zero, and `high`.
-double refine(std::span<const double> c, double low, double high) {
+/// The one root between `low`, where the polynomial is below zero, and `high`, by Halley's iteration from
+/// where the chord between their values is zero.
+double refine(std::span<const double> c, double low, double high, double at_low, double at_high) {
   constexpr int most_iterations = 80;
-  double x = (low + high) / 2;
+  // Of a step that is so small against the root and the slope's own change nothing but rounding is left.
+  constexpr double small = 0x1p-20;
+  double x = low + (high - low) * (at_low / (at_low - at_high));
+  if (!(x > low && x < high)) x = (low + high) / 2;
   for (int i = 0; i < most_iterations; ++i) {
-    double value = 0, slope = 0;
+    double value = 0, slope = 0, bend = 0;  // of the second derivative one half
     for (std::size_t k = c.size(); k-- > 0;) {
+      bend = bend * x + slope;
       slope = slope * x + value;
       value = value * x + c[k];
     }
     (value < 0 ? low : high) = x;
-    const double newton = x - value / slope;
-    const double next = newton > low && newton < high ? newton : (low + high) / 2;
-    if (std::abs(next - x) <= 0x1p-53 * x || !(low < high)) return next;
+    const double halley = x - value * slope / (slope * slope - value * bend);
+    const double next = halley > low && halley < high ? halley : (low + high) / 2;
+    const double step = std::abs(next - x);
+    if (step <= 0x1p-53 * x || !(low < high)) return next;
+    if (next == halley && step <= small * x && step * std::abs(bend) <= small * std::abs(slope)) return next;
     x = next;
   }
   return x;
@@ -87,7 +94,10 @@ std::optional<double> search(std::span<const double> c, const Hull& hull, double
   const bool starts_below = hull.b[0] < 0, ends_below = hull.b[hull.count - 1] < 0;
   const int changes = sign_changes(hull);
   if (changes == 0) return std::nullopt;
-  if (changes == 1) return starts_below ? std::optional(refine(c, low, low + width)) : std::nullopt;
+  if (changes == 1) {
+    if (!starts_below) return std::nullopt;
+    return refine(c, low, low + width, hull.b[0], hull.b[hull.count - 1]);
+  }
   if (width < resolution) return starts_below && !ends_below ? std::optional(low + width) : std::nullopt;
   const auto [left, right] = halves(hull);
   if (const auto found = search(c, left, low, width / 2)) return found;

@@ -18,6 +18,21 @@ inline constexpr auto taylor_reciprocals = [] {
 }();
 constexpr double one_over(int k) { return taylor_reciprocals[static_cast<std::size_t>(k)]; }
 
+/// x^k, k >= 0.
+constexpr double power(double x, int k) {
+  double result = 1;
+  for (; k > 0; k /= 2, x *= x) {
+    if (k % 2 == 1) result *= x;
+  }
+  return result;
+}
+
+/// The longest t, at most `longest`, with term t^k <= largest, of a term >= 0 and a k >= 1. A root is drawn
+/// only where it is needed.
+inline double longest_below(double longest, double term, int k, double largest) {
+  return term * power(longest, k) > largest ? std::pow(largest / term, 1.0 / k) : longest;
+}
+
 /// Coefficients of a power series sum a_k t^k, written one after the other. They are kept in both directions,
 /// so that the sum over a_j b_{k-j} reads two rows of numbers forwards.
 class Series {

@@ -64,13 +64,13 @@ TEST(CreepChoice, ExpandsAContactThatFrictionHoldsAndNotTheNextOne) {
 TEST(CreepChoice, LeavesTheExpansionWhereAPieceIsNotWorthIt) {
   Rolling rolling(1e5);
   const std::vector<double> before = rolling.state;
-  const double converged = rolling.motion.series().converged_rad();
+  const double converged = rolling.motion.series().converged_rad(1);
   CreepChoice<2> choice(above);
   ASSERT_TRUE(choice.due(rolling.ratio()));
   EXPECT_FALSE(rolling.begin(choice, 0.5));
   EXPECT_FALSE(rolling.motion.any_creeps());
   EXPECT_EQ(rolling.state, before);
-  EXPECT_EQ(rolling.motion.series().converged_rad(), converged);
+  EXPECT_EQ(rolling.motion.series().converged_rad(1), converged);
   EXPECT_EQ(choice.known_rad(), 0);
   EXPECT_FALSE(choice.due(rolling.ratio()));
 }

@@ -70,7 +70,7 @@ TEST(StateSeries, GivesTheSameBitsForStatesTogetherAndAlone) {
 /// beyond.
 TEST(StateSeries, ConvergesUpToWhereItsLastTermsAreRounding) {
   const StateSeries<2> series = cosines<2>(2);
-  const double longest = series.converged_rad();
+  const double longest = series.converged_rad(10);
   // The fast coordinate's u' has the larger terms, over its largest speed of one or less at the start.
   const double last_even = std::pow(2.0, order) / std::tgamma(order + 1.0),
                last_odd_rate = 2 * std::pow(2.0, order - 1) / std::tgamma(order);
@@ -82,7 +82,7 @@ TEST(StateSeries, ConvergesUpToWhereItsLastTermsAreRounding) {
 TEST(StateSeries, ConvergesNowhereWhereItIsNotFinite) {
   StateSeries<2> series = cosines<2>(2);
   series.u(order)(0) = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(series.converged_rad(), 0);
+  EXPECT_EQ(series.converged_rad(10), 0);
 }
 
 TEST(StateSeries, KnowsItsLargestSpeedAtTheStart) {

@@ -203,11 +203,4 @@ void ContactSeries::make_open_penetration(int order) {
   }
 }
 
-double ContactSeries::penetration_term(int k) const {
-  if (!law_->annular) return distance_[k][0] - (k == 0 ? law_->clearance : 0);
-  if (mode_ != Mode::open) return length_.number(k) - (k == 0 ? law_->clearance : 0);
-  const double square = square_[static_cast<std::size_t>(k)];
-  return (square - (k == 0 ? law_->clearance * law_->clearance : 0)) / (2 * law_->clearance);
-}
-
 }  // namespace rubsweep::integrate::taylor

@@ -68,7 +68,12 @@ class ContactSeries {
 
   /// Coefficient k <= order of the penetration; of an open annular contact (|d|^2 - C^2) / (2 C) instead,
   /// which rises through zero with it, after `make_open_penetration`.
-  double penetration_term(int k) const;
+  double penetration_term(int k) const {
+    const double wall = k == 0 ? law_->clearance : 0;
+    if (!law_->annular) return distance_[k][0] - wall;
+    if (mode_ != contact::Mode::open) return length_.number(k) - wall;
+    return (square_[static_cast<std::size_t>(k)] - wall * law_->clearance) / (2 * law_->clearance);
+  }
   void make_open_penetration(int order);
   /// Coefficients of d' . t up to order - 1, once `make_sliding` was called.
   void make_sliding(int order);

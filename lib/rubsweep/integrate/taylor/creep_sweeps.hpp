@@ -36,7 +36,7 @@ double settle_creep(Expansion<N>& motion, const Expand& expand, std::vector<doub
   for (int sweep = 0; sweep < most_creep_sweeps; ++sweep) {
     expand(settled);
     const double speed = std::max(1.0, motion.series().speed());
-    const double wanted = std::min(longest_rad, motion.series().converged_rad());
+    const double wanted = motion.series().converged_rad(longest_rad);
     if (!(wanted >= worth_rad)) return 0;
     reach = wanted;
     double change = 0;

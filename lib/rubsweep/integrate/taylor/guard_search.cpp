@@ -21,14 +21,19 @@ std::span<const double> first(const Coefficients& c, int count) {
   return std::span(c).first(static_cast<std::size_t>(count));
 }
 
+/// Sums of |a_k| t^k over the first `count` terms of both components: bounds of them up to t.
+numerics::Twin bounds_of(const numerics::PlaneSeries& a, int count, double t) {
+  using numerics::Twin;
+  Twin sums{}, power{1, 1};
+  const Twin step = numerics::both(t);
+  for (int k = 0; k < count; ++k, power *= step) sums += numerics::magnitudes(a[k]) * power;
+  return sums;
+}
+
 /// Bound of |d'| over the duration: no sliding speed is larger.
 double fastest_distance(const ContactSeries& contact, int order, double duration_rad) {
-  double first_sum = 0, second_sum = 0, power = 1;
-  for (int k = 0; k < order; ++k, power *= duration_rad) {
-    first_sum += std::abs(contact.velocity()[k][0]) * power;
-    second_sum += std::abs(contact.velocity()[k][1]) * power;
-  }
-  return contact.law().annular ? std::sqrt(first_sum * first_sum + second_sum * second_sum) : second_sum;
+  const numerics::Twin bounds = bounds_of(contact.velocity(), order, duration_rad);
+  return contact.law().annular ? std::sqrt(bounds[0] * bounds[0] + bounds[1] * bounds[1]) : bounds[1];
 }
 
 /// Where the slip comes to zero, from the side it is on. It is measured in clearances a
@@ -71,13 +76,9 @@ Coefficients slip_polynomial(ContactSeries& contact, int order, double duration_
 
 /// Far inside an annular stop no |d| reaches the wall: cheaper than its square's polynomial.
 bool far_from_wall(const ContactSeries& contact, int order, double duration_rad) {
-  double first_sum = 0, second_sum = 0, power = 1;
-  for (int k = 0; k <= order; ++k, power *= duration_rad) {
-    first_sum += std::abs(contact.distance()[k][0]) * power;
-    second_sum += std::abs(contact.distance()[k][1]) * power;
-  }
+  const numerics::Twin bounds = bounds_of(contact.distance(), order + 1, duration_rad);
   const double clearance = contact.law().clearance;
-  return first_sum * first_sum + second_sum * second_sum < clearance * clearance;
+  return bounds[0] * bounds[0] + bounds[1] * bounds[1] < clearance * clearance;
 }
 
 }  // namespace
@@ -90,7 +91,7 @@ double guards_converged_rad(ContactSeries& contact, int order, double duration_r
         std::max(law.friction.dry * law.stiffness * law.clearance, std::abs(contact.holding().number(0)));
     for (int k = order - 2; k < order; ++k) {
       const double term = std::abs(contact.holding().number(k)) / unit;
-      if (term * std::pow(duration_rad, k) > rounding) duration_rad = std::pow(rounding / term, 1.0 / k);
+      duration_rad = numerics::longest_below(duration_rad, term, k, rounding);
     }
   }
   // Of flat stops they are linear in the motion.
@@ -106,7 +107,7 @@ double guards_converged_rad(ContactSeries& contact, int order, double duration_r
     const double term = (std::abs(contact.penetration_term(k)) +
                          damper * (k + 1) * std::abs(contact.penetration_term(k + 1))) /
                         size;
-    if (term * std::pow(duration_rad, k) > rounding) duration_rad = std::pow(rounding / term, 1.0 / k);
+    duration_rad = numerics::longest_below(duration_rad, term, k, rounding);
   }
   return duration_rad;
 }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "rubsweep/numerics/plane_series.hpp"
+#include "rubsweep/numerics/taylor_series.hpp"
 
 namespace rubsweep::integrate::taylor {
 
@@ -64,22 +64,20 @@ class StateSeries {
     for (; i < count; ++i) put_state(at(i), states + i * numbers);
   }
 
-  /// The longest duration over which the last two terms stay within rounding of the motion's size, or of one
-  /// clearance where it is smaller.
-  double converged_rad() const {
+  /// The longest duration, at most `longest_rad`, over which the last two terms stay within rounding of the
+  /// motion's size, or of one clearance where it is smaller.
+  double converged_rad(double longest_rad) const {
     constexpr double rounding = 0x1p-53;
     const double length = std::max(1.0, u_.col(0).template lpNorm<Eigen::Infinity>());
     const double speed = std::max(1.0, v_.col(0).template lpNorm<Eigen::Infinity>());
-    double longest = std::numeric_limits<double>::infinity();
     for (int k = order_ - 1; k <= order_; ++k) {
       const double term = std::max(u_.col(k).template lpNorm<Eigen::Infinity>() / length,
                                    v_.col(k).template lpNorm<Eigen::Infinity>() / speed);
       if (!std::isfinite(term)) return 0;
-      if (term > 0) longest = std::min(longest, std::pow(rounding / term, 1.0 / k));
+      longest_rad = numerics::longest_below(longest_rad, term, k, rounding);
     }
-    return longest;
+    return longest_rad;
   }
-
   /// Largest velocity at the start.
   double speed() const { return v_.col(0).template lpNorm<Eigen::Infinity>(); }
 

@@ -166,7 +166,7 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   double ratio = friction_ratio(motion_, dynamics_, state_);
   const bool creeps = let_creep(fastest, ratio);
   if (creeps) ratio = friction_ratio(motion_, dynamics_, state_);
-  double wanted = std::min(motion_.series().converged_rad(), longest_step(fastest * std::max(1.0, ratio)));
+  double wanted = motion_.series().converged_rad(longest_step(fastest * std::max(1.0, ratio)));
   if (creeps) wanted = std::min(wanted, creep_.known_rad());
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);

@@ -10,6 +10,9 @@ namespace {
 
 constexpr int most_maxima = 32;
 constexpr double full_turn = 2 * std::numbers::pi;
+/// Of |z| times the speed: a distance from the middle that changes more slowly is constant, as on a circle,
+/// and has the maxima of its rounding.
+constexpr double constant_rate = 1e-12;
 
 }  // namespace
 
@@ -21,11 +24,12 @@ ApexReturnSearch::ApexReturnSearch(const scene::Scene& scene)
 void ApexReturnSearch::add(const integrate::run::TurnReport& turn) {
   const double spacing = full_turn / turn.sample_count;
   const Eigen::Index n = states_ / 2;
-  // Half the rate of |z|^2.
+  // Half the rate of |z|^2, zero where it is constant.
   const auto rate = [&](const double* state) {
     const Eigen::Vector2d z = map_ * Eigen::Map<const Eigen::VectorXd>(state, n),
                           v = map_ * Eigen::Map<const Eigen::VectorXd>(state + n, n);
-    return z.dot(v);
+    const double half = z.dot(v);
+    return half * half > constant_rate * constant_rate * z.squaredNorm() * v.squaredNorm() ? half : 0;
   };
   new_maximum_ = false;
   const double* before = last_.empty() ? nullptr : last_.data();

@@ -148,10 +148,16 @@ std::optional<LimitCycle> exact_cycle(const RotatingMotion& motion, const Vector
 /// Newton's iteration may have closed several periods at once, of a whip dozens: the smallest one that
 /// closes.
 std::optional<LimitCycle> smallest_cycle(const RotatingMotion& motion, const Closed& cycle) {
+  VectorXd here = cycle.next_x;
+  double passed_rad = 0;
   for (int k = most_periods; k > 1; --k) {
-    const auto end = motion.end(cycle.next_x, cycle.next_period_rad / k);
-    if (!end || !(largest(*end - cycle.next_x) < returns_early)) continue;
-    if (auto found = exact_cycle(motion, cycle.next_x, cycle.next_period_rad / k)) return found;
+    const double period_rad = cycle.next_period_rad / k;
+    const auto end = motion.end(here, period_rad - passed_rad);
+    if (!end) break;
+    here = *end;
+    passed_rad = period_rad;
+    if (!(largest(here - cycle.next_x) < returns_early)) continue;
+    if (auto found = exact_cycle(motion, cycle.next_x, period_rad)) return found;
   }
   return exact_cycle(motion, cycle.next_x, cycle.next_period_rad);
 }
