@@ -127,12 +127,12 @@ Twin ContactSeries::normal_and_rate(int k) {
     by_velocity[half] += velocity_[j] * n;
     if constexpr (damped) by_rate[half] += length_rate_[j] * n;
   };
-  int j = 1;
-  for (; j + 1 < k; j += 2) {
+  int j = k - 1;
+  for (; j > 1; j -= 2) {
     add(j, 0);
-    add(j + 1, 1);
+    add(j - 1, 1);
   }
-  if (j < k) add(j, 0);
+  if (j == 1) add(j, 0);
   const Twin normal =
       (distance_[k] - (by_length[0] + by_length[1] + length_[k] * normal_[0])) * both(inverse_length_);
   const Twin rate =
