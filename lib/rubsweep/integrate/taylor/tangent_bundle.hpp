@@ -147,33 +147,35 @@ class TangentBundle {
     return all;
   }
 
+  /// Largest magnitude in each of the coefficients k.
+  using Sizes = Eigen::Array<double, 1, Count>;
+  static Sizes sizes(const Terms& of, int k) {
+    return of.template middleCols<Count>(k * Count).cwiseAbs().colwise().maxCoeff();
+  }
+
   /// Until each has converged; sets the orders that they reached: with an accuracy of zero the highest.
   void expand(Expansion<N>& motion, int most, double duration_rad, double accuracy) {
-    std::array<double, count> length, speed;
+    Sizes length = sizes(w_, 0), speed = sizes(rate_, 0);
     std::array<int, count> small{};
-    for (Eigen::Index i = 0; i < Count; ++i) {
-      length[static_cast<std::size_t>(i)] = w(0, i).template lpNorm<Eigen::Infinity>();
-      speed[static_cast<std::size_t>(i)] = rate(0, i).template lpNorm<Eigen::Infinity>();
-    }
     reached_.fill(0);
     int left = Count;
     double power = 1;
     for (int k = 0; k < most && left > 0; ++k) {
       accelerate(motion, k);
+      w_.template middleCols<Count>((k + 1) * Count) =
+          rate_.template middleCols<Count>(k * Count) * numerics::one_over(k + 1);
+      rate_.template middleCols<Count>((k + 1) * Count) = acceleration_ * numerics::one_over(k + 1);
+      if (accuracy == 0) continue;
       power *= duration_rad;
-      for (Eigen::Index column = 0; column < Count; ++column) {
-        const auto i = static_cast<std::size_t>(column);
-        w(k + 1, column) = rate(k, column) * numerics::one_over(k + 1);
-        rate(k + 1, column) = acceleration_.col(column) * numerics::one_over(k + 1);
-        if (reached_[i] > 0) continue;
-        const double w_size = power * w(k + 1, column).template lpNorm<Eigen::Infinity>(),
-                     rate_size = power * rate(k + 1, column).template lpNorm<Eigen::Infinity>();
-        length[i] = std::max(length[i], w_size);
-        speed[i] = std::max(speed[i], rate_size);
-        small[i] = accuracy > 0 && w_size <= accuracy * length[i] && rate_size <= accuracy * speed[i]
-                       ? small[i] + 1
-                       : 0;
-        if (small[i] < 2) continue;
+      const Sizes w_size = power * sizes(w_, k + 1), rate_size = power * sizes(rate_, k + 1);
+      length = length.max(w_size);
+      speed = speed.max(rate_size);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        const bool is_small =
+            w_size(column) <= accuracy * length(column) && rate_size(column) <= accuracy * speed(column);
+        small[i] = is_small ? small[i] + 1 : 0;
+        if (small[i] < 2 || reached_[i] > 0) continue;
         reached_[i] = k + 1;
         --left;
       }

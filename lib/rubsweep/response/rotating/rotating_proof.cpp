@@ -23,6 +23,9 @@ constexpr double rough_tolerance = 1e-6;
 constexpr double tolerance_of_a_cycle = 1e-8;
 constexpr int free_for_long = 16;  ///< turns
 
+/// Of a turn, as many as Newton's iteration needs to start well between two of them.
+constexpr int samples_for_maxima = 64;
+
 /// Samples of a cycle against those of a turn: a cubic between those of a turn takes 1.5e-6 off the radius of
 /// a whirl four times as fast as the shaft, which a slip that is a small difference does notice.
 constexpr int finer = 4;
@@ -56,7 +59,7 @@ RotatingProof::RotatingProof(const scene::Scene& scene, const integrate::run::So
       turns_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 1) {}
 
 int RotatingProof::samples_wanted() const {
-  return free_turns_ < free_for_long ? options_.samples_per_revolution : 0;
+  return free_turns_ < free_for_long ? std::min(samples_for_maxima, options_.samples_per_revolution) : 0;
 }
 
 std::optional<motion::ProvenMotion> RotatingProof::look(const integrate::run::TurnReport& turn) {
