@@ -63,7 +63,7 @@ TaylorEnding TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnRep
   TaylorEnding ending = TaylorEnding::ok;
   while (ending == TaylorEnding::ok && phase_ < end_phase_) {
     if (phase_ >= impulses_.next_phase_rad()) apply_impulses(report);
-    ending = effort_.steps < step_limit_ ? step(report) : TaylorEnding::step_limit;
+    ending = go_on(report);
   }
   return end(report, ending);
 }
@@ -103,11 +103,6 @@ void TaylorRun<N>::join(const run::TurnRequest& request, long revolution, double
   adaptive::enter_slips_by_state(dynamics_, state_, rate_, phase_);
   entered_ = true;
   begin_tangents(tangent_vectors, request.tangent_accuracy);
-}
-
-template <int N>
-TaylorEnding TaylorRun<N>::go_on(run::TurnReport& report) {
-  return effort_.steps < step_limit_ ? step(report) : TaylorEnding::step_limit;
 }
 
 template <int N>

@@ -59,7 +59,9 @@ class TaylorRun {
   void join(const run::TurnRequest& request, long revolution, double phase_rad, std::span<const double> state,
             const std::vector<contact::Mode>& modes, const Eigen::MatrixXd& tangent_vectors);
   /// One piece of the turn that was joined; `report` goes on. After `ok` the run is at `phase_rad()`.
-  TaylorEnding go_on(run::TurnReport& report);
+  TaylorEnding go_on(run::TurnReport& report) {
+    return effort_.steps < step_limit_ ? step(report) : TaylorEnding::step_limit;
+  }
   /// That piece reached the end of the turn.
   bool at_end_of_turn() const { return phase_ >= end_phase_; }
   /// Completes the report of a turn that was joined and is at its end.
