@@ -55,6 +55,15 @@ TEST_F(LockFile, CanBeShared) {
   EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
+/// The last to leave holds it alone to remove the file, which must not refuse one who comes meanwhile.
+TEST_F(LockFile, SharedByThoseWhoComeAndGoIsNeverRefused) {
+  const auto come_and_go = [&] {
+    for (int i = 0; i < 3000; ++i) const FileLock lock(path_, LockMode::shared, "first");
+  };
+  const std::jthread other([&] { EXPECT_NO_THROW(come_and_go()); });
+  EXPECT_NO_THROW(come_and_go());
+}
+
 TEST_F(LockFile, OfAProcessThatWasKilledMeansNothing) {
   const pid_t child = ::fork();
   if (child == 0) {

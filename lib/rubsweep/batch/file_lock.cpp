@@ -11,12 +11,18 @@
 #include <cerrno>
 #include <chrono>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
 namespace {
+
+/// Whoever leaves a shared lock holds it alone for an instant to remove its file, and whoever asks for a
+/// holder shares it for one: a lock counts as held when it is refused for a tenth of a second.
+constexpr int most_refusals = 20;
+constexpr std::chrono::milliseconds between_refusals{5};
 
 /// 0, or the system's error number: with LOCK_NB, EWOULDBLOCK when somebody else holds the lock.
 int lock(int descriptor, int operation) {
@@ -70,13 +76,16 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
     : path_(std::move(path)) {
   const int operation = mode == LockMode::exclusive ? LOCK_EX : LOCK_SH;
   bool writable = false;
-  for (;;) {
+  for (int refusals = 0;;) {
     auto [descriptor, may_write] = open_lock(path_);
     const int error = patience == Patience::wait ? lock(descriptor.get(), operation)
                                                  : lock(descriptor.get(), operation | LOCK_NB);
     const bool still_there = is_file_at(descriptor.get(), path_);
     if (error == EWOULDBLOCK && still_there) {
-      throw LockedError(fmt::format("{} is held by {}", path_.string(), written_holder(descriptor.get())));
+      if (++refusals == most_refusals)
+        throw LockedError(fmt::format("{} is held by {}", path_.string(), written_holder(descriptor.get())));
+      std::this_thread::sleep_for(between_refusals);
+      continue;
     }
     if (error != 0 && error != EWOULDBLOCK) throw_io_error("lock", path_, error);
     if (error != 0 || !still_there) continue;  // its holder has just removed it
