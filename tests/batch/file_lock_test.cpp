@@ -1,12 +1,12 @@
 #include "rubsweep/batch/file_lock.hpp"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <optional>
 #include <regex>
 #include <thread>
@@ -68,7 +68,7 @@ TEST_F(LockFile, OfAProcessThatWasKilledMeansNothing) {
   const pid_t child = ::fork();
   if (child == 0) {
     const FileLock lock(path_, LockMode::exclusive, "killed");
-    ::raise(SIGKILL);
+    std::raise(SIGKILL);
   }
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);

@@ -39,7 +39,8 @@ enum class Piece { by_state, open, clamped, sprung, released };
 
 template <class Real>
 struct OneSideEquations {
-  Real m, k, c, mc, kc, cc, K, d, clearance, omega, kick, kick_rate, kick_s, surface_speed, mu, steepness;
+  Real m, k, c, mc, kc, cc, contact_k, d, clearance, omega, kick, kick_rate, kick_s, surface_speed, mu,
+      steepness;
   Real whirl, force_x_cos, force_x_sin;  // unbalance force: x: X cos + Y sin; y: X sin - Y cos
   Piece piece = Piece::by_state;
 
@@ -52,9 +53,9 @@ struct OneSideEquations {
     mc = p.casing_mass_kg;
     kc = p.casing_stiffness_n_per_m;
     cc = 2 * Real(p.casing_damping_ratio) * std::sqrt(mc * kc);
-    K = p.stiffness_n_per_m;
+    contact_k = p.stiffness_n_per_m;
     const Real log_e = std::log(Real(p.restitution));
-    d = 2 * std::sqrt(log_e * log_e / (pi * pi + log_e * log_e)) * std::sqrt(K * m * mc / (m + mc));
+    d = 2 * std::sqrt(log_e * log_e / (pi * pi + log_e * log_e)) * std::sqrt(contact_k * m * mc / (m + mc));
     clearance = p.clearance_m;
     omega = 2 * pi * Real(p.speed_hz);
     kick = p.kick_n;
@@ -75,7 +76,7 @@ struct OneSideEquations {
   Real closing_speed(const OneSideState<Real>& s) const { return s[5] - s[7]; }
 
   Piece piece_of(const OneSideState<Real>& s) const {
-    const Real spring = K * penetration(s), damper = d * closing_speed(s);
+    const Real spring = contact_k * penetration(s), damper = d * closing_speed(s);
     if (spring <= 0) return Piece::open;
     if (damper >= spring) return Piece::clamped;
     return damper <= -spring ? Piece::released : Piece::sprung;
@@ -83,7 +84,7 @@ struct OneSideEquations {
 
   void operator()(const OneSideState<Real>& s, OneSideState<Real>& rate, Real t) const {
     const Piece now = piece == Piece::by_state ? piece_of(s) : piece;
-    const Real spring = now == Piece::open ? 0 : K * penetration(s);
+    const Real spring = now == Piece::open ? 0 : contact_k * penetration(s);
     Real normal = 0;
     if (now == Piece::clamped) normal = 2 * spring;
     if (now == Piece::sprung) normal = spring + d * closing_speed(s);

@@ -55,7 +55,7 @@ TEST(StateSeries, IsTheMotionOfItsCoefficients) {
 TEST(StateSeries, GivesTheSameBitsForStatesTogetherAndAlone) {
   const StateSeries<4> series = cosines<4>(4);
   constexpr int count = 8;
-  std::array<double, 8 * count> together{};
+  std::array<double, 64> together{};
   const auto at = [](int i) { return 0.03 * i; };
   series.put_states(count, at, together.data());
   for (int i = 0; i < count; ++i) {

@@ -132,8 +132,9 @@ class TangentBundle {
   using Term = typename Tangents::Term;
 
   // Coefficient k of vector i.
-  auto w(int k, Eigen::Index i) { return w_.col(k * Count + i); }
-  auto rate(int k, Eigen::Index i) { return rate_.col(k * Count + i); }
+  static Eigen::Index place_of(int k, Eigen::Index i) { return Eigen::Index{k} * Count + i; }
+  auto w(int k, Eigen::Index i) { return w_.col(place_of(k, i)); }
+  auto rate(int k, Eigen::Index i) { return rate_.col(place_of(k, i)); }
 
   template <class Direction>
   numerics::Twin at_contact(std::size_t contact, const Direction& of) const {
@@ -143,14 +144,14 @@ class TangentBundle {
   Term at_contact(std::size_t contact, int k, const Terms& of) const {
     Term all;
     for (std::size_t i = 0; i < count; ++i)
-      all[i] = at_contact(contact, of.col(k * Count + static_cast<Eigen::Index>(i)));
+      all[i] = at_contact(contact, of.col(place_of(k, static_cast<Eigen::Index>(i))));
     return all;
   }
 
   /// Largest magnitude in each of the coefficients k.
   using Sizes = Eigen::Array<double, 1, Count>;
   static Sizes sizes(const Terms& of, int k) {
-    return of.template middleCols<Count>(k * Count).cwiseAbs().colwise().maxCoeff();
+    return of.template middleCols<Count>(place_of(k, 0)).cwiseAbs().colwise().maxCoeff();
   }
 
   /// Until each has converged; sets the orders that they reached: with an accuracy of zero the highest.
@@ -162,9 +163,9 @@ class TangentBundle {
     double power = 1;
     for (int k = 0; k < most && left > 0; ++k) {
       accelerate(motion, k);
-      w_.template middleCols<Count>((k + 1) * Count) =
-          rate_.template middleCols<Count>(k * Count) * numerics::one_over(k + 1);
-      rate_.template middleCols<Count>((k + 1) * Count) = acceleration_ * numerics::one_over(k + 1);
+      w_.template middleCols<Count>(place_of(k + 1, 0)) =
+          rate_.template middleCols<Count>(place_of(k, 0)) * numerics::one_over(k + 1);
+      rate_.template middleCols<Count>(place_of(k + 1, 0)) = acceleration_ * numerics::one_over(k + 1);
       if (accuracy == 0) continue;
       power *= duration_rad;
       const Sizes w_size = power * sizes(w_, k + 1), rate_size = power * sizes(rate_, k + 1);
@@ -220,7 +221,7 @@ class TangentBundle {
   /// its change where they creep.
   void hold(Expansion<N>& motion, Eigen::Index column, int k) {
     const auto stuck = static_cast<Eigen::Index>(motion.sticking());
-    Sticking& now = sticking_[place_of(column, k)];
+    Sticking& now = stuck_at(column, k);
     for (Eigen::Index j = 0; j < stuck; ++j) turn_holding(motion, column, j, k);
     contact::StickVector rest(stuck);
     for (Eigen::Index j = 0; j < stuck; ++j) {
@@ -241,10 +242,12 @@ class TangentBundle {
       now.acceleration[static_cast<std::size_t>(j)] = at_contact(motion.stuck(j), acceleration_.col(column));
   }
 
-  static std::size_t place_of(Eigen::Index column, int k) {
-    return static_cast<std::size_t>(k * Count + column);
+  Sticking& stuck_at(Eigen::Index column, int k) {
+    return sticking_[static_cast<std::size_t>(place_of(k, column))];
   }
-  const Sticking& stuck_at(Eigen::Index column, int k) const { return sticking_[place_of(column, k)]; }
+  const Sticking& stuck_at(Eigen::Index column, int k) const {
+    return sticking_[static_cast<std::size_t>(place_of(k, column))];
+  }
 
   /// The change of the holding force, as far as it is known, along the tangent as it turns.
   void turn_holding(Expansion<N>& motion, Eigen::Index column, Eigen::Index stuck, int k) {

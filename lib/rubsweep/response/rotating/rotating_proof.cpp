@@ -105,6 +105,7 @@ motion::ProvenMotion RotatingProof::measured(const RotatingEquilibrium& circle) 
   const Eigen::Vector2d z = scene_.length_scale_m * (map * state.head(map.cols()));
   const double casing_m = field_.casing_displacement_m(state);
   std::vector<std::complex<double>> displacement_m;
+  displacement_m.reserve(static_cast<std::size_t>(options_.samples_per_revolution));
   for (int k = 0; k < options_.samples_per_revolution; ++k) {
     displacement_m.push_back(std::complex(z.x(), z.y()) *
                              std::polar(1.0, full_turn * k / options_.samples_per_revolution));
