@@ -35,7 +35,7 @@ Power power(const OneSideEquations<double>& e, const OneSideState<double>& s, do
   Power p;
   p.input = fx * s[4] + fy * s[5];
   p.structure = e.c * (s[4] * s[4] + s[5] * s[5]) + e.cc * (s[6] * s[6] + s[7] * s[7]);
-  const auto force = contact::elastogap(e.K, e.d, e.penetration(s), e.closing_speed(s));
+  const auto force = contact::elastogap(e.contact_k, e.d, e.penetration(s), e.closing_speed(s));
   p.normal = force.total_n * e.closing_speed(s);
   const double friction = e.mu * std::tanh(e.steepness * (-(s[4] - s[6]) + e.surface_speed)) * force.spring_n;
   p.friction = -friction * (s[4] - s[6]);

@@ -66,7 +66,7 @@ TEST(BuildCell, IsTheSceneOfTheEquationsWrittenByHand) {
   EXPECT_DOUBLE_EQ(scene.speed_rad_per_s, by_hand.omega);
   EXPECT_DOUBLE_EQ(scene.structure.stiffness(1, 1), by_hand.k);
   EXPECT_DOUBLE_EQ(scene.structure.damping(2, 2), by_hand.cc);
-  EXPECT_DOUBLE_EQ(scene.contacts[0].stiffness_n_per_m, by_hand.K);
+  EXPECT_DOUBLE_EQ(scene.contacts[0].stiffness_n_per_m, by_hand.contact_k);
   EXPECT_DOUBLE_EQ(scene.contacts[0].damping_ns_per_m, by_hand.d);
   EXPECT_DOUBLE_EQ(scene.contacts[0].surface_speed_m_per_s, by_hand.surface_speed);
   EXPECT_EQ(scene.contacts[0].clearance_m, by_hand.clearance);

@@ -51,7 +51,7 @@ class ByHand {
   double casing_m() const { return std::hypot(state_[2], state_[3]); }
 
   double normal_force_n() const {
-    const double spring = equations_.K * equations_.penetration(state_);
+    const double spring = equations_.contact_k * equations_.penetration(state_);
     const double damper = equations_.d * equations_.closing_speed(state_);
     return std::max(0.0, std::min(2 * spring, spring + damper));
   }
