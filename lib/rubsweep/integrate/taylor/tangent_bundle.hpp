@@ -11,6 +11,7 @@
 #include "rubsweep/integrate/taylor/contact_tangent.hpp"
 #include "rubsweep/integrate/taylor/creep_tangent.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
+#include "rubsweep/integrate/taylor/tangent_convergence.hpp"
 
 namespace rubsweep::integrate::taylor {
 
@@ -148,40 +149,24 @@ class TangentBundle {
     return all;
   }
 
-  /// Largest magnitude in each of the coefficients k.
-  using Sizes = Eigen::Array<double, 1, Count>;
-  static Sizes sizes(const Terms& of, int k) {
-    return of.template middleCols<Count>(place_of(k, 0)).cwiseAbs().colwise().maxCoeff();
+  static auto sizes(const Terms& of, int k) {
+    return of.template middleCols<Count>(place_of(k, 0)).cwiseAbs().colwise().maxCoeff().array();
   }
 
   /// Until each has converged; sets the orders that they reached: with an accuracy of zero the highest.
   void expand(Expansion<N>& motion, int most, double duration_rad, double accuracy) {
-    Sizes length = sizes(w_, 0), speed = sizes(rate_, 0);
-    std::array<int, count> small{};
-    reached_.fill(0);
-    int left = Count;
+    TangentConvergence<Count> convergence(accuracy, sizes(w_, 0), sizes(rate_, 0));
     double power = 1;
-    for (int k = 0; k < most && left > 0; ++k) {
+    for (int k = 0; k < most && !convergence.all_converged(); ++k) {
       accelerate(motion, k);
       w_.template middleCols<Count>(place_of(k + 1, 0)) =
           rate_.template middleCols<Count>(place_of(k, 0)) * numerics::one_over(k + 1);
       rate_.template middleCols<Count>(place_of(k + 1, 0)) = acceleration_ * numerics::one_over(k + 1);
       if (accuracy == 0) continue;
       power *= duration_rad;
-      const Sizes w_size = power * sizes(w_, k + 1), rate_size = power * sizes(rate_, k + 1);
-      length = length.max(w_size);
-      speed = speed.max(rate_size);
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
-        const bool is_small =
-            w_size(column) <= accuracy * length(column) && rate_size(column) <= accuracy * speed(column);
-        small[i] = is_small ? small[i] + 1 : 0;
-        if (small[i] < 2 || reached_[i] > 0) continue;
-        reached_[i] = k + 1;
-        --left;
-      }
+      convergence.add(k + 1, power * sizes(w_, k + 1), power * sizes(rate_, k + 1));
     }
-    for (int& reached : reached_) reached = reached > 0 ? reached : most;
+    for (std::size_t i = 0; i < count; ++i) reached_[i] = convergence.order(i, most);
   }
 
   /// Coefficients k of the accelerations.

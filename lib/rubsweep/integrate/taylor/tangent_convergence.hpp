@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
+namespace rubsweep::integrate::taylor {
+
+/// Up to which order each of `Count` tangent vectors is to be summed: until two terms in a row are `accuracy`
+/// of its largest ones, in displacements and in rates.
+template <int Count>
+class TangentConvergence {
+ public:
+  /// Largest magnitudes in a term of each vector.
+  using Sizes = Eigen::Array<double, 1, Count>;
+
+  /// From the sizes where the vectors start.
+  TangentConvergence(double accuracy, const Sizes& displacement, const Sizes& rate)
+      : accuracy_(accuracy), displacement_(displacement), rate_(rate) {}
+
+  /// The terms of order `k`, in their order.
+  void add(int k, const Sizes& displacement, const Sizes& rate) {
+    displacement_ = displacement_.max(displacement);
+    rate_ = rate_.max(rate);
+    for (std::size_t i = 0; i < orders_.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      const bool small = displacement(column) <= accuracy_ * displacement_(column) &&
+                         rate(column) <= accuracy_ * rate_(column);
+      small_in_a_row_[i] = small ? small_in_a_row_[i] + 1 : 0;
+      if (small_in_a_row_[i] < 2 || orders_[i] > 0) continue;
+      orders_[i] = k;
+      --left_;
+    }
+  }
+
+  bool all_converged() const { return left_ == 0; }
+  /// Of vector `i`; `most` where it did not converge.
+  int order(std::size_t i, int most) const { return orders_[i] > 0 ? orders_[i] : most; }
+
+ private:
+  double accuracy_;
+  Sizes displacement_, rate_;  ///< the largest so far
+  std::array<int, static_cast<std::size_t>(Count)> small_in_a_row_{}, orders_{};
+  int left_ = Count;
+};
+
+}  // namespace rubsweep::integrate::taylor
