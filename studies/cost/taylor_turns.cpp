@@ -55,15 +55,20 @@ std::vector<double> early_section(const scene::Scene& scene) {
   return turn.section;
 }
 
-/// Microseconds per turn of `turns` from where the motion has settled, by what each request asks.
-std::vector<double> microseconds(const scene::Scene& scene,
-                                 const std::vector<integrate::run::TurnRequest>& requests, double& steps) {
+struct Cost {
+  double us = 0, steps = 0;  ///< per turn
+};
+
+/// Of `turns` from where the motion has settled, by what each request asks.
+std::vector<Cost> costs_of(const scene::Scene& scene,
+                           const std::vector<integrate::run::TurnRequest>& requests) {
   integrate::exact::ModeCache modes;
   const integrate::run::Run run = integrate::start(scene, {}, modes);
   integrate::run::TurnReport turn;
   for (int k = 0; k < settling; ++k) run.advance({}, turn);
   const std::vector<double> settled = turn.section;
   std::vector<std::vector<double>> times(requests.size());
+  std::vector<Cost> costs(requests.size());
   for (int repeat = 0; repeat < repeats; ++repeat) {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       run.restart(settled);
@@ -71,12 +76,11 @@ std::vector<double> microseconds(const scene::Scene& scene,
       const double start = bench::processor_time_s();
       for (int k = 0; k < turns; ++k) run.advance(requests[i], turn);
       times[i].push_back(1e6 * (bench::processor_time_s() - start) / turns);
-      if (i == 0) steps = static_cast<double>(turn.effort.steps - before) / turns;
+      costs[i].steps = static_cast<double>(turn.effort.steps - before) / turns;
     }
   }
-  std::vector<double> medians;
-  for (const auto& list : times) medians.push_back(bench::median(list));
-  return medians;
+  for (std::size_t i = 0; i < costs.size(); ++i) costs[i].us = bench::median(times[i]);
+  return costs;
 }
 
 void table(const std::filesystem::path& configs) {
@@ -95,15 +99,15 @@ void table(const std::filesystem::path& configs) {
     requests[3].tangent_vectors = Eigen::MatrixXd::Identity(states, states);
     requests[4].peaks = true;
     requests[4].samples_per_revolution = study.response.samples_per_revolution;
-    double steps = 0;
-    const auto us = microseconds(scene, requests, steps);
+    const auto costs = costs_of(scene, requests);
+    const double us = costs[0].us;
     const double error =
         bench::section_difference(early_section(scene), bench::reference_section(scene, early, {}).section);
     std::printf(
-        "  %-44s %6.2f (%.1f steps, %.2f us each); tangent %.2f, to %g %.2f; all %.2f; recorded %.2f; "
-        "error %.0e\n",
-        m.name, us[0], steps, us[0] / steps, us[1] / us[0], response::growth_accuracy, us[2] / us[0],
-        us[3] / us[0], us[4] / us[0], error);
+        "  %-44s %6.2f (%.1f steps, %.2f us each); tangent %.2f, to %g %.2f (%.1f steps); all %.2f (%.1f); "
+        "recorded %.2f; error %.0e\n",
+        m.name, us, costs[0].steps, us / costs[0].steps, costs[1].us / us, response::growth_accuracy,
+        costs[2].us / us, costs[2].steps, costs[3].us / us, costs[3].steps, costs[4].us / us, error);
   }
 }
 
