@@ -57,8 +57,8 @@ TEST(TorusWatch, SeesATorusAtItsFirstLook) {
   const Watched seen = watch([](int k, auto& section) { turn_by(golden_angle, section, k); },
                              [](int k) { return 0.4 * std::cos(golden_angle * k); });
   EXPECT_TRUE(seen.torus);
-  EXPECT_EQ(seen.revolutions, 400);
-  EXPECT_EQ(seen.record_begin, 400);
+  EXPECT_EQ(seen.revolutions, 300);
+  EXPECT_EQ(seen.record_begin, 300);
 }
 
 TEST(TorusWatch, TakesNeitherPeriodsNorChaosNorSlowDecayForOne) {
@@ -85,14 +85,14 @@ TEST(TorusWatch, KnowsChaosThatLastsToTheEnd) {
   EXPECT_FALSE(seen.torus);
   EXPECT_EQ(seen.revolutions, 1500);
   EXPECT_EQ(seen.record_begin, 1500 - 2 * 64);
-  EXPECT_EQ(carried, 1300);
+  EXPECT_EQ(carried, 1400);
   ASSERT_TRUE(seen.chaos);
   EXPECT_NEAR(seen.chaos->per_revolution, 0.1, 1e-3);
   growth_later = 0;
   EXPECT_FALSE(watch(wandering, growth_in).chaos);
   // Too short to be told from a transient.
   growth_later = 0.1;
-  EXPECT_FALSE(watch(wandering, growth_in, 1400).chaos);
+  EXPECT_FALSE(watch(wandering, growth_in, 1300).chaos);
   // A section that returns is periodic, whatever grows.
   const auto returning = [](int k, std::vector<double>& s) { turn_by(2 * std::numbers::pi / 7, s, k); };
   EXPECT_FALSE(watch(returning, growth_in).chaos);
@@ -105,7 +105,7 @@ TEST(TorusWatch, DoesNotBeginWhereItWouldSaveNothing) {
                                ++carried;
                                return 0.0;
                              },
-                             500);
+                             400);
   EXPECT_FALSE(seen.torus);
   EXPECT_EQ(carried, 0);
 }

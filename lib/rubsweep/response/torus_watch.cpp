@@ -71,7 +71,7 @@ void TorusWatch::look(spectrum::SpectrumWorkspace& workspace) {
     record_begin_ = look_;
     return end();
   }
-  look_ += (look_ - settled_after) / 2;
+  look_ += (look_ - settled_after) / 4;
   chaotic_ = std::min(first, last) > chaotic_half_exponent;
   if (chaotic_ || !worth_a_look()) end();
 }
