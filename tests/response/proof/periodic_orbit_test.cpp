@@ -51,6 +51,35 @@ TEST(FindOrbit, AnUnstableOrbitIsNoOrbit) {
   EXPECT_FALSE(find_orbit(logistic(3.3), {&section, 1}, 1));
 }
 
+/// First steps by derivatives that are a little wrong lead to the same orbit, whose own derivative is not.
+TEST(FindOrbit, GoesByRoughDerivativesUntilItIsNear) {
+  const double r = 2.8, error = 1e-6, section = 1 - 1 / r + 1e-2;
+  int rough = 0, exact = 0;
+  const TurnMap roughly = [&](std::span<double> s, Eigen::MatrixXd* disturbances) {
+    if (disturbances) ++rough, *disturbances *= 1 + error;
+    return logistic(r)(s, disturbances);
+  };
+  const TurnMap turn = [&](std::span<double> s, Eigen::MatrixXd* disturbances) {
+    if (disturbances) ++exact;
+    return logistic(r)(s, disturbances);
+  };
+  const auto orbit = find_orbit(turn, roughly, {&section, 1}, 1);
+  ASSERT_TRUE(orbit);
+  EXPECT_NEAR(orbit->sections[0](0), 1 - 1 / r, 1e-15);
+  EXPECT_NEAR(orbit->floquet_modulus, std::abs(2 - r), 1e-13);
+  EXPECT_NEAR(orbit->transitions[0](0, 0), 2 - r, 1e-13);
+  EXPECT_EQ(rough, 3);
+  EXPECT_EQ(exact, 2);
+  // A transient that is on the orbit has no first steps, but its derivative is no rough one.
+  rough = exact = 0;
+  const double there = 1 - 1 / r;
+  const auto at_once = find_orbit(turn, roughly, {&there, 1}, 1);
+  ASSERT_TRUE(at_once);
+  EXPECT_NEAR(at_once->floquet_modulus, std::abs(2 - r), 1e-13);
+  EXPECT_EQ(rough, 1);
+  EXPECT_EQ(exact, 2);
+}
+
 /// One look from afar, where the slope is clear enough, instead of an iteration down to rounding.
 TEST(FindOrbit, GivesUpWhereTheTransientStandsOnASteepSlope) {
   int derivatives = 0;

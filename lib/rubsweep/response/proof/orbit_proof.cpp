@@ -17,6 +17,9 @@ namespace {
 /// Tight enough for derivatives by differences.
 constexpr double tolerance_of_a_proof = 1e-11;
 
+/// Of derivatives for the first steps to an orbit.
+constexpr double rough_accuracy = 1e-6;
+
 /// Where no ball about the orbit is known, the transient is followed until this share of its distance is
 /// left.
 constexpr double followed_down = 1e-4;
@@ -61,15 +64,16 @@ TurnMap OrbitProof::as_it_runs() {
   return [this](std::span<double> state, Eigen::MatrixXd*) { return (*run_map_)(state); };
 }
 
-TurnMap OrbitProof::as_exactly_as_possible() {
+TurnMap OrbitProof::as_exactly_as_possible(double tangent_accuracy) {
   if (!map_) map_.emplace(scene_, solver_, workspace_.modes);
-  return [this](std::span<double> state, Eigen::MatrixXd* disturbances) {
-    return disturbances ? map_->carry(state, *disturbances) : (*map_)(state);
+  return [this, tangent_accuracy](std::span<double> state, Eigen::MatrixXd* disturbances) {
+    return disturbances ? map_->carry(state, *disturbances, tangent_accuracy) : (*map_)(state);
   };
 }
 
 std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> section, int order) {
-  const auto orbit = find_orbit(as_exactly_as_possible(), section, order);
+  const auto orbit =
+      find_orbit(as_exactly_as_possible(), as_exactly_as_possible(rough_accuracy), section, order);
   if (!orbit) return std::nullopt;
   const auto proof = converges(section, *orbit);
   if (!proof) return std::nullopt;

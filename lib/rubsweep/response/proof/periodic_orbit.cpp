@@ -11,7 +11,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int newton_iterations = 8;
-constexpr double closed = 1e-11;        ///< return error of an orbit found, in (clearance, clearance omega)
+constexpr double closed = 1e-11;  ///< return error of an orbit found, in (clearance, clearance omega)
+constexpr double nearly_closed =
+    1e-5;  ///< the next step leaves less than `closed`, unless its slope is rough
 constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
 /// No orbit that was proven had a larger multiplier where the transient stood, nor one above 1 where Newton's
 /// iteration went from there; a refused one is tried again.
@@ -47,13 +49,17 @@ struct Closed {
   MatrixXd monodromy;
 };
 
-std::optional<Closed> close(const TurnMap& turn, const VectorXd& start, int order) {
+std::optional<Closed> close(const TurnMap& turn, const TurnMap& roughly, const VectorXd& start, int order) {
   VectorXd x = start;
   double last = 0;
+  bool exactly = false;
   for (int i = 0; i < newton_iterations; ++i) {
-    const auto back = return_of(turn, x, order);
+    const auto back = return_of(exactly ? turn : roughly, x, order);
     if (!back) return std::nullopt;
     const double error = largest(back->defect);
+    const bool by_rough_map = !exactly;
+    exactly = error < nearly_closed;
+    if (error < closed && by_rough_map) continue;
     const MatrixXd slope = MatrixXd::Identity(x.size(), x.size()) - back->monodromy;
     const VectorXd step = slope.partialPivLu().solve(back->defect);
     // The last step takes the error to rounding.
@@ -81,9 +87,14 @@ bool list_turns(const TurnMap& turn, VectorXd x, StableOrbit& orbit) {
 }  // namespace
 
 std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order) {
+  return find_orbit(turn, turn, section, order);
+}
+
+std::optional<StableOrbit> find_orbit(const TurnMap& turn, const TurnMap& roughly,
+                                      std::span<const double> section, int order) {
   const VectorXd start =
       Eigen::Map<const VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
-  const auto closed_orbit = close(turn, start, order);
+  const auto closed_orbit = close(turn, roughly, start, order);
   if (!closed_orbit) return std::nullopt;
   StableOrbit orbit{.order = closed_orbit->order, .sections = {}, .transitions = {}, .floquet_modulus = 0};
   orbit.floquet_modulus = numerics::spectral_radius(closed_orbit->monodromy);

@@ -36,6 +36,9 @@ inline constexpr double on_the_orbit = 1e-6;
 /// expected near. An orbit that returns after fewer turns is reported with those. That the transient is on
 /// its way to the orbit is another question, see `comes_near`.
 std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order);
+/// The same with first steps by `roughly`, the same turn with derivatives to about 1e-6.
+std::optional<StableOrbit> find_orbit(const TurnMap& turn, const TurnMap& roughly,
+                                      std::span<const double> section, int order);
 
 /// Derivative of `turn` at `section` by central differences of `step`, where the solver offers none.
 bool differentiate(const std::function<bool(std::span<double>)>& turn, std::span<double> section, double step,

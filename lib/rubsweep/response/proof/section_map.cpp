@@ -53,11 +53,11 @@ bool SceneMap::carry_exactly(std::span<double> section, Eigen::MatrixXd& disturb
   return made;
 }
 
-bool SceneMap::carry(std::span<double> section, Eigen::MatrixXd& disturbances) {
+bool SceneMap::carry(std::span<double> section, Eigen::MatrixXd& disturbances, double accuracy) {
   if (exact_) {
     before_.assign(section.begin(), section.end());
     bool moved = false;
-    if (!carry_exactly(section, disturbances, moved)) return false;
+    if (!carry_exactly(section, disturbances, moved, accuracy)) return false;
     if (moved) return true;
     std::ranges::copy(before_, section.begin());
   }

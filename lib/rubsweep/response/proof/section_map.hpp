@@ -26,8 +26,9 @@ class SceneMap {
 
   /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes what the turn makes
   /// of it, by the derivative of the new section by the old: from the exact solver where the turn has closed
-  /// forms, else by central differences.
-  bool carry(std::span<double> section, Eigen::MatrixXd& disturbances);
+  /// forms, of Taylor pieces to `accuracy`, else by central differences.
+  bool carry(std::span<double> section, Eigen::MatrixXd& disturbances,
+             double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 
   /// The same only where the solver that makes the turn moves tangent vectors: `moved` says so, else
   /// `disturbances` stays.
