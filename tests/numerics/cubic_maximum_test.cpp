@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace rubsweep::numerics {
@@ -23,6 +24,21 @@ TEST(CubicMaximum, AgreesWithFineSampling) {
     if (largest > std::max(cubic(0), cubic(1)) + 1e-9) ++inner;
   }
   EXPECT_GT(inner, 100);
+}
+
+/// What is known spares the search only where the cubic stays below it.
+TEST(CubicMaximum, IsTakenWhereItIsLargerThanWhatIsKnown) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  int larger = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double start = normal(random), start_slope = 3 * normal(random), end = normal(random),
+                 end_slope = 3 * normal(random), known = normal(random);
+    const double largest = cubic_maximum(start, start_slope, end, end_slope);
+    EXPECT_EQ(larger_maximum(known, start, start_slope, end, end_slope), std::max(known, largest));
+    if (largest > known) ++larger;
+  }
+  EXPECT_GT(larger, 100);
 }
 
 TEST(CubicMaximum, OfAConstantIsTheConstant) { EXPECT_EQ(cubic_maximum(2, 0, 2, 0), 2); }

@@ -1,8 +1,17 @@
 #pragma once
 
+#include <algorithm>
+
 namespace rubsweep::numerics {
 
 /// Largest value over one step of the cubic with the given end values and end slopes per step.
 double cubic_maximum(double start, double start_slope, double end, double end_slope);
+
+/// The same or `known`, whichever is larger: the cubic lies below its Bernstein coefficients, and where these
+/// are not above what is known, its maximum is not looked for.
+inline double larger_maximum(double known, double start, double start_slope, double end, double end_slope) {
+  const double highest = std::max({start, start + start_slope / 3, end - end_slope / 3, end});
+  return highest <= known ? known : std::max(known, cubic_maximum(start, start_slope, end, end_slope));
+}
 
 }  // namespace rubsweep::numerics

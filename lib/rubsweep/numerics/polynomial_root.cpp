@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t most = most_degree + 1;
 constexpr double resolution = 0x1p-44;
+/// The last terms of a power series are small: of a long polynomial the first ones say nearly all.
+constexpr std::size_t first_terms = 13, worth_while = 20;
 
 /// Bernstein coefficients over an interval; the first `count` are in use.
 struct Hull {
@@ -62,27 +64,47 @@ int sign_changes(const Hull& hull) {
   return changes;
 }
 
-/// The one root between `low`, where the polynomial is below zero, and `high`, by Halley's iteration from
-/// where the chord between their values is zero.
+/// A polynomial, its derivative and half of its second derivative.
+struct Bend {
+  double value = 0, slope = 0, bend = 0;
+};
+
+Bend bend_at(std::span<const double> c, double x) {
+  Bend at;
+  for (std::size_t k = c.size(); k-- > 0;) {
+    at.bend = at.bend * x + at.slope;
+    at.slope = at.slope * x + at.value;
+    at.value = at.value * x + c[k];
+  }
+  return at;
+}
+
+/// Of Halley's iteration.
+double step_from(const Bend& at) { return -at.value * at.slope / (at.slope * at.slope - at.value * at.bend); }
+
+/// Near the one root between `low` and `high`: from where the chord between their values is zero by the first
+/// terms, which cost half as much as all of them.
+double near_root(std::span<const double> c, double low, double high, double at_low, double at_high) {
+  double x = low + (high - low) * (at_low / (at_low - at_high));
+  for (int i = 0; i < 2 && c.size() >= worth_while; ++i) x += step_from(bend_at(c.first(first_terms), x));
+  return x > low && x < high ? x : (low + high) / 2;
+}
+
+/// The one root between `low`, where the polynomial is below zero, and `high`, by Halley's iteration.
 double refine(std::span<const double> c, double low, double high, double at_low, double at_high) {
   constexpr int most_iterations = 80;
   // Of a step that is so small against the root and the slope's own change nothing but rounding is left.
   constexpr double small = 0x1p-20;
-  double x = low + (high - low) * (at_low / (at_low - at_high));
-  if (!(x > low && x < high)) x = (low + high) / 2;
+  double x = near_root(c, low, high, at_low, at_high);
   for (int i = 0; i < most_iterations; ++i) {
-    double value = 0, slope = 0, bend = 0;  // of the second derivative one half
-    for (std::size_t k = c.size(); k-- > 0;) {
-      bend = bend * x + slope;
-      slope = slope * x + value;
-      value = value * x + c[k];
-    }
-    (value < 0 ? low : high) = x;
-    const double halley = x - value * slope / (slope * slope - value * bend);
+    const Bend at = bend_at(c, x);
+    (at.value < 0 ? low : high) = x;
+    const double halley = x + step_from(at);
     const double next = halley > low && halley < high ? halley : (low + high) / 2;
     const double step = std::abs(next - x);
     if (step <= 0x1p-53 * x || !(low < high)) return next;
-    if (next == halley && step <= small * x && step * std::abs(bend) <= small * std::abs(slope)) return next;
+    if (next == halley && step <= small * x && step * std::abs(at.bend) <= small * std::abs(at.slope))
+      return next;
     x = next;
   }
   return x;
@@ -105,14 +127,13 @@ std::optional<double> search(std::span<const double> c, const Hull& hull, double
 }
 
 /// The same by the Bernstein form of the first terms and what the others may add: a polynomial's hull costs
-/// the square of its degree, and the last terms of a power series are small.
+/// the square of its degree.
 bool low_part_negative(std::span<const double> c) {
-  constexpr std::size_t low = 13, worth_while = 20;
   if (c.size() < worth_while) return false;
   double rest = 0;
-  for (const double term : c.subspan(low)) rest += std::max(term, 0.0);
-  const Hull hull = hull_of(c.first(low));
-  return *std::max_element(hull.b.begin(), hull.b.begin() + low) + rest < 0;
+  for (const double term : c.subspan(first_terms)) rest += std::max(term, 0.0);
+  const Hull hull = hull_of(c.first(first_terms));
+  return *std::max_element(hull.b.begin(), hull.b.begin() + first_terms) + rest < 0;
 }
 
 }  // namespace

@@ -78,15 +78,12 @@ template <int Count>
 template <bool damped>
 auto ContactTangents<Count>::normal_and_rate(int k) -> Term {
   const PlaneSeries &n = contact_->normal(), &r = contact_->length();
-  Term along, by_length, by_normal{};
-  for (std::size_t i = 0; i < count; ++i) {
-    along[i] = n[k + 1] * displacement_[0][i] + n[0] * displacement_[k + 1][i] + n[k] * displacement_[1][i];
-    if (k == 0) along[i] -= n[0] * displacement_[1][i];
-    by_length[i] = n[k] * length_[0][i];
-  }
-  for (int j = 1; j < k; ++j) {
-    const Twin normal = n[k - j], length = r[j];
-    const Term &w = displacement_[j + 1], &change = length_[j], &turn = normal_[k - j];
+  Term along, by_length{}, by_normal{};
+  for (std::size_t i = 0; i < count; ++i) along[i] = n[k + 1] * displacement_[0][i];
+  // What is newest of the vectors comes last: the other terms need not wait for it.
+  for (int j = 0; j < k; ++j) {
+    const Twin normal = n[k - j], length = r[k - j];
+    const Term &w = displacement_[j + 1], &change = length_[j], &turn = normal_[j];
     for (std::size_t i = 0; i < count; ++i) {
       along[i] += normal * w[i];
       by_length[i] += normal * change[i];
@@ -95,10 +92,8 @@ auto ContactTangents<Count>::normal_and_rate(int k) -> Term {
   }
   const Twin inverse_length = both(contact_->inverse_length());
   for (std::size_t i = 0; i < count; ++i) {
-    if (k > 0) {
-      by_length[i] += n[0] * length_[k][i];
-      by_normal[i] += r[k] * normal_[0][i];
-    }
+    along[i] += n[0] * displacement_[k + 1][i];
+    by_length[i] += n[0] * length_[k][i];
     const Twin change = sum_of(along[i]);
     length_.set(k + 1, i, change);
     length_rate_.set(k, i, both(k + 1) * change);
@@ -112,9 +107,9 @@ template <int Count>
 auto ContactTangents<Count>::damping_products(int k) const -> Term {
   const PlaneSeries &n = contact_->normal(), &rate = contact_->length_rate();
   Term first{}, second{};
-  for (int j = 1; j <= k; ++j) {
-    const Twin normal = n[j], speed = rate[j];
-    const Term &change = length_rate_[k - j], &turn = normal_[k - j];
+  for (int j = 0; j < k; ++j) {
+    const Twin normal = n[k - j], speed = rate[k - j];
+    const Term &change = length_rate_[j], &turn = normal_[j];
     for (std::size_t i = 0; i < count; ++i) {
       first[i] += normal * change[i];
       second[i] += speed * turn[i];

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "rubsweep/contact/dry_friction.hpp"
@@ -11,6 +12,7 @@
 #include "rubsweep/integrate/taylor/contact_law.hpp"
 #include "rubsweep/integrate/taylor/contact_series.hpp"
 #include "rubsweep/integrate/taylor/creep.hpp"
+#include "rubsweep/integrate/taylor/expand_in_registers.hpp"
 #include "rubsweep/integrate/taylor/state_series.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
 
@@ -47,8 +49,8 @@ class Expansion {
     begin_contacts(modes, slips);
     start_drives(phase_rad, pulses);
     if constexpr (N != Eigen::Dynamic) {
-      if (system_.diagonal && touching_.size() == 1 && sticking_ == 0 && pulses_.empty()) {
-        expand_in_registers(touching_[0]);
+      if (const auto contact = only_slip(); contact && pulses_.empty()) {
+        expand_in_registers(system_, touched(*contact), cosine_, sine_, contacts_[*contact], series_);
         return complete_contacts();
       }
     }
@@ -82,6 +84,13 @@ class Expansion {
         laws_[i].annular ? (d[0] * v[1] - d[1] * v[0]) / std::sqrt(d[0] * d[0] + d[1] * d[1]) : v[1];
     return laws_[i].slip_scale_m_per_s * sliding + laws_[i].surface_speed_m_per_s;
   }
+
+  /// The one contact that touches, and slips, where the structure is diagonal; else empty.
+  std::optional<std::size_t> only_slip() const {
+    if (!system_.diagonal || touching_.size() != 1 || sticking_ > 0) return std::nullopt;
+    return touching_[0];
+  }
+  TouchedStructure<N> touched(std::size_t i) const { return {system_, i, pushed_[i]}; }
 
   // Of contacts that stick or creep.
   std::size_t sticking() const { return sticking_; }
@@ -183,57 +192,6 @@ class Expansion {
       contacts_[i].set_velocity(k + 1, at_contact(i, acceleration_) * numerics::both(next));
   }
 
-  /// All coefficients, of a diagonal structure that touches one stop and slips there while no pulse acts: the
-  /// usual step. What it waits for is the contact, whose next coefficient comes from what the structure does
-  /// of itself and from the force alone.
-  void expand_in_registers(std::size_t i) {
-    using numerics::both, numerics::Twin;
-    constexpr Eigen::Index pairs = N / 2;
-    using Pairs = std::array<Twin, static_cast<std::size_t>(pairs)>;
-    const auto of = [](const auto& vector) {
-      Pairs all;
-      for (std::size_t h = 0; h < all.size(); ++h)
-        all[h] = Twin{vector(static_cast<Eigen::Index>(2 * h)), vector(static_cast<Eigen::Index>(2 * h + 1))};
-      return all;
-    };
-    const auto& c = system_.contacts[i];
-    ContactSeries& contact = contacts_[i];
-    const Pairs stiffness = of(system_.stiffness_diagonal), damping = of(system_.damping_diagonal),
-                cosines = of(system_.cosine), sines = of(system_.sine), first_push = of(c.first_push),
-                second_push = of(c.second_push), first_row = of(c.first_row), second_row = of(c.second_row),
-                constant = of(system_.constant);
-    const Twin by_first = pushed_[i].first, by_second = pushed_[i].second;
-    Pairs u = of(series_.u(0)), v = of(series_.v(0));
-    Twin cosine = both(cosine_), sine = both(sine_);
-    for (int k = 0; k < order(); ++k) {
-      const Twin next = both(numerics::one_over(k + 1)), after = both(numerics::one_over(k + 2));
-      Pairs a;
-      Twin along_first{}, along_second{};
-      for (std::size_t h = 0; h < a.size(); ++h) {
-        a[h] = (cosines[h] * cosine + sines[h] * sine) - (stiffness[h] * u[h] + damping[h] * v[h]);
-        if (k == 0) a[h] += constant[h];
-        along_first += first_row[h] * a[h];
-        along_second += second_row[h] * a[h];
-      }
-      const Twin turned = cosine;
-      cosine = -(next * sine);
-      sine = next * turned;
-      const Twin force = contact.force_term(k), first = numerics::first_twice(force),
-                 second = numerics::second_twice(force);
-      const Twin free = numerics::sums_of(along_first, along_second);
-      contact.set_velocity(k + 1, (free + by_first * first + by_second * second) * next);
-      double *to_u = series_.u(k + 2).data(), *to_v = series_.v(k + 1).data();
-      for (std::size_t h = 0; h < a.size(); ++h) {
-        const Twin u_next = v[h] * next,
-                   v_next = (a[h] + first_push[h] * first + second_push[h] * second) * next;
-        u[h] = u_next;
-        v[h] = v_next;
-        numerics::store(to_v + 2 * h, v_next);
-        numerics::store(to_u + 2 * h, v_next * after);
-      }
-    }
-  }
-
   /// Coefficient k of what holds the contacts that stick.
   void hold(int k) {
     const auto count = static_cast<Eigen::Index>(sticking_);
@@ -268,10 +226,7 @@ class Expansion {
   std::vector<ContactSeries> contacts_;
   std::vector<Creep> creeps_;
   std::vector<char> creeping_;
-  struct Pushed {
-    numerics::Twin first, second;
-  };
-  std::vector<Pushed> pushed_;  ///< what a newton along either direction accelerates of the contact itself
+  std::vector<PushedContact> pushed_;
   std::vector<std::size_t> touching_;
   std::array<std::size_t, contact::most_sticking> stuck_{};
   std::size_t sticking_ = 0;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "rubsweep/integrate/taylor/state_pairs.hpp"
 #include "rubsweep/numerics/plane_series.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
 
@@ -34,20 +35,18 @@ class StateSeries {
 
   /// u then u' after `duration_rad`.
   void put_state(double duration_rad, double* state) const {
-    if constexpr (N != Eigen::Dynamic) return put_in_registers(std::array{duration_rad}, state);
     const Eigen::Index n = u_.rows();
-    Eigen::Map<Vector> u(state, n), v(state + n, n);
-    u = u_.col(order_ + 1);
-    v = v_.col(order_);
-    u = u * duration_rad + u_.col(order_);
-    for (int k = order_ - 1; k >= 0; --k) {
-      u = u * duration_rad + u_.col(k);
-      v = v * duration_rad + v_.col(k);
+    if constexpr (N != Eigen::Dynamic) {
+      put_sum(u_, order_ + 1, duration_rad, state);
+      put_sum(v_, order_, duration_rad, state + n);
+    } else {
+      put_one_by_one(duration_rad, state);
     }
   }
 
-  /// The same after the durations at(0), ..., at(count - 1), one state behind the other: in less time than
-  /// one by one, because the sums of one need not wait for those of another.
+  /// The same after the durations at(0), ..., at(count - 1), one state behind the other, each with the bits
+  /// that it has alone: in less time than one by one, because the sums of one need not wait for those of
+  /// another.
   template <class At>
   void put_states(int count, const At& at, double* states) const {
     const Eigen::Index numbers = 2 * u_.rows();
@@ -61,13 +60,14 @@ class StateSeries {
         put_in_registers(durations, states + i * numbers);
       }
     }
-    for (; i < count; ++i) put_state(at(i), states + i * numbers);
+    for (; i < count; ++i) put_one_by_one(at(i), states + i * numbers);
   }
 
-  /// The longest duration, at most `longest_rad`, over which the last two terms stay within rounding of the
-  /// motion's size, or of one clearance where it is smaller.
+  /// The longest duration, at most `longest_rad`, over which what is left out stays within rounding of the
+  /// motion's size, or of one clearance where it is smaller. At such a duration each term is about a fourth
+  /// of the one before, so that the last two may be four times as large.
   double converged_rad(double longest_rad) const {
-    constexpr double rounding = 0x1p-53;
+    constexpr double rounding = 0x1p-51;
     const double length = std::max(1.0, u_.col(0).template lpNorm<Eigen::Infinity>());
     const double speed = std::max(1.0, v_.col(0).template lpNorm<Eigen::Infinity>());
     for (int k = order_ - 1; k <= order_; ++k) {
@@ -82,6 +82,41 @@ class StateSeries {
   double speed() const { return v_.col(0).template lpNorm<Eigen::Infinity>(); }
 
  private:
+  using Series = Eigen::Matrix<double, N, Eigen::Dynamic>;
+
+  /// Sum of the terms up to `highest`, even and odd ones apart: neither sum waits for the other.
+  static void put_sum(const Series& series, int highest, double duration_rad, double* to) {
+    using Pairs = StatePairs<N>;
+    const numerics::Twin step = numerics::both(duration_rad), square = step * step;
+    Pairs first(series.col(highest)), second(series.col(highest - 1));
+    const auto add = [&](Pairs& sums, int k) {
+      const double* const term = series.col(k).data();
+      for (std::size_t h = 0; h < Pairs::count; ++h)
+        sums[h] = sums[h] * square + numerics::load(term + 2 * h);
+    };
+    int k = highest - 2;
+    for (; k >= 1; k -= 2) {
+      add(first, k);
+      add(second, k - 1);
+    }
+    if (k == 0) add(first, 0);
+    const Pairs &even = k == 0 ? first : second, &odd = k == 0 ? second : first;
+    for (std::size_t h = 0; h < Pairs::count; ++h) numerics::store(to + 2 * h, even[h] + odd[h] * step);
+  }
+
+  void put_one_by_one(double duration_rad, double* state) const {
+    if constexpr (N != Eigen::Dynamic) return put_in_registers(std::array{duration_rad}, state);
+    const Eigen::Index n = u_.rows();
+    Eigen::Map<Vector> u(state, n), v(state + n, n);
+    u = u_.col(order_ + 1);
+    v = v_.col(order_);
+    u = u * duration_rad + u_.col(order_);
+    for (int k = order_ - 1; k >= 0; --k) {
+      u = u * duration_rad + u_.col(k);
+      v = v * duration_rad + v_.col(k);
+    }
+  }
+
   template <std::size_t Count>
   void put_in_registers(const std::array<double, Count>& durations_rad, double* states) const {
     using numerics::both, numerics::Twin;
@@ -114,7 +149,7 @@ class StateSeries {
   }
 
   int order_;
-  Eigen::Matrix<double, N, Eigen::Dynamic> u_, v_;
+  Series u_, v_;
 };
 
 }  // namespace rubsweep::integrate::taylor

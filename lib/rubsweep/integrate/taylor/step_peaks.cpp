@@ -19,14 +19,14 @@ int pieces_of(double fastest, double duration_rad) {
                     most_pieces);
 }
 
-/// Square of the distance |map q|, from the states at both ends of a piece.
+/// Square of the distance |map q|, from the states at both ends of a piece, or `known` where that is larger.
 template <class Map, class State>
-double largest_square(const Map& map, const State& from, const State& to, double duration_rad) {
+double largest_square(double known, const Map& map, const State& from, const State& to, double duration_rad) {
   const Eigen::Index n = map.cols();
   const Eigen::Vector2d a = map * from.head(n), a_rate = map * from.tail(n), b = map * to.head(n),
                         b_rate = map * to.tail(n);
-  return numerics::cubic_maximum(a.squaredNorm(), 2 * duration_rad * a.dot(a_rate), b.squaredNorm(),
-                                 2 * duration_rad * b.dot(b_rate));
+  return numerics::larger_maximum(known, a.squaredNorm(), 2 * duration_rad * a.dot(a_rate), b.squaredNorm(),
+                                  2 * duration_rad * b.dot(b_rate));
 }
 
 }  // namespace
@@ -45,9 +45,9 @@ LargestDisplacements largest_displacements(const Expansion<N>& motion, const run
   for (int i = 0; i < pieces; ++i) {
     const double* const start = states.data() + i * numbers;
     const State from(start, numbers), to(start + numbers, numbers);
-    square.observed = std::max(square.observed, largest_square(system.observed, from, to, size));
+    square.observed = largest_square(square.observed, system.observed, from, to, size);
     for (const run::ScaledCasing<N>& casing : system.casings)
-      square.casing = std::max(square.casing, largest_square(casing.map, from, to, size));
+      square.casing = largest_square(square.casing, casing.map, from, to, size);
   }
   return {std::sqrt(square.observed), std::sqrt(square.casing)};
 }
@@ -64,7 +64,7 @@ double largest_force(const ContactSeries& contact, int order, double fastest, do
   const double start = force[0], start_rate = order > 1 ? force[1] : 0;
   double largest = start, last = start, last_rate = start_rate;
   const auto next = [&](double value, double rate) {
-    largest = std::max(largest, numerics::cubic_maximum(last, size * last_rate, value, size * rate));
+    largest = numerics::larger_maximum(largest, last, size * last_rate, value, size * rate);
     last = value;
     last_rate = rate;
   };

@@ -10,6 +10,7 @@
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/taylor/contact_tangent.hpp"
 #include "rubsweep/integrate/taylor/creep_tangent.hpp"
+#include "rubsweep/integrate/taylor/expand_in_registers.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 #include "rubsweep/integrate/taylor/tangent_convergence.hpp"
 
@@ -156,6 +157,13 @@ class TangentBundle {
   /// Until each has converged; sets the orders that they reached: with an accuracy of zero the highest.
   void expand(Expansion<N>& motion, int most, double duration_rad, double accuracy) {
     TangentConvergence<Count> convergence(accuracy, sizes(w_, 0), sizes(rate_, 0));
+    if constexpr (N != Eigen::Dynamic) {
+      if (const auto contact = motion.only_slip()) {
+        expand_in_registers(motion.touched(*contact), most, duration_rad, contacts_[*contact],
+                            at_contact(*contact, 0, rate_), w_, rate_, convergence);
+        return note_orders(convergence, most);
+      }
+    }
     double power = 1;
     for (int k = 0; k < most && !convergence.all_converged(); ++k) {
       accelerate(motion, k);
@@ -166,6 +174,10 @@ class TangentBundle {
       power *= duration_rad;
       convergence.add(k + 1, power * sizes(w_, k + 1), power * sizes(rate_, k + 1));
     }
+    note_orders(convergence, most);
+  }
+
+  void note_orders(const TangentConvergence<Count>& convergence, int most) {
     for (std::size_t i = 0; i < count; ++i) reached_[i] = convergence.order(i, most);
   }
 
