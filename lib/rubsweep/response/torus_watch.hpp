@@ -13,8 +13,8 @@ namespace rubsweep::response {
 
 /// Looks now and then, while a run goes on, whether it has come to a torus: a motion that never has a period
 /// to be proven, and would else take every run to its end. From turn `settled_after` on a tangent vector is
-/// carried; looks come 200 turns later and then after a quarter as many again, as long as the window that is to
-/// show the torus ends before the run's last two begin. Chaos may be a transient and ends no run; but the
+/// carried; looks come 200 turns later and then after a quarter as many again, as long as the window that is
+/// to show the torus ends before the run's last two begin. Chaos may be a transient and ends no run; but the
 /// growth of what was carried then counts at its end.
 class TorusWatch {
  public:

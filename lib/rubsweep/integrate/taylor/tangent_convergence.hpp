@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace rubsweep::integrate::taylor {
 
@@ -15,8 +16,8 @@ class TangentConvergence {
   using Sizes = Eigen::Array<double, 1, Count>;
 
   /// From the sizes where the vectors start.
-  TangentConvergence(double accuracy, const Sizes& displacement, const Sizes& rate)
-      : accuracy_(accuracy), displacement_(displacement), rate_(rate) {}
+  TangentConvergence(double accuracy, Sizes displacement, Sizes rate)
+      : accuracy_(accuracy), displacement_(std::move(displacement)), rate_(std::move(rate)) {}
 
   /// The terms of order `k`, in their order.
   void add(int k, const Sizes& displacement, const Sizes& rate) {

@@ -11,9 +11,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int newton_iterations = 8;
-constexpr double closed = 1e-11;  ///< return error of an orbit found, in (clearance, clearance omega)
-constexpr double nearly_closed =
-    1e-5;  ///< the next step leaves less than `closed`, unless its slope is rough
+constexpr double closed = 1e-11;        ///< return error of an orbit found, in (clearance, clearance omega)
+constexpr double nearly_closed = 1e-5;  ///< from here on rough derivatives would cost a step more
 constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
 /// No orbit that was proven had a larger multiplier where the transient stood, nor one above 1 where Newton's
 /// iteration went from there; a refused one is tried again.
@@ -78,7 +77,7 @@ std::optional<Closed> close(const TurnMap& turn, const TurnMap& roughly, const V
 bool list_turns(const TurnMap& turn, VectorXd x, StableOrbit& orbit) {
   for (int k = 0; k < orbit.order; ++k) {
     orbit.sections.push_back(x);
-    orbit.transitions.push_back(MatrixXd::Identity(x.size(), x.size()));
+    orbit.transitions.emplace_back(MatrixXd::Identity(x.size(), x.size()));
     if (!advance(turn, x, &orbit.transitions.back())) return false;
   }
   return true;
