@@ -64,13 +64,13 @@ int sign_changes(const Hull& hull) {
   return changes;
 }
 
-/// A polynomial, its derivative and half of its second derivative.
-struct Bend {
+/// The parabola that fits a polynomial at one place: its value, its derivative and half of the second one.
+struct Parabola {
   double value = 0, slope = 0, bend = 0;
 };
 
-Bend bend_at(std::span<const double> c, double x) {
-  Bend at;
+Parabola parabola_at(std::span<const double> c, double x) {
+  Parabola at;
   for (std::size_t k = c.size(); k-- > 0;) {
     at.bend = at.bend * x + at.slope;
     at.slope = at.slope * x + at.value;
@@ -79,14 +79,16 @@ Bend bend_at(std::span<const double> c, double x) {
   return at;
 }
 
-/// Of Halley's iteration.
-double step_from(const Bend& at) { return -at.value * at.slope / (at.slope * at.slope - at.value * at.bend); }
+double halley_step(const Parabola& at) {
+  return -at.value * at.slope / (at.slope * at.slope - at.value * at.bend);
+}
 
 /// Near the one root between `low` and `high`: from where the chord between their values is zero by the first
 /// terms, which cost half as much as all of them.
 double near_root(std::span<const double> c, double low, double high, double at_low, double at_high) {
   double x = low + (high - low) * (at_low / (at_low - at_high));
-  for (int i = 0; i < 2 && c.size() >= worth_while; ++i) x += step_from(bend_at(c.first(first_terms), x));
+  for (int i = 0; i < 2 && c.size() >= worth_while; ++i)
+    x += halley_step(parabola_at(c.first(first_terms), x));
   return x > low && x < high ? x : (low + high) / 2;
 }
 
@@ -97,9 +99,9 @@ double refine(std::span<const double> c, double low, double high, double at_low,
   constexpr double small = 0x1p-20;
   double x = near_root(c, low, high, at_low, at_high);
   for (int i = 0; i < most_iterations; ++i) {
-    const Bend at = bend_at(c, x);
+    const Parabola at = parabola_at(c, x);
     (at.value < 0 ? low : high) = x;
-    const double halley = x + step_from(at);
+    const double halley = x + halley_step(at);
     const double next = halley > low && halley < high ? halley : (low + high) / 2;
     const double step = std::abs(next - x);
     if (step <= 0x1p-53 * x || !(low < high)) return next;

@@ -84,6 +84,23 @@ TEST(StateSeries, ConvergesUpToWhereWhatIsLeftOutIsRounding) {
   EXPECT_LT(2 * left_out, 0x1p-53);
 }
 
+/// Of 1 / (1 - t), whose terms fall no faster than its radius of convergence lets them, what is left out is
+/// rounding, too.
+TEST(StateSeries, LeavesOutNoMoreThanRoundingOfASeriesThatEndsLate) {
+  StateSeries<2> series(2, order);
+  const std::vector<double> start{1, 1, 1, 1};
+  series.begin(start.data());
+  for (int k = 1; k <= order; ++k) {
+    series.v(k).setConstant(k + 1);
+    series.u(k + 1).setConstant(1);
+  }
+  const double longest = series.converged_rad(10);
+  double left_out = 0;
+  for (int k = order + 1; k < order + 60; ++k) left_out += (k + 1) * std::pow(longest, k);
+  EXPECT_GT(left_out, 0x1p-57);
+  EXPECT_LT(left_out, 0x1p-53);
+}
+
 TEST(StateSeries, ConvergesNowhereWhereItIsNotFinite) {
   StateSeries<2> series = cosines<2>(2);
   series.u(order)(0) = std::numeric_limits<double>::infinity();

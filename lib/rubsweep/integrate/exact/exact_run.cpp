@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rubsweep/integrate/exact/joint_mode.hpp"
+#include "rubsweep/integrate/exact/joint_switch.hpp"
 #include "rubsweep/integrate/exact/step_choice.hpp"
 #include "rubsweep/numerics/step_table.hpp"
 
@@ -17,8 +18,8 @@ using contact::Mode;
 constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
 constexpr double same_instant = 1e-13;   ///< of a turn: crossings nearer to each other happen at once
 constexpr int longest_standstill = 16;   ///< mode switches without progress before a graze is stepped over
-constexpr double shortest_to_annular =
-    1e-7;  ///< of a turn: steps towards an annular stop before it counts as touched
+/// Of a turn: steps towards an annular stop before it counts as touched.
+constexpr double shortest_to_annular = 1e-7;
 /// More steps in a turn than this show bounds that do not fit the motion, as with a friction so strong that
 /// closed forms are small differences of large numbers: the adaptive solver makes such a turn.
 constexpr long most_steps = 100'000;
@@ -41,8 +42,7 @@ ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>
       watch_(*modes, scene, period_s_),
       max_steps_(max_steps) {
   const std::vector<double> start = scale_.in_seconds().state(scene.displacement_m, scene.velocity_m_per_s);
-  turn_start_.resize(static_cast<Eigen::Index>(start.size()));
-  std::copy(start.begin(), start.end(), turn_start_.data());
+  turn_start_ = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
 }
 
 template <int N>
@@ -54,14 +54,25 @@ std::vector<double> ExactRun<N>::section() const {
 
 template <int N>
 void ExactRun<N>::put_section(std::vector<double>& section) const {
-  section.assign(turn_start_.data(), turn_start_.data() + turn_start_.size());
-  scale_.from_seconds(Eigen::Map<Eigen::VectorXd>(section.data(), turn_start_.size()));
+  put_scaled(turn_start_, section);
+}
+
+template <int N>
+void ExactRun<N>::put_scaled(const State& physical, std::vector<double>& scaled) const {
+  scaled.assign(physical.data(), physical.data() + physical.size());
+  scale_.from_seconds(Eigen::Map<Eigen::VectorXd>(scaled.data(), physical.size()));
+}
+
+template <int N>
+typename ExactRun<N>::State ExactRun<N>::physical_of(std::span<const double> scaled) const {
+  State physical = Eigen::Map<const Eigen::VectorXd>(scaled.data(), turn_start_.size());
+  scale_.to_seconds(physical);
+  return physical;
 }
 
 template <int N>
 void ExactRun<N>::resume(std::span<const double> section) {
-  std::copy(section.begin(), section.end(), turn_start_.data());
-  scale_.to_seconds(turn_start_);
+  turn_start_ = physical_of(section);
   ++revolution_;
   goes_on_ = false;
 }
@@ -95,8 +106,7 @@ ExactEnding ExactRun<N>::run_to_end(run::TurnReport& report) {
 template <int N>
 const typename ExactRun<N>::Place& ExactRun<N>::place() {
   place_.phase_rad = speed_ * time_s_;
-  place_.state.assign(here_.data(), here_.data() + here_.size());
-  scale_.from_seconds(Eigen::Map<Eigen::VectorXd>(place_.state.data(), here_.size()));
+  put_scaled(here_, place_.state);
   place_.modes = motion_.mode().modes;
   place_.tangent_vectors.resize(here_.size(), tangents_);
   motion_.put_tangents(place_.tangent_vectors);
@@ -106,9 +116,7 @@ const typename ExactRun<N>::Place& ExactRun<N>::place() {
 template <int N>
 bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const std::vector<Mode>& modes,
                        const run::TurnReport& report) {
-  State physical = turn_start_;
-  std::copy(state.begin(), state.end(), physical.data());
-  scale_.to_seconds(physical);
+  const State physical = physical_of(state);
   std::size_t joint = 0;
   for (std::size_t i = 0; i < modes.size(); ++i) joint += in_joint_mode(modes[i], i);
   const auto saturated = slip_.saturated_mode(motion_.machine(), joint, physical);
@@ -249,14 +257,11 @@ bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
 template <int N>
 bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
   State here = motion_.physical();
-  const std::vector<Mode>& from = motion_.mode().modes;
+  const std::size_t from = motion_.joint();
   while (time_s_ >= next_impulse_s())
     here.tail(here.size() / 2) += impulses_.take() / scale_.in_seconds().unit_velocity_m_per_s();
   if (!enter_by_state(here)) return false;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const Mode to = motion_.mode().modes[i];
-    if (to != from[i]) note_switch(report, i, from[i], to);
-  }
+  note_switches(report, from, motion_.joint());
   return begin_motion(here);
 }
 
@@ -282,37 +287,20 @@ void ExactRun<N>::land(run::TurnReport& report, std::size_t e, double latest_s) 
 
 template <int N>
 bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
-  const auto& mode = motion_.mode();
-  const auto& contacts = motion_.machine().system().contacts;
   const State here = motion_.physical();
-  std::size_t joint = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const auto& c = contacts[i];
-    const Mode from = mode.modes[i];
-    Mode to = from;
-    if (contact::linear(c.wall)) {
-      const auto kinematics = kinematics_of(c, here, motion_.closing_acceleration(i, here));
-      if (mode.guards[e].contact == i) to = contact::mode_through(from, mode.guards[e].next, kinematics);
-      to = contact::mode_after(to, c.stiffness, c.damping, kinematics);
-    }
-    if (to != Mode::open) joint += in_joint_mode(to, i) + way_in_joint_mode(i, from, here);
-    if (to != from) note_switch(report, i, from, to);
-  }
+  const std::size_t joint = joint_mode_behind(motion_, slip_, e, here);
+  note_switches(report, motion_.joint(), joint);
   return motion_.enter(joint, here) && begin_motion(here);
 }
 
 template <int N>
-void ExactRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from, Mode to) {
-  ++effort_.switches;
-  report.add({speed_ * time_s_, static_cast<int>(i), from, to}, switches_wanted_);
-}
-
-/// The bit of a contact that touches and did `from` before: as long as it touches its slip keeps its way.
-template <int N>
-std::size_t ExactRun<N>::way_in_joint_mode(std::size_t i, Mode from, const State& here) const {
-  const std::size_t bit = backward_in_joint_mode(i, motion_.mode().modes.size());
-  if (from != Mode::open) return motion_.joint() & bit;
-  return slip_.goes_backward(motion_.machine(), i, here) ? bit : 0;
+void ExactRun<N>::note_switches(run::TurnReport& report, std::size_t from, std::size_t to) {
+  for (std::size_t i = 0; i < motion_.mode().modes.size(); ++i) {
+    const Mode before = mode_in_joint_mode(from, i), after = mode_in_joint_mode(to, i);
+    if (after == before) continue;
+    ++effort_.switches;
+    report.add({speed_ * time_s_, static_cast<int>(i), before, after}, switches_wanted_);
+  }
 }
 
 /// In the mode that was entered at `here`; false as of `begin_slip`.

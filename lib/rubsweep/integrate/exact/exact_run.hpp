@@ -73,6 +73,8 @@ class ExactRun {
   using Motion = ExactMotion<N>;
   using State = typename Motion::State;
 
+  void put_scaled(const State& physical, std::vector<double>& scaled) const;
+  State physical_of(std::span<const double> scaled) const;
   bool begin_turn(const run::TurnRequest& request, run::TurnReport& report);
   ExactEnding run_to_end(run::TurnReport& report);
   bool start_motion();
@@ -87,8 +89,8 @@ class ExactRun {
   void passed(run::TurnReport& report, double duration_s);
   void land(run::TurnReport& report, std::size_t guard, double latest_s);
   bool switch_mode(run::TurnReport& report, std::size_t guard);
-  void note_switch(run::TurnReport& report, std::size_t contact, contact::Mode from, contact::Mode to);
-  std::size_t way_in_joint_mode(std::size_t contact, contact::Mode from, const State& here) const;
+  /// Of all contacts, from one joint mode to another.
+  void note_switches(run::TurnReport& report, std::size_t from, std::size_t to);
   bool begin_motion(const State& here);
   bool begin_slip(const State& here);
   bool renew_slip_watch(StepChoice& choice);

@@ -16,29 +16,28 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// What a newton along either of a contact's directions accelerates of the contact itself.
-struct PushedContact {
-  numerics::Twin first, second;
-};
-
-/// A diagonal structure and the one stop that it touches and slips at: the usual step. What its expansion
-/// waits for is the contact, whose next coefficient comes from what the structure does of itself and from the
-/// force alone.
+/// A diagonal structure and one stop of it. Where it touches no other one and slips there, which is the usual
+/// step, what an expansion waits for is the contact, whose next coefficient comes from what the structure
+/// does of itself and from the force alone.
 template <int N>
 struct TouchedStructure {
   using Pairs = StatePairs<N>;
 
-  TouchedStructure(const run::ScaledSystem<N>& system, std::size_t contact, const PushedContact& accelerated)
+  TouchedStructure(const run::ScaledSystem<N>& system, std::size_t contact)
       : stiffness(system.stiffness_diagonal),
         damping(system.damping_diagonal),
         first_push(system.contacts[contact].first_push),
         second_push(system.contacts[contact].second_push),
         first_row(system.contacts[contact].first_row),
-        second_row(system.contacts[contact].second_row),
-        pushed(accelerated) {}
+        second_row(system.contacts[contact].second_row) {
+    const auto& c = system.contacts[contact];
+    by_first = numerics::Twin{c.first_row.dot(c.first_push), c.second_row.dot(c.first_push)};
+    by_second = numerics::Twin{c.first_row.dot(c.second_push), c.second_row.dot(c.second_push)};
+  }
 
   Pairs stiffness, damping, first_push, second_push, first_row, second_row;
-  PushedContact pushed;
+  /// What a newton along either of the contact's directions accelerates of the contact itself.
+  numerics::Twin by_first, by_second;
 };
 
 /// A force on a casing, each of its components twice.
@@ -73,10 +72,9 @@ void expand_in_registers(const run::ScaledSystem<N>& system, const TouchedStruct
     by_cosine = -(next * by_sine);
     by_sine = next * turned;
     const TwiceForce force(contact.force_term(k));
-    contact.set_velocity(
-        k + 1, (numerics::sums_of(along_first, along_second) + structure.pushed.first * force.first +
-                structure.pushed.second * force.second) *
-                   next);
+    contact.set_velocity(k + 1, (numerics::sums_of(along_first, along_second) +
+                                 structure.by_first * force.first + structure.by_second * force.second) *
+                                    next);
     double *to_u = series.u(k + 2).data(), *to_v = series.v(k + 1).data();
     for (std::size_t h = 0; h < Pairs::count; ++h) {
       u[h] = v[h] * next;
@@ -124,8 +122,8 @@ void expand_in_registers(const TouchedStructure<N>& structure, int most, double 
         largest = numerics::larger(largest, numerics::magnitudes(moved[i][h]));
         largest_rate = numerics::larger(largest_rate, numerics::magnitudes(changed[i][h]));
       }
-      speed[i] = (numerics::sums_of(along_first, along_second) + structure.pushed.first * force.first +
-                  structure.pushed.second * force.second) *
+      speed[i] = (numerics::sums_of(along_first, along_second) + structure.by_first * force.first +
+                  structure.by_second * force.second) *
                  next;
       size[column] = power * std::max(largest[0], largest[1]);
       rate_size[column] = power * std::max(largest_rate[0], largest_rate[1]);

@@ -36,8 +36,7 @@ class Expansion {
     pulses_.reserve(system.pulses.size());
     touching_.reserve(contacts_.size());
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      pushed_.push_back(
-          {at_contact(i, system.contacts[i].first_push), at_contact(i, system.contacts[i].second_push)});
+      structures_.emplace_back(system, i);
     }
   }
 
@@ -90,7 +89,7 @@ class Expansion {
     if (!system_.diagonal || touching_.size() != 1 || sticking_ > 0) return std::nullopt;
     return touching_[0];
   }
-  TouchedStructure<N> touched(std::size_t i) const { return {system_, i, pushed_[i]}; }
+  const TouchedStructure<N>& touched(std::size_t i) const { return structures_[i]; }
 
   // Of contacts that stick or creep.
   std::size_t sticking() const { return sticking_; }
@@ -226,7 +225,7 @@ class Expansion {
   std::vector<ContactSeries> contacts_;
   std::vector<Creep> creeps_;
   std::vector<char> creeping_;
-  std::vector<PushedContact> pushed_;
+  std::vector<TouchedStructure<N>> structures_;  ///< per contact
   std::vector<std::size_t> touching_;
   std::array<std::size_t, contact::most_sticking> stuck_{};
   std::size_t sticking_ = 0;

@@ -1,16 +1,18 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 
 #include "rubsweep/numerics/plane_series.hpp"
 
 namespace rubsweep::integrate::taylor {
 
-/// N coordinates two by two, as an expansion takes them that keeps its newest terms in registers.
+/// N coordinates two by two, as an expansion takes them that keeps its newest terms in registers; none where
+/// the compiler does not know how many there are.
 template <int N>
 struct StatePairs {
-  static constexpr std::size_t count = static_cast<std::size_t>(N) / 2;
+  static constexpr std::size_t count = N == Eigen::Dynamic ? 0 : static_cast<std::size_t>(N) / 2;
 
   StatePairs() = default;
   template <class Vector>
@@ -22,7 +24,7 @@ struct StatePairs {
   numerics::Twin& operator[](std::size_t h) { return pairs[h]; }
   numerics::Twin operator[](std::size_t h) const { return pairs[h]; }
 
-  numerics::Twin pairs[count];
+  std::array<numerics::Twin, count> pairs;
 };
 
 }  // namespace rubsweep::integrate::taylor

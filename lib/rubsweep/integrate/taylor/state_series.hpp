@@ -44,8 +44,8 @@ class StateSeries {
     }
   }
 
-  /// The same after the durations at(0), ..., at(count - 1), one state behind the other, each with the bits
-  /// that it has alone: in less time than one by one, because the sums of one need not wait for those of
+  /// States after the durations at(0), ..., at(count - 1), one behind the other, each with the same bits
+  /// however many there are: in less time than one by one, because the sums of one need not wait for those of
   /// another.
   template <class At>
   void put_states(int count, const At& at, double* states) const {

@@ -64,7 +64,7 @@ TurnMap OrbitProof::as_it_runs() {
   return [this](std::span<double> state, Eigen::MatrixXd*) { return (*run_map_)(state); };
 }
 
-TurnMap OrbitProof::as_exactly_as_possible(double tangent_accuracy) {
+TurnMap OrbitProof::at_tight_tolerance(double tangent_accuracy) {
   if (!map_) map_.emplace(scene_, solver_, workspace_.modes);
   return [this, tangent_accuracy](std::span<double> state, Eigen::MatrixXd* disturbances) {
     return disturbances ? map_->carry(state, *disturbances, tangent_accuracy) : (*map_)(state);
@@ -72,8 +72,7 @@ TurnMap OrbitProof::as_exactly_as_possible(double tangent_accuracy) {
 }
 
 std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> section, int order) {
-  const auto orbit =
-      find_orbit(as_exactly_as_possible(), as_exactly_as_possible(rough_accuracy), section, order);
+  const auto orbit = find_orbit(at_tight_tolerance(), at_tight_tolerance(rough_accuracy), section, order);
   if (!orbit) return std::nullopt;
   const auto proof = converges(section, *orbit);
   if (!proof) return std::nullopt;
@@ -96,8 +95,7 @@ std::optional<motion::Proof> OrbitProof::converges(std::span<const double> secti
   const Nearness wanted = radius ? Nearness{*radius, 0} : Nearness{followed_down * distance, on_the_orbit};
   const double promised = std::log(std::max(1.0, distance / wanted.adapted)) / -std::log(norms->contraction);
   const long most_turns = patience(orbit, promised, map_->closed_forms());
-  if (!comes_near(radius ? as_exactly_as_possible() : as_it_runs(), section, orbit, *norms, wanted,
-                  most_turns))
+  if (!comes_near(radius ? at_tight_tolerance() : as_it_runs(), section, orbit, *norms, wanted, most_turns))
     return std::nullopt;
   return radius ? motion::Proof::floquet : motion::Proof::floquet_observed;
 }
@@ -111,7 +109,7 @@ bool OrbitProof::enters_split_ball(std::span<const double> section, const Stable
   const auto distance = parts_of(*norms, 0, here - orbit.sections.front());
   const auto radii = split_ball_radii(scene_, workspace_.modes, start_of(orbit), *norms, distance);
   return radii &&
-         comes_inside(as_exactly_as_possible(), section, orbit, *norms, *radii,
+         comes_inside(at_tight_tolerance(), section, orbit, *norms, *radii,
                       patience(orbit, turns_to_enter(*norms, distance, *radii), map_->closed_forms()));
 }
 

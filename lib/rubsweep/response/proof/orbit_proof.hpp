@@ -33,7 +33,7 @@ class OrbitProof {
   std::optional<motion::ProvenMotion> prove(std::span<const double> section, int order);
   std::optional<motion::Proof> converges(std::span<const double> section, const StableOrbit& orbit);
   bool enters_split_ball(std::span<const double> section, const StableOrbit& orbit);
-  TurnMap as_exactly_as_possible(double tangent_accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
+  TurnMap at_tight_tolerance(double tangent_accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
   TurnMap as_it_runs();
   std::optional<motion::Measures> measure(const std::vector<double>& section, int order);
 
