@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace rubsweep::numerics {
 namespace {
@@ -25,6 +26,20 @@ TEST(PlaneSeries, ItsPartsAreWhereTheyAreLookedFor) {
   std::array<double, 2> stored{};
   store(stored.data(), pair);
   EXPECT_EQ(stored, (std::array<double, 2>{3, -5}));
+}
+
+TEST(Twin, OfReciprocalsAndOfPowers) {
+  for (int k = 1; k <= most_taylor_order + 2; ++k) {
+    EXPECT_EQ(reciprocal(k)[0], 1.0 / k);
+    EXPECT_EQ(reciprocal(k)[1], 1.0 / k);
+  }
+  for (const int count : {0, 1, 2, 7, 8}) {
+    std::array<double, 9> powers;
+    powers.fill(-1);
+    put_powers(-2, count, powers.data());
+    for (int k = 0; k < 9; ++k)
+      EXPECT_EQ(powers[static_cast<std::size_t>(k)], k < count ? std::pow(-2, k) : -1) << count << ' ' << k;
+  }
 }
 
 TEST(PlaneSeries, SumsOfEveryLengthAreTheSums) {

@@ -40,6 +40,26 @@ TEST(FirstRise, AStartAtZeroIsNoRise) {
   }
 }
 
+/// Polynomials of the length of a step's with one root: rising, and bent either way on the way up, some of
+/// which fall at first or at last.
+TEST(FirstRise, OfWhatRisesOrBendsOneWay) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> part(0, 1), place(0.05, 0.95);
+  for (int trial = 0; trial < 300; ++trial) {
+    for (const double bend : {-1.0, 0.0, 1.0}) {
+      const double root = place(random);
+      // (x - root) times a square, a constant slope, or a slope that passes zero beyond the other end.
+      std::vector<double> c = times({-root, 1.0}, {bend < 0 ? 1.2 : bend > 0 ? 0.2 : 1.0, bend});
+      c.resize(24);
+      for (std::size_t k = 3; k < c.size(); ++k) c[k] = 1e-3 * part(random) * std::pow(0.3, double(k));
+      const double known = *first_rise_of(c, 0);
+      EXPECT_LT(value(c, known - 1e-14), 0);
+      EXPECT_GT(value(c, known + 1e-14), 0);
+      EXPECT_NEAR(known, root, 1e-3);
+    }
+  }
+}
+
 TEST(FirstRise, TellsAGrazeFromATouch) {
   // -(x - 1/3)^2 + excess: two crossings sqrt(excess) from 1/3, or none.
   const double third = 1.0 / 3;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "rubsweep/numerics/plane_series.hpp"
+
 namespace rubsweep::numerics {
 namespace {
 
@@ -128,22 +130,59 @@ std::optional<double> search(std::span<const double> c, const Hull& hull, double
   return search(c, right, low + width / 2, width / 2);
 }
 
-/// The same by the Bernstein form of the first terms and what the others may add: a polynomial's hull costs
-/// the square of its degree.
+/// Sum of the positive terms. No sum of two waits for another one.
+double sum_of_positive(std::span<const double> c) {
+  const Twin zero{};
+  Twin sums[2]{};
+  std::size_t k = 0;
+  for (; k + 4 <= c.size(); k += 4) {
+    sums[0] += larger(zero, load(&c[k]));
+    sums[1] += larger(zero, load(&c[k + 2]));
+  }
+  sums[0] += sums[1];
+  double sum = sums[0][0] + sums[0][1];
+  for (; k < c.size(); ++k) sum += std::max(0.0, c[k]);
+  return sum;
+}
+
+/// True when the polynomial is below zero by the Bernstein form of its first terms and what the others may
+/// add: a hull costs the square of the degree.
 bool low_part_negative(std::span<const double> c) {
   if (c.size() < worth_while) return false;
-  double rest = 0;
-  for (const double term : c.subspan(first_terms)) rest += std::max(term, 0.0);
+  const double rest = sum_of_positive(c.subspan(first_terms));
   const Hull hull = hull_of(c.first(first_terms));
   return *std::max_element(hull.b.begin(), hull.b.begin() + first_terms) + rest < 0;
+}
+
+/// p(1), even and odd terms apart.
+double value_at_one(std::span<const double> c) {
+  double even = 0, odd = 0;
+  std::size_t k = 0;
+  for (; k + 1 < c.size(); k += 2) {
+    even += c[k];
+    odd += c[k + 1];
+  }
+  return (k < c.size() ? even + c[k] : even) + odd;
+}
+
+/// Of a polynomial that starts below zero and ends above it: it rises all the way, or bends one way only, for
+/// a reason that is found at once. Either way it has one root.
+bool clearly_one_root(std::span<const double> c) {
+  std::array<double, most> falls, bends;  // -p', then p'' or -p''
+  const std::size_t slopes = c.size() - 1;
+  for (std::size_t k = 0; k < slopes; ++k) falls[k] = -static_cast<double>(k + 1) * c[k + 1];
+  if (clearly_negative(std::span(falls).first(slopes))) return true;
+  if (slopes < 2) return false;
+  const double sign = falls[1] < 0 ? -1 : 1;
+  for (std::size_t k = 0; k + 1 < slopes; ++k) bends[k] = -sign * static_cast<double>(k + 1) * falls[k + 1];
+  return clearly_negative(std::span(bends).first(slopes - 1));
 }
 
 }  // namespace
 
 bool clearly_negative(std::span<const double> c) {
   if (!(c[0] < 0)) return false;
-  double rest = 0;
-  for (std::size_t k = 4; k < c.size(); ++k) rest += std::max(c[k], 0.0);
+  const double rest = c.size() > 4 ? sum_of_positive(c.subspan(4)) : 0;
   const auto coefficient = [&](std::size_t k) { return k < c.size() ? c[k] : 0.0; };
   const double c1 = coefficient(1), c2 = coefficient(2), c3 = coefficient(3);
   // The cubic part lies below the largest of its control ordinates, and no power of x is above one.
@@ -157,7 +196,12 @@ std::optional<double> first_rise_of(std::span<const double> c, double noise) {
     if (clearly_negative(c.subspan(1))) return std::nullopt;
     c = c.subspan(1);
   }
-  if (low_part_negative(c)) return std::nullopt;
+  const double end = value_at_one(c);
+  if (c[0] < 0 && end > 0) {
+    if (clearly_one_root(c)) return refine(c, 0, 1, c[0], end);
+  } else if (low_part_negative(c)) {
+    return std::nullopt;
+  }
   return search(c, hull_of(c), 0, 1);
 }
 

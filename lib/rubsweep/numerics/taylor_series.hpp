@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "rubsweep/numerics/root_below.hpp"
+
 namespace rubsweep::numerics {
 
 /// Highest order of a power series here.
@@ -27,10 +29,10 @@ constexpr double power(double x, int k) {
   return result;
 }
 
-/// The longest t, at most `longest`, with term t^k <= largest, of a term >= 0 and a k >= 1. A root is drawn
-/// only where it is needed.
+/// The longest t, at most `longest`, with term t^k <= largest, of a term >= 0 and a k >= 1, or up to a
+/// thousandth less. A root is drawn only where it is needed.
 inline double longest_below(double longest, double term, int k, double largest) {
-  return term * power(longest, k) > largest ? std::pow(largest / term, 1.0 / k) : longest;
+  return term * power(longest, k) > largest ? root_below(largest / term, k) : longest;
 }
 
 /// Coefficients of a power series sum a_k t^k, written one after the other. They are kept in both directions,

@@ -18,8 +18,10 @@ using numerics::Twin;
 void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s, contact::Slip way) {
   law_ = &law;
   mode_ = mode;
-  spring_factor_ = contact::law_of(mode).spring;
-  damper_ = law.damper(mode);
+  spring_factor_ = both(contact::law_of(mode).spring);
+  damper_ = both(law.damper(mode));
+  stiffness_ = both(law.stiffness);
+  clearance_ = both(law.clearance);
   sliding_made_ = false;
   saturated_steepness_ = 0;
   const bool dry = law.friction.dry > 0;
@@ -37,6 +39,7 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s,
     saturated_steepness_ = saturated_steepness_ == 0 ? steepness : std::min(saturated_steepness_, steepness);
     constant_mu_ += term.height * std::copysign(1.0, term.steepness_s_per_m * slip_m_per_s);
   }
+  turned_mu_ = Twin{-constant_mu_, constant_mu_};
 }
 
 void ContactSeries::follow(const Creep& creep) {
@@ -44,11 +47,13 @@ void ContactSeries::follow(const Creep& creep) {
   sticks_ = true;
   varies_ = false;
   constant_mu_ = saturated_steepness_ = 0;
+  turned_mu_ = Twin{};
 }
 
 double ContactSeries::turn_rate() const {
-  return law_->annular ? (normal_[0][0] * velocity_[0][1] - normal_[0][1] * velocity_[0][0]) * inverse_length_
-                       : 0;
+  return law_->annular
+             ? (normal_[0][0] * velocity_[0][1] - normal_[0][1] * velocity_[0][0]) * inverse_length()
+             : 0;
 }
 
 Twin ContactSeries::force_term(int k) { return law_->annular ? annular_term(k) : flat_term(k); }
@@ -67,7 +72,7 @@ double ContactSeries::keeping_term(int k) const {
   }
   for (int j = 1; j <= k; ++j)
     rest -= distance_[j][0] * acceleration_[k - j][1] - distance_[j][1] * acceleration_[k - j][0];
-  return rest * inverse_length_;
+  return rest * inverse_length();
 }
 
 void ContactSeries::hold(int k, double force_n, Twin acceleration) {
@@ -98,7 +103,7 @@ double ContactSeries::friction_slope_term(int k) const {
 
 Twin ContactSeries::flat_term(int k) {
   const double spring = law_->stiffness * (distance_[k][0] - (k == 0 ? law_->clearance : 0));
-  const double total = spring_factor_ * spring + damper_ * velocity_[k][0];
+  const double total = spring_factor_[0] * spring + damper_[0] * velocity_[k][0];
   if (!varies_) return Twin{total, constant_mu_ * spring};
   load_.set(k, Twin{spring, 0});
   sliding_.set(k, velocity_[k][1]);
@@ -113,9 +118,9 @@ Twin ContactSeries::normal_and_rate(int k) {
   if (k == 0) {
     const Twin square = distance_[0] * distance_[0];
     const double length = std::sqrt(sum_of(square)[0]);
-    inverse_length_ = 1 / length;
+    inverse_length_ = both(1 / length);
     length_.set(0, length);
-    normal_.set(0, distance_[0] * both(inverse_length_));
+    normal_.set(0, distance_[0] * inverse_length_);
     length_rate_.set(0, sum_of(normal_[0] * velocity_[0]));
     return damped ? length_rate_[0] * normal_[0] : Twin{};
   }
@@ -134,7 +139,7 @@ Twin ContactSeries::normal_and_rate(int k) {
   }
   if (j == 1) add(j, 0);
   const Twin normal =
-      (distance_[k] - (by_length[0] + by_length[1] + length_[k] * normal_[0])) * both(inverse_length_);
+      (distance_[k] - (by_length[0] + by_length[1] + length_[k] * normal_[0])) * inverse_length_;
   const Twin rate =
       sum_of(by_velocity[0] + by_velocity[1] + velocity_[k] * normal_[0] + velocity_[0] * normal);
   normal_.set(k, normal);
@@ -146,22 +151,21 @@ Twin ContactSeries::normal_and_rate(int k) {
 /// The force is F n + mu S t with normal force F, spring force S = K (r - C) and t a quarter of a turn from
 /// n: S n = K (d - C n) and, where the damper works, F n has d r' n besides.
 Twin ContactSeries::annular_term(int k) {
-  const Twin damping = damper_ == 0 ? normal_and_rate<false>(k) : both(damper_) * normal_and_rate<true>(k);
-  length_.set(k + 1, length_rate_[k] * both(numerics::one_over(k + 1)));
-  const Twin load = both(law_->stiffness) * (distance_[k] - both(law_->clearance) * normal_[k]);
-  Twin force = both(spring_factor_) * load + damping;
+  const Twin damping = damper_[0] == 0 ? normal_and_rate<false>(k) : damper_ * normal_and_rate<true>(k);
+  length_.set(k + 1, length_rate_[k] * numerics::reciprocal(k + 1));
+  const Twin load = stiffness_ * (distance_[k] - clearance_ * normal_[k]);
+  Twin force = spring_factor_ * load + damping;
+  if (!sticks_ && !varies_) return force + turned_mu_ * numerics::swapped(load);
   if (sticks_) {
     if (k == 0)
       sliding_speed_ = normal_[0][0] * velocity_[0][1] - normal_[0][1] * velocity_[0][0];
     else
       force += quarter_turned(sum_of_products(holding_, normal_, k, 0, k - 1));
-  } else if (varies_) {
+  } else {
     load_.set(k, load);
     add_sliding_term(k);
     add_slip_term(law_->slip_scale_m_per_s * sliding_[k] + (k == 0 ? law_->surface_speed_m_per_s : 0), k);
     force += quarter_turned(product_term(mu_, load_, k));
-  } else {
-    force += both(constant_mu_) * quarter_turned(load);
   }
   return force;
 }
@@ -192,14 +196,26 @@ double ContactSeries::slip_term(int k) const {
   return law_->slip_scale_m_per_s * sliding_[k] + (k == 0 ? law_->surface_speed_m_per_s : 0);
 }
 
+void ContactSeries::put_penetration(int order, double* to) const {
+  if (law_->annular && mode_ == Mode::open) {
+    std::copy_n(open_penetration_.begin(), order + 1, to);
+    return;
+  }
+  const PlaneSeries& series = law_->annular ? length_ : distance_;
+  for (int k = 0; k <= order; ++k) to[k] = series.number(k);
+  to[0] -= law_->clearance;
+}
+
 void ContactSeries::make_open_penetration(int order) {
   if (!law_->annular) return;
+  const double clearance = law_->clearance, share = 1 / (2 * clearance);
   for (int k = 0; k <= order; ++k) {
     const int half = k / 2;
     Twin sum = both(2) * sum_of_products(distance_, distance_, k, 0, (k - 1) / 2);
     if (k == 0) sum = Twin{};
     if (k % 2 == 0) sum += distance_[half] * distance_[half];
-    square_[static_cast<std::size_t>(k)] = sum_of(sum)[0];
+    const double square = sum_of(sum)[0] - (k == 0 ? clearance * clearance : 0);
+    open_penetration_[static_cast<std::size_t>(k)] = share * square;
   }
 }
 

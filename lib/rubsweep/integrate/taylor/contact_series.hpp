@@ -21,7 +21,7 @@ class ContactSeries {
   void set_distance(numerics::Twin distance) { distance_.set(0, distance); }
   void set_velocity(int k, numerics::Twin velocity) {
     velocity_.set(k, velocity);
-    distance_.set(k + 1, velocity * numerics::both(numerics::one_over(k + 1)));
+    distance_.set(k + 1, velocity * numerics::reciprocal(k + 1));
   }
   const numerics::PlaneSeries& distance() const { return distance_; }
   const numerics::PlaneSeries& velocity() const { return velocity_; }
@@ -69,12 +69,12 @@ class ContactSeries {
   /// Coefficient k <= order of the penetration; of an open annular contact (|d|^2 - C^2) / (2 C) instead,
   /// which rises through zero with it, after `make_open_penetration`.
   double penetration_term(int k) const {
-    const double wall = k == 0 ? law_->clearance : 0;
-    if (!law_->annular) return distance_[k][0] - wall;
-    if (mode_ != contact::Mode::open) return length_.number(k) - wall;
-    return (square_[static_cast<std::size_t>(k)] - wall * law_->clearance) / (2 * law_->clearance);
+    if (law_->annular && mode_ == contact::Mode::open) return open_penetration_[static_cast<std::size_t>(k)];
+    return (law_->annular ? length_ : distance_).number(k) - (k == 0 ? law_->clearance : 0);
   }
   void make_open_penetration(int order);
+  /// Its coefficients up to `order`, as `penetration_term`.
+  void put_penetration(int order, double* to) const;
   /// Coefficients of d' . t up to order - 1, once `make_sliding` was called.
   void make_sliding(int order);
   double slip_term(int k) const;
@@ -86,7 +86,7 @@ class ContactSeries {
   const numerics::PlaneSeries& normal() const { return normal_; }
   const numerics::PlaneSeries& length() const { return length_; }
   const numerics::PlaneSeries& length_rate() const { return length_rate_; }
-  double inverse_length() const { return inverse_length_; }  ///< where the expansion starts
+  double inverse_length() const { return inverse_length_[0]; }  ///< where the expansion starts
   const numerics::Series& sliding() const { return sliding_; }
   /// Friction that varies: its coefficient, and the force that it is multiplied by (at a flat stop the first
   /// component of it).
@@ -108,19 +108,23 @@ class ContactSeries {
 
   const ContactLaw* law_ = nullptr;
   contact::Mode mode_ = contact::Mode::open;
-  double spring_factor_ = 0, damper_ = 0;
+  // Of the law in this mode, each number twice, as products take it: factor of the spring, damper, stiffness
+  // and clearance.
+  numerics::Twin spring_factor_{}, damper_{}, stiffness_{}, clearance_{};
   bool varies_ = false, sliding_made_ = false, sticks_ = false;
   const Creep* creep_ = nullptr;
   double sliding_speed_ = 0;
-  double constant_mu_ = 0;  ///< of the terms that do not vary
+  double constant_mu_ = 0;      ///< of the terms that do not vary
+  numerics::Twin turned_mu_{};  ///< (-mu, mu) of it: times a swapped pair, mu times that pair quarter turned
   double saturated_steepness_ = 0, slip_sign_ = 1;
   std::array<bool, 3> active_{};
   std::array<numerics::TanhSeries, 3> tanh_;
   numerics::PlaneSeries distance_, velocity_, mu_, load_, holding_, acceleration_;
-  // Annular: the normal; r and its rate; 1 / r where the expansion starts; |d|^2 while open.
+  // Annular: the normal; r and its rate; 1 / r where the expansion starts; while open, what stands for the
+  // penetration.
   numerics::PlaneSeries normal_, length_, length_rate_;
-  double inverse_length_ = 0;
-  std::array<double, numerics::most_taylor_order + 1> square_{};
+  numerics::Twin inverse_length_{};
+  std::array<double, numerics::most_taylor_order + 1> open_penetration_{};
   numerics::Series sliding_;
 };
 

@@ -36,8 +36,7 @@ void ContactTangents<Count>::begin(const Term& displacement) {
 template <int Count>
 auto ContactTangents<Count>::force_term(int k, const Term& rate) -> Term {
   rate_.set(k, rate);
-  for (std::size_t i = 0; i < count; ++i)
-    displacement_.set(k + 1, i, rate[i] * both(numerics::one_over(k + 1)));
+  for (std::size_t i = 0; i < count; ++i) displacement_.set(k + 1, i, rate[i] * numerics::reciprocal(k + 1));
   return annular_ ? annular_term(k) : flat_term(k);
 }
 
@@ -116,7 +115,7 @@ auto ContactTangents<Count>::damping_products(int k) const -> Term {
     }
   }
   for (std::size_t i = 0; i < count; ++i)
-    first[i] = first[i] + second[i] + n[0] * length_rate_[k][i] + rate[0] * normal_[k][i];
+    first[i] = first[i] + second[i] + rate[0] * normal_[k][i] + n[0] * length_rate_[k][i];
   return first;
 }
 
@@ -127,7 +126,7 @@ auto ContactTangents<Count>::annular_term(int k) -> Term {
   for (std::size_t i = 0; i < count; ++i) {
     const Twin load = both(stiffness_) * (displacement_[k][i] - both(clearance_) * normal_[k][i]);
     const Twin damped = damper_ == 0 ? Twin{} : both(damper_) * damping[i];
-    Twin force = both(spring_factor_) * load + damped;
+    Twin force = both(spring_factor_) * load;
     if (sticks_) {
       force += quarter_turned(product_term(contact_->holding(), normal_.member(i), k));
     } else if (!varies_) {
@@ -140,7 +139,7 @@ auto ContactTangents<Count>::annular_term(int k) -> Term {
       add_coefficient_term(i, sliding[0] - sliding[1], k);
       force += quarter_turned(sliding_friction(i, load, k));
     }
-    all[i] = force;
+    all[i] = force + damped;
   }
   return all;
 }

@@ -9,9 +9,11 @@
 #include "rubsweep/contact/dry_friction.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/taylor/contact_directions.hpp"
 #include "rubsweep/integrate/taylor/contact_law.hpp"
 #include "rubsweep/integrate/taylor/contact_series.hpp"
 #include "rubsweep/integrate/taylor/creep.hpp"
+#include "rubsweep/integrate/taylor/diagonal_structure.hpp"
 #include "rubsweep/integrate/taylor/expand_in_registers.hpp"
 #include "rubsweep/integrate/taylor/state_series.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
@@ -27,6 +29,7 @@ class Expansion {
 
   Expansion(const run::ScaledSystem<N>& system, int order)
       : system_(system),
+        structure_(system),
         series_(system.coordinates(), order),
         acceleration_(system.coordinates()),
         contacts_(system.contacts.size()),
@@ -35,9 +38,7 @@ class Expansion {
     for (const auto& contact : system.contacts) laws_.emplace_back(contact);
     pulses_.reserve(system.pulses.size());
     touching_.reserve(contacts_.size());
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      structures_.emplace_back(system, i);
-    }
+    for (const auto& contact : system.contacts) directions_.emplace_back(contact);
   }
 
   /// Expands from `state` (u then u') at `phase_rad` into the revolution, with the pulses that act there.
@@ -48,10 +49,7 @@ class Expansion {
     begin_contacts(modes, slips);
     start_drives(phase_rad, pulses);
     if constexpr (N != Eigen::Dynamic) {
-      if (const auto contact = only_slip(); contact && pulses_.empty()) {
-        expand_in_registers(system_, touched(*contact), cosine_, sine_, contacts_[*contact], series_);
-        return complete_contacts();
-      }
+      if (expanded_in_registers()) return complete_contacts();
     }
     for (int k = 0; k < order(); ++k) {
       accelerate(k);
@@ -89,7 +87,10 @@ class Expansion {
     if (!system_.diagonal || touching_.size() != 1 || sticking_ > 0) return std::nullopt;
     return touching_[0];
   }
-  const TouchedStructure<N>& touched(std::size_t i) const { return structures_[i]; }
+  /// Nothing touches a diagonal structure.
+  bool flies() const { return system_.diagonal && touching_.empty(); }
+  const DiagonalStructure<N>& structure() const { return structure_; }
+  const ContactDirections<N>& directions(std::size_t i) const { return directions_[i]; }
 
   // Of contacts that stick or creep.
   std::size_t sticking() const { return sticking_; }
@@ -159,6 +160,23 @@ class Expansion {
     }
   }
 
+  /// False, and nothing done, unless no pulse acts on a diagonal structure and one contact at most touches,
+  /// and slips.
+  bool expanded_in_registers() {
+    if (!pulses_.empty()) return false;
+    const DriveTerms drives{numerics::both(cosine_), numerics::both(sine_)};
+    if (const auto i = only_slip()) {
+      directions_[*i].visit([&](const auto& directions) {
+        expand_in_registers(structure_, directions, drives, contacts_[*i], series_);
+      });
+      return true;
+    }
+    if (!flies()) return false;
+    NoContact none;
+    expand_in_registers(structure_, none, drives, none, series_);
+    return true;
+  }
+
   /// Coefficient k of the acceleration; drives and contacts go on to the next.
   void accelerate(int k) {
     Vector& a = acceleration_;
@@ -219,13 +237,14 @@ class Expansion {
   }
 
   const run::ScaledSystem<N>& system_;
+  DiagonalStructure<N> structure_;
   StateSeries<N> series_;
   Vector acceleration_;
   std::vector<ContactLaw> laws_;
   std::vector<ContactSeries> contacts_;
   std::vector<Creep> creeps_;
   std::vector<char> creeping_;
-  std::vector<TouchedStructure<N>> structures_;  ///< per contact
+  std::vector<ContactDirections<N>> directions_;  ///< per contact
   std::vector<std::size_t> touching_;
   std::array<std::size_t, contact::most_sticking> stuck_{};
   std::size_t sticking_ = 0;

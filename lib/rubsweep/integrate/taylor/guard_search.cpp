@@ -17,6 +17,13 @@ using Coefficients = std::array<double, numerics::most_taylor_order + 1>;
 /// few units of rounding of the states, which are of order one.
 constexpr double noise = 1e-13;
 
+/// 1, 2, ...: what a derivative multiplies the coefficients by.
+constexpr auto rate_factors = [] {
+  Coefficients factors{};
+  for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = static_cast<double>(k + 1);
+  return factors;
+}();
+
 std::span<const double> first(const Coefficients& c, int count) {
   return std::span(c).first(static_cast<std::size_t>(count));
 }
@@ -117,13 +124,13 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
   const Mode mode = contact.mode();
   if (mode == Mode::open && law.annular && far_from_wall(contact, order, duration_rad)) return std::nullopt;
   // Penetration and closing speed; rates are known to one order less.
-  Coefficients p, v;
-  double power = 1, next = contact.penetration_term(0);
-  for (int k = 0; k < order; ++k, power *= duration_rad) {
-    const auto index = static_cast<std::size_t>(k);
-    p[index] = power * next;
-    next = contact.penetration_term(k + 1);
-    v[index] = power * (k + 1) * next;
+  Coefficients all, power, p, v;
+  contact.put_penetration(order, all.data());
+  numerics::put_powers(duration_rad, order, power.data());
+  const auto count = static_cast<std::size_t>(order);
+  for (std::size_t k = 0; k < count; ++k) {
+    p[k] = power[k] * all[k];
+    v[k] = power[k] * rate_factors[k] * all[k + 1];
   }
   const contact::GuardForms forms = contact::guard_forms(mode, law.damping > 0);
   std::optional<GuardCrossing> earliest;
@@ -131,7 +138,7 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
     const auto& [spring, damper, to] = forms.list[e];
     Coefficients guard;
     const double by_v = damper * law.damping / law.stiffness;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(order); ++k) guard[k] = spring * p[k] + by_v * v[k];
+    for (std::size_t k = 0; k < count; ++k) guard[k] = spring * p[k] + by_v * v[k];
     const auto rise = numerics::first_rise_of(first(guard, order), noise);
     if (rise && (!earliest || *rise < earliest->share)) earliest = GuardCrossing{*rise, to};
   }

@@ -159,8 +159,16 @@ class TangentBundle {
     TangentConvergence<Count> convergence(accuracy, sizes(w_, 0), sizes(rate_, 0));
     if constexpr (N != Eigen::Dynamic) {
       if (const auto contact = motion.only_slip()) {
-        expand_in_registers(motion.touched(*contact), most, duration_rad, contacts_[*contact],
-                            at_contact(*contact, 0, rate_), w_, rate_, convergence);
+        motion.directions(*contact).visit([&](const auto& directions) {
+          expand_in_registers(motion.structure(), directions, most, duration_rad, contacts_[*contact],
+                              at_contact(*contact, 0, rate_), w_, rate_, convergence);
+        });
+        return note_orders(convergence, most);
+      }
+      if (motion.flies()) {
+        NoContact none;
+        expand_in_registers(motion.structure(), none, most, duration_rad, none, Term{}, w_, rate_,
+                            convergence);
         return note_orders(convergence, most);
       }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -21,10 +22,11 @@ class TangentConvergence {
 
   /// The terms of order `k`, in their order.
   void add(int k, const Sizes& displacement, const Sizes& rate) {
-    displacement_ = displacement_.max(displacement);
-    rate_ = rate_.max(rate);
+    // Number by number, as they were written: pairs of them would wait for each other.
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
+      displacement_(column) = std::max(displacement_(column), displacement(column));
+      rate_(column) = std::max(rate_(column), rate(column));
       const bool small = displacement(column) <= accuracy_ * displacement_(column) &&
                          rate(column) <= accuracy_ * rate_(column);
       small_in_a_row_[i] = small ? small_in_a_row_[i] + 1 : 0;

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/taylor/state_pairs.hpp"
+#include "rubsweep/numerics/plane_series.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// How a contact's two directions lie to the coordinates of a structure that come two by two: what the
+/// contact sees of their motion, and what its force makes of them.
+template <int N>
+class AnyDirections {
+ public:
+  using Twin = numerics::Twin;
+
+  explicit AnyDirections(const run::ScaledContact<N>& c)
+      : first_push_(c.first_push),
+        second_push_(c.second_push),
+        first_row_(c.first_row),
+        second_row_(c.second_row),
+        by_first_{c.first_row.dot(c.first_push), c.second_row.dot(c.first_push)},
+        by_second_{c.first_row.dot(c.second_push), c.second_row.dot(c.second_push)} {}
+
+  /// A force on the casing, each of its components twice.
+  struct Force {
+    explicit Force(Twin force) : first(numerics::first_twice(force)), second(numerics::second_twice(force)) {}
+    Twin first, second;
+  };
+
+  /// What the contact sees of some pairs; of each direction in two parts.
+  struct Seen {
+    Twin first{}, second{};
+  };
+  void see(std::size_t pair, Twin moved, Seen& seen) const {
+    seen.first += first_row_[pair] * moved;
+    seen.second += second_row_[pair] * moved;
+  }
+  /// In the contact's two directions, with what a force adds.
+  Twin total(const Seen& seen, const Force& force) const {
+    return numerics::sums_of(seen.first, seen.second) + by_first_ * force.first + by_second_ * force.second;
+  }
+  Twin pushed(std::size_t pair, Twin moved, const Force& force) const {
+    return moved + first_push_[pair] * force.first + second_push_[pair] * force.second;
+  }
+
+ private:
+  StatePairs<N> first_push_, second_push_, first_row_, second_row_;
+  /// What a newton along either of the contact's directions accelerates of the contact itself.
+  Twin by_first_, by_second_;
+};
+
+/// The same where the first coordinate of every pair lies along the first direction, or against it, and the
+/// second along the second: half the products, none across a pair.
+template <int N>
+class AxisDirections {
+ public:
+  using Twin = numerics::Twin;
+  using Force = Twin;
+  using Seen = Twin;
+
+  /// Empty where the directions lie otherwise.
+  static std::optional<AxisDirections> of(const run::ScaledContact<N>& c) {
+    for (Eigen::Index i = 0; i < c.first_row.size(); ++i) {
+      const bool first = i % 2 == 0;
+      const auto& other_row = first ? c.second_row : c.first_row;
+      const auto& other_push = first ? c.second_push : c.first_push;
+      if (other_row(i) != 0 || other_push(i) != 0) return std::nullopt;
+    }
+    return AxisDirections(c);
+  }
+
+  void see(std::size_t pair, Twin moved, Seen& seen) const { seen += row_[pair] * moved; }
+  Twin total(Seen seen, Force force) const { return seen + by_force_ * force; }
+  Twin pushed(std::size_t pair, Twin moved, Force force) const { return moved + push_[pair] * force; }
+
+ private:
+  explicit AxisDirections(const run::ScaledContact<N>& c)
+      : push_(c.first_push + c.second_push),
+        row_(c.first_row + c.second_row),
+        by_force_{c.first_row.dot(c.first_push), c.second_row.dot(c.second_push)} {}
+
+  StatePairs<N> push_, row_;
+  Twin by_force_;
+};
+
+/// Stands where nothing touches for directions, for a contact, and for its tangent vectors' changes.
+struct NoContact {
+  using Twin = numerics::Twin;
+
+  struct Force {
+    explicit Force(Twin) {}
+  };
+  struct Seen {};
+  void see(std::size_t, Twin, Seen&) const {}
+  Twin total(Seen, Force) const { return Twin{}; }
+  Twin pushed(std::size_t, Twin moved, Force) const { return moved; }
+
+  Twin force_term(int) const { return Twin{}; }
+  void set_velocity(int, Twin) const {}
+  template <class Term>
+  Term force_term(int, const Term&) const {
+    return Term{};
+  }
+};
+
+/// The directions of a contact as they were found when it was built.
+template <int N>
+class ContactDirections {
+ public:
+  explicit ContactDirections(const run::ScaledContact<N>& c) : any_(c), axes_(AxisDirections<N>::of(c)) {}
+
+  /// Calls `use` with AxisDirections where they are such, else with AnyDirections; the bits are the same.
+  template <class Use>
+  void visit(const Use& use) const {
+    if (axes_)
+      use(*axes_);
+    else
+      use(any_);
+  }
+
+ private:
+  AnyDirections<N> any_;
+  std::optional<AxisDirections<N>> axes_;
+};
+
+}  // namespace rubsweep::integrate::taylor
