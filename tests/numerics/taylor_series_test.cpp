@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace rubsweep::numerics {
@@ -50,6 +51,24 @@ TEST(Power, IsTheProduct) {
   for (int k = 1; k <= order; ++k) {
     EXPECT_EQ(power(2, k), std::ldexp(1, k));
     EXPECT_NEAR(power(0.7, k), std::pow(0.7, k), 1e-14 * std::pow(0.7, k)) << k;
+  }
+}
+
+TEST(OneOver, IsTheReciprocalOnceAndTwice) {
+  for (int k = 1; k <= order + 2; ++k) {
+    EXPECT_EQ(one_over(k), 1.0 / k);
+    EXPECT_EQ(one_over_twice(k)[0], 1.0 / k);
+    EXPECT_EQ(one_over_twice(k)[1], 1.0 / k);
+  }
+}
+
+TEST(PutPowers, WritesAsManyAsAreAskedFor) {
+  for (const int count : {0, 1, 2, 7, 8}) {
+    std::array<double, 9> powers;
+    powers.fill(-1);
+    put_powers(-2, count, powers.data());
+    for (int k = 0; k < 9; ++k)
+      EXPECT_EQ(powers[static_cast<std::size_t>(k)], k < count ? std::pow(-2, k) : -1) << count << ' ' << k;
   }
 }
 

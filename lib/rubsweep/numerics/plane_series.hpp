@@ -1,60 +1,11 @@
 #pragma once
 
 #include <array>
-#include <bit>
-#include <cstdint>
-#include <cstring>
-#include <limits>
 
 #include "rubsweep/numerics/taylor_series.hpp"
+#include "rubsweep/numerics/twin.hpp"
 
 namespace rubsweep::numerics {
-
-/// One register of every x86-64 processor; wider ones would have to be taken apart where they are missing.
-using Twin [[gnu::vector_size(16)]] = double;
-
-inline Twin both(double value) { return Twin{value, value}; }
-inline Twin swapped(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 0); }
-inline Twin first_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 0, 0); }
-inline Twin second_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 1); }
-/// Without the signs' bits: one instruction.
-inline Twin magnitudes(Twin pair) {
-  using Bits [[gnu::vector_size(16)]] = std::int64_t;
-  constexpr std::int64_t all_but_sign = std::numeric_limits<std::int64_t>::max();
-  return std::bit_cast<Twin>(std::bit_cast<Bits>(pair) & Bits{all_but_sign, all_but_sign});
-}
-/// Twice.
-inline Twin sum_of(Twin pair) { return pair + swapped(pair); }
-/// That of the first, that of the second.
-inline Twin sums_of(Twin first, Twin second) {
-  return __builtin_shufflevector(first, second, 0, 2) + __builtin_shufflevector(first, second, 1, 3);
-}
-inline Twin larger(Twin one, Twin other) { return one < other ? other : one; }
-inline Twin load(const double* from) {
-  Twin pair;
-  std::memcpy(&pair, from, sizeof pair);
-  return pair;
-}
-inline void store(double* to, Twin pair) { std::memcpy(to, &pair, sizeof pair); }
-/// 1 / k twice, 0 < k <= most_taylor_order + 2.
-inline Twin reciprocal(int k) {
-  static constexpr auto table = [] {
-    std::array<double, 2 * taylor_reciprocals.size()> twice{};
-    for (std::size_t i = 0; i < twice.size(); ++i) twice[i] = taylor_reciprocals[i / 2];
-    return twice;
-  }();
-  return load(&table[2 * static_cast<std::size_t>(k)]);
-}
-/// x^0, x^1, ... , `count` of them: even and odd ones do not wait for each other.
-inline void put_powers(double x, int count, double* to) {
-  const Twin square = both(x * x);
-  Twin powers{1, x};
-  int k = 0;
-  for (; k + 1 < count; k += 2, powers *= square) store(to + k, powers);
-  if (k < count) to[k] = powers[0];
-}
-/// A quarter of a turn further: (-y, x).
-inline Twin quarter_turned(Twin pair) { return Twin{-1, 1} * swapped(pair); }
 
 /// Coefficients of the power series of a vector in a plane. That of a number has each of them twice. A
 /// coefficient is one register, written and read as a whole: a product waits neither for one that was just

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "rubsweep/numerics/plane_series.hpp"
+#include "rubsweep/numerics/twin.hpp"
 
 namespace rubsweep::numerics {
 namespace {

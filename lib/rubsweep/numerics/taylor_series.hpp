@@ -3,22 +3,24 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 
 #include "rubsweep/numerics/root_below.hpp"
+#include "rubsweep/numerics/twin.hpp"
 
 namespace rubsweep::numerics {
 
 /// Highest order of a power series here.
 inline constexpr int most_taylor_order = 24;
 
-/// 1 / k, as many as are needed: divisions are what such recurrences would wait for.
+/// 1 / k, each of them twice, as many as are needed: divisions are what such recurrences would wait for.
 inline constexpr auto taylor_reciprocals = [] {
-  std::array<double, most_taylor_order + 3> table{};
-  for (std::size_t k = 1; k < table.size(); ++k) table[k] = 1 / static_cast<double>(k);
+  std::array<double, 2 * (most_taylor_order + 3)> table{};
+  for (std::size_t k = 1; 2 * k < table.size(); ++k)
+    table[2 * k] = table[2 * k + 1] = 1 / static_cast<double>(k);
   return table;
 }();
-constexpr double one_over(int k) { return taylor_reciprocals[static_cast<std::size_t>(k)]; }
+constexpr double one_over(int k) { return taylor_reciprocals[2 * static_cast<std::size_t>(k)]; }
+inline Twin one_over_twice(int k) { return load(&taylor_reciprocals[2 * static_cast<std::size_t>(k)]); }
 
 /// x^k, k >= 0.
 constexpr double power(double x, int k) {
@@ -27,6 +29,15 @@ constexpr double power(double x, int k) {
     if (k % 2 == 1) result *= x;
   }
   return result;
+}
+
+/// x^0, x^1, ... , `count` of them: even and odd ones do not wait for each other.
+inline void put_powers(double x, int count, double* to) {
+  const Twin square = both(x * x);
+  Twin powers{1, x};
+  int k = 0;
+  for (; k + 1 < count; k += 2, powers *= square) store(to + k, powers);
+  if (k < count) to[k] = powers[0];
 }
 
 /// The longest t, at most `longest`, with term t^k <= largest, of a term >= 0 and a k >= 1, or up to a
@@ -49,14 +60,14 @@ class Series {
   /// a_0, b_0 nor a_k, b_k is read, so that a recurrence may ask for it before it knows the latter.
   friend double inner_sum(const Series& a, const Series& b, int k, int end) {
     const double *x = a.forward_, *y = b.backward_ + (last - k);
-    Two even{}, odd{};
+    Twin even{}, odd{};
     int j = 1;
     for (; j + 4 <= end; j += 4) {
-      even += two(x + j) * two(y + j);
-      odd += two(x + j + 2) * two(y + j + 2);
+      even += load(x + j) * load(y + j);
+      odd += load(x + j + 2) * load(y + j + 2);
     }
     if (j + 2 <= end) {
-      even += two(x + j) * two(y + j);
+      even += load(x + j) * load(y + j);
       j += 2;
     }
     even += odd;
@@ -67,14 +78,6 @@ class Series {
   friend double inner_sum(const Series& a, const Series& b, int k) { return inner_sum(a, b, k, k); }
 
  private:
-  /// One register of every x86-64 processor; wider ones would have to be taken apart where they are missing.
-  using Two [[gnu::vector_size(16)]] = double;
-  static Two two(const double* from) {
-    Two pair;
-    std::memcpy(&pair, from, sizeof pair);
-    return pair;
-  }
-
   static constexpr int last = most_taylor_order + 1;  ///< one more than the order: a rate asks for the next
   double forward_[last + 1];
   double backward_[last + 1];

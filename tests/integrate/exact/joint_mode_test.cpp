@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "support/simple_scenes.hpp"
@@ -33,6 +34,13 @@ TEST(JointMode, HoldsTheModesOfAllContacts) {
   EXPECT_EQ(walls.joint(1.1, 1e3), in_joint_mode(Mode::clamped, 0));
   EXPECT_EQ(walls.joint(1.1, -1e3), in_joint_mode(Mode::released, 0));
   EXPECT_EQ(walls.joint(-0.6, 0), in_joint_mode(Mode::sprung, 1));
+}
+
+TEST(JointMode, OfGivenModes) {
+  const std::vector<Mode> modes{Mode::open, Mode::released, Mode::sprung};
+  const std::size_t joint = joint_mode_of(modes);
+  for (std::size_t i = 0; i < modes.size(); ++i) EXPECT_EQ(mode_in_joint_mode(joint, i), modes[i]);
+  EXPECT_EQ(modes_of_joint_mode(joint, modes.size()), joint);
 }
 
 TEST(JointMode, AtTheWallTheDirectionDecides) {

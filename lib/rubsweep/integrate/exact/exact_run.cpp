@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "rubsweep/integrate/exact/joint_mode.hpp"
@@ -33,13 +32,9 @@ template <int N>
 ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps)
     : motion_(scene, modes),
       scale_(run::state_scale(scene)),
-      speed_(scene.speed_rad_per_s),
-      period_s_(2 * std::numbers::pi / scene.speed_rad_per_s),
-      turns_per_s_(1 / period_s_),
-      pulses_(scene, scale_.in_seconds(), period_s_),
-      impulses_(scene),
+      clock_(scene, scale_.in_seconds()),
       slip_(scene, modes->friction()),
-      watch_(*modes, scene, period_s_),
+      watch_(*modes, scene, clock_.period_s()),
       max_steps_(max_steps) {
   const std::vector<double> start = scale_.in_seconds().state(scene.displacement_m, scene.velocity_m_per_s);
   turn_start_ = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
@@ -78,12 +73,6 @@ void ExactRun<N>::resume(std::span<const double> section) {
 }
 
 template <int N>
-void ExactRun<N>::restart(std::span<const double> section) {
-  resume(section);
-  revolution_ = 0;
-}
-
-template <int N>
 ExactEnding ExactRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report) {
   if (!begin_turn(request, report)) return without_closed_form();
   return run_to_end(report);
@@ -93,7 +82,7 @@ template <int N>
 ExactEnding ExactRun<N>::run_to_end(run::TurnReport& report) {
   step_limit_ = effort_.steps + std::min(max_steps_, most_steps);
   ExactEnding ending = ExactEnding::ok;
-  while (ending == ExactEnding::ok && time_s_ < period_s_) {
+  while (ending == ExactEnding::ok && !clock_.turn_is_over()) {
     ending = effort_.steps < step_limit_ ? go_on(report)
              : max_steps_ > most_steps   ? ExactEnding::beyond
                                          : ExactEnding::step_limit;
@@ -105,7 +94,7 @@ ExactEnding ExactRun<N>::run_to_end(run::TurnReport& report) {
 
 template <int N>
 const typename ExactRun<N>::Place& ExactRun<N>::place() {
-  place_.phase_rad = speed_ * time_s_;
+  place_.phase_rad = clock_.phase_rad();
   put_scaled(here_, place_.state);
   place_.modes = motion_.mode().modes;
   place_.tangent_vectors.resize(here_.size(), tangents_);
@@ -117,14 +106,12 @@ template <int N>
 bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const std::vector<Mode>& modes,
                        const run::TurnReport& report) {
   const State physical = physical_of(state);
-  std::size_t joint = 0;
-  for (std::size_t i = 0; i < modes.size(); ++i) joint += in_joint_mode(modes[i], i);
-  const auto saturated = slip_.saturated_mode(motion_.machine(), joint, physical);
+  const auto saturated = slip_.saturated_mode(motion_.machine(), joint_mode_of(modes), physical);
   if (!saturated) return false;
-  time_s_ = phase_rad / speed_;
-  pulses_.go_to(time_s_);
+  clock_.go_to_phase(phase_rad);
+  clock_.change_pulses();
   motion_.carry_no_tangents();
-  motion_.set_phases(phase_rad, pulses_, time_s_);
+  motion_.set_phases(phase_rad, clock_.pulses(), clock_.time_s());
   if (!motion_.enter(*saturated, physical) || !slip_.begin(motion_, physical, stretch_to_join)) return false;
   unsaturated_ = false;
   standstill_ = 0;
@@ -143,26 +130,25 @@ template <int N>
 bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& report) {
   report.clear();
   watch_.begin_turn(request, report, turn_start_.size());
-  time_s_ = 0;
   standstill_ = 0;
   motion_.carry_no_tangents();
-  if (!impulses_.none()) impulses_.begin_turn(revolution_);
+  const bool pulses_changed = clock_.begin_turn(revolution_);
   unsaturated_ = false;
   tangents_ = request.tangent_vectors.cols();
   switches_wanted_ = request.switches;
-  if (!start_motion()) return false;
+  if (!start_motion(pulses_changed)) return false;
   motion_.carry_tangents(request.tangent_vectors);
   if (!begin_motion(turn_start_)) return false;
-  return impulses_.next_phase_rad() > 0 || apply_impulses(report);
+  return !clock_.impulse_is_due() || apply_impulses(report);
 }
 
 /// Where the motion stands at the end of the last turn only its phase starts again, from exactly zero.
 template <int N>
-bool ExactRun<N>::start_motion() {
-  const bool stands = std::exchange(goes_on_, false), changed = pulses_.begin_turn(revolution_);
-  motion_.set_phases(0, pulses_, 0);
+bool ExactRun<N>::start_motion(bool pulses_changed) {
+  const bool stands = std::exchange(goes_on_, false);
+  motion_.set_phases(0, clock_.pulses(), 0);
   if (!stands) return enter_by_state(turn_start_);
-  return !changed || motion_.enter(motion_.joint(), turn_start_);
+  return !pulses_changed || motion_.enter(motion_.joint(), turn_start_);
 }
 
 template <int N>
@@ -191,16 +177,17 @@ ExactEnding ExactRun<N>::end_turn(run::TurnReport& report) {
 /// Steps as they follow each other, only one where something is watched, and what ends them.
 template <int N>
 ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
-  watch_.start_step(motion_, time_s_, report);
+  watch_.start_step(motion_, clock_.time_s(), report);
   const bool watched = watch_.wanted();
-  const double boundary = std::min(next_boundary(), watch_.boundary_s(motion_)),
+  const double boundary = std::min(clock_.next_boundary_s(), watch_.boundary_s(motion_)),
                reach = watch_.reach_s(motion_), longest_step = watch_.longest_step_s(motion_);
   for (;;) {
-    const double until = boundary - time_s_;
-    StepChoice choice = choose_step(motion_, {.until_s = until,
-                                              .reach_s = reach,
-                                              .shortest_to_annular_s = shortest_to_annular * period_s_,
-                                              .same_instant_s = same_instant * period_s_});
+    const double until = boundary - clock_.time_s();
+    StepChoice choice =
+        choose_step(motion_, {.until_s = until,
+                              .reach_s = reach,
+                              .shortest_to_annular_s = shortest_to_annular * clock_.period_s(),
+                              .same_instant_s = same_instant * clock_.period_s()});
     ++effort_.steps;
     if (choice.annular) return ExactEnding::beyond;
     if (!renew_slip_watch(choice)) return ExactEnding::unsaturated;
@@ -208,7 +195,7 @@ ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
       land(report, choice.crossing, choice.step_s);
       return switch_mode(report, choice.crossing) ? ExactEnding::ok : without_closed_form();
     }
-    const double step = std::max(std::min(choice.step_s, longest_step), shortest_step * period_s_);
+    const double step = std::max(std::min(choice.step_s, longest_step), shortest_step * clock_.period_s());
     if (!(step < until)) return reach_boundary(report, boundary);
     const int k = numerics::exact_step_below(step * motion_.mode().longest_steps_per_s);
     if (k < numerics::exact_step_count) {
@@ -220,24 +207,18 @@ ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
     }
     standstill_ = 0;
     if (!std::isfinite(motion_.free()(0))) return ExactEnding::non_finite;
-    if (watched || effort_.steps >= step_limit_ || !(time_s_ < boundary)) return ExactEnding::ok;
+    if (watched || effort_.steps >= step_limit_ || !(clock_.time_s() < boundary)) return ExactEnding::ok;
   }
 }
 
 template <int N>
 ExactEnding ExactRun<N>::reach_boundary(run::TurnReport& report, double boundary_s) {
-  const double until = boundary_s - time_s_;
+  const double until = boundary_s - clock_.time_s();
   motion_.step_by(until);
   passed(report, until);
-  time_s_ = boundary_s;
-  if (boundary_s < period_s_ && !pass_boundary(report)) return without_closed_form();
+  clock_.go_to(boundary_s);
+  if (!clock_.turn_is_over() && !pass_boundary(report)) return without_closed_form();
   return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
-}
-
-/// End of the turn, beginning or end of a pulse, or the next impulse, whichever is soonest.
-template <int N>
-double ExactRun<N>::next_boundary() const {
-  return std::min({period_s_, next_impulse_s(), pulses_.next_change()});
 }
 
 /// What happens inside a turn at an instant that was steered for: pulses begin or end, impulses act. A pulse
@@ -245,12 +226,12 @@ double ExactRun<N>::next_boundary() const {
 /// with it the free vibration that the bounds on the slips were made from.
 template <int N>
 bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
-  if (pulses_.go_to(time_s_)) {
+  if (clock_.change_pulses()) {
     const State here = motion_.physical();
-    motion_.set_phases(speed_ * time_s_, pulses_, time_s_);
+    motion_.set_phases(clock_.phase_rad(), clock_.pulses(), clock_.time_s());
     if (!motion_.enter(motion_.joint(), here) || !begin_motion(here)) return false;
   }
-  return time_s_ < next_impulse_s() || apply_impulses(report);
+  return !clock_.impulse_is_due() || apply_impulses(report);
 }
 
 /// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
@@ -258,8 +239,8 @@ template <int N>
 bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
   State here = motion_.physical();
   const std::size_t from = motion_.joint();
-  while (time_s_ >= next_impulse_s())
-    here.tail(here.size() / 2) += impulses_.take() / scale_.in_seconds().unit_velocity_m_per_s();
+  while (clock_.impulse_is_due())
+    here.tail(here.size() / 2) += clock_.take_impulse() / scale_.in_seconds().unit_velocity_m_per_s();
   if (!enter_by_state(here)) return false;
   note_switches(report, from, motion_.joint());
   return begin_motion(here);
@@ -267,22 +248,22 @@ bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
 
 template <int N>
 void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
-  time_s_ += duration_s;
+  clock_.go_on(duration_s);
   if (motion_.joint() != 0) {
     report.touched = true;
     slip_.advance(duration_s);
     if (slip_.may_reverse())
       report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
-    report.contact_fraction += duration_s * turns_per_s_;
+    report.contact_fraction += clock_.turns(duration_s);
   }
-  watch_.end_step(motion_, time_s_, duration_s, report);
+  watch_.end_step(motion_, clock_.time_s(), duration_s, report);
 }
 
 template <int N>
 void ExactRun<N>::land(run::TurnReport& report, std::size_t e, double latest_s) {
   const double duration_s = motion_.land(e, latest_s);
   passed(report, duration_s);
-  standstill_ = duration_s > shortest_step * period_s_ ? 0 : standstill_ + 1;
+  standstill_ = duration_s > shortest_step * clock_.period_s() ? 0 : standstill_ + 1;
 }
 
 template <int N>
@@ -299,7 +280,7 @@ void ExactRun<N>::note_switches(run::TurnReport& report, std::size_t from, std::
     const Mode before = mode_in_joint_mode(from, i), after = mode_in_joint_mode(to, i);
     if (after == before) continue;
     ++effort_.switches;
-    report.add({speed_ * time_s_, static_cast<int>(i), before, after}, switches_wanted_);
+    report.add({clock_.phase_rad(), static_cast<int>(i), before, after}, switches_wanted_);
   }
 }
 

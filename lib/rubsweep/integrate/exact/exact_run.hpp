@@ -7,9 +7,8 @@
 #include "rubsweep/integrate/exact/exact_motion.hpp"
 #include "rubsweep/integrate/exact/slip_watch.hpp"
 #include "rubsweep/integrate/exact/step_choice.hpp"
+#include "rubsweep/integrate/exact/turn_clock.hpp"
 #include "rubsweep/integrate/exact/turn_watch.hpp"
-#include "rubsweep/integrate/run/impulses.hpp"
-#include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 
 namespace rubsweep::integrate::exact {
@@ -60,7 +59,10 @@ class ExactRun {
   void resume(std::span<const double> section);
 
   /// Back to the start of revolution 0, at another section.
-  void restart(std::span<const double> section);
+  void restart(std::span<const double> section) {
+    resume(section);
+    revolution_ = 0;
+  }
 
   /// Scaled state where the next revolution begins, as TurnReport::section.
   std::vector<double> section() const;
@@ -77,13 +79,11 @@ class ExactRun {
   State physical_of(std::span<const double> scaled) const;
   bool begin_turn(const run::TurnRequest& request, run::TurnReport& report);
   ExactEnding run_to_end(run::TurnReport& report);
-  bool start_motion();
+  bool start_motion(bool pulses_changed);
   ExactEnding end_turn(run::TurnReport& report);
   bool enter_by_state(const State& physical);
   ExactEnding go_on(run::TurnReport& report);
   ExactEnding reach_boundary(run::TurnReport& report, double boundary_s);
-  double next_impulse_s() const { return impulses_.next_phase_rad() / speed_; }
-  double next_boundary() const;
   bool pass_boundary(run::TurnReport& report);
   bool apply_impulses(run::TurnReport& report);
   void passed(run::TurnReport& report, double duration_s);
@@ -100,9 +100,7 @@ class ExactRun {
 
   Motion motion_;
   run::StateScale scale_;  ///< of sections
-  double speed_ = 0, period_s_ = 0, turns_per_s_ = 0;
-  run::PulseTimes pulses_;  ///< in seconds
-  run::Impulses impulses_;
+  TurnClock clock_;
   SlipWatch<N> slip_;
   TurnWatch<N> watch_;
   long max_steps_ = 0;   ///< of a turn
@@ -111,7 +109,6 @@ class ExactRun {
   State turn_start_;  ///< physical
   long revolution_ = 0;
   bool goes_on_ = false;  ///< the motion stands where the last turn ended
-  double time_s_ = 0;     ///< into the revolution
   bool switches_wanted_ = false;
   Eigen::Index tangents_ = 0;  ///< asked for in this turn
   int standstill_ = 0;

@@ -1,14 +1,20 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
+#include <variant>
 
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/taylor/state_pairs.hpp"
-#include "rubsweep/numerics/plane_series.hpp"
+#include "rubsweep/numerics/twin.hpp"
 
 namespace rubsweep::integrate::taylor {
+
+/// A vector of coordinates in a contact's two directions.
+template <int N, class Vector>
+numerics::Twin at_contact(const run::ScaledContact<N>& c, const Vector& of) {
+  return numerics::Twin{c.first_row.dot(of), c.second_row.dot(of)};
+}
 
 /// How a contact's two directions lie to the coordinates of a structure that come two by two: what the
 /// contact sees of their motion, and what its force makes of them.
@@ -107,24 +113,14 @@ struct NoContact {
   }
 };
 
-/// The directions of a contact as they were found when it was built.
+/// AxisDirections where they are such; the bits are the same from either.
 template <int N>
-class ContactDirections {
- public:
-  explicit ContactDirections(const run::ScaledContact<N>& c) : any_(c), axes_(AxisDirections<N>::of(c)) {}
+using ContactDirections = std::variant<AnyDirections<N>, AxisDirections<N>>;
 
-  /// Calls `use` with AxisDirections where they are such, else with AnyDirections; the bits are the same.
-  template <class Use>
-  void visit(const Use& use) const {
-    if (axes_)
-      use(*axes_);
-    else
-      use(any_);
-  }
-
- private:
-  AnyDirections<N> any_;
-  std::optional<AxisDirections<N>> axes_;
-};
+template <int N>
+ContactDirections<N> directions_of(const run::ScaledContact<N>& c) {
+  if (const auto axes = AxisDirections<N>::of(c)) return *axes;
+  return AnyDirections<N>(c);
+}
 
 }  // namespace rubsweep::integrate::taylor

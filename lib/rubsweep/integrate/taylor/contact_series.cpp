@@ -152,7 +152,7 @@ Twin ContactSeries::normal_and_rate(int k) {
 /// n: S n = K (d - C n) and, where the damper works, F n has d r' n besides.
 Twin ContactSeries::annular_term(int k) {
   const Twin damping = damper_[0] == 0 ? normal_and_rate<false>(k) : damper_ * normal_and_rate<true>(k);
-  length_.set(k + 1, length_rate_[k] * numerics::reciprocal(k + 1));
+  length_.set(k + 1, length_rate_[k] * numerics::one_over_twice(k + 1));
   const Twin load = stiffness_ * (distance_[k] - clearance_ * normal_[k]);
   Twin force = spring_factor_ * load + damping;
   if (!sticks_ && !varies_) return force + turned_mu_ * numerics::swapped(load);

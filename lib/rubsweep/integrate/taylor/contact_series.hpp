@@ -21,7 +21,7 @@ class ContactSeries {
   void set_distance(numerics::Twin distance) { distance_.set(0, distance); }
   void set_velocity(int k, numerics::Twin velocity) {
     velocity_.set(k, velocity);
-    distance_.set(k + 1, velocity * numerics::reciprocal(k + 1));
+    distance_.set(k + 1, velocity * numerics::one_over_twice(k + 1));
   }
   const numerics::PlaneSeries& distance() const { return distance_; }
   const numerics::PlaneSeries& velocity() const { return velocity_; }

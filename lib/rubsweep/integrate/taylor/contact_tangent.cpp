@@ -36,7 +36,8 @@ void ContactTangents<Count>::begin(const Term& displacement) {
 template <int Count>
 auto ContactTangents<Count>::force_term(int k, const Term& rate) -> Term {
   rate_.set(k, rate);
-  for (std::size_t i = 0; i < count; ++i) displacement_.set(k + 1, i, rate[i] * numerics::reciprocal(k + 1));
+  for (std::size_t i = 0; i < count; ++i)
+    displacement_.set(k + 1, i, rate[i] * numerics::one_over_twice(k + 1));
   return annular_ ? annular_term(k) : flat_term(k);
 }
 

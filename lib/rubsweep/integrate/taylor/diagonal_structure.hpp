@@ -4,7 +4,7 @@
 
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/taylor/state_pairs.hpp"
-#include "rubsweep/numerics/plane_series.hpp"
+#include "rubsweep/numerics/twin.hpp"
 
 namespace rubsweep::integrate::taylor {
 

@@ -11,8 +11,8 @@
 #include "rubsweep/integrate/taylor/state_pairs.hpp"
 #include "rubsweep/integrate/taylor/state_series.hpp"
 #include "rubsweep/integrate/taylor/tangent_convergence.hpp"
-#include "rubsweep/numerics/plane_series.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
+#include "rubsweep/numerics/twin.hpp"
 
 namespace rubsweep::integrate::taylor {
 
@@ -26,7 +26,7 @@ void expand_in_registers(const DiagonalStructure<N>& structure, const Directions
   using Pairs = StatePairs<N>;
   Pairs u(series.u(0)), v(series.v(0));
   for (int k = 0; k < series.order(); ++k) {
-    const Twin next = numerics::reciprocal(k + 1), after = numerics::reciprocal(k + 2);
+    const Twin next = numerics::one_over_twice(k + 1), after = numerics::one_over_twice(k + 2);
     Pairs a;
     typename Directions::Seen seen{};
     for (std::size_t h = 0; h < Pairs::count; ++h) {
@@ -63,7 +63,7 @@ void expand_in_registers(const DiagonalStructure<N>& structure, const Directions
   typename TangentConvergence<Count>::Sizes size, rate_size;
   double power = 1;
   for (int k = 0; k < most && !convergence.all_converged(); ++k) {
-    const Twin next = numerics::reciprocal(k + 1);
+    const Twin next = numerics::one_over_twice(k + 1);
     const auto forces = contact.force_term(k, speed);
     power *= duration_rad;
     for (std::size_t i = 0; i < moved.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "rubsweep/contact/dry_friction.hpp"
@@ -38,7 +39,7 @@ class Expansion {
     for (const auto& contact : system.contacts) laws_.emplace_back(contact);
     pulses_.reserve(system.pulses.size());
     touching_.reserve(contacts_.size());
-    for (const auto& contact : system.contacts) directions_.emplace_back(contact);
+    for (const auto& contact : system.contacts) directions_.push_back(directions_of(contact));
   }
 
   /// Expands from `state` (u then u') at `phase_rad` into the revolution, with the pulses that act there.
@@ -121,20 +122,14 @@ class Expansion {
   const ContactSeries& contact(std::size_t i) const { return contacts_[i]; }
 
  private:
-  /// In the contact's two directions.
-  template <class Direction>
-  numerics::Twin at_contact(std::size_t i, const Direction& of) const {
-    const auto& c = system_.contacts[i];
-    return numerics::Twin{c.first_row.dot(of), c.second_row.dot(of)};
-  }
-
   void begin_contacts(const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
     sticking_ = 0;
     touching_.clear();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const auto& offset = system_.contacts[i].offset;
-      contacts_[i].set_distance(at_contact(i, series_.u(0)) + numerics::Twin{offset[0], offset[1]});
-      contacts_[i].set_velocity(0, at_contact(i, series_.v(0)));
+      contacts_[i].set_distance(at_contact(system_.contacts[i], series_.u(0)) +
+                                numerics::Twin{offset[0], offset[1]});
+      contacts_[i].set_velocity(0, at_contact(system_.contacts[i], series_.v(0)));
       const bool open = modes[i] == contact::Mode::open;
       contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i), slips[i]);
       if (!open) touching_.push_back(i);
@@ -166,9 +161,11 @@ class Expansion {
     if (!pulses_.empty()) return false;
     const DriveTerms drives{numerics::both(cosine_), numerics::both(sine_)};
     if (const auto i = only_slip()) {
-      directions_[*i].visit([&](const auto& directions) {
-        expand_in_registers(structure_, directions, drives, contacts_[*i], series_);
-      });
+      std::visit(
+          [&](const auto& directions) {
+            expand_in_registers(structure_, directions, drives, contacts_[*i], series_);
+          },
+          directions_[*i]);
       return true;
     }
     if (!flies()) return false;
@@ -206,7 +203,7 @@ class Expansion {
     }
     if (sticking_ > 0) hold(k);
     for (const std::size_t i : touching_)
-      contacts_[i].set_velocity(k + 1, at_contact(i, acceleration_) * numerics::both(next));
+      contacts_[i].set_velocity(k + 1, at_contact(system_.contacts[i], acceleration_) * numerics::both(next));
   }
 
   /// Coefficient k of what holds the contacts that stick.
@@ -225,14 +222,15 @@ class Expansion {
     const contact::StickVector force = contact::holding_forces(mobility_, rest);
     for (Eigen::Index j = 0; j < count; ++j) acceleration_ += force(j) * tangential_push(stuck(j));
     for (Eigen::Index j = 0; j < count; ++j)
-      contacts_[stuck(j)].hold(k, force(j), at_contact(stuck(j), acceleration_));
+      contacts_[stuck(j)].hold(k, force(j), at_contact(system_.contacts[stuck(j)], acceleration_));
   }
 
   /// What guards ask for.
   void complete_contacts() {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (contacts_[i].mode() != contact::Mode::open) continue;
-      for (int k = 1; k < order(); ++k) contacts_[i].set_velocity(k, at_contact(i, series_.v(k)));
+      for (int k = 1; k < order(); ++k)
+        contacts_[i].set_velocity(k, at_contact(system_.contacts[i], series_.v(k)));
     }
   }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "rubsweep/numerics/plane_series.hpp"
+#include "rubsweep/numerics/twin.hpp"
 
 namespace rubsweep::integrate::taylor {
 

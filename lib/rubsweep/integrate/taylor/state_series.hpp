@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "rubsweep/integrate/taylor/state_pairs.hpp"
-#include "rubsweep/numerics/plane_series.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
+#include "rubsweep/numerics/twin.hpp"
 
 namespace rubsweep::integrate::taylor {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "rubsweep/numerics/cubic_maximum.hpp"
-#include "rubsweep/numerics/plane_series.hpp"
+#include "rubsweep/numerics/twin.hpp"
 
 namespace rubsweep::integrate::taylor {
 namespace {

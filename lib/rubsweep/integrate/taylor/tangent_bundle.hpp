@@ -5,14 +5,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <variant>
 #include <vector>
 
 #include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/integrate/taylor/contact_directions.hpp"
 #include "rubsweep/integrate/taylor/contact_tangent.hpp"
 #include "rubsweep/integrate/taylor/creep_tangent.hpp"
 #include "rubsweep/integrate/taylor/expand_in_registers.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 #include "rubsweep/integrate/taylor/tangent_convergence.hpp"
+#include "rubsweep/integrate/taylor/tangent_holding.hpp"
 
 namespace rubsweep::integrate::taylor {
 
@@ -29,12 +32,11 @@ class TangentBundle {
         w_(system.coordinates(), Count * (order + 1)),
         rate_(system.coordinates(), Count * (order + 1)),
         acceleration_(system.coordinates(), Count),
-        contacts_(system.contacts.size()),
-        creeps_(system.contacts.size()) {
-    if (std::ranges::any_of(system.contacts, [](const auto& c) {
-          return contact::dry_coefficient(c.friction) > 0 || contact::depends_on_slip(c.friction);
-        }))
-      sticking_.resize(count * (order + 1));
+        contacts_(system.contacts.size()) {
+    const bool holds = std::ranges::any_of(system.contacts, [](const auto& c) {
+      return contact::dry_coefficient(c.friction) > 0 || contact::depends_on_slip(c.friction);
+    });
+    holding_.assign(count, TangentHolding(system.contacts.size(), holds ? order + 1 : 0));
   }
 
   /// Moves columns `first` to `first` + Count - 1 over `duration_rad` of the motion as it was expanded. Each
@@ -69,7 +71,7 @@ class TangentBundle {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (!touches(motion, i)) continue;
       contacts_[i].follow(motion.contact(i), most);
-      contacts_[i].begin(at_contact(i, 0, w_));
+      contacts_[i].begin(seen_by(i, 0, w_));
     }
     return most;
   }
@@ -81,7 +83,8 @@ class TangentBundle {
         std::max(w(0, 0).template lpNorm<Eigen::Infinity>(), start.template lpNorm<Eigen::Infinity>());
     contact::StickVector by(static_cast<Eigen::Index>(motion.sticking()));
     for (Eigen::Index j = 0; j < by.size(); ++j) {
-      if (motion.contact(motion.stuck(j)).creep()) creeps_[motion.stuck(j)].begin(sliding(motion, j));
+      if (motion.contact(motion.stuck(j)).creep())
+        holding_[0].creep(motion.stuck(j)).begin(sliding(motion, j));
     }
     for (int sweep = 0; sweep < most_creep_sweeps; ++sweep) {
       expand(motion, most, duration_rad, 0);
@@ -90,7 +93,7 @@ class TangentBundle {
         by(j) = 0;
         if (!motion.contact(motion.stuck(j)).creep()) continue;
         change = std::max(change, swept(motion, j, most, duration_rad));
-        by(j) = creeps_[motion.stuck(j)].sliding()[0] - sliding(motion, j);
+        by(j) = holding_[0].creep(motion.stuck(j)).sliding()[0] - sliding(motion, j);
       }
       if (change <= share_of_sweeps * accuracy * size)
         return (rate(0, 0) - start).template lpNorm<Eigen::Infinity>() <= accuracy * size;
@@ -105,18 +108,19 @@ class TangentBundle {
   /// One sweep of a contact that creeps; what it changed.
   double swept(Expansion<N>& motion, Eigen::Index stuck, int most, double duration_rad) {
     const std::size_t i = motion.stuck(stuck);
-    creeps_[i].sweep(
-        *motion.contact(i).creep(), most,
-        [&](int k) { return stuck_at(0, k).holding[static_cast<std::size_t>(stuck)]; },
+    CreepTangent& creep = holding_[0].creep(i);
+    creep.sweep(
+        *motion.contact(i).creep(), most, [&](int k) { return holding_[0].term(k, stuck); },
         [&](int k) { return contacts_[i].load_term(0, k); });
-    return creeps_[i].change(duration_rad);
+    return creep.change(duration_rad);
   }
 
   /// Change of the sliding speed of contact `stuck` with the vector where it starts.
   double sliding(Expansion<N>& motion, Eigen::Index stuck) {
     const std::size_t i = motion.stuck(stuck);
     const ContactSeries& contact = motion.contact(i);
-    const numerics::Twin moved = at_contact(i, w(0, 0)), speed = at_contact(i, rate(0, 0));
+    const numerics::Twin moved = at_contact(system_.contacts[i], w(0, 0)),
+                         speed = at_contact(system_.contacts[i], rate(0, 0));
     if (!contact.law().annular) return speed[1];
     const numerics::Twin d = contact.distance()[0], v = contact.velocity()[0];
     // Of |d| times the sliding speed, which is d1 d2' - d2 d1'.
@@ -138,15 +142,10 @@ class TangentBundle {
   auto w(int k, Eigen::Index i) { return w_.col(place_of(k, i)); }
   auto rate(int k, Eigen::Index i) { return rate_.col(place_of(k, i)); }
 
-  template <class Direction>
-  numerics::Twin at_contact(std::size_t contact, const Direction& of) const {
-    const auto& c = system_.contacts[contact];
-    return numerics::Twin{c.first_row.dot(of), c.second_row.dot(of)};
-  }
-  Term at_contact(std::size_t contact, int k, const Terms& of) const {
+  Term seen_by(std::size_t contact, int k, const Terms& of) const {
     Term all;
     for (std::size_t i = 0; i < count; ++i)
-      all[i] = at_contact(contact, of.col(place_of(k, static_cast<Eigen::Index>(i))));
+      all[i] = at_contact(system_.contacts[contact], of.col(place_of(k, static_cast<Eigen::Index>(i))));
     return all;
   }
 
@@ -159,10 +158,12 @@ class TangentBundle {
     TangentConvergence<Count> convergence(accuracy, sizes(w_, 0), sizes(rate_, 0));
     if constexpr (N != Eigen::Dynamic) {
       if (const auto contact = motion.only_slip()) {
-        motion.directions(*contact).visit([&](const auto& directions) {
-          expand_in_registers(motion.structure(), directions, most, duration_rad, contacts_[*contact],
-                              at_contact(*contact, 0, rate_), w_, rate_, convergence);
-        });
+        std::visit(
+            [&](const auto& directions) {
+              expand_in_registers(motion.structure(), directions, most, duration_rad, contacts_[*contact],
+                                  seen_by(*contact, 0, rate_), w_, rate_, convergence);
+            },
+            motion.directions(*contact));
         return note_orders(convergence, most);
       }
       if (motion.flies()) {
@@ -203,101 +204,16 @@ class TangentBundle {
     }
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (!touches(motion, i)) continue;
-      const Term force = contacts_[i].force_term(k, at_contact(i, k, rate_));
-      for (Eigen::Index j = 0; j < Count; ++j) push(i, j, force[static_cast<std::size_t>(j)]);
-    }
-    if (motion.sticking() == 0) return;
-    for (Eigen::Index i = 0; i < Count; ++i) hold(motion, i, k);
-  }
-
-  void push(std::size_t contact, Eigen::Index column, numerics::Twin force) {
-    acceleration_.col(column) += system_.contacts[contact].first_push * force[0];
-    acceleration_.col(column) += system_.contacts[contact].second_push * force[1];
-  }
-
-  /// What is kept of a contact that sticks.
-  struct Sticking {
-    std::array<double, contact::most_sticking> holding{};
-    std::array<numerics::Twin, contact::most_sticking> acceleration{};
-  };
-
-  /// Coefficient k of what holds the contacts that stick: of d1 d2'' - d2 d1'' = (s r)' (at a flat stop d2''
-  /// = s') small changes obey the derivative, with the sliding speed s as it is where they stick, and with
-  /// its change where they creep.
-  void hold(Expansion<N>& motion, Eigen::Index column, int k) {
-    const auto stuck = static_cast<Eigen::Index>(motion.sticking());
-    Sticking& now = stuck_at(column, k);
-    for (Eigen::Index j = 0; j < stuck; ++j) turn_holding(motion, column, j, k);
-    contact::StickVector rest(stuck);
-    for (Eigen::Index j = 0; j < stuck; ++j) {
-      const std::size_t i = motion.stuck(j);
-      rest(j) = motion.tangential_row(i).dot(acceleration_.col(column).transpose());
-      if (motion.contact(i).law().annular) {
-        rest(j) -= keeping_term(motion, column, j, k);
-      } else if (motion.contact(i).creep()) {
-        rest(j) -= (k + 1) * creeps_[i].sliding()[k + 1];
+      const Term force = contacts_[i].force_term(k, seen_by(i, k, rate_));
+      for (std::size_t j = 0; j < count; ++j) {
+        auto a = acceleration_.col(static_cast<Eigen::Index>(j));
+        a += system_.contacts[i].first_push * force[j][0];
+        a += system_.contacts[i].second_push * force[j][1];
       }
     }
-    const contact::StickVector force = contact::holding_forces(motion.mobility(), rest);
-    for (Eigen::Index j = 0; j < stuck; ++j) {
-      acceleration_.col(column) += force(j) * motion.tangential_push(motion.stuck(j));
-      now.holding[static_cast<std::size_t>(j)] = force(j);
-    }
-    for (Eigen::Index j = 0; j < stuck; ++j)
-      now.acceleration[static_cast<std::size_t>(j)] = at_contact(motion.stuck(j), acceleration_.col(column));
-  }
-
-  Sticking& stuck_at(Eigen::Index column, int k) {
-    return sticking_[static_cast<std::size_t>(place_of(k, column))];
-  }
-  const Sticking& stuck_at(Eigen::Index column, int k) const {
-    return sticking_[static_cast<std::size_t>(place_of(k, column))];
-  }
-
-  /// The change of the holding force, as far as it is known, along the tangent as it turns.
-  void turn_holding(Expansion<N>& motion, Eigen::Index column, Eigen::Index stuck, int k) {
-    const std::size_t i = motion.stuck(stuck);
-    if (!motion.contact(i).law().annular) return;
-    numerics::Twin sum{};
-    for (int j = 0; j < k; ++j)
-      sum += numerics::both(stuck_at(column, j).holding[static_cast<std::size_t>(stuck)]) *
-             motion.contact(i).normal()[k - j];
-    push(i, column, numerics::quarter_turned(sum));
-  }
-
-  double keeping_term(Expansion<N>& motion, Eigen::Index column, Eigen::Index stuck, int k) const {
-    const std::size_t i = motion.stuck(stuck);
-    const ContactSeries& contact = motion.contact(i);
-    const numerics::PlaneSeries& d = contact.distance();
-    const auto w = contacts_[i].displacement().member(static_cast<std::size_t>(column));
-    double sum = 0;
-    if (contact.creep()) {
-      sum = (k + 1) * creeping_term(i, column, k + 1, contact);
-    } else {
-      const double sliding = contact.normal()[0][0] * contact.velocity()[0][1] -
-                             contact.normal()[0][1] * contact.velocity()[0][0];
-      sum = sliding * (k + 1) * numerics::sum_of(numerics::product_term(contact.normal(), w, k + 1))[0];
-    }
-    for (int j = 0; j <= k; ++j) {
-      const numerics::Twin a = contact.acceleration()[k - j];
-      sum -= w[j][0] * a[1] - w[j][1] * a[0];
-    }
-    for (int j = 1; j <= k; ++j) {
-      const numerics::Twin b = stuck_at(column, k - j).acceleration[static_cast<std::size_t>(stuck)];
-      sum -= d[j][0] * b[1] - d[j][1] * b[0];
-    }
-    return sum * contact.inverse_length();
-  }
-
-  /// Coefficient k of the change of s r.
-  double creeping_term(std::size_t i, Eigen::Index column, int k, const ContactSeries& contact) const {
-    const numerics::Series &own = creeps_[i].sliding(), &of_motion = contact.creep()->sliding();
-    double sum = 0;
-    for (int j = 0; j <= k; ++j) {
-      sum += contacts_[i].length_term(static_cast<std::size_t>(column), j) * of_motion[k - j] +
-             contact.length().number(j) * own[k - j];
-    }
-    return sum;
+    if (motion.sticking() == 0) return;
+    for (std::size_t i = 0; i < count; ++i)
+      holding_[i].hold(motion, system_, contacts_, i, k, acceleration_.col(static_cast<Eigen::Index>(i)));
   }
 
   /// `tangent` becomes the sum of the series of vector i.
@@ -319,9 +235,8 @@ class TangentBundle {
   Eigen::Matrix<double, N, Count> acceleration_;
   std::array<int, count> reached_{};
   std::vector<Tangents> contacts_;
-  std::vector<Sticking> sticking_;                 ///< as the terms
+  std::vector<TangentHolding> holding_;            ///< per vector
   static constexpr double share_of_sweeps = 0.01;  ///< of the accuracy asked for
-  std::vector<CreepTangent> creeps_;
   Eigen::VectorXd change_;
 };
 

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace rubsweep::numerics {
+
+/// Two numbers in one register of every x86-64 processor; wider ones would have to be taken apart where they
+/// are missing.
+using Twin [[gnu::vector_size(16)]] = double;
+
+inline Twin both(double value) { return Twin{value, value}; }
+inline Twin swapped(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 0); }
+inline Twin first_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 0, 0); }
+inline Twin second_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 1); }
+/// Without the signs' bits: one instruction.
+inline Twin magnitudes(Twin pair) {
+  using Bits [[gnu::vector_size(16)]] = std::int64_t;
+  constexpr std::int64_t all_but_sign = std::numeric_limits<std::int64_t>::max();
+  return std::bit_cast<Twin>(std::bit_cast<Bits>(pair) & Bits{all_but_sign, all_but_sign});
+}
+/// Twice.
+inline Twin sum_of(Twin pair) { return pair + swapped(pair); }
+/// That of the first, that of the second.
+inline Twin sums_of(Twin first, Twin second) {
+  return __builtin_shufflevector(first, second, 0, 2) + __builtin_shufflevector(first, second, 1, 3);
+}
+inline Twin larger(Twin one, Twin other) { return one < other ? other : one; }
+inline Twin load(const double* from) {
+  Twin pair;
+  std::memcpy(&pair, from, sizeof pair);
+  return pair;
+}
+inline void store(double* to, Twin pair) { std::memcpy(to, &pair, sizeof pair); }
+/// A quarter of a turn further: (-y, x).
+inline Twin quarter_turned(Twin pair) { return Twin{-1, 1} * swapped(pair); }
+
+}  // namespace rubsweep::numerics
