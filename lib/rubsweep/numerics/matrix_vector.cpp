@@ -15,9 +15,9 @@ struct Lanes {
 /// `count` lanes of rows at once, each with a sum of its own that waits for no other. The last one begins at
 /// row `last`.
 template <std::size_t bytes, std::size_t count>
-[[gnu::always_inline]] inline void some_lanes(std::ptrdiff_t rows, std::ptrdiff_t columns,
-                                              const double* matrix, std::ptrdiff_t last, const double* vector,
-                                              double* product) {
+[[gnu::always_inline]] inline void some_lanes(std::ptrdiff_t columns, const double* matrix,
+                                              std::ptrdiff_t stride, std::ptrdiff_t last,
+                                              const double* vector, double* product) {
   using Lane = typename Lanes<bytes>::Type;
   constexpr std::size_t width = bytes / sizeof(double);
   const auto row_of = [last](std::size_t i) { return i + 1 < count ? i * width : std::size_t(last); };
@@ -29,7 +29,7 @@ template <std::size_t bytes, std::size_t count>
     sums[i] = entries * vector[0];
   }
   for (std::ptrdiff_t k = 1; k < columns; ++k) {
-    const double* const column = matrix + k * rows;
+    const double* const column = matrix + k * stride;
     const double factor = vector[k];
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < count; ++i) {
@@ -46,7 +46,7 @@ template <std::size_t bytes, std::size_t count>
 /// the very last one shifted back to end with the last row. What it makes again has the same bits.
 template <std::size_t bytes>
 [[gnu::always_inline]] inline void all_rows(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
-                                            const double* vector, double* product) {
+                                            std::ptrdiff_t stride, const double* vector, double* product) {
   constexpr auto width = static_cast<std::ptrdiff_t>(bytes / sizeof(double));
   constexpr std::ptrdiff_t most = 6;  // at a time: sums, entries and a factor fit into sixteen registers
   std::ptrdiff_t lanes = (rows + width - 1) / width;
@@ -54,7 +54,7 @@ template <std::size_t bytes>
     const std::ptrdiff_t now = (lanes + passes - 1) / passes;
     const std::ptrdiff_t last = std::min((now - 1) * width, rows - width - first);
     const auto go = [&]<std::size_t count>() __attribute__((always_inline)) {
-      some_lanes<bytes, count>(rows, columns, matrix + first, last, vector, product + first);
+      some_lanes<bytes, count>(columns, matrix + first, stride, last, vector, product + first);
     };
     switch (now) {
       case 1:
@@ -80,27 +80,28 @@ template <std::size_t bytes>
   }
 }
 
-using Multiply = void (*)(std::ptrdiff_t, std::ptrdiff_t, const double*, const double*, double*);
+using Multiply = void (*)(std::ptrdiff_t, std::ptrdiff_t, const double*, std::ptrdiff_t, const double*,
+                          double*);
 
-void by_two(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix, const double* vector,
-            double* product) {
-  if (rows >= 2) return all_rows<16>(rows, columns, matrix, vector, product);
+void by_two(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix, std::ptrdiff_t stride,
+            const double* vector, double* product) {
+  if (rows >= 2) return all_rows<16>(rows, columns, matrix, stride, vector, product);
   double sum = matrix[0] * vector[0];
-  for (std::ptrdiff_t k = 1; k < columns; ++k) sum += matrix[k] * vector[k];
+  for (std::ptrdiff_t k = 1; k < columns; ++k) sum += matrix[k * stride] * vector[k];
   product[0] = sum;
 }
 
 #ifdef __x86_64__
 [[gnu::target("avx")]] void by_four(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
-                                    const double* vector, double* product) {
-  if (rows < 4) return by_two(rows, columns, matrix, vector, product);
-  all_rows<32>(rows, columns, matrix, vector, product);
+                                    std::ptrdiff_t stride, const double* vector, double* product) {
+  if (rows < 4) return by_two(rows, columns, matrix, stride, vector, product);
+  all_rows<32>(rows, columns, matrix, stride, vector, product);
 }
 
 [[gnu::target("avx512f")]] void by_eight(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
-                                         const double* vector, double* product) {
-  if (rows < 8) return by_four(rows, columns, matrix, vector, product);
-  all_rows<64>(rows, columns, matrix, vector, product);
+                                         std::ptrdiff_t stride, const double* vector, double* product) {
+  if (rows < 8) return by_four(rows, columns, matrix, stride, vector, product);
+  all_rows<64>(rows, columns, matrix, stride, vector, product);
 }
 
 Multiply fastest() {
@@ -113,10 +114,10 @@ Multiply fastest() { return by_two; }
 
 }  // namespace
 
-void multiply(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix, const double* vector,
-              double* product) {
+void multiply(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix, std::ptrdiff_t stride,
+              const double* vector, double* product) {
   static const Multiply multiply_here = fastest();
-  multiply_here(rows, columns, matrix, vector, product);
+  multiply_here(rows, columns, matrix, stride, vector, product);
 }
 
 }  // namespace rubsweep::numerics

@@ -5,23 +5,38 @@
 
 namespace rubsweep::numerics {
 
-/// product = matrix . vector, the matrix column by column and without gaps. Every row is summed in the order
-/// of its columns, so that the bits are those of the plain loop whatever the processor adds at once.
-/// Nothing may overlap; columns >= 1.
-void multiply(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix, const double* vector,
-              double* product);
+/// product = matrix . vector, the matrix column by column, each `stride` >= rows numbers behind the one
+/// before. Every row is summed in the order of its columns, so that the bits are those of the plain loop
+/// whatever the processor adds at once. Nothing may overlap; columns >= 1.
+void multiply(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix, std::ptrdiff_t stride,
+              const double* vector, double* product);
 
-/// The same as a vector of the type `Product`: by Eigen where sizes are known to the compiler, which unrolls
-/// such loops, and by `multiply` where they are not.
+template <class Matrix>
+std::ptrdiff_t stride_of(const Matrix& matrix) {
+  if constexpr (requires { matrix.stride(); }) {
+    return matrix.stride();
+  } else {
+    return matrix.rows();
+  }
+}
+
+/// The same into another vector: by Eigen where sizes are known to the compiler, which unrolls such loops,
+/// and by `multiply` where they are not.
+template <class Matrix, class Vector, class Product>
+void put_product(const Matrix& matrix, const Vector& vector, Product& product) {
+  if constexpr (Matrix::RowsAtCompileTime == Eigen::Dynamic) {
+    product.resize(matrix.rows());
+    multiply(matrix.rows(), matrix.cols(), matrix.data(), stride_of(matrix), vector.data(), product.data());
+  } else {
+    product = matrix.lazyProduct(vector.matrix());
+  }
+}
+
 template <class Product, class Matrix, class Vector>
 Product product_of(const Matrix& matrix, const Vector& vector) {
-  if constexpr (Matrix::RowsAtCompileTime == Eigen::Dynamic) {
-    Product product(matrix.rows());
-    multiply(matrix.rows(), matrix.cols(), matrix.data(), vector.data(), product.data());
-    return product;
-  } else {
-    return matrix.lazyProduct(vector);
-  }
+  Product product;
+  put_product(matrix, vector, product);
+  return product;
 }
 
 }  // namespace rubsweep::numerics

@@ -28,6 +28,7 @@ inline Twin sums_of(Twin first, Twin second) {
   return __builtin_shufflevector(first, second, 0, 2) + __builtin_shufflevector(first, second, 1, 3);
 }
 inline Twin larger(Twin one, Twin other) { return one < other ? other : one; }
+inline Twin smaller(Twin one, Twin other) { return other < one ? other : one; }
 inline Twin load(const double* from) {
   Twin pair;
   std::memcpy(&pair, from, sizeof pair);

@@ -31,9 +31,9 @@ TEST(ModalTerms, SlowOnesFirstAndNoneThatIsNotSeen) {
   EXPECT_EQ(terms.list[1].u, 0);
   EXPECT_EQ(terms.list[2].u, 3);
   EXPECT_EQ(terms.list[2].v, 7);
-  EXPECT_EQ(terms.list[2].value_v, 5);
-  EXPECT_EQ(terms.list[2].rate_v, 6);
-  EXPECT_EQ(terms.list[2].bound_v, 7);
+  EXPECT_EQ(terms.list[2].value[1], 5);
+  EXPECT_EQ(terms.list[2].rate[1], 6);
+  EXPECT_EQ(terms.list[2].bound[1], 7);
   EXPECT_EQ(terms.list[0].envelope, 12);
   EXPECT_EQ(terms.fast().size(), 2u);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "rubsweep/integrate/exact/machine_modes.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"
@@ -66,6 +67,17 @@ TEST_P(EveryMode, TermsOfAGuardSumToItsValueAhead) {
       EXPECT_NEAR(sum, guard.constant + guard.physical * mode_.basis * ahead, 1e-12) << fraction;
     }
   }
+}
+
+TEST_P(EveryMode, KnowsTheStepsOfItsTable) {
+  for (int k = 0; k < numerics::exact_step_count; ++k) {
+    const double duration_s = mode_.longest_step_s * numerics::exact_step_size(k);
+    EXPECT_EQ(table_step_of(mode_, duration_s), k);
+    for (const double other_s :
+         {std::nextafter(duration_s, 0.0), std::nextafter(duration_s, 1.0), -duration_s})
+      EXPECT_EQ(table_step_of(mode_, other_s), numerics::exact_step_count) << k;
+  }
+  EXPECT_EQ(table_step_of(mode_, 0), numerics::exact_step_count);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfOneStop, EveryMode, testing::Values(0, 1, 2, 3));

@@ -162,6 +162,22 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::force(std::size_t t, const I
 }
 
 template <int N>
+typename ExactMotion<N>::CasingMotion ExactMotion<N>::casing(std::size_t c, const Instant& instant) const {
+  const CasingView<N>& view = mode_->casings[c];
+  Eigen::Vector2d displacement = view.rest, velocity = Eigen::Vector2d::Zero();
+  for_each_response(*cell_, acting_, instant, [&](const auto& response, Complex phasor) {
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      const Complex z = product(response.at_casing[c][static_cast<std::size_t>(i)], phasor);
+      displacement(i) += z.real();
+      velocity(i) -= response.rate * z.imag();
+    }
+  });
+  Eigen::Vector4d free;
+  numerics::put_product(view.of_free, instant.free, free);
+  return {displacement + free.head<2>(), velocity + free.tail<2>()};
+}
+
+template <int N>
 typename ExactMotion<N>::State ExactMotion<N>::rate_of(const State& physical) const {
   const Eigen::Index n = mode_->rest.size();
   State offset = physical;
@@ -266,9 +282,9 @@ typename ExactMotion<N>::SlidingRate ExactMotion<N>::sliding_rate(std::size_t t)
   SlidingRate sliding;
   for (const ModalTerm& pair : mode_->touches[t].sliding_of_free.list) {
     const double u = now_.free(pair.u), v = now_.free(pair.v);
-    sliding.rate += pair.rate_u * u + pair.rate_v * v;
-    sliding.curvature += mode_->paired ? pair.bound_u * pair_size(u, v)
-                                       : pair.bound_u * std::abs(u) + pair.bound_v * std::abs(v);
+    sliding.rate += pair.rate[0] * u + pair.rate[1] * v;
+    sliding.curvature += mode_->paired ? pair.bound[0] * pair_size(u, v)
+                                       : pair.bound[0] * std::abs(u) + pair.bound[1] * std::abs(v);
   }
   for_each_response(*cell_, acting_, now_, [&](const auto& response, Complex phasor) {
     sliding.rate -= response.rate * product(response.at_sliding[t], phasor).imag();

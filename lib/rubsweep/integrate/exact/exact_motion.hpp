@@ -125,6 +125,12 @@ class ExactMotion {
   /// Normal force in newtons of the touching contact `t`, one that pushes, at an instant of the present mode.
   GuardValue force(std::size_t t, const Instant& instant) const;
 
+  /// Displacement and velocity of casing `c`, as `physical` has them.
+  struct CasingMotion {
+    Eigen::Vector2d displacement, velocity;
+  };
+  CasingMotion casing(std::size_t c, const Instant& instant) const;
+
   /// How fast the sliding speed of the touching contact `t` changes, scaled length per second squared, and a
   /// bound of its second derivative within the mode's longest step.
   struct SlidingRate {

@@ -73,6 +73,10 @@ bool make_harmonic_response(const LinearMode<N>& mode, const Eigen::VectorXcd& f
     response.at_sliding.push_back(row_on(touch.sliding, response.amplitude, rate));
     response.sliding_curvature.push_back(std::abs(response.at_sliding.back()) * rate * rate);
   }
+  for (const auto& casing : mode.casings) {
+    const Eigen::Vector2cd at = casing.map * response.amplitude;
+    response.at_casing.push_back({at(0), at(1)});
+  }
   return true;
 }
 

@@ -41,6 +41,7 @@ struct HarmonicResponse {
   std::vector<double> force_curvature;    ///< per touch: |at_force| rate^2
   std::vector<Complex> at_sliding;        ///< per touch
   std::vector<double> sliding_curvature;  ///< per touch: |at_sliding| rate^2
+  std::vector<std::array<Complex, 2>> at_casing;
   std::array<Complex, numerics::exact_step_count>
       steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked
 

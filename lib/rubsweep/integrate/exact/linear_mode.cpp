@@ -60,6 +60,7 @@ class ModeBuilder {
                             [&](const contact::AnnularWall&) { add_annular_guard(i); }},
                  system_.contacts[i].wall);
     }
+    for (const auto& casing : system_.casings) add_casing(casing.map);
     return std::move(mode_);
   }
 
@@ -116,17 +117,19 @@ class ModeBuilder {
     if (mode_->paired) {
       set_pairs();
     } else {
-      mode_->basis.setIdentity(mode_->generator.rows(), mode_->generator.rows());
-      mode_->inverse = mode_->basis;
+      basis_.setIdentity(mode_->generator.rows(), mode_->generator.rows());
+      inverse_ = basis_;
       for (const Matrix& flow : numerics::matrix_flows(mode_->generator, mode_->longest_step_s))
         mode_->steps.emplace_back(flow);
     }
-    mode_->diagonal_basis = mode_->basis.isDiagonal(0) && mode_->inverse.isDiagonal(0);
+    mode_->diagonal_basis = basis_.isDiagonal(0) && inverse_.isDiagonal(0);
+    mode_->basis = typename ExactTypes<N>::Factor(basis_);
+    mode_->inverse = typename ExactTypes<N>::Factor(inverse_);
   }
 
   void set_pairs() {
-    mode_->basis = form_->basis;
-    mode_->inverse = form_->inverse;
+    basis_ = form_->basis;
+    inverse_ = form_->inverse;
     mode_->pairs.resize(system_.coordinates(), 4);
     for (Eigen::Index j = 0; j < system_.coordinates(); ++j) {
       const numerics::Pair& g = form_->pairs[static_cast<std::size_t>(j)];
@@ -182,7 +185,7 @@ class ModeBuilder {
     guard.contact = i;
     guard.next = next;
     guard.physical = row;
-    const Row on_free = row * mode_->basis;
+    const Row on_free = row * basis_;
     guard.terms = terms_of(on_free, fast_pairs(on_free));
     guard.constant = constant + row.head(mode_->rest.size()) * mode_->rest;
     set_taylor(guard, on_free);
@@ -228,7 +231,7 @@ class ModeBuilder {
     for (std::size_t k = 0; k < 2; ++k) {
       const Row& on_u = k == 0 ? c.first_row : c.second_row;
       guard.physical[k] = by_u(on_u);
-      guard.row[k] = guard.physical[k] * mode_->basis;
+      guard.row[k] = guard.physical[k] * basis_;
       guard.rate[k] = rate(guard.row[k]);
       guard.centre[k] = c.offset[k] + on_u * mode_->rest;
       guard.speed_bound += bound(guard.rate[k]).cwiseAbs2();
@@ -251,12 +254,12 @@ class ModeBuilder {
     touch.force_constant =
         force.head(mode_->rest.size()) * mode_->rest - law.spring * c.stiffness * c.clearance;
     touch.pushes = !force.isZero(0);
-    if (touch.pushes) touch.force_of_free = terms_of(force * mode_->basis, all_pairs());
+    if (touch.pushes) touch.force_of_free = terms_of(force * basis_, all_pairs());
     mode_->pushes = mode_->pushes || touch.pushes;
     const Row sliding = by_v(c.second_row);
     touch.sliding = sliding;
-    touch.sliding_of_free = terms_of(sliding * mode_->basis, all_pairs());
-    touch.sliding_rate_bound = bound(rate(sliding * mode_->basis));
+    touch.sliding_of_free = terms_of(sliding * basis_, all_pairs());
+    touch.sliding_rate_bound = bound(rate(sliding * basis_));
     if (!mode_->paired && only_released()) {
       if (auto slip = released_slip(system_, friction_, mode_->modes, i, mode_->longest_step_s)) {
         touch.sliding_rate_bound = slip->sliding_rate_bound;
@@ -265,6 +268,17 @@ class ModeBuilder {
       }
     }
     mode_->touches.push_back(touch);
+  }
+
+  void add_casing(const Eigen::Matrix<double, 2, Eigen::Dynamic>& map) {
+    CasingView<N> casing;
+    casing.map = map;
+    casing.rest = map * mode_->rest;
+    Eigen::Matrix<double, 4, Eigen::Dynamic> rows = Matrix::Zero(4, 2 * map.cols());
+    rows.topLeftCorner(2, map.cols()) = map;
+    rows.bottomRightCorner(2, map.cols()) = map;
+    casing.of_free = decltype(casing.of_free)(rows * basis_);
+    mode_->casings.push_back(std::move(casing));
   }
 
   bool only_released() const {
@@ -278,7 +292,8 @@ class ModeBuilder {
   std::unique_ptr<LinearMode<N>> mode_;
   Eigen::VectorXd constant_;
   std::optional<numerics::ModalForm> form_;
-  Eigen::ArrayXd determinant_;  ///< of the pairs
+  Eigen::ArrayXd determinant_;                    ///< of the pairs
+  typename ExactTypes<N>::Flow basis_, inverse_;  ///< those of the mode
 };
 
 }  // namespace

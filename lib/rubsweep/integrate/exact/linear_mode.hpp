@@ -3,12 +3,14 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/exact/modal_terms.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/numerics/aligned_matrix.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"
 #include "rubsweep/numerics/matrix_vector.hpp"
 
@@ -31,6 +33,8 @@ struct ExactTypes {
   using State = Eigen::Matrix<double, states, 1, Eigen::ColMajor, 2 * most, 1>;
   using Row = Eigen::Matrix<double, 1, states, Eigen::RowMajor, 1, 2 * most>;
   using Flow = Eigen::Matrix<double, states, states>;
+  /// A Flow that the time loop multiplies by.
+  using Factor = std::conditional_t<N == Eigen::Dynamic, numerics::AlignedMatrix, Flow>;
 };
 
 /// One armed guard of a mode, divided by the contact stiffness so that it is a length. Negative inside the
@@ -83,6 +87,17 @@ struct TouchWatch {
   std::vector<double> friction_rate, friction_swing;
 };
 
+/// How a casing moves with the free vibration, so that its place need not be taken from a whole state.
+template <int N>
+struct CasingView {
+  Eigen::Matrix<double, 2, N> map;  ///< as of run::ScaledCasing
+  Eigen::Vector2d rest;             ///< displacement of the constant particular solution
+  /// (x, y, x', y') of z.
+  std::conditional_t<N == Eigen::Dynamic, numerics::AlignedMatrix,
+                     Eigen::Matrix<double, 4, ExactTypes<N>::states>>
+      of_free;
+};
+
 /// Everything that the exact solver knows beforehand about one joint contact mode, inside which the law is
 /// linear: (u, u') = particular solution + basis z with the free vibration z. Where the mode has a modal form
 /// (`paired`), z consists of pairs (z_j, z_{n+j}) that do not influence each other, and bounds go by the
@@ -98,7 +113,7 @@ struct LinearMode {
   typename Types::Vector rest;                     ///< u of the constant particular solution
   bool paired = false;
   bool diagonal_basis = false;
-  typename Types::Flow basis, inverse;
+  typename Types::Factor basis, inverse;
   typename Types::Pairs pairs;  ///< generators
   /// As of PairSeries.
   Eigen::Array<double, N, numerics::most_series_terms> unit_terms, generator_terms;
@@ -107,21 +122,35 @@ struct LinearMode {
   std::vector<typename Types::Row> closing;       ///< per contact, for flat ones: p'' of (u, u') - rest
   double fastest_rad_per_s = 0;                   ///< largest |eigenvalue|
   std::vector<typename Types::Pairs> pair_steps;  ///< e^{A h}, of pairs or
-  std::vector<typename Types::Flow> steps;        ///< as a whole
+  std::vector<typename Types::Factor> steps;      ///< as a whole
   std::vector<LinearGuard<N>> guards;
   std::vector<AnnularGuard<N>> annular_guards;
   std::vector<TouchWatch<N>> touches;
+  std::vector<CasingView<N>> casings;
   bool pushes = false;  ///< one of the touches does
 
-  typename Types::State from_free(const typename Types::State& z) const { return change(basis, z); }
-  typename Types::State to_free(const typename Types::State& vibration) const {
-    return change(inverse, vibration);
+  using State = typename Types::State;
+  /// The state (u, u') but for its particular solution, from z; and the way back.
+  void put_from_free(const State& z, State& vibration) const { put_changed(basis, z, vibration); }
+  void put_to_free(const State& vibration, State& z) const { put_changed(inverse, vibration, z); }
+  State from_free(const State& z) const {
+    State vibration;
+    put_from_free(z, vibration);
+    return vibration;
+  }
+  State to_free(const State& vibration) const {
+    State z;
+    put_to_free(vibration, z);
+    return z;
   }
 
  private:
-  typename Types::State change(const typename Types::Flow& matrix, const typename Types::State& state) const {
-    if (diagonal_basis) return matrix.diagonal().cwiseProduct(state);
-    return numerics::product_of<typename Types::State>(matrix, state);
+  void put_changed(const typename Types::Factor& matrix, const State& from, State& to) const {
+    if (diagonal_basis) {
+      to = matrix.diagonal().cwiseProduct(from);
+    } else {
+      numerics::put_product(matrix, from, to);
+    }
   }
 };
 

@@ -12,12 +12,9 @@ ModalTerms modal_terms(const Eigen::Matrix<double, 4, Eigen::Dynamic>& rows, con
       if (rows.col(u).isZero(0) && rows.col(v).isZero(0)) continue;
       terms.list.push_back({.u = u,
                             .v = v,
-                            .value_u = rows(0, u),
-                            .value_v = rows(0, v),
-                            .rate_u = rows(1, u),
-                            .rate_v = rows(1, v),
-                            .bound_u = rows(2, u),
-                            .bound_v = rows(2, v),
+                            .value = numerics::Twin{rows(0, u), rows(0, v)},
+                            .rate = numerics::Twin{rows(1, u), rows(1, v)},
+                            .bound = numerics::Twin{rows(2, u), rows(2, v)},
                             .envelope = rows(3, u)});
       if (!wanted) ++terms.slow_count;
     }

@@ -7,24 +7,28 @@
 #include <span>
 #include <vector>
 
+#include "rubsweep/numerics/twin.hpp"
+
 namespace rubsweep::integrate::exact {
 
-/// Upper bound of the length of (u, v), at most 12 % above it.
-inline double pair_size(double u, double v) {
-  const double a = std::abs(u), b = std::abs(v);
-  return std::max(a, b) + 0.5 * std::min(a, b);
+/// Upper bound of the length of (u, v), at most 12 % above it. Twice.
+inline numerics::Twin pair_size(numerics::Twin pair) {
+  const numerics::Twin one = numerics::magnitudes(pair), other = numerics::swapped(one);
+  return numerics::larger(one, other) + 0.5 * numerics::smaller(one, other);
 }
+inline double pair_size(double u, double v) { return pair_size(numerics::Twin{u, v})[0]; }
 
 /// One term of a linear function of the free vibration z: a penetration, for example, is a fixed combination
 /// of all modal coordinates, and what one mode of vibration adds to it is a term. It depends on the pair
 /// (z_u, z_v) of that mode; in a contact mode without a modal form, on a displacement and its velocity.
 struct ModalTerm {
   Eigen::Index u = 0, v = 0;
-  double value_u = 0, value_v = 0;  ///< the term is value_u z_u + value_v z_v
-  double rate_u = 0, rate_v = 0;    ///< its time derivative is rate_u z_u + rate_v z_v
-  /// Bound of its second derivative over the mode's longest step from now: bound_u |(z_u, z_v)| with a modal
-  /// form, bound_u |z_u| + bound_v |z_v| without one.
-  double bound_u = 0, bound_v = 0;
+  // Each by the number that z_u is multiplied by, and that for z_v.
+  numerics::Twin value{};  ///< the term is value . (z_u, z_v)
+  numerics::Twin rate{};   ///< its time derivative is rate . (z_u, z_v)
+  /// Bound of its second derivative over the mode's longest step from now: bound[0] |(z_u, z_v)| with a modal
+  /// form, where bound[1] is zero, bound . (|z_u|, |z_v|) without one.
+  numerics::Twin bound{};
   double envelope = 0;  ///< the term itself stays below envelope |(z_u, z_v)|; with a modal form only
 };
 
@@ -44,34 +48,30 @@ struct ModalTerms {
   }
 };
 
-/// A sum of such terms: their value, their time derivative, and a bound of their second derivative.
-struct ModalSum {
-  // What comes from u and from v is summed apart: the processor adds both at once.
-  double value_u, value_v, rate_u, rate_v, bound_u, bound_v;
-
+/// A sum of such terms: their value, their time derivative, and a bound of their second derivative. What
+/// comes from z_u and from z_v is summed apart: the processor adds both at once.
+class ModalSum {
+ public:
   /// `paired`: z has a modal form.
-  ModalSum(const ModalTerm& pair, const double* z, bool paired) {
-    const double u = z[pair.u], v = z[pair.v];
-    value_u = pair.value_u * u;
-    value_v = pair.value_v * v;
-    rate_u = pair.rate_u * u;
-    rate_v = pair.rate_v * v;
-    bound_u = pair.bound_u * (paired ? pair_size(u, v) : std::abs(u));
-    bound_v = paired ? 0 : pair.bound_v * std::abs(v);
+  ModalSum(const ModalTerm& term, const double* z, bool paired) {
+    const numerics::Twin pair{z[term.u], z[term.v]};
+    value_ = term.value * pair;
+    rate_ = term.rate * pair;
+    bound_ = term.bound * (paired ? pair_size(pair) : numerics::magnitudes(pair));
   }
 
   void operator+=(const ModalSum& other) {
-    value_u += other.value_u;
-    value_v += other.value_v;
-    rate_u += other.rate_u;
-    rate_v += other.rate_v;
-    bound_u += other.bound_u;
-    bound_v += other.bound_v;
+    value_ += other.value_;
+    rate_ += other.rate_;
+    bound_ += other.bound_;
   }
 
-  double value() const { return value_u + value_v; }
-  double rate() const { return rate_u + rate_v; }
-  double curvature() const { return bound_u + bound_v; }
+  double value() const { return value_[0] + value_[1]; }
+  double rate() const { return rate_[0] + rate_[1]; }
+  double curvature() const { return bound_[0] + bound_[1]; }
+
+ private:
+  numerics::Twin value_, rate_, bound_;
 };
 
 /// Sum of one term or more at the state `z`.

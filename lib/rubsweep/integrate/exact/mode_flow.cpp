@@ -8,18 +8,31 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// (u, v) becomes factor * its rate, by full matrices.
+/// Terms of a series by full matrices.
 template <int N>
-void differentiate(const LinearMode<N>& mode, double factor, typename ExactTypes<N>::Part& u,
-                   typename ExactTypes<N>::Part& v) {
-  using Vector = typename ExactTypes<N>::Vector;
-  const Vector spring = numerics::product_of<Vector>(mode.stiffness, u.matrix()),
-               damper = numerics::product_of<Vector>(mode.damping, v.matrix());
-  for (Eigen::Index j = 0; j < u.size(); ++j) {
-    u(j) = factor * v(j);
-    v(j) = -factor * (spring(j) + damper(j));
+class SeriesTerm {
+ public:
+  using Part = typename ExactTypes<N>::Part;
+
+  SeriesTerm(const LinearMode<N>& mode, const Part& u, const Part& v) : mode_(mode), u_(u), v_(v) {}
+
+  /// (u, v) becomes factor * its rate, and is added to the sums.
+  void differentiate(double factor, Part& sum_u, Part& sum_v) {
+    numerics::put_product(mode_.stiffness, u_, spring_);
+    numerics::put_product(mode_.damping, v_, damper_);
+    for (Eigen::Index j = 0; j < u_.size(); ++j) {
+      u_(j) = factor * v_(j);
+      v_(j) = -factor * (spring_(j) + damper_(j));
+      sum_u(j) += u_(j);
+      sum_v(j) += v_(j);
+    }
   }
-}
+
+ private:
+  const LinearMode<N>& mode_;
+  Part u_, v_;
+  typename ExactTypes<N>::Vector spring_, damper_;
+};
 
 }  // namespace
 
@@ -58,11 +71,9 @@ void move_by_series(const LinearMode<N>& mode, double duration_s, typename Exact
     z.template segment<N>(n, n) = (unit * v + generator * rate_v).matrix();
   } else {
     Part sum_u = u, sum_v = v;
-    for (int k = 1; k <= terms; ++k) {
-      differentiate<N>(mode, duration_s * numerics::reciprocals[static_cast<std::size_t>(k)], u, v);
-      sum_u += u;
-      sum_v += v;
-    }
+    SeriesTerm<N> term(mode, u, v);
+    for (int k = 1; k <= terms; ++k)
+      term.differentiate(duration_s * numerics::reciprocals[static_cast<std::size_t>(k)], sum_u, sum_v);
     z.template head<N>(n) = sum_u.matrix();
     z.template segment<N>(n, n) = sum_v.matrix();
   }

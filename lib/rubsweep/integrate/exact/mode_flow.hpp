@@ -54,6 +54,19 @@ double table_steps(const LinearMode<N>& mode, double fastest_rad_per_s, double d
   return duration_s;
 }
 
+/// The step of the mode's table that lasts just `duration_s`; exact_step_count where none does.
+template <int N>
+int table_step_of(const LinearMode<N>& mode, double duration_s) {
+  if (!(duration_s > 0)) return numerics::exact_step_count;  // a landing may go back by rounding
+  const int below = numerics::exact_step_below(duration_s * mode.longest_steps_per_s);
+  for (const int k : {below, below - 1}) {  // where the product was rounded, the one above
+    if (k >= 0 && k < numerics::exact_step_count &&
+        duration_s == mode.longest_step_s * numerics::exact_step_size(k))
+      return k;
+  }
+  return numerics::exact_step_count;
+}
+
 /// An even number of Taylor coefficients of a guard but for its forced part, time in units of
 /// 1 / fastest_rad_per_s.
 template <int N>

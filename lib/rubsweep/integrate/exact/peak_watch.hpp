@@ -56,8 +56,8 @@ class PeakWatch {
       if (motion.mode().touches[t].pushes)
         raise_force(motion, t, here, duration_s, report.peak_contact_force_n);
     }
-    for (const Casing& casing : casings_)
-      raise_casing(motion, casing, end, duration_s, report.peak_casing_displacement_m);
+    for (std::size_t c = 0; c < casings_.size(); ++c)
+      raise_casing(motion, c, end, duration_s, report.peak_casing_displacement_m);
     start_ = here;
     start_state_ = end;
   }
@@ -92,13 +92,17 @@ class PeakWatch {
   static ValueAndRate square_of(const Map& map, const State& here) {
     const Eigen::Index n = here.size() / 2;
     const Eigen::Vector2d z = map * here.template head<N>(n), v = map * here.template segment<N>(n, n);
+    return square_of(z, v);
+  }
+  static ValueAndRate square_of(const Eigen::Vector2d& z, const Eigen::Vector2d& v) {
     return {z.squaredNorm(), 2 * z.dot(v)};
   }
 
   /// From the step's start to its end. A casing that is not touched vibrates at its own rate, one that is
   /// touched as fast as the contact makes it. In a mode without pairs the run's own steps are short enough.
-  void raise_casing(const ExactMotion<N>& motion, const Casing& casing, const State& end, double duration_s,
+  void raise_casing(const ExactMotion<N>& motion, std::size_t c, const State& end, double duration_s,
                     double& known_m) {
+    const Casing& casing = casings_[c];
     const bool open = motion.mode().modes[casing.contact] == contact::Mode::open;
     if (open && casing.reach(start_state_) * length_m_ <= known_m) return;
     // The square of a displacement vibrates twice as fast.
@@ -110,7 +114,8 @@ class PeakWatch {
       const double size_s = motion.mode().longest_step_s * numerics::exact_step_size(k);
       for (at_ = start_; left_s > size_s; left_s -= size_s) {
         motion.ahead_by_table(at_, k);
-        const ValueAndRate to = square_of(casing.map, motion.physical(at_));
+        const auto there = motion.casing(c, at_);
+        const ValueAndRate to = square_of(there.displacement, there.velocity);
         square = std::max(square, largest(from, to, size_s));
         from = to;
       }

@@ -23,7 +23,10 @@ void TangentVectors<N>::begin(const LinearMode<N>& mode, const run::StateScale& 
 template <int N>
 void TangentVectors<N>::change(const LinearMode<N>& from, const LinearMode<N>& to) {
   catch_up(from);
-  for (std::size_t i = 0; i < count_; ++i) list_[i] = to.to_free(from.from_free(list_[i]));
+  for (std::size_t i = 0; i < count_; ++i) {
+    from.put_from_free(list_[i], moved_);
+    to.put_to_free(moved_, list_[i]);
+  }
 }
 
 template <int N>
@@ -49,13 +52,17 @@ void TangentVectors<N>::catch_up(const LinearMode<N>& mode) {
   const double duration_s = std::exchange(lag_s_, 0);
   if (count_ == 0 || duration_s == 0) return;
   if (mode.paired) {
-    const auto flow = flow_of_pairs(mode, duration_s);
-    for (std::size_t i = 0; i < count_; ++i) move_pairs(flow, list_[i]);
-    return;
+    const auto move = [&](const typename ExactTypes<N>::Pairs& flow) {
+      for (std::size_t i = 0; i < count_; ++i) move_pairs(flow, list_[i]);
+    };
+    const int k = table_step_of(mode, duration_s);
+    return k < numerics::exact_step_count ? move(mode.pair_steps[static_cast<std::size_t>(k)])
+                                          : move(flow_of_pairs(mode, duration_s));
   }
   const double rest_s = table_steps(mode, mode.fastest_rad_per_s, duration_s, [&](int k) {
     for (std::size_t i = 0; i < count_; ++i) {
-      list_[i] = numerics::product_of<State>(mode.steps[static_cast<std::size_t>(k)], list_[i]);
+      numerics::put_product(mode.steps[static_cast<std::size_t>(k)], list_[i], moved_);
+      list_[i] = moved_;
     }
   });
   if (rest_s == 0) return;  // a step of the table

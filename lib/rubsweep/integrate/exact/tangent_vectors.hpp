@@ -41,6 +41,7 @@ class TangentVectors {
   std::vector<State> list_;  ///< in the mode's coordinates
   std::size_t count_ = 0;    ///< the first ones are in use
   double lag_s_ = 0;         ///< behind the state
+  State moved_;              ///< one of them on its way
 };
 
 extern template class TangentVectors<2>;
