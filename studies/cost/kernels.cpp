@@ -1,12 +1,15 @@
 // Times of the hot kernels by Google Benchmark: `kernels --help`. Not a test.
 #include <benchmark/benchmark.h>
 
+#include <Eigen/Core>
 #include <complex>
 #include <numbers>
 #include <vector>
 
 #include "rubsweep/integrate/exact/exact_run.hpp"
 #include "rubsweep/integrate/start.hpp"
+#include "rubsweep/numerics/aligned_matrix.hpp"
+#include "rubsweep/numerics/matrix_vector.hpp"
 #include "rubsweep/response/spectrum/full_spectrum.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -60,6 +63,23 @@ void certified_step(benchmark::State& state) {
       benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(certified_step);
+
+/// A full matrix of the first argument's size times a vector, with columns that begin the second argument's
+/// bytes behind a cache line.
+void product(benchmark::State& state) {
+  const auto size = static_cast<std::ptrdiff_t>(state.range(0));
+  const Eigen::MatrixXd larger = Eigen::MatrixXd::Random(size + 8, size);
+  const numerics::AlignedMatrix matrix(larger);
+  const Eigen::VectorXd vector = Eigen::VectorXd::Random(size);
+  Eigen::VectorXd result(size);
+  const double* const first = matrix.data() + state.range(1) / static_cast<std::ptrdiff_t>(sizeof(double));
+  for (auto _ : state) {
+    numerics::multiply(size, size, first, matrix.stride(), vector.data(), result.data());
+    benchmark::DoNotOptimize(result.data());
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(product)->ArgsProduct({{38, 40}, {0, 16, 32, 48}});
 
 /// 64 revolutions of 128 samples, the window of every verdict.
 void spectrum(benchmark::State& state) {

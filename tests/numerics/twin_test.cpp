@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 
 namespace rubsweep::numerics {
 namespace {
@@ -11,8 +12,15 @@ TEST(Twin, ItsPartsAreWhereTheyAreLookedFor) {
   const Twin pair{3, -5};
   EXPECT_EQ(swapped(pair)[0], -5);
   EXPECT_EQ(swapped(pair)[1], 3);
-  EXPECT_EQ(first_twice(pair)[1], 3);
-  EXPECT_EQ(second_twice(pair)[0], -5);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(both(7)[i], 7);
+    EXPECT_EQ(first_twice(pair)[i], 3);
+    EXPECT_EQ(second_twice(pair)[i], -5);
+  }
+  EXPECT_EQ(larger(pair, Twin{1, -2})[0], 3);
+  EXPECT_EQ(larger(pair, Twin{1, -2})[1], -2);
+  EXPECT_EQ(smaller(pair, Twin{1, -2})[0], 1);
+  EXPECT_EQ(smaller(pair, Twin{1, -2})[1], -5);
   EXPECT_EQ(sum_of(pair)[0], -2);
   EXPECT_EQ(sum_of(pair)[1], -2);
   EXPECT_EQ(sums_of(pair, Twin{10, 20})[0], -2);
@@ -25,6 +33,8 @@ TEST(Twin, ItsPartsAreWhereTheyAreLookedFor) {
   std::array<double, 2> stored{};
   store(stored.data(), pair);
   EXPECT_EQ(stored, (std::array<double, 2>{3, -5}));
+  EXPECT_EQ(load(stored.data())[0], 3);
+  EXPECT_EQ(load(stored.data())[1], -5);
 }
 
 }  // namespace

@@ -9,12 +9,9 @@
 namespace rubsweep::numerics {
 
 /// A matrix, column by column, that vectors are multiplied by again and again: every column begins with a
-/// cache line, so that a processor which reads whole lines never has to read two for one (a product of 40 x
-/// 40 takes half the time).
+/// cache line, so that a processor which reads whole lines never has to read two for one.
 class AlignedMatrix {
  public:
-  static constexpr int RowsAtCompileTime = Eigen::Dynamic;
-
   AlignedMatrix() = default;
   explicit AlignedMatrix(const Eigen::MatrixXd& matrix)
       : rows_(matrix.rows()),

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <cstddef>
 
+#include "rubsweep/numerics/aligned_matrix.hpp"
+
 namespace rubsweep::numerics {
 
 /// product = matrix . vector, the matrix column by column, each `stride` >= rows numbers behind the one
@@ -11,25 +13,23 @@ namespace rubsweep::numerics {
 void multiply(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix, std::ptrdiff_t stride,
               const double* vector, double* product);
 
-template <class Matrix>
-std::ptrdiff_t stride_of(const Matrix& matrix) {
-  if constexpr (requires { matrix.stride(); }) {
-    return matrix.stride();
-  } else {
-    return matrix.rows();
-  }
-}
-
-/// The same into another vector: by Eigen where sizes are known to the compiler, which unrolls such loops,
-/// and by `multiply` where they are not.
+/// The same for a matrix of Eigen into another vector: by Eigen where sizes are known to the compiler, which
+/// unrolls such loops, and by `multiply` where they are not.
 template <class Matrix, class Vector, class Product>
 void put_product(const Matrix& matrix, const Vector& vector, Product& product) {
   if constexpr (Matrix::RowsAtCompileTime == Eigen::Dynamic) {
     product.resize(matrix.rows());
-    multiply(matrix.rows(), matrix.cols(), matrix.data(), stride_of(matrix), vector.data(), product.data());
+    multiply(matrix.rows(), matrix.cols(), matrix.data(), matrix.outerStride(), vector.data(),
+             product.data());
   } else {
     product = matrix.lazyProduct(vector.matrix());
   }
+}
+
+template <class Vector, class Product>
+void put_product(const AlignedMatrix& matrix, const Vector& vector, Product& product) {
+  product.resize(matrix.rows());
+  multiply(matrix.rows(), matrix.cols(), matrix.data(), matrix.stride(), vector.data(), product.data());
 }
 
 template <class Product, class Matrix, class Vector>

@@ -28,8 +28,8 @@ void expect_casing_of_the_state() {
     motion.step_by_table(6);
     const Eigen::VectorXd state = motion.physical();
     const auto seen = motion.casing(0, motion.here());
-    EXPECT_EQ(seen.displacement, casing.map * state.head(4)) << joint;
-    EXPECT_EQ(seen.velocity, casing.map * state.tail(4)) << joint;
+    EXPECT_TRUE(seen.displacement.isApprox(casing.map * state.head(4), 1e-14)) << joint;
+    EXPECT_TRUE(seen.velocity.isApprox(casing.map * state.tail(4), 1e-14)) << joint;
     EXPECT_GT(seen.velocity.norm(), 0.1);
   }
 }

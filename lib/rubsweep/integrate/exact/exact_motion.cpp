@@ -28,9 +28,9 @@ ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<MachineMo
 }
 
 template <int N>
-typename ExactMotion<N>::Drive ExactMotion<N>::drive_of(Eigen::VectorXcd acceleration,
+typename ExactMotion<N>::Drive ExactMotion<N>::drive_of(const Eigen::VectorXcd& acceleration,
                                                         double rate_rad_per_s) const {
-  Drive drive{.acceleration = std::move(acceleration), .closing = {}, .rate = rate_rad_per_s};
+  Drive drive{.acceleration = acceleration, .closing = {}, .rate = rate_rad_per_s};
   for (const auto& contact : machine_->system().contacts) {
     drive.closing.emplace_back(contact.first_row.dot(drive.acceleration.real()),
                                contact.first_row.dot(drive.acceleration.imag()));

@@ -203,7 +203,7 @@ class ExactMotion {
     for (const std::size_t i : acting_) fastest = std::max(fastest, pulses_[i].rate);
     return fastest;
   }
-  Drive drive_of(Eigen::VectorXcd acceleration, double rate_rad_per_s) const;
+  Drive drive_of(const Eigen::VectorXcd& acceleration, double rate_rad_per_s) const;
   bool prepare(const LinearMode<N>& mode, ModeCell& cell) const;
   /// Visits the response of `cell` to every force that acts, and its phasor.
   template <class Visit>

@@ -41,10 +41,10 @@ Row over_state(const Row& by_u, const Row& by_v) {
 template <int N>
 class ModeBuilder {
  public:
-  ModeBuilder(const System& system, const Frictions& friction, std::vector<Mode> modes,
+  ModeBuilder(const System& system, const Frictions& friction, const std::vector<Mode>& modes,
               const std::vector<bool>& backward)
       : system_(system), friction_(friction), backward_(backward), mode_(std::make_unique<LinearMode<N>>()) {
-    mode_->modes = std::move(modes);
+    mode_->modes = modes;
   }
 
   std::unique_ptr<LinearMode<N>> build() {
@@ -300,17 +300,21 @@ class ModeBuilder {
 
 template <int N>
 std::unique_ptr<LinearMode<N>> make_linear_mode(const System& system, const Frictions& friction,
-                                                std::vector<Mode> modes, const std::vector<bool>& backward) {
-  return ModeBuilder<N>(system, friction, std::move(modes), backward).build();
+                                                const std::vector<Mode>& modes,
+                                                const std::vector<bool>& backward) {
+  return ModeBuilder<N>(system, friction, modes, backward).build();
 }
 
 template std::unique_ptr<LinearMode<2>> make_linear_mode<2>(const System&, const Frictions&,
-                                                            std::vector<Mode>, const std::vector<bool>&);
+                                                            const std::vector<Mode>&,
+                                                            const std::vector<bool>&);
 template std::unique_ptr<LinearMode<4>> make_linear_mode<4>(const System&, const Frictions&,
-                                                            std::vector<Mode>, const std::vector<bool>&);
+                                                            const std::vector<Mode>&,
+                                                            const std::vector<bool>&);
 template std::unique_ptr<LinearMode<6>> make_linear_mode<6>(const System&, const Frictions&,
-                                                            std::vector<Mode>, const std::vector<bool>&);
+                                                            const std::vector<Mode>&,
+                                                            const std::vector<bool>&);
 template std::unique_ptr<LinearMode<Eigen::Dynamic>> make_linear_mode<Eigen::Dynamic>(
-    const System&, const Frictions&, std::vector<Mode>, const std::vector<bool>&);
+    const System&, const Frictions&, const std::vector<Mode>&, const std::vector<bool>&);
 
 }  // namespace rubsweep::integrate::exact

@@ -33,8 +33,11 @@ struct ExactTypes {
   using State = Eigen::Matrix<double, states, 1, Eigen::ColMajor, 2 * most, 1>;
   using Row = Eigen::Matrix<double, 1, states, Eigen::RowMajor, 1, 2 * most>;
   using Flow = Eigen::Matrix<double, states, states>;
-  /// A Flow that the time loop multiplies by.
-  using Factor = std::conditional_t<N == Eigen::Dynamic, numerics::AlignedMatrix, Flow>;
+  /// What the time loop multiplies a state by.
+  template <int rows>
+  using RowsOfState =
+      std::conditional_t<N == Eigen::Dynamic, numerics::AlignedMatrix, Eigen::Matrix<double, rows, states>>;
+  using Factor = RowsOfState<states>;
 };
 
 /// One armed guard of a mode, divided by the contact stiffness so that it is a length. Negative inside the
@@ -92,10 +95,7 @@ template <int N>
 struct CasingView {
   Eigen::Matrix<double, 2, N> map;  ///< as of run::ScaledCasing
   Eigen::Vector2d rest;             ///< displacement of the constant particular solution
-  /// (x, y, x', y') of z.
-  std::conditional_t<N == Eigen::Dynamic, numerics::AlignedMatrix,
-                     Eigen::Matrix<double, 4, ExactTypes<N>::states>>
-      of_free;
+  typename ExactTypes<N>::template RowsOfState<4> of_free;  ///< (x, y, x', y') of z
 };
 
 /// Everything that the exact solver knows beforehand about one joint contact mode, inside which the law is
@@ -160,20 +160,20 @@ struct LinearMode {
 template <int N>
 std::unique_ptr<LinearMode<N>> make_linear_mode(const run::ScaledSystem<Eigen::Dynamic>& system,
                                                 const std::vector<contact::SaturatedFriction>& friction,
-                                                std::vector<contact::Mode> modes,
+                                                const std::vector<contact::Mode>& modes,
                                                 const std::vector<bool>& backward);
 
 extern template std::unique_ptr<LinearMode<2>> make_linear_mode<2>(
     const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    std::vector<contact::Mode>, const std::vector<bool>&);
+    const std::vector<contact::Mode>&, const std::vector<bool>&);
 extern template std::unique_ptr<LinearMode<4>> make_linear_mode<4>(
     const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    std::vector<contact::Mode>, const std::vector<bool>&);
+    const std::vector<contact::Mode>&, const std::vector<bool>&);
 extern template std::unique_ptr<LinearMode<6>> make_linear_mode<6>(
     const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    std::vector<contact::Mode>, const std::vector<bool>&);
+    const std::vector<contact::Mode>&, const std::vector<bool>&);
 extern template std::unique_ptr<LinearMode<Eigen::Dynamic>> make_linear_mode<Eigen::Dynamic>(
     const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    std::vector<contact::Mode>, const std::vector<bool>&);
+    const std::vector<contact::Mode>&, const std::vector<bool>&);
 
 }  // namespace rubsweep::integrate::exact

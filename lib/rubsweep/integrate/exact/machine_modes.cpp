@@ -98,7 +98,7 @@ std::unique_ptr<LinearMode<N>> MachineModes<N>::make(std::size_t joint) {
     modes.push_back(mode_in_joint_mode(joint, i));
     backward.push_back((joint & backward_in_joint_mode(i, contacts)) != 0);
   }
-  auto mode = make_linear_mode<N>(system_, friction_, std::move(modes), backward);
+  auto mode = make_linear_mode<N>(system_, friction_, modes, backward);
   if (mode) mode->index = count_++;
   return mode;
 }
