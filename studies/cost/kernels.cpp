@@ -27,7 +27,7 @@ void turn(benchmark::State& state, integrate::run::Method method, double toleran
   integrate::run::TurnReport turn;
   for (int k = 0; k < 300; ++k) run.advance({}, turn);
   const long before = turn.effort.steps;
-  for (auto _ : state) run.advance({}, turn);
+  for ([[maybe_unused]] auto _ : state) run.advance({}, turn);
   state.counters["steps"] =
       benchmark::Counter(static_cast<double>(turn.effort.steps - before), benchmark::Counter::kAvgIterations);
   // The share of one step, whatever a turn holds besides.
@@ -52,7 +52,7 @@ void certified_step(benchmark::State& state) {
   physical << 0, 0.4, 0, 0, -0.4, 0, 0, 0;
   integrate::run::state_scale(scene).to_seconds(physical);
   constexpr int steps = 256;  // then from the start again: free vibration dies out
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     if (!motion.enter(0, physical)) state.SkipWithError("no closed form");
     for (int i = 0; i < steps; ++i) {
       benchmark::DoNotOptimize(motion.guard(0));
@@ -73,7 +73,7 @@ void product(benchmark::State& state) {
   const Eigen::VectorXd vector = Eigen::VectorXd::Random(size);
   Eigen::VectorXd result(size);
   const double* const first = matrix.data() + state.range(1) / static_cast<std::ptrdiff_t>(sizeof(double));
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     numerics::multiply(size, size, first, matrix.stride(), vector.data(), result.data());
     benchmark::DoNotOptimize(result.data());
     benchmark::ClobberMemory();
@@ -89,7 +89,8 @@ void spectrum(benchmark::State& state) {
     z.push_back(std::polar(1e-3, phase) + std::polar(3e-4, -phase / 2));
   }
   response::spectrum::SpectrumWorkspace workspace;
-  for (auto _ : state) benchmark::DoNotOptimize(response::spectrum::full_spectrum(z, 64, workspace));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(response::spectrum::full_spectrum(z, 64, workspace));
 }
 BENCHMARK(spectrum);
 

@@ -14,7 +14,7 @@ inline constexpr int most_taylor_order = 24;
 
 /// 1 / k, each of them twice, as many as are needed: divisions are what such recurrences would wait for.
 inline constexpr auto taylor_reciprocals = [] {
-  std::array<double, 2 * (most_taylor_order + 3)> table{};
+  std::array<double, 2 * std::size_t{most_taylor_order + 3}> table{};
   for (std::size_t k = 1; 2 * k < table.size(); ++k)
     table[2 * k] = table[2 * k + 1] = 1 / static_cast<double>(k);
   return table;

@@ -8,31 +8,23 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// Terms of a series by full matrices.
+/// The state goes on by `terms` terms of its series, each from the one before by the full matrices.
 template <int N>
-class SeriesTerm {
- public:
-  using Part = typename ExactTypes<N>::Part;
-
-  SeriesTerm(const LinearMode<N>& mode, const Part& u, const Part& v) : mode_(mode), u_(u), v_(v) {}
-
-  /// (u, v) becomes factor * its rate, and is added to the sums.
-  void differentiate(double factor, Part& sum_u, Part& sum_v) {
-    numerics::put_product(mode_.stiffness, u_, spring_);
-    numerics::put_product(mode_.damping, v_, damper_);
-    for (Eigen::Index j = 0; j < u_.size(); ++j) {
-      u_(j) = factor * v_(j);
-      v_(j) = -factor * (spring_(j) + damper_(j));
-      sum_u(j) += u_(j);
-      sum_v(j) += v_(j);
+void add_terms(const LinearMode<N>& mode, double duration_s, int terms, typename ExactTypes<N>::State& z) {
+  const Eigen::Index n = mode.rest.size();
+  typename ExactTypes<N>::Vector u = z.template head<N>(n), v = z.template segment<N>(n, n), spring, damper;
+  for (int k = 1; k <= terms; ++k) {
+    const double factor = duration_s * numerics::reciprocals[static_cast<std::size_t>(k)];
+    numerics::put_product(mode.stiffness, u, spring);
+    numerics::put_product(mode.damping, v, damper);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      u(j) = factor * v(j);
+      v(j) = -factor * (spring(j) + damper(j));
+      z(j) += u(j);
+      z(n + j) += v(j);
     }
   }
-
- private:
-  const LinearMode<N>& mode_;
-  Part u_, v_;
-  typename ExactTypes<N>::Vector spring_, damper_;
-};
+}
 
 }  // namespace
 
@@ -56,27 +48,19 @@ template <int N>
 void move_by_series(const LinearMode<N>& mode, double duration_s, typename ExactTypes<N>::State& z) {
   using Part = typename ExactTypes<N>::Part;
   const int terms = numerics::series_terms(std::abs(duration_s) * mode.fastest_rad_per_s);
+  if (!mode.paired) return add_terms(mode, duration_s, terms, z);
   const Eigen::Index n = mode.rest.size();
-  Part u = z.template head<N>(n).array(), v = z.template segment<N>(n, n).array();
-  if (mode.paired) {
-    const double x = duration_s * mode.fastest_rad_per_s;
-    Part unit = mode.unit_terms.col(terms), generator = mode.generator_terms.col(terms);
-    for (int k = terms; k-- > 0;) {
-      unit = x * unit + mode.unit_terms.col(k);
-      generator = x * generator + mode.generator_terms.col(k);
-    }
-    const auto& g = mode.pairs;
-    const Part rate_u = g.col(0) * u + g.col(1) * v, rate_v = g.col(2) * u + g.col(3) * v;
-    z.template head<N>(n) = (unit * u + generator * rate_u).matrix();
-    z.template segment<N>(n, n) = (unit * v + generator * rate_v).matrix();
-  } else {
-    Part sum_u = u, sum_v = v;
-    SeriesTerm<N> term(mode, u, v);
-    for (int k = 1; k <= terms; ++k)
-      term.differentiate(duration_s * numerics::reciprocals[static_cast<std::size_t>(k)], sum_u, sum_v);
-    z.template head<N>(n) = sum_u.matrix();
-    z.template segment<N>(n, n) = sum_v.matrix();
+  const double x = duration_s * mode.fastest_rad_per_s;
+  Part unit = mode.unit_terms.col(terms), generator = mode.generator_terms.col(terms);
+  for (int k = terms; k-- > 0;) {
+    unit = x * unit + mode.unit_terms.col(k);
+    generator = x * generator + mode.generator_terms.col(k);
   }
+  const Part u = z.template head<N>(n).array(), v = z.template segment<N>(n, n).array();
+  const auto& g = mode.pairs;
+  const Part rate_u = g.col(0) * u + g.col(1) * v, rate_v = g.col(2) * u + g.col(3) * v;
+  z.template head<N>(n) = (unit * u + generator * rate_u).matrix();
+  z.template segment<N>(n, n) = (unit * v + generator * rate_v).matrix();
 }
 
 template ExactTypes<2>::Pairs flow_of_pairs<2>(const LinearMode<2>&, double);
