@@ -13,12 +13,12 @@ namespace rubsweep::numerics {
 class AlignedMatrix {
  public:
   AlignedMatrix() = default;
-  explicit AlignedMatrix(const Eigen::MatrixXd& matrix)
-      : rows_(matrix.rows()),
-        columns_(matrix.cols()),
-        lines_(static_cast<std::size_t>(columns_ * lines_a_column())) {
+  /// Zeros.
+  AlignedMatrix(Eigen::Index rows, Eigen::Index columns)
+      : rows_(rows), columns_(columns), lines_(static_cast<std::size_t>(columns * lines_a_column())) {}
+  explicit AlignedMatrix(const Eigen::MatrixXd& matrix) : AlignedMatrix(matrix.rows(), matrix.cols()) {
     for (Eigen::Index j = 0; j < columns_; ++j)
-      Eigen::Map<Eigen::VectorXd>(lines_.data()->data() + j * stride(), rows_) = matrix.col(j);
+      Eigen::Map<Eigen::VectorXd>(data() + j * stride(), rows_) = matrix.col(j);
   }
 
   Eigen::Index rows() const { return rows_; }
@@ -30,6 +30,7 @@ class AlignedMatrix {
         data(), std::min(rows_, columns_), Eigen::InnerStride<>(stride() + 1));
   }
   const double* data() const { return lines_.empty() ? nullptr : lines_.data()->data(); }
+  double* data() { return lines_.empty() ? nullptr : lines_.data()->data(); }
 
  private:
   static constexpr Eigen::Index per_line = 8;

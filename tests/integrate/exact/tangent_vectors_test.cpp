@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
 #include "rubsweep/integrate/exact/machine_modes.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
 #include "support/set_a_cell.hpp"
@@ -18,16 +20,22 @@ Eigen::MatrixXd as_sections(const Eigen::MatrixXd& flow) {
   return scale.cwiseInverse().asDiagonal() * flow * scale.asDiagonal();
 }
 
+/// With sizes that the compiler knows, and without them, where many lie side by side.
+template <class Size>
+class TangentVectorsOf : public testing::Test {};
+using Sizes = testing::Types<std::integral_constant<int, 4>, std::integral_constant<int, Eigen::Dynamic>>;
+TYPED_TEST_SUITE(TangentVectorsOf, Sizes);
+
 /// A flight, then two modes of contact, one of which has no modal form: the product of three exponentials.
-TEST(TangentVectors, FollowEveryModeByItsFlow) {
-  MachineModes<4> plan(test::cell_of({}).scene);
-  TangentVectors<4> carried;
+TYPED_TEST(TangentVectorsOf, FollowEveryModeByItsFlow) {
+  MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
+  TangentVectors<TypeParam::value> carried;
   Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 8);
   carried.begin(*plan.mode(0), scale_of_sections, disturbances);
   Eigen::MatrixXd expected = Eigen::MatrixXd::Identity(8, 8);
   std::size_t last = 0;
   for (const auto& [joint, duration_s] : {std::pair{0u, 0.011}, {2u, 0.0004}, {3u, 0.0017}}) {
-    const LinearMode<4>& mode = *plan.mode(joint);
+    const LinearMode<TypeParam::value>& mode = *plan.mode(joint);
     if (joint != last) carried.change(*plan.mode(last), mode);
     last = joint;
     carried.pass(0.25 * duration_s);
@@ -40,9 +48,9 @@ TEST(TangentVectors, FollowEveryModeByItsFlow) {
   EXPECT_LT((disturbances - wanted).cwiseAbs().maxCoeff(), 1e-12 * wanted.cwiseAbs().maxCoeff());
 }
 
-TEST(TangentVectors, NoneAreCarriedWhereNoneAreAskedFor) {
-  MachineModes<4> plan(test::cell_of({}).scene);
-  TangentVectors<4> carried;
+TYPED_TEST(TangentVectorsOf, NoneAreCarriedWhereNoneAreAskedFor) {
+  MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
+  TangentVectors<TypeParam::value> carried;
   Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 2);
   carried.begin(*plan.mode(0), scale_of_sections, disturbances);
   carried.clear();
@@ -52,15 +60,15 @@ TEST(TangentVectors, NoneAreCarriedWhereNoneAreAskedFor) {
 }
 
 /// One that joins later goes on from there, and does not come back in the matrix of those at the start.
-TEST(TangentVectors, OneMayJoinOnTheWay) {
-  MachineModes<4> plan(test::cell_of({}).scene);
+TYPED_TEST(TangentVectorsOf, OneMayJoinOnTheWay) {
+  MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
   for (const std::size_t joint : {0u, 3u}) {
-    const LinearMode<4>& mode = *plan.mode(joint);
-    TangentVectors<4> carried;
+    const LinearMode<TypeParam::value>& mode = *plan.mode(joint);
+    TangentVectors<TypeParam::value> carried;
     Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 8);
     carried.begin(mode, scale_of_sections, disturbances);
     carried.pass(0.001);
-    ExactTypes<4>::State joins;
+    typename ExactTypes<TypeParam::value>::State joins(8);
     joins << 0.3, -0.2, 0.1, 0.5, 10, -20, 30, 5;
     carried.add(mode, joins);
     carried.pass(0.0005);

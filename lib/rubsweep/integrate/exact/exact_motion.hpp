@@ -161,7 +161,11 @@ class ExactMotion {
   /// Carries one more, given as a change of (u, u').
   void carry_tangent_too(const State& vector) { tangents_.add(*mode_, vector); }
   /// Where they are now, as `free()`.
-  std::span<const State> tangents() { return tangents_.now(*mode_); }
+  std::vector<State> tangents() { return tangents_.now(*mode_); }
+  /// `unit` times what a linear function of the free vibration makes of each of them.
+  void put_tangent_sums(const ModalTerms& terms, double unit, ModalSums& sums) {
+    tangents_.put_sums(*mode_, terms, unit, sums);
+  }
 
   const LinearMode<N>& mode() const { return *mode_; }
   std::size_t joint() const { return joint_; }

@@ -63,7 +63,7 @@ class TubeBuilder {
   void keep_margin(double margin, Spread spread) { tube_.margins.push_back({margin, std::move(spread)}); }
 
   /// The margin of a guard over a step of `duration_s`; false where the reference itself has none.
-  bool keep_below_zero(const GuardValue& guard, const SeenByDisturbances& seen, double duration_s) {
+  bool keep_below_zero(const GuardValue& guard, const ModalSums& seen, double duration_s) {
     const double end = guard.value + duration_s * (guard.rate + duration_s / 2 * guard.curvature);
     keep_margin(-std::max(guard.value, end), reference_.spread_over(seen, duration_s));
     return tube_.margins.back().margin > 0;
@@ -197,7 +197,7 @@ class TubeBuilder {
   std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
   double time_s_ = 0;
   std::vector<GuardValue> guards_;        ///< of the present mode, at the start of a step
-  std::vector<SeenByDisturbances> seen_;  ///< what these make of the disturbances
+  std::vector<ModalSums> seen_;  ///< what these make of the disturbances
   TurnTube tube_;
 };
 

@@ -81,6 +81,17 @@ inline ModalSum sum_of(std::span<const ModalTerm> pairs, const double* z, bool p
   return sum;
 }
 
+/// Such sums of many states, one number per state.
+struct ModalSums {
+  std::vector<double> value, rate, curvature;
+
+  void resize(std::size_t count) {
+    value.resize(count);
+    rate.resize(count);
+    curvature.resize(count);
+  }
+};
+
 /// The terms of a function that is given by four rows of 2n numbers on z: its value, its time derivative, the
 /// bound of its second derivative and the bound of itself. `fast` says which of the n pairs count as fast.
 ModalTerms modal_terms(const Eigen::Matrix<double, 4, Eigen::Dynamic>& rows, const std::vector<bool>& fast);

@@ -7,66 +7,113 @@
 
 namespace rubsweep::integrate::exact {
 
+namespace {
+
+/// From so many on they lie side by side: fewer do not fill a register, and a product by full matrices is
+/// then made several rows at once.
+constexpr std::size_t fewest_side_by_side = 4;
+
+}  // namespace
+
+template <int N>
+void TangentVectors<N>::clear() {
+  std::visit([](auto& vectors) { vectors.clear(); }, vectors_);
+}
+
 template <int N>
 void TangentVectors<N>::begin(const LinearMode<N>& mode, const run::StateScale& scale,
                               const Eigen::MatrixXd& vectors) {
   lag_s_ = 0;
-  count_ = static_cast<std::size_t>(vectors.cols());
-  if (list_.size() < count_) list_.resize(count_);
-  for (std::size_t i = 0; i < count_; ++i) {
-    State physical = vectors.col(static_cast<Eigen::Index>(i));
-    scale.to_seconds(physical);
-    list_[i] = mode.to_free(physical);
+  const auto count = static_cast<std::size_t>(vectors.cols());
+  if constexpr (N == Eigen::Dynamic) {
+    const std::size_t wanted = count < fewest_side_by_side ? 0 : 1;
+    if (count > 0 && wanted != vectors_.index()) {
+      if (wanted == 0)
+        vectors_.template emplace<0>();
+      else
+        vectors_.template emplace<1>();
+    }
   }
+  std::visit(
+      [&](auto& list) {
+        list.resize(vectors.rows(), count);
+        for (std::size_t i = 0; i < count; ++i) {
+          State physical = vectors.col(static_cast<Eigen::Index>(i));
+          scale.to_seconds(physical);
+          list.set(i, mode.to_free(physical));
+        }
+      },
+      vectors_);
 }
 
 template <int N>
 void TangentVectors<N>::change(const LinearMode<N>& from, const LinearMode<N>& to) {
   catch_up(from);
-  for (std::size_t i = 0; i < count_; ++i) {
-    from.put_from_free(list_[i], moved_);
-    to.put_to_free(moved_, list_[i]);
-  }
+  std::visit([&](auto& list) { list.change(from, to); }, vectors_);
 }
 
 template <int N>
 void TangentVectors<N>::add(const LinearMode<N>& mode, const State& physical) {
   catch_up(mode);
-  if (list_.size() == count_) list_.emplace_back();
-  list_[count_++] = mode.to_free(physical);
+  std::visit(
+      [&](auto& list) {
+        list.resize(physical.size(), list.size() + 1);
+        list.set(list.size() - 1, mode.to_free(physical));
+      },
+      vectors_);
+}
+
+template <int N>
+std::vector<typename ExactTypes<N>::State> TangentVectors<N>::now(const LinearMode<N>& mode) {
+  catch_up(mode);
+  std::vector<State> all;
+  std::visit(
+      [&](const auto& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) all.push_back(list.get(i));
+      },
+      vectors_);
+  return all;
 }
 
 template <int N>
 void TangentVectors<N>::put(const LinearMode<N>& mode, const run::StateScale& scale,
                             Eigen::MatrixXd& vectors) {
   catch_up(mode);
-  for (std::size_t i = 0; i < std::min(count_, static_cast<std::size_t>(vectors.cols())); ++i) {
-    State physical = mode.from_free(list_[i]);
-    scale.from_seconds(physical);
-    vectors.col(static_cast<Eigen::Index>(i)) = physical;
-  }
+  std::visit(
+      [&](const auto& list) {
+        for (std::size_t i = 0; i < std::min(list.size(), static_cast<std::size_t>(vectors.cols())); ++i) {
+          State physical = mode.from_free(list.get(i));
+          scale.from_seconds(physical);
+          vectors.col(static_cast<Eigen::Index>(i)) = physical;
+        }
+      },
+      vectors_);
+}
+
+template <int N>
+void TangentVectors<N>::put_sums(const LinearMode<N>& mode, const ModalTerms& terms, double unit,
+                                 ModalSums& sums) {
+  catch_up(mode);
+  std::visit([&](const auto& list) { list.see(terms, mode.paired, unit, sums); }, vectors_);
 }
 
 template <int N>
 void TangentVectors<N>::catch_up(const LinearMode<N>& mode) {
   const double duration_s = std::exchange(lag_s_, 0);
-  if (count_ == 0 || duration_s == 0) return;
-  if (mode.paired) {
-    const auto move = [&](const typename ExactTypes<N>::Pairs& flow) {
-      for (std::size_t i = 0; i < count_; ++i) move_pairs(flow, list_[i]);
-    };
-    const int k = table_step_of(mode, duration_s);
-    return k < numerics::exact_step_count ? move(mode.pair_steps[static_cast<std::size_t>(k)])
-                                          : move(flow_of_pairs(mode, duration_s));
-  }
-  const double rest_s = table_steps(mode, mode.fastest_rad_per_s, duration_s, [&](int k) {
-    for (std::size_t i = 0; i < count_; ++i) {
-      numerics::put_product(mode.steps[static_cast<std::size_t>(k)], list_[i], moved_);
-      list_[i] = moved_;
-    }
-  });
-  if (rest_s == 0) return;  // a step of the table
-  for (std::size_t i = 0; i < count_; ++i) move_by_series(mode, rest_s, list_[i]);
+  if (duration_s == 0) return;
+  std::visit(
+      [&](auto& list) {
+        if (list.size() == 0) return;
+        if (mode.paired) {
+          const int k = table_step_of(mode, duration_s);
+          return k < numerics::exact_step_count ? list.move(mode.pair_steps[static_cast<std::size_t>(k)])
+                                                : list.move(flow_of_pairs(mode, duration_s));
+        }
+        const double rest_s = table_steps(mode, mode.fastest_rad_per_s, duration_s,
+                                          [&](int k) { list.move(mode.steps[static_cast<std::size_t>(k)]); });
+        if (rest_s != 0) list.move_by_series(mode, rest_s);  // else a step of the table
+      },
+      vectors_);
 }
 
 template class TangentVectors<2>;

@@ -2,10 +2,13 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <span>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "rubsweep/integrate/exact/linear_mode.hpp"
+#include "rubsweep/integrate/exact/tangents_one_by_one.hpp"
+#include "rubsweep/integrate/exact/tangents_side_by_side.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -15,7 +18,7 @@ namespace rubsweep::integrate::exact {
 template <int N>
 class TangentVectors {
  public:
-  void clear() { count_ = 0; }
+  void clear();
   /// One per column, as TurnRequest::tangent_vectors of sections in this scale, in `mode` from here on.
   void begin(const LinearMode<N>& mode, const run::StateScale& scale, const Eigen::MatrixXd& vectors);
   /// The run has gone on in its mode.
@@ -26,10 +29,9 @@ class TangentVectors {
   /// One more from here on, (u, u') with time in seconds.
   void add(const LinearMode<N>& mode, const typename ExactTypes<N>::State& physical);
   /// Where they are now in the coordinates of `mode`, the present one.
-  std::span<const typename ExactTypes<N>::State> now(const LinearMode<N>& mode) {
-    catch_up(mode);
-    return {list_.data(), count_};
-  }
+  std::vector<typename ExactTypes<N>::State> now(const LinearMode<N>& mode);
+  /// `unit` times what a linear function of the free vibration makes of each of them there.
+  void put_sums(const LinearMode<N>& mode, const ModalTerms& terms, double unit, ModalSums& sums);
   /// Where the first ones are now, as many as `vectors` has columns.
   void put(const LinearMode<N>& mode, const run::StateScale& scale, Eigen::MatrixXd& vectors);
 
@@ -38,10 +40,11 @@ class TangentVectors {
 
   void catch_up(const LinearMode<N>& mode);
 
-  std::vector<State> list_;  ///< in the mode's coordinates
-  std::size_t count_ = 0;    ///< the first ones are in use
-  double lag_s_ = 0;         ///< behind the state
-  State moved_;              ///< one of them on its way
+  /// In the mode's coordinates.
+  std::conditional_t<N == Eigen::Dynamic, std::variant<TangentsOneByOne<N>, TangentsSideBySide>,
+                     std::variant<TangentsOneByOne<N>>>
+      vectors_;
+  double lag_s_ = 0;  ///< behind the state
 };
 
 extern template class TangentVectors<2>;

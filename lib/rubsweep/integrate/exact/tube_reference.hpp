@@ -19,7 +19,7 @@ class TubeReference {
  public:
   using State = typename ExactMotion<N>::State;
   using Spread = TurnTube::Spread;
-  using Seen = SeenByDisturbances;
+  using Seen = ModalSums;
 
   TubeReference(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
       : motion_(scene, modes), slip_(scene, modes->friction()), scale_(run::state_scale(scene)) {}
@@ -115,17 +115,7 @@ class TubeReference {
  private:
   /// A linear function of the free vibration times `unit`.
   void see_by(const ModalTerms& terms, double unit, Seen& seen) {
-    const auto disturbances = motion_.tangents();
-    const std::size_t count = disturbances.size();
-    seen.value.resize(count);
-    seen.rate.resize(count);
-    seen.curvature.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const ModalSum sum = sum_of(terms.list, disturbances[i].data(), motion_.mode().paired);
-      seen.value[i] = unit * sum.value();
-      seen.rate[i] = unit * sum.rate();
-      seen.curvature[i] = unit * sum.curvature();
-    }
+    motion_.put_tangent_sums(terms, unit, seen);
   }
 
   ExactMotion<N> motion_;

@@ -18,7 +18,7 @@ TurnTube::Spread spread_of(const std::vector<double>& values, const PartSizes& b
   return spread;
 }
 
-TurnTube::Spread spread_over(const SeenByDisturbances& seen, const PartSizes& base, double duration_s) {
+TurnTube::Spread spread_over(const ModalSums& seen, const PartSizes& base, double duration_s) {
   const double half_square = duration_s * duration_s / 2;
   const auto end = [&](std::size_t i) { return seen.value[i] + duration_s * seen.rate[i]; };
   const auto width = [&](std::size_t from, std::size_t to) {

@@ -3,15 +3,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "rubsweep/integrate/exact/modal_terms.hpp"
 #include "rubsweep/integrate/exact/turn_tube.hpp"
 
 namespace rubsweep::integrate::exact {
-
-/// A linear function of the state (a guard, a slip) applied to every disturbance that is carried: its values,
-/// rates, and bounds of its second derivatives, one number per disturbance.
-struct SeenByDisturbances {
-  std::vector<double> value, rate, curvature;
-};
 
 /// How many of the disturbances that are carried span the fast part of a tube, and how many after them the
 /// slow one. The rest are kicks at changes of mode.
@@ -27,7 +22,7 @@ TurnTube::Spread spread_of(const std::vector<double>& values, const PartSizes& b
 
 /// The largest over a step of `duration_s`: a length is convex, so that along a straight line it is largest
 /// at an end.
-TurnTube::Spread spread_over(const SeenByDisturbances& seen, const PartSizes& base, double duration_s);
+TurnTube::Spread spread_over(const ModalSums& seen, const PartSizes& base, double duration_s);
 
 /// Makes `spread` as large as `other`, in what both have.
 void raise(TurnTube::Spread& spread, const TurnTube::Spread& other);

@@ -29,7 +29,7 @@ class TubeSwitch {
     const LinearMode<N>& from = motion_.mode();
     const LinearGuard<N> guard = from.guards[e];
     const GuardValue at = motion_.guard(e);
-    const SeenByDisturbances on_guard = reference_.seen(e);
+    const ModalSums on_guard = reference_.seen(e);
     TurnTube::Switch change;
     change.rate = at.rate;
     change.curvature = std::max(before.curvature, at.curvature);
@@ -90,7 +90,7 @@ class TubeSwitch {
     return true;
   }
 
-  bool add_other(TurnTube::Switch& change, const GuardValue& at, const SeenByDisturbances& on) const {
+  bool add_other(TurnTube::Switch& change, const GuardValue& at, const ModalSums& on) const {
     if (!(at.value < 0)) return false;
     change.others.push_back({at.value, std::abs(at.rate), at.curvature, reference_.spread_of(on.value),
                              reference_.spread_of(on.rate), reference_.spread_of(on.curvature), 0});

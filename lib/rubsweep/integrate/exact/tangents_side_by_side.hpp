@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+#include "rubsweep/integrate/exact/linear_mode.hpp"
+#include "rubsweep/numerics/aligned_matrix.hpp"
+#include "rubsweep/numerics/side_by_side.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// The same as TangentsOneByOne, with the same bits, for many of many numbers: what is done to all of them is
+/// done to several at once.
+class TangentsSideBySide {
+ public:
+  using Types = ExactTypes<Eigen::Dynamic>;
+  using State = Types::State;
+  using Linear = LinearMode<Eigen::Dynamic>;
+
+  std::size_t size() const { return count_; }
+  void clear() { count_ = 0; }
+  void resize(Eigen::Index numbers, std::size_t count);
+  void set(std::size_t i, const State& z);
+  State get(std::size_t i) const;
+
+  void move(const Types::Pairs& flow);
+  void move(const Types::Factor& flow);
+  void move_by_series(const Linear& mode, double duration_s);
+  void change(const Linear& from, const Linear& to);
+  void see(const ModalTerms& terms, bool paired, double unit, ModalSums& sums) const;
+
+ private:
+  numerics::SideBySide view(numerics::AlignedMatrix& of) const;
+  void multiply(const Types::Factor& matrix);
+  void change_by(const Types::Factor& matrix, bool diagonal);
+
+  std::size_t count_ = 0;
+  numerics::AlignedMatrix list_;            ///< number j of vector i at (i, j)
+  numerics::AlignedMatrix moved_, forces_;  ///< of the same size, what is made on the way
+};
+
+}  // namespace rubsweep::integrate::exact

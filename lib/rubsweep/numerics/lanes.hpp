@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+
+namespace rubsweep::numerics {
+
+/// As many numbers as fit into a register of `bytes` bytes: the processor works on them at once.
+template <std::size_t bytes>
+struct Lanes {
+  // NOLINTNEXTLINE(modernize-use-using): an attribute that depends on a parameter
+  typedef double Type __attribute__((vector_size(bytes)));
+};
+
+#ifdef __x86_64__
+template <class Kernel>
+[[gnu::target("avx")]] void in_four_lanes(const Kernel& kernel) {
+  kernel.template operator()<32>();
+}
+template <class Kernel>
+[[gnu::target("avx512f")]] void in_eight_lanes(const Kernel& kernel) {
+  kernel.template operator()<64>();
+}
+
+/// Of the widest registers that this processor has.
+inline std::ptrdiff_t widest_lanes() {
+  static const std::ptrdiff_t lanes = __builtin_cpu_supports("avx512f") ? 8
+                                      : __builtin_cpu_supports("avx")   ? 4
+                                                                        : 2;
+  return lanes;
+}
+#endif
+
+/// Calls kernel.operator()<bytes>() for the widest registers that this processor has, of at most `most`
+/// lanes but two at least. The kernel and whatever it calls have to be always inlined, so that they are
+/// compiled for such registers. Arithmetic on every lane is that of one number: the bits do not depend on the
+/// processor.
+template <class Kernel>
+void in_widest_lanes([[maybe_unused]] std::ptrdiff_t most, const Kernel& kernel) {
+#ifdef __x86_64__
+  const std::ptrdiff_t widest = widest_lanes();
+  if (widest >= 8 && most >= 8) return in_eight_lanes(kernel);
+  if (widest >= 4 && most >= 4) return in_four_lanes(kernel);
+#endif
+  kernel.template operator()<16>();
+}
+
+/// Calls use.operator()<n>() for n = `count`, 1 <= count <= `most`, which the compiler then knows.
+template <std::size_t most, class Use>
+[[gnu::always_inline]] inline void with_known_count(std::ptrdiff_t count, const Use& use) {
+  if constexpr (most > 1) {
+    if (count < static_cast<std::ptrdiff_t>(most)) return with_known_count<most - 1>(count, use);
+  }
+  use.template operator()<most>();
+}
+
+}  // namespace rubsweep::numerics
