@@ -60,7 +60,7 @@ TEST(MatrixFlow, TheTableHoldsTheFlowOfEveryStep) {
 }
 
 /// Against a grid a hundred times finer than the one the bound is made from.
-TEST(BoundOfFlow, IsNeverExceededAndNotFarAbove) {
+TEST(FlowBound, IsNeverExceededAndNotFarAbove) {
   Matrix2d k, c;
   k << 4, -1, 30, 50;
   c << 0.1, 0, -2, 0.2;
@@ -68,7 +68,7 @@ TEST(BoundOfFlow, IsNeverExceededAndNotFarAbove) {
   RowVectorXd row(4);
   row << 1, -2, 0.5, 0.1;
   const double fastest = spectral_radius(a), horizon = 2;
-  const RowVectorXd bound = bound_of_flow(a, row, horizon, fastest);
+  const RowVectorXd bound = FlowBound(a, horizon, fastest).of(row);
   RowVectorXd largest = RowVectorXd::Zero(4);
   for (int i = 0; i <= 3000; ++i)
     largest = largest.cwiseMax((row * matrix_flow(a, horizon * i / 3000)).cwiseAbs());

@@ -59,18 +59,18 @@ std::vector<MatrixXd> matrix_flows(const MatrixXd& generator, double longest_s) 
   return flows;
 }
 
-RowVectorXd bound_of_flow(const MatrixXd& generator, const RowVectorXd& row, double horizon_s,
-                          double fastest_rad_per_s) {
-  const int points = static_cast<int>(std::ceil(16 * horizon_s * fastest_rad_per_s)) + 1;
-  const double spacing = horizon_s / points;
-  const MatrixXd step = matrix_flow(generator, spacing);
-  const MatrixXd between = (generator.cwiseAbs() * spacing).exp();
+FlowBound::FlowBound(const MatrixXd& generator, double horizon_s, double fastest_rad_per_s)
+    : points_(static_cast<int>(std::ceil(16 * horizon_s * fastest_rad_per_s)) + 1),
+      step_(matrix_flow(generator, horizon_s / points_)),
+      between_((generator.cwiseAbs() * (horizon_s / points_)).exp()) {}
+
+RowVectorXd FlowBound::of(const RowVectorXd& row) const {
   RowVectorXd now = row, largest = RowVectorXd::Zero(row.size());
-  for (int i = 0; i <= points; ++i) {
+  for (int i = 0; i <= points_; ++i) {
     largest = largest.cwiseMax(now.cwiseAbs());
-    now = now * step;
+    now = now * step_;
   }
-  return largest * between;
+  return largest * between_;
 }
 
 }  // namespace rubsweep::numerics

@@ -16,9 +16,17 @@ Eigen::MatrixXd matrix_flow(const Eigen::MatrixXd& generator, double duration_s)
 /// squares of each other, at a sixth of the cost.
 std::vector<Eigen::MatrixXd> matrix_flows(const Eigen::MatrixXd& generator, double longest_s);
 
-/// Bound of |row e^{A t}| over 0 <= t <= `horizon_s`, component by component. Between the points of a grid
+/// Bounds of |row e^{A t}| over 0 <= t <= a horizon, component by component. Between the points of a grid
 /// |row e^{A s}| <= |row| e^{|A| s}, so that nothing is left to sampling.
-Eigen::RowVectorXd bound_of_flow(const Eigen::MatrixXd& generator, const Eigen::RowVectorXd& row,
-                                 double horizon_s, double fastest_rad_per_s);
+class FlowBound {
+ public:
+  FlowBound(const Eigen::MatrixXd& generator, double horizon_s, double fastest_rad_per_s);
+
+  Eigen::RowVectorXd of(const Eigen::RowVectorXd& row) const;
+
+ private:
+  int points_;
+  Eigen::MatrixXd step_, between_;  ///< e^{A s} and e^{|A| s} from one point to the next
+};
 
 }  // namespace rubsweep::numerics

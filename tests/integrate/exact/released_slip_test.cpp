@@ -19,10 +19,10 @@ TEST(ReleasedSlip, IsNeverExceededByTheMotion) {
   MachineModes<4> plan(test::cell_of({}).scene);
   const LinearMode<4>& mode = *plan.mode(released);
   const auto& system = plan.system();
-  const auto slip = released_slip(system, plan.friction(), mode.modes, 0, mode.longest_step_s);
-  ASSERT_TRUE(slip);
   const auto form = numerics::modal_form(system.stiffness, system.damping);
   ASSERT_TRUE(form);
+  const auto slip = released_slip({system, plan.friction(), form}, mode.modes, 0, mode.longest_step_s);
+  ASSERT_TRUE(slip);
   Eigen::VectorXd start(8);
   // In contact by 0.01, and on its way out.
   start << 0.2, 1.01, 0, 0, 30, -50, 1, -2;
@@ -48,8 +48,10 @@ TEST(ReleasedSlip, IsNeverExceededByTheMotion) {
 
 TEST(ReleasedSlip, OpenContactsAddNoFriction) {
   MachineModes<4> plan(test::cell_of({}).scene);
+  const auto& system = plan.system();
+  const auto form = numerics::modal_form(system.stiffness, system.damping);
   const auto slip =
-      released_slip(plan.system(), plan.friction(), {contact::Mode::open}, 0, plan.mode(0)->longest_step_s);
+      released_slip({system, plan.friction(), form}, {contact::Mode::open}, 0, plan.mode(0)->longest_step_s);
   ASSERT_TRUE(slip);
   EXPECT_EQ(slip->friction_rate, std::vector<double>{0});
   EXPECT_EQ(slip->friction_swing, std::vector<double>{0});

@@ -21,8 +21,6 @@ namespace {
 using contact::Mode;
 using Matrix = Eigen::MatrixXd;
 using Row = Eigen::RowVectorXd;
-using System = run::ScaledSystem<Eigen::Dynamic>;
-using Frictions = std::vector<contact::SaturatedFriction>;
 
 constexpr double fast_over_slow = 3;  ///< frequency ratio from which a pair counts as fast
 
@@ -41,9 +39,11 @@ Row over_state(const Row& by_u, const Row& by_v) {
 template <int N>
 class ModeBuilder {
  public:
-  ModeBuilder(const System& system, const Frictions& friction, const std::vector<Mode>& modes,
-              const std::vector<bool>& backward)
-      : system_(system), friction_(friction), backward_(backward), mode_(std::make_unique<LinearMode<N>>()) {
+  ModeBuilder(const CommonToModes& common, const std::vector<Mode>& modes, const std::vector<bool>& backward)
+      : common_(common),
+        system_(common.system),
+        backward_(backward),
+        mode_(std::make_unique<LinearMode<N>>()) {
     mode_->modes = modes;
   }
 
@@ -83,7 +83,7 @@ class ModeBuilder {
       const Mode mode = mode_->modes[i];
       if (mode == Mode::open) continue;
       const contact::LinearLaw law = contact::law_of(mode);
-      const double coefficient = law.friction * way(i) * friction_[i].coefficient;
+      const double coefficient = law.friction * way(i) * common_.friction[i].coefficient;
       const Eigen::VectorXd push = c.stiffness * (law.spring * c.first_push + coefficient * c.second_push);
       mode_->stiffness -= push * c.first_row;
       mode_->damping -= law.damper * c.damping * c.first_push * c.first_row;
@@ -112,7 +112,7 @@ class ModeBuilder {
     mode_->longest_step_s = 1 / slowest(mode_->stiffness);
     if (!open()) mode_->longest_step_s = std::min(mode_->longest_step_s, 16 / mode_->fastest_rad_per_s);
     mode_->longest_steps_per_s = 1 / mode_->longest_step_s;
-    form_ = numerics::modal_form(mode_->stiffness, mode_->damping);
+    form_ = open() ? common_.open_form : numerics::modal_form(mode_->stiffness, mode_->damping);
     mode_->paired = form_.has_value();
     if (mode_->paired) {
       set_pairs();
@@ -121,6 +121,7 @@ class ModeBuilder {
       inverse_ = basis_;
       for (const Matrix& flow : numerics::matrix_flows(mode_->generator, mode_->longest_step_s))
         mode_->steps.emplace_back(flow);
+      flow_bound_.emplace(mode_->generator, mode_->longest_step_s, mode_->fastest_rad_per_s);
     }
     mode_->diagonal_basis = basis_.isDiagonal(0) && inverse_.isDiagonal(0);
     mode_->basis = typename ExactTypes<N>::Factor(basis_);
@@ -146,9 +147,7 @@ class ModeBuilder {
 
   /// Bound of |row . z(t)| over the longest step per size of z, for a row on z.
   Row bound(const Row& row) const {
-    return form_ ? numerics::bound_of_row(*form_, row, mode_->longest_step_s)
-                 : numerics::bound_of_flow(mode_->generator, row, mode_->longest_step_s,
-                                           mode_->fastest_rad_per_s);
+    return form_ ? numerics::bound_of_row(*form_, row, mode_->longest_step_s) : flow_bound_->of(row);
   }
 
   /// Rate of a row on z, again as a row on z.
@@ -261,7 +260,7 @@ class ModeBuilder {
     touch.sliding_of_free = terms_of(sliding * basis_, all_pairs());
     touch.sliding_rate_bound = bound(rate(sliding * basis_));
     if (!mode_->paired && only_released()) {
-      if (auto slip = released_slip(system_, friction_, mode_->modes, i, mode_->longest_step_s)) {
+      if (auto slip = released_slip(common_, mode_->modes, i, mode_->longest_step_s)) {
         touch.sliding_rate_bound = slip->sliding_rate_bound;
         touch.friction_rate = std::move(slip->friction_rate);
         touch.friction_swing = std::move(slip->friction_swing);
@@ -286,35 +285,32 @@ class ModeBuilder {
                        [](Mode mode) { return mode == Mode::open || mode == Mode::released; });
   }
 
-  const System& system_;
-  const Frictions& friction_;
+  const CommonToModes& common_;
+  const run::ScaledSystem<Eigen::Dynamic>& system_;
   const std::vector<bool>& backward_;
   std::unique_ptr<LinearMode<N>> mode_;
   Eigen::VectorXd constant_;
   std::optional<numerics::ModalForm> form_;
-  Eigen::ArrayXd determinant_;                    ///< of the pairs
-  typename ExactTypes<N>::Flow basis_, inverse_;  ///< those of the mode
+  std::optional<numerics::FlowBound> flow_bound_;  ///< where there is none
+  Eigen::ArrayXd determinant_;                     ///< of the pairs
+  typename ExactTypes<N>::Flow basis_, inverse_;   ///< those of the mode
 };
 
 }  // namespace
 
 template <int N>
-std::unique_ptr<LinearMode<N>> make_linear_mode(const System& system, const Frictions& friction,
-                                                const std::vector<Mode>& modes,
+std::unique_ptr<LinearMode<N>> make_linear_mode(const CommonToModes& common, const std::vector<Mode>& modes,
                                                 const std::vector<bool>& backward) {
-  return ModeBuilder<N>(system, friction, modes, backward).build();
+  return ModeBuilder<N>(common, modes, backward).build();
 }
 
-template std::unique_ptr<LinearMode<2>> make_linear_mode<2>(const System&, const Frictions&,
-                                                            const std::vector<Mode>&,
+template std::unique_ptr<LinearMode<2>> make_linear_mode<2>(const CommonToModes&, const std::vector<Mode>&,
                                                             const std::vector<bool>&);
-template std::unique_ptr<LinearMode<4>> make_linear_mode<4>(const System&, const Frictions&,
-                                                            const std::vector<Mode>&,
+template std::unique_ptr<LinearMode<4>> make_linear_mode<4>(const CommonToModes&, const std::vector<Mode>&,
                                                             const std::vector<bool>&);
-template std::unique_ptr<LinearMode<6>> make_linear_mode<6>(const System&, const Frictions&,
-                                                            const std::vector<Mode>&,
+template std::unique_ptr<LinearMode<6>> make_linear_mode<6>(const CommonToModes&, const std::vector<Mode>&,
                                                             const std::vector<bool>&);
 template std::unique_ptr<LinearMode<Eigen::Dynamic>> make_linear_mode<Eigen::Dynamic>(
-    const System&, const Frictions&, const std::vector<Mode>&, const std::vector<bool>&);
+    const CommonToModes&, const std::vector<Mode>&, const std::vector<bool>&);
 
 }  // namespace rubsweep::integrate::exact

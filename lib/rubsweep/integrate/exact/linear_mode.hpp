@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "rubsweep/numerics/aligned_matrix.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"
 #include "rubsweep/numerics/matrix_vector.hpp"
+#include "rubsweep/numerics/modal_form.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -154,26 +156,30 @@ struct LinearMode {
   }
 };
 
-/// Linear mode of one joint contact mode of a system scaled with time in seconds: `friction`, `modes` and
-/// whether the slip goes `backward`, per contact. Null where the mode has no equilibrium, as in a structure
-/// without springs.
+/// What all contact modes of a machine are made from.
+struct CommonToModes {
+  run::ScaledSystem<Eigen::Dynamic> system;          ///< with time in seconds
+  std::vector<contact::SaturatedFriction> friction;  ///< per contact
+  std::optional<numerics::ModalForm> open_form;      ///< of the system without contact
+};
+
+/// Linear mode of one joint contact mode: `modes` and whether the slip goes `backward`, per contact. Null
+/// where the mode has no equilibrium, as in a structure without springs.
 template <int N>
-std::unique_ptr<LinearMode<N>> make_linear_mode(const run::ScaledSystem<Eigen::Dynamic>& system,
-                                                const std::vector<contact::SaturatedFriction>& friction,
+std::unique_ptr<LinearMode<N>> make_linear_mode(const CommonToModes& common,
                                                 const std::vector<contact::Mode>& modes,
                                                 const std::vector<bool>& backward);
 
-extern template std::unique_ptr<LinearMode<2>> make_linear_mode<2>(
-    const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    const std::vector<contact::Mode>&, const std::vector<bool>&);
-extern template std::unique_ptr<LinearMode<4>> make_linear_mode<4>(
-    const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    const std::vector<contact::Mode>&, const std::vector<bool>&);
-extern template std::unique_ptr<LinearMode<6>> make_linear_mode<6>(
-    const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    const std::vector<contact::Mode>&, const std::vector<bool>&);
+extern template std::unique_ptr<LinearMode<2>> make_linear_mode<2>(const CommonToModes&,
+                                                                   const std::vector<contact::Mode>&,
+                                                                   const std::vector<bool>&);
+extern template std::unique_ptr<LinearMode<4>> make_linear_mode<4>(const CommonToModes&,
+                                                                   const std::vector<contact::Mode>&,
+                                                                   const std::vector<bool>&);
+extern template std::unique_ptr<LinearMode<6>> make_linear_mode<6>(const CommonToModes&,
+                                                                   const std::vector<contact::Mode>&,
+                                                                   const std::vector<bool>&);
 extern template std::unique_ptr<LinearMode<Eigen::Dynamic>> make_linear_mode<Eigen::Dynamic>(
-    const run::ScaledSystem<Eigen::Dynamic>&, const std::vector<contact::SaturatedFriction>&,
-    const std::vector<contact::Mode>&, const std::vector<bool>&);
+    const CommonToModes&, const std::vector<contact::Mode>&, const std::vector<bool>&);
 
 }  // namespace rubsweep::integrate::exact

@@ -36,16 +36,19 @@ bool same(const structure::LinearSystem& a, const structure::LinearSystem& b) {
 
 template <int N>
 MachineModes<N>::MachineModes(const scene::Scene& scene)
-    : scene_(scene), system_(run::scale<Eigen::Dynamic>(scene, run::state_scale(scene).in_seconds())) {
-  const Eigen::Index n = system_.coordinates();
+    : scene_(scene),
+      common_{run::scale<Eigen::Dynamic>(scene, run::state_scale(scene).in_seconds()), {}, {}} {
+  const Eigen::Index n = system().coordinates();
   if (N != Eigen::Dynamic && n != N) throw SolverError("MachineModes: wrong coordinate count");
   if (n > most_exact_coordinates) throw SolverError("MachineModes: too many coordinates");
   if (scene.contacts.size() > most_exact_contacts) throw SolverError("MachineModes: too many contacts");
   inverse_mass_ = scene.structure.mass.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
   for (const scene::Contact& c : scene.contacts) {
     // Without a limit the contact is only ever planned as open.
-    friction_.push_back(contact::saturated_friction(c.friction).value_or(contact::SaturatedFriction{}));
+    common_.friction.push_back(
+        contact::saturated_friction(c.friction).value_or(contact::SaturatedFriction{}));
   }
+  common_.open_form = numerics::modal_form(system().stiffness, system().damping);
   modes_.resize(std::size_t{1} << (2 * scene.contacts.size()));
   made_.resize(modes_.size());
 }
@@ -62,7 +65,7 @@ bool MachineModes<N>::fits(const scene::Scene& scene) const {
 
 template <int N>
 std::size_t MachineModes<N>::bytes() const {
-  const auto states = static_cast<std::size_t>(2 * system_.coordinates());
+  const auto states = static_cast<std::size_t>(2 * system().coordinates());
   std::size_t numbers = modes_.size();
   const auto count = [&](const std::unique_ptr<LinearMode<N>>& mode) {
     if (!mode) return;
@@ -98,7 +101,7 @@ std::unique_ptr<LinearMode<N>> MachineModes<N>::make(std::size_t joint) {
     modes.push_back(mode_in_joint_mode(joint, i));
     backward.push_back((joint & backward_in_joint_mode(i, contacts)) != 0);
   }
-  auto mode = make_linear_mode<N>(system_, friction_, modes, backward);
+  auto mode = make_linear_mode<N>(common_, modes, backward);
   if (mode) mode->index = count_++;
   return mode;
 }

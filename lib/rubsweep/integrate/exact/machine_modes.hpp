@@ -30,17 +30,18 @@ class MachineModes {
   const LinearMode<N>* mode(std::size_t joint);
 
   /// Scaled with time in seconds.
-  const run::ScaledSystem<Eigen::Dynamic>& system() const { return system_; }
+  const run::ScaledSystem<Eigen::Dynamic>& system() const { return common_.system; }
   const Eigen::MatrixXd& inverse_mass() const { return inverse_mass_; }
-  const std::vector<contact::SaturatedFriction>& friction() const { return friction_; }
+  const std::vector<contact::SaturatedFriction>& friction() const { return common_.friction; }
 
  private:
-  scene::Scene scene_;
-  run::ScaledSystem<Eigen::Dynamic> system_;
-  Eigen::MatrixXd inverse_mass_;
-  std::vector<contact::SaturatedFriction> friction_;
   std::unique_ptr<LinearMode<N>> make(std::size_t joint);
 
+  scene::Scene scene_;
+  CommonToModes common_;
+  Eigen::MatrixXd inverse_mass_;
+  std::vector<contact::SaturatedFriction> friction_;
+  std::optional<numerics::ModalForm> open_form_;       ///< of the structure without contact
   std::vector<std::unique_ptr<LinearMode<N>>> modes_;  ///< by number, those without a slip that goes backward
   std::vector<bool> made_;
   std::unordered_map<std::size_t, std::unique_ptr<LinearMode<N>>> backward_modes_;

@@ -2,15 +2,12 @@
 
 #include <cmath>
 
-#include "rubsweep/numerics/modal_form.hpp"
-
 namespace rubsweep::integrate::exact {
 
-std::optional<ReleasedSlip> released_slip(const run::ScaledSystem<Eigen::Dynamic>& system,
-                                          const std::vector<contact::SaturatedFriction>& friction,
+std::optional<ReleasedSlip> released_slip(const CommonToModes& common,
                                           const std::vector<contact::Mode>& modes, std::size_t i,
                                           double longest_step_s) {
-  const auto form = numerics::modal_form(system.stiffness, system.damping);
+  const auto& [system, friction, form] = common;
   if (!form) return std::nullopt;
   const Eigen::Index n = system.coordinates();
   const Eigen::RowVectorXd& slides = system.contacts[i].second_row;

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "rubsweep/contact/contact_mode.hpp"
-#include "rubsweep/contact/friction_law.hpp"
-#include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/exact/linear_mode.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -27,8 +26,7 @@ struct ReleasedSlip {
 ///     row . x' = row A x + row B f,   x(t) = e^{A t} x(0) + int_0^t e^{A (t - s)} B f(s) ds,
 ///
 /// and e^{A t} of the structure without contact is bounded by its modal form. Empty where it has none.
-std::optional<ReleasedSlip> released_slip(const run::ScaledSystem<Eigen::Dynamic>& system,
-                                          const std::vector<contact::SaturatedFriction>& friction,
+std::optional<ReleasedSlip> released_slip(const CommonToModes& common,
                                           const std::vector<contact::Mode>& modes, std::size_t i,
                                           double longest_step_s);
 
