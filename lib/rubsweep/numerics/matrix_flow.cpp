@@ -44,19 +44,19 @@ MatrixXd matrix_flow(const MatrixXd& generator, double duration_s) {
   return long_flow(generator, duration_s).cast<double>();
 }
 
-std::vector<MatrixXd> matrix_flows(const MatrixXd& generator, double longest_s) {
+void make_matrix_flows(const MatrixXd& generator, double longest_s, int k,
+                       const std::function<void(int, const MatrixXd&)>& put) {
   constexpr int squarings = 6;  // rounding grows at most 2^6 times, which long double has to spare
-  std::vector<MatrixXd> flows(exact_step_count);
-  for (const int odd : {0, 1}) {
-    LongMatrix flow;
-    int level = 0;  // from the shortest step up
-    for (int k = exact_step_count - 2 + odd; k >= 0; k -= 2, ++level) {
-      flow = level % (squarings + 1) == 0 ? long_flow(generator, longest_s * exact_step_size(k))
-                                          : LongMatrix(flow * flow);
-      flows[static_cast<std::size_t>(k)] = flow.cast<double>();
-    }
+  const int shortest = exact_step_count - 2 + k % 2;
+  const int level = (shortest - k) / 2;  // from the shortest step up; a group begins with its shortest
+  int i = shortest - 2 * (level - level % (squarings + 1));
+  LongMatrix flow = long_flow(generator, longest_s * exact_step_size(i));
+  put(i, flow.cast<double>());
+  for (int n = 0; n < squarings && i >= 2; ++n) {
+    i -= 2;
+    flow = LongMatrix(flow * flow);
+    put(i, flow.cast<double>());
   }
-  return flows;
 }
 
 FlowBound::FlowBound(const MatrixXd& generator, double horizon_s, double fastest_rad_per_s)

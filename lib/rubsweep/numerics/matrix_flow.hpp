@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
+#include <functional>
 
 namespace rubsweep::numerics {
 
@@ -12,9 +12,11 @@ Eigen::MatrixXd generator_of(const Eigen::MatrixXd& stiffness, const Eigen::Matr
 /// thousand times a turn.
 Eigen::MatrixXd matrix_flow(const Eigen::MatrixXd& generator, double duration_s);
 
-/// The same for the durations of a table of steps: `longest_s` times exact_step_size(k), k = 0, 1, ... Mostly
-/// squares of each other, at a sixth of the cost.
-std::vector<Eigen::MatrixXd> matrix_flows(const Eigen::MatrixXd& generator, double longest_s);
+/// The same for step k of a table, which lasts `longest_s` times exact_step_size(k), and for up to six
+/// others: squares one of the other, which cost a sixth each. Every step belongs to one such group, whichever
+/// of it is asked for. Calls put(i, flow) for each of its steps i.
+void make_matrix_flows(const Eigen::MatrixXd& generator, double longest_s, int k,
+                       const std::function<void(int, const Eigen::MatrixXd&)>& put);
 
 /// Bounds of |row e^{A t}| over 0 <= t <= a horizon, component by component. Between the points of a grid
 /// |row e^{A s}| <= |row| e^{|A| s}, so that nothing is left to sampling.

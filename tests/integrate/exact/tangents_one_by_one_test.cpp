@@ -23,12 +23,12 @@ TEST(TangentsOneByOne, MoveByTheFlowOfTheirMode) {
   for (const std::size_t joint : {0u, 1u, 2u, 3u}) {
     const LinearMode<4>& mode = *plan.mode(joint);
     TangentsOneByOne<4> tangents = unit_vectors();
-    constexpr std::size_t step = 9;
+    constexpr int step = 9;
     if (mode.paired)
-      tangents.move(mode.pair_steps[step]);
+      tangents.move(mode.pair_steps[std::size_t{step}]);
     else
-      tangents.move(mode.steps[step]);
-    const double duration_s = mode.longest_step_s * numerics::exact_step_sizes[step];
+      tangents.move(mode.steps.of(step));
+    const double duration_s = mode.longest_step_s * numerics::exact_step_size(step);
     const Eigen::MatrixXd flow =
         mode.inverse * numerics::matrix_flow(mode.generator, duration_s) * mode.basis;
     for (std::size_t i = 0; i < tangents.size(); ++i) {

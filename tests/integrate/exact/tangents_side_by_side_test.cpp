@@ -53,7 +53,7 @@ TEST_P(TangentsSideBySideOfMode, HaveTheBitsOfThoseOneByOne) {
       if (mode_.paired)
         tangents.move(mode_.pair_steps[3]);
       else
-        tangents.move(mode_.steps[3]);
+        tangents.move(mode_.steps.of(3));
     });
     both.expect_same("table");
     if (!mode_.paired) {

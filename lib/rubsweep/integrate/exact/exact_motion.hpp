@@ -279,7 +279,7 @@ inline void ExactMotion<N>::step_by_table(int k) {
   if (mode_->paired) {
     move_pairs(mode_->pair_steps[index], now_.free);
   } else {
-    now_.free = numerics::product_of<State>(mode_->steps[index], now_.free);
+    now_.free = numerics::product_of<State>(mode_->steps.of(k), now_.free);
   }
   tangents_.pass(mode_->longest_step_s * numerics::exact_step_sizes[index]);
   now_.phasor = product(now_.phasor, cell_->shaft.response.turned_by(index, mode_->longest_step_s));

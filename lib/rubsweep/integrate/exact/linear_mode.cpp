@@ -119,8 +119,7 @@ class ModeBuilder {
     } else {
       basis_.setIdentity(mode_->generator.rows(), mode_->generator.rows());
       inverse_ = basis_;
-      for (const Matrix& flow : numerics::matrix_flows(mode_->generator, mode_->longest_step_s))
-        mode_->steps.emplace_back(flow);
+      mode_->steps = {mode_->generator, mode_->longest_step_s};
       flow_bound_.emplace(mode_->generator, mode_->longest_step_s, mode_->fastest_rad_per_s);
     }
     mode_->diagonal_basis = basis_.isDiagonal(0) && inverse_.isDiagonal(0);

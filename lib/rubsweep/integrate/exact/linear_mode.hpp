@@ -10,6 +10,7 @@
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/exact/modal_terms.hpp"
+#include "rubsweep/integrate/exact/step_flows.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/numerics/aligned_matrix.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"
@@ -120,11 +121,11 @@ struct LinearMode {
   /// As of PairSeries.
   Eigen::Array<double, N, numerics::most_series_terms> unit_terms, generator_terms;
   double longest_step_s = 0;
-  double longest_steps_per_s = 0;                 ///< 1 / longest_step_s
-  std::vector<typename Types::Row> closing;       ///< per contact, for flat ones: p'' of (u, u') - rest
-  double fastest_rad_per_s = 0;                   ///< largest |eigenvalue|
-  std::vector<typename Types::Pairs> pair_steps;  ///< e^{A h}, of pairs or
-  std::vector<typename Types::Factor> steps;      ///< as a whole
+  double longest_steps_per_s = 0;                   ///< 1 / longest_step_s
+  std::vector<typename Types::Row> closing;         ///< per contact, for flat ones: p'' of (u, u') - rest
+  double fastest_rad_per_s = 0;                     ///< largest |eigenvalue|
+  std::vector<typename Types::Pairs> pair_steps;    ///< e^{A h}, of pairs or
+  mutable StepFlows<typename Types::Factor> steps;  ///< as a whole
   std::vector<LinearGuard<N>> guards;
   std::vector<AnnularGuard<N>> annular_guards;
   std::vector<TouchWatch<N>> touches;

@@ -110,7 +110,7 @@ void TangentVectors<N>::catch_up(const LinearMode<N>& mode) {
                                                 : list.move(flow_of_pairs(mode, duration_s));
         }
         const double rest_s = table_steps(mode, mode.fastest_rad_per_s, duration_s,
-                                          [&](int k) { list.move(mode.steps[static_cast<std::size_t>(k)]); });
+                                          [&](int k) { list.move(mode.steps.of(k)); });
         if (rest_s != 0) list.move_by_series(mode, rest_s);  // else a step of the table
       },
       vectors_);
