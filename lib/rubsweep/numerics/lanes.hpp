@@ -30,7 +30,7 @@ inline std::ptrdiff_t widest_lanes() {
 }
 #endif
 
-/// Calls kernel.operator()<bytes>() for the widest registers that this processor has, of at most `most`
+/// Calls `kernel.operator()<bytes>()` for the widest registers that this processor has, of at most `most`
 /// lanes but two at least. The kernel and whatever it calls have to be always inlined, so that they are
 /// compiled for such registers. Arithmetic on every lane is that of one number: the bits do not depend on the
 /// processor.
@@ -44,7 +44,7 @@ void in_widest_lanes([[maybe_unused]] std::ptrdiff_t most, const Kernel& kernel)
   kernel.template operator()<16>();
 }
 
-/// Calls use.operator()<n>() for n = `count`, 1 <= count <= `most`, which the compiler then knows.
+/// Calls `use.operator()<n>()` for n = `count`, 1 <= count <= `most`, which the compiler then knows.
 template <std::size_t most, class Use>
 [[gnu::always_inline]] inline void with_known_count(std::ptrdiff_t count, const Use& use) {
   if constexpr (most > 1) {
