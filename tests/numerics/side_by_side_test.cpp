@@ -47,10 +47,10 @@ TEST_P(SideBySideVectors, ProductsHaveTheBitsOfEveryOneAlone) {
   }
 }
 
-TEST_P(SideBySideVectors, AreScaledInPlace) {
+TEST_P(SideBySideVectors, AreScaled) {
   const MatrixXd matrix = MatrixXd::Random(5, 5), vectors = MatrixXd::Random(5, count());
   Vectors scaled(vectors);
-  scale_each(5, matrix.data(), matrix.outerStride() + 1, scaled.view(), scaled.view());
+  scale_each(5, matrix.data(), matrix.outerStride() + 1, scaled.view());
   for (Index i = 0; i < count(); ++i)
     EXPECT_EQ(scaled.get(i), matrix.diagonal().cwiseProduct(vectors.col(i)));
 }

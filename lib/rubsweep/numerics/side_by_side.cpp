@@ -67,17 +67,17 @@ void multiply_each(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* ma
       });
 }
 
-void scale_each(std::ptrdiff_t rows, const double* factors, std::ptrdiff_t factor_stride,
-                const SideBySide& from, const SideBySide& to) {
+void scale_each(std::ptrdiff_t n, const double* factors, std::ptrdiff_t factor_stride, const SideBySide& z) {
   in_widest_lanes(
-      from.lanes(), [&]<std::size_t bytes>() __attribute__((always_inline)) {
-        for (std::ptrdiff_t j = 0; j < rows; ++j) {
+      z.lanes(), [&]<std::size_t bytes>() __attribute__((always_inline)) {
+        for (std::ptrdiff_t j = 0; j < n; ++j) {
           for_each_lane<bytes>(
-              from.count, [&](std::ptrdiff_t i) __attribute__((always_inline)) {
+              z.count, [&](std::ptrdiff_t i) __attribute__((always_inline)) {
+                double* const at = z.data + j * z.stride + i;
                 typename Lanes<bytes>::Type x;
-                std::memcpy(&x, from.data + j * from.stride + i, bytes);
-                x = factors[j * factor_stride] * x;
-                std::memcpy(to.data + j * to.stride + i, &x, bytes);
+                std::memcpy(&x, at, bytes);
+                x *= factors[j * factor_stride];
+                std::memcpy(at, &x, bytes);
               });
         }
       });

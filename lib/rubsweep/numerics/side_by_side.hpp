@@ -23,9 +23,8 @@ struct SideBySide {
 void multiply_each(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
                    std::ptrdiff_t matrix_stride, const SideBySide& from, const SideBySide& to);
 
-/// to = diagonal . from for every vector, of `rows` numbers, factors `factor_stride` apart; may be in place.
-void scale_each(std::ptrdiff_t rows, const double* factors, std::ptrdiff_t factor_stride,
-                const SideBySide& from, const SideBySide& to);
+/// Multiplies number j of every vector by factors[j * factor_stride], 0 <= j < n.
+void scale_each(std::ptrdiff_t n, const double* factors, std::ptrdiff_t factor_stride, const SideBySide& z);
 
 /// Moves the pairs (j, n + j) of every vector by their flows: uu, uv, vu, vv of n pairs one after the other.
 void move_pairs_of_each(std::ptrdiff_t n, const double* flow, const SideBySide& z);

@@ -6,7 +6,6 @@
 #include "rubsweep/integrate/exact/mode_flow.hpp"
 
 namespace rubsweep::integrate::exact {
-
 namespace {
 
 /// From so many on they lie side by side: fewer do not fill a register, and a product by full matrices is
@@ -26,13 +25,11 @@ void TangentVectors<N>::begin(const LinearMode<N>& mode, const run::StateScale& 
   lag_s_ = 0;
   const auto count = static_cast<std::size_t>(vectors.cols());
   if constexpr (N == Eigen::Dynamic) {
-    const std::size_t wanted = count < fewest_side_by_side ? 0 : 1;
-    if (count > 0 && wanted != vectors_.index()) {
-      if (wanted == 0)
-        vectors_.template emplace<0>();
-      else
-        vectors_.template emplace<1>();
-    }
+    const bool side_by_side = count >= fewest_side_by_side;
+    if (side_by_side && !std::holds_alternative<TangentsSideBySide>(vectors_))
+      vectors_ = TangentsSideBySide();
+    else if (count > 0 && !side_by_side && std::holds_alternative<TangentsSideBySide>(vectors_))
+      vectors_ = TangentsOneByOne<N>();
   }
   std::visit(
       [&](auto& list) {

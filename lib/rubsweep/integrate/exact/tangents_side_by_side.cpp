@@ -84,13 +84,10 @@ void TangentsSideBySide::move(const Types::Pairs& flow) {
   numerics::move_pairs_of_each(flow.rows(), flow.data(), view(list_));
 }
 
-void TangentsSideBySide::multiply(const Types::Factor& matrix) {
-  numerics::multiply_each(matrix.rows(), matrix.cols(), matrix.data(), matrix.stride(), view(list_),
-                          view(moved_));
+void TangentsSideBySide::move(const Types::Factor& flow) {
+  numerics::multiply_each(flow.rows(), flow.cols(), flow.data(), flow.stride(), view(list_), view(moved_));
   std::swap(list_, moved_);
 }
-
-void TangentsSideBySide::move(const Types::Factor& flow) { multiply(flow); }
 
 /// As the series of one state by full matrices.
 void TangentsSideBySide::move_by_series(const Linear& mode, double duration_s) {
@@ -107,8 +104,8 @@ void TangentsSideBySide::move_by_series(const Linear& mode, double duration_s) {
 }
 
 void TangentsSideBySide::change_by(const Types::Factor& matrix, bool diagonal) {
-  if (!diagonal) return multiply(matrix);
-  numerics::scale_each(matrix.rows(), matrix.data(), matrix.stride() + 1, view(list_), view(list_));
+  if (!diagonal) return move(matrix);
+  numerics::scale_each(matrix.rows(), matrix.data(), matrix.stride() + 1, view(list_));
 }
 
 void TangentsSideBySide::change(const Linear& from, const Linear& to) {
@@ -118,9 +115,9 @@ void TangentsSideBySide::change(const Linear& from, const Linear& to) {
 
 void TangentsSideBySide::see(const ModalTerms& terms, bool paired, double unit, ModalSums& sums) const {
   sums.resize(count_);
+  const std::ptrdiff_t lanes = SideBySide::lanes(static_cast<std::ptrdiff_t>(count_));
   numerics::in_widest_lanes(
-      SideBySide::lanes(static_cast<std::ptrdiff_t>(count_)), [&]<std::size_t bytes>() __attribute__((
-                                                                  always_inline)) {
+      lanes, [&]<std::size_t bytes>() __attribute__((always_inline)) {
         constexpr std::size_t width = bytes / sizeof(double);
         for (std::size_t i = 0; i < count_; i += width) {
           LaneSum<bytes> sum;

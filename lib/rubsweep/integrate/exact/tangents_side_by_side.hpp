@@ -31,7 +31,6 @@ class TangentsSideBySide {
 
  private:
   numerics::SideBySide view(numerics::AlignedMatrix& of) const;
-  void multiply(const Types::Factor& matrix);
   void change_by(const Types::Factor& matrix, bool diagonal);
 
   std::size_t count_ = 0;
