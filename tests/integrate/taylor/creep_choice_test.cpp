@@ -18,7 +18,7 @@ struct Rolling {
       : scene(test::rolling_scene(steepness_s_per_m).scene),
         system(run::scale<2>(scene)),
         dynamics(system, 0),
-        motion(system, numerics::most_taylor_order),
+        motion(system),
         pulses(scene, system.scale, 2 * std::numbers::pi),
         state(run::scaled_initial_state(scene)),
         settled(state) {

@@ -86,7 +86,7 @@ std::vector<Named> machines(double steepness) {
 TEST(Creep, IsTheMotionOfShortPieces) {
   for (const double steepness : {1e3, 1e4}) {
     for (const auto& [name, scene] : machines(steepness)) {
-      TaylorRun<2> creeping(scene, {}), alone(scene, {}, numerics::most_taylor_order, never);
+      TaylorRun<2> creeping(scene, {}), alone(scene, {}, {.creep_above = never});
       const run::TurnRequest plain{.samples_per_revolution = 16, .peaks = true},
           with_tangents{.tangent_vectors = Eigen::MatrixXd::Identity(4, 4)};
       run::TurnReport a, b;

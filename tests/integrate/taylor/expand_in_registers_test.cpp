@@ -41,7 +41,7 @@ struct Moved {
 Moved step(const run::ScaledSystem<4>& system, const scene::Scene& scene, double accuracy,
            Mode mode = Mode::sprung) {
   Moved moved;
-  Expansion<4> motion(system, numerics::most_taylor_order);
+  Expansion<4> motion(system);
   const run::PulseTimes no_pulses(scene, run::state_scale(scene), 2 * std::numbers::pi);
   motion.expand(start.data(), 0.3, no_pulses, {mode}, {contact::Slip::forward});
   moved.in_registers = motion.only_slip().has_value() || motion.flies();

@@ -26,11 +26,11 @@ TEST(Expansion, ConvergesWithItsOrder) {
   const auto system = run::scale<4>(scene);
   const std::vector<Mode> modes{Mode::sprung};
   const std::vector<contact::Slip> slips{contact::Slip::forward};
-  Expansion<4> reference(system, 24);
+  Expansion<4> reference(system);
   const run::PulseTimes no_pulses(scene, run::state_scale(scene), 2 * std::numbers::pi);
   reference.expand(state.data(), 0.3, no_pulses, modes, slips);
   for (const int order : {4, 7, 10}) {
-    Expansion<4> motion(system, order);
+    Expansion<4> motion(system, {.order = order});
     motion.expand(state.data(), 0.3, no_pulses, modes, slips);
     std::array<double, 2> errors{};
     for (std::size_t half = 0; half < 2; ++half) {

@@ -15,7 +15,7 @@ constexpr int order = 24;
 /// Coordinate i moves as cos(w t) with w = 1 + i: u_k = w^k / k! times 1, 0, -1, 0.
 template <int N>
 StateSeries<N> cosines(Eigen::Index coordinates, int up_to = order) {
-  StateSeries<N> series(coordinates, up_to);
+  StateSeries<N> series(coordinates, {.order = up_to});
   std::vector<double> start(static_cast<std::size_t>(2 * coordinates), 0);
   std::fill_n(start.begin(), coordinates, 1.0);
   series.begin(start.data());
@@ -88,7 +88,7 @@ TEST(StateSeries, ConvergesUpToWhereWhatIsLeftOutIsRounding) {
 /// Of 1 / (1 - t), whose terms fall no faster than its radius of convergence lets them, what is left out is
 /// rounding, too.
 TEST(StateSeries, LeavesOutNoMoreThanRoundingOfASeriesThatEndsLate) {
-  StateSeries<2> series(2, order);
+  StateSeries<2> series(2, {.order = order});
   const std::vector<double> start{1, 1, 1, 1};
   series.begin(start.data());
   for (int k = 1; k <= order; ++k) {
@@ -102,6 +102,21 @@ TEST(StateSeries, LeavesOutNoMoreThanRoundingOfASeriesThatEndsLate) {
   EXPECT_LT(left_out, 0x1p-53);
 }
 
+/// The last term grows like the duration to its order.
+TEST(StateSeries, GoesFartherWhereLessAccuracyIsAskedFor) {
+  StateSeries<2> rough(2, {.order = order, .accuracy = 0x1p-51 * 0x1p24});
+  const StateSeries<2> best = cosines<2>(2);
+  const std::vector<double> start{1, 1, 0, 0};
+  rough.begin(start.data());
+  for (int k = 1; k <= order; ++k) {
+    rough.v(k) = best.v(k);
+    rough.u(k + 1) = best.u(k + 1);
+  }
+  const double longer = rough.converged_rad(10) / best.converged_rad(10);
+  EXPECT_GT(longer, 0.99 * std::exp2(24.0 / order));
+  EXPECT_LT(longer, 1.01 * std::exp2(24.0 / (order - 1)));
+}
+
 TEST(StateSeries, ConvergesNowhereWhereItIsNotFinite) {
   StateSeries<2> series = cosines<2>(2);
   series.u(order)(0) = std::numeric_limits<double>::infinity();
@@ -109,7 +124,7 @@ TEST(StateSeries, ConvergesNowhereWhereItIsNotFinite) {
 }
 
 TEST(StateSeries, KnowsItsLargestSpeedAtTheStart) {
-  StateSeries<2> series(2, order);
+  StateSeries<2> series(2, {.order = order});
   const std::array<double, 4> start{9, 8, 1, -3};
   series.begin(start.data());
   EXPECT_EQ(series.speed(), 3);

@@ -17,7 +17,7 @@ constexpr int order = 24;
 
 Expansion<2> expanded(const run::ScaledSystem<2>& system, const scene::Scene& scene,
                       const std::vector<double>& state, Mode mode) {
-  Expansion<2> motion(system, order);
+  Expansion<2> motion(system, {.order = order});
   const run::PulseTimes none(scene, run::state_scale(scene), 2 * std::numbers::pi);
   motion.expand(state.data(), 0, none, {mode}, {contact::Slip::forward});
   return motion;

@@ -36,7 +36,7 @@ struct Sticking {
 
 /// Coefficients of the friction that holds the rotor from `state` on.
 std::array<double, order> holding(const Sticking& rotor, const State& state) {
-  Expansion<2> motion(rotor.system, order);
+  Expansion<2> motion(rotor.system, {.order = order});
   rotor.expand(motion, state);
   std::array<double, order> force{};
   for (int k = 0; k < order; ++k) force[static_cast<std::size_t>(k)] = motion.contact(0).holding().number(k);
@@ -45,7 +45,7 @@ std::array<double, order> holding(const Sticking& rotor, const State& state) {
 
 /// The same of a small change of that motion, expanded as simply as can be.
 std::array<double, order> change_of_holding(const Sticking& rotor, const State& state, const State& change) {
-  Expansion<2> motion(rotor.system, order + 1);
+  Expansion<2> motion(rotor.system, {.order = order + 1});
   rotor.expand(motion, state);
   const run::ScaledContact<2>& contact = rotor.system.contacts[0];
   std::vector<ContactTangents<1>> tangents(1);

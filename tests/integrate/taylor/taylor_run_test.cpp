@@ -299,7 +299,7 @@ TEST(TaylorRun, NeedsFewerStepsAtHigherOrderForTheSameMotion) {
   reference = turn.section;
   long last = 1'000'000;
   for (const int order : {10, 14, 18, 22}) {
-    TaylorRun<4> run(scene, {}, order);
+    TaylorRun<4> run(scene, {}, {.order = order});
     for (int k = 0; k < 6; ++k) ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok);
     EXPECT_LT(distance(turn.section, reference), 1e-12) << order;
     EXPECT_LT(run.effort().steps, last);

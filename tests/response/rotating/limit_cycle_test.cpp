@@ -87,6 +87,20 @@ TEST(ProveLimitCycle, RefusesATransientThatGoesElsewhere) {
   EXPECT_TRUE(prove_limit_cycle(form.motion(), start, {form.period()}));
 }
 
+TEST(ProveLimitCycle, GivesUpATransientThatComesNoNearer) {
+  NormalForm form;
+  form.a = 1e-4;
+  RotatingMotion standing = form.motion();
+  int periods = 0;
+  standing.end = [&](const VectorXd& y, double) {
+    ++periods;
+    return std::optional(y);
+  };
+  EXPECT_FALSE(prove_limit_cycle(standing, near_the_cycle, {form.period()}));
+  EXPECT_GT(periods, 10);
+  EXPECT_LT(periods, 100);
+}
+
 TEST(ProveLimitCycle, RefusesWhatIsFarAwayAFixedPointAndAFailure) {
   const NormalForm form;
   EXPECT_FALSE(prove_limit_cycle(form.motion(), VectorXd{{0.5, 0, 0}}, {form.period()}));

@@ -61,6 +61,24 @@ TEST(RotatingFlow, OneTurnIsThatOfTheAdaptiveSolver) {
   EXPECT_LT((arc->samples - samples).cwiseAbs().maxCoeff(), 1e-7);
 }
 
+/// Longer steps, through hits and at any size: a thousandth of the tolerance stays.
+TEST(RotatingFlow, ARoughOneIsAsGoodAsItsTolerance) {
+  auto two_rings = test::FullRub{}.scene();
+  two_rings.displacement_m *= 1.1;
+  integrate::run::SolverOptions rough;
+  rough.relative_tolerance = 1e-6;
+  for (const scene::Scene& scene : {bouncing(), two_rings}) {
+    for (const double angle : {1.0, 4.4, full_turn}) {
+      const auto best = RotatingFlow(scene, tight(), 0).end_from(initial(scene), angle);
+      const auto end = RotatingFlow(scene, rough, 0).end_from(initial(scene), angle);
+      ASSERT_TRUE(best && end);
+      const double error = (*end - *best).cwiseAbs().maxCoeff();
+      EXPECT_LT(error, 2e-8) << angle;
+      EXPECT_GT(error, 0) << angle;
+    }
+  }
+}
+
 /// For the fixed size, any size and the smoothed law: the derivative is what differences of the solver say.
 TEST(RotatingFlow, TransitionIsWhatDifferencesSay) {
   const auto two_rings = [] {

@@ -28,10 +28,10 @@ class Expansion {
  public:
   using Vector = Eigen::Matrix<double, N, 1>;
 
-  Expansion(const run::ScaledSystem<N>& system, int order)
+  explicit Expansion(const run::ScaledSystem<N>& system, const SeriesOptions& options = {})
       : system_(system),
         structure_(system),
-        series_(system.coordinates(), order),
+        series_(system.coordinates(), options),
         acceleration_(system.coordinates()),
         contacts_(system.contacts.size()),
         creeps_(system.contacts.size()),
@@ -117,6 +117,7 @@ class Expansion {
 
   const StateSeries<N>& series() const { return series_; }
   int order() const { return series_.order(); }
+  double accuracy() const { return series_.accuracy(); }
   const ContactLaw& law(std::size_t i) const { return laws_[i]; }
   ContactSeries& contact(std::size_t i) { return contacts_[i]; }
   const ContactSeries& contact(std::size_t i) const { return contacts_[i]; }

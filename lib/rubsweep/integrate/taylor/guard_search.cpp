@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "rubsweep/integrate/taylor/series_options.hpp"
 #include "rubsweep/numerics/polynomial_root.hpp"
 
 namespace rubsweep::integrate::taylor {
@@ -13,9 +14,9 @@ namespace {
 using contact::Mode;
 using Coefficients = std::array<double, numerics::most_taylor_order + 1>;
 
-/// A guard that starts nearer to zero than this many clearances and falls starts at zero: a landing leaves a
-/// few units of rounding of the states, which are of order one.
-constexpr double noise = 1e-13;
+/// A guard that starts nearer to zero than this many clearances and falls starts at zero: 1e-13 where series
+/// end at rounding, since a landing leaves a few units of rounding of the states, which are of order one.
+double noise_of(double accuracy) { return 1e-13 / rounding_of_series * accuracy; }
 
 /// 1, 2, ...: what a derivative multiplies the coefficients by.
 constexpr auto rate_factors = [] {
@@ -45,7 +46,8 @@ double fastest_distance(const ContactSeries& contact, int order, double duration
 
 /// Where the slip comes to zero, from the side it is on. It is measured in clearances a
 /// radian, and starts at zero where it is within rounding of the surface's own speed.
-std::optional<double> first_stop(ContactSeries& contact, int order, double duration_rad, int zero_terms) {
+std::optional<double> first_stop(ContactSeries& contact, int order, double accuracy, double duration_rad,
+                                 int zero_terms) {
   const ContactLaw& law = contact.law();
   const double surface = law.surface_speed_m_per_s / law.slip_scale_m_per_s, sign = -contact.slip_sign();
   if (-sign * surface - fastest_distance(contact, order, duration_rad) > 0) return std::nullopt;
@@ -55,7 +57,7 @@ std::optional<double> first_stop(ContactSeries& contact, int order, double durat
   for (int k = 0; k < order; ++k, power *= duration_rad)
     c[static_cast<std::size_t>(k)] = power * sign * (contact.sliding()[k] + (k == 0 ? surface : 0));
   return numerics::first_rise_of(first(c, order).subspan(static_cast<std::size_t>(zero_terms)),
-                                 noise * std::max(1.0, std::abs(surface)));
+                                 noise_of(accuracy) * std::max(1.0, std::abs(surface)));
 }
 
 /// Where the holding friction reaches `sign` times the largest one; in units of the stop's spring force at
@@ -90,15 +92,15 @@ bool far_from_wall(const ContactSeries& contact, int order, double duration_rad)
 
 }  // namespace
 
-double guards_converged_rad(ContactSeries& contact, int order, double duration_rad) {
+double guards_converged_rad(ContactSeries& contact, int order, double accuracy, double duration_rad) {
   const ContactLaw& law = contact.law();
-  constexpr double rounding = 0x1p-52;
+  const double last_terms = accuracy / 2;
   if (contact.sticks() && !contact.creep()) {
     const double unit =
         std::max(law.friction.dry * law.stiffness * law.clearance, std::abs(contact.holding().number(0)));
     for (int k = order - 2; k < order; ++k) {
       const double term = std::abs(contact.holding().number(k)) / unit;
-      duration_rad = numerics::longest_below(duration_rad, term, k, rounding);
+      duration_rad = numerics::longest_below(duration_rad, term, k, last_terms);
     }
   }
   // Of flat stops they are linear in the motion.
@@ -114,12 +116,13 @@ double guards_converged_rad(ContactSeries& contact, int order, double duration_r
     const double term = (std::abs(contact.penetration_term(k)) +
                          damper * (k + 1) * std::abs(contact.penetration_term(k + 1))) /
                         size;
-    duration_rad = numerics::longest_below(duration_rad, term, k, rounding);
+    duration_rad = numerics::longest_below(duration_rad, term, k, last_terms);
   }
   return duration_rad;
 }
 
-std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order, double duration_rad) {
+std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order, double accuracy,
+                                         double duration_rad) {
   const ContactLaw& law = contact.law();
   const Mode mode = contact.mode();
   if (mode == Mode::open && law.annular && far_from_wall(contact, order, duration_rad)) return std::nullopt;
@@ -139,17 +142,17 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
     Coefficients guard;
     const double by_v = damper * law.damping / law.stiffness;
     for (std::size_t k = 0; k < count; ++k) guard[k] = spring * p[k] + by_v * v[k];
-    const auto rise = numerics::first_rise_of(first(guard, order), noise);
+    const auto rise = numerics::first_rise_of(first(guard, order), noise_of(accuracy));
     if (rise && (!earliest || *rise < earliest->share)) earliest = GuardCrossing{*rise, to};
   }
   return earliest;
 }
 
-std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, double duration_rad,
-                                          int zero_terms) {
+std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, double accuracy,
+                                          double duration_rad, int zero_terms) {
   using contact::Slip;
   if (!contact.sticks()) {
-    const auto stop = first_stop(contact, order, duration_rad, zero_terms);
+    const auto stop = first_stop(contact, order, accuracy, duration_rad, zero_terms);
     return stop ? std::optional(SlipEvent{*stop, Slip::sticking}) : std::nullopt;
   }
   std::optional<SlipEvent> first;

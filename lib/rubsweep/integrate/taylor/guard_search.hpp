@@ -14,14 +14,17 @@ struct GuardCrossing {
   contact::Mode next = contact::Mode::open;
 };
 
-/// The longest duration, at most `duration_rad`, over which the guards of a contact are their polynomials to
-/// rounding. |d| and its square have series that end later than those of d: a step that is right for the
-/// motion may be too long for them. To be asked before `first_guard`.
-double guards_converged_rad(ContactSeries& contact, int order, double duration_rad);
+// `order` and `accuracy` below are those of SeriesOptions.
 
-/// The first armed guard of a contact that rises through zero within `duration_rad` of an expansion of order
-/// `order`; the guards are polynomials there and none is passed over.
-std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order, double duration_rad);
+/// The longest duration, at most `duration_rad`, over which the guards of a contact are their polynomials to
+/// `accuracy`. |d| and its square have series that end later than those of d: a step that is right for the
+/// motion may be too long for them. To be asked before `first_guard`.
+double guards_converged_rad(ContactSeries& contact, int order, double accuracy, double duration_rad);
+
+/// The first armed guard of a contact that rises through zero within `duration_rad` of an expansion; the
+/// guards are polynomials there and none is passed over.
+std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order, double accuracy,
+                                         double duration_rad);
 
 /// An end of the way in which a contact with dry friction slips, or sticks.
 struct SlipEvent {
@@ -33,8 +36,8 @@ struct SlipEvent {
 
 /// The first such end of a contact with dry friction that touches. `zero_terms`: so many of the slip's first
 /// coefficients are zero but for rounding, because it has just begun to leave zero.
-std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, double duration_rad,
-                                          int zero_terms);
+std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, double accuracy,
+                                          double duration_rad, int zero_terms);
 
 /// The share of `duration_rad` up to which every tanh that the expansion takes as constant is one; 1 where
 /// all of it is.

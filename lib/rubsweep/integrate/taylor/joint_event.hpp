@@ -26,12 +26,13 @@ JointEvent first_event(Expansion<N>& motion, const adaptive::Dynamics<N, false>&
                        const std::vector<int>& zero_terms, double duration_rad) {
   JointEvent first;
   for (std::size_t i = 0; i < zero_terms.size(); ++i) {
-    const auto crossing = first_guard(motion.contact(i), motion.order(), first.share * duration_rad);
+    const auto crossing =
+        first_guard(motion.contact(i), motion.order(), motion.accuracy(), first.share * duration_rad);
     if (crossing) first = {first.share * crossing->share, i, crossing->next};
     if (dynamics.modes()[i] == contact::Mode::open) continue;
     if (dynamics.touches_dry(i)) {
-      const auto event =
-          first_slip_event(motion.contact(i), motion.order(), first.share * duration_rad, zero_terms[i]);
+      const auto event = first_slip_event(motion.contact(i), motion.order(), motion.accuracy(),
+                                          first.share * duration_rad, zero_terms[i]);
       if (event) first = {first.share * event->share, i, contact::Mode::open, event->next};
       continue;
     }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "rubsweep/integrate/taylor/series_options.hpp"
 #include "rubsweep/integrate/taylor/state_pairs.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
 #include "rubsweep/numerics/twin.hpp"
@@ -17,8 +18,11 @@ class StateSeries {
  public:
   using Vector = Eigen::Matrix<double, N, 1>;
 
-  StateSeries(Eigen::Index coordinates, int order)
-      : order_(order), u_(coordinates, order + 2), v_(coordinates, order + 1) {}
+  StateSeries(Eigen::Index coordinates, const SeriesOptions& options)
+      : order_(options.order),
+        accuracy_(options.accuracy),
+        u_(coordinates, order_ + 2),
+        v_(coordinates, order_ + 1) {}
 
   /// Starts at `state`, u then u'.
   void begin(const double* state) {
@@ -27,6 +31,7 @@ class StateSeries {
     v_.col(0) = u_.col(1) = Eigen::Map<const Vector>(state + n, n);
   }
   int order() const { return order_; }
+  double accuracy() const { return accuracy_; }
   // Coefficients: up to order + 1 of u, up to order of u'.
   auto u(int k) { return u_.col(k); }
   auto u(int k) const { return u_.col(k); }
@@ -63,18 +68,16 @@ class StateSeries {
     for (; i < count; ++i) put_one_by_one(at(i), states + i * numbers);
   }
 
-  /// The longest duration, at most `longest_rad`, over which what is left out stays within rounding of the
-  /// motion's size, or of one clearance where it is smaller. At such a duration each term is about a fourth
-  /// of the one before, so that the last two may be four times as large.
+  /// The longest duration, at most `longest_rad`, over which the last two terms stay within the accuracy
+  /// asked for, of the motion's size, or of one clearance where it is smaller.
   double converged_rad(double longest_rad) const {
-    constexpr double rounding = 0x1p-51;
     const double length = std::max(1.0, u_.col(0).template lpNorm<Eigen::Infinity>());
     const double speed = std::max(1.0, v_.col(0).template lpNorm<Eigen::Infinity>());
     for (int k = order_ - 1; k <= order_; ++k) {
       const double term = std::max(u_.col(k).template lpNorm<Eigen::Infinity>() / length,
                                    v_.col(k).template lpNorm<Eigen::Infinity>() / speed);
       if (!std::isfinite(term)) return 0;
-      longest_rad = numerics::longest_below(longest_rad, term, k, rounding);
+      longest_rad = numerics::longest_below(longest_rad, term, k, accuracy_);
     }
     return longest_rad;
   }
@@ -149,6 +152,7 @@ class StateSeries {
   }
 
   int order_;
+  double accuracy_;
   Series u_, v_;
 };
 

@@ -21,16 +21,16 @@ constexpr int longest_standstill = 16;  ///< landings without progress before on
 }  // namespace
 
 template <int N>
-TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& options, int order,
-                        double creep_above)
+TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& options,
+                        const SeriesOptions& series)
     : system_(run::scale<N>(scene)),
       dynamics_(system_, 0),
-      motion_(system_, order),
+      motion_(system_, series),
       tangents_(system_),
       pulses_(scene, system_.scale, full_turn),
       impulses_(scene),
       structure_rate_(numerics::spectral_radius(numerics::generator_of(system_.stiffness, system_.damping))),
-      creep_(creep_above),
+      creep_(series.creep_above),
       max_steps_(options.max_steps_per_revolution),
       state_(run::scaled_initial_state(scene)),
       rate_(state_.size()),
@@ -164,7 +164,7 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   double wanted = motion_.series().converged_rad(longest_step(fastest * std::max(1.0, ratio)));
   if (creeps) wanted = std::min(wanted, creep_.known_rad());
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
-    wanted = guards_converged_rad(motion_.contact(i), motion_.order(), wanted);
+    wanted = guards_converged_rad(motion_.contact(i), motion_.order(), motion_.accuracy(), wanted);
   if (!(wanted > 0)) return TaylorEnding::non_finite;
   if (standstill_ >= longest_standstill) {
     // Landings that lead nowhere: an instant is passed without one.

@@ -36,12 +36,7 @@ enum class TaylorEnding {
 template <int N>
 class TaylorRun {
  public:
-  /// Contacts creep where `Dynamics::friction_ratio` is above `creep_above`.
-  explicit TaylorRun(const scene::Scene& scene, const run::SolverOptions& options,
-                     int order = numerics::most_taylor_order, double creep_above = usual_creep_above);
-
-  /// Sweeps cost as much as a dozen usual pieces, whose length goes down with the ratio, and converge by it.
-  static constexpr double usual_creep_above = 20;
+  TaylorRun(const scene::Scene& scene, const run::SolverOptions& options, const SeriesOptions& series = {});
 
   TaylorRun(const TaylorRun&) = delete;
   TaylorRun& operator=(const TaylorRun&) = delete;

@@ -16,9 +16,15 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// A flow that is asked for no better than this need not know its derivative better: fewer terms, longer
-/// steps.
-constexpr double rough_from = 1e-7;
+/// A flow that is asked for no better than this need know neither its derivative better nor its motion much
+/// better: fewer terms, longer steps. A thousandth is what Newton's iteration still gains by.
+constexpr double rough_from = 1e-7, share_of_tolerance = 1e-3;
+
+integrate::taylor::SeriesOptions series_for(double tolerance) {
+  integrate::taylor::SeriesOptions series;
+  if (tolerance >= rough_from) series.accuracy = share_of_tolerance * tolerance;
+  return series;
+}
 
 /// Adds the states sampled in a turn: the first `states` of `whole` numbers each.
 void append_samples(const integrate::run::TurnReport& turn, Eigen::Index states, Eigen::Index whole,
@@ -123,10 +129,11 @@ class RotatingFlow::Series {
  public:
   Series(const scene::Scene& scene, const integrate::run::SolverOptions& options)
       : tolerance_(options.relative_tolerance) {
+    const auto series = series_for(tolerance_);
     if (scene.structure.coordinates() == 4) {
-      run_.emplace<integrate::taylor::TaylorRun<4>>(scene, options);
+      run_.emplace<integrate::taylor::TaylorRun<4>>(scene, options, series);
     } else {
-      run_.emplace<integrate::taylor::TaylorRun<Eigen::Dynamic>>(scene, options);
+      run_.emplace<integrate::taylor::TaylorRun<Eigen::Dynamic>>(scene, options, series);
     }
   }
 
