@@ -35,21 +35,52 @@ Found orbit_near(std::span<const double> section) {
   return {*orbit, *adapted_norms(orbit->transitions)};
 }
 
+constexpr Patience no_end{.start = 10'000, .most = 10'000};
+
+Patience turns(double most) { return {.start = most, .most = most}; }
+
 TEST(ComesNear, FollowsAllTheWay) {
   const std::array<double, 2> near{0.02, 0};
   const Found at = orbit_near(near);
   const double distance = adapted_distance(near, at.orbit, at.norms);
-  EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {1e-4 * distance, 0}, 10'000));
-  const long needed = std::lround(std::ceil(std::log(1e-4) / std::log(shrinks)));
-  EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {1e-4 * distance, 0}, needed + 1));
-  EXPECT_FALSE(comes_near(spiral, near, at.orbit, at.norms, {1e-4 * distance, 0}, needed - 2));
+  EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {1e-4 * distance, 0}, no_end));
+  const double needed = std::ceil(std::log(1e-4) / std::log(shrinks));
+  EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {1e-4 * distance, 0}, turns(needed + 1)));
+  EXPECT_FALSE(comes_near(spiral, near, at.orbit, at.norms, {1e-4 * distance, 0}, turns(needed - 2)));
 }
 
 /// The distance in x halves after one sixth of a rotation, in which the spiral has shrunk by 2 %.
 TEST(ComesNear, ATransientThatMeetsAnEdgeLaterDoesNot) {
   const std::array<double, 2> far{0.04, 0};
   const Found at = orbit_near(far);
-  EXPECT_FALSE(comes_near(spiral, far, at.orbit, at.norms, {1e-6, 0}, 10'000));
+  EXPECT_FALSE(comes_near(spiral, far, at.orbit, at.norms, {1e-6, 0}, no_end));
+  EXPECT_FALSE(comes_near(spiral, far, at.orbit, at.norms, {1e-6, 0, true}, no_end));
+}
+
+/// The spiral is linear, so that half of the distance is enough.
+TEST(ComesNear, HalfWayIsEnoughWhereItIsForetold) {
+  const std::array<double, 2> near{0.02, 0};
+  const Found at = orbit_near(near);
+  const double half = std::ceil(std::log(0.5) / std::log(shrinks));
+  EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {1e-6, 0, true}, turns(half + 1)));
+  EXPECT_FALSE(comes_near(spiral, near, at.orbit, at.norms, {1e-6, 0, true}, turns(half - 2)));
+  EXPECT_FALSE(comes_near(spiral, near, at.orbit, at.norms, {1e-6, 0, false}, turns(half + 1)));
+  StableOrbit other = at.orbit;
+  other.transitions.front() *= 0.9;
+  EXPECT_FALSE(comes_near(spiral, near, other, at.norms, {1e-6, 0, true}, turns(half + 1)));
+}
+
+/// Three times as long as the norm promises, and a start.
+TEST(ComesNear, GivesUpWhatComesNoNearer) {
+  const std::array<double, 2> near{0.02, 0};
+  const Found at = orbit_near(near);
+  long made = 0;
+  const TurnMap standing = [&made](std::span<double>, Eigen::MatrixXd*) {
+    ++made;
+    return true;
+  };
+  EXPECT_FALSE(comes_near(standing, near, at.orbit, at.norms, {1e-6, 0, true}, {.start = 64, .most = 1e6}));
+  EXPECT_EQ(made, 64);
 }
 
 /// Two decays at different rates, in norms apart: the slower one decides, unless its ball is large.
@@ -75,8 +106,8 @@ TEST(ComesInside, EitherPartMustBeInItsBall) {
 TEST(ComesNear, EitherMeasureWillDo) {
   const std::array<double, 2> near{0.02, 0};
   const Found at = orbit_near(near);
-  EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {0, 0.021}, 0));
-  EXPECT_FALSE(comes_near(spiral, near, at.orbit, at.norms, {0, 0.019}, 0));
+  EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {0, 0.021}, turns(0)));
+  EXPECT_FALSE(comes_near(spiral, near, at.orbit, at.norms, {0, 0.019}, turns(0)));
 }
 
 }  // namespace

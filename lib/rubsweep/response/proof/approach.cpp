@@ -3,30 +3,36 @@
 #include <algorithm>
 #include <vector>
 
+#include "rubsweep/response/proof/foretold.hpp"
+
 namespace rubsweep::response::proof {
 namespace {
 
 using Eigen::VectorXd;
 
 constexpr double farther = 4;
+constexpr int periods_foretold = 3;
 
 VectorXd off(std::span<const double> section, const StableOrbit& orbit, std::size_t turn) {
   return Eigen::Map<const VectorXd>(section.data(), static_cast<Eigen::Index>(section.size())) -
          orbit.sections[turn];
 }
 
-/// Follows until `near(size, offset)`, with the size that `size_of(offset, turn of the orbit)` gives.
-template <class SizeOf, class Near>
-bool follow(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit, long most_turns,
-            const SizeOf& size_of, const Near& near) {
+/// Follows until `near(k, offset, size)` after k turns, with the size that `size_of(offset, turn of the
+/// orbit)` gives.
+template <class SizeOf, class Near, class MostTurns>
+bool follow(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
+            const SizeOf& size_of, const Near& near, const MostTurns& most_turns) {
   std::vector<double> now(section.begin(), section.end());
   const double first = size_of(off(now, orbit, 0), std::size_t{0});
   for (long k = 0;; ++k) {
     const auto at = static_cast<std::size_t>(k % orbit.order);
     const VectorXd offset = off(now, orbit, at);
     const double size = size_of(offset, at);
-    if (near(size, offset)) return true;
-    if (!(size <= farther * first) || k == most_turns || !turn(now, nullptr)) return false;
+    if (near(at, offset, size)) return true;
+    if (!(size <= farther * first) || static_cast<double>(k) >= most_turns(first, size) ||
+        !turn(now, nullptr))
+      return false;
   }
 }
 
@@ -38,23 +44,37 @@ double adapted_distance(std::span<const double> section, const StableOrbit& orbi
 }
 
 bool comes_near(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
-                const AdaptedNorms& norms, const Nearness& wanted, long most_turns) {
+                const AdaptedNorms& norms, const Nearness& wanted, const Patience& patience) {
   const auto size_of = [&norms](const VectorXd& offset, std::size_t at) {
     return (norms.norm[at] * offset).norm();
   };
-  return follow(turn, section, orbit, most_turns, size_of, [&wanted](double size, const VectorXd& offset) {
-    return size <= wanted.adapted || offset.cwiseAbs().maxCoeff() <= wanted.largest;
-  });
+  Foretold foretold(periods_foretold * orbit.order);
+  VectorXd told;
+  double first = 0, last = 0;
+  const auto near = [&](std::size_t at, const VectorXd& offset, double size) {
+    if (size <= wanted.adapted || offset.cwiseAbs().maxCoeff() <= wanted.largest) return true;
+    if (!wanted.foretold) return false;
+    if (told.size() == 0)
+      first = size;
+    else
+      foretold.add(size_of(offset - told, at), last, norms.contraction);
+    told = orbit.transitions[at] * offset;
+    last = size;
+    return foretold.holds(size, first);
+  };
+  return follow(turn, section, orbit, size_of, near,
+                [&](double from, double size) { return patience.turns(norms.contraction, from, size); });
 }
 
 bool comes_inside(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
-                  const SplitNorms& norms, const integrate::exact::Parts& radii, long most_turns) {
+                  const SplitNorms& norms, const integrate::exact::Parts& radii, double most_turns) {
   const auto size_of = [&](const VectorXd& offset, std::size_t at) {
     const integrate::exact::Parts parts = parts_of(norms, at, offset);
     return std::max(parts.fast / radii.fast, parts.slow / radii.slow);
   };
-  return follow(turn, section, orbit, most_turns, size_of,
-                [](double size, const VectorXd&) { return size <= 1; });
+  const auto near = [](std::size_t, const VectorXd&, double size) { return size <= 1; };
+  const auto turns = [most_turns](double, double) { return most_turns; };
+  return follow(turn, section, orbit, size_of, near, turns);
 }
 
 }  // namespace rubsweep::response::proof

@@ -1,7 +1,6 @@
 #include "rubsweep/response/proof/orbit_proof.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/response/motion/record.hpp"
@@ -21,15 +20,13 @@ constexpr double tolerance_of_a_proof = 1e-11;
 constexpr double rough_accuracy = 1e-6;
 
 /// Where no ball about the orbit is known, the transient is followed until this share of its distance is
-/// left.
+/// left, unless its way is foretold.
 constexpr double followed_down = 1e-4;
 
-/// Turns that following a transient may take: three times what the norms promise near the orbit, and some
-/// periods for where it is not yet near. Turns without closed forms cost a hundred times more.
-long patience(const StableOrbit& orbit, double promised, bool closed_forms) {
-  constexpr double periods = 64, times = 3;
-  const double most = closed_forms ? 200'000 : 1'000;
-  return static_cast<long>(std::min(most, periods * orbit.order + times * promised));
+/// Some periods at the start. Turns without closed forms cost a hundred times more.
+Patience patience(const StableOrbit& orbit, bool closed_forms) {
+  constexpr double periods = 64;
+  return {.start = periods * orbit.order, .most = closed_forms ? 200'000.0 : 1'000.0};
 }
 
 std::vector<double> start_of(const StableOrbit& orbit) {
@@ -92,10 +89,10 @@ std::optional<motion::Proof> OrbitProof::converges(std::span<const double> secti
   const auto radius =
       map_->exact() ? ball_radius(scene_, workspace_.modes, start_of(orbit), *norms) : std::nullopt;
   const double distance = adapted_distance(section, orbit, *norms);
-  const Nearness wanted = radius ? Nearness{*radius, 0} : Nearness{followed_down * distance, on_the_orbit};
-  const double promised = std::log(std::max(1.0, distance / wanted.adapted)) / -std::log(norms->contraction);
-  const long most_turns = patience(orbit, promised, map_->closed_forms());
-  if (!comes_near(radius ? at_tight_tolerance() : as_it_runs(), section, orbit, *norms, wanted, most_turns))
+  const Nearness wanted =
+      radius ? Nearness{.adapted = *radius} : Nearness{followed_down * distance, on_the_orbit, true};
+  if (!comes_near(radius ? at_tight_tolerance() : as_it_runs(), section, orbit, *norms, wanted,
+                  patience(orbit, map_->closed_forms())))
     return std::nullopt;
   return radius ? motion::Proof::floquet : motion::Proof::floquet_observed;
 }
@@ -110,7 +107,7 @@ bool OrbitProof::enters_split_ball(std::span<const double> section, const Stable
   const auto radii = split_ball_radii(scene_, workspace_.modes, start_of(orbit), *norms, distance);
   return radii &&
          comes_inside(at_tight_tolerance(), section, orbit, *norms, *radii,
-                      patience(orbit, turns_to_enter(*norms, distance, *radii), map_->closed_forms()));
+                      patience(orbit, map_->closed_forms()).turns(turns_to_enter(*norms, distance, *radii)));
 }
 
 /// Over exactly one period; empty when the orbit touches nothing.

@@ -6,6 +6,8 @@
 
 #include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
+#include "rubsweep/response/proof/foretold.hpp"
+#include "rubsweep/response/proof/patience.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 
 namespace rubsweep::response::rotating {
@@ -21,12 +23,10 @@ constexpr double returns_early = 1e-4;  ///< return error that makes a fraction 
 constexpr double stands_still = 1e-5;   ///< rate below which a cycle is no cycle but a point
 constexpr double followed_down = 1e-3;  ///< share of its distance that a transient is followed down to
 constexpr double near_by = 1e-5;        ///< or this distance: what it does next is the rough flow's noise
-constexpr double most_periods_followed = 3000;
+constexpr proof::Patience patience{.start = 64, .most = 3000};  ///< periods
 
-/// Or half, if the last three returns came to what the derivative says, up to a tenth of what a return gains:
-/// what is off is of second order in the distance, so that nearer by it is less.
-constexpr double down_as_told = 0.5, told_within = 0.1;
-constexpr int told_in_a_row = 3;
+/// Or half, if so many returns were foretold.
+constexpr int foretold_in_a_row = 3;
 
 /// In (clearance, clearance omega).
 struct Accuracy {
@@ -100,7 +100,7 @@ std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_w
 }
 
 /// Follows the transient period by period until a thousandth of its distance from the cycle is left, in the
-/// adapted norm of the return map across the cycle, or `near_by`, or half of it as the derivative says.
+/// adapted norm of the return map across the cycle, or `near_by`, or half of it as foretold.
 /// Being early or late is no distance: each period is cut or prolonged by as much as the one before was off
 /// along the motion.
 bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Closed& cycle) {
@@ -112,21 +112,17 @@ bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Close
   const MatrixXd& norm = norms->norm.front();
   VectorXd image = start, told;
   double first = 0, last = 0;
-  int as_told = 0;
-  const double promised = std::log(followed_down) / std::log(norms->contraction);
-  const double patience = std::min(most_periods_followed, 64 + 3 * promised);
-  for (int k = 0; k <= patience; ++k) {
+  proof::Foretold foretold(foretold_in_a_row);
+  for (int k = 0;; ++k) {
     const VectorXd off = across * (image - cycle.x);
     const double distance = (norm * off).norm();
-    if (k == 0) {
+    if (k == 0)
       first = distance;
-    } else {
-      const bool so = (norm * (off - told)).norm() <= told_within * (1 - norms->contraction) * last;
-      as_told = so ? as_told + 1 : 0;
-    }
-    if (largest(off) < near_by || distance < followed_down * first) return true;
-    if (as_told >= told_in_a_row && distance < down_as_told * first) return true;
-    if (!(distance < 4 * first)) return false;
+    else
+      foretold.add((norm * (off - told)).norm(), last, norms->contraction);
+    if (largest(off) < near_by || distance < followed_down * first || foretold.holds(distance, first))
+      return true;
+    if (!(distance < 4 * first) || k >= patience.turns(norms->contraction, first, distance)) return false;
     told = across * (cycle.once.transition * off);
     last = distance;
     const double late_rad = along.dot(image - cycle.x) / rate.norm();
@@ -134,7 +130,6 @@ bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Close
     if (!end || !end->allFinite()) return false;
     image = *end;
   }
-  return false;
 }
 
 std::optional<LimitCycle> exact_cycle(const RotatingMotion& motion, const VectorXd& x, double period_rad) {

@@ -33,7 +33,7 @@ constexpr int finer = 4;
 /// A transient is followed until this share of its distance from a circle is left, for so many turns at most:
 /// a later look is nearer.
 constexpr double followed_down = 1e-4;
-constexpr long most_turns_to_a_circle = 200;
+constexpr proof::Patience patience_for_a_circle{.start = 200, .most = 200};
 
 /// Turns that Newton's iteration may follow while it proves nothing: each takes about twice the time of one
 /// of the transient.
@@ -94,9 +94,9 @@ bool RotatingProof::comes_near_to(const RotatingEquilibrium& circle, std::span<c
   if (!norms) return false;
   if (!turn_map_) turn_map_.emplace(scene_, solver_, workspace_.modes);
   const proof::Nearness wanted{followed_down * proof::adapted_distance(section, orbit, *norms),
-                               proof::on_the_orbit};
+                               proof::on_the_orbit, true};
   return proof::comes_near([this](std::span<double> state, Eigen::MatrixXd*) { return (*turn_map_)(state); },
-                           section, orbit, *norms, wanted, most_turns_to_a_circle);
+                           section, orbit, *norms, wanted, patience_for_a_circle);
 }
 
 motion::ProvenMotion RotatingProof::measured(const RotatingEquilibrium& circle) {
