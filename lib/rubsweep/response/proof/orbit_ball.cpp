@@ -14,7 +14,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using integrate::exact::Parts;
 
-constexpr double largest_radius = 0.1, smallest_radius = 1e-9;
+constexpr double largest_radius = 0.1;
+constexpr int most_halvings = 26;  ///< of it: down to 1.5e-9
+constexpr int unknown_halvings = most_halvings + 1;
 /// What a turn's own deviation may take of what the linear map leaves to 1, and how far the sections given
 /// may be from the orbit itself against the radius: the 5 % that the shares leave cover what that changes.
 constexpr double deviation_share = 0.9, defect_share = 1e-3;
@@ -41,20 +43,28 @@ class OrbitTubes {
 
   /// The largest of the radii 0.1 `shape`, 0.05 `shape`, ... that all motions come nearer from. What holds
   /// for radii holds for smaller ones, but for the orbit's own defect, which only a large enough ball
-  /// forgives.
-  std::optional<Parts> largest(const Parts& shape) const {
+  /// forgives. `known`: so many halvings of 0.1 are known to be enough, and become those that are; none as
+  /// yet where it is more than are looked at.
+  std::optional<Parts> largest(const Parts& shape, int& known) const {
     const auto halved = [&](int times) {
       const double size = std::ldexp(largest_radius, -times);
       return Parts{size * shape.fast, size * shape.slow};
     };
-    int too_large = -1;
-    int small_enough = static_cast<int>(std::log2(largest_radius / smallest_radius));
-    if (!draws_together(halved(small_enough))) return std::nullopt;
-    while (small_enough - too_large > 1) {
-      const int middle = (small_enough + too_large) / 2;
-      (draws_together(halved(middle)) ? small_enough : too_large) = middle;
+    if (known > most_halvings) {
+      if (!draws_together(halved(most_halvings))) return std::nullopt;
+      known = most_halvings;
     }
-    const Parts radii = halved(small_enough), room = room_in(radii);
+    // From what is known in steps that double, which is at once where nothing larger holds.
+    int too_large = known - 1;
+    for (int step = 1; too_large >= 0 && draws_together(halved(too_large)); step *= 2) {
+      known = too_large;
+      too_large = std::max(-1, too_large - step);
+    }
+    while (known - too_large > 1) {
+      const int middle = (known + too_large) / 2;
+      (draws_together(halved(middle)) ? known : too_large) = middle;
+    }
+    const Parts radii = halved(known), room = room_in(radii);
     const bool closes =
         defect_.fast <= defect_share * 0.1 * room.fast && defect_.slow <= defect_share * 0.1 * room.slow;
     return closes ? std::optional(radii) : std::nullopt;
@@ -102,7 +112,8 @@ std::optional<double> ball_radius(const scene::Scene& scene, integrate::exact::M
     if (!tubes.add(scene, modes, now, unit, norms.norm[(i + 1) % turns], 0)) return std::nullopt;
   }
   tubes.close({(norms.norm.front() * (vector_of(now) - vector_of(section))).norm(), 0});
-  const auto radii = tubes.largest({1, 0});
+  int halvings = unknown_halvings;
+  const auto radii = tubes.largest({1, 0}, halvings);
   return radii ? std::optional(radii->fast) : std::nullopt;
 }
 
@@ -126,8 +137,10 @@ std::optional<Parts> split_ball_radii(const scene::Scene& scene, integrate::exac
   }
   tubes.close(parts_of(norms, 0, vector_of(now) - vector_of(section)));
   std::optional<Parts> best;
+  // The slow part's radius goes down from one to the next, so that what is enough stays so.
+  int halvings = unknown_halvings;
   for (const double ratio : {1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0}) {
-    const auto radii = tubes.largest({1, ratio});
+    const auto radii = tubes.largest({1, ratio}, halvings);
     if (radii && (!best || turns_to_enter(norms, distance, *radii) < turns_to_enter(norms, distance, *best)))
       best = radii;
     if (best && turns_to_enter(norms, distance, *best) == 0) break;
