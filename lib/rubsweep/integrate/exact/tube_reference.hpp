@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "rubsweep/contact/friction_law.hpp"
@@ -63,18 +64,19 @@ class TubeReference {
     Seen seen;
     typename ExactTypes<N>::Row row;
   };
-  /// Of all whose friction is saturated only above a slip.
-  std::vector<SlipGuard> slip_guards() {
-    std::vector<SlipGuard> all;
-    if (motion_.mode().touches.empty()) return all;
-    const State here = motion_.physical();
+  /// Of all whose friction is saturated only above a slip; they last until this is asked again.
+  std::span<const SlipGuard> slip_guards() {
+    std::size_t count = 0;
     for (std::size_t t = 0; t < motion_.mode().touches.size(); ++t) {
       if (slip_.always(motion_, t)) continue;
+      if (slips_.size() == count) slips_.emplace_back();
+      SlipGuard& slip = slips_[count++];
       const TouchWatch<N>& touch = motion_.mode().touches[t];
-      all.push_back({slip_.guard(motion_, t, here), {}, scale_.length_m * touch.sliding});
-      see_by(touch.sliding_of_free, scale_.length_m, all.back().seen);
+      slip.value = slip_.guard(motion_, t, motion_.physical());
+      slip.row = scale_.length_m * touch.sliding;
+      see_by(touch.sliding_of_free, scale_.length_m, slip.seen);
     }
-    return all;
+    return std::span(slips_).first(count);
   }
 
   Spread spread_of(const std::vector<double>& values) const { return exact::spread_of(values, base_); }
@@ -106,7 +108,7 @@ class TubeReference {
   /// Norm of the generator in units of (1, fastest rate).
   static double norm_of(const LinearMode<N>& mode) {
     const Eigen::Index n = mode.rest.size();
-    Eigen::MatrixXd generator = mode.generator / mode.fastest_rad_per_s;
+    typename ExactTypes<N>::Flow generator = mode.generator / mode.fastest_rad_per_s;
     generator.topRightCorner(n, n) *= mode.fastest_rad_per_s;
     generator.bottomLeftCorner(n, n) /= mode.fastest_rad_per_s;
     return generator.cwiseAbs().rowwise().sum().maxCoeff();
@@ -122,6 +124,7 @@ class TubeReference {
   SlipWatch<N> slip_;
   run::StateScale scale_;
   PartSizes base_;
+  std::vector<SlipGuard> slips_;
 };
 
 }  // namespace rubsweep::integrate::exact

@@ -27,7 +27,7 @@ class TubeSwitch {
   std::optional<TurnTube::Switch> through(std::size_t e, const GuardValue& before,
                                           const TurnTube::Spread& spread, double landing_s) {
     const LinearMode<N>& from = motion_.mode();
-    const LinearGuard<N> guard = from.guards[e];
+    const LinearGuard<N>& guard = from.guards[e];
     const GuardValue at = motion_.guard(e);
     const ModalSums on_guard = reference_.seen(e);
     TurnTube::Switch change;
@@ -100,9 +100,9 @@ class TubeSwitch {
   /// b of the lemma, from the two generators, whose difference is b times the guard's row.
   bool add_kick(const LinearMode<N>& from, const LinearMode<N>& to, const LinearGuard<N>& guard,
                 TurnTube::Switch& change) {
-    const Eigen::MatrixXd difference = to.generator - from.generator;
-    const Eigen::VectorXd row = guard.physical.transpose();
-    const Eigen::VectorXd b = difference * row / row.squaredNorm();
+    const typename ExactTypes<N>::Flow difference = to.generator - from.generator;
+    using Column = Eigen::Matrix<double, ExactTypes<N>::states, 1>;
+    const Column row = guard.physical.transpose(), b = difference * row / row.squaredNorm();
     if (!((difference - b * row.transpose()).norm() <= 1e-9 * difference.norm())) return false;
     change.own_kick = std::abs(row.dot(b));
     for (std::size_t k = 0; k < change.others.size(); ++k)
