@@ -26,12 +26,11 @@ struct Watched {
 };
 
 Watched watch(const std::function<void(int turn, std::vector<double>& section)>& section_after,
-              const std::function<double(int turn)>& growth_in, int max_revolutions = 1500,
-              WorthWatching watched = WorthWatching::torus) {
+              const std::function<double(int turn)>& growth_in, int max_revolutions = 1500) {
   const scene::Scene scene = test::one_mass_scene(1, 1, 0.1, 1, 1);
   motion::ResponseOptions options;
   options.max_revolutions = max_revolutions;
-  TorusWatch watch(scene, options, watched);
+  TorusWatch watch(scene, options, true);
   spectrum::SpectrumWorkspace workspace;
   integrate::run::TurnRequest request;
   integrate::run::TurnReport turn;
@@ -97,29 +96,6 @@ TEST(TorusWatch, KnowsChaosThatLastsToTheEnd) {
   // A section that returns is periodic, whatever grows.
   const auto returning = [](int k, std::vector<double>& s) { turn_by(2 * std::numbers::pi / 7, s, k); };
   EXPECT_FALSE(watch(returning, growth_in).chaos);
-}
-
-/// Over the last 1280 turns, without a look on the way.
-TEST(TorusWatch, WatchesForChaosAloneAtTheEnd) {
-  int carried = 0;
-  double growth = 0.1;
-  const auto growth_in = [&](int k) {
-    ++carried;
-    return growth + 0.4 * std::cos(golden_angle * k);
-  };
-  const auto wandering = [](int k, std::vector<double>& s) {
-    turn_by(golden_angle, s, k, 1 + std::sin(0.3 * k * k));
-  };
-  const Watched seen = watch(wandering, growth_in, 1500, WorthWatching::chaos);
-  EXPECT_EQ(seen.revolutions, 1500);
-  EXPECT_EQ(carried, 1280);
-  ASSERT_TRUE(seen.chaos);
-  EXPECT_NEAR(seen.chaos->per_revolution, 0.1, 1e-3);
-  growth = 0;
-  EXPECT_FALSE(watch(wandering, growth_in, 1500, WorthWatching::chaos).chaos);
-  carried = 0;
-  EXPECT_FALSE(watch(wandering, growth_in, 1379, WorthWatching::chaos).chaos);
-  EXPECT_EQ(carried, 0);
 }
 
 TEST(TorusWatch, DoesNotBeginWhereItWouldSaveNothing) {

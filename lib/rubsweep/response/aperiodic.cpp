@@ -14,6 +14,7 @@ namespace {
 /// Of the undecided cells of the one-side, two-sides and annular maps the first look decides five of six, all
 /// three together nineteen of twenty. A transient that outlasts them may last for ever.
 constexpr std::size_t looks[] = {640, 1280, 2560};
+constexpr std::size_t shortest_chaos = 1280;
 
 /// Of the section in the last two fifths of the turns.
 std::optional<motion::SectionPeriod> period_of(const Followed& motion) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -20,9 +19,6 @@ inline constexpr double chaos_floor = 0.01;
 inline constexpr double zero_exponent = 5e-4;
 /// The rate at which the closest return grows or shrinks must be known to within this, per turn.
 inline constexpr double known_rate = 5e-4;
-
-/// Turns over which an exponent must be positive: shorter chaos may be a transient.
-inline constexpr std::size_t shortest_chaos = 1280;
 
 /// What a motion without a period turned out to be.
 struct Aperiodic {

@@ -149,17 +149,13 @@ void conclude(const motion::Motion& seen, const scene::Cell& cell, const proof::
   if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
 }
 
-/// A torus where turns are dear, which is at annular stops: between flat ones a run to its end costs less than
-/// its tangent vector, and only that of the last turns saves as many behind them.
-WorthWatching worth_watching(const scene::Scene& scene, const motion::ResponseOptions& options,
-                             double kick_turns) {
-  if (kick_turns > TorusWatch::settled_after || !integrate::run::same_every_turn(scene.impulses) ||
-      rotating::rotationally_symmetric(scene))
-    return WorthWatching::nothing;
+/// Where turns are dear, which is at annular stops: between flat ones a run to its end costs less than the
+/// tangent vector of a watch.
+bool worth_watching(const scene::Scene& scene, const motion::ResponseOptions& options, double kick_turns) {
   const bool annular =
       std::ranges::any_of(scene.contacts, [](const scene::Contact& c) { return contact::annular(c.wall); });
-  if (annular) return options.floquet_proof ? WorthWatching::torus : WorthWatching::nothing;
-  return options.exponent ? WorthWatching::chaos : WorthWatching::nothing;
+  return annular && options.floquet_proof && kick_turns <= TorusWatch::settled_after &&
+         integrate::run::same_every_turn(scene.impulses) && !rotating::rotationally_symmetric(scene);
 }
 
 /// Whether the window since the watch saw a torus shows neither period nor rest.

@@ -23,26 +23,21 @@ constexpr double chaotic_half_exponent = 0.02;
 
 }  // namespace
 
-TorusWatch::TorusWatch(const scene::Scene& scene, const motion::ResponseOptions& options,
-                       WorthWatching watched)
+TorusWatch::TorusWatch(const scene::Scene& scene, const motion::ResponseOptions& options, bool wanted)
     : options_(options),
       observed_(scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map),
       motion_{.states = 2 * static_cast<std::size_t>(scene.structure.coordinates()),
               .rows = {},
               .contributions = {}},
       direction_(first_disturbance(motion_.states).normalized()),
-      begin_(settled_after),
       look_(settled_after + std::max(first_look, 2L * options.window_revolutions)),
       record_begin_(last_windows()) {
-  if (watched != WorthWatching::torus || !worth_a_look()) end();
-  if (watched != WorthWatching::chaos) return;
-  begin_ = options.max_revolutions - static_cast<long>(shortest_chaos);
-  chaotic_ = begin_ >= settled_after;
+  if (!wanted || !worth_a_look()) end();
 }
 
 void TorusWatch::ask(long revolutions, integrate::run::TurnRequest& request) const {
   const bool carrying = look_ < options_.max_revolutions || chaotic_;
-  if (carrying && revolutions >= begin_) {
+  if (carrying && revolutions >= settled_after) {
     request.tangent_vectors = direction_;
     request.tangent_accuracy = growth_accuracy;
   } else {
@@ -76,7 +71,7 @@ void TorusWatch::look(spectrum::SpectrumWorkspace& workspace) {
     record_begin_ = look_;
     return end();
   }
-  look_ += (look_ - begin_) / 4;
+  look_ += (look_ - settled_after) / 4;
   chaotic_ = std::min(first, last) > chaotic_half_exponent;
   if (chaotic_ || !worth_a_look()) end();
 }

@@ -11,32 +11,24 @@
 
 namespace rubsweep::response {
 
-/// What is worth being watched for while a run goes on.
-enum class WorthWatching {
-  nothing,
-  chaos,  ///< at the end of the run alone
-  torus,  ///< and chaos
-};
-
 /// Looks now and then, while a run goes on, whether it has come to a torus: a motion that never has a period
 /// to be proven, and would else take every run to its end. From turn `settled_after` on a tangent vector is
 /// carried; looks come 200 turns later and then after a quarter as many again, as long as the window that is
 /// to show the torus ends before the run's last two begin. Chaos may be a transient and ends no run; but the
-/// growth of what was carried then counts at its end. Where chaos alone is watched for, a tangent vector is
-/// carried over the run's last turns, as many as it takes to tell.
+/// growth of what was carried then counts at its end.
 class TorusWatch {
  public:
   static constexpr long settled_after = 100;
 
-  /// The windows that are recorded are the run's last unless a torus is seen.
-  TorusWatch(const scene::Scene& scene, const motion::ResponseOptions& options, WorthWatching watched);
+  /// `wanted`: else nothing is watched, and the windows that are recorded are the run's last.
+  TorusWatch(const scene::Scene& scene, const motion::ResponseOptions& options, bool wanted);
 
   /// The turn after `revolutions` turns is to carry this.
   void ask(long revolutions, integrate::run::TurnRequest& request) const;
   /// Takes in what was answered. A solver that moves no tangent vectors ends the watch.
   void add(const integrate::run::TurnRequest& request, const integrate::run::TurnReport& turn);
 
-  /// Revolutions after which it is time for a look at a torus; the run's most where none is left.
+  /// Revolutions after which it is time for a look; the run's most where none is left.
   long next_look() const { return look_; }
   /// Sets the next look, or where it sees a torus the begin of the window that is to show it.
   void look(spectrum::SpectrumWorkspace& workspace);
@@ -63,8 +55,8 @@ class TorusWatch {
   Eigen::Matrix<double, 2, Eigen::Dynamic> observed_;
   Followed motion_;
   Eigen::MatrixXd direction_;  ///< states x 1, unit length
-  long begin_ = 0, look_ = 0, record_begin_ = 0;
-  bool chaotic_ = false;  ///< for all that is known
+  long look_ = 0, record_begin_ = 0;
+  bool chaotic_ = false;  ///< at its last look
   std::optional<motion::Exponent> torus_;
 };
 
