@@ -56,9 +56,6 @@ class TubeBuilder {
   using GuardValue = typename ExactMotion<N>::GuardValue;
   static constexpr int most_steps = 100'000;
   static constexpr double shortest_step = 1e-12;  ///< of a turn
-  /// Steps times the fastest rate. Longer ones make the tube seem wider than it is, which costs nothing in
-  /// flight, most of it far from the wall; slips, which no step is chosen by, need short ones.
-  static constexpr double in_flight = 4, in_contact = 1;
   static constexpr std::size_t none = TubeSwitch<N>::none;
 
   ExactMotion<N>& motion() { return reference_.motion(); }
@@ -82,8 +79,7 @@ class TubeBuilder {
   /// first. Empty where a guard stands at zero.
   std::optional<Choice> choose(const std::vector<GuardValue>& guards) const {
     const LinearMode<N>& mode = motion().mode();
-    const double longest_s = (mode.touches.empty() ? in_flight : in_contact) / mode.fastest_rad_per_s;
-    Choice choice{std::min({mode.longest_step_s, longest_s, tube_.period_s - time_s_})};
+    Choice choice{std::min({mode.longest_step_s, 1 / mode.fastest_rad_per_s, tube_.period_s - time_s_})};
     for (std::size_t e = 0; e < guards.size(); ++e) {
       const GuardValue& guard = guards[e];
       if (e == behind_) {
