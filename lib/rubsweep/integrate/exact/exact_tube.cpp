@@ -17,12 +17,11 @@ namespace rubsweep::integrate::exact {
 namespace {
 
 /// Of matrix . y for a unit y; infinite where the matrix is not finite.
-template <class Matrix>
-double largest_length(const Matrix& matrix) {
+double largest_length(const Eigen::MatrixXd& matrix) {
   if (matrix.size() == 0) return 0;
-  const typename Matrix::PlainObject square = matrix.transpose() * matrix;
+  const Eigen::MatrixXd square = matrix.transpose() * matrix;
   if (!square.allFinite()) return std::numeric_limits<double>::infinity();
-  const Eigen::SelfAdjointEigenSolver<typename Matrix::PlainObject> solver(square, Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(square, Eigen::EigenvaluesOnly);
   return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 
