@@ -3,6 +3,7 @@
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "rubsweep/numerics/long_matrix.hpp"
 #include "rubsweep/numerics/step_table.hpp"
 
 namespace rubsweep::numerics {
@@ -20,8 +21,6 @@ MatrixXd generator_of(const MatrixXd& stiffness, const MatrixXd& damping) {
 }
 
 namespace {
-
-using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// In units of time that make displacements and velocities alike: of the same norm as the eigenvalues, the
 /// exponent takes fewer squarings.

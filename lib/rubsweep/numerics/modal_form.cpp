@@ -8,18 +8,19 @@
 namespace rubsweep::numerics {
 namespace {
 
-using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
-
 constexpr double largest_condition = 1e4;
 
+/// What is asked of the basis is made of the rounded numbers, whose pairs are those of the generator.
 ModalForm diagonal_form(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping) {
   const Eigen::Index n = stiffness.rows();
   ModalForm form{Eigen::MatrixXd::Identity(2 * n, 2 * n), Eigen::MatrixXd::Identity(2 * n, 2 * n), {}, 0};
+  form.unrounded_basis = form.unrounded_inverse = LongMatrix::Identity(2 * n, 2 * n);
   for (Eigen::Index j = 0; j < n; ++j) {
     const double root = std::sqrt(stiffness(j, j));
     form.basis(n + j, n + j) = root;
     form.inverse(n + j, n + j) = 1 / root;
+    form.unrounded_basis(n + j, n + j) = root;
+    form.unrounded_inverse(n + j, n + j) = 1 / static_cast<long double>(root);
     form.pairs.push_back({0, root, -root, -damping(j, j)});
     form.growth = std::max(form.growth, -damping(j, j));
   }
@@ -40,16 +41,21 @@ void set_pair(ModalForm& form, LongMatrix& basis, Eigen::Index j, const LongVect
 }  // namespace
 
 std::optional<ModalForm> modal_form(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping) {
+  return modal_form(LongMatrix(stiffness.cast<long double>()), LongMatrix(damping.cast<long double>()));
+}
+
+std::optional<ModalForm> modal_form(const LongMatrix& stiffness, const LongMatrix& damping) {
   const Eigen::Index n = stiffness.rows();
   const bool positive = stiffness.diagonal().minCoeff() > 0;
-  if (stiffness.isDiagonal(0) && damping.isDiagonal(0) && positive) return diagonal_form(stiffness, damping);
+  if (stiffness.isDiagonal(0) && damping.isDiagonal(0) && positive)
+    return diagonal_form(stiffness.cast<double>(), damping.cast<double>());
 
   // In units of the fastest frequency, so that displacements and velocities are alike.
-  const long double unit = std::sqrt(static_cast<long double>(stiffness.cwiseAbs().maxCoeff()));
+  const long double unit = std::sqrt(stiffness.cwiseAbs().maxCoeff());
   LongMatrix a = LongMatrix::Zero(2 * n, 2 * n);
   a.topRightCorner(n, n).setIdentity();
-  a.bottomLeftCorner(n, n) = -stiffness.cast<long double>() / (unit * unit);
-  a.bottomRightCorner(n, n) = -damping.cast<long double>() / unit;
+  a.bottomLeftCorner(n, n) = -stiffness / (unit * unit);
+  a.bottomRightCorner(n, n) = -damping / unit;
   const Eigen::EigenSolver<LongMatrix> solver(a);
   if (solver.info() != Eigen::Success) return std::nullopt;
 
@@ -77,8 +83,10 @@ std::optional<ModalForm> modal_form(const Eigen::MatrixXd& stiffness, const Eige
   if (!inverse.allFinite() || condition.rowwise().sum().maxCoeff() > largest_condition) return std::nullopt;
   LongVector to_si = LongVector::Ones(2 * n);
   to_si.tail(n).setConstant(unit);
-  form.basis = (to_si.asDiagonal() * basis).cast<double>();
-  form.inverse = (inverse * to_si.cwiseInverse().asDiagonal()).cast<double>();
+  form.unrounded_basis = to_si.asDiagonal() * basis;
+  form.unrounded_inverse = inverse * to_si.cwiseInverse().asDiagonal();
+  form.basis = form.unrounded_basis.cast<double>();
+  form.inverse = form.unrounded_inverse.cast<double>();
   return form;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/numerics/long_matrix.hpp"
 #include "rubsweep/numerics/pair_flow.hpp"
 
 namespace rubsweep::numerics {
@@ -15,6 +16,7 @@ struct ModalForm {
   std::vector<Pair> pairs;         ///< n generators
   /// Largest growth rate. The length of a pair (z_j, z_{n+j}) grows by at most e^{growth t}.
   double growth = 0;
+  LongMatrix unrounded_basis{}, unrounded_inverse{};  ///< those above before they were rounded
 };
 
 /// Modal form of u'' = -stiffness u - damping u' with w = (u, u'). Diagonal matrices with positive stiffness
@@ -22,6 +24,7 @@ struct ModalForm {
 /// negative damping, critical damping included. Otherwise the eigenvectors, computed in long double; empty
 /// where they are so close to dependent (componentwise condition above 1e4) that the change of basis would
 /// cost digits.
+std::optional<ModalForm> modal_form(const LongMatrix& stiffness, const LongMatrix& damping);
 std::optional<ModalForm> modal_form(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping);
 
 /// Rate of row . z, again as a row on z.

@@ -6,8 +6,11 @@ namespace rubsweep::numerics {
 
 std::size_t ModalFormCache::Kept::bytes() const {
   auto numbers = static_cast<std::size_t>(stiffness.size() + damping.size());
-  if (form) numbers += static_cast<std::size_t>(form->basis.size() + form->inverse.size());
-  return numbers * sizeof(double) + sizeof(Kept);
+  if (!form) return numbers * sizeof(double) + sizeof(Kept);
+  numbers += static_cast<std::size_t>(form->basis.size() + form->inverse.size());
+  const auto unrounded =
+      static_cast<std::size_t>(form->unrounded_basis.size() + form->unrounded_inverse.size());
+  return numbers * sizeof(double) + unrounded * sizeof(long double) + sizeof(Kept);
 }
 
 const std::optional<ModalForm>& ModalFormCache::form_of(const Eigen::MatrixXd& stiffness,

@@ -10,6 +10,13 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
+/// Of one turn.
+std::optional<TurnTube> tube_of(const scene::Scene& scene, ModeCache& modes, std::vector<double>& section,
+                                const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& end_norm) {
+  auto tubes = turn_tubes(scene, modes, section, {disturbances}, {end_norm});
+  return tubes ? std::optional(std::move(tubes->front())) : std::nullopt;
+}
+
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -21,7 +28,7 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
   RubbingTurn turn;
   const MatrixXd identity = MatrixXd::Identity(8, 8);
   std::vector<double> section = turn.start;
-  const auto tube = turn_tube(turn.scene, turn.modes, section, identity, identity);
+  const auto tube = tube_of(turn.scene, turn.modes, section, identity, identity);
   ASSERT_TRUE(tube);
   EXPECT_NEAR((vector_of(section) - vector_of(turn.end)).cwiseAbs().maxCoeff(), 0, 1e-12);
   double radius = 0.1;
@@ -53,7 +60,7 @@ TEST(ExactTube, AFlightHasNoDeviation) {
   ModeCache modes;
   std::vector<double> section(8, 0.0);
   const MatrixXd identity = MatrixXd::Identity(8, 8);
-  const auto tube = turn_tube(scene, modes, section, identity, identity);
+  const auto tube = tube_of(scene, modes, section, identity, identity);
   ASSERT_TRUE(tube);
   EXPECT_TRUE(tube->holds({1e-2}));
   EXPECT_EQ(tube->deviation({1e-2}).fast, 0);
@@ -65,7 +72,7 @@ TEST(ExactTube, ContractionIsThatOfTheLinearMap) {
   RubbingTurn turn;
   std::vector<double> section = turn.start;
   const MatrixXd identity = MatrixXd::Identity(8, 8);
-  const auto tube = turn_tube(turn.scene, turn.modes, section, identity, identity);
+  const auto tube = tube_of(turn.scene, turn.modes, section, identity, identity);
   ASSERT_TRUE(tube);
   EXPECT_NEAR(tube->to_fast.fast, Eigen::JacobiSVD<MatrixXd>(turn.transition).singularValues()(0),
               1e-9 * tube->to_fast.fast);
@@ -78,7 +85,7 @@ TEST(ExactTube, NoneWhereFrictionNeverSaturates) {
   turn.scene.contacts.front().friction = model::StribeckFriction{{0, 0, 0, 0, 0, 1e-9}};
   ModeCache modes;
   const MatrixXd identity = MatrixXd::Identity(8, 8);
-  EXPECT_FALSE(turn_tube(turn.scene, modes, section, identity, identity));
+  EXPECT_FALSE(tube_of(turn.scene, modes, section, identity, identity));
 }
 
 /// The motion does not depend on how fast the surface slides as long as friction is saturated; the tube does.
@@ -89,7 +96,7 @@ TEST(ExactTube, SlipsMustStaySaturated) {
     turn.scene.contacts.front().surface_speed_m_per_s = surface_speed_m_per_s;
     ModeCache modes;
     std::vector<double> section = turn.start;
-    const auto tube = turn_tube(turn.scene, modes, section, identity, identity);
+    const auto tube = tube_of(turn.scene, modes, section, identity, identity);
     double radius = tube ? 0.1 : 0;
     while (radius > 1e-12 && !tube->holds({radius})) radius /= 2;
     return radius;

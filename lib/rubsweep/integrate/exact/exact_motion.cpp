@@ -60,6 +60,46 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
 }
 
 template <int N>
+bool ExactMotion<N>::change(std::size_t joint) {
+  if constexpr (N != Eigen::Dynamic) {
+    const LinearMode<N>* next = machine_->mode(joint);
+    if (next == nullptr) return false;
+    if (cells_.size() <= next->index) {
+      cells_.resize(next->index + 1);
+      cell_ = &cells_[mode_->index];
+    }
+    if (acting_.empty() && prepare(*next, cells_[next->index])) {
+      const Passage& way = passage(*next);
+      tangents_.change(*mode_, way.change->by);
+      State z;
+      numerics::put_product(way.change->by, now_.free, z);
+      now_.free = z + way.change->constant + now_.phasor.real() * way.unbalance.real +
+                  now_.phasor.imag() * way.unbalance.imaginary;
+      mode_ = next;
+      cell_ = &cells_[next->index];
+      joint_ = joint;
+      ++visits_;
+      return true;
+    }
+  }
+  return enter(joint, physical());
+}
+
+template <int N>
+const typename ExactMotion<N>::Passage& ExactMotion<N>::passage(const LinearMode<N>& to) {
+  const std::size_t from = mode_->index;
+  if (passages_.size() <= from) passages_.resize(from + 1);
+  if (passages_[from].size() <= to.index) passages_[from].resize(to.index + 1);
+  Passage& way = passages_[from][to.index];
+  if constexpr (N != Eigen::Dynamic) {
+    if (way.change == nullptr)
+      way = {&machine_->change(*mode_, to),
+             make_harmonic_change(to, cells_[from].shaft.response, cells_[to.index].shaft.response)};
+  }
+  return way;
+}
+
+template <int N>
 bool ExactMotion<N>::prepare(const LinearMode<N>& mode, ModeCell& cell) const {
   const auto make = [&](ModeResponse& response, const Drive& drive) {
     if (!response.made)

@@ -9,6 +9,7 @@
 
 #include "rubsweep/integrate/exact/harmonic_response.hpp"
 #include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/integrate/exact/mode_change.hpp"
 #include "rubsweep/integrate/exact/mode_flow.hpp"
 #include "rubsweep/integrate/exact/tangent_vectors.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
@@ -36,6 +37,8 @@ class ExactMotion {
   /// Puts a state (u, u') into a joint mode. False where the mode has no closed form here: no equilibrium, or
   /// a harmonic force at an undamped resonance.
   bool enter(std::size_t joint, const State& physical);
+  /// Goes over into another joint mode where it stands. False as of `enter`.
+  bool change(std::size_t joint);
   /// Times that a mode was entered.
   long visits() const { return visits_; }
 
@@ -195,6 +198,12 @@ class ExactMotion {
     HarmonicResponse<N> response;
   };
 
+  /// Between two modes.
+  struct Passage {
+    const ModeChange<N>* change = nullptr;  ///< null: not yet made
+    HarmonicChange<N> unbalance;
+  };
+
   struct ModeCell {
     ModeResponse shaft;
     std::vector<ModeResponse> pulses{};  ///< each made where it meets the mode
@@ -209,6 +218,8 @@ class ExactMotion {
   }
   Drive drive_of(const Eigen::VectorXcd& acceleration, double rate_rad_per_s) const;
   bool prepare(const LinearMode<N>& mode, ModeCell& cell) const;
+  /// To a mode whose cell is prepared.
+  const Passage& passage(const LinearMode<N>& to);
   /// Visits the response of `cell` to every force that acts, and its phasor.
   template <class Visit>
   static void for_each_response(const ModeCell& cell, const std::vector<std::size_t>& acting,
@@ -228,6 +239,7 @@ class ExactMotion {
   std::vector<Drive> pulses_;
   std::vector<std::size_t> acting_;  ///< the pulses that do, ascending
   std::vector<ModeCell> cells_;
+  std::vector<std::vector<Passage>> passages_;  ///< by the indices of both modes
   const LinearMode<N>* mode_ = nullptr;
   ModeCell* cell_ = nullptr;
   std::size_t joint_ = 0;

@@ -271,7 +271,7 @@ bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
   const State here = motion_.physical();
   const std::size_t joint = joint_mode_behind(motion_, slip_, e, here);
   note_switches(report, motion_.joint(), joint);
-  return motion_.enter(joint, here) && begin_motion(here);
+  return motion_.change(joint) && begin_motion(here);
 }
 
 template <int N>

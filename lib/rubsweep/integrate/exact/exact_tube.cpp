@@ -32,12 +32,13 @@ class TubeBuilder {
   using State = typename ExactMotion<N>::State;
 
   TubeBuilder(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
-      : reference_(scene, std::move(modes)) {
-    tube_.period_s = scene.period_s();
-  }
+      : reference_(scene, std::move(modes)), period_s_(scene.period_s()) {}
 
   std::optional<TurnTube> build(std::vector<double>& section, const Eigen::MatrixXd& disturbances,
                                 const Eigen::MatrixXd& end_norm, Eigen::Index slow) {
+    tube_ = {.period_s = period_s_, .margins = {}, .switches = {}, .kicks = {}, .to_fast = {}, .to_slow = {}};
+    time_s_ = 0;
+    behind_ = none;
     if (!reference_.start(section, disturbances, static_cast<std::size_t>(slow))) return std::nullopt;
     tube_.margins = reference_.clamped_margins();
     if (!std::ranges::all_of(tube_.margins, [](const TurnTube::Margin& m) { return m.margin > 0; }))
@@ -194,6 +195,7 @@ class TubeBuilder {
   }
 
   TubeReference<N> reference_;
+  double period_s_ = 0;
   std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
   double time_s_ = 0;
   std::vector<GuardValue> guards_;  ///< of the present mode, at the start of a step
@@ -203,16 +205,26 @@ class TubeBuilder {
 
 }  // namespace
 
-std::optional<TurnTube> turn_tube(const scene::Scene& scene, ModeCache& modes, std::vector<double>& section,
-                                  const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& end_norm,
-                                  Eigen::Index slow) {
+std::optional<std::vector<TurnTube>> turn_tubes(const scene::Scene& scene, ModeCache& modes,
+                                                std::vector<double>& section,
+                                                const std::vector<Eigen::MatrixXd>& disturbances,
+                                                const std::vector<Eigen::MatrixXd>& norms,
+                                                Eigen::Index slow) {
   const bool saturates = std::ranges::all_of(scene.contacts, [](const scene::Contact& contact) {
     return contact::saturated_friction(contact.friction).has_value();
   });
   if (!saturates || !exact_applies(scene) || !scene.impulses.empty()) return std::nullopt;
-  return run::with_coordinates(scene.structure.coordinates(), [&](auto n) {
-    return TubeBuilder<n()>(scene, modes.modes_of<n()>(scene)).build(section, disturbances, end_norm, slow);
-  });
+  return run::with_coordinates(
+      scene.structure.coordinates(), [&](auto n) -> std::optional<std::vector<TurnTube>> {
+        TubeBuilder<n()> builder(scene, modes.modes_of<n()>(scene));
+        std::vector<TurnTube> tubes;
+        for (std::size_t i = 0; i < disturbances.size(); ++i) {
+          auto tube = builder.build(section, disturbances[i], norms[(i + 1) % norms.size()], slow);
+          if (!tube) return std::nullopt;
+          tubes.push_back(std::move(*tube));
+        }
+        return tubes;
+      });
 }
 
 }  // namespace rubsweep::integrate::exact

@@ -10,14 +10,17 @@
 
 namespace rubsweep::integrate::exact {
 
-/// The tube of the turn that starts at `section` (as TurnReport::section) of a scene without pulse and
-/// impulses. `disturbances` is W, 2n x 2n, in the units of a section; `end_norm` 2n x 2n on a section. The
-/// last `slow` columns of the one and rows of the other are the slow part. Replaces `section` by the one at
-/// the end. Empty where the scene has annular stops or friction that never saturates, where the turn has no
+/// The tubes of the turns of an orbit, the first of which starts at `section` (as TurnReport::section), of a
+/// scene without pulse and impulses. `disturbances[i]` is W of turn i, 2n x 2n, in the units of a section,
+/// and `norms[i]` 2n x 2n on its first section: at its end counts the next one, behind the last the first.
+/// The last `slow` columns of the one and rows of the other are the slow part. Replaces `section` by the one
+/// at the end. Empty where the scene has annular stops or friction that never saturates, where a turn has no
 /// closed form, where two changes of mode happen at one instant, or where a guard is at zero without crossing
 /// it.
-std::optional<TurnTube> turn_tube(const scene::Scene& scene, ModeCache& modes, std::vector<double>& section,
-                                  const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& end_norm,
-                                  Eigen::Index slow = 0);
+std::optional<std::vector<TurnTube>> turn_tubes(const scene::Scene& scene, ModeCache& modes,
+                                                std::vector<double>& section,
+                                                const std::vector<Eigen::MatrixXd>& disturbances,
+                                                const std::vector<Eigen::MatrixXd>& norms,
+                                                Eigen::Index slow = 0);
 
 }  // namespace rubsweep::integrate::exact

@@ -39,20 +39,36 @@ numerics::SeriesTable<2> taylor_of(Complex amplitude, double rate) {
   return terms;
 }
 
+/// (stiffness - rate^2 + i rate damping)^-1 force.
+template <int N, class Number, class Matrix>
+Eigen::Matrix<std::complex<Number>, N, 1> amplitude_of(const Matrix& stiffness, const Matrix& damping,
+                                                       Number rate, const Eigen::VectorXcd& force) {
+  using Cast = std::complex<Number>;
+  Eigen::Matrix<Cast, N, N> dynamic = stiffness.template cast<Cast>();
+  dynamic.diagonal().array() -= rate * rate;
+  dynamic += Cast(0, rate) * damping.template cast<Cast>();
+  const Eigen::Matrix<Cast, N, 1> side = force.template cast<Cast>();
+  return dynamic.partialPivLu().solve(side);
+}
+
 }  // namespace
 
 template <int N>
 bool make_harmonic_response(const LinearMode<N>& mode, const Eigen::VectorXcd& force, double rate,
                             HarmonicResponse<N>& response) {
-  using ComplexVector = Eigen::Matrix<Complex, N, 1>;
   const Eigen::Index n = force.size();
   response.rate = rate;
-  response.amplitude = ComplexVector::Zero(n);
+  response.amplitude.setZero(n);
+  if constexpr (N != Eigen::Dynamic) response.unrounded_amplitude.setZero(n);
   if (!force.isZero(0)) {
-    Eigen::Matrix<Complex, N, N> dynamic = mode.stiffness.template cast<Complex>();
-    dynamic.diagonal().array() -= rate * rate;
-    dynamic += Complex(0, rate) * mode.damping.template cast<Complex>();
-    response.amplitude = dynamic.partialPivLu().solve(ComplexVector(force));
+    if constexpr (N == Eigen::Dynamic) {
+      response.amplitude = amplitude_of<N>(mode.stiffness, mode.damping, rate, force);
+    } else {
+      const auto& [stiffness, damping, rest, basis, inverse] = mode.unrounded;
+      response.unrounded_amplitude =
+          amplitude_of<N>(stiffness, damping, static_cast<long double>(rate), force);
+      response.amplitude = response.unrounded_amplitude.template cast<Complex>();
+    }
     if (!response.amplitude.allFinite() || response.amplitude.cwiseAbs().maxCoeff() > largest_amplitude)
       return false;
   }

@@ -31,6 +31,7 @@ struct HarmonicResponse {
 
   double rate = 0;  ///< rad/s
   Eigen::Matrix<Complex, N, 1> amplitude;
+  Eigen::Matrix<std::complex<long double>, N, 1> unrounded_amplitude;  ///< only where the compiler knows N
   std::vector<Complex> at_guard;
   std::vector<double> curvature;  ///< per guard: |at_guard| rate^2
   /// Per guard: Taylor coefficients as of Guard, of the real and of the imaginary part of the phasor.

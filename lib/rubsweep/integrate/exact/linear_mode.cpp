@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "rubsweep/integrate/exact/mode_flow.hpp"
@@ -38,6 +39,12 @@ Row over_state(const Row& by_u, const Row& by_v) {
 /// Builds the linear mode of one joint contact mode.
 template <int N>
 class ModeBuilder {
+  /// Large structures would take longer than what it gains for them.
+  static constexpr bool unrounded = N != Eigen::Dynamic;
+  using Number = std::conditional_t<unrounded, long double, double>;
+  using LongOrDouble = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+  using Column = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+
  public:
   ModeBuilder(const CommonToModes& common, const std::vector<Mode>& modes, const std::vector<bool>& backward)
       : common_(common),
@@ -75,28 +82,49 @@ class ModeBuilder {
   double way(std::size_t i) const { return backward_[i] ? -1 : 1; }
 
   void assemble() {
-    mode_->stiffness = system_.stiffness;
-    mode_->damping = system_.damping;
-    constant_ = system_.constant;
+    LongOrDouble stiffness = system_.stiffness.template cast<Number>(),
+                 damping = system_.damping.template cast<Number>();
+    constant_ = system_.constant.template cast<Number>();
     for (std::size_t i = 0; i < mode_->modes.size(); ++i) {
       const auto& c = system_.contacts[i];
       const Mode mode = mode_->modes[i];
       if (mode == Mode::open) continue;
       const contact::LinearLaw law = contact::law_of(mode);
-      const double coefficient = law.friction * way(i) * common_.friction[i].coefficient;
-      const Eigen::VectorXd push = c.stiffness * (law.spring * c.first_push + coefficient * c.second_push);
-      mode_->stiffness -= push * c.first_row;
-      mode_->damping -= law.damper * c.damping * c.first_push * c.first_row;
-      constant_ -= push * c.clearance;
+      const Number coefficient = law.friction * way(i) * common_.friction[i].coefficient;
+      const Column first_push = c.first_push.template cast<Number>(),
+                   second_push = c.second_push.template cast<Number>();
+      const Column push = Number{c.stiffness} * (Number{law.spring} * first_push + coefficient * second_push);
+      const auto first_row = c.first_row.template cast<Number>();
+      stiffness -= push * first_row;
+      damping -= Number{law.damper * c.damping} * first_push * first_row;
+      constant_ -= push * Number{c.clearance};
     }
+    mode_->stiffness = stiffness.template cast<double>();
+    mode_->damping = damping.template cast<double>();
     mode_->generator = numerics::generator_of(mode_->stiffness, mode_->damping);
+    if constexpr (unrounded) {
+      mode_->unrounded.stiffness = stiffness;
+      mode_->unrounded.damping = damping;
+    }
   }
 
   bool find_rest() {
     const Eigen::FullPivLU<Matrix> lu(mode_->stiffness);
     if (!lu.isInvertible() || lu.rcond() < 1e-14) return false;
-    mode_->rest = lu.solve(constant_);
+    if constexpr (unrounded) {
+      mode_->unrounded.rest = mode_->unrounded.stiffness.fullPivLu().solve(constant_);
+      mode_->rest = mode_->unrounded.rest.template cast<double>();
+    } else {
+      mode_->rest = lu.solve(constant_);
+    }
     return true;
+  }
+
+  std::optional<numerics::ModalForm> modal_form_in_contact() const {
+    if constexpr (unrounded)
+      return numerics::modal_form(mode_->unrounded.stiffness, mode_->unrounded.damping);
+    else
+      return numerics::modal_form(mode_->stiffness, mode_->damping);
   }
 
   void set_steps() {
@@ -112,7 +140,7 @@ class ModeBuilder {
     mode_->longest_step_s = 1 / slowest(mode_->stiffness);
     if (!open()) mode_->longest_step_s = std::min(mode_->longest_step_s, 16 / mode_->fastest_rad_per_s);
     mode_->longest_steps_per_s = 1 / mode_->longest_step_s;
-    form_ = open() ? common_.open_form : numerics::modal_form(mode_->stiffness, mode_->damping);
+    form_ = open() ? common_.open_form : modal_form_in_contact();
     mode_->paired = form_.has_value();
     if (mode_->paired) {
       set_pairs();
@@ -121,6 +149,10 @@ class ModeBuilder {
       inverse_ = basis_;
       mode_->steps = {mode_->generator, mode_->longest_step_s};
       flow_bound_.emplace(mode_->generator, mode_->longest_step_s, mode_->fastest_rad_per_s);
+    }
+    if constexpr (unrounded) {
+      mode_->unrounded.basis = form_ ? form_->unrounded_basis : basis_.template cast<long double>();
+      mode_->unrounded.inverse = form_ ? form_->unrounded_inverse : inverse_.template cast<long double>();
     }
     mode_->diagonal_basis = basis_.isDiagonal(0) && inverse_.isDiagonal(0);
     mode_->basis = typename ExactTypes<N>::Factor(basis_);
@@ -288,7 +320,7 @@ class ModeBuilder {
   const run::ScaledSystem<Eigen::Dynamic>& system_;
   const std::vector<bool>& backward_;
   std::unique_ptr<LinearMode<N>> mode_;
-  Eigen::VectorXd constant_;
+  Column constant_;
   std::optional<numerics::ModalForm> form_;
   std::optional<numerics::FlowBound> flow_bound_;  ///< where there is none
   Eigen::ArrayXd determinant_;                     ///< of the pairs

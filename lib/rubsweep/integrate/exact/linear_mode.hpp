@@ -14,6 +14,7 @@
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/numerics/aligned_matrix.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"
+#include "rubsweep/numerics/long_matrix.hpp"
 #include "rubsweep/numerics/matrix_vector.hpp"
 #include "rubsweep/numerics/modal_form.hpp"
 
@@ -101,6 +102,13 @@ struct CasingView {
   typename ExactTypes<N>::template RowsOfState<4> of_free;  ///< (x, y, x', y') of z
 };
 
+/// What a mode is made from, before it is rounded.
+struct UnroundedMode {
+  numerics::LongMatrix stiffness, damping;
+  numerics::LongVector rest;
+  numerics::LongMatrix basis, inverse;
+};
+
 /// Everything that the exact solver knows beforehand about one joint contact mode, inside which the law is
 /// linear: (u, u') = particular solution + basis z with the free vibration z. Where the mode has a modal form
 /// (`paired`), z consists of pairs (z_j, z_{n+j}) that do not influence each other, and bounds go by the
@@ -130,7 +138,8 @@ struct LinearMode {
   std::vector<AnnularGuard<N>> annular_guards;
   std::vector<TouchWatch<N>> touches;
   std::vector<CasingView<N>> casings;
-  bool pushes = false;  ///< one of the touches does
+  bool pushes = false;      ///< one of the touches does
+  UnroundedMode unrounded;  ///< only where the compiler knows N
 
   using State = typename Types::State;
   /// The state (u, u') but for its particular solution, from z; and the way back.

@@ -70,10 +70,12 @@ std::size_t MachineModes<N>::bytes() const {
   const auto count = [&](const std::unique_ptr<LinearMode<N>>& mode) {
     if (!mode) return;
     const std::size_t matrices = 3 + mode->steps.size(), columns = 4 * mode->pair_steps.size();
+    numbers += static_cast<std::size_t>(5 * mode->unrounded.basis.size());
     numbers += states * (states * matrices + columns + numerics::series_rows * mode->guards.size());
   };
   for (const auto& mode : modes_) count(mode);
   for (const auto& [joint, mode] : backward_modes_) count(mode);
+  numbers += changes_.size() * states * (states + 1);
   return numbers * sizeof(double);
 }
 
@@ -104,6 +106,14 @@ std::unique_ptr<LinearMode<N>> MachineModes<N>::make(std::size_t joint) {
   auto mode = make_linear_mode<N>(common_, modes, backward);
   if (mode) mode->index = count_++;
   return mode;
+}
+
+template <int N>
+const ModeChange<N>& MachineModes<N>::change(const LinearMode<N>& from,
+                                             const LinearMode<N>& to) requires(N != Eigen::Dynamic) {
+  const auto [place, added] = changes_.try_emplace({from.index, to.index});
+  if (added) place->second = make_mode_change(from, to);
+  return place->second;
 }
 
 std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts) {

@@ -2,11 +2,14 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/integrate/exact/linear_mode.hpp"
+#include "rubsweep/integrate/exact/mode_change.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -29,6 +32,10 @@ class MachineModes {
   /// are kept as there is room for.
   const LinearMode<N>* mode(std::size_t joint);
 
+  /// The change between two of its modes.
+  const ModeChange<N>& change(const LinearMode<N>& from,
+                              const LinearMode<N>& to) requires(N != Eigen::Dynamic);
+
   /// Scaled with time in seconds.
   const run::ScaledSystem<Eigen::Dynamic>& system() const { return common_.system; }
   const Eigen::MatrixXd& inverse_mass() const { return inverse_mass_; }
@@ -46,6 +53,7 @@ class MachineModes {
   std::vector<bool> made_;
   std::unordered_map<std::size_t, std::unique_ptr<LinearMode<N>>> backward_modes_;
   std::size_t count_ = 0;
+  std::map<std::pair<std::size_t, std::size_t>, ModeChange<N>> changes_;  ///< by the indices of both modes
 };
 
 /// What the flows of all modes of a machine take at most: none of them has a modal form.

@@ -50,6 +50,12 @@ void TangentVectors<N>::change(const LinearMode<N>& from, const LinearMode<N>& t
 }
 
 template <int N>
+void TangentVectors<N>::change(const LinearMode<N>& from, const typename ExactTypes<N>::Factor& by) {
+  catch_up(from);
+  std::visit([&](auto& list) { list.move(by); }, vectors_);
+}
+
+template <int N>
 void TangentVectors<N>::add(const LinearMode<N>& mode, const State& physical) {
   catch_up(mode);
   std::visit(

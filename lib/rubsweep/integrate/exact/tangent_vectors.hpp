@@ -26,6 +26,8 @@ class TangentVectors {
   /// The run leaves mode `from` for `to`. The force is continuous there, so that tangent vectors go on
   /// without a jump (the saltation matrix is the identity); only their coordinates change.
   void change(const LinearMode<N>& from, const LinearMode<N>& to);
+  /// The same by the change between both modes.
+  void change(const LinearMode<N>& from, const typename ExactTypes<N>::Factor& by);
   /// One more from here on, (u, u') with time in seconds.
   void add(const LinearMode<N>& mode, const typename ExactTypes<N>::State& physical);
   /// Where they are now in the coordinates of `mode`, the present one.

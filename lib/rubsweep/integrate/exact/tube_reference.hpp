@@ -32,6 +32,7 @@ class TubeReference {
     State physical =
         Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
     scale_.to_seconds(physical);
+    motion_.carry_no_tangents();
     motion_.set_phases(0);
     if (!motion_.enter(0, physical)) return false;
     const std::size_t modes =

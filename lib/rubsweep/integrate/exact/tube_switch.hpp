@@ -48,8 +48,7 @@ class TubeSwitch {
     const std::size_t count = motion_.machine().system().contacts.size();
     const std::size_t modes = modes_of_joint_mode(motion_.joint(), count) - in_joint_mode(from.modes[i], i) +
                               in_joint_mode(guard.next, i);
-    if (!motion_.enter(reference_.slip().with_ways(motion_.machine(), modes, here), here))
-      return std::nullopt;
+    if (!motion_.change(reference_.slip().with_ways(motion_.machine(), modes, here))) return std::nullopt;
     const LinearMode<N>& to = motion_.mode();
     for (std::size_t k = 0; k < to.guards.size(); ++k) {
       if (to.guards[k].contact == i && to.guards[k].physical == -guard.physical) behind_ = k;

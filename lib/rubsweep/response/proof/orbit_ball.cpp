@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "rubsweep/integrate/exact/exact_tube.hpp"
 
@@ -28,18 +29,9 @@ VectorXd vector_of(const std::vector<double>& x) {
 /// The tubes of an orbit's turns, in norms of one part or two.
 class OrbitTubes {
  public:
-  /// Adds that of the turn that starts at `section` and replaces it by where the turn ends; false where there
-  /// is none.
-  bool add(const scene::Scene& scene, integrate::exact::ModeCache& modes, std::vector<double>& section,
-           const MatrixXd& unit, const MatrixXd& end_norm, Eigen::Index slow) {
-    auto tube = integrate::exact::turn_tube(scene, modes, section, unit, end_norm, slow);
-    if (!tube) return false;
-    tubes_.push_back(std::move(*tube));
-    return true;
-  }
-
   /// `defect`: how far the orbit's last section misses the first.
-  void close(const Parts& defect) { defect_ = defect; }
+  OrbitTubes(std::vector<integrate::exact::TurnTube> tubes, const Parts& defect)
+      : tubes_(std::move(tubes)), defect_(defect) {}
 
   /// The largest of the radii 0.1 `shape`, 0.05 `shape`, ... that all motions come nearer from. What holds
   /// for radii holds for smaller ones, but for the orbit's own defect, which only a large enough ball
@@ -102,18 +94,15 @@ class OrbitTubes {
 
 std::optional<double> ball_radius(const scene::Scene& scene, integrate::exact::ModeCache& modes,
                                   const std::vector<double>& section, const AdaptedNorms& norms) {
-  std::vector<double> now = section;
-  OrbitTubes tubes;
-  const std::size_t turns = norms.norm.size();
-  for (std::size_t i = 0; i < turns; ++i) {
-    const MatrixXd& norm = norms.norm[i];
-    const MatrixXd unit =
-        norm.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(norm.rows(), norm.cols()));
-    if (!tubes.add(scene, modes, now, unit, norms.norm[(i + 1) % turns], 0)) return std::nullopt;
-  }
-  tubes.close({(norms.norm.front() * (vector_of(now) - vector_of(section))).norm(), 0});
+  std::vector<MatrixXd> unit;
+  for (const MatrixXd& norm : norms.norm)
+    unit.push_back(norm.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(norm.rows(), norm.cols())));
+  std::vector<double> end = section;
+  auto turns = integrate::exact::turn_tubes(scene, modes, end, unit, norms.norm);
+  if (!turns) return std::nullopt;
+  const double defect = (norms.norm.front() * (vector_of(end) - vector_of(section))).norm();
   int halvings = unknown_halvings;
-  const auto radii = tubes.largest({1, 0}, halvings);
+  const auto radii = OrbitTubes(std::move(*turns), {defect, 0}).largest({1, 0}, halvings);
   return radii ? std::optional(radii->fast) : std::nullopt;
 }
 
@@ -128,14 +117,10 @@ double turns_to_enter(const SplitNorms& norms, const Parts& distance, const Part
 std::optional<Parts> split_ball_radii(const scene::Scene& scene, integrate::exact::ModeCache& modes,
                                       const std::vector<double>& section, const SplitNorms& norms,
                                       const Parts& distance) {
-  std::vector<double> now = section;
-  OrbitTubes tubes;
-  const std::size_t turns = norms.norm.size();
-  for (std::size_t i = 0; i < turns; ++i) {
-    if (!tubes.add(scene, modes, now, norms.unit[i], norms.norm[(i + 1) % turns], norms.slow()))
-      return std::nullopt;
-  }
-  tubes.close(parts_of(norms, 0, vector_of(now) - vector_of(section)));
+  std::vector<double> end = section;
+  auto turns = integrate::exact::turn_tubes(scene, modes, end, norms.unit, norms.norm, norms.slow());
+  if (!turns) return std::nullopt;
+  const OrbitTubes tubes(std::move(*turns), parts_of(norms, 0, vector_of(end) - vector_of(section)));
   std::optional<Parts> best;
   // The slow part's radius goes down from one to the next, so that what is enough stays so.
   int halvings = unknown_halvings;

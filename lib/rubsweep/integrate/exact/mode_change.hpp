@@ -1,0 +1,43 @@
+#pragma once
+
+#include "rubsweep/integrate/exact/harmonic_response.hpp"
+#include "rubsweep/integrate/exact/linear_mode.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// How the free vibration goes over from one contact mode into another where the state does not change:
+/// z' = by z + constant, and what harmonic forces add. A contact is as stiff as thousands of shafts, so that
+/// the rounding of a displacement of one clearance is a force that counts; of z a contact sees little but its
+/// own fast pair, which is small. So the way from z to z' does not lead over displacements: what two modes
+/// differ by is taken in long double, and rounded only then.
+template <int N>
+struct ModeChange {
+  typename ExactTypes<N>::Factor by;
+  typename ExactTypes<N>::State constant;
+};
+
+template <int N>
+ModeChange<N> make_mode_change(const LinearMode<N>& from, const LinearMode<N>& to);
+
+/// What a harmonic force adds to z': Re(phasor) real + Im(phasor) imaginary.
+template <int N>
+struct HarmonicChange {
+  typename ExactTypes<N>::State real, imaginary;
+};
+
+/// From the responses of both modes to the force.
+template <int N>
+HarmonicChange<N> make_harmonic_change(const LinearMode<N>& to, const HarmonicResponse<N>& in_from,
+                                       const HarmonicResponse<N>& in_to);
+
+extern template ModeChange<2> make_mode_change<2>(const LinearMode<2>&, const LinearMode<2>&);
+extern template ModeChange<4> make_mode_change<4>(const LinearMode<4>&, const LinearMode<4>&);
+extern template ModeChange<6> make_mode_change<6>(const LinearMode<6>&, const LinearMode<6>&);
+extern template HarmonicChange<2> make_harmonic_change<2>(const LinearMode<2>&, const HarmonicResponse<2>&,
+                                                          const HarmonicResponse<2>&);
+extern template HarmonicChange<4> make_harmonic_change<4>(const LinearMode<4>&, const HarmonicResponse<4>&,
+                                                          const HarmonicResponse<4>&);
+extern template HarmonicChange<6> make_harmonic_change<6>(const LinearMode<6>&, const HarmonicResponse<6>&,
+                                                          const HarmonicResponse<6>&);
+
+}  // namespace rubsweep::integrate::exact
