@@ -86,16 +86,15 @@ bool ExactMotion<N>::change(std::size_t joint) {
 }
 
 template <int N>
-const typename ExactMotion<N>::Passage& ExactMotion<N>::passage(const LinearMode<N>& to) {
+const typename ExactMotion<N>::Passage& ExactMotion<N>::passage(const LinearMode<N>& to) requires(
+    N != Eigen::Dynamic) {
   const std::size_t from = mode_->index;
   if (passages_.size() <= from) passages_.resize(from + 1);
   if (passages_[from].size() <= to.index) passages_[from].resize(to.index + 1);
   Passage& way = passages_[from][to.index];
-  if constexpr (N != Eigen::Dynamic) {
-    if (way.change == nullptr)
-      way = {&machine_->change(*mode_, to),
-             make_harmonic_change(to, cells_[from].shaft.response, cells_[to.index].shaft.response)};
-  }
+  if (way.change == nullptr)
+    way = {&machine_->change(*mode_, to),
+           make_harmonic_change(to, cells_[from].shaft.response, cells_[to.index].shaft.response)};
   return way;
 }
 

@@ -37,7 +37,8 @@ class ExactMotion {
   /// Puts a state (u, u') into a joint mode. False where the mode has no closed form here: no equilibrium, or
   /// a harmonic force at an undamped resonance.
   bool enter(std::size_t joint, const State& physical);
-  /// Goes over into another joint mode where it stands. False as of `enter`.
+  /// Goes over into another joint mode where it stands, without a way over displacements where no pulse acts
+  /// and the compiler knows N (ModeChange). False as of `enter`.
   bool change(std::size_t joint);
   /// Times that a mode was entered.
   long visits() const { return visits_; }
@@ -198,7 +199,7 @@ class ExactMotion {
     HarmonicResponse<N> response;
   };
 
-  /// Between two modes.
+  /// What is kept of the way from one mode to another.
   struct Passage {
     const ModeChange<N>* change = nullptr;  ///< null: not yet made
     HarmonicChange<N> unbalance;
@@ -218,8 +219,8 @@ class ExactMotion {
   }
   Drive drive_of(const Eigen::VectorXcd& acceleration, double rate_rad_per_s) const;
   bool prepare(const LinearMode<N>& mode, ModeCell& cell) const;
-  /// To a mode whose cell is prepared.
-  const Passage& passage(const LinearMode<N>& to);
+  /// From the present mode to one whose cell is prepared.
+  const Passage& passage(const LinearMode<N>& to) requires(N != Eigen::Dynamic);
   /// Visits the response of `cell` to every force that acts, and its phasor.
   template <class Visit>
   static void for_each_response(const ModeCell& cell, const std::vector<std::size_t>& acting,
