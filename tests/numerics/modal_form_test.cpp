@@ -41,6 +41,26 @@ TEST(ModalForm, TurnsTheGeneratorIntoPairs) {
   expect_similar(k, Matrix2d::Zero());
 }
 
+/// What it is rounded from turns a generator whose stiffness a double does not hold into pairs, too.
+TEST(ModalForm, KnowsMoreDigitsOfItsBasis) {
+  LongMatrix k(2, 2), c(2, 2);
+  k << 5e4L, -4e4L, -6e5L, 7e5L + 1e-14L;
+  c << 10, -3, -60, 80;
+  const auto form = modal_form_of_unrounded(k, c);
+  ASSERT_TRUE(form);
+  EXPECT_EQ(form->basis, form->unrounded_basis.cast<double>());
+  const LongMatrix one = form->unrounded_basis * form->unrounded_inverse - LongMatrix::Identity(4, 4);
+  EXPECT_LT(one.topLeftCorner(2, 2).cwiseAbs().maxCoeff(), 1e-17L);
+  // Displacements and velocities of one vibration: its rate times the former is the latter.
+  LongMatrix generator = LongMatrix::Zero(4, 4);
+  generator.topRightCorner(2, 2).setIdentity();
+  generator.bottomLeftCorner(2, 2) = -k;
+  generator.bottomRightCorner(2, 2) = -c;
+  const LongMatrix pairs = form->unrounded_inverse * generator * form->unrounded_basis;
+  for (Eigen::Index j = 0; j < 2; ++j)
+    EXPECT_LT(std::abs(pairs(j, 1 - j)) + std::abs(pairs(j, 3 - j)), 1e-14L * pairs.cwiseAbs().maxCoeff());
+}
+
 TEST(ModalForm, DiagonalMatricesStayThroughCriticalDamping) {
   Matrix2d k = Eigen::Vector2d(4, 9).asDiagonal(), c = Eigen::Vector2d(4, 0).asDiagonal();
   expect_similar(k, c);

@@ -41,10 +41,11 @@ void set_pair(ModalForm& form, LongMatrix& basis, Eigen::Index j, const LongVect
 }  // namespace
 
 std::optional<ModalForm> modal_form(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping) {
-  return modal_form(LongMatrix(stiffness.cast<long double>()), LongMatrix(damping.cast<long double>()));
+  return modal_form_of_unrounded(LongMatrix(stiffness.cast<long double>()),
+                                 LongMatrix(damping.cast<long double>()));
 }
 
-std::optional<ModalForm> modal_form(const LongMatrix& stiffness, const LongMatrix& damping) {
+std::optional<ModalForm> modal_form_of_unrounded(const LongMatrix& stiffness, const LongMatrix& damping) {
   const Eigen::Index n = stiffness.rows();
   const bool positive = stiffness.diagonal().minCoeff() > 0;
   if (stiffness.isDiagonal(0) && damping.isDiagonal(0) && positive)

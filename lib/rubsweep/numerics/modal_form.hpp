@@ -24,8 +24,9 @@ struct ModalForm {
 /// negative damping, critical damping included. Otherwise the eigenvectors, computed in long double; empty
 /// where they are so close to dependent (componentwise condition above 1e4) that the change of basis would
 /// cost digits.
-std::optional<ModalForm> modal_form(const LongMatrix& stiffness, const LongMatrix& damping);
 std::optional<ModalForm> modal_form(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping);
+/// The same of matrices that were not rounded.
+std::optional<ModalForm> modal_form_of_unrounded(const LongMatrix& stiffness, const LongMatrix& damping);
 
 /// Rate of row . z, again as a row on z.
 Eigen::RowVectorXd rate_of_row(const ModalForm& form, const Eigen::RowVectorXd& row);

@@ -122,7 +122,7 @@ class ModeBuilder {
 
   std::optional<numerics::ModalForm> modal_form_in_contact() const {
     if constexpr (unrounded)
-      return numerics::modal_form(mode_->unrounded.stiffness, mode_->unrounded.damping);
+      return numerics::modal_form_of_unrounded(mode_->unrounded.stiffness, mode_->unrounded.damping);
     else
       return numerics::modal_form(mode_->stiffness, mode_->damping);
   }
