@@ -86,8 +86,7 @@ bool ExactMotion<N>::change(std::size_t joint) {
 }
 
 template <int N>
-const typename ExactMotion<N>::Passage& ExactMotion<N>::passage(const LinearMode<N>& to) requires(
-    N != Eigen::Dynamic) {
+const typename ExactMotion<N>::Passage& ExactMotion<N>::passage(const LinearMode<N>& to) {
   const std::size_t from = mode_->index;
   if (passages_.size() <= from) passages_.resize(from + 1);
   if (passages_[from].size() <= to.index) passages_[from].resize(to.index + 1);

@@ -220,7 +220,7 @@ class ExactMotion {
   Drive drive_of(const Eigen::VectorXcd& acceleration, double rate_rad_per_s) const;
   bool prepare(const LinearMode<N>& mode, ModeCell& cell) const;
   /// From the present mode to one whose cell is prepared.
-  const Passage& passage(const LinearMode<N>& to) requires(N != Eigen::Dynamic);
+  const Passage& passage(const LinearMode<N>& to);
   /// Visits the response of `cell` to every force that acts, and its phasor.
   template <class Visit>
   static void for_each_response(const ModeCell& cell, const std::vector<std::size_t>& acting,

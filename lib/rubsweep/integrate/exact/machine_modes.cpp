@@ -109,8 +109,7 @@ std::unique_ptr<LinearMode<N>> MachineModes<N>::make(std::size_t joint) {
 }
 
 template <int N>
-const ModeChange<N>& MachineModes<N>::change(const LinearMode<N>& from,
-                                             const LinearMode<N>& to) requires(N != Eigen::Dynamic) {
+const ModeChange<N>& MachineModes<N>::change(const LinearMode<N>& from, const LinearMode<N>& to) {
   const auto [place, added] = changes_.try_emplace({from.index, to.index});
   if (added) place->second = make_mode_change(from, to);
   return place->second;

@@ -33,8 +33,7 @@ class MachineModes {
   const LinearMode<N>* mode(std::size_t joint);
 
   /// The change between two of its modes.
-  const ModeChange<N>& change(const LinearMode<N>& from,
-                              const LinearMode<N>& to) requires(N != Eigen::Dynamic);
+  const ModeChange<N>& change(const LinearMode<N>& from, const LinearMode<N>& to);
 
   /// Scaled with time in seconds.
   const run::ScaledSystem<Eigen::Dynamic>& system() const { return common_.system; }

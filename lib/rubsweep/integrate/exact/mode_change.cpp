@@ -11,7 +11,7 @@ ModeChange<N> make_mode_change(const LinearMode<N>& from, const LinearMode<N>& t
   LongVector apart = LongVector::Zero(by.rows());
   apart.head(from.unrounded.rest.size()) = from.unrounded.rest - to.unrounded.rest;
   const LongVector constant = to.unrounded.inverse * apart;
-  return {by.cast<double>(), constant.cast<double>()};
+  return {typename ExactTypes<N>::Factor(Eigen::MatrixXd(by.cast<double>())), constant.cast<double>()};
 }
 
 template <int N>
@@ -33,11 +33,16 @@ HarmonicChange<N> make_harmonic_change(const LinearMode<N>& to, const HarmonicRe
 template ModeChange<2> make_mode_change<2>(const LinearMode<2>&, const LinearMode<2>&);
 template ModeChange<4> make_mode_change<4>(const LinearMode<4>&, const LinearMode<4>&);
 template ModeChange<6> make_mode_change<6>(const LinearMode<6>&, const LinearMode<6>&);
+template ModeChange<Eigen::Dynamic> make_mode_change<Eigen::Dynamic>(const LinearMode<Eigen::Dynamic>&,
+                                                                     const LinearMode<Eigen::Dynamic>&);
 template HarmonicChange<2> make_harmonic_change<2>(const LinearMode<2>&, const HarmonicResponse<2>&,
                                                    const HarmonicResponse<2>&);
 template HarmonicChange<4> make_harmonic_change<4>(const LinearMode<4>&, const HarmonicResponse<4>&,
                                                    const HarmonicResponse<4>&);
 template HarmonicChange<6> make_harmonic_change<6>(const LinearMode<6>&, const HarmonicResponse<6>&,
                                                    const HarmonicResponse<6>&);
+template HarmonicChange<Eigen::Dynamic> make_harmonic_change<Eigen::Dynamic>(
+    const LinearMode<Eigen::Dynamic>&, const HarmonicResponse<Eigen::Dynamic>&,
+    const HarmonicResponse<Eigen::Dynamic>&);
 
 }  // namespace rubsweep::integrate::exact

@@ -16,6 +16,7 @@ struct ModeChange {
   typename ExactTypes<N>::State constant;
 };
 
+/// Of modes that have kept what they are made from (LinearMode::unrounded).
 template <int N>
 ModeChange<N> make_mode_change(const LinearMode<N>& from, const LinearMode<N>& to);
 
@@ -33,11 +34,16 @@ HarmonicChange<N> make_harmonic_change(const LinearMode<N>& to, const HarmonicRe
 extern template ModeChange<2> make_mode_change<2>(const LinearMode<2>&, const LinearMode<2>&);
 extern template ModeChange<4> make_mode_change<4>(const LinearMode<4>&, const LinearMode<4>&);
 extern template ModeChange<6> make_mode_change<6>(const LinearMode<6>&, const LinearMode<6>&);
+extern template ModeChange<Eigen::Dynamic> make_mode_change<Eigen::Dynamic>(
+    const LinearMode<Eigen::Dynamic>&, const LinearMode<Eigen::Dynamic>&);
 extern template HarmonicChange<2> make_harmonic_change<2>(const LinearMode<2>&, const HarmonicResponse<2>&,
                                                           const HarmonicResponse<2>&);
 extern template HarmonicChange<4> make_harmonic_change<4>(const LinearMode<4>&, const HarmonicResponse<4>&,
                                                           const HarmonicResponse<4>&);
 extern template HarmonicChange<6> make_harmonic_change<6>(const LinearMode<6>&, const HarmonicResponse<6>&,
                                                           const HarmonicResponse<6>&);
+extern template HarmonicChange<Eigen::Dynamic> make_harmonic_change<Eigen::Dynamic>(
+    const LinearMode<Eigen::Dynamic>&, const HarmonicResponse<Eigen::Dynamic>&,
+    const HarmonicResponse<Eigen::Dynamic>&);
 
 }  // namespace rubsweep::integrate::exact
