@@ -39,16 +39,33 @@ numerics::SeriesTable<2> taylor_of(Complex amplitude, double rate) {
   return terms;
 }
 
-/// (stiffness - rate^2 + i rate damping)^-1 force.
+/// stiffness - rate^2 + i rate damping.
 template <int N, class Number, class Matrix>
-Eigen::Matrix<std::complex<Number>, N, 1> amplitude_of(const Matrix& stiffness, const Matrix& damping,
-                                                       Number rate, const Eigen::VectorXcd& force) {
+Eigen::Matrix<std::complex<Number>, N, N> dynamic_stiffness(const Matrix& stiffness, const Matrix& damping,
+                                                            Number rate) {
   using Cast = std::complex<Number>;
   Eigen::Matrix<Cast, N, N> dynamic = stiffness.template cast<Cast>();
   dynamic.diagonal().array() -= rate * rate;
   dynamic += Cast(0, rate) * damping.template cast<Cast>();
+  return dynamic;
+}
+
+/// What the defect of an amplitude in long double says of it, twice: factors in double precision are enough.
+template <int N, class Factors>
+void refine(const UnroundedMode& mode, const Factors& factors, const Eigen::VectorXcd& force,
+            HarmonicResponse<N>& response) {
+  using Cast = std::complex<long double>;
+  const auto dynamic =
+      dynamic_stiffness<N>(mode.stiffness, mode.damping, static_cast<long double>(response.rate));
   const Eigen::Matrix<Cast, N, 1> side = force.template cast<Cast>();
-  return dynamic.partialPivLu().solve(side);
+  response.unrounded_amplitude = response.amplitude.template cast<Cast>();
+  for (int k = 0; k < 2; ++k) {
+    const Eigen::Matrix<Cast, N, 1> defect = side - dynamic * response.unrounded_amplitude;
+    const Eigen::Matrix<Complex, N, 1> change =
+        factors.solve(Eigen::Matrix<Complex, N, 1>(defect.template cast<Complex>()));
+    response.unrounded_amplitude += change.template cast<Cast>();
+  }
+  response.amplitude = response.unrounded_amplitude.template cast<Complex>();
 }
 
 }  // namespace
@@ -61,14 +78,9 @@ bool make_harmonic_response(const LinearMode<N>& mode, const Eigen::VectorXcd& f
   response.amplitude.setZero(n);
   if constexpr (N != Eigen::Dynamic) response.unrounded_amplitude.setZero(n);
   if (!force.isZero(0)) {
-    if constexpr (N == Eigen::Dynamic) {
-      response.amplitude = amplitude_of<N>(mode.stiffness, mode.damping, rate, force);
-    } else {
-      const auto& [stiffness, damping, rest, basis, inverse] = mode.unrounded;
-      response.unrounded_amplitude =
-          amplitude_of<N>(stiffness, damping, static_cast<long double>(rate), force);
-      response.amplitude = response.unrounded_amplitude.template cast<Complex>();
-    }
+    const auto factors = dynamic_stiffness<N>(mode.stiffness, mode.damping, rate).partialPivLu();
+    response.amplitude = factors.solve(Eigen::Matrix<Complex, N, 1>(force));
+    if constexpr (N != Eigen::Dynamic) refine(mode.unrounded, factors, force, response);
     if (!response.amplitude.allFinite() || response.amplitude.cwiseAbs().maxCoeff() > largest_amplitude)
       return false;
   }
