@@ -46,8 +46,6 @@ class MachineModes {
   scene::Scene scene_;
   CommonToModes common_;
   Eigen::MatrixXd inverse_mass_;
-  std::vector<contact::SaturatedFriction> friction_;
-  std::optional<numerics::ModalForm> open_form_;       ///< of the structure without contact
   std::vector<std::unique_ptr<LinearMode<N>>> modes_;  ///< by number, those without a slip that goes backward
   std::vector<bool> made_;
   std::unordered_map<std::size_t, std::unique_ptr<LinearMode<N>>> backward_modes_;

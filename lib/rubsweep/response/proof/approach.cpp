@@ -18,8 +18,8 @@ VectorXd off(std::span<const double> section, const StableOrbit& orbit, std::siz
          orbit.sections[turn];
 }
 
-/// Follows until `near(k, offset, size)` after k turns, with the size that `size_of(offset, turn of the
-/// orbit)` gives.
+/// Follows until `near(turn of the orbit, offset, size)`, with the size that `size_of(offset, turn of the
+/// orbit)` gives, for `most_turns(first size, size)` turns at most.
 template <class SizeOf, class Near, class MostTurns>
 bool follow(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
             const SizeOf& size_of, const Near& near, const MostTurns& most_turns) {
