@@ -48,7 +48,7 @@ struct OvalScene {
         scene(response::proof::after_the_kick(with_pulses)),
         field(scene, solver),
         flow(scene, solver, 0),
-        sampled_flow(scene, solver, samples_per_turn) {}
+        sampled_flow(flow.with(solver.relative_tolerance, samples_per_turn)) {}
 
   const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed() const {
     return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;

@@ -1,28 +1,18 @@
 #include "rubsweep/branch/settled_oval.hpp"
 
-#include <algorithm>
-
 #include "rubsweep/branch/oval_orbits.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/response/rotating/apex_return_search.hpp"
+#include "rubsweep/response/rotating/cycle_flows.hpp"
 #include "rubsweep/response/rotating/limit_cycle.hpp"
-#include "rubsweep/response/rotating/rotating_flow.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 #include "rubsweep/response/rotating/symmetry.hpp"
 
 namespace rubsweep::branch {
-namespace {
 
 using Eigen::VectorXd;
 namespace rotating = response::rotating;
-
-integrate::run::SolverOptions with_tolerance(integrate::run::SolverOptions solver, double tolerance) {
-  solver.relative_tolerance = tolerance;
-  return solver;
-}
-
-}  // namespace
 
 std::optional<VectorXd> oval_from(const scene::Scene& with_pulses, const VectorXd& section,
                                   const integrate::run::SolverOptions& solver,
@@ -31,13 +21,8 @@ std::optional<VectorXd> oval_from(const scene::Scene& with_pulses, const VectorX
   if (!rotating::rotationally_symmetric(with_pulses)) return std::nullopt;
   const scene::Scene scene = response::proof::after_the_kick(with_pulses);
   const rotating::RotatingField field(scene, solver);
-  const rotating::RotatingFlow rough(scene, with_tolerance(solver, 1e-6), 0),
-      exact(scene, with_tolerance(solver, std::min(solver.relative_tolerance, 1e-8)), 0);
-  const rotating::RotatingMotion motion{
-      [&](const VectorXd& state) { return field.rate(state); },
-      [&](const VectorXd& state, double angle_rad) { return rough.from(state, angle_rad); },
-      [&](const VectorXd& state, double angle_rad) { return exact.from(state, angle_rad); },
-      [&](const VectorXd& state, double angle_rad) { return rough.end_from(state, angle_rad); }};
+  const rotating::CycleFlows flows(scene, solver, 0);
+  const rotating::RotatingMotion motion = flows.motion(field);
   const integrate::run::Run run = integrate::start(scene, solver, workspace.modes);
   run.restart({section.data(), static_cast<std::size_t>(section.size())});
   rotating::ApexReturnSearch search(scene);

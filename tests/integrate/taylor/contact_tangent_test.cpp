@@ -34,23 +34,49 @@ std::array<Twin, order> forces(ContactSeries& series, const ContactLaw& law, Mod
   return force;
 }
 
-/// Against the difference of two motions, for both walls, modes with and without damper, friction that is
-/// constant and that varies.
-TEST(ContactTangents, IsTheDifferenceOfTwoMotions) {
+ContactLaw law_of(bool annular, bool varies) {
   auto scene = test::annular_scene(1, 0, 1, 0, 0, 10, 0.1);
-  const auto system = run::scale<2>(scene);
+  ContactLaw law(run::scale<2>(scene).contacts[0]);
+  law.annular = annular;
+  law.stiffness = 10;
+  law.damping = 2;
+  law.slip_scale_m_per_s = 1;
+  law.surface_speed_m_per_s = 0.2;
+  law.friction =
+      contact::friction_terms(varies ? model::Friction{model::StribeckFriction{{0, 0, 0, 0.3, 0.8, 0.05}}}
+                                     : model::Friction{model::StribeckFriction{{0, 0, 0, 0.3, 1e4, 0}}});
+  return law;
+}
+
+/// Coefficients of the force's change, of the last of `Count` vectors side by side.
+template <int Count>
+std::array<Twin, order - 1> changes(const ContactSeries& series) {
+  using Term = typename ContactTangents<Count>::Term;
+  const auto fill = [](Twin last) {
+    Term all;
+    all.fill(Twin{0.3, 0.2});
+    all.back() = last;
+    return all;
+  };
+  ContactJacobian jacobian;
+  jacobian.follow(series);
+  ContactTangents<Count> tangents;
+  tangents.follow(series, jacobian, order - 1);
+  tangents.begin(fill(Twin{0.6, -0.8}));
+  std::array<Twin, order - 1> force;
+  for (int k = 0; k < order - 1; ++k)
+    force[static_cast<std::size_t>(k)] = tangents.force_term(k, fill(change_rate(k))).back();
+  return force;
+}
+
+/// Against the difference of two motions, for both walls, modes with and without damper, friction that is
+/// constant and that varies; for a vector alone and for one of several, which share a Jacobian where there is
+/// one.
+TEST(ContactTangents, IsTheDifferenceOfTwoMotions) {
   for (const bool annular : {false, true}) {
     for (const Mode mode : {Mode::sprung, Mode::clamped, Mode::released}) {
       for (const bool varies : {false, true}) {
-        ContactLaw law(system.contacts[0]);
-        law.annular = annular;
-        law.stiffness = 10;
-        law.damping = 2;
-        law.slip_scale_m_per_s = 1;
-        law.surface_speed_m_per_s = 0.2;
-        law.friction = contact::friction_terms(
-            varies ? model::Friction{model::StribeckFriction{{0, 0, 0, 0.3, 0.8, 0.05}}}
-                   : model::Friction{model::StribeckFriction{{0, 0, 0, 0.3, 1e4, 0}}});
+        const ContactLaw law = law_of(annular, varies);
         ContactSeries series;
         // Of the sliding speed only the sign counts where friction does not vary.
         const double slip = varies ? 0.1 : 1;
@@ -59,16 +85,13 @@ TEST(ContactTangents, IsTheDifferenceOfTwoMotions) {
                    earlier = forces(series, law, mode, slip, -small);
         forces(series, law, mode, slip, 0);
         EXPECT_EQ(series.friction_varies(), varies);
-        ContactTangents<1> tangent;
-        tangent.follow(series, order - 1);
-        tangent.begin({Twin{0.6, -0.8}});
-        for (int k = 0; k < order - 1; ++k) {
-          const Twin change = tangent.force_term(k, {change_rate(k)})[0];
-          const auto index = static_cast<std::size_t>(k);
+        const auto alone = changes<1>(series), beside_others = changes<tangents_together>(series);
+        for (std::size_t k = 0; k < alone.size(); ++k) {
           for (int side = 0; side < 2; ++side) {
-            const double expected = (later[index][side] - earlier[index][side]) / (2 * small);
-            EXPECT_NEAR(change[side], expected, 1e-7 * (1 + std::abs(expected)))
+            const double expected = (later[k][side] - earlier[k][side]) / (2 * small);
+            EXPECT_NEAR(alone[k][side], expected, 1e-7 * (1 + std::abs(expected)))
                 << annular << varies << static_cast<int>(mode) << ' ' << k << ' ' << side;
+            EXPECT_NEAR(beside_others[k][side], alone[k][side], 1e-13 * (1 + std::abs(expected)));
           }
         }
       }

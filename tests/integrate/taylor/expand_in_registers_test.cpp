@@ -67,7 +67,8 @@ void expect_agreement(const run::ScaledSystem<4>& system, const scene::Scene& sc
   EXPECT_GT(distance(here.state, start), 0.01);
   const double size = there.tangents.cwiseAbs().maxCoeff();
   EXPECT_LT((here.tangents - there.tangents).cwiseAbs().maxCoeff(), 1e-13 * size);
-  EXPECT_EQ(here.alone, here.tangents.col(5));
+  // Several share a Jacobian.
+  EXPECT_LT((here.alone - here.tangents.col(5)).cwiseAbs().maxCoeff(), 1e-14 * size);
 }
 
 TEST(ExpandInRegisters, AgreesWithTheExpansionOfAnyStructure) {

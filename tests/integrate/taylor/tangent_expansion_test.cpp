@@ -53,11 +53,12 @@ TEST(TangentExpansion, MovesAsTheVariationalEquations) {
     ASSERT_TRUE(turn.tangent_vectors.get());
     const Eigen::MatrixXd all = *turn.tangent_vectors.get();
     EXPECT_LT((all - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
-    // One direction alone is moved as it is among all, to the last bit.
+    // One direction alone goes by the recurrences themselves, several by the Jacobian that they share.
     TaylorRun<4> again(scene, {});
     ASSERT_EQ(again.advance({.tangent_vectors = Eigen::VectorXd::Unit(8, 5)}, turn), TaylorEnding::ok);
     ASSERT_TRUE(turn.tangent_vectors.get());
-    EXPECT_EQ(*turn.tangent_vectors.get(), all.col(5));
+    EXPECT_LT((*turn.tangent_vectors.get() - all.col(5)).cwiseAbs().maxCoeff(),
+              1e-12 * all.cwiseAbs().maxCoeff());
   }
   const auto exact = start_hybrid(flat, {}, modes);
   TaylorRun<4> run(flat, {});

@@ -49,7 +49,7 @@ std::array<double, order> change_of_holding(const Sticking& rotor, const State& 
   rotor.expand(motion, state);
   const run::ScaledContact<2>& contact = rotor.system.contacts[0];
   std::vector<ContactTangents<1>> tangents(1);
-  tangents[0].follow(motion.contact(0), order);
+  tangents[0].follow(motion.contact(0), motion.jacobian(0), order);
   TangentHolding tested(1, order + 1);
   Eigen::Vector2d w = change.head<2>(), rate = change.tail<2>();
   tangents[0].begin({at_contact(contact, w)});

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace rubsweep::response::rotating {
 namespace {
@@ -42,7 +43,7 @@ struct NormalForm {
   }
   RotatingMotion motion() const {
     const auto flow = [*this](const VectorXd& y, double t) { return std::optional(arc(y, t)); };
-    return {[*this](const VectorXd& y) { return rate(y); }, flow, flow,
+    return {[*this](const VectorXd& y) { return rate(y); }, flow, flow, flow,
             [*this](const VectorXd& y, double t) { return std::optional(after(y, t)); }};
   }
 };
@@ -67,6 +68,35 @@ TEST(ProveLimitCycle, TakesTheFirstPeriodThatCloses) {
       prove_limit_cycle(form.motion(), near_the_cycle, {0.6 * once, 1.005 * once, 2.01 * once});
   ASSERT_TRUE(cycle);
   EXPECT_NEAR(cycle->once.angle_rad, once, 1e-8);
+}
+
+TEST(ProveLimitCycle, IsOfTheSmallestPeriod) {
+  const NormalForm form;
+  for (const int k : {1, 2, 3, 5, 6, 12, 49}) {
+    const auto cycle = prove_limit_cycle(form.motion(), near_the_cycle, {1.0002 * k * form.period()});
+    ASSERT_TRUE(cycle) << k;
+    EXPECT_NEAR(cycle->once.angle_rad, form.period(), 1e-8) << k;
+  }
+}
+
+TEST(ProveLimitCycle, TakesNoDerivativeAgainNearBy) {
+  const NormalForm form;
+  RotatingMotion motion = form.motion();
+  int at_first = 0, roughly = 0, exactly = 0;
+  for (const auto& [flow, count] :
+       {std::pair{&motion.at_first, &at_first}, {&motion.roughly, &roughly}, {&motion.exactly, &exactly}}) {
+    *flow = [count, flow = *flow](const VectorXd& y, double t) {
+      ++*count;
+      return flow(y, t);
+    };
+  }
+  ASSERT_TRUE(prove_limit_cycle(motion, VectorXd{{0.9995, 0, 1e-4}}, {form.period()}));
+  EXPECT_EQ(at_first, 1);
+  EXPECT_EQ(roughly, 0);
+  EXPECT_EQ(exactly, 1);
+  ASSERT_TRUE(prove_limit_cycle(motion, near_the_cycle, {1.005 * form.period()}));
+  EXPECT_EQ(at_first, 2);
+  EXPECT_GE(roughly, 1);
 }
 
 TEST(ProveLimitCycle, RefusesAnUnstableOne) {

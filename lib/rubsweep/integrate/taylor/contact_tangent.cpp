@@ -3,16 +3,19 @@
 namespace rubsweep::integrate::taylor {
 
 using numerics::both;
+using numerics::first_twice;
 using numerics::PlaneSeries;
 using numerics::product_term;
 using numerics::quarter_turned;
+using numerics::second_twice;
 using numerics::sum_of;
 using numerics::swapped;
 using numerics::Twin;
 
 template <int Count>
-void ContactTangents<Count>::follow(const ContactSeries& contact, int order) {
+void ContactTangents<Count>::follow(const ContactSeries& contact, ContactJacobian& jacobian, int order) {
   contact_ = &contact;
+  jacobian_ = &jacobian;
   const ContactLaw& law = contact.law();
   stiffness_ = law.stiffness;
   clearance_ = law.clearance;
@@ -22,23 +25,62 @@ void ContactTangents<Count>::follow(const ContactSeries& contact, int order) {
   varies_ = contact.friction_varies() && !contact.sticks();
   sticks_ = contact.sticks();
   annular_ = law.annular;
+  linear_ = Count > 1 && annular_ && !varies_ && !sticks_;
   if (!varies_) return;
   for (int k = 0; k < order; ++k) slope_.set(k, contact.friction_slope_term(k));
 }
 
 template <int Count>
 void ContactTangents<Count>::begin(const Term& displacement) {
-  displacement_.set(0, displacement);
-  if (!annular_) return;
+  for (std::size_t i = 0; i < count; ++i) put(0, i, displacement[i]);
+  if (!annular_ || linear_) return;
   for (std::size_t i = 0; i < count; ++i) length_.set(0, i, sum_of(contact_->normal()[0] * displacement[i]));
 }
 
 template <int Count>
+void ContactTangents<Count>::put(int k, std::size_t which, Twin displacement) {
+  if (linear_) {
+    along_first_.set(k, which, first_twice(displacement));
+    along_second_.set(k, which, second_twice(displacement));
+  } else {
+    displacement_.set(k, which, displacement);
+  }
+}
+
+template <int Count>
 auto ContactTangents<Count>::force_term(int k, const Term& rate) -> Term {
+  const Twin next = numerics::one_over_twice(k + 1);
+  for (std::size_t i = 0; i < count; ++i) put(k + 1, i, rate[i] * next);
+  if (linear_) {
+    jacobian_->extend(k);
+    return jacobian_->damped() ? linear_term<true>(k) : linear_term<false>(k);
+  }
   rate_.set(k, rate);
-  for (std::size_t i = 0; i < count; ++i)
-    displacement_.set(k + 1, i, rate[i] * numerics::one_over_twice(k + 1));
   return annular_ ? annular_term(k) : flat_term(k);
+}
+
+/// (B w)' + A w, the matrices of both products taken together: k + 1 is the same for all vectors.
+template <int Count>
+template <bool damped>
+auto ContactTangents<Count>::linear_term(int k) -> Term {
+  Term sum{};
+  const Twin derivative = both(k + 1);
+  const auto add = [&](int j, Twin first, Twin second) {
+    const Term &x = along_first_[j], &y = along_second_[j];
+    for (std::size_t i = 0; i < count; ++i) sum[i] += first * x[i] + second * y[i];
+  };
+  // What is newest of the vectors comes last: the other terms need not wait for it.
+  for (int j = 0; j <= k; ++j) {
+    Twin first = jacobian_->first(k - j), second = jacobian_->second(k - j);
+    if constexpr (damped) {
+      first += derivative * jacobian_->first_damped(k + 1 - j);
+      second += derivative * jacobian_->second_damped(k + 1 - j);
+    }
+    add(j, first, second);
+  }
+  if constexpr (damped)
+    add(k + 1, derivative * jacobian_->first_damped(0), derivative * jacobian_->second_damped(0));
+  return sum;
 }
 
 template <int Count>

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "rubsweep/integrate/taylor/contact_jacobian.hpp"
 #include "rubsweep/integrate/taylor/contact_series.hpp"
 #include "rubsweep/numerics/plane_series.hpp"
 #include "rubsweep/numerics/taylor_series.hpp"
@@ -13,16 +14,18 @@ namespace rubsweep::integrate::taylor {
 inline constexpr int tangents_together = 4;
 
 /// Changes of a contact's force with `Count` small changes w of its relative displacement, as power series
-/// along an expanded motion: the derivatives of the very recurrences that ContactSeries goes by. The friction
-/// that holds a contact that sticks counts as given.
+/// along an expanded motion: the derivatives of the very recurrences that ContactSeries goes by, or, of
+/// several around the rotor where friction does not vary, the Jacobian's product with each. The friction that
+/// holds a contact that sticks counts as given.
 template <int Count>
 class ContactTangents {
  public:
   using Bundle = numerics::PlaneSeriesBundle<Count>;
   using Term = typename Bundle::Term;
 
-  /// Up to `order` terms. The motion stays as it is until the last `force_term` has been asked for.
-  void follow(const ContactSeries& contact, int order);
+  /// Up to `order` terms. The motion stays as it is until the last `force_term` has been asked for;
+  /// `jacobian` is of it, too.
+  void follow(const ContactSeries& contact, ContactJacobian& jacobian, int order);
   /// Other changes of the same motion begin.
   void begin(const Term& displacement);
 
@@ -30,7 +33,7 @@ class ContactTangents {
   /// coefficient k + 1 of w.
   Term force_term(int k, const Term& rate);
 
-  /// w, up to one more than the last term asked for.
+  /// w, up to one more than the last term asked for; not kept where the Jacobian serves, nor is what follows.
   const Bundle& displacement() const { return displacement_; }
   /// Coefficient k of the change of r of an annular stop, as far.
   double length_term(std::size_t which, int k) const { return length_.member(which)[k][0]; }
@@ -43,6 +46,9 @@ class ContactTangents {
   Term flat_term(int k);
   Term annular_term(int k);
   template <bool damped>
+  Term linear_term(int k);
+  void put(int k, std::size_t which, numerics::Twin displacement);
+  template <bool damped>
   Term normal_and_rate(int k);
   Term damping_products(int k) const;
   numerics::Twin sliding_friction(std::size_t which, numerics::Twin load, int k);
@@ -52,8 +58,11 @@ class ContactTangents {
   static constexpr auto count = static_cast<std::size_t>(Count);
   const ContactSeries* contact_ = nullptr;
   double stiffness_ = 0, spring_factor_ = 0, damper_ = 0, clearance_ = 0, friction_ = 0;
-  bool varies_ = false, sticks_ = false, annular_ = false;
+  /// `linear_`: by the Jacobian, which costs as much as one or two vectors.
+  bool varies_ = false, sticks_ = false, annular_ = false, linear_ = false;
+  ContactJacobian* jacobian_ = nullptr;
   Bundle displacement_, rate_;
+  Bundle along_first_, along_second_;  ///< of a linear one: either component of w, twice
   /// Changes: of r, of r', of the normal, of the force that friction is multiplied by; of the sliding speed
   /// and the friction coefficient. Then the friction coefficient's slope, which is the motion's.
   Bundle length_, length_rate_, normal_, load_, sliding_, coefficient_;

@@ -11,6 +11,7 @@
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/taylor/contact_directions.hpp"
+#include "rubsweep/integrate/taylor/contact_jacobian.hpp"
 #include "rubsweep/integrate/taylor/contact_law.hpp"
 #include "rubsweep/integrate/taylor/contact_series.hpp"
 #include "rubsweep/integrate/taylor/creep.hpp"
@@ -34,6 +35,7 @@ class Expansion {
         series_(system.coordinates(), options),
         acceleration_(system.coordinates()),
         contacts_(system.contacts.size()),
+        jacobians_(system.contacts.size()),
         creeps_(system.contacts.size()),
         creeping_(system.contacts.size(), false) {
     for (const auto& contact : system.contacts) laws_.emplace_back(contact);
@@ -118,9 +120,11 @@ class Expansion {
   const StateSeries<N>& series() const { return series_; }
   int order() const { return series_.order(); }
   double accuracy() const { return series_.accuracy(); }
+  void set_accuracy(double accuracy) { series_.set_accuracy(accuracy); }
   const ContactLaw& law(std::size_t i) const { return laws_[i]; }
   ContactSeries& contact(std::size_t i) { return contacts_[i]; }
   const ContactSeries& contact(std::size_t i) const { return contacts_[i]; }
+  ContactJacobian& jacobian(std::size_t i) { return jacobians_[i]; }
 
  private:
   void begin_contacts(const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
@@ -136,6 +140,7 @@ class Expansion {
       if (!open) touching_.push_back(i);
       if (!open && creeping_[i]) contacts_[i].follow(creeps_[i]);
       if (contacts_[i].sticks()) stuck_[sticking_++] = i;
+      jacobians_[i].follow(contacts_[i]);
     }
   }
 
@@ -241,6 +246,7 @@ class Expansion {
   Vector acceleration_;
   std::vector<ContactLaw> laws_;
   std::vector<ContactSeries> contacts_;
+  std::vector<ContactJacobian> jacobians_;
   std::vector<Creep> creeps_;
   std::vector<char> creeping_;
   std::vector<ContactDirections<N>> directions_;  ///< per contact

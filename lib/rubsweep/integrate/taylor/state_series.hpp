@@ -32,6 +32,7 @@ class StateSeries {
   }
   int order() const { return order_; }
   double accuracy() const { return accuracy_; }
+  void set_accuracy(double accuracy) { accuracy_ = accuracy; }
   // Coefficients: up to order + 1 of u, up to order of u'.
   auto u(int k) { return u_.col(k); }
   auto u(int k) const { return u_.col(k); }

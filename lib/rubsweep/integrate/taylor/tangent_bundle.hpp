@@ -19,8 +19,8 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// `Count` tangent vectors of a motion side by side, each as it would be alone: w'' = -stiffness w -
-/// damping w' + change of the contacts' forces. Where a contact sticks, they keep its slip, too.
+/// `Count` tangent vectors of a motion side by side: w'' = -stiffness w - damping w' + change of the
+/// contacts' forces. Where a contact sticks, they keep its slip, too.
 template <int N, int Count>
 class TangentBundle {
  public:
@@ -70,7 +70,7 @@ class TangentBundle {
     }
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (!touches(motion, i)) continue;
-      contacts_[i].follow(motion.contact(i), most);
+      contacts_[i].follow(motion.contact(i), motion.jacobian(i), most);
       contacts_[i].begin(seen_by(i, 0, w_));
     }
     return most;

@@ -45,6 +45,9 @@ class TaylorRun {
   TaylorEnding advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = full_turn);
 
+  /// As SeriesOptions::accuracy, from the next piece on.
+  void set_series_accuracy(double accuracy) { motion_.set_accuracy(accuracy); }
+
   /// The next revolution is number `revolution` and starts from `section` (as TurnReport::section).
   void resume(std::span<const double> section, long revolution);
 

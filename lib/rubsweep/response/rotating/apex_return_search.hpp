@@ -19,6 +19,9 @@ class ApexReturnSearch {
   /// One more turn, with samples.
   void add(const integrate::run::TurnReport& turn);
 
+  /// Maxima in that turn.
+  int lately() const { return lately_; }
+
   struct Return {
     int maxima = 0;                   ///< after so many maxima the last one came back
     std::vector<double> periods_rad;  ///< ascending: its time, before it those fractions after which the
@@ -47,7 +50,7 @@ class ApexReturnSearch {
   Eigen::Index states_;
   proof::PeriodSearch returns_;
   long turns_ = 0;
-  bool new_maximum_ = false;
+  int lately_ = 0;
   std::vector<double> last_;  ///< sample before the turn; empty at the start
   std::vector<Maximum> maxima_;
 };

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
@@ -30,48 +31,72 @@ constexpr int foretold_in_a_row = 3;
 
 /// In (clearance, clearance omega).
 struct Accuracy {
-  double closed = 0;   ///< return error of a cycle found
-  double trivial = 0;  ///< how far from 1 the trivial multiplier may be
+  double closed = 0;        ///< return error of a cycle found
+  double trivial = 0;       ///< how far from 1 the trivial multiplier may be
+  double known_within = 0;  ///< return error below which the derivative is not taken again
 };
-constexpr Accuracy rough{.closed = 1e-5, .trivial = 1e-2};
-constexpr Accuracy exact{.closed = 1e-9, .trivial = 1e-5};
+constexpr Accuracy rough{.closed = 1e-5, .trivial = 1e-2, .known_within = 1e-3};
+constexpr Accuracy exact{.closed = 1e-9, .trivial = 1e-5, .known_within = 0};
 
 double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 
 struct Closed {
   VectorXd x;
-  RotatingArc once;  ///< from x
+  double period_rad = 0;
+  RotatingArc once;  ///< from x, or from so near that its derivative is known well enough
   /// After Newton's next step, which an iteration that goes on to another accuracy need not make again.
   VectorXd next_x;
   double next_period_rad = 0;
 };
 
-/// Newton step of (state, period), the state staying across `across`.
-VectorXd newton_step(const VectorXd& x, const RotatingArc& arc, const VectorXd& rate_at_end,
-                     const VectorXd& across) {
-  const Eigen::Index n = x.size();
-  MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
-  bordered.topLeftCorner(n, n) = arc.transition - MatrixXd::Identity(n, n);
-  bordered.topRightCorner(n, 1) = rate_at_end;
-  bordered.bottomLeftCorner(1, n) = across.transpose();
-  VectorXd defect = VectorXd::Zero(n + 1);
-  defect.head(n) = arc.end - x;
-  return bordered.partialPivLu().solve(-defect);
-}
+/// Newton's steps of (state, period), the state staying across `across`, by the derivative of one arc.
+class NewtonSteps {
+ public:
+  NewtonSteps(const RotatingArc& arc, const VectorXd& rate_at_end, const VectorXd& across) {
+    const Eigen::Index n = across.size();
+    MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
+    bordered.topLeftCorner(n, n) = arc.transition - MatrixXd::Identity(n, n);
+    bordered.topRightCorner(n, 1) = rate_at_end;
+    bordered.bottomLeftCorner(1, n) = across.transpose();
+    factors_.compute(bordered);
+  }
 
-std::optional<Closed> close(const RotatingMotion& motion, const RotatingMotion::Flow& flow,
-                            const VectorXd& start, double guess_rad, double closed) {
+  VectorXd from(const VectorXd& x, const VectorXd& end) const {
+    VectorXd defect = VectorXd::Zero(x.size() + 1);
+    defect.head(x.size()) = end - x;
+    return factors_.solve(-defect);
+  }
+
+ private:
+  Eigen::PartialPivLU<MatrixXd> factors_;
+};
+
+/// The first step by the rougher of `flows`, which gains as much from so far away.
+struct Flows {
+  const RotatingMotion::Flow &at_first, &then;
+};
+
+std::optional<Closed> close(const RotatingMotion& motion, const Flows& flows, const VectorXd& start,
+                            double guess_rad, const Accuracy& wanted) {
   const VectorXd across = motion.rate(start);
   VectorXd x = start;
-  double period = guess_rad, last = 0;
+  double period = guess_rad, last = std::numeric_limits<double>::infinity();
+  std::optional<RotatingArc> arc;
+  std::optional<NewtonSteps> steps;
   for (int i = 0; i < newton_iterations; ++i) {
-    const auto arc = flow(x, period);
-    if (!arc || !arc->end.allFinite()) return std::nullopt;
-    const double error = largest(arc->end - x);
-    const VectorXd step = newton_step(x, *arc, motion.rate(arc->end), across);
-    if (error < closed) {
-      if (!step.allFinite()) return Closed{x, *arc, x, period};
-      return Closed{x, *arc, x + step.head(x.size()), period + step(x.size())};
+    std::optional<VectorXd> end;
+    if (last < wanted.known_within) {
+      end = motion.end(x, period);
+    } else if ((arc = (i == 0 ? flows.at_first : flows.then)(x, period)) && arc->end.allFinite()) {
+      steps.emplace(*arc, motion.rate(arc->end), across);
+      end = arc->end;
+    }
+    if (!end || !end->allFinite()) return std::nullopt;
+    const double error = largest(*end - x);
+    const VectorXd step = steps->from(x, *end);
+    if (error < (last < wanted.known_within ? 0.01 : 1) * wanted.closed) {
+      if (!step.allFinite()) return Closed{x, period, *arc, x, period};
+      return Closed{x, period, *arc, x + step.head(x.size()), period + step(x.size())};
     }
     if (error > proof::farthest_orbit || (i > 2 && error > last / 2)) return std::nullopt;
     last = error;
@@ -126,33 +151,51 @@ bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Close
     told = across * (cycle.once.transition * off);
     last = distance;
     const double late_rad = along.dot(image - cycle.x) / rate.norm();
-    const auto end = motion.end(image, cycle.once.angle_rad - late_rad);
+    const auto end = motion.end(image, cycle.period_rad - late_rad);
     if (!end || !end->allFinite()) return false;
     image = *end;
   }
 }
 
 std::optional<LimitCycle> exact_cycle(const RotatingMotion& motion, const VectorXd& x, double period_rad) {
-  auto cycle = close(motion, motion.exactly, x, period_rad, exact.closed);
+  auto cycle = close(motion, {motion.exactly, motion.exactly}, x, period_rad, exact);
   if (!cycle) return std::nullopt;
   const auto modulus = stable_modulus(cycle->once.transition, exact.trivial);
   if (!modulus) return std::nullopt;
   return LimitCycle{cycle->x, std::move(cycle->once), *modulus};
 }
 
-/// Newton's iteration may have closed several periods at once, of a whip dozens: the smallest one that
-/// closes.
-std::optional<LimitCycle> smallest_cycle(const RotatingMotion& motion, const Closed& cycle) {
+constexpr bool is_prime(int k) {
+  for (int j = 2; j * j <= k; ++j) {
+    if (k % j == 0) return false;
+  }
+  return k > 1;
+}
+
+/// The largest k <= `most_periods`, or the largest such prime, for which the motion returns after a k-th of
+/// the period; 1 where there is none.
+int periods_in(const RotatingMotion& motion, const Closed& cycle, bool primes) {
   VectorXd here = cycle.next_x;
   double passed_rad = 0;
   for (int k = most_periods; k > 1; --k) {
-    const double period_rad = cycle.next_period_rad / k;
-    const auto end = motion.end(here, period_rad - passed_rad);
+    if (primes && !is_prime(k)) continue;
+    const double part_rad = cycle.next_period_rad / k;
+    const auto end = motion.end(here, part_rad - passed_rad);
     if (!end) break;
     here = *end;
-    passed_rad = period_rad;
-    if (!(largest(here - cycle.next_x) < returns_early)) continue;
-    if (auto found = exact_cycle(motion, cycle.next_x, period_rad)) return found;
+    passed_rad = part_rad;
+    if (largest(here - cycle.next_x) < returns_early) return k;
+  }
+  return 1;
+}
+
+/// Newton's iteration may have closed several periods at once, of a whip dozens: the smallest one that
+/// closes. A motion that returns after a k-th of the period does so after a part by each prime factor of k,
+/// so that primes tell whether there is one.
+std::optional<LimitCycle> smallest_cycle(const RotatingMotion& motion, const Closed& cycle) {
+  const int k = periods_in(motion, cycle, true) > 1 ? periods_in(motion, cycle, false) : 1;
+  if (k > 1) {
+    if (auto found = exact_cycle(motion, cycle.next_x, cycle.next_period_rad / k)) return found;
   }
   return exact_cycle(motion, cycle.next_x, cycle.next_period_rad);
 }
@@ -162,7 +205,7 @@ std::optional<LimitCycle> smallest_cycle(const RotatingMotion& motion, const Clo
 std::optional<LimitCycle> prove_limit_cycle(const RotatingMotion& motion, const VectorXd& start,
                                             const std::vector<double>& periods_rad) {
   for (const double period : periods_rad) {
-    const auto nearly = close(motion, motion.roughly, start, period, rough.closed);
+    const auto nearly = close(motion, {motion.at_first, motion.roughly}, start, period, rough);
     if (!nearly || largest(motion.rate(nearly->x)) < stands_still) continue;
     if (!stable_modulus(nearly->once.transition, rough.trivial)) continue;
     if (!comes_near(motion, start, *nearly)) return std::nullopt;

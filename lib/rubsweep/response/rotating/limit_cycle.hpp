@@ -9,14 +9,13 @@
 
 namespace rubsweep::response::rotating {
 
-/// An autonomous system: its rate, and its flow from `state` over `angle_rad`, once cheaply with an accuracy
-/// of about 1e-6 for Newton's first steps (`roughly`) and once with the accuracy that the cycle is wanted
-/// with
-/// (`exactly`).
+/// An autonomous system: its rate, and its flow from `state` over `angle_rad`: to about 1e-4 for the first of
+/// Newton's steps (`at_first`), to about 1e-6 for the next ones (`roughly`), and with the accuracy that the
+/// cycle is wanted with (`exactly`).
 struct RotatingMotion {
   using Flow = std::function<std::optional<RotatingArc>(const Eigen::VectorXd& state, double angle_rad)>;
   std::function<Eigen::VectorXd(const Eigen::VectorXd& state)> rate;
-  Flow roughly, exactly;
+  Flow at_first, roughly, exactly;
   /// Where the rough flow ends, without its derivative.
   std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& state, double angle_rad)> end;
 };

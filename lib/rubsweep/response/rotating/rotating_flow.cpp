@@ -20,10 +20,8 @@ constexpr double full_turn = 2 * std::numbers::pi;
 /// better: fewer terms, longer steps. A thousandth is what Newton's iteration still gains by.
 constexpr double rough_from = 1e-7, share_of_tolerance = 1e-3;
 
-integrate::taylor::SeriesOptions series_for(double tolerance) {
-  integrate::taylor::SeriesOptions series;
-  if (tolerance >= rough_from) series.accuracy = share_of_tolerance * tolerance;
-  return series;
+double series_accuracy_for(double tolerance) {
+  return tolerance >= rough_from ? share_of_tolerance * tolerance : integrate::taylor::rounding_of_series;
 }
 
 /// Adds the states sampled in a turn: the first `states` of `whole` numbers each.
@@ -63,6 +61,7 @@ HowFollowed follow_by_series(integrate::taylor::TaylorRun<N>& run, const Eigen::
   request.switches = true;
   if (transition) request.tangent_vectors.setIdentity(states, states);
   if (tolerance >= rough_from) request.tangent_accuracy = tolerance;
+  run.set_series_accuracy(series_accuracy_for(tolerance));
   run.resume({state.data(), static_cast<std::size_t>(states)}, 0);
   for (double left = arc.angle_rad; left > 0; left -= full_turn) {
     const integrate::taylor::TaylorEnding ending = run.advance(request, turn, std::min(left, full_turn));
@@ -123,46 +122,46 @@ std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate
 
 }  // namespace
 
-/// One run for all arcs: what it is made from does not depend on where they start. The usual scene, a rotor
-/// and one casing, gets a fixed size.
-class RotatingFlow::Series {
- public:
-  Series(const scene::Scene& scene, const integrate::run::SolverOptions& options)
-      : tolerance_(options.relative_tolerance) {
-    const auto series = series_for(tolerance_);
-    if (scene.structure.coordinates() == 4) {
-      run_.emplace<integrate::taylor::TaylorRun<4>>(scene, options, series);
-    } else {
-      run_.emplace<integrate::taylor::TaylorRun<Eigen::Dynamic>>(scene, options, series);
+/// One run for all arcs of all tolerances: what it is made from does not depend on where they start. It is
+/// made when first needed. The usual scene, a rotor and one casing, gets a fixed size.
+struct RotatingFlow::Common {
+  using Usual = integrate::taylor::TaylorRun<4>;
+  using Other = integrate::taylor::TaylorRun<Eigen::Dynamic>;
+
+  explicit Common(const scene::Scene& of) : scene(of) { scene.pulses.clear(); }
+
+  scene::Scene scene;
+  std::variant<std::monostate, Usual, Other> series;
+
+  template <class Follow>
+  HowFollowed by_series(const integrate::run::SolverOptions& options, const Follow& follow) {
+    if (std::holds_alternative<std::monostate>(series)) {
+      if (scene.structure.coordinates() == 4) {
+        series.emplace<Usual>(scene, options);
+      } else {
+        series.emplace<Other>(scene, options);
+      }
     }
+    if (auto* usual = std::get_if<Usual>(&series)) return follow(*usual);
+    return follow(std::get<Other>(series));
   }
-
-  HowFollowed follow(const Eigen::VectorXd& state, int samples_per_revolution, bool transition,
-                     RotatingArc& arc) {
-    if (auto* usual = std::get_if<integrate::taylor::TaylorRun<4>>(&run_))
-      return follow_by_series(*usual, state, tolerance_, samples_per_revolution, transition, arc);
-    return follow_by_series(std::get<integrate::taylor::TaylorRun<Eigen::Dynamic>>(run_), state, tolerance_,
-                            samples_per_revolution, transition, arc);
-  }
-
- private:
-  double tolerance_;
-  std::variant<std::monostate, integrate::taylor::TaylorRun<4>, integrate::taylor::TaylorRun<Eigen::Dynamic>>
-      run_;
 };
 
 RotatingFlow::RotatingFlow(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                            int samples_per_revolution)
-    : scene_(scene), options_(options), samples_per_revolution_(samples_per_revolution) {
-  scene_.pulses.clear();
+    : common_(std::make_shared<Common>(scene)),
+      options_(options),
+      samples_per_revolution_(samples_per_revolution) {}
+
+RotatingFlow RotatingFlow::with(double relative_tolerance, int samples_per_revolution) const {
+  RotatingFlow other = *this;
+  other.options_.relative_tolerance = relative_tolerance;
+  other.samples_per_revolution_ = samples_per_revolution;
+  return other;
 }
 
-RotatingFlow::RotatingFlow(RotatingFlow&&) noexcept = default;
-RotatingFlow& RotatingFlow::operator=(RotatingFlow&&) noexcept = default;
-RotatingFlow::~RotatingFlow() = default;
-
 scene::Scene RotatingFlow::scene_at(const Eigen::VectorXd& state) const {
-  scene::Scene scene = scene_;
+  scene::Scene scene = common_->scene;
   integrate::run::set_initial_state(scene, {state.data(), static_cast<std::size_t>(state.size())});
   return scene;
 }
@@ -170,8 +169,9 @@ scene::Scene RotatingFlow::scene_at(const Eigen::VectorXd& state) const {
 HowFollowed RotatingFlow::by_series(const Eigen::VectorXd& state, int samples_per_revolution, bool transition,
                                     RotatingArc& arc) const {
   if (!series_apply(options_)) return HowFollowed::by_stepper;
-  if (!series_) series_ = std::make_unique<Series>(scene_, options_);
-  return series_->follow(state, samples_per_revolution, transition, arc);
+  return common_->by_series(options_, [&](auto& run) {
+    return follow_by_series(run, state, options_.relative_tolerance, samples_per_revolution, transition, arc);
+  });
 }
 
 std::optional<RotatingArc> RotatingFlow::from(const Eigen::VectorXd& state, double angle_rad) const {

@@ -39,9 +39,10 @@ class RotatingFlow {
   /// `samples_per_revolution`: N of RotatingArc::samples; 0: none.
   RotatingFlow(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                int samples_per_revolution);
-  RotatingFlow(RotatingFlow&&) noexcept;
-  RotatingFlow& operator=(RotatingFlow&&) noexcept;
-  ~RotatingFlow();
+
+  /// The flow of the same scene to another tolerance and with other samples. What both need is made once, so
+  /// that they take turns.
+  RotatingFlow with(double relative_tolerance, int samples_per_revolution) const;
 
   /// Empty when the solver fails. `state`: 2n scaled numbers; `angle_rad` > 0.
   std::optional<RotatingArc> from(const Eigen::VectorXd& state, double angle_rad) const;
@@ -50,17 +51,16 @@ class RotatingFlow {
   std::optional<Eigen::VectorXd> end_from(const Eigen::VectorXd& state, double angle_rad) const;
 
  private:
-  class Series;
+  struct Common;
 
   /// Up to the end of `arc`, its transition where it is asked for.
   HowFollowed by_series(const Eigen::VectorXd& state, int samples_per_revolution, bool transition,
                         RotatingArc& arc) const;
   scene::Scene scene_at(const Eigen::VectorXd& state) const;
 
-  scene::Scene scene_;
+  std::shared_ptr<Common> common_;
   integrate::run::SolverOptions options_;
   int samples_per_revolution_;
-  mutable std::unique_ptr<Series> series_;  ///< made when first needed; one arc at a time
 };
 
 }  // namespace rubsweep::response::rotating

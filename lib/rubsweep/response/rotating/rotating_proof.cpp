@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "rubsweep/response/motion/classify.hpp"
 #include "rubsweep/response/motion/section.hpp"
@@ -19,12 +20,11 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double full_turn = 2 * std::numbers::pi;
-constexpr double rough_tolerance = 1e-6;
-constexpr double tolerance_of_a_cycle = 1e-8;
 constexpr int free_for_long = 16;  ///< turns
 
-/// Of a turn, as many as Newton's iteration needs to start well between two of them.
-constexpr int samples_for_maxima = 64;
+/// Samples of a turn, as many as Newton's iteration needs to start well between two of them: the coarse ones
+/// where a turn with the fine ones, such as there is now and then, has few maxima.
+constexpr int fine_samples = 64, coarse_samples = 32, fine_turn_every = 8, few_maxima = 4;
 
 /// Samples of a cycle against those of a turn: a cubic between those of a turn takes 1.5e-6 off the radius of
 /// a whirl four times as fast as the shaft, which a slip that is a small difference does notice.
@@ -39,11 +39,6 @@ constexpr proof::Patience patience_for_a_circle{.start = 200, .most = 200};
 /// of the transient.
 constexpr double turns_for_cycles = 32, share_for_cycles = 0.15;
 
-integrate::run::SolverOptions with_tolerance(integrate::run::SolverOptions solver, double tolerance) {
-  solver.relative_tolerance = tolerance;
-  return solver;
-}
-
 }  // namespace
 
 RotatingProof::RotatingProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
@@ -53,13 +48,13 @@ RotatingProof::RotatingProof(const scene::Scene& scene, const integrate::run::So
       options_(options),
       workspace_(workspace),
       field_(scene_, solver),
-      rough_flow_(scene_, with_tolerance(solver, rough_tolerance), 0),
-      flow_(scene_, with_tolerance(solver, std::min(solver.relative_tolerance, tolerance_of_a_cycle)),
-            finer * options.samples_per_revolution),
+      flows_(scene_, solver, finer * options.samples_per_revolution),
       turns_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 1) {}
 
 int RotatingProof::samples_wanted() const {
-  return free_turns_ < free_for_long ? std::min(samples_for_maxima, options_.samples_per_revolution) : 0;
+  if (free_turns_ >= free_for_long) return 0;
+  const bool fine = many_maxima_ || looked_at_ % fine_turn_every == 0;
+  return std::min(fine ? fine_samples : coarse_samples, options_.samples_per_revolution);
 }
 
 std::optional<motion::ProvenMotion> RotatingProof::look(const integrate::run::TurnReport& turn) {
@@ -137,20 +132,19 @@ std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd
   }
   if (!maxima_) maxima_.emplace(scene_);
   maxima_->add(turn);
+  if (turn.sample_count >= fine_samples) many_maxima_ = maxima_->lately() > few_maxima;
   const double allowed = turns_for_cycles + share_for_cycles * static_cast<double>(looked_at_);
   if (spent_on_cycles_rad_ > full_turn * allowed) return std::nullopt;
   const auto candidate = maxima_->candidate();
   if (!candidate) return std::nullopt;
-  const auto follow = [this](const RotatingFlow& flow) {
-    return [this, &flow](const VectorXd& state, double angle_rad) {
+  RotatingMotion motion = flows_.motion(field_);
+  for (RotatingMotion::Flow* flow : {&motion.at_first, &motion.roughly, &motion.exactly}) {
+    *flow = [this, follow = std::move(*flow)](const VectorXd& state, double angle_rad) {
       spent_on_cycles_rad_ += angle_rad;
-      return flow.from(state, angle_rad);
+      return follow(state, angle_rad);
     };
-  };
-  const auto cycle = prove_limit_cycle(
-      {[this](const VectorXd& state) { return field_.rate(state); }, follow(rough_flow_), follow(flow_),
-       [this](const VectorXd& state, double angle_rad) { return rough_flow_.end_from(state, angle_rad); }},
-      section, candidate->periods_rad);
+  }
+  const auto cycle = prove_limit_cycle(motion, section, candidate->periods_rad);
   if (cycle && cycle->once.contact_fraction > 0 && !returns_with_the_shaft(*cycle)) {
     motion::ResponseOptions fine = options_;
     fine.samples_per_revolution *= finer;

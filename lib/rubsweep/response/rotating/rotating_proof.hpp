@@ -11,9 +11,9 @@
 #include "rubsweep/response/proof/period_search.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/response/rotating/apex_return_search.hpp"
+#include "rubsweep/response/rotating/cycle_flows.hpp"
 #include "rubsweep/response/rotating/limit_cycle.hpp"
 #include "rubsweep/response/rotating/rotating_equilibrium.hpp"
-#include "rubsweep/response/rotating/rotating_flow.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 
 namespace rubsweep::response::rotating {
@@ -48,10 +48,11 @@ class RotatingProof {
   const motion::ResponseOptions& options_;
   motion::Workspace& workspace_;
   RotatingField field_;
-  RotatingFlow rough_flow_, flow_;
+  CycleFlows flows_;
   proof::PeriodSearch turns_;
   std::optional<ApexReturnSearch> maxima_;  ///< empty after a turn without samples
   std::optional<proof::SceneMap> turn_map_;
+  bool many_maxima_ = true;  ///< in the last turn with as many samples as can be asked for
   int free_turns_ = 0;
   long looked_at_ = 0;              ///< turns
   double spent_on_cycles_rad_ = 0;  ///< rotation that Newton's iteration followed
