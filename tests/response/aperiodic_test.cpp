@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "response/companion_growth.hpp"
@@ -18,16 +20,16 @@ constexpr double golden_angle = 2.39996322972865332;  ///< returns as badly as a
 
 /// Follows a map whose observed x is the first of its coordinates. `contact_ends`: turns after which there is
 /// none.
-Aperiodic follow(const proof::SectionMap& map, const std::vector<double>& state,
-                 int contact_ends = 1'000'000) {
+Aperiodic follow(const proof::SectionMap& map, const std::vector<double>& state, int contact_ends = 1'000'000,
+                 std::size_t turns_before = 0) {
   Eigen::Matrix<double, 2, Eigen::Dynamic> observed;
   observed.setZero(2, static_cast<Eigen::Index>(state.size() / 2));
   observed(0, 0) = 1;
   int turns = 0;
   spectrum::SpectrumWorkspace workspace;
   return classify_aperiodic(
-      test::companion_growth(map, state), [&] { return ++turns <= contact_ends; }, state, observed, window,
-      workspace);
+      test::companion_growth(map, state), [&] { return ++turns <= contact_ends; }, state, turns_before,
+      observed, window, workspace);
 }
 
 std::string name(const Aperiodic& found) { return std::string(to_string(found.motion_class)); }
@@ -125,6 +127,18 @@ TEST(ClassifyAperiodic, ChaosThatEndsInAPeriodIsNotChaos) {
   EXPECT_EQ(found.returns_after, 1);
 }
 
+TEST(ClassifyAperiodic, TurnsOfTheRunCountForChaosButNotForItsExponent) {
+  for (const auto& [turns_before, more] : {std::pair{0U, 1280}, {300U, 980}, {900U, 640}, {2000U, 640}}) {
+    int calls = 0;
+    const proof::SectionMap map = [&calls](std::span<double> s) {
+      ++calls;
+      return henon(s);
+    };
+    EXPECT_EQ(name(follow(map, {0.1, 0.2}, 1'000'000, turns_before)), "chaotic");
+    EXPECT_EQ(calls, 2 * more) << turns_before;
+  }
+}
+
 TEST(ClassifyAperiodic, ChaosThatLosesContactIsNotChaos) {
   const Aperiodic found = follow(henon, {0.1, 0.2}, 300);
   EXPECT_EQ(name(found), "unsettled");
@@ -139,7 +153,7 @@ TEST(ClassifyAperiodic, AShorterPauseIsContact) {
   spectrum::SpectrumWorkspace workspace;
   const auto now_and_then = [&turns] { return ++turns % window == 0; };
   EXPECT_EQ(name(classify_aperiodic(test::companion_growth(henon, std::vector{0.1, 0.2}), now_and_then,
-                                    {0.1, 0.2}, observed, window, workspace)),
+                                    {0.1, 0.2}, 0, observed, window, workspace)),
             "chaotic");
 }
 

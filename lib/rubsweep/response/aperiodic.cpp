@@ -13,7 +13,7 @@ namespace {
 
 /// Of the undecided cells of the one-side, two-sides and annular maps the first look decides five of six, all
 /// three together nineteen of twenty. A transient that outlasts them may last for ever.
-constexpr std::size_t looks[] = {640, 1280, 2560};
+constexpr std::size_t first_look = 640, second_look = 1280, last_look = 2560;
 constexpr std::size_t shortest_chaos = 1280;
 
 /// Of the section in the last two fifths of the turns.
@@ -23,13 +23,13 @@ std::optional<motion::SectionPeriod> period_of(const Followed& motion) {
                                    static_cast<int>(half) / 2);
 }
 
-bool chaotic(const Followed& motion, const motion::Exponent& exponent) {
-  return exponent.per_revolution > std::max(exponent.error_bar, chaos_floor) &&
-         motion.turns() >= shortest_chaos;
+bool chaotic(const motion::Exponent& exponent) {
+  return exponent.per_revolution > std::max(exponent.error_bar, chaos_floor);
 }
 
 /// Fills class and evidence; false when the turns so far do not decide.
-bool decide(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
+bool decide(const Followed& motion, std::size_t turns_before,
+            const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
             spectrum::SpectrumWorkspace& workspace, Aperiodic& result) {
   result.exponent = exponent_of(motion.contributions);
   if (const auto period = period_of(motion)) {
@@ -38,7 +38,7 @@ bool decide(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynami
   }
   const auto [exponent, bar] = *result.exponent;
   if (exponent < -std::max(bar, chaos_floor)) return true;
-  if (chaotic(motion, *result.exponent)) {
+  if (chaotic(*result.exponent) && turns_before + motion.turns() >= shortest_chaos) {
     result.motion_class = motion::MotionClass::chaotic;
     return true;
   }
@@ -55,25 +55,27 @@ std::optional<motion::Exponent> lasting_chaos(const Followed& motion) {
   if (motion.turns() < shortest_chaos) return std::nullopt;
   const motion::Exponent exponent = exponent_of(motion.contributions);
   const BumpMeans means = bump_means(motion.contributions);
-  if (!chaotic(motion, exponent) || std::min(means.first, means.last) <= chaos_floor || period_of(motion))
+  if (!chaotic(exponent) || std::min(means.first, means.last) <= chaos_floor || period_of(motion))
     return std::nullopt;
   return exponent;
 }
 
 Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
-                             std::vector<double> section,
+                             std::vector<double> section, std::size_t turns_before,
                              const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
                              spectrum::SpectrumWorkspace& workspace) {
   Followed motion{.states = section.size(), .rows = {}, .contributions = {}};
   Aperiodic result;
-  for (const std::size_t look : looks) {
+  const std::size_t chaos_from = turns_before < shortest_chaos ? shortest_chaos - turns_before : 0;
+  for (const std::size_t look : {first_look, std::max(first_look, chaos_from), second_look, last_look}) {
+    if (look <= motion.turns()) continue;
     while (motion.turns() < look) {
       const auto growth = turn(section);
       if (!growth) return {};
       motion.add(section, *growth, touched());
       if (motion.turns_without_contact >= window) return {};
     }
-    if (decide(motion, observed, window, workspace, result)) return result;
+    if (decide(motion, turns_before, observed, window, workspace, result)) return result;
   }
   return result;
 }

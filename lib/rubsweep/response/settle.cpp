@@ -65,7 +65,8 @@ void follow_on(const scene::Scene& scene, integrate::run::SolverOptions solver,
   proof::SceneMap map(scene, solver, workspace.modes);
   const Aperiodic found = classify_aperiodic(
       tangent_growth(map), [&map] { return map.touched(); }, {section.begin(), section.end()},
-      observed(scene), options.window_revolutions, workspace.spectrum);
+      static_cast<std::size_t>(options.max_revolutions), observed(scene), options.window_revolutions,
+      workspace.spectrum);
   motion.motion_class = found.motion_class;
   motion.exponent = found.exponent;
   if (found.returns_after.value_or(0) > options.max_order)
