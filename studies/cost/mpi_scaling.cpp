@@ -113,20 +113,20 @@ void measure_messages(const std::string& line, Costs& costs) {
     }
     costs.message = median(each);
     for (int i = 0; i < reports; ++i) answer();
-    costs.wait = std::stod(answer().lines);
+    costs.wait = std::stod(answer().finished.front().line);
     return;
   }
-  for (int i = 0; i < reports; ++i) apps::mpi::send_report({1, 0, line + "\n"});
+  for (int i = 0; i < reports; ++i) apps::mpi::send_report({.rank = 1, .finished = {{0, line}}});
   for (int i = 0; i < reports; ++i) apps::mpi::receive_chunk();
   // One by one, as from a rank that computed while the first one slept, at any moment of its sleep.
   for (int i = 0; i < reports; ++i) {
     std::this_thread::sleep_for(std::chrono::microseconds(3000 + 37 * (i % 27)));
     const auto sent = Clock::now();
-    apps::mpi::send_report({1, 0, line + "\n"});
+    apps::mpi::send_report({.rank = 1, .finished = {{0, line}}});
     apps::mpi::receive_chunk();
     waits.push_back(std::chrono::duration<double>(Clock::now() - sent).count());
   }
-  apps::mpi::send_report({1, 15, fmt::format("{}\n", median(waits))});
+  apps::mpi::send_report({.rank = 1, .signal = 15, .finished = {{0, fmt::format("{}", median(waits))}}});
 }
 
 struct Outcome {

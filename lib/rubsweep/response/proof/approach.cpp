@@ -1,6 +1,7 @@
 #include "rubsweep/response/proof/approach.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "rubsweep/response/proof/foretold.hpp"
@@ -49,17 +50,21 @@ bool comes_near(const TurnMap& turn, std::span<const double> section, const Stab
     return (norms.norm[at] * offset).norm();
   };
   Foretold foretold(periods_foretold * orbit.order);
+  const double of_a_period = std::pow(norms.contraction, orbit.order);
   VectorXd told;
-  double first = 0, last = 0;
+  double first = 0, last = 0, a_period_ago = 0;
   const auto near = [&](std::size_t at, const VectorXd& offset, double size) {
     if (size <= wanted.adapted || offset.cwiseAbs().maxCoeff() <= wanted.largest) return true;
     if (!wanted.foretold) return false;
-    if (told.size() == 0)
+    if (told.size() == 0) {
       first = size;
-    else
-      foretold.add(size_of(offset - told, at), last, norms.contraction);
+    } else {
+      foretold.add_told(size_of(offset - told, at), last, norms.contraction);
+      if (at == 0) foretold.add_gain(a_period_ago, size, of_a_period);
+    }
     told = orbit.transitions[at] * offset;
     last = size;
+    if (at == 0) a_period_ago = size;
     return foretold.holds(size, first);
   };
   return follow(turn, section, orbit, size_of, near,

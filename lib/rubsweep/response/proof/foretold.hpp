@@ -1,31 +1,44 @@
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 namespace rubsweep::response::proof {
 
 /// Counts returns of a transient that came to what the derivative of its orbit says of them, up to a tenth of
 /// what a return gains. What is off is of second order in the distance, so that nearer by it is less: where
 /// several in a row came so and half of the distance is gone, the transient is on its way to the orbit.
+/// Near a fold, where an orbit attracts by next to nothing, what is off may be more for long, and to the
+/// better: there as many returns in a row count as halve the distance by what the orbit promises, each of
+/// which gained nine tenths of that or more. A transient on its way past the unstable orbit behind the fold
+/// would gain less and less.
 class Foretold {
  public:
-  /// `in_a_row`: that many returns are asked for.
+  /// `in_a_row`: so many returns, or turns of them, have to be told.
   explicit Foretold(int in_a_row) : wanted_(in_a_row) {}
 
-  /// One more return, which came `error` off from what the derivative says, from `distance` away in a norm
-  /// that every return multiplies by `contraction` or less.
-  void add(double error, double distance, double contraction) {
-    const bool so = error <= told_within * (1 - contraction) * distance;
-    in_a_row_ = so ? in_a_row_ + 1 : 0;
+  /// One more return, or turn of one, which came `error` off from what the derivative says, from `distance`
+  /// away in a norm that it multiplies by `contraction` or less, 0 < contraction < 1.
+  void add_told(double error, double distance, double contraction) {
+    told_ = error <= told_within * (1 - contraction) * distance ? told_ + 1 : 0;
+  }
+  /// One more return, which came from `before` to `now` away in such a norm.
+  void add_gain(double before, double now, double contraction) {
+    gained_ = before - now >= gained_at_least * (1 - contraction) * before ? gained_ + 1 : 0;
+    halving_ = std::numbers::ln2 / -std::log(contraction);
   }
 
   /// Now that `distance` is left of `first`.
   bool holds(double distance, double first) const {
-    return in_a_row_ >= wanted_ && distance < followed_down * first;
+    const bool on_its_way = told_ >= wanted_ || (gained_ > 0 && gained_ >= halving_);
+    return on_its_way && distance < followed_down * first;
   }
 
  private:
-  static constexpr double followed_down = 0.5, told_within = 0.1;
+  static constexpr double followed_down = 0.5, told_within = 0.1, gained_at_least = 0.9;
 
-  int wanted_, in_a_row_ = 0;
+  int wanted_, told_ = 0, gained_ = 0;
+  double halving_ = 0;
 };
 
 }  // namespace rubsweep::response::proof

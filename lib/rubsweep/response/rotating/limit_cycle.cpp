@@ -141,10 +141,12 @@ bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Close
   for (int k = 0;; ++k) {
     const VectorXd off = across * (image - cycle.x);
     const double distance = (norm * off).norm();
-    if (k == 0)
+    if (k == 0) {
       first = distance;
-    else
-      foretold.add((norm * (off - told)).norm(), last, norms->contraction);
+    } else {
+      foretold.add_told((norm * (off - told)).norm(), last, norms->contraction);
+      foretold.add_gain(last, distance, norms->contraction);
+    }
     if (largest(off) < near_by || distance < followed_down * first || foretold.holds(distance, first))
       return true;
     if (!(distance < 4 * first) || k >= patience.turns(norms->contraction, first, distance)) return false;
