@@ -111,7 +111,7 @@ TEST(ProveLimitCycle, RefusesAnUnstableOne) {
 TEST(ProveLimitCycle, RefusesATransientThatGoesElsewhere) {
   NormalForm form;
   form.push_out = 1;
-  const VectorXd start{{0.9, 0, 0}};
+  const VectorXd start{{0.94, 0, 0}};
   EXPECT_FALSE(prove_limit_cycle(form.motion(), start, {form.period()}));
   form.push_out = 0;
   EXPECT_TRUE(prove_limit_cycle(form.motion(), start, {form.period()}));
