@@ -13,7 +13,7 @@ namespace rubsweep::response::proof {
 struct Nearness {
   double adapted = 0;  ///< distance in the adapted norm of the turn
   double largest = 0;  ///< or this largest component of it, in (clearance, clearance omega)
-  /// Or half of what it was in the adapted norm, if the turns of the last three periods were foretold.
+  /// Or half of what it was in the adapted norm, as `Foretold` asks, by the turns of three periods.
   bool foretold = false;
 };
 
