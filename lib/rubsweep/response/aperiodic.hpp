@@ -28,15 +28,14 @@ struct Aperiodic {
   std::optional<int> returns_after;  ///< turns after which the section returns; the class is then unsettled
 };
 
-/// Follows a motion that showed no period in `turns_before` turns for 640 more, or as many as make 1280 in
-/// all; where they do not decide for 1280 more, then for 2560. A turn is one call of `turn`, `touched` says
+/// Follows a motion that showed no period in `turns_before` turns for 640 more; where they do not decide, for
+/// as many as make 1280 in all, then for 1280 and for 2560. A turn is one call of `turn`, `touched` says
 /// whether it saw contact, `observed` (2 x states / 2) maps displacements to (x, y).
 /// - Unsettled at once when a turn fails, or when `window` turns pass without contact.
 /// - Unsettled when the section returns, after any number of turns that fits twice into the last two fifths
 ///   (`returns_after`), or when the exponent is below -chaos_floor beyond its bar: still settling.
-/// - Chaotic when the exponent is positive beyond its bar and above chaos_floor, and the motion has lasted
-/// for
-///   1280 turns, those before among them.
+/// - Chaotic when the exponent is positive beyond its bar and above chaos_floor, and the motion has gone on
+///   for 1280 turns, those before among them.
 /// - Quasi-periodic when the exponent is zero within its bar, which lies within +-chaos_floor, and the motion
 ///   returns like a torus.
 /// - Else unsettled.

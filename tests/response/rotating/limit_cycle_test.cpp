@@ -99,6 +99,20 @@ TEST(ProveLimitCycle, TakesNoDerivativeAgainNearBy) {
   EXPECT_GE(roughly, 1);
 }
 
+/// A stepper's motion is no smoother than its tolerance.
+TEST(ProveLimitCycle, TheRoughFlowMayBeNoisy) {
+  const NormalForm form;
+  RotatingMotion motion = form.motion();
+  double noise = 2e-6;
+  motion.end = [&](const VectorXd& y, double t) {
+    noise = -noise;
+    return std::optional<VectorXd>(form.after(y, t) + VectorXd{{noise, -noise, noise}});
+  };
+  const auto cycle = prove_limit_cycle(motion, near_the_cycle, {1.005 * form.period()});
+  ASSERT_TRUE(cycle);
+  EXPECT_NEAR(cycle->state.head(2).norm(), 1, 1e-9);
+}
+
 TEST(ProveLimitCycle, RefusesAnUnstableOne) {
   for (const auto& [a, b] : {std::pair{-0.01, 0.3}, std::pair{0.1, -0.01}, std::pair{0.1, 1e-9}}) {
     NormalForm form;

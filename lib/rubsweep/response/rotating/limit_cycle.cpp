@@ -21,12 +21,13 @@ constexpr int newton_iterations = 8;
 /// Return error of a guess: none of the 40 that were farther off, of 715 in figure 11, led to the cycle that
 /// the transient came to.
 constexpr double farthest_guess = 0.08;
-constexpr double period_changes = 0.2;  ///< share of its first guess by which the period may change
-constexpr int most_periods = 64;        ///< looked for in a cycle that closes
-constexpr double returns_early = 1e-4;  ///< return error that makes a fraction the period
-constexpr double stands_still = 1e-5;   ///< rate below which a cycle is no cycle but a point
-constexpr double followed_down = 1e-3;  ///< share of its distance that a transient is followed down to
-constexpr double near_by = 1e-5;        ///< or this distance: what it does next is the rough flow's noise
+constexpr double share_of_closed = 0.01;  ///< that a kept derivative is to come to
+constexpr double period_changes = 0.2;    ///< share of its first guess by which the period may change
+constexpr int most_periods = 64;          ///< looked for in a cycle that closes
+constexpr double returns_early = 1e-4;    ///< return error that makes a fraction the period
+constexpr double stands_still = 1e-5;     ///< rate below which a cycle is no cycle but a point
+constexpr double followed_down = 1e-3;    ///< share of its distance that a transient is followed down to
+constexpr double near_by = 1e-5;          ///< or this distance: what it does next is the rough flow's noise
 constexpr proof::Patience patience{.start = 64, .most = 3000};  ///< periods
 
 /// Or half, if so many returns were foretold.
@@ -88,7 +89,8 @@ std::optional<Closed> close(const RotatingMotion& motion, const Flows& flows, co
   std::optional<NewtonSteps> steps;
   for (int i = 0; i < newton_iterations; ++i) {
     std::optional<VectorXd> end;
-    if (last < wanted.known_within) {
+    const bool known = last < wanted.known_within;
+    if (known) {
       end = motion.end(x, period);
     } else if ((arc = (i == 0 ? flows.at_first : flows.then)(x, period)) && arc->end.allFinite()) {
       steps.emplace(*arc, motion.rate(arc->end), across);
@@ -97,7 +99,9 @@ std::optional<Closed> close(const RotatingMotion& motion, const Flows& flows, co
     if (!end || !end->allFinite()) return std::nullopt;
     const double error = largest(*end - x);
     const VectorXd step = steps->from(x, *end);
-    if (error < (last < wanted.known_within ? 0.01 : 1) * wanted.closed) {
+    // A kept derivative goes on for as long as it gains much: what is exact then starts nearer.
+    const bool goes_on = known && error > share_of_closed * wanted.closed && error < last / 10;
+    if (error < wanted.closed && !goes_on) {
       if (!step.allFinite()) return Closed{x, period, *arc, x, period};
       return Closed{x, period, *arc, x + step.head(x.size()), period + step(x.size())};
     }
