@@ -213,7 +213,8 @@ TEST(ClassifyAperiodic, AReturnWhoseTrendIsUnknownIsNotDecided) {
   constexpr double beat = 0.01, cancel = 384;
   int calls = 0;
   const proof::SectionMap map = [&](std::span<double> s) {
-    const double turn = calls++ / 2;
+    const int whole = calls++ / 2;
+    const double turn = whole;
     const double size = 0.1 * std::sin(beat * (turn - cancel));
     s[0] = -s[0] * (1.5 - 0.5 * s[0] * s[0]);
     s[1] = size * std::cos(turn);

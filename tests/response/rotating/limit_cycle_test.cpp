@@ -83,13 +83,15 @@ TEST(ProveLimitCycle, TakesNoDerivativeAgainNearBy) {
   const NormalForm form;
   RotatingMotion motion = form.motion();
   int at_first = 0, roughly = 0, exactly = 0;
-  for (const auto& [flow, count] :
-       {std::pair{&motion.at_first, &at_first}, {&motion.roughly, &roughly}, {&motion.exactly, &exactly}}) {
-    *flow = [count, flow = *flow](const VectorXd& y, double t) {
-      ++*count;
-      return flow(y, t);
+  const auto count = [](RotatingMotion::Flow& flow, int& calls) {
+    flow = [&calls, counted = flow](const VectorXd& y, double t) {
+      ++calls;
+      return counted(y, t);
     };
-  }
+  };
+  count(motion.at_first, at_first);
+  count(motion.roughly, roughly);
+  count(motion.exactly, exactly);
   ASSERT_TRUE(prove_limit_cycle(motion, VectorXd{{0.9995, 0, 1e-4}}, {form.period()}));
   EXPECT_EQ(at_first, 1);
   EXPECT_EQ(roughly, 0);

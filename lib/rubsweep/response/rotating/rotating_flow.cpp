@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
 #include <variant>
 
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
@@ -128,7 +129,7 @@ struct RotatingFlow::Common {
   using Usual = integrate::taylor::TaylorRun<4>;
   using Other = integrate::taylor::TaylorRun<Eigen::Dynamic>;
 
-  explicit Common(const scene::Scene& of) : scene(of) { scene.pulses.clear(); }
+  explicit Common(scene::Scene of) : scene(std::move(of)) { scene.pulses.clear(); }
 
   scene::Scene scene;
   std::variant<std::monostate, Usual, Other> series;
