@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -13,29 +12,11 @@ namespace rubsweep::integrate::exact {
 
 template <int N>
 ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
-    : machine_(std::move(modes)), scale_(run::state_scale(scene)) {
-  const Eigen::MatrixXcd inverse_mass =
-      machine_->inverse_mass().template cast<Complex>() / scale_.in_seconds().unit_acceleration_m_per_s2();
-  unbalance_ = drive_of(inverse_mass * scene.harmonic_n, scene.speed_rad_per_s);
-  for (const scene::Pulse& pulse : scene.pulses) {
-    pulses_.push_back(
-        drive_of(Complex(0, -pulse.force_n) * (inverse_mass * pulse.direction.template cast<Complex>()),
-                 std::numbers::pi / pulse.duration_s));
-  }
-  acting_.reserve(pulses_.size());
-  now_.pulse_phasors.reserve(pulses_.size());
-  now_.free.resize(2 * unbalance_.acceleration.size());
-}
-
-template <int N>
-typename ExactMotion<N>::Drive ExactMotion<N>::drive_of(const Eigen::VectorXcd& acceleration,
-                                                        double rate_rad_per_s) const {
-  Drive drive{.acceleration = acceleration, .closing = {}, .rate = rate_rad_per_s};
-  for (const auto& contact : machine_->system().contacts) {
-    drive.closing.emplace_back(contact.first_row.dot(drive.acceleration.real()),
-                               contact.first_row.dot(drive.acceleration.imag()));
-  }
-  return drive;
+    : machine_(std::move(modes)),
+      scale_(run::state_scale(scene)),
+      drives_(scene, machine_->inverse_mass(), machine_->system()) {
+  now_.phasors.pulses.reserve(drives_.pulses().size());
+  now_.free.resize(2 * drives_.unbalance().acceleration.size());
 }
 
 template <int N>
@@ -48,7 +29,7 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   ModeCell& cell = cells_[mode_->index];
   bool usable = prepare(*mode_, cell);
   // A pulse may begin in contact, where bounds on released slips ask for the responses of the open mode.
-  if (joint != 0 && !acting_.empty()) {
+  if (joint != 0 && !drives_.acting().empty()) {
     const LinearMode<N>& open = *machine_->mode(0);
     usable = usable && prepare(open, cells_[open.index]);
   }
@@ -68,13 +49,13 @@ bool ExactMotion<N>::change(std::size_t joint) {
       cells_.resize(next->index + 1);
       cell_ = &cells_[mode_->index];
     }
-    if (acting_.empty() && prepare(*next, cells_[next->index])) {
+    if (drives_.acting().empty() && prepare(*next, cells_[next->index])) {
       const Passage& way = passage(*next);
       tangents_.change(*mode_, way.change->by);
       State z;
       numerics::put_product(way.change->by, now_.free, z);
-      now_.free = z + way.change->constant + now_.phasor.real() * way.unbalance.real +
-                  now_.phasor.imag() * way.unbalance.imaginary;
+      now_.free = z + way.change->constant + now_.phasors.shaft.real() * way.unbalance.real +
+                  now_.phasors.shaft.imag() * way.unbalance.imaginary;
       mode_ = next;
       cell_ = &cells_[next->index];
       joint_ = joint;
@@ -105,25 +86,10 @@ bool ExactMotion<N>::prepare(const LinearMode<N>& mode, ModeCell& cell) const {
     response.made = true;
     return response.usable;
   };
-  if (!acting_.empty()) cell.pulses.resize(pulses_.size());
-  if (!make(cell.shaft, unbalance_)) return false;
-  return std::ranges::all_of(acting_, [&](std::size_t i) { return make(cell.pulses[i], pulses_[i]); });
-}
-
-template <int N>
-void ExactMotion<N>::set_phases(double phase_rad) {
-  now_.phasor = std::polar(1.0, phase_rad);
-  acting_.clear();
-  now_.pulse_phasors.clear();
-}
-
-template <int N>
-void ExactMotion<N>::set_phases(double phase_rad, const run::PulseTimes& pulses, double time_s) {
-  set_phases(phase_rad);
-  for (const std::size_t i : pulses.acting()) {
-    acting_.push_back(i);
-    now_.pulse_phasors.push_back(std::polar(1.0, pulses.angle_rad(i, time_s)));
-  }
+  if (!drives_.acting().empty()) cell.pulses.resize(drives_.pulses().size());
+  if (!make(cell.shaft, drives_.unbalance())) return false;
+  return std::ranges::all_of(drives_.acting(),
+                             [&](std::size_t i) { return make(cell.pulses[i], drives_.pulses()[i]); });
 }
 
 template <int N>
@@ -131,58 +97,32 @@ typename ExactMotion<N>::State ExactMotion<N>::forced(const LinearMode<N>& mode,
                                                       const Instant& instant) const {
   State state = State::Zero(instant.free.size());
   state.template head<N>(mode.rest.size()) = mode.rest;
-  for_each_response(cell, acting_, instant,
+  for_each_response(cell, instant,
                     [&](const auto& response, Complex phasor) { response.add_to(state, phasor); });
   return state;
-}
-
-template <int N>
-void ExactMotion<N>::turn_phasors(Instant& instant, double duration_s) const {
-  instant.phasor = product(instant.phasor, std::polar(1.0, unbalance_.rate * duration_s));
-  for (std::size_t k = 0; k < acting_.size(); ++k) {
-    Complex& phasor = instant.pulse_phasors[k];
-    phasor = product(phasor, std::polar(1.0, pulses_[acting_[k]].rate * duration_s));
-  }
-}
-
-template <int N>
-void ExactMotion<N>::turn_pulses_by_table(Instant& instant, std::size_t table_step) const {
-  for (std::size_t k = 0; k < acting_.size(); ++k) {
-    Complex& phasor = instant.pulse_phasors[k];
-    phasor = product(phasor, cell_->pulses[acting_[k]].response.turned_by(table_step, mode_->longest_step_s));
-  }
 }
 
 template <int N>
 void ExactMotion<N>::ahead(Instant& instant, double duration_s) const {
   if (!(duration_s > 0)) return;
   move_pairs(flow_of_pairs(*mode_, duration_s), instant.free);
-  turn_phasors(instant, duration_s);
+  drives_.turn(instant.phasors, duration_s);
 }
 
 template <int N>
 void ExactMotion<N>::ahead_by_table(Instant& instant, int k) const {
   const auto index = static_cast<std::size_t>(k);
   move_pairs(mode_->pair_steps[index], instant.free);
-  instant.phasor = product(instant.phasor, cell_->shaft.response.turned_by(index, mode_->longest_step_s));
-  if (!acting_.empty()) turn_pulses_by_table(instant, index);
+  turn_by_table(instant.phasors, index);
 }
 
 template <int N>
 void ExactMotion<N>::ahead_by_interval(Instant& instant, double interval_s) {
   Stretch& interval = cell_->interval;
-  if (interval.duration_s != interval_s) {
-    interval.duration_s = interval_s;
-    interval.pairs = flow_of_pairs(*mode_, interval_s);
-    interval.turn = std::polar(1.0, unbalance_.rate * interval_s);
-    interval.pulse_turns.clear();
-    for (const Drive& pulse : pulses_)
-      interval.pulse_turns.push_back(std::polar(1.0, pulse.rate * interval_s));
-  }
+  if (interval.duration_s != interval_s)
+    interval = {interval_s, flow_of_pairs(*mode_, interval_s), drives_.turns(interval_s)};
   move_pairs(interval.pairs, instant.free);
-  instant.phasor = product(instant.phasor, interval.turn);
-  for (std::size_t k = 0; k < acting_.size(); ++k)
-    instant.pulse_phasors[k] = product(instant.pulse_phasors[k], interval.pulse_turns[acting_[k]]);
+  drives_.turn(instant.phasors, interval.turns);
 }
 
 template <int N>
@@ -190,7 +130,7 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::force(std::size_t t, const I
   const TouchWatch<N>& touch = mode_->touches[t];
   const ModalSum free = sum_of(touch.force_of_free.list, instant.free.data(), mode_->paired);
   GuardValue force{touch.force_constant + free.value(), free.rate(), free.curvature()};
-  for_each_response(*cell_, acting_, instant, [&](const auto& response, Complex phasor) {
+  for_each_response(*cell_, instant, [&](const auto& response, Complex phasor) {
     const Complex z = product(response.at_force[t], phasor);
     force.value += z.real();
     force.rate -= response.rate * z.imag();
@@ -203,7 +143,7 @@ template <int N>
 typename ExactMotion<N>::CasingMotion ExactMotion<N>::casing(std::size_t c, const Instant& instant) const {
   const CasingView<N>& view = mode_->casings[c];
   Eigen::Vector2d displacement = view.rest, velocity = Eigen::Vector2d::Zero();
-  for_each_response(*cell_, acting_, instant, [&](const auto& response, Complex phasor) {
+  for_each_response(*cell_, instant, [&](const auto& response, Complex phasor) {
     for (Eigen::Index i = 0; i < 2; ++i) {
       const Complex z = product(response.at_casing[c][static_cast<std::size_t>(i)], phasor);
       displacement(i) += z.real();
@@ -221,11 +161,7 @@ typename ExactMotion<N>::State ExactMotion<N>::rate_of(const State& physical) co
   State offset = physical;
   offset.template head<N>(n) -= mode_->rest;
   State rate = numerics::product_of<State>(mode_->generator, offset);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    rate(n + j) += real_product(unbalance_.acceleration(j), now_.phasor);
-    for (std::size_t k = 0; k < acting_.size(); ++k)
-      rate(n + j) += real_product(pulses_[acting_[k]].acceleration(j), now_.pulse_phasors[k]);
-  }
+  for (Eigen::Index j = 0; j < n; ++j) drives_.add_acceleration(j, now_.phasors, rate(n + j));
   return rate;
 }
 
@@ -234,9 +170,7 @@ double ExactMotion<N>::closing_acceleration(std::size_t i, const State& physical
   const Eigen::Index n = mode_->rest.size();
   const typename ExactTypes<N>::Row& row = mode_->closing[i];
   double acceleration = row.dot(physical.transpose()) - row.template head<N>(n).dot(mode_->rest.transpose());
-  acceleration += real_product(unbalance_.closing[i], now_.phasor);
-  for (std::size_t k = 0; k < acting_.size(); ++k)
-    acceleration += real_product(pulses_[acting_[k]].closing[i], now_.pulse_phasors[k]);
+  drives_.add_closing(i, now_.phasors, acceleration);
   return acceleration;
 }
 
@@ -251,7 +185,7 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::annular(std::size_t r, const
   }
   double speed = guard.speed_bound.dot(sizes.transpose());
   double curvature = guard.curvature_bound.dot(sizes.transpose());
-  for_each_response(*cell_, acting_, now_, [&](const auto& response, Complex phasor) {
+  for_each_response(*cell_, now_, [&](const auto& response, Complex phasor) {
     for (std::size_t i = 0; i < 2; ++i) {
       const Complex z = product(response.at_annular_guard[r][i], phasor);
       d[i] += z.real();
@@ -275,7 +209,7 @@ void ExactMotion<N>::step_by_series(double duration_s) {
   if (duration_s == 0) return;
   move_by_series(*mode_, duration_s, now_.free);
   tangents_.pass(duration_s);
-  turn_phasors(now_, duration_s);
+  drives_.turn(now_.phasors, duration_s);
 }
 
 template <int N>
@@ -285,7 +219,7 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
     const auto count = static_cast<std::size_t>(highest) + 1;
     const auto even = std::span(storage).first(count + count % 2), terms = even.first(count);
     expand_guard(mode_->guards[e], now_.free, even);
-    for_each_response(*cell_, acting_, now_,
+    for_each_response(*cell_, now_,
                       [&](const auto& response, Complex phasor) { response.expand(e, phasor, even); });
     numerics::scale_terms(duration_s * mode_->fastest_rad_per_s, terms);
     return terms;
@@ -324,7 +258,7 @@ typename ExactMotion<N>::SlidingRate ExactMotion<N>::sliding_rate(std::size_t t)
     sliding.curvature += mode_->paired ? pair.bound[0] * pair_size(u, v)
                                        : pair.bound[0] * std::abs(u) + pair.bound[1] * std::abs(v);
   }
-  for_each_response(*cell_, acting_, now_, [&](const auto& response, Complex phasor) {
+  for_each_response(*cell_, now_, [&](const auto& response, Complex phasor) {
     sliding.rate -= response.rate * product(response.at_sliding[t], phasor).imag();
     sliding.curvature += response.sliding_curvature[t];
   });
@@ -341,7 +275,7 @@ double ExactMotion<N>::sliding_rate_bound(const TouchWatch<N>& touch, const Stat
   double bound = 0;
   for (Eigen::Index j = 0; j < n; ++j)
     bound += touch.sliding_rate_bound(j) * std::hypot(free(j), free(n + j));
-  for_each_response(cell, acting_, now_, [&](const auto& response, Complex) {
+  for_each_response(cell, now_, [&](const auto& response, Complex) {
     Complex sliding = 0;
     for (Eigen::Index j = 0; j < n; ++j) sliding += touch.sliding(n + j) * response.amplitude(j);
     bound += std::abs(sliding) * response.rate * response.rate;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "rubsweep/integrate/exact/drives.hpp"
 #include "rubsweep/integrate/exact/harmonic_response.hpp"
 #include "rubsweep/integrate/exact/machine_modes.hpp"
 #include "rubsweep/integrate/exact/mode_change.hpp"
@@ -43,17 +44,16 @@ class ExactMotion {
   /// Times that a mode was entered.
   long visits() const { return visits_; }
 
-  /// Sets the phase of the shaft; no pulse acts from here on.
-  void set_phases(double phase_rad);
-  /// The same, and those pulses act that do at `time_s` in the revolution of `pulses`, which counts seconds.
-  void set_phases(double phase_rad, const run::PulseTimes& pulses, double time_s);
+  /// As Drives::start.
+  void set_phases(double phase_rad) { drives_.start(phase_rad, now_.phasors); }
+  void set_phases(double phase_rad, const run::PulseTimes& pulses, double time_s) {
+    drives_.start(phase_rad, pulses, time_s, now_.phasors);
+  }
 
-  /// What changes while the mode does not: the free vibration, and the phasors e^{i rate t} of unbalance and
-  /// of the pulses that act.
+  /// What changes while the mode does not: the free vibration, and what drives it.
   struct Instant {
     State free;
-    std::complex<double> phasor{1};
-    std::vector<std::complex<double>> pulse_phasors{};
+    Phasors phasors;
   };
   const Instant& here() const { return now_; }
   /// Moves an instant of the present mode, which must have a modal form; the motion stays where it is.
@@ -179,19 +179,11 @@ class ExactMotion {
  private:
   using Complex = std::complex<double>;
 
-  /// A harmonic force, divided by the mass: the acceleration is Re(. e^{i rate t}).
-  struct Drive {
-    Eigen::VectorXcd acceleration;  ///< per s^2
-    std::vector<Complex> closing;   ///< along each contact's normal
-    double rate = 0;                ///< rad/s
-  };
-
   /// Flow of a mode of pairs over some duration, and how far the phasors turn.
   struct Stretch {
     double duration_s = -1;
     typename ExactTypes<N>::Pairs pairs;
-    Complex turn;
-    std::vector<Complex> pulse_turns{};  ///< of all pulses
+    Phasors turns;
   };
 
   struct ModeResponse {
@@ -212,33 +204,25 @@ class ExactMotion {
   };
 
   /// Of what vibrates and what drives it now.
-  double fastest_rad_per_s() const {
-    double fastest = std::max(mode_->fastest_rad_per_s, unbalance_.rate);
-    for (const std::size_t i : acting_) fastest = std::max(fastest, pulses_[i].rate);
-    return fastest;
-  }
-  Drive drive_of(const Eigen::VectorXcd& acceleration, double rate_rad_per_s) const;
+  double fastest_rad_per_s() const { return drives_.fastest_rad_per_s(mode_->fastest_rad_per_s); }
   bool prepare(const LinearMode<N>& mode, ModeCell& cell) const;
   /// From the present mode to one whose cell is prepared.
   const Passage& passage(const LinearMode<N>& to);
   /// Visits the response of `cell` to every force that acts, and its phasor.
   template <class Visit>
-  static void for_each_response(const ModeCell& cell, const std::vector<std::size_t>& acting,
-                                const Instant& instant, const Visit& visit) {
-    visit(cell.shaft.response, instant.phasor);
+  void for_each_response(const ModeCell& cell, const Instant& instant, const Visit& visit) const {
+    const auto& acting = drives_.acting();
+    visit(cell.shaft.response, instant.phasors.shaft);
     for (std::size_t k = 0; k < acting.size(); ++k)
-      visit(cell.pulses[acting[k]].response, instant.pulse_phasors[k]);
+      visit(cell.pulses[acting[k]].response, instant.phasors.pulses[k]);
   }
   State forced(const LinearMode<N>& mode, const ModeCell& cell, const Instant& instant) const;
-  void turn_phasors(Instant& instant, double duration_s) const;
-  void turn_pulses_by_table(Instant& instant, std::size_t table_step) const;
+  void turn_by_table(Phasors& phasors, std::size_t table_step) const;
   void step_by_series(double duration_s);
 
   std::shared_ptr<MachineModes<N>> machine_;
   run::StateScale scale_;  ///< of sections
-  Drive unbalance_;
-  std::vector<Drive> pulses_;
-  std::vector<std::size_t> acting_;  ///< the pulses that do, ascending
+  Drives drives_;
   std::vector<ModeCell> cells_;
   std::vector<std::vector<Passage>> passages_;  ///< by the indices of both modes
   const LinearMode<N>* mode_ = nullptr;
@@ -264,9 +248,11 @@ inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_guard(std::size_t 
     const Complex z = product(response.at_guard[e], phasor);
     return {z.real(), -response.rate * z.imag(), response.curvature[e]};
   };
-  Forced forced{.shaft = of(cell_->shaft.response, now_.phasor), .pulses = {}, .pulsed = !acting_.empty()};
-  for (std::size_t k = 0; k < acting_.size(); ++k)
-    Forced::add(of(cell_->pulses[acting_[k]].response, now_.pulse_phasors[k]), forced.pulses);
+  const auto& acting = drives_.acting();
+  Forced forced{
+      .shaft = of(cell_->shaft.response, now_.phasors.shaft), .pulses = {}, .pulsed = !acting.empty()};
+  for (std::size_t k = 0; k < acting.size(); ++k)
+    Forced::add(of(cell_->pulses[acting[k]].response, now_.phasors.pulses[k]), forced.pulses);
   return forced;
 }
 
@@ -287,6 +273,16 @@ inline typename ExactMotion<N>::GuardValue ExactMotion<N>::slow_guard(const Line
 }
 
 template <int N>
+inline void ExactMotion<N>::turn_by_table(Phasors& phasors, std::size_t table_step) const {
+  const auto turn = [&](ModeResponse& of, Complex& phasor) {
+    phasor = product(phasor, of.response.turned_by(table_step, mode_->longest_step_s));
+  };
+  turn(cell_->shaft, phasors.shaft);
+  const auto& acting = drives_.acting();
+  for (std::size_t k = 0; k < acting.size(); ++k) turn(cell_->pulses[acting[k]], phasors.pulses[k]);
+}
+
+template <int N>
 inline void ExactMotion<N>::step_by_table(int k) {
   const auto index = static_cast<std::size_t>(k);
   if (mode_->paired) {
@@ -295,8 +291,7 @@ inline void ExactMotion<N>::step_by_table(int k) {
     now_.free = numerics::product_of<State>(mode_->steps.of(k), now_.free);
   }
   tangents_.pass(mode_->longest_step_s * numerics::exact_step_sizes[index]);
-  now_.phasor = product(now_.phasor, cell_->shaft.response.turned_by(index, mode_->longest_step_s));
-  if (!acting_.empty()) turn_pulses_by_table(now_, index);
+  turn_by_table(now_.phasors, index);
 }
 
 extern template class ExactMotion<2>;
