@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rubsweep/integrate/exact/linear_mode.hpp"
+#include "rubsweep/numerics/matrix_flow.hpp"
+#include "rubsweep/numerics/modal_form.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// How the free vibration z of a mode moves, which says how fast a row on it changes and within what bounds.
+template <int N>
+struct FreeVibration {
+  typename ExactTypes<N>::Flow basis;  ///< (u, u') of z
+  std::optional<numerics::ModalForm> form;
+  std::optional<numerics::FlowBound> flow_bound;  ///< where there is no modal form
+};
+
+/// Adds to a mode whose flow is made what is seen of its motion: the guards of its contacts, the forces and
+/// sliding speeds of those that touch, the casings. `backward` as of make_linear_mode.
+template <int N>
+void add_views(const CommonToModes& common, const std::vector<bool>& backward,
+               const FreeVibration<N>& vibration, LinearMode<N>& mode);
+
+}  // namespace rubsweep::integrate::exact
