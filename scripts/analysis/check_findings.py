@@ -74,6 +74,14 @@ def result_line(name, outcome):
     return f"   {name:<10} | {outcome.measured} | without filter: {outcome.unfiltered} | {outcome.verdict}"
 
 
+def brief(machine):
+    """A heading, then a line for each finding of one machine."""
+    yield "# finding | number that decides | without filter | verdict"
+    for finding in FINDINGS:
+        outcome = finding.outcome(machine)
+        yield f"{finding.title} | {outcome.measured} | {outcome.unfiltered} | {outcome.verdict}"
+
+
 def read_verdicts(lines):
     """A dict from (title of the finding, name of the machine) to the verdict, from the lines of a table."""
     verdicts, title = {}, None
@@ -100,6 +108,7 @@ def parse(arguments):
     parser.add_argument("--maps", default=os.path.join(TOP, "results"))
     parser.add_argument("--machine", action="append", default=[], metavar="NAME=DIR")
     parser.add_argument("--expected")
+    parser.add_argument("--brief", metavar="DIR")
     return parser.parse_args(arguments)
 
 
@@ -112,6 +121,11 @@ def main(arguments):
         if not expected:
             raise Failure(f"{options.expected} holds no verdict")
     maps, programs = os.path.abspath(options.maps), os.path.abspath(options.programs)
+    rubtrace = os.path.join(programs, "rubtrace")
+    if options.brief:
+        found = own_directories(os.path.abspath(options.brief))
+        print("\n".join(brief(StudiedMachine("brief", found, rubtrace))))
+        return
     directories = {
         name: shipped_directories(stems, maps, os.path.join(programs, "rubsweep")) for name, stems in SHIPPED.items()
     }
@@ -120,7 +134,6 @@ def main(arguments):
         if not separator or not name or name in directories or " | " in name:
             raise Failure(f"--machine {machine}: allowed: NAME=DIR with a name of its own")
         directories[name] = own_directories(os.path.abspath(directory))
-    rubtrace = os.path.join(programs, "rubtrace")
     lines = []
     for line in table([StudiedMachine(name, found, rubtrace) for name, found in directories.items()]):
         print(line, flush=True)
@@ -134,4 +147,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    run_program(main, usage="check_findings.sh [--programs DIR] [--maps DIR] [--machine NAME=DIR]... [--expected FILE]")
+    run_program(main, usage="check_findings.sh [--programs DIR] [--maps DIR] [--machine NAME=DIR]... [--expected FILE] | --brief DIR")

@@ -30,6 +30,11 @@ class Table(unittest.TestCase):
     def test_sums(self):
         self.assertEqual(self.lines[-2], f"empty: 0 holds, 0 partly, 0 not reproduced, {len(check_findings.FINDINGS)} no map")
 
+    def test_brief_has_a_line_for_each_finding(self):
+        lines = list(check_findings.brief(SampleMachine(name="two circles", annulus=[circle(1.5, 0.4), circle(2.5, 0.6)])))
+        rows = dict((cells[0], cells[3]) for cells in (line.split(" | ") for line in lines[1:]))
+        self.assertEqual(rows, {title: verdict for (title, name), verdict in self.verdicts.items() if name == "two circles"})
+
     def test_titles_differ(self):
         self.assertEqual(len({finding.title for finding in check_findings.FINDINGS}), len(check_findings.FINDINGS))
 

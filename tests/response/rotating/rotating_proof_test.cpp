@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
+#include <numbers>
 #include <string>
+#include <utility>
 
 #include "response/annular_cell.hpp"
 #include "rubsweep/response/settle.hpp"
@@ -32,6 +36,37 @@ struct ProvenAndObserved {
     EXPECT_EQ(name(observed), motion_class);
   }
 };
+
+/// A turn in which the distance of the rotor from the middle has so many maxima, farther out turn by turn so
+/// that no state comes back.
+integrate::run::TurnReport turn_with(int maxima, int samples, int number) {
+  integrate::run::TurnReport turn;
+  turn.touched = true;
+  turn.sample_count = samples;
+  for (int k = 0; k < samples; ++k) {
+    const double phase = 2 * std::numbers::pi * (k + 0.5) / samples, radius = 1.2 + 0.3 * number;
+    const double distance = radius + 0.05 * std::cos(maxima * phase),
+                 rate = -0.05 * maxima * std::sin(maxima * phase);
+    const std::complex<double> way = std::polar(1.0, phase), z = distance * way,
+                               v = (rate + std::complex(0.0, distance)) * way;
+    turn.samples.insert(turn.samples.end(), {z.real(), z.imag(), 0, 0, v.real(), v.imag(), 0, 0});
+  }
+  turn.section.assign(turn.samples.begin(), turn.samples.begin() + 8);
+  return turn;
+}
+
+TEST(RotatingProof, AsksForFewerSamplesWhereMaximaAreFew) {
+  for (const auto& [maxima, usual] : {std::pair{2, 32}, {8, 64}}) {
+    const motion::ResponseOptions options;
+    motion::Workspace workspace;
+    rotating::RotatingProof proof(annular_cell(165, 0.6).scene, {}, options, workspace);
+    for (int number = 0; number < 20; ++number) {
+      const int wanted = proof.samples_wanted();
+      EXPECT_EQ(wanted, number % 8 == 0 ? 64 : usual) << maxima << ' ' << number;
+      EXPECT_FALSE(proof.look(turn_with(maxima, wanted, number)));
+    }
+  }
+}
 
 TEST(RotatingProof, TheCircleIsWhatALongRunShows) {
   const auto [proven, observed] = ProvenAndObserved(annular_cell(80, 0.6), "synchronous", 20, 200);

@@ -8,9 +8,8 @@ using numerics::product_term;
 using numerics::sum_of_products;
 using numerics::Twin;
 
-void ContactJacobian::follow(const ContactSeries& contact) {
-  contact_ = &contact;
-  made_ = 0;
+void ContactJacobian::read_law() {
+  const ContactSeries& contact = *contact_;
   const ContactLaw& law = contact.law();
   const double stiffness = law.stiffness;
   spring_ = contact::law_of(contact.mode()).spring * stiffness;
@@ -39,6 +38,7 @@ Twin ContactJacobian::spring_column(double along, double across) const {
 
 void ContactJacobian::make(int k) {
   const PlaneSeries &n = contact_->normal(), &r = contact_->length(), &speed = contact_->length_rate();
+  if (k == 0) read_law();
   if (k == 0 || !damped()) make_along(k);
   if (damped()) make_along(k + 1);
   const double one = k == 0 ? 1 : 0;

@@ -18,12 +18,16 @@ class ContactJacobian {
   using Twin = numerics::Twin;
 
   /// Of the expansion as it is now; no term is made yet.
-  void follow(const ContactSeries& contact);
+  void follow(const ContactSeries& contact) {
+    contact_ = &contact;
+    made_ = 0;
+  }
   /// Makes what is missing of the terms up to k, of B up to k + 1, as far as the motion's normal is known.
   void extend(int k) {
     while (made_ <= k) make(made_++);
   }
 
+  /// This and the rest once a term is made.
   bool damped() const { return damper_ != 0; }
   /// Coefficients of the columns of A, and of B where damped.
   Twin first(int k) const { return first_[k]; }
@@ -32,6 +36,7 @@ class ContactJacobian {
   Twin second_damped(int k) const { return second_damped_[k]; }
 
  private:
+  void read_law();
   void make(int k);
   void make_along(int k);
   Twin spring_column(double along, double across) const;

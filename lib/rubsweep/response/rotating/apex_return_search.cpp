@@ -31,7 +31,7 @@ void ApexReturnSearch::add(const integrate::run::TurnReport& turn) {
     const double half = z.dot(v);
     return half * half > constant_rate * constant_rate * z.squaredNorm() * v.squaredNorm() ? half : 0;
   };
-  lately_ = 0;
+  in_turn_ = 0;
   const double* before = last_.empty() ? nullptr : last_.data();
   double rate_before = before ? rate(before) : 0;
   for (int k = 0; k < turn.sample_count; ++k) {
@@ -55,11 +55,11 @@ void ApexReturnSearch::add_maximum(const double* before, const double* here, dou
   returns_.add({state.data(), static_cast<std::size_t>(states_)}, touched);
   maxima_.push_back(
       {full_turn * static_cast<double>(turns_) + phase_before_rad + share * spacing_rad, state});
-  ++lately_;
+  ++in_turn_;
 }
 
 std::optional<ApexReturnSearch::Return> ApexReturnSearch::candidate() const {
-  if (lately_ == 0) return std::nullopt;
+  if (in_turn_ == 0) return std::nullopt;
   const auto maxima = returns_.candidate();
   if (!maxima) return std::nullopt;
   Return found{*maxima, {}};

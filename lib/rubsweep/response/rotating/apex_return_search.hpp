@@ -19,8 +19,8 @@ class ApexReturnSearch {
   /// One more turn, with samples.
   void add(const integrate::run::TurnReport& turn);
 
-  /// Maxima in that turn.
-  int lately() const { return lately_; }
+  /// In that turn.
+  int maxima_in_turn() const { return in_turn_; }
 
   struct Return {
     int maxima = 0;                   ///< after so many maxima the last one came back
@@ -50,7 +50,7 @@ class ApexReturnSearch {
   Eigen::Index states_;
   proof::PeriodSearch returns_;
   long turns_ = 0;
-  int lately_ = 0;
+  int in_turn_ = 0;
   std::vector<double> last_;  ///< sample before the turn; empty at the start
   std::vector<Maximum> maxima_;
 };

@@ -48,8 +48,8 @@ Complex between(const Knot& a, const Knot& b, double phase_rad) {
 }
 
 /// Equidistant samples of w over the period, the end point left out: a power of two, which many cells share,
-/// because a plan for a transform of a new length takes longer than the transform. More of them than knots
-/// change no line by 1e-10 of the clearance.
+/// because a plan for a transform of a new length takes longer than the transform. Twice as many change no line
+/// of figure 11 by 1e-10 of the clearance.
 std::vector<Complex> one_period(const std::vector<Knot>& knots) {
   const double period = knots.back().phase_rad;
   const std::size_t count = std::bit_ceil(knots.size());

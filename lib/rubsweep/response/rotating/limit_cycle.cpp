@@ -23,7 +23,7 @@ constexpr int newton_iterations = 8;
 constexpr double farthest_guess = 0.08;
 constexpr double share_of_closed = 0.01;  ///< that a kept derivative is to come to
 constexpr double period_changes = 0.2;    ///< share of its first guess by which the period may change
-constexpr int most_periods = 64;          ///< looked for in a cycle that closes
+constexpr int most_parts = 64;            ///< of the period found, after one of which the motion may return
 constexpr double returns_early = 1e-4;    ///< return error that makes a fraction the period
 constexpr double stands_still = 1e-5;     ///< rate below which a cycle is no cycle but a point
 constexpr double followed_down = 1e-3;    ///< share of its distance that a transient is followed down to
@@ -182,30 +182,30 @@ constexpr bool is_prime(int k) {
   return k > 1;
 }
 
-/// The largest k <= `most_periods`, or the largest such prime, for which the motion returns after a k-th of
-/// the period; 1 where there is none.
-int periods_in(const RotatingMotion& motion, const Closed& cycle, bool primes) {
-  VectorXd here = cycle.next_x;
+/// The largest prime k <= `most` for which the motion returns to `x` after a k-th of the period; 1 where
+/// there is none.
+int parts_of(const RotatingMotion& motion, const VectorXd& x, double period_rad, int most) {
+  VectorXd here = x;
   double passed_rad = 0;
-  for (int k = most_periods; k > 1; --k) {
-    if (primes && !is_prime(k)) continue;
-    const double part_rad = cycle.next_period_rad / k;
-    const auto end = motion.end(here, part_rad - passed_rad);
+  for (int k = most; k > 1; --k) {
+    if (!is_prime(k)) continue;
+    const auto end = motion.end(here, period_rad / k - passed_rad);
     if (!end) break;
     here = *end;
-    passed_rad = part_rad;
-    if (largest(here - cycle.next_x) < returns_early) return k;
+    passed_rad = period_rad / k;
+    if (largest(here - x) < returns_early) return k;
   }
   return 1;
 }
 
 /// Newton's iteration may have closed several periods at once, of a whip dozens: the smallest one that
-/// closes. A motion that returns after a k-th of the period does so after a part by each prime factor of k,
-/// so that primes tell whether there is one.
+/// closes. Where the motion returns after some part of the period, it does so after a part by a prime.
 std::optional<LimitCycle> smallest_cycle(const RotatingMotion& motion, const Closed& cycle) {
-  const int k = periods_in(motion, cycle, true) > 1 ? periods_in(motion, cycle, false) : 1;
-  if (k > 1) {
-    if (auto found = exact_cycle(motion, cycle.next_x, cycle.next_period_rad / k)) return found;
+  int parts = 1;
+  for (int k = most_parts; k > 1; parts *= k)
+    k = parts_of(motion, cycle.next_x, cycle.next_period_rad / parts, most_parts / parts);
+  if (parts > 1) {
+    if (auto found = exact_cycle(motion, cycle.next_x, cycle.next_period_rad / parts)) return found;
   }
   return exact_cycle(motion, cycle.next_x, cycle.next_period_rad);
 }

@@ -132,7 +132,7 @@ std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd
   }
   if (!maxima_) maxima_.emplace(scene_);
   maxima_->add(turn);
-  if (turn.sample_count >= fine_samples) many_maxima_ = maxima_->lately() > few_maxima;
+  if (turn.sample_count >= fine_samples) many_maxima_ = maxima_->maxima_in_turn() > few_maxima;
   const double allowed = turns_for_cycles + share_for_cycles * static_cast<double>(looked_at_);
   if (spent_on_cycles_rad_ > full_turn * allowed) return std::nullopt;
   const auto candidate = maxima_->candidate();
