@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <utility>
 
 namespace rubsweep::response::proof {
@@ -54,6 +55,40 @@ TEST(Foretold, BesideAFoldAGainThatLastsIsEnough) {
   EXPECT_LT(nearer, 5.1e-4);
   // And never from behind it.
   EXPECT_EQ(fold.follow(-0.0051, 600).first, 600);
+}
+
+/// Beside a torus bifurcation, z' = z (c + b |z|^2) e^{i (w + t |z|^2)}: the unstable torus is at |z|^2 =
+/// (1 - c) / b, and with the distance changes the angle by which a return turns.
+struct Spiral {
+  double contraction = 0.995, bend = 0.5, twist = 3;
+
+  /// Of `most` returns from |z| = `distance`; how many of them are told, and after how many the approach is.
+  std::pair<int, int> follow(double distance, int most) const {
+    Foretold foretold(3);
+    int told = 0;
+    std::complex<double> z = distance;
+    for (int k = 1; k <= most; ++k) {
+      const double square = std::norm(z);
+      const auto says = contraction * std::polar(1.0, 1.3) * z;
+      const auto next = z * (contraction + bend * square) * std::polar(1.0, 1.3 + twist * square);
+      const double error = std::abs(next - says);
+      if (error <= 0.1 * (1 - contraction) * std::abs(z)) ++told;
+      foretold.add_told(error, std::abs(z), contraction);
+      foretold.add_gain(std::abs(z), std::abs(next), contraction);
+      z = next;
+      if (foretold.holds(std::abs(z), distance)) return {told, k};
+    }
+    return {told, most};
+  }
+};
+
+TEST(Foretold, BesideATorusBifurcationATurnedApproachIsOne) {
+  const auto [told, returns] = Spiral{}.follow(0.06, 2000);
+  EXPECT_EQ(told, 0);
+  EXPECT_GT(returns, 138);
+  EXPECT_LT(returns, 500);
+  // The torus is at 0.1: nothing comes from behind it.
+  EXPECT_EQ(Spiral{}.follow(0.101, 2000), std::pair(0, 2000));
 }
 
 }  // namespace

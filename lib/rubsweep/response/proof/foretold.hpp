@@ -8,10 +8,11 @@ namespace rubsweep::response::proof {
 /// Counts returns of a transient that came to what the derivative of its orbit says of them, up to a tenth of
 /// what a return gains. What is off is of second order in the distance, so that nearer by it is less: where
 /// several in a row came so and half of the distance is gone, the transient is on its way to the orbit.
-/// Near a fold, where an orbit attracts by next to nothing, what is off may be more for long, and to the
-/// better: there as many returns in a row count as halve the distance by what the orbit promises, each of
-/// which gained nine tenths of that or more. A transient on its way past the unstable orbit behind the fold
-/// would gain less and less.
+/// Where an orbit attracts by next to nothing, beside a fold or a torus bifurcation, what is off may be more
+/// for long: it speeds the approach up, or turns it by an angle that goes with the distance, so that what the
+/// derivative tells is far off and yet as near to the orbit. There as many returns in a row count as halve
+/// the distance by what the orbit promises, each of which gained nine tenths of that or more. A transient
+/// behind the unstable orbit or torus of that bifurcation gains nothing.
 class Foretold {
  public:
   /// `in_a_row`: so many returns, or turns of them, have to be told.
