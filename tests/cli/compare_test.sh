@@ -34,6 +34,19 @@ expect_contains difference.gp "$speed_hz $whirl_ratio"
 printf 'speed_hz,whirl_ratio\n%s,%s\n' "$speed_hz" "$whirl_ratio" >list.csv
 expect_compared 0 a/map.csv changed.csv --sensitive list.csv
 expect_contains stdout 'not compared: 1 sensitive cells, 1 of them with another class'
+# Why a label changed: each cell runs again by the program that made its map, here one program with two kicks.
+cell=(--set "sweep.speed_hz={values: [70]}" --set "sweep.whirl_ratio={values: [0.2]}")
+expect_exit 0 "$minimal" "${cell[@]}" --output hard
+expect_exit 0 "$minimal" "${cell[@]}" --output weak --set kick.force_n=50
+changed_labels() { "$top/scripts/changed_labels.sh" "$rubsweep" "$1" "$rubsweep" "$2" >stdout 2>stderr </dev/null; }
+changed_labels weak hard || fail changed_labels.sh
+expect_matches stdout '^70,0.200,non_contact,subharmonic 1/[0-9]* [a-z]*,non_contact 11,subharmonic 1/[0-9]* [a-z]* 11,program$'
+changed_labels weak weak || fail changed_labels.sh
+[[ $(wc -l <stdout) == 1 ]] || fail 'no cell has another label'
+sed -i 's/,non_contact,/,chaotic,/' weak/map.csv
+! changed_labels weak hard || fail 'nobody made this map'
+expect_matches stderr 'weak/map.csv: 70 Hz and 0.2 is chaotic, .* says non_contact$'
+
 # A smaller grid.
 expect_exit 0 "${quick[@]}" --output c --set sweep.speed_hz.count=11
 expect_compared 5 a/map.csv c/map.csv

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# changed_labels.sh RUBSWEEP_BEFORE MAP_BEFORE RUBSWEEP_AFTER MAP_AFTER: why do two programs call cells of one map by other
+# names? MAP_... are directories that the programs wrote, with map.csv and config.yaml. Each cell whose class, order or orbit
+# differs runs again by both programs, with eleven kicks that differ by up to 1e-8 of their force, and once with four times as
+# many turns. Writes a CSV on stdout: the cell, both labels, how often each program gives which label, and what decides:
+#   rounding  a program gives the label of the other one for a kick that differs by next to nothing
+#   turns     it does so when it may take more turns
+#   program   neither: what the programs do is the reason
+set -euo pipefail
+export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
+exec python3 "$(dirname "${BASH_SOURCE[0]}")/analysis/changed_labels.py" "$@"
