@@ -3,7 +3,7 @@
 # names? MAP_... are directories that the programs wrote, with map.csv and config.yaml. Each cell whose class, order or orbit
 # differs runs again by both programs, with eleven kicks that differ by up to 1e-8 of their force, and once with four times as
 # many turns. Writes a CSV on stdout: the cell, both labels, how often each program gives which label, and what decides:
-#   rounding  a program gives the label of the other one for a kick that differs by next to nothing
+#   rounding  kicks that differ by next to nothing give the label of the other program, or each program several labels
 #   turns     it does so when it may take more turns
 #   program   neither: what the programs do is the reason
 set -euo pipefail

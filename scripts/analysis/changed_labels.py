@@ -41,6 +41,8 @@ def verdict(labels_before, labels_after, longer_before, longer_after):
     before, after = labels_before[0], labels_after[0]
     if after in labels_before or before in labels_after:
         return "rounding"
+    if len(set(labels_before)) > 1 and len(set(labels_after)) > 1:
+        return "rounding"
     return "turns" if longer_before == after or longer_after == before else "program"
 
 

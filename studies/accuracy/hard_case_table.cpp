@@ -63,6 +63,14 @@ double error(const Made& made, const std::vector<double>& answer) {
   return largest;
 }
 
+/// What the turns make of a small change of where they start, per unit of it.
+double growth(const scene::Scene& scene, const Made& made) {
+  constexpr double change = 1e-9;
+  scene::Scene changed = scene;
+  changed.displacement_m *= 1 + change;
+  return error(run(changed, {}), made.section) / change;
+}
+
 SolverOptions stepper(integrate::run::Stepper which, double tolerance) {
   SolverOptions options;
   options.method = integrate::run::Method::adaptive;
@@ -77,9 +85,10 @@ void print(const Case& hard) {
                            : hard.section;
   const SolverOptions usual, by_dopri5 = stepper(integrate::run::Stepper::dopri5, 1e-8);
   const Made a = run(hard.scene, usual), b = run(hard.scene, by_dopri5);
-  std::printf("%-34s %6ld %5ld %9.1e %10.1f %10.1e %10.1f\n", hard.name.c_str(), a.effort.taylor_turns,
-              a.effort.adaptive_turns, error(a, answer), microseconds_per_turn(hard.scene, usual),
-              error(b, answer), microseconds_per_turn(hard.scene, by_dopri5));
+  std::printf("%-34s %6ld %5ld %9.1e %9.1e %10.1f %10.1e %10.1f\n", hard.name.c_str(), a.effort.taylor_turns,
+              a.effort.adaptive_turns, error(a, answer), growth(hard.scene, a),
+              microseconds_per_turn(hard.scene, usual), error(b, answer),
+              microseconds_per_turn(hard.scene, by_dopri5));
 }
 
 /// A driven mass on a moving belt, pressed on it by a constant force: it sticks, slips, and slips back.
@@ -159,8 +168,8 @@ Case dry_rolling() {
 }  // namespace
 
 int main() {
-  std::printf("%-34s %6s %5s %9s %10s %10s %10s\n", "case", "series", "steps", "error", "us/turn", "dopri5",
-              "us/turn");
+  std::printf("%-34s %6s %5s %9s %9s %10s %10s %10s\n", "case", "series", "steps", "error", "growth", "us/turn",
+              "dopri5", "us/turn");
   for (const auto& make : {stick_slip, dry_whip_onset, whip_that_rolls, graze_along_ring, centre_of_ring})
     print(make());
   for (const double steepness : {1e2, 1e3, 1e4, 1e5}) print(rolling(steepness));

@@ -31,6 +31,7 @@ class ChangedLabels(FileTest):
         verdict = changed_labels.verdict
         self.assertEqual(verdict([old, new, old], [new, new, new], old, new), "rounding")
         self.assertEqual(verdict([old, old, old], [new, old, new], old, new), "rounding")
+        self.assertEqual(verdict([old, "unsettled"], [new, "quasi_periodic"], old, new), "rounding")
         self.assertEqual(verdict([old, "unsettled", old], [new, new, new], "unsettled", new), "program")
 
     def test_turns_decide_where_more_of_them_give_the_label_of_the_other(self):
