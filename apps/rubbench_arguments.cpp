@@ -161,7 +161,9 @@ std::string rubbench_help() {
       "response.max_revolutions, or 100 revolutions at the stepper's tightest tolerance, which is what "
       "proofs\n"
       "take. One whose time is up has labelled a spread part of the cells (labels_cut).\n"
-      "The stepper auto is not listed: at every step it is one of the others.\n\n"
+      "exact without a stepper is the exact solver by itself: closed forms, and Taylor pieces where there "
+      "are\n"
+      "none. The stepper auto is not listed: at every step it is one of the others.\n\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 done, but a run failed (its "
       "status\n"
       "says why). An interrupted run writes nothing.\n",

@@ -30,7 +30,7 @@ set yrange [low_error:high_error]
 set grid xtics ytics linecolor rgb "#DDDDDD"
 set key outside below center horizontal maxcols 3 height 1 font ",16"
 name(cell, c, s, method) = sprintf("%d_%s_%s_%s", cell, contact[c], stepper[s], method)
-label(s, method) = s == 1 ? "exact, closed forms alone" : \
+label(s, method) = s == 1 ? "exact, without a stepper" : \
   method eq "exact" ? "exact in flight, " . stepper[s] : stepper[s]
 do for [cell = 1:cells] {
   do for [c = 1:2] {

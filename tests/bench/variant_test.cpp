@@ -29,13 +29,14 @@ TEST(Variants, ClosedFormsAreOneLine) {
   EXPECT_FALSE(variants.front().relative_tolerance);
 }
 
-TEST(Variants, WithAStepperInsideTheExactSolverHasALineForEach) {
+TEST(Variants, SteppersInsideTheExactSolverHaveALineEachBehindTaylorPieces) {
   model::Machine machine = test::machine_of({});
   machine.stops[0].geometry = model::AnnularGeometry{};
   const auto cell = scene::build_cell(machine, 75, scene::WhirlRatio{0.5});
   const auto variants = variants_of(cell.scene, {}, 6, integrate::adaptive::single_steppers(), tolerances);
-  EXPECT_EQ(variants.size(), steppers * 2 * 3);
-  EXPECT_EQ(exact_ones(variants), steppers * 2);
+  EXPECT_EQ(variants.size(), 1 + steppers * 2 * 3);
+  EXPECT_EQ(exact_ones(variants), 1 + steppers * 2);
+  EXPECT_FALSE(variants.front().stepper);
   for (const Variant& v : variants) {
     EXPECT_TRUE(v.method == integrate::run::Method::adaptive ||
                 v.contact == integrate::run::ContactHandling::located);
@@ -45,11 +46,13 @@ TEST(Variants, WithAStepperInsideTheExactSolverHasALineForEach) {
 TEST(Variants, SayWhatTheyChange) {
   integrate::run::SolverOptions base;
   base.relative_tolerance = 3e-5;
+  base.stepper = integrate::run::Stepper::rosenbrock4;
   base.max_steps_per_revolution = 4711;
   const auto exact =
       options_of({integrate::run::Method::exact, {}, integrate::run::ContactHandling::located, {}}, base);
   EXPECT_EQ(exact.method, integrate::run::Method::exact);
   EXPECT_EQ(exact.relative_tolerance, 3e-5);
+  EXPECT_EQ(exact.stepper, integrate::run::Stepper::automatic);
   const auto other = options_of({integrate::run::Method::adaptive, integrate::run::Stepper::rkf78,
                                  integrate::run::ContactHandling::smoothed, 1e-7},
                                 base);

@@ -37,6 +37,25 @@ TEST(WorkPrecision, TighterIsMoreWorkAndLessError) {
   }
 }
 
+TEST(WorkPrecision, TaylorPiecesAreAsGoodAsTheReference) {
+  model::Machine machine = test::machine_of({});
+  machine.stops[0].geometry = model::AnnularGeometry{};
+  const auto scene = scene::build_cell(machine, 75, scene::WhirlRatio{0.5}).scene;
+  const auto variants = variants_of(scene, {}, few.turns, steppers, tolerances);
+  const Reference reference = reference_section(scene, few.error_turns, {});
+  const auto lines = measure(scene, {}, variants, reference.section, few);
+  EXPECT_FALSE(reference.closed_forms);
+  EXPECT_LT(*lines[0].state_error, 1e-11);
+  EXPECT_GT(lines[0].effort.taylor_turns, 0);
+  EXPECT_EQ(lines[0].effort.rhs_calls, 0);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    EXPECT_GT(lines[i].effort.rhs_calls, 0) << i;
+    EXPECT_GT(*lines[i].state_error, *lines[0].state_error) << i;
+    if (lines[i].variant.relative_tolerance != tolerances.back()) continue;
+    EXPECT_GT(lines[i].effort.steps, lines[0].effort.steps) << i;
+  }
+}
+
 TEST(WorkPrecision, AFailureIsALineWithoutATime) {
   const auto scene = test::cell_of({}).scene;
   integrate::run::SolverOptions base;

@@ -34,11 +34,8 @@ std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::run
     }
   };
   if (integrate::exact::exact_applies(scene)) {
-    if (closed_forms_do(scene, base, turns)) {
-      variants.push_back({Method::exact, {}, ContactHandling::located, {}});
-    } else {
-      add(Method::exact, ContactHandling::located);
-    }
+    variants.push_back({Method::exact, {}, ContactHandling::located, {}});
+    if (!closed_forms_do(scene, base, turns)) add(Method::exact, ContactHandling::located);
   }
   add(Method::adaptive, ContactHandling::located);
   add(Method::adaptive, ContactHandling::smoothed);
@@ -48,7 +45,7 @@ std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::run
 integrate::run::SolverOptions options_of(const Variant& variant, integrate::run::SolverOptions base) {
   base.method = variant.method;
   base.contact = variant.contact;
-  if (variant.stepper) base.stepper = *variant.stepper;
+  base.stepper = variant.stepper.value_or(Stepper::automatic);
   if (variant.relative_tolerance) base.relative_tolerance = *variant.relative_tolerance;
   return base;
 }

@@ -21,7 +21,7 @@ struct WorkPrecisionLine {
 /// "75 Hz whirl 0.4" or "75 Hz e 3e-05 m".
 std::string cell_name(const scene::Place& place);
 
-/// "adaptive dopri5 located 1e-08", or "exact located" where no stepper is asked.
+/// "adaptive dopri5 located 1e-08", or "exact located" of closed forms and Taylor pieces.
 std::string variant_name(const bench::Variant& variant);
 
 /// One sentence on the reference of a cell and how far the other routes to it are away.
