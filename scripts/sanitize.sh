@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # sanitize.sh [--minutes N]: the unit tests under the address and undefined-behaviour sanitizers, compiled by clang.
 # --minutes N: begins with the folders that the last commit changes, goes on to others from one that the commit chooses, so
-# that in time all have their turn, builds for N minutes at most, and names the tests that were left out.
+# that in time all have their turn, builds for N minutes at most (and one test in any case), and names what was left out.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/sanitize
@@ -44,7 +44,7 @@ in_turn() {
 }
 
 mapfile -t targets < <(in_turn | awk '!seen[$0]++')
-left_out=()
+left_out=() built=
 for target in "${targets[@]}"; do
   left=$((deadline - EPOCHSECONDS)) result=124
   if ((left > 0)); then
@@ -52,11 +52,18 @@ for target in "${targets[@]}"; do
     timeout --signal=INT "$left" cmake --build --preset sanitize --target "$target" || result=$?
   fi
   case $result in
-    0) ;;
+    0) built=$target ;;
     124) left_out+=("$target") ;;
     *) exit 1 ;;
   esac
 done
+
+# A slow machine tests something, too: what takes the fewest steps from here.
+if [[ ! $built ]]; then
+  built=$(for target in "${targets[@]}"; do echo "$(ninja -C "$build" -n "$target" | wc -l) $target"; done | sort -n | sed -n '1s/.* //p')
+  cmake --build --preset sanitize --target "$built"
+  mapfile -t left_out < <(printf '%s\n' "${left_out[@]}" | grep -vx "$built")
+fi
 ((${#left_out[@]} == 0)) || echo "Left out, the time is up: ${left_out[*]}"
 # What is not compiled needs no sanitizer.
 ctest --preset sanitize -L unit -E '_NOT_BUILT$|^scripts[.]' --parallel "$(($(nproc) + 1))"
