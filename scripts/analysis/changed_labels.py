@@ -3,7 +3,6 @@
 import collections
 import os
 import subprocess
-import sys
 import tempfile
 
 import csv_table
@@ -11,7 +10,7 @@ from command import Failure, run_program
 from configuration import number, read_configuration
 
 KICK, TURNS = "kick.force_n", "response.max_revolutions"
-OTHER_KICKS = (0.0, *(sign * size for size in (1e-10, 3e-10, 1e-9, 3e-9, 1e-8) for sign in (1, -1)))
+KICK_CHANGES = (0.0, *(sign * size for size in (1e-10, 3e-10, 1e-9, 3e-9, 1e-8) for sign in (1, -1)))
 COLUMNS = ("speed_hz", "whirl_ratio", "class", "order", "orbit")
 
 
@@ -35,15 +34,12 @@ def _labels_by_cell(path):
     return {(row["speed_hz"], row["whirl_ratio"]): label(row) for row in csv_table.read_table(path, *COLUMNS)}
 
 
-def verdict(labels_before, labels_after, longer_before, longer_after):
-    """What decides between the first of the labels that each program gives for several kicks; `longer_...` is the label with
-    four times as many turns: `rounding`, `turns` or `program`, as changed_labels.sh explains them."""
-    before, after = labels_before[0], labels_after[0]
-    if after in labels_before or before in labels_after:
-        return "rounding"
-    if len(set(labels_before)) > 1 and len(set(labels_after)) > 1:
-        return "rounding"
-    return "turns" if longer_before == after or longer_after == before else "program"
+def rounding_decides(labels_before, labels_after):
+    """Whether, of the labels that each program gives for several kicks, its own one first, one program has that of the other,
+    or each has several."""
+    if labels_after[0] in labels_before or labels_before[0] in labels_after:
+        return True
+    return len(set(labels_before)) > 1 and len(set(labels_after)) > 1
 
 
 def counted(labels):
@@ -66,7 +62,7 @@ class Rerun:
 
     def labels(self, speed_hz, whirl_ratio, expected):
         """The labels of a cell with each of the kicks. Raises Failure where its own kick does not give the expected one."""
-        labels = [self._label(speed_hz, whirl_ratio, {KICK: self.force_n * (1 + change)}) for change in OTHER_KICKS]
+        labels = [self._label(speed_hz, whirl_ratio, {KICK: self.force_n * (1 + change)}) for change in KICK_CHANGES]
         if labels[0] != expected:
             raise Failure(f"{self.map}: {speed_hz} Hz and {whirl_ratio} is {expected}, {self.program} says {labels[0]}")
         return labels
@@ -91,17 +87,24 @@ class Rerun:
             return label(next(csv_table.read_table(os.path.join(work, "map.csv"), *COLUMNS)))
 
 
+def changed_line(before, after, cell, old, new):
+    """One line of CSV on a cell that two Reruns call by other names."""
+    labels_before, labels_after = before.labels(*cell, old), after.labels(*cell, new)
+    if rounding_decides(labels_before, labels_after):
+        by = "rounding"
+    elif before.longer(*cell) == new or after.longer(*cell) == old:
+        by = "turns"
+    else:
+        by = "program"
+    speed_hz, whirl_ratio = map(float, cell)
+    return f"{speed_hz:g},{whirl_ratio:.3f},{old},{new},{counted(labels_before)},{counted(labels_after)},{by}"
+
+
 def main(arguments):
     before, after = Rerun(*arguments[:2]), Rerun(*arguments[2:])
     print("speed_hz,whirl_ratio,before,after,before_by_kicks,after_by_kicks,decided_by")
-    for speed_hz, whirl_ratio, old, new in changed_cells(before.map, after.map):
-        labels_before = before.labels(speed_hz, whirl_ratio, old)
-        labels_after = after.labels(speed_hz, whirl_ratio, new)
-        longer = [run.longer(speed_hz, whirl_ratio) for run in (before, after)]
-        cell = f"{float(speed_hz):g},{float(whirl_ratio):.3f}"
-        by = verdict(labels_before, labels_after, *longer)
-        print(f"{cell},{old},{new},{counted(labels_before)},{counted(labels_after)},{by}")
-        sys.stdout.flush()
+    for *cell, old, new in changed_cells(before.map, after.map):
+        print(changed_line(before, after, cell, old, new), flush=True)
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ class Chart:
 
 
 def read_chart(path):
-    """Reads every run that has a time and an error. Closed forms alone are a single point, drawn in both columns."""
+    """Reads every run that has a time and an error. The exact solver without a stepper is a single point, drawn in both columns."""
     chart = Chart()
     names = ("cell", "method", "stepper", "contact", "microseconds_per_revolution", "state_error")
     for row in csv_table.read_table(path, *names):

@@ -168,8 +168,8 @@ Case dry_rolling() {
 }  // namespace
 
 int main() {
-  std::printf("%-34s %6s %5s %9s %9s %10s %10s %10s\n", "case", "series", "steps", "error", "growth", "us/turn",
-              "dopri5", "us/turn");
+  std::printf("%-34s %6s %5s %9s %9s %10s %10s %10s\n", "case", "series", "steps", "error", "growth",
+              "us/turn", "dopri5", "us/turn");
   for (const auto& make : {stick_slip, dry_whip_onset, whip_that_rolls, graze_along_ring, centre_of_ring})
     print(make());
   for (const double steepness : {1e2, 1e3, 1e4, 1e5}) print(rolling(steepness));

@@ -1,6 +1,6 @@
 // taylor_turns CONFIGS_DIRECTORY [CONFIG.yaml [KEY=VALUE...]]: what turns by Taylor series cost, plain, with
-// one tangent vector, with all of them, and with what a window records, in annular stops; and their error.
-// For a configuration: processor time and turns of its cells by their class.
+// one tangent vector, with all of them, and with what a window records, in annular stops; and their error,
+// and both of dopri5 at 1e-8. For a configuration: processor time and turns of its cells by their class.
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -41,46 +41,69 @@ const std::vector<Motion> motions{
     {"figure11_annulus", set_c, 165, 0.6, "set C, 165 Hz, 0.6: oval"},
     {"figure11_annulus", set_c, 120, 0.6, "set C, 120 Hz, 0.6: weak oval"},
     {"figure12_annulus_offset", {}, 184.3, 0.66, "figure 12, 184.3 Hz, 0.66: always touching"},
-    {"figure12_annulus_offset", {}, 110, 0.553, "figure 12, 110 Hz, 0.553: chaotic"},
     {"figure12_annulus_offset", {}, 91.4, 0.98, "figure 12, 91.4 Hz, 0.98: chaotic"},
 };
 
 constexpr int early = 6, settling = 300, turns = 300, repeats = 5;
 
-std::vector<double> early_section(const scene::Scene& scene) {
-  integrate::exact::ModeCache modes;
-  const integrate::run::Run run = integrate::start(scene, {}, modes);
-  integrate::run::TurnReport turn;
-  for (int k = 0; k < early; ++k) run.advance({}, turn);
-  return turn.section;
-}
+const integrate::run::SolverOptions by_taylor, by_dopri5{.stepper = integrate::run::Stepper::dopri5};
+
+/// How turns are made, and what is asked of each.
+struct Way {
+  integrate::run::SolverOptions solver;
+  integrate::run::TurnRequest request;
+};
 
 struct Cost {
   double us = 0, steps = 0;  ///< per turn
 };
 
-/// Of `turns` from where the motion has settled, by what each request asks.
-std::vector<Cost> costs_of(const scene::Scene& scene,
-                           const std::vector<integrate::run::TurnRequest>& requests) {
+std::vector<double> section_after(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                                  int count) {
   integrate::exact::ModeCache modes;
-  const integrate::run::Run run = integrate::start(scene, {}, modes);
+  const integrate::run::Run run = integrate::start(scene, solver, modes);
   integrate::run::TurnReport turn;
-  for (int k = 0; k < settling; ++k) run.advance({}, turn);
-  const std::vector<double> settled = turn.section;
-  std::vector<std::vector<double>> times(requests.size());
-  std::vector<Cost> costs(requests.size());
+  for (int k = 0; k < count; ++k) run.advance({}, turn);
+  return turn.section;
+}
+
+double early_error(const scene::Scene& scene, const integrate::run::SolverOptions& solver) {
+  return bench::section_difference(section_after(scene, solver, early),
+                                   bench::reference_section(scene, early, {}).section);
+}
+
+/// Of `turns` from where the motion has settled, each way in turn.
+std::vector<Cost> costs_of(const scene::Scene& scene, const std::vector<Way>& ways) {
+  integrate::exact::ModeCache modes;
+  const std::vector<double> settled = section_after(scene, by_taylor, settling);
+  std::vector<std::vector<double>> times(ways.size());
+  std::vector<Cost> costs(ways.size());
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    for (std::size_t i = 0; i < requests.size(); ++i) {
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      const integrate::run::Run run = integrate::start(scene, ways[i].solver, modes);
+      integrate::run::TurnReport turn;
       run.restart(settled);
-      const long before = turn.effort.steps;
       const double start = bench::processor_time_s();
-      for (int k = 0; k < turns; ++k) run.advance(requests[i], turn);
+      for (int k = 0; k < turns; ++k) run.advance(ways[i].request, turn);
       times[i].push_back(1e6 * (bench::processor_time_s() - start) / turns);
-      costs[i].steps = static_cast<double>(turn.effort.steps - before) / turns;
+      costs[i].steps = static_cast<double>(turn.effort.steps) / turns;
     }
   }
   for (std::size_t i = 0; i < costs.size(); ++i) costs[i].us = bench::median(times[i]);
   return costs;
+}
+
+std::vector<Way> ways_of(Eigen::Index states, int samples_per_revolution) {
+  std::vector<Way> ways(5, {by_taylor, {}});
+  ways[1].request.tangent_vectors =
+      response::first_disturbance(static_cast<std::size_t>(states)).normalized();
+  ways[2].request.tangent_vectors = ways[1].request.tangent_vectors;
+  ways[2].request.tangent_accuracy = response::growth_accuracy;
+  ways[3].request.tangent_vectors = Eigen::MatrixXd::Identity(states, states);
+  ways[4].request.peaks = true;
+  ways[4].request.samples_per_revolution = samples_per_revolution;
+  ways.push_back({by_dopri5, {}});
+  return ways;
 }
 
 void table(const std::filesystem::path& configs) {
@@ -91,23 +114,15 @@ void table(const std::filesystem::path& configs) {
         config::read_run_config(configs / (std::string(m.config) + ".yaml"), m.overrides).study;
     const scene::Scene scene =
         scene::build_cell(study.machine, m.speed_hz, scene::WhirlRatio{m.whirl_ratio}).scene;
-    const Eigen::Index states = 2 * scene.structure.coordinates();
-    std::vector<integrate::run::TurnRequest> requests(5);
-    requests[1].tangent_vectors = response::first_disturbance(static_cast<std::size_t>(states)).normalized();
-    requests[2].tangent_vectors = requests[1].tangent_vectors;
-    requests[2].tangent_accuracy = response::growth_accuracy;
-    requests[3].tangent_vectors = Eigen::MatrixXd::Identity(states, states);
-    requests[4].peaks = true;
-    requests[4].samples_per_revolution = study.response.samples_per_revolution;
-    const auto costs = costs_of(scene, requests);
+    const auto costs =
+        costs_of(scene, ways_of(2 * scene.structure.coordinates(), study.response.samples_per_revolution));
     const double us = costs[0].us;
-    const double error =
-        bench::section_difference(early_section(scene), bench::reference_section(scene, early, {}).section);
     std::printf(
         "  %-44s %6.2f (%.1f steps, %.2f us each); tangent %.2f, to %g %.2f (%.1f steps); all %.2f (%.1f); "
-        "recorded %.2f; error %.0e\n",
+        "recorded %.2f; error %.0e; dopri5 %.2f (%.1f as long), error %.1e\n",
         m.name, us, costs[0].steps, us / costs[0].steps, costs[1].us / us, response::growth_accuracy,
-        costs[2].us / us, costs[2].steps, costs[3].us / us, costs[3].steps, costs[4].us / us, error);
+        costs[2].us / us, costs[2].steps, costs[3].us / us, costs[3].steps, costs[4].us / us,
+        early_error(scene, by_taylor), costs[5].us, costs[5].us / us, early_error(scene, by_dopri5));
   }
 }
 

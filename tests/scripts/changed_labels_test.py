@@ -26,23 +26,38 @@ class ChangedLabels(FileTest):
         with self.assertRaises(Failure):
             changed_labels.changed_cells(before, after)
 
-    def test_rounding_decides_where_either_program_gives_the_label_of_the_other(self):
+    def test_rounding_decides_where_a_program_gives_the_label_of_the_other_or_each_several(self):
         old, new = "chaotic", "non_contact"
-        verdict = changed_labels.verdict
-        self.assertEqual(verdict([old, new, old], [new, new, new], old, new), "rounding")
-        self.assertEqual(verdict([old, old, old], [new, old, new], old, new), "rounding")
-        self.assertEqual(verdict([old, "unsettled"], [new, "quasi_periodic"], old, new), "rounding")
-        self.assertEqual(verdict([old, "unsettled", old], [new, new, new], "unsettled", new), "program")
+        decides = changed_labels.rounding_decides
+        self.assertTrue(decides([old, new, old], [new, new, new]))
+        self.assertTrue(decides([old, old, old], [new, old, new]))
+        self.assertTrue(decides([old, "unsettled"], [new, "quasi_periodic"]))
+        self.assertFalse(decides([old, "unsettled", old], [new, new, new]))
+        self.assertFalse(decides([old, old], [new, new]))
 
     def test_turns_decide_where_more_of_them_give_the_label_of_the_other(self):
-        old, new = "unsettled", "subharmonic 1/4 complex"
-        self.assertEqual(changed_labels.verdict([old, old], [new, new], new, new), "turns")
-        self.assertEqual(changed_labels.verdict([new, new], [old, old], new, new), "turns")
+        class Known:
+            def __init__(self, always, longer):
+                self.always, self.later = always, longer
+
+            def labels(self, *_):
+                return [self.always] * 2
+
+            def longer(self, *_):
+                return self.later
+
+        def decided(before, after):
+            line = changed_labels.changed_line(before, after, ("45", "0.1"), before.always, after.always)
+            return line.split(",")[-1]
+
+        self.assertEqual(decided(Known("unsettled", "chaotic"), Known("chaotic", "chaotic")), "turns")
+        self.assertEqual(decided(Known("chaotic", "chaotic"), Known("unsettled", "chaotic")), "turns")
+        self.assertEqual(decided(Known("unsettled", "unsettled"), Known("chaotic", "chaotic")), "program")
 
     def test_counts_labels_from_the_most_frequent_on(self):
         self.assertEqual(changed_labels.counted(["a", "b", "b"]), "b 2; a 1")
 
     def test_kicks_differ_by_next_to_nothing_and_one_is_the_kick_itself(self):
-        self.assertEqual(len(set(changed_labels.OTHER_KICKS)), 11)
-        self.assertIn(0.0, changed_labels.OTHER_KICKS)
-        self.assertLessEqual(max(map(abs, changed_labels.OTHER_KICKS)), 1e-8)
+        self.assertEqual(len(set(changed_labels.KICK_CHANGES)), 11)
+        self.assertIn(0.0, changed_labels.KICK_CHANGES)
+        self.assertLessEqual(max(map(abs, changed_labels.KICK_CHANGES)), 1e-8)
