@@ -67,26 +67,22 @@ std::vector<double> section_after(const scene::Scene& scene, const integrate::ru
   return turn.section;
 }
 
-double early_error(const scene::Scene& scene, const integrate::run::SolverOptions& solver) {
-  return bench::section_difference(section_after(scene, solver, early),
-                                   bench::reference_section(scene, early, {}).section);
-}
-
 /// Of `turns` from where the motion has settled, each way in turn.
 std::vector<Cost> costs_of(const scene::Scene& scene, const std::vector<Way>& ways) {
   integrate::exact::ModeCache modes;
   const std::vector<double> settled = section_after(scene, by_taylor, settling);
+  std::vector<integrate::run::Run> runs;
+  for (const Way& way : ways) runs.push_back(integrate::start(scene, way.solver, modes));
   std::vector<std::vector<double>> times(ways.size());
   std::vector<Cost> costs(ways.size());
-  for (int repeat = 0; repeat < repeats; ++repeat) {
+  integrate::run::TurnReport turn;
+  for (int repeat = 1; repeat <= repeats; ++repeat) {
     for (std::size_t i = 0; i < ways.size(); ++i) {
-      const integrate::run::Run run = integrate::start(scene, ways[i].solver, modes);
-      integrate::run::TurnReport turn;
-      run.restart(settled);
+      runs[i].restart(settled);
       const double start = bench::processor_time_s();
-      for (int k = 0; k < turns; ++k) run.advance(ways[i].request, turn);
+      for (int k = 0; k < turns; ++k) runs[i].advance(ways[i].request, turn);
       times[i].push_back(1e6 * (bench::processor_time_s() - start) / turns);
-      costs[i].steps = static_cast<double>(turn.effort.steps) / turns;
+      costs[i].steps = static_cast<double>(turn.effort.steps) / (repeat * turns);
     }
   }
   for (std::size_t i = 0; i < costs.size(); ++i) costs[i].us = bench::median(times[i]);
@@ -117,12 +113,16 @@ void table(const std::filesystem::path& configs) {
     const auto costs =
         costs_of(scene, ways_of(2 * scene.structure.coordinates(), study.response.samples_per_revolution));
     const double us = costs[0].us;
+    const auto reference = bench::reference_section(scene, early, {}).section;
+    const auto early_error = [&](const integrate::run::SolverOptions& solver) {
+      return bench::section_difference(section_after(scene, solver, early), reference);
+    };
     std::printf(
         "  %-44s %6.2f (%.1f steps, %.2f us each); tangent %.2f, to %g %.2f (%.1f steps); all %.2f (%.1f); "
         "recorded %.2f; error %.0e; dopri5 %.2f (%.1f as long), error %.1e\n",
         m.name, us, costs[0].steps, us / costs[0].steps, costs[1].us / us, response::growth_accuracy,
         costs[2].us / us, costs[2].steps, costs[3].us / us, costs[3].steps, costs[4].us / us,
-        early_error(scene, by_taylor), costs[5].us, costs[5].us / us, early_error(scene, by_dopri5));
+        early_error(by_taylor), costs[5].us, costs[5].us / us, early_error(by_dopri5));
   }
 }
 
