@@ -72,6 +72,7 @@ std::vector<Cost> costs_of(const scene::Scene& scene, const std::vector<Way>& wa
   integrate::exact::ModeCache modes;
   const std::vector<double> settled = section_after(scene, by_taylor, settling);
   std::vector<integrate::run::Run> runs;
+  runs.reserve(ways.size());
   for (const Way& way : ways) runs.push_back(integrate::start(scene, way.solver, modes));
   std::vector<std::vector<double>> times(ways.size());
   std::vector<Cost> costs(ways.size());
