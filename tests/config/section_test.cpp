@@ -51,6 +51,24 @@ TEST(Section, MissesOnlyWhatHasNoDefault) {
   EXPECT_EQ(problems(file.diagnostics), "f:1:1: top.a: missing, allowed: a number > 0");
 }
 
+TEST(Section, IsSoundUntilSomethingOfItIsRefused) {
+  Fixture file("{a: 1, b: -1}");
+  Section section(file.value());
+  double a = model::required, b = model::required;
+  section.field("a", a, model::positive);
+  EXPECT_TRUE(section.is_sound());
+  section.field("b", b, model::positive);
+  EXPECT_FALSE(section.is_sound());
+  EXPECT_TRUE(Section(Value{file.node, "later", file.diagnostics}).is_sound());
+}
+
+TEST(Section, ThatIsNoMapIsNotSound) {
+  for (const char* text : {"1", "[1]", "{a: 1, a: 2}"}) {
+    Fixture file(text);
+    EXPECT_FALSE(Section(file.value()).is_sound()) << text;
+  }
+}
+
 TEST(Section, ThatIsNoMapHasOneProblem) {
   Fixture file("[1]");
   Section section(file.value());

@@ -37,7 +37,6 @@ enum class Scale { linear, log };
 constexpr Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
 
 std::vector<double> read_spaced(Section& section, const model::Range& range, double units_per_si) {
-  const std::size_t problems = section.problem_count();
   Scale scale = Scale::linear;
   section.field("scale", scale, scales);
   double from = model::required;
@@ -47,7 +46,7 @@ std::vector<double> read_spaced(Section& section, const model::Range& range, dou
   long count = 0;
   constexpr IntegerRange counts{1, max_axis_values};
   if (section.require("count", describe(counts))) section.field("count", count, counts);
-  if (section.problem_count() != problems) return {};
+  if (!section.is_sound()) return {};
   if (!to && count != 1) section.require("to", model::describe(range));
   if (!to) return std::vector<double>(1, from / units_per_si);
   if (count == 1 && *to != from) {

@@ -15,9 +15,8 @@ constexpr std::string_view forms = "none, or a map with stribeck, static, coeffi
 
 model::StribeckFriction read_curve(Section& section) {
   model::StribeckCurve curve;
-  const std::size_t problems = section.problem_count();
   read_fields(section, curve);
-  if (section.problem_count() != problems) return {};
+  if (!section.is_sound()) return {};
   if (curve.static_coefficient < curve.kinetic) {
     section.refuse_together("static", {"static", "kinetic"}, "below kinetic",
                             "a number no less than kinetic");

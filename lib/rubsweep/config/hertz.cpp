@@ -51,7 +51,6 @@ void read_casing(Section& section, model::HertzLine& contact) {
 
 std::optional<model::HertzLine> read_hertz(const Value& value) {
   Section section(value);
-  const std::size_t problems = section.problem_count();
   model::HertzLine contact;
   section.field("length_m", contact.length_m, model::positive);
   read_rotor(section, contact.rotor);
@@ -59,7 +58,7 @@ std::optional<model::HertzLine> read_hertz(const Value& value) {
   section.field("design_force_n", contact.design_force_n, model::positive);
   section.field("half_width", contact.half_width, half_widths);
   section.refuse_unknown_keys();
-  if (section.problem_count() != problems) return std::nullopt;
+  if (!section.is_sound()) return std::nullopt;
   if (contact.length_m < 2 * contact::hertz_half_width_m(contact, contact.design_force_n)) {
     section.refuse_together("design_force_n", {"design_force_n"}, "the contact is wider than long",
                             "a smaller force or a greater length_m");

@@ -34,7 +34,6 @@ void check_system(const ring::System& system, const Section& section) {
 RingConfig read_sections(const Value& root) {
   Section section(root, root_form);
   section.find(base_key);  // resolved before; still a name that a misspelt key may mean
-  const std::size_t problems = section.problem_count();
   RingConfig config;
   ring::Study& study = config.study;
   study.system.friction_coefficient = model::required;
@@ -58,7 +57,7 @@ RingConfig read_sections(const Value& root) {
         fmt::format("{} x {} = {} points", study.speeds_rpm.size(), lines, lines * study.speeds_rpm.size()),
         fmt::format("at most {}", max_cells));
   }
-  if (section.problem_count() == problems && section.is_map()) check_system(study.system, section);
+  if (section.is_sound()) check_system(study.system, section);
   return config;
 }
 

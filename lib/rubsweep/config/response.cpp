@@ -59,7 +59,6 @@ void refuse_contradictions(const Section& section, const response::motion::Respo
 
 void read_response(const Value& value, sweep::Study& study) {
   Section section(value);
-  const std::size_t problems = section.problem_count();
   visit_fields(study,
                [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
   visit_neighbours(study.neighbours, [&](auto name, auto& field, const auto& allowed) {
@@ -68,7 +67,7 @@ void read_response(const Value& value, sweep::Study& study) {
       section.refuse_together(name, {name}, "says nothing without robustness: probability", "no such key");
   });
   section.field("hertz_iterations", study.hertz_iterations, hertz_iterations);
-  if (section.problem_count() == problems) refuse_contradictions(section, study.response);
+  if (section.is_sound()) refuse_contradictions(section, study.response);
   section.refuse_unknown_keys();
 }
 

@@ -14,14 +14,13 @@ ring::Ring read_geometry(const Value& value, int diameters) {
   Section section(value);
   ring::RingGeometry geometry{model::required, model::required, model::required, model::required,
                               model::required};
-  const std::size_t problems = section.problem_count();
   section.field("radius_m", geometry.radius_m, model::positive);
   section.field("thickness_m", geometry.thickness_m, model::positive);
   section.field("width_m", geometry.width_m, model::positive);
   section.field("density_kg_per_m3", geometry.density_kg_per_m3, model::positive);
   section.field("youngs_modulus_pa", geometry.youngs_modulus_pa, model::positive);
   section.refuse_unknown_keys();
-  if (section.problem_count() != problems) return {};
+  if (!section.is_sound()) return {};
   if (geometry.thickness_m >= geometry.radius_m) {
     section.refuse_together("thickness_m", {"thickness_m", "radius_m"}, "is not below radius_m",
                             "a thin ring");
@@ -30,7 +29,6 @@ ring::Ring read_geometry(const Value& value, int diameters) {
 }
 
 ring::Ring read_modal(Section& section, int diameters) {
-  const std::size_t problems = section.problem_count();
   ring::Ring ring{diameters, model::required, 0, model::required, {}};
   section.field("modal_mass_kg", ring.modal_mass_kg, model::positive);
   section.field("thickness_ratio", ring.thickness_ratio, thickness_ratios);
@@ -41,7 +39,7 @@ ring::Ring read_modal(Section& section, int diameters) {
   section.field("modal_stiffness_n_per_m", stiffness, model::positive);
   section.field("natural_frequency_hz", hertz, model::positive);
   section.field("natural_frequency_rad_per_s", radians, model::positive);
-  if (section.problem_count() != problems || !section.is_map()) return {};
+  if (!section.is_sound()) return {};
   if (hertz) radians = 2 * std::numbers::pi * *hertz;
   ring.modal_stiffness_n_per_m =
       stiffness ? *stiffness : ring::stiffness_of_frequency(*radians, ring.modal_mass_kg, diameters);

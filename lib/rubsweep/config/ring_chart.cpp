@@ -45,7 +45,6 @@ bool knows(const ring::Load& load, Parameter parameter) {
 ring::ChartAxis read_ring_chart(const Value& value, const std::vector<ring::Load>& loads) {
   Section section(value, "a map with parameter, load, over");
   ring::ChartAxis axis;
-  const std::size_t problems = section.problem_count();
   if (section.require("parameter", describe(parameters.texts))) {
     section.field("parameter", axis.parameter, parameters);
   }
@@ -60,7 +59,7 @@ ring::ChartAxis read_ring_chart(const Value& value, const std::vector<ring::Load
     axis.values = read_axis(*over, range_of(axis.parameter));
   }
   section.refuse_unknown_keys();
-  if (section.problem_count() != problems || !section.is_map()) return axis;
+  if (!section.is_sound()) return axis;
   for (std::size_t j = 0; j < loads.size(); ++j) {
     const bool varies = !axis.load || *axis.load == j;
     if (varies && !knows(loads[j], axis.parameter)) {

@@ -27,7 +27,6 @@ Load read_spring_mass(Section& section, Motion motion) {
 
 Load read_beam_geometry(const Value& value, const std::optional<double>& ring_radius_m) {
   Section section(value);
-  const std::size_t problems = section.problem_count();
   ring::BeamGeometry geometry{model::required, model::required, model::required, model::required};
   section.field("density_kg_per_m3", geometry.density_kg_per_m3, model::positive);
   section.field("section_area_m2", geometry.section_area_m2, model::positive);
@@ -35,13 +34,12 @@ Load read_beam_geometry(const Value& value, const std::optional<double>& ring_ra
   section.field("youngs_modulus_pa", geometry.youngs_modulus_pa, model::positive);
   section.refuse_unknown_keys();
   if (!ring_radius_m) refuse(value, "needs the length of the beam", "beside ring.radius_m");
-  if (section.problem_count() != problems) return {};
+  if (!section.is_sound()) return {};
   return ring::beam(geometry, *ring_radius_m);
 }
 
 Load read_beam(Section& section, const std::optional<double>& ring_radius_m) {
   if (const auto geometry = section.find("geometry")) return read_beam_geometry(*geometry, ring_radius_m);
-  const std::size_t problems = section.problem_count();
   double radial_mass = model::required, flexural_mass = model::required;
   double radial = model::required, tangential = model::required;
   std::optional<double> rotary_mass;
@@ -50,7 +48,7 @@ Load read_beam(Section& section, const std::optional<double>& ring_radius_m) {
   section.field("rotary_mass_kg", rotary_mass, model::not_negative);
   section.field("radial_stiffness_n_per_m", radial, model::not_negative);
   section.field("tangential_stiffness_n_per_m", tangential, model::positive);
-  if (section.problem_count() != problems || !section.is_map()) return {};
+  if (!section.is_sound()) return {};
   Load load = ring::beam(radial_mass, flexural_mass, radial, tangential);
   if (rotary_mass) load.rotary_mass_kg = *rotary_mass;
   if (!(load.rotary_mass_kg >= 0 && load.rotary_mass_kg < flexural_mass)) {

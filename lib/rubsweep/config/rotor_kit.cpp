@@ -83,13 +83,12 @@ model::BowPoints read_bow_points(Section& section, const model::Range& range) {
 model::Bow read_bow(const Value& value, const model::Range& range) {
   Section section(value);
   model::Bow bow;
-  const std::size_t problems = section.problem_count();
   section.require_exactly_one({"mode", "position_m"});
   if (section.find("mode")) {
     auto& mode = bow.shape.emplace<model::BowMode>();
     section.field("mode", mode.mode, mode_counts);
     section.field("amplitude_m", mode.amplitude_m, model::physical::amplitude_m);
-  } else if (section.problem_count() == problems && section.is_map()) {
+  } else if (section.is_sound()) {
     bow.shape = read_bow_points(section, range);
   }
   section.field("phase_deg", bow.phase_deg, model::any_finite);
@@ -172,7 +171,6 @@ model::Range places(const model::RotorKit& kit) {
 
 model::RotorKit read_rotor_kit(Section& section) {
   model::RotorKit kit;
-  const std::size_t problems = section.problem_count();
   const auto list = [&](std::string_view name, auto& parts, auto more) {
     using Part = typename std::remove_reference_t<decltype(parts)>::value_type;
     constexpr bool coupling = std::is_same_v<Part, model::Coupling>;
@@ -194,7 +192,7 @@ model::RotorKit read_rotor_kit(Section& section) {
   if (const auto value = section.find("modes")) read_modes(*value, kit);
   section.field("modes_up_to_hz", kit.modes_up_to_hz, model::physical::frequency_hz);
   section.field("elements", kit.elements, element_counts);
-  if (supports && section.problem_count() == problems) refuse_loose_shaft(*supports, kit);
+  if (supports && section.is_sound()) refuse_loose_shaft(*supports, kit);
   return kit;
 }
 

@@ -12,7 +12,8 @@
 
 namespace rubsweep::config {
 
-Section::Section(const Value& value, std::string_view allowed) : value_(value) {
+Section::Section(const Value& value, std::string_view allowed)
+    : value_(value), problems_before_(value.diagnostics.count()) {
   const Node::Kind kind = value.node.kind;
   if (kind == Node::Kind::map) {
     refuse_repeated_keys(value.node, value.path, value.diagnostics);

@@ -62,13 +62,15 @@ class Section {
   void refuse_together(std::string_view name, std::initializer_list<std::string_view> involved,
                        std::string_view wrong, std::string_view allowed) const;
 
-  std::size_t problem_count() const { return value_.diagnostics.count(); }
+  /// True as long as the value is a map of which nothing has been refused: what its fields say together may be judged.
+  bool is_sound() const { return is_map() && value_.diagnostics.count() == problems_before_; }
 
  private:
   const Node* lookup(std::string_view name) const;
   std::string path_of(std::string_view name) const;
 
   Value value_;
+  std::size_t problems_before_;
   std::vector<std::string_view> known_;
 };
 

@@ -44,12 +44,11 @@ sweep::DrawnKey read_drawn_key(const Value& value) {
   Scale scale = Scale::linear;
   if (const auto key = section.require("key", "a key of the configuration"))
     drawn.key = read_text(*key).value_or("");
-  const std::size_t problems = section.problem_count();
   section.field("from", drawn.from, model::any_finite);
   section.field("to", drawn.to, model::any_finite);
   section.field("scale", scale, scales);
   drawn.logarithmic = scale == Scale::log;
-  if (section.problem_count() == problems && section.is_map()) {
+  if (section.is_sound()) {
     if (drawn.from == drawn.to)
       section.refuse_together("to", {"from", "to"}, "is no other number than from", "another number");
     if (drawn.logarithmic && !(std::min(drawn.from, drawn.to) > 0)) {
