@@ -33,12 +33,19 @@ TEST(Experiment, RunUpFindsTheCriticalSpeed) {
   const RunUp found = run_up(scene::prepare_machine(scene::one_side_machine()), 27, 34, 0.5, 1e-5, {});
   for (std::size_t sensor = 0; sensor < 2; ++sensor) {
     // A rising speed shifts the peak up by about the rate times the memory 1 / (zeta w0) = 0.27 s.
-    EXPECT_NEAR(found.critical_speed_hz[sensor], 30.1, 0.2);
+    ASSERT_TRUE(found.critical_speed_hz[sensor]);
+    EXPECT_NEAR(*found.critical_speed_hz[sensor], 30.1, 0.2);
     // Steady: e / (2 zeta).
     EXPECT_NEAR(found.largest_amplitude_m[sensor], 1e-5 / 0.04, 0.1 * 1e-5 / 0.04);
     EXPECT_GT(found.bode[sensor].size(), 24u);
   }
   EXPECT_EQ(found.signal_m.rows(), 14001);
+}
+
+TEST(Experiment, WithoutUnbalanceARunUpHasNoCriticalSpeed) {
+  const RunUp found =
+      run_up(scene::prepare_machine(scene::one_side_machine()), 27, 34, 5, 0, {.noise_m = 1e-6});
+  EXPECT_EQ(found.critical_speed_hz, (std::vector<std::optional<double>>{std::nullopt, std::nullopt}));
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST(LinearRun, AFaultyBearingStrikesByTheShaftsAngle) {
                                                  std::sin(wd * (t - high)) * std::polar(1.0, angle);
       }
     }
-    expect_same(run_linear(prepared, run, sensor_rows(prepared).rows), expected, 2e-9);
+    expect_same(run_linear(prepared, run, sensor_rows(prepared).rows), expected, 1e-11);
   }
 }
 

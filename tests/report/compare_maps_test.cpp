@@ -264,7 +264,8 @@ TEST_F(CompareMaps, OfEccentricityMapsTheCellsAreFoundByEccentricity) {
 }
 
 TEST_F(CompareMaps, WhatIsNoMapIsAnError) {
-  const auto good = table("a.csv", cells()), bad = table_of("b.csv", "speed_hz,whirl_ratio\n50,0.2\n");
+  const auto good = table("a.csv", cells()),
+             bad = table_of("b.csv", "speed_hz,whirl_ratio,eccentricity_m\n50,0.2,1\n");
   EXPECT_NE(message_of<IoError>([&] { compare_maps(good, bad, 0); }).find("b.csv: no column 'class'"),
             std::string::npos);
   auto twice = cells();

@@ -34,16 +34,17 @@ TEST(ExperimentTables, OfARunUp) {
   const std::vector<identify::BodePoint> plot{{.speed_hz = 10, .amplitude_m = 1e-4, .phase_deg = -90}};
   const ExperimentTables tables = tables_of(identify::RunUp{.run = ramp,
                                                             .signal_m = two_sensors(),
-                                                            .angle_deg = {0, 90},
-                                                            .bode = {plot, plot},
-                                                            .critical_speed_hz = {10, 11},
-                                                            .largest_amplitude_m = {1e-4, 2e-4}});
+                                                            .angle_deg = {0, 90, 45},
+                                                            .bode = {plot, plot, plot},
+                                                            .critical_speed_hz = {10, 11, std::nullopt},
+                                                            .largest_amplitude_m = {1e-4, 2e-4, 1e-19}});
   EXPECT_EQ(tables.bode_csv,
-            "speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,sensor_1_phase_deg\n"
-            "10,1e-04,-90,1e-04,-90\n");
+            "speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,sensor_1_phase_deg,"
+            "sensor_2_amplitude_m,sensor_2_phase_deg\n10,1e-04,-90,1e-04,-90,1e-04,-90\n");
   EXPECT_EQ(tables.identification_csv,
             "quantity,sensor,value\ncritical_speed_hz,0,10\nlargest_amplitude_m,0,1e-04\n"
             "critical_speed_hz,1,11\nlargest_amplitude_m,1,2e-04\n");
+  EXPECT_TRUE(tables.summary.ends_with("sensor 2 (45 deg)  does not see the unbalance\n"));
 }
 
 }  // namespace

@@ -87,6 +87,27 @@ TEST(Refinement, MissesNoIslandAsLargeAsItsBound) {
   EXPECT_EQ(island_bound(grid_of(65, 65, {4, 0})), 16u);
 }
 
+TEST(Refinement, AlongOneAxisMissesNoIslandAsLongAsItsBound) {
+  for (const bool speeds : {true, false}) {
+    for (const int probes : {0, 1, 3}) {
+      const Grid grid = speeds ? grid_of(65, 1, {4, probes}) : grid_of(1, 65, {4, probes});
+      const auto length = static_cast<double>(island_bound(grid));
+      EXPECT_EQ(length == 16, probes == 0);
+      int missed = 0;  // of islands that are shorter by one
+      for (double x = 0; x + length <= 65; ++x) {
+        const auto along = [=](double i, double j, double cells) {
+          return std::max(i, j) >= x && std::max(i, j) < x + cells ? 1 : 0;
+        };
+        const auto island = [=](double i, double j) { return along(i, j, length); };
+        const auto shorter = [=](double i, double j) { return along(i, j, length - 1); };
+        ASSERT_GT(std::ranges::count(refined(grid, island), 1), 0) << probes << ' ' << x;
+        missed += std::ranges::count(refined(grid, shorter), 1) == 0;
+      }
+      EXPECT_GT(missed, 0);
+    }
+  }
+}
+
 TEST(Refinement, ComputesNoMoreThanLatticeAndProbesWhereAllIsEqual) {
   const Grid grid = grid_of(33, 17, {3, 1});
   const auto labels = refined(grid, [](double, double) { return 5; });
@@ -103,6 +124,15 @@ TEST(Refinement, LevelsCountTheSplitsBeforeACell) {
   EXPECT_EQ(refinement_level(grid, 17 * 2), 2);
   EXPECT_EQ(refinement_level(grid, 17 * 8 + 16), 0);
   EXPECT_EQ(refinement_level(grid, 17 * 3 + 8), 3);
+}
+
+TEST(Refinement, ProbesAreMetBeforeAnySplit) {
+  const Grid grid = grid_of(33, 17, {3, 2});
+  const std::vector<int> unknown(cell_count(grid), unknown_label);
+  const auto first = wanted_cells(grid, unknown);
+  EXPECT_EQ(first.size(), 5u * 3 + 4 * 2 * 2);
+  for (std::size_t cell = 0; cell < cell_count(grid); ++cell)
+    EXPECT_EQ(refinement_level(grid, cell) == 0, std::ranges::binary_search(first, cell)) << cell;
 }
 
 TEST(Refinement, TakesALineAndMapsOfAThirdAxis) {

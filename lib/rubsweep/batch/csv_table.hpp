@@ -64,6 +64,9 @@ class CsvReader {
   struct Line {  ///< as getline(3) wants it
     char* text = nullptr;
     std::size_t capacity = 0;
+    Line() = default;
+    Line(const Line&) = delete;
+    Line& operator=(const Line&) = delete;
     ~Line() { std::free(text); }
   } line_;
   Place next_{0, 1};  ///< where the next line starts

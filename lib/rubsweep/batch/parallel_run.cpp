@@ -65,7 +65,8 @@ struct RunEnd {
   ~RunEnd() { static_cast<void>(cells_ended.load(std::memory_order_acquire)); }
 };
 
-/// TBB copies it from thread to thread. What reads the copy has a name that tests/thread_sanitizer.supp can excuse.
+/// TBB copies it from thread to thread. What reads the copy has a name that tests/thread_sanitizer.supp can
+/// excuse.
 struct RunCells {
   const std::function<void(std::size_t)>& run_one;
 
@@ -92,9 +93,10 @@ void require_threads(int threads, int beside) {
   if (count == 1) return;
   // The calling thread is one of them.
   const auto wanted = static_cast<std::size_t>(count - 1 + beside);
+  // Joined behind the promise, whose end lets the threads go whatever else is thrown here.
+  std::vector<std::jthread> started;
   std::promise<void> all_started;
   const std::shared_future<void> end = all_started.get_future().share();
-  std::vector<std::jthread> started;
   std::string reason;
   try {
     while (started.size() < wanted) started.emplace_back([end] { end.wait(); });

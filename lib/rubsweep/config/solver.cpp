@@ -1,7 +1,10 @@
 #include "rubsweep/config/solver.hpp"
 
+#include <fmt/format.h>
+
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/integrate/exact/machine_modes.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -35,7 +38,7 @@ void visit_fields(auto& solver, auto&& visit) {
 
 }  // namespace
 
-SolverOptions read_solver(const Value& value) {
+SolverOptions read_solver(const Value& value, std::size_t stops) {
   Section section(value);
   SolverOptions solver;
   visit_fields(solver,
@@ -44,6 +47,11 @@ SolverOptions read_solver(const Value& value) {
     section.refuse_together("contact", {"method", "contact"},
                             "'smoothed' is a law that the exact solver does not know",
                             "located, or method adaptive");
+  }
+  constexpr std::size_t most = integrate::exact::most_exact_contacts;
+  if (solver.method == Method::exact && stops > most) {
+    section.refuse_together("method", {"method"}, fmt::format("is exact beside {} stops", stops),
+                            fmt::format("auto or adaptive, or at most {} stops", most));
   }
   section.refuse_unknown_keys();
   return solver;

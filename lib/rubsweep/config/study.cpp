@@ -47,7 +47,7 @@ sweep::Study read_study(Section& root) {
   root.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);
   if (const auto value = root.require("sweep", "a map")) study.grid = read_sweep(*value, study.machine);
   if (const auto value = root.find("study")) read_study_kind(*value, study);
-  if (const auto value = root.find("solver")) study.solver = read_solver(*value);
+  if (const auto value = root.find("solver")) study.solver = read_solver(*value, study.machine.stops.size());
   if (const auto value = root.find("response")) read_response(*value, study);
   return study;
 }

@@ -27,7 +27,7 @@ int samples_in(double duration_s, double sample_s) {
   return static_cast<int>(std::floor(duration_s / sample_s)) + 1;
 }
 
-/// A sensor across the kick sees rounding only, or what the noise hides.
+/// A sensor across the motion sees rounding only, or what the noise hides.
 std::vector<bool> sees_something(const Eigen::MatrixXd& signal, double noise_m) {
   const double floor_m = std::max(noise_m, 1e-9 * signal.cwiseAbs().maxCoeff());
   std::vector<bool> sees;
@@ -74,6 +74,8 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
                .critical_speed_hz = {},
                .largest_amplitude_m = {}};
   run_up.signal_m = run_linear(machine, run_up.run, sensors.rows);
+  // What noise hides in a free response the Bode plot still finds.
+  const std::vector<bool> sees = sees_something(run_up.signal_m, 0);
   add_noise(run_up.signal_m, sampling.noise_m);
   std::vector<double> angle_rad, speed_hz;
   for (int k = 0; k < run_up.run.samples; ++k) {
@@ -84,7 +86,9 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
     const double direction_deg = sensors.angle_deg[static_cast<std::size_t>(i)];
     run_up.bode.push_back(
         bode_plot(column(run_up.signal_m, i), angle_rad, speed_hz, direction_deg, bode_revolutions));
-    run_up.critical_speed_hz.push_back(critical_speed_hz(run_up.bode.back()));
+    run_up.critical_speed_hz.emplace_back();
+    if (sees[static_cast<std::size_t>(i)])
+      run_up.critical_speed_hz.back() = critical_speed_hz(run_up.bode.back());
     double largest_m = 0;
     for (const BodePoint& point : run_up.bode.back()) largest_m = std::max(largest_m, point.amplitude_m);
     run_up.largest_amplitude_m.push_back(largest_m);

@@ -35,15 +35,14 @@ FreeResponse free_response(const scene::PreparedMachine& machine, double duratio
 /// Speed ramp with an unbalance, without stops: 1X amplitude and phase over speed, and the critical speed.
 struct RunUp {
   LinearRun run;
-  Eigen::MatrixXd signal_m;                  ///< samples x sensors
-  std::vector<double> angle_deg;             ///< per sensor
-  std::vector<std::vector<BodePoint>> bode;  ///< per sensor
-  std::vector<double> critical_speed_hz;     ///< per sensor
-  std::vector<double> largest_amplitude_m;   ///< per sensor, of 1X
+  Eigen::MatrixXd signal_m;                              ///< samples x sensors
+  std::vector<double> angle_deg;                         ///< per sensor
+  std::vector<std::vector<BodePoint>> bode;              ///< per sensor
+  std::vector<std::optional<double>> critical_speed_hz;  ///< per sensor; empty where one sees nothing
+  std::vector<double> largest_amplitude_m;               ///< per sensor, of 1X
 };
 
-/// Windows of `bode_revolutions`; rate_hz_per_s has the sign of to - from. Throws ConfigError where a sensor
-/// sees nothing.
+/// Windows of `bode_revolutions`; rate_hz_per_s has the sign of to - from.
 RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz, double rate_hz_per_s,
              double eccentricity_m, const Sampling& sampling);
 inline constexpr int bode_revolutions = 10;

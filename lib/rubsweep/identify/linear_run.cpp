@@ -120,14 +120,17 @@ class ImpulsesOnARamp {
     return next;
   }
 
-  /// Adds to the velocities the impulses that are due up to `t_s`.
-  void apply(double t_s, State& state) {
+  /// Adds to the velocities the impulses that are due up to `t_s`, and says whether there were any.
+  bool apply(double t_s, State& state) {
+    bool any = false;
     for (Train& train : trains_) {
       for (; instant_s(train) <= t_s; ++train.count) {
         const Eigen::Index n = train.jump_m_per_s.size();
         Eigen::Map<Eigen::VectorXd>(state.data() + n, n) += train.jump_m_per_s;
+        any = true;
       }
     }
+    return any;
   }
 
  private:
@@ -198,7 +201,8 @@ Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearR
   for (int k = 0; k < run.samples; ++k) {
     const double sample_at = k * run.sample_s;
     for (double target = 0; t < sample_at;) {
-      impulses.apply(t, state);
+      // The stepper begins with the last derivative that it made, which is of the velocities before.
+      if (impulses.apply(t, state)) stepper.reset();
       target = std::min(sample_at, impulses.next_s());
       const double rest = target - t;
       double trial = std::min(step, rest);

@@ -128,7 +128,7 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
                            const std::optional<fs::path>& sensitive) {
   CsvReader a(path_a), b(path_b);
   MapComparison comparison;
-  comparison.axis = second_axis(path_a);
+  comparison.axis = second_axis(path_a, path_b);
   comparison.keys = keys_of(a);
   if (comparison.keys != keys_of(b)) {
     throw IoError(fmt::format("{}: is swept over other keys than {}: '{}' and '{}'", path_b.string(),

@@ -78,11 +78,17 @@ ExperimentTables tables_of(const identify::FreeResponse& response) {
 ExperimentTables tables_of(const identify::RunUp& run_up) {
   ExperimentTables tables = begun(run_up.run, run_up.signal_m);
   for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
-    add(tables.identification_csv, "critical_speed_hz", i, run_up.critical_speed_hz[i]);
+    const std::optional<double> critical_hz = run_up.critical_speed_hz[i];
+    if (!critical_hz) {
+      tables.summary +=
+          fmt::format("sensor {} ({} deg)  does not see the unbalance\n", i, run_up.angle_deg[i]);
+      continue;
+    }
+    add(tables.identification_csv, "critical_speed_hz", i, *critical_hz);
     add(tables.identification_csv, "largest_amplitude_m", i, run_up.largest_amplitude_m[i]);
     tables.summary +=
         fmt::format("sensor {} ({} deg)  critical speed {:.5g} Hz, 1X amplitude there {:.4g} m\n", i,
-                    run_up.angle_deg[i], run_up.critical_speed_hz[i], run_up.largest_amplitude_m[i]);
+                    run_up.angle_deg[i], *critical_hz, run_up.largest_amplitude_m[i]);
   }
   tables.bode_csv = bode_csv(run_up.bode);
   return tables;

@@ -9,6 +9,7 @@
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/integrate/start.hpp"
+#include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/explain_machine.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/idle_torsion.hpp"
@@ -123,11 +124,8 @@ std::string explain_study(const sweep::Study& study) {
     text += "\n";
   }
   if (study.grid.refinement) {
-    text += fmt::format(
-        "refined: from every {}th cell on, only where labels differ; no island that holds a square of {} x "
-        "{} "
-        "cells is missed\n",
-        1 << study.grid.refinement->levels, sweep::island_bound(study.grid), sweep::island_bound(study.grid));
+    text += fmt::format("refined: from every {}th cell on, only where labels differ; {} is not missed\n",
+                        1 << study.grid.refinement->levels, describe_island_bound(study.grid));
   }
   return text;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 #include "rubsweep/error.hpp"
 
@@ -22,22 +21,24 @@ std::string comment_after(const CsvReader& map, std::string_view mark) {
   return "";
 }
 
-std::string second_axis(const fs::path& map) {
-  CsvReader rows(map);
+std::string second_axis(const fs::path& a, const fs::path& b) {
+  std::vector<double> eccentricities, ratios;
+  bool without_ratio = false;
+  for (const fs::path& map : {a, b}) {
+    CsvReader rows(map);
+    const std::size_t eccentricity = rows.column("eccentricity_m"), ratio = rows.column("whirl_ratio");
+    while (rows.next()) {
+      const double e = rows.number(eccentricity), r = rows.number(ratio);
+      if (!std::isnan(e)) eccentricities.push_back(e);
+      if (!std::isnan(r)) ratios.push_back(r);
+      without_ratio |= std::isnan(r) && !std::isnan(e);
+    }
+  }
   const auto distinct = [](std::vector<double>& values) {
     std::ranges::sort(values);
     return std::unique(values.begin(), values.end()) - values.begin();
   };
-  const std::size_t eccentricity = rows.column("eccentricity_m"), ratio = rows.column("whirl_ratio");
-  std::vector<double> eccentricities, ratios;
-  while (rows.next()) {
-    // What does not apply counts as one value.
-    for (auto& [column, values] : {std::pair(eccentricity, &eccentricities), {ratio, &ratios}}) {
-      const double value = rows.number(column);
-      values->push_back(std::isnan(value) ? -1 : value);
-    }
-  }
-  return distinct(eccentricities) < distinct(ratios) ? "eccentricity_m" : "whirl_ratio";
+  return without_ratio || distinct(eccentricities) < distinct(ratios) ? "eccentricity_m" : "whirl_ratio";
 }
 
 std::vector<std::string> keys_of(const CsvReader& map) {
@@ -56,7 +57,12 @@ std::vector<std::size_t> key_columns(const CsvReader& map, const std::string& ax
 
 CellKey key_of(const CsvReader& row, const std::vector<std::size_t>& columns) {
   CellKey key;
-  for (const std::size_t column : columns) key.push_back(row.number(column));
+  for (const std::size_t column : columns) {
+    key.push_back(row.number(column));
+    if (!std::isnan(key.back())) continue;
+    throw IoError(fmt::format("{}:{}: column '{}' does not say which cell this is, allowed: a number",
+                              row.path().string(), row.place().line, row.header().at(column)));
+  }
   return key;
 }
 

@@ -24,9 +24,10 @@ struct CellPlace {
 /// What follows `mark` in the comments of a map; empty where nothing does.
 std::string comment_after(const batch::CsvReader& map, std::string_view mark);
 
-/// whirl_ratio or eccentricity_m: the axis holds few values that come again and again; the other measure
-/// follows from it. Throws IoError where a column is missing or the file cannot be read.
-std::string second_axis(const std::filesystem::path& map);
+/// whirl_ratio or eccentricity_m, whichever the two maps are swept over: the axis holds few values that come
+/// again and again in both, the other measure follows from it, and may be empty. Throws IoError where a
+/// column is missing or a file cannot be read.
+std::string second_axis(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// The columns of the axes over keys, which hold no comma.
 std::vector<std::string> keys_of(const batch::CsvReader& map);
@@ -35,7 +36,7 @@ std::vector<std::string> keys_of(const batch::CsvReader& map);
 std::vector<std::size_t> key_columns(const batch::CsvReader& map, const std::string& axis,
                                      const std::vector<std::string>& keys);
 
-/// Of the row that was read last, by its `key_columns`.
+/// Of the row that was read last, by its `key_columns`. Throws IoError where one of them holds no number.
 CellKey key_of(const batch::CsvReader& row, const std::vector<std::size_t>& columns);
 
 /// The rows of a map, in the order of their cells. Throws IoError where a cell is there twice.

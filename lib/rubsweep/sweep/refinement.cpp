@@ -165,16 +165,31 @@ void visit_blocks(const Planes& planes, const Block& block, std::span<const int>
                  [&](const Block& child) { visit_blocks(planes, child, labels, level + 1, leaf, split); });
 }
 
+/// The stretch of the lattice that holds an index; of two that meet there the first.
+Stretch stretch_of(std::size_t index, std::size_t count, int levels) {
+  const std::vector<Stretch> stretches = lattice(count, levels);
+  return *std::ranges::find_if(stretches, [&](const Stretch& stretch) { return index <= stretch.last; });
+}
+
+/// Probes lie inside their block.
+bool is_probe(const Planes& planes, const Refinement& refinement, std::size_t cell) {
+  Block block;
+  block.origin = cell;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto [count, stride] = planes.sides[side];
+    const std::size_t index = stride == 0 ? 0 : cell / stride % count;
+    block.origin -= index * stride;
+    block.stretches[side] = stretch_of(index, count, refinement.levels);
+  }
+  return std::ranges::count(probes(planes, block, refinement.probes), cell) > 0;
+}
+
 /// How often the stretch of an index on the lattice is halved before it ends there.
 int level_on_axis(std::size_t index, std::size_t count, int levels) {
-  for (const Stretch& stretch : lattice(count, levels)) {
-    if (index > stretch.last) continue;
-    int level = 0;
-    for (Stretch at = stretch; index != at.first && index != at.last; ++level)
-      at = index <= at.middle() ? Stretch{at.first, at.middle()} : Stretch{at.middle(), at.last};
-    return level;
-  }
-  return 0;
+  int level = 0;
+  for (Stretch at = stretch_of(index, count, levels); index != at.first && index != at.last; ++level)
+    at = index <= at.middle() ? Stretch{at.first, at.middle()} : Stretch{at.middle(), at.last};
+  return level;
 }
 
 }  // namespace
@@ -195,6 +210,7 @@ std::vector<std::size_t> wanted_cells(const Grid& grid, std::span<const int> lab
 
 int refinement_level(const Grid& grid, std::size_t cell) {
   const Planes planes = planes_of(grid);
+  if (is_probe(planes, *grid.refinement, cell)) return 0;
   int level = 0;
   for (const Side& side : planes.sides) {
     if (side.count == 1) continue;
@@ -230,13 +246,15 @@ std::size_t island_bound(const Grid& grid) {
     for (const std::size_t cell : probes(planes, block, grid.refinement->probes)) met[cell] = true;
   });
   // Side of the largest square without a met cell that ends in each cell of a row, from those of the row
-  // before.
+  // before; along a single axis as many cells one after the other.
   std::size_t largest = 0;
   std::vector<std::size_t> before(across.count, 0), sides(across.count, 0);
   for (std::size_t j = 0; j < up.count; ++j) {
     for (std::size_t i = 0; i < across.count; ++i) {
-      const bool edge = i == 0 || j == 0;
-      const std::size_t least = edge ? 0 : std::min({before[i - 1], before[i], sides[i - 1]});
+      const std::size_t left = i == 0 ? 0 : sides[i - 1];
+      const std::size_t least = up.count == 1      ? left
+                                : i == 0 || j == 0 ? 0
+                                                   : std::min({before[i - 1], before[i], left});
       sides[i] = met[cell_at(planes, 0, i, j)] ? 0 : least + 1;
       largest = std::max(largest, sides[i]);
     }

@@ -28,7 +28,7 @@ inline constexpr int unknown_label = -1;
 /// cells are computed in whatever order and after whatever break.
 std::vector<std::size_t> wanted_cells(const Grid& grid, std::span<const int> labels);
 
-/// After how many splits of its block a cell is met; 0 on the lattice.
+/// After how many splits of its block a cell is met; 0 on the lattice and of probes.
 int refinement_level(const Grid& grid, std::size_t cell);
 
 /// Labels of all cells of a complete refined map: those of a block whose known labels are equal belong to
@@ -36,7 +36,7 @@ int refinement_level(const Grid& grid, std::size_t cell);
 std::vector<int> painted_labels(const Grid& grid, std::span<const int> labels);
 
 /// Side, in cells, of the smallest square island that none of the cells of the lattice and none of the probes
-/// can miss.
+/// can miss; where one axis alone has several values, as many cells one after the other.
 std::size_t island_bound(const Grid& grid);
 
 /// Uncertainty exponent of the boundaries of a complete refined map: the share of the area in blocks of a
