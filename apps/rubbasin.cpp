@@ -15,6 +15,7 @@
 #include "rubbasin_arguments.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/config/cell_config.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
@@ -34,7 +35,8 @@ std::string axis_of(const StartNumber& number, const StartRange& range, std::siz
 
 /// The configuration whose map is the slice: one cell, and an axis for each number of the plane.
 config::RunConfig sliced_config(const RubbasinArguments& arguments) {
-  const config::RunConfig given = config::read_run_config(arguments.config, arguments.overrides);
+  const config::RunConfig given = config::read_cell_config(arguments.config, arguments.overrides,
+                                                           {arguments.plane[0].key, arguments.plane[1].key});
   std::array<std::string, 2> axes;
   bool has_state = false;
   for (std::size_t i = 0; i < 2; ++i) {

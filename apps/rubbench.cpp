@@ -15,8 +15,8 @@
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/bench/label_agreement.hpp"
 #include "rubsweep/bench/reference.hpp"
+#include "rubsweep/config/cell_config.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/report/work_precision_report.hpp"
 
@@ -182,7 +182,7 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
 
 int perform(const RubbenchArguments& arguments) {
   if (answered("rubbench", arguments.action, rubbench_help)) return done;
-  return run(arguments, config::read_run_config(arguments.config, arguments.overrides));
+  return run(arguments, config::read_cell_config(arguments.config, arguments.overrides));
 }
 
 }  // namespace

@@ -116,7 +116,10 @@ int run_on_map(const RubbranchArguments& arguments) {
       branch::attribute(study.grid, labels, families.list, branch::quiet_cells(study), quiet_label);
   batch::write_whole_file(output / "families.csv", report::families_csv(study.grid, families.list));
   batch::write_whole_file(output / "edges.csv", report::edges_csv(study.grid, labels, edges));
-  batch::write_whole_file(output / "boundaries.csv", report::boundaries_csv(study.grid, families.list));
+  // Whoever draws them over a map sees whether they are of it.
+  batch::write_whole_file(
+      output / "boundaries.csv",
+      fmt::format("# digest {}\n{}", map.digest, report::boundaries_csv(study.grid, families.list)));
   batch::write_whole_file(output / "contradictions.csv",
                           report::contradictions_csv(study.grid, labels, checks));
   journal.remove();

@@ -14,8 +14,8 @@
 #include "forecast.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
+#include "rubsweep/config/cell_config.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/identify/experiment.hpp"
@@ -163,7 +163,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 
 int perform(RubtraceArguments arguments) {
   if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
-  config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  config::RunConfig config = config::read_cell_config(arguments.config, arguments.overrides);
   if (auto& ramp = arguments.run_up) {
     const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);
     ramp->eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;

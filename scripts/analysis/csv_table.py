@@ -37,6 +37,17 @@ def _rows(path, lines, needed):
         raise TableError(f"{path}: no header")
 
 
+def digest(path):
+    """The study that the first comments of a table name, or None."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        for line in file:
+            if not line.startswith("#"):
+                return None
+            if line.startswith("# digest "):
+                return line.split()[2]
+    return None
+
+
 def number(row, name):
     """The number in column `name` of a row, or None where the cell is empty. Raises TableError for anything else."""
     text = row[name]

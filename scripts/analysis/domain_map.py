@@ -68,11 +68,11 @@ def boundary_kind(kind):
     return named.get(kind, "other")
 
 
-def read_boundaries(path, measure, natural_frequency_hz=None):
+def read_boundaries(path, measure, natural_frequency_hz=None, digest=None):
     """The lines of boundaries.csv by what the picture calls them, each a list of points; nothing where there is no such
-    file."""
+    file, or where it says that it is of a map of another digest."""
     found = {}
-    if not os.path.exists(path):
+    if not os.path.exists(path) or csv_table.digest(path) not in (None, digest):
         return found
     line = []
     for row in csv_table.read_table(path, "family", "kind", "speed_hz", measure):

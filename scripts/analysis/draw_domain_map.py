@@ -4,6 +4,7 @@ import os
 import tempfile
 
 import configuration
+import csv_table
 import domain_map
 import gnuplot
 import map_heading
@@ -46,7 +47,7 @@ def main(arguments):
     boundaries = {}
     if across == "speed_hz":
         boundary_file = os.path.join(os.path.dirname(map_file), "boundaries.csv")
-        boundaries = domain_map.read_boundaries(boundary_file, up, natural_hz)
+        boundaries = domain_map.read_boundaries(boundary_file, up, natural_hz, csv_table.digest(map_file))
     if "sweep.refine.levels" in config:
         columns = [swept_axes.values(config, axis) for axis in (across, up)]
         columns[0] = [value / (natural_hz or 1) for value in columns[0]]

@@ -31,6 +31,14 @@ expect_usage_error '--output: allowed: the name of a directory' "$minimal" "${ru
 expect_usage_error "unrecognised option '--revolution'" "$minimal" "${rub[@]}" --revolution 3
 expect_usage_error 'too many positional options' "$minimal" "$minimal" "${rub[@]}"
 
+# What an axis over keys holds is that of the cell.
+expect_exit 0 "$minimal" "${rub[@]}" --set 'sweep.x={key: rotor.mass_kg, values: [2]}' --output of_axis
+expect_exit 0 "$minimal" "${rub[@]}" --set rotor.mass_kg=2 --output of_key
+for file in config.yaml motion.csv; do expect_same <(grep -v '^output\|directory' of_axis/$file) <(grep -v '^output\|directory' of_key/$file); done
+rm -r of_axis of_key
+expect_exit 2 "$minimal" "${rub[@]}" --set 'sweep.x={key: rotor.mass_kg, values: [1, 2]}'
+expect_contains stderr 'rotor.mass_kg has 2 values, and a cell has one, allowed: --set rotor.mass_kg=VALUE'
+
 # Configuration and files that cannot be had.
 expect_exit 2 "$minimal" "${rub[@]}" --set rotor.mass_kg=-1
 expect_matches stderr '^--set rotor\.mass_kg=-1: rotor\.mass_kg: -1 is out of range'

@@ -14,7 +14,7 @@ std::vector<Boundary> read(const std::string& text) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "boundaries.csv";
   std::ofstream(path, std::ios::binary) << text;
-  return read_boundaries(path, "whirl_ratio");
+  return read_boundaries(path, "whirl_ratio", "abc");
 }
 
 TEST(Boundaries, OneLineForEachFamilyAndKind) {
@@ -37,8 +37,15 @@ TEST(Boundaries, TheMeasureOfTheMapComesBeforeAnyOther) {
   EXPECT_EQ(read("speed_hz,unbalance_m\n50,1e-5\n").at(0).points.at(0)[1], 1e-5);
 }
 
+TEST(Boundaries, OfAnotherMapAreLeftOut) {
+  const std::string rows = "speed_hz,unbalance\n50,0.1\n";
+  EXPECT_EQ(read(rows).size(), 1u);
+  EXPECT_EQ(read("# digest abc\n" + rows).size(), 1u);
+  EXPECT_TRUE(read("# digest abd\n" + rows).empty());
+}
+
 TEST(Boundaries, NoFileHasNoLinesAndOneWithoutColumnsIsRefused) {
-  EXPECT_TRUE(read_boundaries("/nowhere/boundaries.csv", "whirl_ratio").empty());
+  EXPECT_TRUE(read_boundaries("/nowhere/boundaries.csv", "whirl_ratio", "").empty());
   EXPECT_THROW(read("speed_hz,height\n50,1\n"), IoError);
   EXPECT_THROW(read("speed,unbalance\n50,1\n"), IoError);
   EXPECT_THROW(read("speed_hz,unbalance\n50,high\n"), IoError);

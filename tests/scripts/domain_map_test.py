@@ -91,5 +91,10 @@ class Boundaries(FileTest):
             [[], ["3", "0.5"], ["3", "0.5"], [], [], ["1", "0.25"], ["2", "0.75"], []],
         )
 
+    def test_lines_of_another_map_are_left_out(self):
+        path = self.write("boundaries.csv", "# rubsweep 0\n# digest abc\n" + self.ROWS)
+        self.assertEqual(len(domain_map.read_boundaries(path, "whirl_ratio", 30, "abc")), 2)
+        self.assertEqual(domain_map.read_boundaries(path, "whirl_ratio", 30, "abd"), {})
+
     def test_no_file_no_lines(self):
         self.assertEqual(domain_map.read_boundaries(self.path("none.csv"), "whirl_ratio"), {})

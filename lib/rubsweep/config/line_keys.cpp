@@ -35,11 +35,14 @@ bool are_named(const sweep::KeyAxis& axis, const std::vector<std::string>& overr
 }
 
 LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::filesystem::path& file,
-                   const std::vector<std::string>& overrides) {
+                   const std::vector<std::string>& overrides,
+                   const std::vector<std::string>& said_elsewhere) {
   LineKeys keys;
   if (grid.axes.empty()) return keys;
   Diagnostics diagnostics(file.string(), overrides);
   const Node root = parse_config(read_config_bytes(file), file, "", overrides, diagnostics);
+  std::vector<std::string> named = overrides;
+  named.insert(named.end(), said_elsewhere.begin(), said_elsewhere.end());
   std::size_t next = 0;
   for (const std::string_view name : key_axis_names) {
     const Node* node = find_node(root, fmt::format("sweep.{}", name));
@@ -48,16 +51,20 @@ LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::f
     if (const double factor = factor_of(axis, along); factor != 0) {
       keys.along = axis;
       keys.factor = factor;
-    } else if (are_named(axis, overrides)) {
+    } else if (are_named(axis, named)) {
       continue;
     } else if (axis.values.size() == 1) {
       std::ranges::move(sweep::keys_at(axis, axis.values.front()), std::back_inserter(keys.fixed));
     } else {
-      diagnostics.add(node->place, fmt::format("sweep.{}", name),
-                      fmt::format("{} has {} values, and the line runs along {}", axis.keys.front(),
-                                  axis.values.size(), along),
-                      fmt::format("--set {}=VALUE, --set sweep.{}.values=[VALUE], or --along {}",
-                                  axis.keys.front(), name, axis.keys.front()));
+      const std::string& key = axis.keys.front();
+      const std::string set = fmt::format("--set {}=VALUE", key),
+                        of_axis = fmt::format("--set sweep.{}.values=[VALUE]", name);
+      diagnostics.add(
+          node->place, fmt::format("sweep.{}", name),
+          fmt::format("{} has {} values, and {}", key, axis.values.size(),
+                      along.empty() ? "a cell has one" : fmt::format("the line runs along {}", along)),
+          along.empty() ? fmt::format("{} or {}", set, of_axis)
+                        : fmt::format("{}, {}, or --along {}", set, of_axis, key));
     }
   }
   diagnostics.throw_if_any();

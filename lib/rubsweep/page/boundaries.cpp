@@ -8,6 +8,7 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/map_cells.hpp"
 
 namespace rubsweep::page {
 namespace {
@@ -31,9 +32,12 @@ std::size_t unbalance_column(const batch::CsvReader& file, std::string_view meas
 
 }  // namespace
 
-std::vector<Boundary> read_boundaries(const std::filesystem::path& path, std::string_view measure) {
+std::vector<Boundary> read_boundaries(const std::filesystem::path& path, std::string_view measure,
+                                      std::string_view digest) {
   if (!std::filesystem::exists(path)) return {};
   batch::CsvReader file(path);
+  const std::string of_map = report::comment_after(file, "digest ");
+  if (!of_map.empty() && of_map != digest) return {};
   const std::size_t speed = file.column("speed_hz"), unbalance = unbalance_column(file, measure);
   const auto family = column_called(file, "family"), kind = column_called(file, "kind");
   std::vector<Boundary> boundaries;

@@ -20,7 +20,9 @@ struct Boundary {
 /// `measure` (whirl_ratio or eccentricity_m) or else `unbalance` with or without a unit behind it. Where
 /// there are columns `family` and `kind`, consecutive rows that agree in both belong to one line; a row
 /// without numbers ends a line; rows are in the order of the line. Other columns are not looked at. Empty
-/// where there is no such file. Throws IoError, with file:line where the text is at fault.
-std::vector<Boundary> read_boundaries(const std::filesystem::path& path, std::string_view measure);
+/// where there is no such file, or where it says that it is of a map of another `digest`. Throws IoError,
+/// with file:line where the text is at fault.
+std::vector<Boundary> read_boundaries(const std::filesystem::path& path, std::string_view measure,
+                                      std::string_view digest);
 
 }  // namespace rubsweep::page

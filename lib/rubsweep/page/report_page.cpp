@@ -92,7 +92,7 @@ std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
   if (contents.refined) add_refinement(grid, painted.labels, contents.findings);
   // They lie over speed and unbalance.
   if (grid.axes.empty())
-    contents.boundaries = read_boundaries(directory / "boundaries.csv", to_string(grid.measure));
+    contents.boundaries = read_boundaries(directory / "boundaries.csv", to_string(grid.measure), map.digest);
   std::vector<std::size_t> cells =
       contents.refined ? some_of(painted.computed, options.most_orbits) : contents.kept.cells();
   auto orbits = record_orbits(study, map, std::move(cells), options.threads, on_cell, stop);

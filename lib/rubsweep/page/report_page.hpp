@@ -28,9 +28,10 @@ struct PageOptions {
 std::size_t recorded_cells(const sweep::Grid& grid, const MapTable& map, std::size_t most_orbits);
 
 /// The page of the finished map `map` of `study`, with the lines of boundaries.csv in `directory` where there
-/// is such a file. The cells that a refined map did not compute are painted. `on_cell` follows each recorded
-/// cell. Empty when `stop` became true before. Throws IoError where the map has not as many rows as the study
-/// has cells, or boundaries.csv is at fault; ConfigError where more than two axes have several values.
+/// is such a file of this map. The cells that a refined map did not compute are painted. `on_cell` follows
+/// each recorded cell. Empty when `stop` became true before. Throws IoError where the map has not as many
+/// rows as the study has cells, or boundaries.csv is at fault; ConfigError where more than two axes have
+/// several values.
 std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
                                        const std::filesystem::path& directory, const PageOptions& options,
                                        const std::function<void()>& on_cell, const std::atomic<bool>& stop);
