@@ -109,6 +109,12 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
         machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s, ramp->eccentricity_m, sampling)));
   }
   if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
+  const double slowest_hz = identify::lowest_frequency_hz(machine);
+  if (!(2 * slowest_hz * sampling.sample_s < 1)) {
+    throw UsageError(
+        fmt::format("--sample-s: {} s are too long to see {:.4g} Hz, allowed: less than {:.4g} s",
+                    sampling.sample_s, slowest_hz, 1 / (2 * slowest_hz)));
+  }
   return outcome_of(report::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
 }
 

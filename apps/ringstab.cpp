@@ -8,6 +8,7 @@
 
 #include "exit_code.hpp"
 #include "interrupt.hpp"
+#include "kept_files.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "ringstab_arguments.hpp"
@@ -61,6 +62,9 @@ bool chart(const RingstabArguments& arguments, const ring::Study& study, const s
 int run(const RingstabArguments& arguments, const config::RingConfig& config) {
   const ring::Study& study = config.study;
   const fs::path directory = arguments.output.value_or(config.output_directory);
+  keep_configuration(arguments.config, directory, [&] {
+    return config::print_ring_config(config::read_ring_config(arguments.config, {}));
+  });
   make_directory(directory);
   const std::string comments = report::ring_comments(RUBSWEEP_VERSION, config::ring_study_digest(study));
   const ring::Analysis analysis = ring::analyse(study.system, ring::speeds_rad_per_s(study));

@@ -8,6 +8,7 @@
 
 #include "exit_code.hpp"
 #include "interrupt.hpp"
+#include "kept_files.hpp"
 #include "map_directory.hpp"
 #include "missing_cells.hpp"
 #include "program.hpp"
@@ -89,8 +90,9 @@ int perform(const RubbasinArguments& arguments) {
   if (answered("rubbasin", arguments.action, rubbasin_help)) return done;
   const config::RunConfig config = sliced_config(arguments);
   batch::require_threads(arguments.threads, 1);
-  MapDirectory directory(arguments.output.value_or(directory_beside(config.output_directory, "_basin")),
-                         config, std::nullopt, arguments.fresh, "rubbasin");
+  const fs::path output = arguments.output.value_or(directory_beside(config.output_directory, "_basin"));
+  keep_run_configuration(arguments.config, output);
+  MapDirectory directory(output, config, std::nullopt, arguments.fresh, "rubbasin");
   if (directory.finished_map()) {
     if (!arguments.quiet) say(map_is_there("rubbasin"));
     return write_slice(arguments, config, directory.map());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exit_code.hpp"
+#include "kept_files.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubbench_arguments.hpp"
@@ -156,6 +157,8 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
 int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
   const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_bench"));
+  keep_run_configuration(arguments.config, directory);
+  keep_map(directory);
   make_directory(directory);
   const auto to_label = places_to_label(study.grid, arguments);
   const auto labelled = bench::reference_labels(study.machine, to_label, study.solver, study.response);

@@ -13,6 +13,7 @@
 #include "branch_plane.hpp"
 #include "cell_on_axes.hpp"
 #include "exit_code.hpp"
+#include "kept_files.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubbranch_arguments.hpp"
@@ -77,6 +78,8 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   std::optional<BranchPlane> plane;
   if (!arguments.curve.empty()) plane = branch_plane(arguments, config);
   const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_branch"));
+  keep_run_configuration(arguments.config, directory);
+  keep_map(directory);
   make_directory(directory);
 
   const scene::Cell cell = scene::build_cell(study.machine, arguments.cell.speed_hz,

@@ -15,6 +15,7 @@
 
 #include "exit_code.hpp"
 #include "interrupt.hpp"
+#include "kept_files.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubline_arguments.hpp"
@@ -145,6 +146,8 @@ class LineRun {
 
   int run() {
     batch::require_threads(arguments_.threads, 1);
+    keep_run_configuration(arguments_.config, directory_);
+    keep_map(directory_);
     make_directory(directory_);
     const std::atomic<bool>& stop = catch_interrupts();
     std::optional<Watch> watch(

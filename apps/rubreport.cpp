@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "action.hpp"
 #include "command_line.hpp"
@@ -56,6 +57,15 @@ po::variables_map parse(int argc, char** argv) {
   return read_command_line(argc, argv, all, positional);
 }
 
+void refuse_input(const fs::path& output, const fs::path& directory) {
+  for (const char* name : {"map.csv", "config.yaml", "boundaries.csv"}) {
+    std::error_code none;
+    if (fs::equivalent(output, directory / name, none))
+      throw UsageError(
+          fmt::format("--output {}: is read for the report, allowed: another file", output.string()));
+  }
+}
+
 int perform(const po::variables_map& given) {
   if (answered("rubreport", action_of(given), help)) return done;
   const auto directories = given.count("directory") ? given["directory"].as<std::vector<std::string>>()
@@ -64,10 +74,12 @@ int perform(const po::variables_map& given) {
   const long most_orbits = given["orbits"].as<long>();
   if (most_orbits < 1) throw UsageError("--orbits: allowed: a number >= 1");
   const fs::path directory = directories.front();
+  const fs::path file =
+      given.count("output") ? fs::path(given["output"].as<std::string>()) : directory / "report.html";
+  refuse_input(file, directory);
   const config::RunConfig config = config::read_run_config(directory / "config.yaml", {});
   return write_report(directory, config.study, "rubreport",
-                      {.file = given.count("output") ? fs::path(given["output"].as<std::string>())
-                                                     : directory / "report.html",
+                      {.file = file,
                        .most_orbits = static_cast<std::size_t>(most_orbits),
                        .threads = threads_of(given),
                        .progress = progress_of(given),

@@ -6,6 +6,7 @@
 #include "exit_code.hpp"
 #include "forecast.hpp"
 #include "interrupt.hpp"
+#include "kept_files.hpp"
 #include "map_directory.hpp"
 #include "map_outcome.hpp"
 #include "missing_cells.hpp"
@@ -67,8 +68,9 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   report::refuse_more_memory_than(machine_memory_bytes(), config.study,
                                   {batch::thread_count(arguments.threads)});
   batch::require_threads(arguments.threads, 1);
-  MapDirectory directory(arguments.output.value_or(config.output_directory), config, arguments.shard,
-                         arguments.fresh, own_name(arguments));
+  const std::filesystem::path output = arguments.output.value_or(config.output_directory);
+  keep_run_configuration(arguments.config, output);
+  MapDirectory directory(output, config, arguments.shard, arguments.fresh, own_name(arguments));
   if (directory.finished_map()) {
     if (!arguments.quiet) say(map_is_there("rubsweep"));
     return report_map("rubsweep", arguments, directory.finished_map()->summary, config.study, directory);

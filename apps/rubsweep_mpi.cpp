@@ -13,6 +13,7 @@
 #include "exit_code.hpp"
 #include "forecast.hpp"
 #include "interrupt.hpp"
+#include "kept_files.hpp"
 #include "map_directory.hpp"
 #include "map_outcome.hpp"
 #include "mpi_leader.hpp"
@@ -60,6 +61,7 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
   report::refuse_more_memory_than(memory_bytes, config.study,
                                   {batch::thread_count(arguments.threads), ranks});
   config.output_directory = fs::absolute(arguments.output.value_or(config.output_directory));
+  keep_run_configuration(arguments.config, config.output_directory);
   job.emplace();
   job->arguments = std::move(arguments);
   job->config = std::move(config);

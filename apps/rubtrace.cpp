@@ -12,6 +12,7 @@
 #include "exit_code.hpp"
 #include "experiment.hpp"
 #include "forecast.hpp"
+#include "kept_files.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubsweep/config/cell_config.hpp"
@@ -42,7 +43,10 @@ constexpr std::array<std::string_view, 8> file_names{"config.yaml", "motion.csv"
                                                      "sensors.csv", "probe_spectrum.csv"};
 
 fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {
-  return arguments.output.value_or(directory_beside(config.output_directory, "_trace"));
+  const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_trace"));
+  keep_run_configuration(arguments.config, directory);
+  keep_map(directory);
+  return directory;
 }
 
 int cannot_start(scene::Start start) {

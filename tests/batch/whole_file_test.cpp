@@ -52,6 +52,21 @@ TEST(WriteWholeFile, ReplacesRatherThanOverwrites) {
   EXPECT_EQ(read_whole_file(path), "new");
 }
 
+TEST(WriteWholeFile, KeepsALinkAndRefusesWhatIsNoFile) {
+  const TemporaryDirectory directory;
+  const auto target = directory.path() / "target", link = directory.path() / "link",
+             pipe = directory.path() / "pipe";
+  std::filesystem::create_symlink("target", link);
+  write_whole_file(link, "first");
+  write_whole_file(link, "second");
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(read_whole_file(target), "second");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(message_of<IoError>([&] { write_whole_file(pipe, "text"); }),
+            pipe.string() + ": is not a regular file");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
 TEST(WriteWholeFile, MissingDirectoryIsAnError) {
   EXPECT_EQ(message_of<IoError>([] { write_whole_file("/nowhere/map.csv", "text"); }),
             "cannot write /nowhere/map.csv: No such file or directory");

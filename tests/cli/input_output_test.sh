@@ -92,3 +92,25 @@ cp -r reused before
 )
 expect_same reused/map.csv before/map.csv
 expect_same reused/config.yaml before/config.yaml
+
+# What a user wrote is not replaced by the configuration as programs write it; what they wrote is.
+mkdir own
+printf '# mine\n' | cat - "$minimal" >own/config.yaml
+cp own/config.yaml mine.yaml
+expect_exit 2 own/config.yaml "${cell[@]}" --output own
+expect_contains stderr 'own/config.yaml: is where the results and their config.yaml would be written'
+expect_same own/config.yaml mine.yaml
+expect_files own config.yaml
+expect_exit 0 mine.yaml "${cell[@]}" --output of_mine --quiet
+expect_exit 0 of_mine/config.yaml --output of_mine --quiet
+
+# The directory of a map is its own.
+cp of_mine/config.yaml before.yaml
+"${rubsweep%/*}/rubtrace" "$minimal" --speed-hz 90 --whirl-ratio 0.6 --output of_mine 2>stderr && fail 'a trace in a map'
+expect_contains stderr 'of_mine: holds a map'
+expect_same of_mine/config.yaml before.yaml
+"${rubsweep%/*}/rubreport" of_mine --output of_mine/map.csv 2>stderr && fail 'a report over its map'
+expect_contains stderr '--output of_mine/map.csv: is read for the report'
+"${rubsweep%/*}/rubreport" of_mine --output /dev/null 2>stderr && fail 'a report over a device'
+expect_contains stderr '/dev/null: is not a regular file'
+[[ -c /dev/null ]] || fail 'a device was replaced'

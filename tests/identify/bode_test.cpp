@@ -47,21 +47,29 @@ TEST(BodePlot, AmplitudeAndLagOfARotorThroughItsCriticalSpeed) {
       EXPECT_NEAR(point.phase_deg, std::arg(expected) * 180 / pi, 1) << point.speed_hz;
     }
     // The amplitude for unbalance is largest at f / sqrt(1 - 2 zeta^2).
-    EXPECT_NEAR(critical_speed_hz(plot), 30 / std::sqrt(1 - 2 * 0.02 * 0.02), 0.02);
+    ASSERT_TRUE(critical_speed_hz(plot));
+    EXPECT_NEAR(*critical_speed_hz(plot), 30 / std::sqrt(1 - 2 * 0.02 * 0.02), 0.02);
   }
 }
 
 TEST(BodePlot, TooShortForAWindow) {
   const std::vector<double> few{0, 1, 2};
   EXPECT_TRUE(bode_plot(few, few, few, 0, 5).empty());
-  EXPECT_EQ(critical_speed_hz({}), 0);
+  EXPECT_FALSE(critical_speed_hz({}));
 }
 
 TEST(CriticalSpeed, IsTheTopOfTheParabola) {
   std::vector<BodePoint> plot;
   for (const double hz : {28.0, 29.0, 30.5, 31.0, 33.0})
     plot.push_back({hz, 1 - (hz - 30.2) * (hz - 30.2) / 100, 0});
-  EXPECT_NEAR(critical_speed_hz(plot), 30.2, 1e-12);
+  ASSERT_TRUE(critical_speed_hz(plot));
+  EXPECT_NEAR(*critical_speed_hz(plot), 30.2, 1e-12);
+}
+
+TEST(CriticalSpeed, IsNoneAtAnEnd) {
+  const std::vector<BodePoint> rising{{10, 1, 0}, {11, 2, 0}, {12, 3, 0}}, falling{{40, 3, 0}, {41, 2, 0}};
+  EXPECT_FALSE(critical_speed_hz(rising));
+  EXPECT_FALSE(critical_speed_hz(falling));
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ TEST(ExperimentTables, OfARunUp) {
                                                             .signal_m = two_sensors(),
                                                             .angle_deg = {0, 90, 45},
                                                             .bode = {plot, plot, plot},
+                                                            .sees = {true, true, false},
                                                             .critical_speed_hz = {10, 11, std::nullopt},
                                                             .largest_amplitude_m = {1e-4, 2e-4, 1e-19}});
   EXPECT_EQ(tables.bode_csv,
@@ -45,6 +46,23 @@ TEST(ExperimentTables, OfARunUp) {
             "quantity,sensor,value\ncritical_speed_hz,0,10\nlargest_amplitude_m,0,1e-04\n"
             "critical_speed_hz,1,11\nlargest_amplitude_m,1,2e-04\n");
   EXPECT_TRUE(tables.summary.ends_with("sensor 2 (45 deg)  does not see the unbalance\n"));
+}
+
+TEST(ExperimentTables, OfARunUpThatPassesNoCriticalSpeed) {
+  const std::vector<identify::BodePoint> plot{{10, 1e-4, -10}, {11, 2e-4, -20}};
+  identify::RunUp run_up{.run = ramp,
+                         .signal_m = two_sensors(),
+                         .angle_deg = {0},
+                         .bode = {plot},
+                         .sees = {true},
+                         .critical_speed_hz = {std::nullopt},
+                         .largest_amplitude_m = {2e-4}};
+  ExperimentTables tables = tables_of(run_up);
+  EXPECT_TRUE(tables.summary.ends_with(
+      "no critical speed: of what was measured, 10 to 11 Hz, 1X is largest at an end, 0.0002 m\n"));
+  EXPECT_EQ(tables.identification_csv, "quantity,sensor,value\nlargest_amplitude_m,0,2e-04\n");
+  run_up.bode = {{}};
+  EXPECT_NE(tables_of(run_up).summary.find("run up more slowly"), std::string::npos);
 }
 
 }  // namespace

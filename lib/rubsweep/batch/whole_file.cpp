@@ -7,7 +7,10 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <system_error>
 #include <utility>
+
+#include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
 namespace {
@@ -21,10 +24,23 @@ std::filesystem::path beside(std::filesystem::path path) {
   return path += fmt::format(".tmp-{}-{}", host.data(), ::getpid());
 }
 
+/// The file behind a symbolic link. A device, a pipe or a directory is none that could be replaced.
+std::filesystem::path regular(std::filesystem::path path) {
+  std::error_code none;
+  constexpr int most_links = 40;  // of a circle, the system says so when the file is opened
+  for (int i = 0; i < most_links && std::filesystem::is_symlink(path, none); ++i)
+    path = path.parent_path() / std::filesystem::read_symlink(path);
+  if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none) &&
+      !std::filesystem::is_directory(path, none)) {
+    throw IoError(fmt::format("{}: is not a regular file", path.string()));
+  }
+  return path;
+}
+
 }  // namespace
 
 WholeFile::WholeFile(std::filesystem::path path)
-    : path_(std::move(path)),
+    : path_(regular(std::move(path))),
       temporary_(beside(path_)),
       descriptor_(open_file(temporary_, O_WRONLY | O_CREAT | O_TRUNC, "write", path_)) {}
 

@@ -9,8 +9,9 @@
 namespace rubsweep::batch {
 
 /// A file that appears under its name whole or not at all: what is written goes to a temporary beside it,
-/// which takes the name at the end. Not for two threads and one path. Every function throws IoError with the
-/// path and the system's reason, and then an older file of that name is as it was.
+/// which takes the name at the end; a symbolic link stays, a device or pipe is refused. Not for two threads
+/// and one path. Every function throws IoError with the path and the system's reason, and then an older file
+/// of that name is as it was.
 class WholeFile {
  public:
   explicit WholeFile(std::filesystem::path path);

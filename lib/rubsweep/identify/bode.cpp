@@ -54,12 +54,12 @@ std::vector<BodePoint> bode_plot(std::span<const double> displacement_m,
   return plot;
 }
 
-double critical_speed_hz(const std::vector<BodePoint>& plot) {
-  if (plot.empty()) return 0;
+std::optional<double> critical_speed_hz(const std::vector<BodePoint>& plot) {
+  if (plot.empty()) return std::nullopt;
   const auto top = std::max_element(plot.begin(), plot.end(), [](const BodePoint& a, const BodePoint& b) {
     return a.amplitude_m < b.amplitude_m;
   });
-  if (top == plot.begin() || top + 1 == plot.end()) return top->speed_hz;
+  if (top == plot.begin() || top + 1 == plot.end()) return std::nullopt;
   const auto &a = *(top - 1), &b = *top, &c = *(top + 1);
   const double left = (b.amplitude_m - a.amplitude_m) / (b.speed_hz - a.speed_hz);
   const double right = (c.amplitude_m - b.amplitude_m) / (c.speed_hz - b.speed_hz);

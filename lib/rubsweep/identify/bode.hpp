@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,8 +22,8 @@ std::vector<BodePoint> bode_plot(std::span<const double> displacement_m,
                                  std::span<const double> shaft_angle_rad, std::span<const double> speed_hz,
                                  double sensor_angle_deg, int revolutions);
 
-/// Speed of the largest amplitude, by a parabola through the largest point and its neighbours; 0 for an empty
-/// plot.
-double critical_speed_hz(const std::vector<BodePoint>& plot);
+/// Speed of the largest amplitude, by a parabola through the largest point and its neighbours; empty where
+/// that is at an end of the plot, beyond which it may go on.
+std::optional<double> critical_speed_hz(const std::vector<BodePoint>& plot);
 
 }  // namespace rubsweep::identify

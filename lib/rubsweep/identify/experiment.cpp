@@ -1,7 +1,9 @@
 #include "rubsweep/identify/experiment.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <span>
 
@@ -60,6 +62,14 @@ FreeResponse free_response(const scene::PreparedMachine& machine, double duratio
   return response;
 }
 
+double lowest_frequency_hz(const scene::PreparedMachine& machine) {
+  const auto& system = machine.assembly.system;
+  const Eigen::MatrixXd stiffness = (system.stiffness + system.stiffness.transpose()) / 2;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, system.mass,
+                                                                        Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(modes.eigenvalues().minCoeff(), 0.0)) / (2 * std::numbers::pi);
+}
+
 RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz, double rate_hz_per_s,
              double eccentricity_m, const Sampling& sampling) {
   const SensorRows sensors = sensor_rows(machine);
@@ -71,11 +81,12 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
                .signal_m = {},
                .angle_deg = sensors.angle_deg,
                .bode = {},
+               .sees = {},
                .critical_speed_hz = {},
                .largest_amplitude_m = {}};
   run_up.signal_m = run_linear(machine, run_up.run, sensors.rows);
   // What noise hides in a free response the Bode plot still finds.
-  const std::vector<bool> sees = sees_something(run_up.signal_m, 0);
+  run_up.sees = sees_something(run_up.signal_m, 0);
   add_noise(run_up.signal_m, sampling.noise_m);
   std::vector<double> angle_rad, speed_hz;
   for (int k = 0; k < run_up.run.samples; ++k) {
@@ -87,7 +98,7 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
     run_up.bode.push_back(
         bode_plot(column(run_up.signal_m, i), angle_rad, speed_hz, direction_deg, bode_revolutions));
     run_up.critical_speed_hz.emplace_back();
-    if (sees[static_cast<std::size_t>(i)])
+    if (run_up.sees[static_cast<std::size_t>(i)])
       run_up.critical_speed_hz.back() = critical_speed_hz(run_up.bode.back());
     double largest_m = 0;
     for (const BodePoint& point : run_up.bode.back()) largest_m = std::max(largest_m, point.amplitude_m);

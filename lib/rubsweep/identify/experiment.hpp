@@ -35,12 +35,17 @@ FreeResponse free_response(const scene::PreparedMachine& machine, double duratio
 /// Speed ramp with an unbalance, without stops: 1X amplitude and phase over speed, and the critical speed.
 struct RunUp {
   LinearRun run;
-  Eigen::MatrixXd signal_m;                              ///< samples x sensors
-  std::vector<double> angle_deg;                         ///< per sensor
-  std::vector<std::vector<BodePoint>> bode;              ///< per sensor
-  std::vector<std::optional<double>> critical_speed_hz;  ///< per sensor; empty where one sees nothing
-  std::vector<double> largest_amplitude_m;               ///< per sensor, of 1X
+  Eigen::MatrixXd signal_m;                  ///< samples x sensors
+  std::vector<double> angle_deg;             ///< per sensor
+  std::vector<std::vector<BodePoint>> bode;  ///< per sensor
+  std::vector<bool> sees;                    ///< per sensor: more than rounding
+  std::vector<std::optional<double>>
+      critical_speed_hz;                    ///< per sensor; empty where one sees nothing or none is passed
+  std::vector<double> largest_amplitude_m;  ///< per sensor, of 1X
 };
+
+/// Of the slowest free vibration, without damping: what has fewer than two samples in it is not seen.
+double lowest_frequency_hz(const scene::PreparedMachine& machine);
 
 /// Windows of `bode_revolutions`; rate_hz_per_s has the sign of to - from.
 RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz, double rate_hz_per_s,

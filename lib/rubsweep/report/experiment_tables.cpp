@@ -38,6 +38,18 @@ ExperimentTables begun(const identify::LinearRun& run, const Eigen::MatrixXd& si
           .summary = {}};
 }
 
+std::string why_none(const identify::RunUp& run_up, std::size_t sensor) {
+  if (!run_up.sees[sensor]) return "does not see the unbalance";
+  const auto& plot = run_up.bode[sensor];
+  if (plot.empty()) {
+    return fmt::format("no critical speed: no {} revolutions with enough samples, run up more slowly",
+                       identify::bode_revolutions);
+  }
+  return fmt::format(
+      "no critical speed: of what was measured, {:.5g} to {:.5g} Hz, 1X is largest at an end, {:.4g} m",
+      plot.front().speed_hz, plot.back().speed_hz, run_up.largest_amplitude_m[sensor]);
+}
+
 }  // namespace
 
 std::string sensors_csv(const identify::LinearRun& run, const Eigen::MatrixXd& signal_m) {
@@ -79,16 +91,15 @@ ExperimentTables tables_of(const identify::RunUp& run_up) {
   ExperimentTables tables = begun(run_up.run, run_up.signal_m);
   for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
     const std::optional<double> critical_hz = run_up.critical_speed_hz[i];
-    if (!critical_hz) {
-      tables.summary +=
-          fmt::format("sensor {} ({} deg)  does not see the unbalance\n", i, run_up.angle_deg[i]);
-      continue;
-    }
-    add(tables.identification_csv, "critical_speed_hz", i, *critical_hz);
-    add(tables.identification_csv, "largest_amplitude_m", i, run_up.largest_amplitude_m[i]);
-    tables.summary +=
-        fmt::format("sensor {} ({} deg)  critical speed {:.5g} Hz, 1X amplitude there {:.4g} m\n", i,
-                    run_up.angle_deg[i], *critical_hz, run_up.largest_amplitude_m[i]);
+    const double largest_m = run_up.largest_amplitude_m[i];
+    if (critical_hz) add(tables.identification_csv, "critical_speed_hz", i, *critical_hz);
+    if (run_up.sees[i] && !run_up.bode[i].empty())
+      add(tables.identification_csv, "largest_amplitude_m", i, largest_m);
+    tables.summary += fmt::format(
+        "sensor {} ({} deg)  {}\n", i, run_up.angle_deg[i],
+        critical_hz
+            ? fmt::format("critical speed {:.5g} Hz, 1X amplitude there {:.4g} m", *critical_hz, largest_m)
+            : why_none(run_up, i));
   }
   tables.bode_csv = bode_csv(run_up.bode);
   return tables;
