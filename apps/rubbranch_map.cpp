@@ -64,6 +64,12 @@ sweep::Study study_of_map(const fs::path& directory) {
         "of every cell, without sweep.refine",
         file.string()));
   }
+  if (const auto axis = sweep::disordered_axis(study.grid)) {
+    throw ConfigError(
+        fmt::format("{}: sweep.{}: the values are in no order, allowed with --map: values that "
+                    "rise, or fall, all along",
+                    file.string(), *axis));
+  }
   return study;
 }
 

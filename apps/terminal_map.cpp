@@ -75,8 +75,10 @@ TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid&
     if (header) map.add(line);
     header = true;
   }
-  TerminalView view{map.text(terminal_width(), shows_colours()), {}};
-  if (view.map.empty()) return view;
+  // Cells that are next to each other in characters must be neighbours.
+  const bool in_order = !sweep::disordered_axis(grid);
+  TerminalView view{in_order ? map.text(terminal_width(), shows_colours()) : "", {}};
+  if (in_order && view.map.empty()) return view;
   if (const auto cell = map.typical_rub()) {
     view.next +=
         fmt::format("next: {}  # {}\n", rubtrace_command(path.parent_path(), grid, *cell), map.name(*cell));

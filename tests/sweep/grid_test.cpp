@@ -47,6 +47,17 @@ TEST(Grid, SweptAxesHaveSeveralValues) {
   EXPECT_EQ(swept[1].name, "b");
 }
 
+TEST(Grid, AnAxisRisesOrFallsOrIsInDisorder) {
+  const auto disordered = [](std::vector<double> speed_hz, std::vector<double> of_key) {
+    return disordered_axis(
+        {std::move(speed_hz), UnbalanceMeasure::whirl_ratio, {0.2}, {{{"a"}, {1}, std::move(of_key)}}});
+  };
+  EXPECT_FALSE(disordered({50, 60, 70}, {3, 2, 1}));
+  EXPECT_FALSE(disordered({50}, {1}));
+  EXPECT_EQ(disordered({50, 70, 60}, {1, 2}), "speed_hz");
+  EXPECT_EQ(disordered({50, 60}, {1, 3, 2}), "a");
+}
+
 TEST(Grid, OneCellOfAGridIsAGridOfItsOwn) {
   for (const auto measure : {UnbalanceMeasure::whirl_ratio, UnbalanceMeasure::eccentricity_m}) {
     const Grid one = grid_of(place_of({{50, 60}, measure, {0.2, 0.6}}, 3));

@@ -25,6 +25,14 @@ sweep::Refinement read_refinement(const Value& value) {
   return refinement;
 }
 
+/// A refined map looks between neighbours.
+void refuse_disorder(const Section& section, const sweep::Grid& grid) {
+  if (const auto axis = sweep::disordered_axis(grid)) {
+    section.refuse_together("refine", {"refine"}, fmt::format("beside values of {} in no order", *axis),
+                            "values that rise, or fall, all along");
+  }
+}
+
 }  // namespace
 
 sweep::Grid read_sweep(const Value& value, const model::Machine& machine) {
@@ -34,6 +42,7 @@ sweep::Grid read_sweep(const Value& value, const model::Machine& machine) {
   read_unbalance(section, machine, grid);
   grid.axes = read_key_axes(section);
   if (const auto refine = section.find("refine")) grid.refinement = read_refinement(*refine);
+  if (grid.refinement) refuse_disorder(section, grid);
   section.refuse_unknown_keys();
   std::string product = fmt::format("{} x {}", grid.speed_hz.size(), grid.unbalance.size());
   // The product of five long axes is more than an integer holds.

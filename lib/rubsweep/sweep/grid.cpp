@@ -1,5 +1,7 @@
 #include "rubsweep/sweep/grid.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 #include <variant>
 
@@ -38,6 +40,16 @@ std::vector<SweptAxis> swept_axes(const Grid& grid) {
     if (axis.values.size() > 1) swept.push_back({axis.keys.front(), axis.values});
   }
   return swept;
+}
+
+std::optional<std::string> disordered_axis(const Grid& grid) {
+  for (SweptAxis& axis : swept_axes(grid)) {
+    const auto& values = axis.values;
+    const bool rises = std::ranges::is_sorted(values),
+               falls = std::ranges::is_sorted(values, std::greater<>());
+    if (!rises && !falls) return std::move(axis.name);
+  }
+  return std::nullopt;
 }
 
 scene::Unbalance unbalance_of(const Grid& grid, double value) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -62,6 +63,10 @@ struct SweptAxis {
 
 /// The axes with more than one value, fastest first.
 std::vector<SweptAxis> swept_axes(const Grid& grid);
+
+/// The first axis whose values neither rise nor fall all along: next to each other in the grid are then not
+/// cells that are neighbours on the axis. Empty where there is none.
+std::optional<std::string> disordered_axis(const Grid& grid);
 
 /// The grid of the one cell there.
 Grid grid_of(const scene::Place& place);
