@@ -72,6 +72,9 @@ RubbranchArguments parse_rubbranch_arguments(int argc, const char* const* argv) 
     for (const char* name : {"config", "cell", "from", "to", "curve", "curve-from", "curve-to", "switch", "set"}) {
       if (given.count(name) != 0) throw UsageError("--map takes the configuration of the map, and no cell");
     }
+    for (const char* name : {"along", "points"}) {
+      if (!given[name].defaulted()) throw UsageError(fmt::format("--{} belongs to a cell, not to --map", name));
+    }
     return arguments;
   }
   if (given.count("fresh") != 0) throw UsageError("--fresh goes with --map");

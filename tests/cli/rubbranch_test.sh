@@ -100,6 +100,8 @@ expect_figure curve_figure.sh plane plane 'fold'
 
 # All families of a map: beside it, and the edges between its cells.
 expect_usage_error '--map takes the configuration of the map' "$minimal" --map results
+expect_usage_error '--along belongs to a cell, not to --map' --map results --along whirl_ratio
+expect_usage_error '--points belongs to a cell, not to --map' --map results --points 10
 expect_exit 3 --map no_such_map
 "${rubsweep%/*}/rubsweep" "$figure06" --quiet --output map \
   --set 'sweep={speed_hz: {from: 60, to: 95, count: 8}, whirl_ratio: {values: [0.3, 0.4]}}' || fail 'no map'

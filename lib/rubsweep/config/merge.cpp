@@ -30,12 +30,20 @@ void write_over(Node& base, Node::Key key, Node item, std::string_view path, Dia
   if (index == base.keys.size()) {
     base.keys.push_back(std::move(key));
     base.items.push_back(std::move(item));
-  } else if (item.kind == Node::Kind::null) {
-    drop_entry(base, index);
   } else {
     base.items[index] =
         merged(std::move(base.items[index]), std::move(item), child_path(path, key.text), diagnostics);
     base.keys[index] = std::move(key);
+  }
+}
+
+/// A key without a value takes that of the base back, before another way to say the same does.
+void take_back(Node& base, Node& over) {
+  for (std::size_t i = over.keys.size(); i-- > 0;) {
+    const std::size_t index = index_of(base, over.keys[i].text);
+    if (over.items[i].kind != Node::Kind::null || index == base.keys.size()) continue;
+    drop_entry(base, index);
+    drop_entry(over, i);
   }
 }
 
@@ -50,6 +58,7 @@ Node merged(Node base, Node over, std::string_view path, Diagnostics& diagnostic
     drop_repeated_keys(*map);
   }
   base.place = over.place;
+  take_back(base, over);
   for (const Node::Key& key : over.keys) drop_alternatives(base, key.text);
   for (std::size_t i = 0; i < over.keys.size(); ++i) {
     write_over(base, std::move(over.keys[i]), std::move(over.items[i]), path, diagnostics);
