@@ -11,12 +11,13 @@ namespace {
 
 constexpr double golden_angle = 2.39996322972865332;  ///< returns as badly as an angle can
 
-/// 400 turns of an angle whose circle shrinks by `decay` a turn.
-Followed turning(double angle, double decay) {
+/// 400 turns of an angle whose circle shrinks by `decay` a turn, beside a third number that grows by `drift`.
+Followed turning(double angle, double decay, double drift = 0) {
   Followed motion{.states = 4, .rows = {}, .contributions = {}};
   for (int k = 0; k < 400; ++k) {
     const double radius = std::exp(-decay * k);
-    motion.add(std::array{1 + radius * std::cos(angle * k), radius * std::sin(angle * k), 0.0, 0.0}, 0, true);
+    motion.add(std::array{1 + radius * std::cos(angle * k), radius * std::sin(angle * k), drift * k, 0.0}, 0,
+               true);
   }
   return motion;
 }
@@ -42,6 +43,12 @@ TEST(Followed, AnAngleThatNeverComesRoundReturnsLikeATorus) {
   EXPECT_TRUE(like_a_torus(turning(golden_angle, 0)));
   EXPECT_FALSE(like_a_torus(turning(2 * std::numbers::pi / 9, 0)));
   EXPECT_FALSE(like_a_torus(turning(golden_angle, 2e-3)));
+}
+
+/// As where nothing dampens the direction along a wall: no disturbance grows, but the motion does.
+TEST(Followed, WhatGrowsWithoutAnEndIsNoTorus) {
+  EXPECT_TRUE(like_a_torus(turning(golden_angle, 0, 2e-4)));
+  EXPECT_FALSE(like_a_torus(turning(golden_angle, 0, 2e-3)));
 }
 
 }  // namespace

@@ -28,6 +28,17 @@ bool stays_away(const ClosestReturn& nearest, double known_rate) {
          std::abs(nearest.rate) <= std::max(nearest.rate_error_bar, zero_rate);
 }
 
+/// A motion that grows without an end, such as that of a resonance with next to no damping, passes for a
+/// torus otherwise: no disturbance of it grows by any rate.
+bool stays_as_large(std::span<const double> rows) {
+  const auto square = [](std::span<const double> part) {
+    return Eigen::Map<const Eigen::VectorXd>(part.data(), static_cast<Eigen::Index>(part.size()))
+        .squaredNorm();
+  };
+  const double before = square(rows.first(rows.size() / 2)), after = square(rows.last(rows.size() / 2));
+  return std::abs(after - before) <= steady_share * before;
+}
+
 }  // namespace
 
 void Followed::add(std::span<const double> section, double contribution, bool touched) {
@@ -42,6 +53,7 @@ bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2,
   const auto rows = motion.last_rows(2 * half);
   if (!stays_away(closest_return(rows, static_cast<int>(motion.states), window / 2), known_rate))
     return false;
+  if (!stays_as_large(rows)) return false;
   const std::vector<Complex> z = displacements(rows, motion.states, observed);
   return spectrum::same_discrete_lines(std::span(z).first(half), std::span(z).last(half), workspace);
 }

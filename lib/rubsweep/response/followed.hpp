@@ -15,6 +15,10 @@ inline constexpr double significant_return = 1e-4;
 /// 2560 turns.
 inline constexpr double zero_rate = 2e-5;
 
+/// By how much the mean square of a torus's sections may differ from one half to the other, of 80 turns or
+/// more: 3 % on the maps of figures 6, 9 and 12.
+inline constexpr double steady_share = 0.1;
+
 /// A motion turn by turn, and how a disturbance of it grows.
 struct Followed {
   std::size_t states = 0;
@@ -29,8 +33,8 @@ struct Followed {
 
 /// Whether the last four fifths of the turns look like a torus: the closest return within window / 2 turns is
 /// significant and neither grows nor shrinks, by a rate that is known to within `known_rate` per turn, and
-/// both halves hold the same discrete lines. `observed` (2 x states / 2) maps displacements to (x, y). Says
-/// nothing about the exponent.
+/// both halves are as large (`steady_share`) and hold the same discrete lines. `observed` (2 x states / 2)
+/// maps displacements to (x, y). Says nothing about the exponent.
 bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed,
                           int window, double known_rate, spectrum::SpectrumWorkspace& workspace);
 
