@@ -31,6 +31,7 @@ std::string interrupted(std::string_view program) {
 page::MapTable read_map_of(const sweep::Study& study, const fs::path& path) {
   page::MapTable map = page::read_map_table(path);
   const std::string digest = config::study_digest(study);
+  if (map.find("class") == nullptr) throw IoError(fmt::format("{}: no column 'class'", path.string()));
   if (map.digest == digest) return map;
   throw ConfigError(
       fmt::format("{}: is no map of this configuration (digest {}, this one has {})\n"

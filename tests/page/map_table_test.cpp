@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/error.hpp"
 
@@ -48,6 +49,14 @@ TEST(MapTable, AColumnWithOneWordIsOneOfWords) {
 TEST(MapTable, ARowCutShortHasItsPlace) {
   EXPECT_THROW(read("a,b\n1\n"), IoError);
   EXPECT_THROW(read_map_table("/nowhere/map.csv"), IoError);
+}
+
+TEST(MapTable, ADamagedCellHasItsPlace) {
+  const auto problem = [](const std::string& text) { return message_of<IoError>([&] { read(text); }); };
+  EXPECT_TRUE(
+      problem("speed_hz,class\n50,chaotic\n60,foo\n").ends_with("map.csv:3: 'foo' is no class of a motion"));
+  EXPECT_NE(problem("speed_hz,peak_displacement_m\n50,1e-3\n60,abc\n").find("map.csv:3: "),
+            std::string::npos);
 }
 
 }  // namespace

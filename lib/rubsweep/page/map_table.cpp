@@ -1,20 +1,18 @@
 #include "rubsweep/page/map_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/map_cells.hpp"
+#include "rubsweep/report/map_columns.hpp"
+#include "rubsweep/response/motion/motion_class.hpp"
 
 namespace rubsweep::page {
 namespace {
-
-/// The comment that begins with `mark`, without it.
-std::string comment(const batch::CsvReader& file, std::string_view mark) {
-  for (const std::string& line : file.comments())
-    if (line.starts_with(mark)) return line.substr(mark.size());
-  return {};
-}
 
 bool is_number(const batch::CsvReader& file, std::size_t column) {
   try {
@@ -25,12 +23,33 @@ bool is_number(const batch::CsvReader& file, std::size_t column) {
   }
 }
 
-/// For each column, whether its cells are numbers or empty, and some of them numbers.
+/// Whether the column of this name holds nothing but numbers in every map.
+bool has_numbers(const std::string& name) {
+  using report::Comparison;
+  const auto columns = report::map_columns();
+  const auto known = std::ranges::find(columns, name, &report::MapColumn::name);
+  return known != columns.end() &&
+         (known->comparison == Comparison::key || known->comparison == Comparison::number);
+}
+
+void require_class(const batch::CsvReader& file, std::size_t column) {
+  const std::string& word = file.cells()[column];
+  if (response::motion::motion_class_of(word)) return;
+  throw IoError(
+      fmt::format("{}:{}: '{}' is no class of a motion", file.path().string(), file.place().line, word));
+}
+
+/// For each column, whether its cells are numbers or empty, and some of them numbers. Throws IoError where a
+/// column that every map has holds something else.
 std::vector<bool> columns_of_numbers(const std::filesystem::path& path) {
   batch::CsvReader file(path);
-  std::vector<bool> some(file.header().size(), false), all(file.header().size(), true);
+  const auto& names = file.header();
+  std::vector<bool> some(names.size(), false), all(names.size(), true), always;
+  for (const std::string& name : names) always.push_back(has_numbers(name));
   while (file.next()) {
     for (std::size_t column = 0; column < all.size(); ++column) {
+      if (names[column] == "class") require_class(file, column);
+      if (always[column]) file.number(column);
       if (!all[column] || file.cells()[column].empty()) continue;
       some[column] = all[column] = is_number(file, column);
     }
@@ -71,8 +90,8 @@ MapTable read_map_table(const std::filesystem::path& path) {
       }
     }
   }
-  map.version = comment(file, "rubsweep ");
-  map.digest = comment(file, "digest ");
+  map.version = report::comment_after(file, "rubsweep ");
+  map.digest = report::comment_after(file, "digest ");
   return map;
 }
 
