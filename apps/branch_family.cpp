@@ -16,9 +16,10 @@ BranchFamily branch_family(const RubbranchArguments& arguments, const config::Ru
   BranchFamily family;
   family.start = cell->value_of(along, {});
   cell->with({{along, family.start}});  // throws where --set may not write this number
-  const branch::ParameterRange usual = usual_range(along, family.start, config.study.grid);
-  family.low = arguments.from.value_or(usual.low);
-  family.high = arguments.to.value_or(usual.high);
+  const branch::ParameterRange range =
+      range_of(along, {arguments.from, arguments.to}, family.start, config.study.grid);
+  family.low = range.low;
+  family.high = range.high;
   if (!(family.low < family.high) || family.start < family.low || family.start > family.high) {
     throw ConfigError(
         fmt::format("--from and --to: the range of {} from {} to {} must hold that of the cell, {}", along,

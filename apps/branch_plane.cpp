@@ -18,9 +18,8 @@ BranchPlane branch_plane(const RubbranchArguments& arguments, const config::RunC
   require_number("--curve", key, config);
   const auto cell = std::make_shared<const WrittenCell>(arguments, config);
   const double start = cell->value_of(key, {});
-  const branch::ParameterRange usual = usual_range(key, start, config.study.grid);
   BranchPlane result;
-  result.second = {arguments.curve_from.value_or(usual.low), arguments.curve_to.value_or(usual.high)};
+  result.second = range_of(key, {arguments.curve_from, arguments.curve_to}, start, config.study.grid);
   if (!(result.second.low < result.second.high) || !result.second.holds(start)) {
     throw ConfigError(fmt::format(
         "--curve-from and --curve-to: the range of {} from {} to {} must hold that of the cell, {}", key,

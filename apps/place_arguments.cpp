@@ -7,6 +7,7 @@
 
 #include "program.hpp"
 #include "rubsweep/config/place_axes.hpp"
+#include "rubsweep/config/unit_slips.hpp"
 #include "rubsweep/model/balance.hpp"
 
 namespace rubsweep::apps {
@@ -52,6 +53,15 @@ scene::Unbalance unbalance_of(const PlaceArguments& place, const model::Machine&
   if (!(units > 0))
     throw UsageError("--unbalance-g-mm: no disc of the rotor stands off the axis, allowed: --whirl-ratio U");
   return scene::Eccentricity{*place.unbalance_g_mm / units};
+}
+
+void require_speed(std::string_view option, double speed_hz, const model::Machine& machine) {
+  const auto most_hz = config::most_speed_hz(machine);
+  if (!most_hz || speed_hz <= *most_hz) return;
+  throw UsageError(
+      fmt::format("{}: {} Hz is far over rotor.natural_frequency_hz (revolutions per minute?), "
+                  "allowed: at most {} Hz",
+                  option, speed_hz, *most_hz));
 }
 
 }  // namespace rubsweep::apps

@@ -32,4 +32,7 @@ PlaceArguments read_place(const po::variables_map& given);
 /// of its discs stands off the axis.
 scene::Unbalance unbalance_of(const PlaceArguments& place, const model::Machine& machine);
 
+/// Throws UsageError where a configuration of this machine could not have this speed; `option` said it.
+void require_speed(std::string_view option, double speed_hz, const model::Machine& machine);
+
 }  // namespace rubsweep::apps

@@ -11,6 +11,7 @@
 #include "kept_files.hpp"
 #include "map_directory.hpp"
 #include "missing_cells.hpp"
+#include "place_arguments.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubbasin_arguments.hpp"
@@ -38,6 +39,7 @@ std::string axis_of(const StartNumber& number, const StartRange& range, std::siz
 config::RunConfig sliced_config(const RubbasinArguments& arguments) {
   const config::RunConfig given = config::read_cell_config(arguments.config, arguments.overrides,
                                                            {arguments.plane[0].key, arguments.plane[1].key});
+  require_speed("--cell", arguments.cell.speed_hz, given.study.machine);
   std::array<std::string, 2> axes;
   bool has_state = false;
   for (std::size_t i = 0; i < 2; ++i) {

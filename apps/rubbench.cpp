@@ -10,6 +10,7 @@
 
 #include "exit_code.hpp"
 #include "kept_files.hpp"
+#include "place_arguments.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubbench_arguments.hpp"
@@ -156,6 +157,7 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
 
 int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
+  for (const CellArgument& cell : arguments.cells) require_speed("--cell", cell.speed_hz, study.machine);
   const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_bench"));
   keep_run_configuration(arguments.config, directory);
   keep_map(directory);

@@ -14,6 +14,7 @@
 #include "cell_on_axes.hpp"
 #include "exit_code.hpp"
 #include "kept_files.hpp"
+#include "place_arguments.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubbranch_arguments.hpp"
@@ -74,6 +75,8 @@ int nothing_to_follow(const std::string& why) {
 
 int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
+  require_speed("--cell", arguments.cell.speed_hz, study.machine);
+  if (arguments.along == "speed_hz" && arguments.to) require_speed("--to", *arguments.to, study.machine);
   const BranchFamily family = branch_family(arguments, config);
   std::optional<BranchPlane> plane;
   if (!arguments.curve.empty()) plane = branch_plane(arguments, config);

@@ -70,10 +70,12 @@ scene::Place place_at(const RublineArguments& arguments, const sweep::Grid& grid
   scene::Place place;
   if (arguments.along == "speed_hz") {
     if (value <= 0) throw UsageError("--from: allowed: a speed > 0");
+    require_speed("--to", value, machine);
     place.speed_hz = value;
   } else {
     place.speed_hz = arguments.place.speed_hz ? *arguments.place.speed_hz
                                               : only_value(grid.speed_hz, "--speed-hz S or --speed-rpm N");
+    require_speed("--speed-hz", place.speed_hz, machine);
   }
   if (along_unbalance(arguments)) {
     if (value < 0) throw UsageError("--from: allowed: an unbalance >= 0");

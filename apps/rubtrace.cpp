@@ -168,7 +168,9 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 int perform(RubtraceArguments arguments) {
   if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
   config::RunConfig config = config::read_cell_config(arguments.config, arguments.overrides);
+  if (arguments.place.speed_hz) require_speed("--speed-hz", *arguments.place.speed_hz, config.study.machine);
   if (auto& ramp = arguments.run_up) {
+    require_speed("--run-up", std::max(ramp->from_hz, ramp->to_hz), config.study.machine);
     const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);
     ramp->eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
   }

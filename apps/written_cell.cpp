@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
+#include "program.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/number_at.hpp"
@@ -17,6 +20,24 @@ namespace {
 bool is_speed(const std::string& parameter) { return parameter == "speed_hz"; }
 bool is_ratio(const std::string& parameter) {
   return parameter == to_string(sweep::UnbalanceMeasure::whirl_ratio);
+}
+
+/// An orbit does not change with how it is computed and looked at.
+bool is_of_the_machine(const std::string& key) {
+  const std::string first = key.substr(0, key.find('.'));
+  constexpr std::array<std::string_view, 5> others{"sweep", "study", "solver", "response", "output"};
+  return std::ranges::find(others, first) == others.end();
+}
+
+branch::ParameterRange usual_range(const std::string& parameter, double start, const sweep::Grid& grid) {
+  if (is_speed(parameter) || parameter == to_string(grid.measure)) {
+    const auto [low, high] = std::ranges::minmax(is_speed(parameter) ? grid.speed_hz : grid.unbalance);
+    return {std::min(low, start), std::max(high, start)};
+  }
+  if (start == 0)
+    throw UsageError(fmt::format("{} is 0 here, which says no range: both ends of it are needed", parameter));
+  if (is_unbalance(parameter)) return {0, 2 * start};
+  return {std::min(0.5 * start, 2 * start), std::max(0.5 * start, 2 * start)};
 }
 
 }  // namespace
@@ -80,20 +101,20 @@ bool is_unbalance(const std::string& parameter) {
 }
 
 void require_number(std::string_view option, const std::string& parameter, const config::RunConfig& config) {
-  if (!is_key(parameter) || config::number_at(config, parameter)) return;
-  throw ConfigError(
-      fmt::format("{} {}: the configuration has no such number, allowed: speed_hz, whirl_ratio, "
-                  "eccentricity_m, or the key of a number that --set could replace",
-                  option, parameter));
+  if (!is_key(parameter)) return;
+  const bool known = config::number_at(config, parameter).has_value();
+  if (known && is_of_the_machine(parameter)) return;
+  throw ConfigError(fmt::format(
+      "{} {}: {}, allowed: speed_hz, whirl_ratio, eccentricity_m, or the key of a number "
+      "of rotor, stops, kick, start or gravity_m_per_s2 that --set could replace",
+      option, parameter, known ? "is no part of the machine" : "the configuration has no such number"));
 }
 
-branch::ParameterRange usual_range(const std::string& parameter, double start, const sweep::Grid& grid) {
-  if (is_speed(parameter) || parameter == to_string(grid.measure)) {
-    const auto [low, high] = std::ranges::minmax(is_speed(parameter) ? grid.speed_hz : grid.unbalance);
-    return {std::min(low, start), std::max(high, start)};
-  }
-  if (is_unbalance(parameter)) return {0, 2 * start};
-  return {std::min(0.5 * start, 2 * start), std::max(0.5 * start, 2 * start)};
+branch::ParameterRange range_of(const std::string& parameter, const AskedRange& asked, double start,
+                                const sweep::Grid& grid) {
+  if (asked.low && asked.high) return {*asked.low, *asked.high};
+  const branch::ParameterRange usual = usual_range(parameter, start, grid);
+  return {asked.low.value_or(usual.low), asked.high.value_or(usual.high)};
 }
 
 }  // namespace rubsweep::apps

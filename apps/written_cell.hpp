@@ -47,10 +47,17 @@ bool is_key(const std::string& parameter);
 /// Whether it says the unbalance.
 bool is_unbalance(const std::string& parameter);
 
-/// Throws ConfigError, which names `option`, where `parameter` is a key of no number of the configuration.
+/// Throws ConfigError, which names `option`, where `parameter` is a key of no number of the machine.
 void require_number(std::string_view option, const std::string& parameter, const config::RunConfig& config);
 
-/// What the sweep covers of a parameter; of a key from half of what it is to twice that. It holds `start`.
-branch::ParameterRange usual_range(const std::string& parameter, double start, const sweep::Grid& grid);
+/// Ends of a range as the command line says them, if it does.
+struct AskedRange {
+  std::optional<double> low, high;
+};
+
+/// What was asked for; an end that was not is that of the sweep, of a key half of what it is or twice that,
+/// `start`. Throws UsageError where that is 0.
+branch::ParameterRange range_of(const std::string& parameter, const AskedRange& asked, double start,
+                                const sweep::Grid& grid);
 
 }  // namespace rubsweep::apps

@@ -48,6 +48,13 @@ TEST(Explain, RotorKitSaysWhatItWasReducedTo) {
   EXPECT_TRUE(says(explain_machine(machine, 45), "number of modes: auto, the smallest within 0.01\n"));
 }
 
+TEST(Explain, AContactThatIsFasterThanTheModesAreChosenForIsSaid) {
+  model::Machine machine = scene::light_shaft_machine();
+  EXPECT_FALSE(says(explain_machine(machine, 45), "contact is faster"));
+  machine.stops[0].stiffness_n_per_m *= 1e4;
+  EXPECT_TRUE(says(explain_machine(machine, 45), "largest forces depend on rotor.modes\n"));
+}
+
 TEST(Explain, FaultyBearingsSayWhatCannotBeProven) {
   model::Machine machine = scene::light_shaft_machine();
   EXPECT_FALSE(says(explain_machine(machine, 45), "impulses"));

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string_view>
+#include <variant>
 
 #include "rubsweep/config/number.hpp"
 #include "rubsweep/config/place_axes.hpp"
@@ -109,6 +110,11 @@ void refuse_unit_slips(const Value& root) {
     refuse(*gravity, fmt::format("{} m/s2 is no gravity (millimetres?)", *number(gravity)),
            fmt::format("at most {}", most_gravity));
   }
+}
+
+std::optional<double> most_speed_hz(const model::Machine& machine) {
+  const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor);
+  return rotor == nullptr ? std::nullopt : std::optional(most_speed_ratio * rotor->natural_frequency_hz);
 }
 
 }  // namespace rubsweep::config

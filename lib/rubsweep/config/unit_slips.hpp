@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "rubsweep/config/value.hpp"
+#include "rubsweep/model/machine.hpp"
 
 namespace rubsweep::config {
 
@@ -10,5 +13,9 @@ namespace rubsweep::config {
 /// that is damped critically or more (per cent). The library itself simulates all of these. `root` is a whole
 /// configuration whose values have been read without a problem; what it does not hold is not judged.
 void refuse_unit_slips(const Value& root);
+
+/// The largest speed that is not taken for one in revolutions per minute; none of a kit, which has many
+/// natural frequencies.
+std::optional<double> most_speed_hz(const model::Machine& machine);
 
 }  // namespace rubsweep::config

@@ -15,19 +15,33 @@
 namespace rubsweep::report {
 namespace {
 
+double contact_half_period_s(const model::Stop& stop, double rotor_mass_kg) {
+  const double mass =
+      stop.casing ? contact::reduced_mass(rotor_mass_kg, stop.casing->mass_kg) : rotor_mass_kg;
+  return std::numbers::pi * std::sqrt(mass / stop.stiffness_n_per_m);
+}
+
 std::string explain_casing(const model::Stop& stop, double rotor_mass_kg) {
-  if (!stop.casing) {
-    return "  casing: rigid, no state; contact half-period " +
-           fmt::format("{:.3g} ms\n",
-                       1e3 * std::numbers::pi * std::sqrt(rotor_mass_kg / stop.stiffness_n_per_m));
-  }
+  const double half_period_ms = 1e3 * contact_half_period_s(stop, rotor_mass_kg);
+  if (!stop.casing)
+    return fmt::format("  casing: rigid, no state; contact half-period {:.3g} ms\n", half_period_ms);
   const double hz = std::sqrt(stop.casing->stiffness_n_per_m / stop.casing->mass_kg) / (2 * std::numbers::pi);
-  const double mass = contact::reduced_mass(rotor_mass_kg, stop.casing->mass_kg);
   return fmt::format(
       "  casing: moves in x and y (2 coordinates), {} kg, {:.4g} Hz, damping ratio {}; contact half-period "
       "{:.3g} ms\n",
-      stop.casing->mass_kg, hz, stop.casing->damping_ratio,
-      1e3 * std::numbers::pi * std::sqrt(mass / stop.stiffness_n_per_m));
+      stop.casing->mass_kg, hz, stop.casing->damping_ratio, half_period_ms);
+}
+
+/// Of `configs/rotor_kit.yaml` at 70 Hz and a whirl ratio of 0.5 the largest force is 285 N with 8 modes and
+/// 219 to 244 N with 12 to 24, the displacement the same to 4e-4.
+std::string explain_fast_contact(const model::Stop& stop, double rotor_mass_kg, const model::RotorKit& kit) {
+  const double contact_hz = 1 / (2 * contact_half_period_s(stop, rotor_mass_kg));
+  if (contact_hz <= kit.modes_up_to_hz) return "";
+  return fmt::format(
+      "  contact is faster ({:.4g} Hz) than what the number of modes is chosen for ({} Hz): largest forces "
+      "depend on "
+      "rotor.modes\n",
+      contact_hz, kit.modes_up_to_hz);
 }
 
 std::string explain_damping(const model::Stop& stop, const scene::Contact& contact, double rotor_mass_kg) {
@@ -90,8 +104,11 @@ std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Ce
         stop.hertz->design_force_n, contact::hertz_half_width_m(*stop.hertz, stop.hertz->design_force_n),
         contact::hertz_approach_m(*stop.hertz, stop.hertz->design_force_n));
   }
-  return text + explain_damping(stop, contact, mass_kg) + explain_friction(stop, contact) +
-         explain_casing(stop, mass_kg);
+  text += explain_damping(stop, contact, mass_kg) + explain_friction(stop, contact) +
+          explain_casing(stop, mass_kg);
+  if (const model::RotorKit* kit = model::kit_of(prepared.machine))
+    text += explain_fast_contact(stop, mass_kg, *kit);
+  return text;
 }
 
 bool friction_free(const model::Machine& machine) {
