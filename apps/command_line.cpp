@@ -64,6 +64,9 @@ po::variables_map read_command_line(int argc, const char* const* argv, const po:
     const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
     po::store(po::command_line_parser(argc, argv).options(options).positional(positional).style(style).run(),
               given);
+  } catch (const po::invalid_option_value& error) {
+    // Texts are taken as they are.
+    throw UsageError(fmt::format("{}, allowed: a number", error.what()));
   } catch (const po::error& error) {
     throw UsageError(error.what());
   }

@@ -42,6 +42,9 @@ constexpr std::array<std::string_view, 8> file_names{"config.yaml", "motion.csv"
                                                      "section.csv", "events.csv",        "spectrum.csv",
                                                      "sensors.csv", "probe_spectrum.csv"};
 
+/// Of fewer no period can be said.
+constexpr int fewest_readings = 16;
+
 fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {
   const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_trace"));
   keep_run_configuration(arguments.config, directory);
@@ -78,6 +81,9 @@ trace::Probes probes_of(const RubtraceArguments& arguments, const scene::Prepare
     throw UsageError(
         fmt::format("--sample-s: allowed: long enough for {} samples or fewer", identify::most_samples));
   }
+  if (readings < fewest_readings)
+    throw UsageError(
+        fmt::format("--sample-s: allowed: short enough for {} samples or more", fewest_readings));
   const identify::SensorRows sensors = identify::sensor_rows(prepared);
   return {sensors.rows, sensors.angle_deg, arguments.sample_s, arguments.noise_m};
 }

@@ -87,6 +87,10 @@ TEST(KeyAxes, AreRefusedBeforeTheRun) {
             "output.directory: is no key of an axis, ");
   EXPECT_EQ(problem("x: {key: kick.force_n, values: [1]}, y: {key: kick.force_n, values: [2]}"),
             "sweep.y: 'kick.force_n' is swept twice, allowed: every key on one axis only");
+  EXPECT_EQ(problem("x: {keys: [kick.force_n, kick.force_n], values: [1]}"),
+            "sweep.x.keys: 'kick.force_n' is there twice, allowed: every key once");
+  EXPECT_EQ(problem("x: {keys: [kick.force_n], factors: [0], values: [1]}"),
+            "sweep.x.factors: vary nothing, allowed: a factor that is not 0");
   // Metres that are meant as millimetres.
   EXPECT_NE(problem("x: {key: stops.0.clearance_m, values: [0.001, 1]}").find("millimetres"),
             std::string::npos);

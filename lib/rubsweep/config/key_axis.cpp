@@ -26,15 +26,28 @@ void read_keys(Section& section, sweep::KeyAxis& axis) {
     }
   }
   axis.factors.assign(axis.keys.size(), 1);
-  if (const auto factors = section.find("factors")) read_numbers(*factors, axis.factors);
+  if (const auto factors = section.find("factors")) {
+    read_numbers(*factors, axis.factors);
+    if (std::ranges::all_of(axis.factors, [](double factor) { return factor == 0; }))
+      refuse(*factors, "vary nothing", "a factor that is not 0");
+  }
+}
+
+void refuse_repeated_keys_of_axis(const Section& section, const sweep::KeyAxis& axis) {
+  std::set<std::string> taken;
+  for (const std::string& key : axis.keys) {
+    if (!taken.insert(key).second)
+      section.refuse_together("keys", {"keys"}, fmt::format("'{}' is there twice", shown(key)),
+                              "every key once");
+  }
 }
 
 void refuse_keys_of_two_axes(const Value& value, const sweep::KeyAxis& axis, std::set<std::string>& taken) {
   for (const std::string& key : axis.keys) {
-    if (!taken.insert(key).second) {
+    if (taken.contains(key))
       refuse(value, fmt::format("'{}' is swept twice", shown(key)), "every key on one axis only");
-    }
   }
+  taken.insert(axis.keys.begin(), axis.keys.end());
 }
 
 }  // namespace
@@ -42,6 +55,7 @@ void refuse_keys_of_two_axes(const Value& value, const sweep::KeyAxis& axis, std
 sweep::KeyAxis read_key_axis(Section& section) {
   sweep::KeyAxis axis;
   read_keys(section, axis);
+  refuse_repeated_keys_of_axis(section, axis);
   axis.values = read_axis_values(section, model::any_finite);
   return axis;
 }

@@ -31,6 +31,9 @@ void check_system(const ring::System& system, const Section& section) {
   }
 }
 
+/// Faster than any rotor turns; far beyond, eigenvalues are rounding.
+constexpr model::Range speeds_rpm{.low = 0, .high = 1e7};
+
 RingConfig read_sections(const Value& root) {
   Section section(root, root_form);
   section.find(base_key);  // resolved before; still a name that a misspelt key may mean
@@ -44,7 +47,7 @@ RingConfig read_sections(const Value& root) {
   section.field("friction_coefficient", study.system.friction_coefficient, model::not_negative);
   section.field("preload_n", study.system.preload_n, model::not_negative);
   if (const auto value = section.require("speed_rpm", axis_forms)) {
-    study.speeds_rpm = read_axis(*value, model::not_negative);
+    study.speeds_rpm = read_axis(*value, speeds_rpm);
     std::sort(study.speeds_rpm.begin(), study.speeds_rpm.end());
   }
   if (const auto value = section.find("chart")) study.chart = read_ring_chart(*value, study.system.loads);
