@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "0 to below "
                 "flexural_mass_kg"},
         Problem{"[300, 100, 200]", "[300, 1e9]",
-                "ring.yaml:8:27: speed_rpm.values.1: 1e9 is out of range, allowed: a number >= 0 and <= "
+                "ring.yaml:9:27: speed_rpm.values.1: 1e9 is out of range, allowed: a number >= 0 and <= "
                 "10000000"},
         Problem{"load: 3", "load: 4",
                 "ring.yaml:10:43: chart.load: 4 is out of range, allowed: an integer from 0 to 3"},
