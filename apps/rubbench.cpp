@@ -141,7 +141,7 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
   const std::string name = report::cell_name(place);
   const scene::Scene scene = scene_of(study, place);
   const auto reference = bench::reference_section(scene, arguments.work.error_turns, study.solver);
-  const std::string sentence = report::reference_sentence(name, reference);
+  std::string sentence = report::reference_sentence(name, reference);
   say(arguments, sentence);
   const auto variants = bench::variants_of(scene, study.solver, arguments.work.turns, arguments.steppers,
                                            arguments.relative_tolerances);
@@ -150,7 +150,7 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
     // Closed forms alone are the reference itself: what they are away from the other routes.
     if (!measurement.variant.stepper && measurement.state_error)
       measurement.state_error = bench::uncertainty(reference);
-    lines.push_back({name, std::move(measurement), {}, false});
+    lines.push_back({name, measurement, {}, false});
   }
   return sentence;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <signal.h>
 #include <sys/resource.h>
+
+#include <csignal>
 
 /// While it lives, no file of this process may grow beyond `bytes`; writing more fails with "File too large".
 class FileSizeLimit {

@@ -95,7 +95,8 @@ TEST(Section, NamesTheLastOfTooManyAlternatives) {
   Fixture file("{c: 1, a: 1, b: 1}");
   Section section(file.value());
   section.require_exactly_one({"a", "b", "c"});
-  EXPECT_EQ(problems(file.diagnostics), "f:1:17: top.b: given beside c (f:1:5), a (f:1:11), allowed: exactly one of a, b, c");
+  EXPECT_EQ(problems(file.diagnostics),
+            "f:1:17: top.b: given beside c (f:1:5), a (f:1:11), allowed: exactly one of a, b, c");
 }
 
 TEST(Section, TakesIntegersHoweverTheyAreWritten) {

@@ -178,7 +178,7 @@ TEST_F(CompareMaps, HowLongATransientLastedIsNotCompared) {
 
 /// A map of an earlier version ends before the columns that were added since.
 TEST_F(CompareMaps, ColumnsThatOneMapLacksAreNotCompared) {
-  const auto without = [](std::string text) {
+  const auto without = [](const std::string& text) {
     std::string older;
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t end = text.find('\n', at);

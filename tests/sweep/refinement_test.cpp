@@ -27,7 +27,8 @@ using Truth = std::function<int(double, double)>;
 
 int truth_of(const Grid& grid, const Truth& truth, std::size_t cell) {
   const std::size_t speeds = grid.speed_hz.size();
-  return truth(static_cast<double>(cell % speeds), static_cast<double>(cell / speeds));
+  const std::size_t speed = cell % speeds, unbalance = cell / speeds;
+  return truth(static_cast<double>(speed), static_cast<double>(unbalance));
 }
 
 /// Labels of a complete refined map, its cells computed round by round.
@@ -113,7 +114,7 @@ TEST(Refinement, ComputesNoMoreThanLatticeAndProbesWhereAllIsEqual) {
   const auto labels = refined(grid, [](double, double) { return 5; });
   EXPECT_EQ(std::ranges::count(labels, 5), 5 * 3 + 4 * 2);
   EXPECT_FALSE(boundary_exponent(grid, labels));
-  EXPECT_EQ(painted_labels(grid, labels), std::vector<int>(33 * 17, 5));
+  EXPECT_EQ(painted_labels(grid, labels), std::vector<int>(cell_count(grid), 5));
 }
 
 TEST(Refinement, LevelsCountTheSplitsBeforeACell) {
@@ -121,9 +122,9 @@ TEST(Refinement, LevelsCountTheSplitsBeforeACell) {
   EXPECT_EQ(refinement_level(grid, 0), 0);
   EXPECT_EQ(refinement_level(grid, 8), 0);
   EXPECT_EQ(refinement_level(grid, 4), 1);
-  EXPECT_EQ(refinement_level(grid, 17 * 2), 2);
-  EXPECT_EQ(refinement_level(grid, 17 * 8 + 16), 0);
-  EXPECT_EQ(refinement_level(grid, 17 * 3 + 8), 3);
+  EXPECT_EQ(refinement_level(grid, 17UL * 2), 2);
+  EXPECT_EQ(refinement_level(grid, 17UL * 8 + 16), 0);
+  EXPECT_EQ(refinement_level(grid, 17UL * 3 + 8), 3);
 }
 
 TEST(Refinement, ProbesAreMetBeforeAnySplit) {

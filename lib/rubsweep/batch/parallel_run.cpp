@@ -92,7 +92,7 @@ void require_threads(int threads, int beside) {
   const int count = thread_count(threads);
   if (count == 1) return;
   // The calling thread is one of them.
-  const auto wanted = static_cast<std::size_t>(count - 1 + beside);
+  const auto wanted = static_cast<std::size_t>(count) - 1 + static_cast<std::size_t>(beside);
   // Joined behind the promise, whose end lets the threads go whatever else is thrown here.
   std::vector<std::jthread> started;
   std::promise<void> all_started;

@@ -62,7 +62,8 @@ class Section {
   void refuse_together(std::string_view name, std::initializer_list<std::string_view> involved,
                        std::string_view wrong, std::string_view allowed) const;
 
-  /// True as long as the value is a map of which nothing has been refused: what its fields say together may be judged.
+  /// True as long as the value is a map of which nothing has been refused: what its fields say together may
+  /// be judged.
   bool is_sound() const { return is_map() && value_.diagnostics.count() == problems_before_; }
 
  private:
