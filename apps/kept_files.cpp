@@ -30,8 +30,8 @@ void keep_configuration(const fs::path& file, const fs::path& directory,
   if (!fs::equivalent(file, directory / "config.yaml", none) || is_written_by_a_program(file, written))
     return;
   throw ConfigError(
-      fmt::format("{}: is where the results and their config.yaml would be written, which has no comments, "
-                  "allowed: another name for this file, or another directory for the results",
+      fmt::format("{}: would be replaced by the config.yaml of the results, allowed: another name for this "
+                  "file, or another directory for the results",
                   file.string()));
 }
 

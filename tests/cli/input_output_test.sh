@@ -98,7 +98,7 @@ mkdir own
 printf '# mine\n' | cat - "$minimal" >own/config.yaml
 cp own/config.yaml mine.yaml
 expect_exit 2 own/config.yaml "${cell[@]}" --output own
-expect_contains stderr 'own/config.yaml: is where the results and their config.yaml would be written'
+expect_contains stderr 'own/config.yaml: would be replaced by the config.yaml of the results'
 expect_same own/config.yaml mine.yaml
 expect_files own config.yaml
 expect_exit 0 mine.yaml "${cell[@]}" --output of_mine --quiet
