@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 
+#include "result_files.hpp"
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
@@ -20,6 +22,15 @@ bool is_written_by_a_program(const fs::path& file, const std::function<std::stri
   } catch (const ConfigError&) {  // needs what the command line adds
     return false;
   }
+}
+
+/// Or a part of one, or one that is not finished.
+bool holds_a_map(const fs::path& directory) {
+  if (!fs::is_directory(directory)) return false;
+  return std::ranges::any_of(fs::directory_iterator(directory), [](const fs::directory_entry& entry) {
+    const std::string name = entry.path().filename();
+    return name == "map.csv" || (name.starts_with("map.") && name.ends_with(".journal"));
+  });
 }
 
 }  // namespace
@@ -40,12 +51,15 @@ void keep_run_configuration(const fs::path& file, const fs::path& directory) {
                      [&] { return config::print_config(config::read_run_config(file, {})); });
 }
 
-void keep_map(const fs::path& directory) {
-  if (!fs::exists(directory / "map.csv") && !fs::exists(directory / "map.journal")) return;
-  throw ConfigError(
-      fmt::format("{}: holds a map, whose config.yaml would be replaced, allowed: another "
-                  "--output",
-                  directory.string()));
+fs::path results_directory(const StudyArguments& arguments, const fs::path& of_map, std::string_view ending) {
+  fs::path directory = arguments.output.value_or(directory_beside(of_map, ending));
+  keep_run_configuration(arguments.config, directory);
+  if (holds_a_map(directory)) {
+    throw ConfigError(
+        fmt::format("{}: holds a map, whose config.yaml would be replaced, allowed: another --output",
+                    directory.string()));
+  }
+  return directory;
 }
 
 }  // namespace rubsweep::apps

@@ -3,6 +3,9 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
+
+#include "command_line.hpp"
 
 namespace rubsweep::apps {
 
@@ -15,7 +18,10 @@ void keep_configuration(const std::filesystem::path& file, const std::filesystem
 /// The same for the configuration of a run.
 void keep_run_configuration(const std::filesystem::path& file, const std::filesystem::path& directory);
 
-/// Throws ConfigError where `directory` holds a map: its config.yaml belongs to it.
-void keep_map(const std::filesystem::path& directory);
+/// Where a program that computes no map writes its results: --output, or beside the map's directory with this
+/// ending. Throws ConfigError where their config.yaml would take the place of the configuration that was
+/// read, or of that of a map or a part of one.
+std::filesystem::path results_directory(const StudyArguments& arguments, const std::filesystem::path& of_map,
+                                        std::string_view ending);
 
 }  // namespace rubsweep::apps

@@ -158,9 +158,7 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
 int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
   for (const CellArgument& cell : arguments.cells) require_speed("--cell", cell.speed_hz, study.machine);
-  const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_bench"));
-  keep_run_configuration(arguments.config, directory);
-  keep_map(directory);
+  const fs::path directory = results_directory(arguments, config.output_directory, "_bench");
   make_directory(directory);
   const auto to_label = places_to_label(study.grid, arguments);
   const auto labelled = bench::reference_labels(study.machine, to_label, study.solver, study.response);

@@ -80,9 +80,7 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const BranchFamily family = branch_family(arguments, config);
   std::optional<BranchPlane> plane;
   if (!arguments.curve.empty()) plane = branch_plane(arguments, config);
-  const fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_branch"));
-  keep_run_configuration(arguments.config, directory);
-  keep_map(directory);
+  const fs::path directory = results_directory(arguments, config.output_directory, "_branch");
   make_directory(directory);
 
   const scene::Cell cell = scene::build_cell(study.machine, arguments.cell.speed_hz,

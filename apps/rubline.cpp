@@ -70,7 +70,7 @@ scene::Place place_at(const RublineArguments& arguments, const sweep::Grid& grid
   scene::Place place;
   if (arguments.along == "speed_hz") {
     if (value <= 0) throw UsageError("--from: allowed: a speed > 0");
-    require_speed("--to", value, machine);
+    require_speed("--from and --to", value, machine);
     place.speed_hz = value;
   } else {
     place.speed_hz = arguments.place.speed_hz ? *arguments.place.speed_hz
@@ -142,14 +142,12 @@ class LineRun {
       : arguments_(arguments),
         config_(config),
         cells_(cells_of(arguments, config)),
-        directory_(arguments.output.value_or(directory_beside(config.output_directory, "_line"))),
+        directory_(results_directory(arguments, config.output_directory, "_line")),
         progress_(cells_.size() * arguments.passes.size(),
                   arguments.quiet ? batch::ProgressMode::never : arguments.progress) {}
 
   int run() {
     batch::require_threads(arguments_.threads, 1);
-    keep_run_configuration(arguments_.config, directory_);
-    keep_map(directory_);
     make_directory(directory_);
     const std::atomic<bool>& stop = catch_interrupts();
     std::optional<Watch> watch(

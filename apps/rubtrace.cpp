@@ -46,10 +46,7 @@ constexpr std::array<std::string_view, 8> file_names{"config.yaml", "motion.csv"
 constexpr int fewest_readings = 16;
 
 fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {
-  fs::path directory = arguments.output.value_or(directory_beside(config.output_directory, "_trace"));
-  keep_run_configuration(arguments.config, directory);
-  keep_map(directory);
-  return directory;
+  return results_directory(arguments, config.output_directory, "_trace");
 }
 
 int cannot_start(scene::Start start) {

@@ -109,6 +109,10 @@ cp of_mine/config.yaml before.yaml
 "${rubsweep%/*}/rubtrace" "$minimal" --speed-hz 90 --whirl-ratio 0.6 --output of_mine 2>stderr && fail 'a trace in a map'
 expect_contains stderr 'of_mine: holds a map'
 expect_same of_mine/config.yaml before.yaml
+expect_exit 0 mine.yaml "${cell[@]}" --output of_part --shard 1/2 --quiet
+"${rubsweep%/*}/rubline" "$minimal" --along kick.force_n --from 1 --to 2 --count 2 --speed-hz 90 --whirl-ratio 0.6 --output of_part 2>stderr &&
+  fail 'a line in a part of a map'
+expect_contains stderr 'of_part: holds a map'
 "${rubsweep%/*}/rubreport" of_mine --output of_mine/map.csv 2>stderr && fail 'a report over its map'
 expect_contains stderr '--output of_mine/map.csv: is read for the report'
 "${rubsweep%/*}/rubreport" of_mine --output /dev/null 2>stderr && fail 'a report over a device'

@@ -63,8 +63,7 @@ TEST(Sweep, ReadsItsRefinement) {
   EXPECT_EQ(message_of(test_file("minimal.yaml"),
                        {"sweep.speed_hz={values: [60, 80, 70]}", "sweep.refine={levels: 1}"}),
             "--set sweep.refine={levels: 1}: sweep.refine: beside values of speed_hz in no order, allowed: "
-            "values that "
-            "rise, or fall, all along");
+            "values that rise, or fall, all along");
   EXPECT_EQ(message_of(test_file("minimal.yaml"), {"sweep.refine={probes: 2}"}),
             "--set sweep.refine={probes: 2}: sweep.refine.levels: missing, allowed: an integer from 1 to 12");
 }

@@ -24,7 +24,8 @@ std::filesystem::path beside(std::filesystem::path path) {
   return path += fmt::format(".tmp-{}-{}", host.data(), ::getpid());
 }
 
-/// The file behind a symbolic link. A device, a pipe or a directory is none that could be replaced.
+/// The file behind a symbolic link. Throws IoError where that is a device or a pipe; of a directory the
+/// system says so when it is to be replaced.
 std::filesystem::path regular(std::filesystem::path path) {
   std::error_code none;
   constexpr int most_links = 40;  // of a circle, the system says so when the file is opened

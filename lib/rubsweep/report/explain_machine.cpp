@@ -32,8 +32,7 @@ std::string explain_casing(const model::Stop& stop, double rotor_mass_kg) {
       stop.casing->mass_kg, hz, stop.casing->damping_ratio, half_period_ms);
 }
 
-/// Of `configs/rotor_kit.yaml` at 70 Hz and a whirl ratio of 0.5 the largest force is 285 N with 8 modes and
-/// 219 to 244 N with 12 to 24, the displacement the same to 4e-4.
+/// By how much is in docs/method.md, "Rotor kit".
 std::string explain_fast_contact(const model::Stop& stop, double rotor_mass_kg, const model::RotorKit& kit) {
   const double contact_hz = 1 / (2 * contact_half_period_s(stop, rotor_mass_kg));
   if (contact_hz <= kit.modes_up_to_hz) return "";

@@ -36,9 +36,8 @@ struct Aperiodic {
 ///   (`returns_after`), or when the exponent is below -chaos_floor beyond its bar: still settling.
 /// - Chaotic when the exponent is positive beyond its bar and above chaos_floor, and the motion has gone on
 ///   for 1280 turns, those before among them.
-/// - Quasi-periodic when the exponent is zero within its bar or within zero_exponent, with its bar lies
-/// within
-///   +-chaos_floor, and the motion returns like a torus.
+/// - Quasi-periodic when the exponent is zero within its bar or within zero_exponent, lies with its bar
+///   within +-chaos_floor, and the motion returns like a torus.
 /// - Else unsettled.
 Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
                              std::vector<double> section, std::size_t turns_before,
