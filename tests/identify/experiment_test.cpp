@@ -42,6 +42,10 @@ TEST(Experiment, RunUpFindsTheCriticalSpeed) {
   EXPECT_EQ(found.signal_m.rows(), 14001);
 }
 
+TEST(Experiment, TheSlowestFreeVibrationIsThatOfTheRotor) {
+  EXPECT_NEAR(lowest_frequency_hz(scene::prepare_machine(scene::one_side_machine())), 30, 1e-10);
+}
+
 TEST(Experiment, WithoutUnbalanceARunUpHasNoCriticalSpeed) {
   const RunUp found =
       run_up(scene::prepare_machine(scene::one_side_machine()), 27, 34, 5, 0, {.noise_m = 1e-6});
