@@ -15,6 +15,7 @@
 #include "result_files.hpp"
 #include "rubsweep/batch/axis.hpp"
 #include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/identify/campbell.hpp"
 #include "rubsweep/identify/experiment.hpp"
 #include "rubsweep/line/follow_line.hpp"
@@ -132,7 +133,7 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
   make_directory(directory);
   files.emplace("config.yaml", config::print_config(config));
   std::erase_if(files, [](const auto& file) { return file.second.empty(); });
-  write_result_files(files, file_names, directory);
+  write_result_files(files, file_names, directory, {"rubsweep", config::study_digest(config.study)});
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
   if (arguments.figure) {
     arguments.figure->draw(arguments.campbell ? "draw_campbell.py" : "draw_run_up.py", directory,

@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "derived_files.hpp"
 #include "journal_header.hpp"
 #include "program.hpp"
 
@@ -12,12 +13,12 @@ namespace rubsweep::apps {
 namespace fs = std::filesystem;
 
 FamilyJournal::FamilyJournal(const fs::path& directory, const sweep::Study& study, bool fresh)
-    : path_(directory / "families.journal"), records_([this](std::size_t cell, std::string_view line) {
+    : path_(directory / family_journal_file), records_([this](std::size_t cell, std::string_view line) {
         const std::lock_guard lock(mutex_);
         journal_->append(cell, line);
       }) {
   make_directory(directory);
-  lock_.emplace(directory / "families.lock", batch::LockMode::exclusive, "rubbranch");
+  lock_.emplace(directory / family_lock_file, batch::LockMode::exclusive, "rubbranch");
   const batch::JournalHeader header = journal_header(study);
   read(header, fresh);
   journal_.emplace(path_, header);

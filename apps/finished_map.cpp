@@ -7,11 +7,15 @@
 #include <string_view>
 
 #include "program.hpp"
+#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/batch/descriptor.hpp"
+#include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/config/differing_keys.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/report/map_csv.hpp"
 
 namespace rubsweep::apps {
@@ -38,27 +42,51 @@ std::string keys_that_differ(const fs::path& config_file, const std::string& dig
   return text;
 }
 
+/// What the comments before the header of a table say; empty where they say none.
+std::string digest_in(const fs::path& table) {
+  std::ifstream stream(table);
+  if (!stream) batch::throw_io_error("read", table, errno);
+  constexpr std::string_view mark = "# digest ";
+  for (std::string line; std::getline(stream, line) && line.starts_with('#');) {
+    if (line.starts_with(mark)) return line.substr(mark.size());
+  }
+  if (stream.bad()) batch::throw_io_error("read", table, EIO);
+  return "";
+}
+
 }  // namespace
 
-FinishedMap read_finished_map(const fs::path& map, const sweep::Study& study, double warn_over_clearances) {
-  std::ifstream stream(map);
-  if (!stream) batch::throw_io_error("read", map, errno);
-  constexpr std::string_view mark = "# digest ";
+void require_whole_table(std::string_view program, const fs::path& path) {
+  try {
+    if (batch::check_table(path) == batch::TableSum::right) return;
+  } catch (const batch::DamagedTable& damage) {
+    throw batch::DamagedTable(fmt::format(
+        "{}\nIt is left as it is; allowed: a copy of it that is whole, or computing it anew, a map "
+        "with --fresh",
+        damage.what()));
+  }
+  say(fmt::format("{}: {}: has no checksum, so whether it is as it was written cannot be told\n", program,
+                  path.string()));
+}
+
+FinishedMap read_finished_map(std::string_view program, const fs::path& map, const sweep::Study& study,
+                              double warn_over_clearances) {
   FinishedMap found;
   found.summary = report::MapSummary(warn_over_clearances);
-  bool header = false;
-  for (std::string line; std::getline(stream, line);) {
-    if (line.starts_with('#')) {
-      if (line.starts_with(mark)) found.digest = line.substr(mark.size());
-    } else if (!header) {
-      header = true;
-      found.known_columns = line == report::map_header(study);
-    } else {
-      ++found.cells;
-      if (found.known_columns) found.summary.add(line);
-    }
+  found.digest = digest_in(map);
+  if (found.digest.empty()) return found;
+  require_whole_table(program, map);
+  if (found.digest != config::study_digest(study)) return found;
+  batch::CsvReader rows(map);
+  report::CellsOfRows cells(rows, study.grid);
+  found.known_columns = batch::csv_row(rows.header()) == report::map_header(study);
+  while (rows.next()) {
+    cells.take(rows);
+    if (found.known_columns) found.summary.add(batch::csv_row(rows.cells()));
   }
-  if (stream.bad()) batch::throw_io_error("read", map, EIO);
+  found.cells = cells.taken();
+  if (const auto missing = cells.first_missing(); missing && !study.grid.refinement)
+    found.missing = report::name_of_cell(study.grid, *missing);
   return found;
 }
 
@@ -85,8 +113,10 @@ void refuse_map_of_another(const FinishedMap& there, const fs::path& map, const 
                     keys_that_differ(map.parent_path() / "config.yaml", there.digest, here.study), others));
   }
   if (there.cells != here.cells) {
-    throw ConfigError(fmt::format("{}: holds {} cells of this configuration, which has {}\nallowed: {}",
-                                  map.string(), there.cells, here.cells, others));
+    throw ConfigError(
+        fmt::format("{}: holds {} cells of this configuration, which has {}: there is no row of {}\n"
+                    "allowed: {}",
+                    map.string(), there.cells, here.cells, there.missing, others));
   }
 }
 

@@ -16,12 +16,19 @@ struct FinishedMap {
   std::string digest;         ///< of its study; empty: it says none, and is no map of this program
   bool known_columns = true;  ///< false: the version that wrote it had other columns
   std::size_t cells = 0;
+  std::string missing;         ///< the first cell without a row, where a map must have all
   report::MapSummary summary;  ///< of known columns
 };
 
-/// Reads the map of `study` a row at a time; its summary warns above so many clearances. Throws IoError.
-FinishedMap read_finished_map(const std::filesystem::path& map, const sweep::Study& study,
-                              double warn_over_clearances);
+/// Throws DamagedTable where the table at `path` is not as it was written, IoError; says on stderr as
+/// `program` where it has no checksum to tell by.
+void require_whole_table(std::string_view program, const std::filesystem::path& path);
+
+/// Reads the map of `study` a row at a time; its summary warns above so many clearances. Of a map of another
+/// study only the digest is read. Throws IoError, also where a row is no cell of the study or is there twice,
+/// and as require_whole_table.
+FinishedMap read_finished_map(std::string_view program, const std::filesystem::path& map,
+                              const sweep::Study& study, double warn_over_clearances);
 
 /// Says on stderr what makes the numbers of a whole map doubtful, where something does.
 void warn(std::string_view program, const report::MapSummary& summary);

@@ -8,8 +8,12 @@
 #include <set>
 #include <utility>
 
+#include "derived_files.hpp"
 #include "journal_header.hpp"
 #include "program.hpp"
+#include "result_files.hpp"
+#include "rubsweep/batch/directory.hpp"
+#include "rubsweep/batch/leftovers.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/error.hpp"
@@ -34,8 +38,8 @@ std::vector<fs::path> files(const fs::path& directory, std::string_view ending) 
   return found;
 }
 
-std::string comments_and_header(const std::string& digest, const sweep::Study& study) {
-  return report::map_comments(RUBSWEEP_VERSION, digest, study) + report::map_header(study) + '\n';
+std::string comments_and_header(const sweep::Study& study) {
+  return report::map_comments(study) + report::map_header(study) + '\n';
 }
 
 /// Steele, Lea & Flood's SplitMix64: all bits of the result depend on all of the number.
@@ -67,7 +71,8 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
       name_(name_of(part)),
       part_(part),
       header_(journal_header(config.study)),
-      head_(comments_and_header(header_.study_digest, config.study)),
+      source_{fmt::format("rubsweep {}", RUBSWEEP_VERSION), header_.study_digest, {}},
+      head_(comments_and_header(config.study)),
       warn_over_clearances_(config.warn_over_clearances),
       refined_(config.study.grid.refinement.has_value()) {
   allow_as_many_files_as_there_may_be();
@@ -81,7 +86,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   if (fresh) forget();
   refuse_journals_of_others();
   if (fs::exists(map())) {
-    finished_map_ = read_finished_map(map(), config.study, warn_over_clearances_);
+    finished_map_ = read_finished_map(program, map(), config.study, warn_over_clearances_);
     if (refined_) finished_map_->cells = header_.cells;  // how many it wanted is for it alone to know
     refuse_map_of_another(*finished_map_, map(), header_);
     // Whoever wrote it may have been killed before they were gone.
@@ -146,22 +151,29 @@ void MapDirectory::refuse_what_is_no_file() const {
   }
 }
 
-/// What a killed process was about to write whole.
+/// What killed processes were about to write whole.
 void MapDirectory::remove_leftovers() const {
-  for (const auto& entry : fs::directory_iterator(directory_)) {
-    const std::string file = entry.path().filename();
-    const bool ours = file.starts_with(name_ + ".") || (!part_ && file.starts_with("config.yaml."));
-    if (ours && file.find(".tmp-") != std::string::npos) fs::remove(entry.path());
-  }
+  batch::remove_leftovers(directory_, [](std::string_view name) {
+    return name == "config.yaml" || name == family_journal_file || name.starts_with("map.") ||
+           std::ranges::count(derived_files(), name) > 0;
+  });
 }
 
+/// The map goes last: whatever is left when this ends half way belongs to it. The disk has each step before
+/// the next one is taken.
 void MapDirectory::forget() const {
+  if (const auto holder = batch::lock_holder(directory_ / family_lock_file)) {
+    throw LockedError(fmt::format("{} is held by {}", (directory_ / family_lock_file).string(), *holder));
+  }
+  fs::remove(directory_ / family_journal_file);
+  remove_result_files(derived_files(), directory_);
   std::vector<fs::path> forgotten = journals();
   if (part_)
     std::erase_if(forgotten, [&](const fs::path& journal) { return belongs_to_other_part(journal); });
   for (const fs::path& journal : forgotten) fs::remove(journal);
+  batch::sync_directory(directory_);
   fs::remove(map());
-  fs::remove(directory_ / "report.html");  // of the map that is forgotten
+  batch::sync_directory(directory_);
 }
 
 /// The journal of another part stays where it belongs to this study: only that part itself forgets it. Throws
@@ -204,7 +216,7 @@ void MapDirectory::read_journals() {
 
 void MapDirectory::write_partial(const batch::FinishedCells& finished) const {
   batch::WholeFile file(partial());
-  file.write(head_);
+  file.write(batch::table_head(source_) + head_);
   for (std::size_t cell = 0; cell < header_.cells; ++cell) {
     if (has_in_share(cell) && finished.contains(cell)) file.write(finished.text(cell) + '\n');
   }
@@ -230,7 +242,7 @@ report::MapSummary MapDirectory::write_map() const {
   batch::FinishedCells finished(header_.cells);
   for (const fs::path& journal : journals()) finished.add(journal);
   report::MapSummary summary(warn_over_clearances_);
-  batch::WholeFile file(map());
+  batch::TableFile file(map(), source_);
   file.write(head_);
   for (std::size_t cell = 0; cell < header_.cells; ++cell) {
     if (refined_ && !finished.contains(cell)) continue;
@@ -242,6 +254,8 @@ report::MapSummary MapDirectory::write_map() const {
     summary.add(line);
     file.write(line + '\n');
   }
+  file.finish();
+  remove_result_files(derived_files(), directory_);  // those of an earlier map
   file.commit();
   remove_journals();
   return summary;

@@ -12,6 +12,7 @@
 #include "rubsweep/batch/file_lock.hpp"
 #include "rubsweep/batch/finished_cells.hpp"
 #include "rubsweep/batch/journal.hpp"
+#include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/config/run_config.hpp"
 #include "rubsweep/report/map_summary.hpp"
 
@@ -89,7 +90,8 @@ class MapDirectory {
   std::string name_;
   std::optional<Share> part_;
   batch::JournalHeader header_;
-  std::string head_;  ///< of the map: what stands above its rows
+  batch::TableSource source_;
+  std::string head_;  ///< of the map: what stands between the head of every table and its rows
   double warn_over_clearances_ = 0;
   std::optional<batch::FileLock> own_lock_, directory_lock_;
   std::size_t cells_ = 0;

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "exit_code.hpp"
+#include "rubsweep/batch/directory.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::apps {
@@ -78,10 +79,6 @@ int run_program(std::string_view name, const std::function<int()>& body) {
   }
 }
 
-void make_directory(const std::filesystem::path& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw IoError(fmt::format("{}: {}", directory.string(), error.message()));
-}
+void make_directory(const std::filesystem::path& directory) { batch::make_directory(directory); }
 
 }  // namespace rubsweep::apps

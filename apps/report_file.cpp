@@ -9,6 +9,7 @@
 #include <string>
 
 #include "exit_code.hpp"
+#include "finished_map.hpp"
 #include "interrupt.hpp"
 #include "program.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
@@ -16,6 +17,7 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/map_cells.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -28,21 +30,22 @@ std::string interrupted(std::string_view program) {
 
 }  // namespace
 
-page::MapTable read_map_of(const sweep::Study& study, const fs::path& path) {
-  page::MapTable map = page::read_map_table(path);
-  const std::string digest = config::study_digest(study);
-  if (map.find("class") == nullptr) throw IoError(fmt::format("{}: no column 'class'", path.string()));
-  if (map.digest == digest) return map;
+page::MapTable read_map_of(const sweep::Study& study, const fs::path& path, std::string_view program) {
+  require_whole_table(program, path);
+  const batch::CsvReader file(path);
+  const std::string digest = config::study_digest(study), there = report::comment_after(file, "digest ");
+  file.column("class");
+  if (there == digest) return page::read_map_table(path, study.grid);
   throw ConfigError(
       fmt::format("{}: is no map of this configuration (digest {}, this one has {})\n"
                   "allowed: the map and the config.yaml of one run",
-                  path.string(), map.digest.empty() ? "none" : map.digest, digest));
+                  path.string(), there.empty() ? "none" : there, digest));
 }
 
 int write_report(const fs::path& directory, const sweep::Study& study, std::string_view program,
                  const ReportOptions& options) {
   batch::require_threads(options.threads, 1);
-  page::MapTable map = read_map_of(study, directory / "map.csv");
+  page::MapTable map = read_map_of(study, directory / "map.csv", program);
   const std::size_t cells = page::recorded_cells(study.grid, map, options.most_orbits);
   std::mutex mutex;  // guards the progress
   batch::Progress progress(cells, options.quiet ? batch::ProgressMode::never : options.progress);

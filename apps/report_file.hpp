@@ -23,8 +23,10 @@ struct ReportOptions {
   std::function<void()> before_leaving = [] {};
 };
 
-/// The map at `path`. Throws ConfigError where it is not one of `study`, and IoError.
-page::MapTable read_map_of(const sweep::Study& study, const std::filesystem::path& path);
+/// The map at `path`, for `program`, its rows in the order of the cells. Throws ConfigError where it is not
+/// one of `study`, and IoError, also where it is not as it was written or not the whole map.
+page::MapTable read_map_of(const sweep::Study& study, const std::filesystem::path& path,
+                           std::string_view program);
 
 /// Writes the report of the map in `directory`, of `study`, and returns an exit code: 128 + signal when a
 /// signal came before it was written; then an older report is as it was. Throws ConfigError where the map is

@@ -2,23 +2,64 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "rubsweep/batch/directory.hpp"
+#include "rubsweep/batch/leftovers.hpp"
+#include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 
 namespace rubsweep::apps {
 
 namespace fs = std::filesystem;
 
-void write_result_files(const ResultFiles& files, std::span<const std::string_view> names,
-                        const fs::path& directory) {
-  for (const std::string_view name : names) {
-    const auto file = files.find(name);
-    if (file == files.end()) {
-      fs::remove(directory / name);
-    } else {
-      batch::write_whole_file(directory / name, file->second);
-    }
-  }
+namespace {
+
+batch::TableSource table_source(const ResultSource& source) {
+  return {fmt::format("{} {}", source.program, RUBSWEEP_VERSION), source.digest, {}};
 }
+
+/// A file that is whole on the disk, and has not its name yet.
+using Waiting = std::variant<std::unique_ptr<batch::TableFile>, std::unique_ptr<batch::WholeFile>>;
+
+Waiting waiting_file(const fs::path& path, const std::string& text, const batch::TableSource& source) {
+  const auto finished = [&](auto file) {
+    file->write(text);
+    file->finish();
+    return file;
+  };
+  if (path.extension() == ".csv") return finished(std::make_unique<batch::TableFile>(path, source));
+  return finished(std::make_unique<batch::WholeFile>(path));
+}
+
+}  // namespace
+
+void write_result_files(const ResultFiles& files, std::span<const std::string_view> names,
+                        const fs::path& directory, const ResultSource& source) {
+  batch::TableSource table = table_source(source);
+  for (const auto& [name, text] : files) table.files.emplace_back(name);
+  std::vector<Waiting> waiting;
+  for (const auto& [name, text] : files) waiting.push_back(waiting_file(directory / name, text, table));
+  // A link stays: the file behind it is replaced.
+  for (const auto& [name, text] : files) fs::remove(batch::file_behind(directory / name));
+  std::vector<std::string_view> others(names.begin(), names.end());
+  std::erase_if(others, [&](std::string_view name) { return files.contains(name); });
+  remove_result_files(others, directory);
+  for (Waiting& file : waiting) std::visit([](auto& whole) { whole->rename(); }, file);
+  batch::sync_directory(directory);
+}
+
+void remove_result_files(std::span<const std::string_view> names, const fs::path& directory) {
+  batch::remove_leftovers(
+      directory, [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); });
+  for (const std::string_view name : names) fs::remove(directory / name);
+  batch::sync_directory(directory);
+}
+
+std::string growing_table_head(const ResultSource& source) { return batch::table_head(table_source(source)); }
 
 std::string files_line(const ResultFiles& files, const fs::path& directory) {
   std::string names;

@@ -8,13 +8,28 @@
 
 namespace rubsweep::apps {
 
-/// Texts by file name.
+/// Texts by file name; those of tables without the head that all tables have.
 using ResultFiles = std::map<std::string_view, std::string>;
 
-/// Writes each file whole. A directory never mixes two runs: of `names`, what there is no text for goes.
-/// Throws IoError.
+/// Who wrote some results, and what they belong to.
+struct ResultSource {
+  std::string program;  ///< without its version
+  std::string digest;
+};
+
+/// Replaces the files `names` of a directory, all that a run may leave there, by those of a new run: of
+/// `names`, what there is no text for goes. A directory never mixes two runs, wherever the process or the
+/// power ends: all new files are on the disk before the first of the old ones goes, and all old ones are gone
+/// before the first new one has its name. Then those that are there are of one run. Throws IoError.
 void write_result_files(const ResultFiles& files, std::span<const std::string_view> names,
-                        const std::filesystem::path& directory);
+                        const std::filesystem::path& directory, const ResultSource& source);
+
+/// Removes what there is of `names`, on the disk as well, and what killed processes were about to write under
+/// these names. Throws IoError.
+void remove_result_files(std::span<const std::string_view> names, const std::filesystem::path& directory);
+
+/// The head of a table of such results that grows, and so has no checksum.
+std::string growing_table_head(const ResultSource& source);
 
 /// "files     DIRECTORY: NAME NAME" and a line end.
 std::string files_line(const ResultFiles& files, const std::filesystem::path& directory);

@@ -33,12 +33,13 @@ constexpr std::array<std::string_view, 7> file_names{"config.yaml",         "eig
                                                      "chart_onsets.csv"};
 
 /// Computes the chart and adds its files; false when a signal came first.
-bool chart(const RingstabArguments& arguments, const ring::Study& study, const std::string& comments,
+bool chart(const RingstabArguments& arguments, const ring::Study& study, const ResultSource& source,
            const fs::path& directory, ResultFiles& files, Lines& lines) {
+  const std::string comments = report::ring_comments();
   const fs::path partial = directory / "chart.partial.csv";
   fs::remove(partial);
   batch::LineLog finished(partial);
-  finished.append(comments + report::chart_header(*study.chart));
+  finished.append(growing_table_head(source) + comments + report::chart_header(*study.chart));
   const batch::ProgressMode mode = arguments.quiet ? batch::ProgressMode::never : arguments.progress;
   batch::Progress progress(study.chart->values.size(), mode);
   const std::atomic<bool>& stop = catch_interrupts();
@@ -66,7 +67,8 @@ int run(const RingstabArguments& arguments, const config::RingConfig& config) {
     return config::print_ring_config(config::read_ring_config(arguments.config, {}));
   });
   make_directory(directory);
-  const std::string comments = report::ring_comments(RUBSWEEP_VERSION, config::ring_study_digest(study));
+  const ResultSource source{"ringstab", config::ring_study_digest(study)};
+  const std::string comments = report::ring_comments();
   const ring::Analysis analysis = ring::analyse(study.system, ring::speeds_rad_per_s(study));
   ResultFiles files{
       {"config.yaml", config::print_ring_config(config)},
@@ -80,9 +82,8 @@ int run(const RingstabArguments& arguments, const config::RingConfig& config) {
     summary += report::validity_summary(study, loads);
   }
   Lines lines;
-  if (study.chart && !chart(arguments, study, comments, directory, files, lines))
-    return 128 + caught_signal();
-  write_result_files(files, file_names, directory);
+  if (study.chart && !chart(arguments, study, source, directory, files, lines)) return 128 + caught_signal();
+  write_result_files(files, file_names, directory, source);
   fs::remove(directory / "chart.partial.csv");
   if (!arguments.quiet) {
     fmt::print("{}{}{}", summary, report::chart_summary(lines), files_line(files, directory));

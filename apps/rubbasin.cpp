@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "derived_files.hpp"
 #include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "kept_files.hpp"
@@ -28,8 +28,6 @@ namespace rubsweep::apps {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 2> file_names{"slice.csv", "attractors.csv"};
 
 std::string axis_of(const StartNumber& number, const StartRange& range, std::size_t count) {
   return fmt::format("{{key: {}, from: {}, to: {}, count: {}}}", number.key, range.from, range.to, count);
@@ -66,12 +64,12 @@ config::RunConfig sliced_config(const RubbasinArguments& arguments) {
 int write_slice(const RubbasinArguments& arguments, const config::RunConfig& config, const fs::path& map) {
   const auto& axes = config.study.grid.axes;
   const report::BasinSlice slice = report::read_basin_slice(
-      map, {{arguments.plane[0].column, arguments.plane[1].column}, {axes.at(0).values, axes.at(1).values}});
-  const std::string comments = report::map_comments(RUBSWEEP_VERSION, config::study_digest(config.study));
-  const ResultFiles files{{"slice.csv", report::slice_csv(slice, comments)},
-                          {"attractors.csv", report::attractors_csv(slice, comments)}};
+      map, {{arguments.plane[0].column, arguments.plane[1].column}, {axes.at(0).values, axes.at(1).values}},
+      config.study.grid);
+  const ResultFiles files{{"slice.csv", report::map_comments() + report::slice_csv(slice)},
+                          {"attractors.csv", report::map_comments() + report::attractors_csv(slice)}};
   const fs::path directory = map.parent_path();
-  write_result_files(files, file_names, directory);
+  write_result_files(files, slice_files, directory, {"rubsweep", config::study_digest(config.study)});
   if (!arguments.quiet) {
     fmt::print("{}files     {}: attractors.csv config.yaml map.csv slice.csv\n", report::slice_summary(slice),
                directory.string());
@@ -99,8 +97,6 @@ int perform(const RubbasinArguments& arguments) {
     if (!arguments.quiet) say(map_is_there("rubbasin"));
     return write_slice(arguments, config, directory.map());
   }
-  // What stands there is of a map that was forgotten.
-  write_result_files({}, file_names, directory.map().parent_path());
   const SweepRun how{"rubbasin", arguments.threads, arguments.progress, arguments.quiet};
   if (!compute_missing_cells(how, config.study, directory)) return 128 + caught_signal();
   warn("rubbasin", directory.write_map());

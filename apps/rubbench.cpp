@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "exit_code.hpp"
@@ -14,7 +16,6 @@
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubbench_arguments.hpp"
-#include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/bench/label_agreement.hpp"
 #include "rubsweep/bench/reference.hpp"
 #include "rubsweep/config/cell_config.hpp"
@@ -166,15 +167,16 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   if (!to_label.empty())
     say(arguments, fmt::format("labels: {} of {} cells can be kicked\n", labelled.size(), to_label.size()));
 
-  std::string comments =
-      report::work_precision_comments(RUBSWEEP_VERSION, config::study_digest(study), arguments.work);
+  std::string comments = report::work_precision_comments(arguments.work);
   std::vector<report::WorkPrecisionLine> lines;
   for (const scene::Place& place : places) comments += "# " + measure_cell(arguments, study, place, lines);
   Labels labels(study, labelled, arguments.label_seconds);
   for (report::WorkPrecisionLine& line : lines) labels.fill(lines, line);
 
-  batch::write_whole_file(directory / "config.yaml", config::print_config(config));
-  batch::write_whole_file(directory / "work_precision.csv", comments + report::work_precision_csv(lines));
+  constexpr std::array<std::string_view, 2> file_names{"config.yaml", "work_precision.csv"};
+  write_result_files({{file_names[0], config::print_config(config)},
+                      {file_names[1], comments + report::work_precision_csv(lines)}},
+                     file_names, directory, {"rubbench", config::study_digest(study)});
   say(arguments, fmt::format("{}\nfiles: {}: config.yaml work_precision.csv\n",
                              report::work_precision_table(lines, arguments.work.turns), directory.string()));
   const bool all_ran = std::all_of(lines.begin(), lines.end(), [](const auto& line) {

@@ -108,18 +108,16 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   if (plane)
     curves = curves_of(branches, *plane, {family.low, family.high}, study, arguments.most_points, workspace);
 
-  const std::string comments =
-      report::branch_comments(RUBSWEEP_VERSION, config::study_digest(study), arguments.along, branches);
+  const std::string comments = report::branch_comments(arguments.along, branches);
   ResultFiles files{{"config.yaml", config::print_config(config)},
                     {"branch.csv", comments + report::branch_csv(branches)},
                     {"events.csv", comments + report::branch_events_csv(branches)}};
   if (plane) {
-    const std::string curve_comments = report::curve_comments(RUBSWEEP_VERSION, config::study_digest(study),
-                                                              arguments.along, arguments.curve, curves);
+    const std::string curve_comments = report::curve_comments(arguments.along, arguments.curve, curves);
     files["curves.csv"] = curve_comments + report::curves_csv(curves);
     files["meetings.csv"] = curve_comments + report::meetings_csv(curves);
   }
-  write_result_files(files, file_names, directory);
+  write_result_files(files, file_names, directory, {"rubbranch", config::study_digest(study)});
   if (!arguments.quiet) {
     fmt::print("{}{}{}", report::branch_summary(arguments.along, branches),
                report::curves_summary(arguments.along, arguments.curve, curves),

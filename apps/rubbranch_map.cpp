@@ -10,13 +10,14 @@
 #include <string_view>
 #include <vector>
 
+#include "derived_files.hpp"
 #include "exit_code.hpp"
 #include "family_journal.hpp"
 #include "interrupt.hpp"
 #include "program.hpp"
 #include "report_file.hpp"
+#include "result_files.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
-#include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/branch/attribution.hpp"
 #include "rubsweep/branch/contradiction.hpp"
 #include "rubsweep/branch/family.hpp"
@@ -73,22 +74,13 @@ sweep::Study study_of_map(const fs::path& directory) {
   return study;
 }
 
-page::MapTable finished_map(const sweep::Study& study, const fs::path& file) {
-  page::MapTable map = read_map_of(study, file);
-  if (map.rows != sweep::cell_count(study.grid)) {
-    throw ConfigError(fmt::format("{}: holds {} cells of {}, allowed: a finished map", file.string(),
-                                  map.rows, sweep::cell_count(study.grid)));
-  }
-  return map;
-}
-
 }  // namespace
 
 int run_on_map(const RubbranchArguments& arguments) {
   batch::require_threads(arguments.threads, 1);
   const fs::path directory = arguments.map;
   const sweep::Study study = study_of_map(directory);
-  const page::MapTable map = finished_map(study, directory / "map.csv");
+  const page::MapTable map = read_map_of(study, directory / "map.csv", "rubbranch");
   std::vector<std::string> labels;
   std::vector<std::size_t> proven;
   for (std::size_t cell = 0; cell < map.rows; ++cell) {
@@ -120,14 +112,11 @@ int run_on_map(const RubbranchArguments& arguments) {
   }
   const auto edges =
       branch::attribute(study.grid, labels, families.list, branch::quiet_cells(study), quiet_label);
-  batch::write_whole_file(output / "families.csv", report::families_csv(study.grid, families.list));
-  batch::write_whole_file(output / "edges.csv", report::edges_csv(study.grid, labels, edges));
-  // Whoever draws them over a map sees whether they are of it.
-  batch::write_whole_file(
-      output / "boundaries.csv",
-      fmt::format("# digest {}\n{}", map.digest, report::boundaries_csv(study.grid, families.list)));
-  batch::write_whole_file(output / "contradictions.csv",
-                          report::contradictions_csv(study.grid, labels, checks));
+  write_result_files({{"families.csv", report::families_csv(study.grid, families.list)},
+                      {"edges.csv", report::edges_csv(study.grid, labels, edges)},
+                      {"boundaries.csv", report::boundaries_csv(study.grid, families.list)},
+                      {"contradictions.csv", report::contradictions_csv(study.grid, labels, checks)}},
+                     family_files, output, {"rubbranch", map.digest});
   journal.remove();
   if (!arguments.quiet) {
     fmt::print("{}{}files     {}: boundaries.csv contradictions.csv edges.csv families.csv\n",

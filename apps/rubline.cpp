@@ -183,13 +183,12 @@ class LineRun {
   void write() {
     std::ranges::sort(points_, {},
                       [](const line::LinePoint& point) { return std::pair(point.pass, point.cell); });
-    const std::string comments = report::map_comments(RUBSWEEP_VERSION, config::study_digest(config_.study));
-    report::LineTables tables = report::tables_of(points_, cells_, arguments_.along, comments);
+    report::LineTables tables = report::tables_of(points_, cells_, arguments_.along);
     files_ = {{"config.yaml", config::print_config(config_)},
               {"line.csv", std::move(tables.line_csv)},
               {"bifurcation.csv", std::move(tables.bifurcation_csv)},
               {"cascade.csv", std::move(tables.cascade_csv)}};
-    write_result_files(files_, file_names, directory_);
+    write_result_files(files_, file_names, directory_, {"rubsweep", config::study_digest(config_.study)});
   }
 
   int interrupted() {

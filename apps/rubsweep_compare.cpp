@@ -13,6 +13,7 @@
 #include "child_process.hpp"
 #include "command_line.hpp"
 #include "exit_code.hpp"
+#include "finished_map.hpp"
 #include "program.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
@@ -107,6 +108,7 @@ int compare(const po::variables_map& given) {
   }
   std::optional<fs::path> sensitive;
   if (given.count("sensitive")) sensitive = given["sensitive"].as<std::string>();
+  for (const std::string& map : maps) require_whole_table("rubsweep-compare", map);
   const auto comparison = report::compare_maps(maps[0], maps[1], tolerance, sensitive);
   if (!given.count("quiet")) fmt::print("{}", report::describe_comparison(comparison, tolerance));
   if (figure) write_figure(comparison, fmt::format("{} -> {}", maps[0], maps[1]), *figure);

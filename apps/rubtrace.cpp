@@ -131,10 +131,9 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 
   response::motion::Workspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, prepared, 0, workspace);
-  ResultFiles files{
-      {"config.yaml", config::print_config(config)},
-      {"motion.csv", report::map_comments(RUBSWEEP_VERSION, config::study_digest(study)) +
-                         report::map_header(study) + "\n" + report::map_line(row, study) + "\n"}};
+  ResultFiles files{{"config.yaml", config::print_config(config)},
+                    {"motion.csv", report::map_comments() + report::map_header(study) + "\n" +
+                                       report::map_line(row, study) + "\n"}};
   std::string summary = report::motion_summary(row);
 
   // A second run of the cell: the first one, which classifies, ends where the motion is proven and asks the
@@ -155,7 +154,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
     if (options.probes)
       summary += look_by_probes(trace, *options.probes, place.speed_hz, study, workspace, files);
   }
-  write_result_files(files, file_names, directory);
+  write_result_files(files, file_names, directory, {"rubsweep", config::study_digest(study)});
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
   if (arguments.figure && trace.revolutions > 0) {
     arguments.figure->draw("draw_traces.py", directory, "One cell under the lens");

@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <string_view>
 #include <variant>
 
 #include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/batch/descriptor.hpp"
 #include "rubsweep/overloaded.hpp"
+#include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/report/terminal_map.hpp"
 
 namespace rubsweep::apps {
@@ -66,17 +65,16 @@ std::string rubtrace_command(const std::filesystem::path& directory, const sweep
 
 TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid& grid, bool has_report) {
   if (::isatty(STDOUT_FILENO) == 0) return {};
-  std::ifstream stream(path);
-  if (!stream) batch::throw_io_error("read", path, errno);
+  batch::CsvReader rows(path);
+  report::CellsOfRows cells(rows, grid);
   report::TerminalMap map(grid);
-  bool header = false;
-  for (std::string line; std::getline(stream, line);) {
-    if (line.starts_with('#')) continue;
-    if (header) map.add(line);
-    header = true;
+  bool sorted = true;  // a map that somebody sorted anew is not shown
+  for (std::size_t cell = 0; rows.next(); ++cell) {
+    sorted = cells.take(rows) == cell && sorted;
+    map.add(batch::csv_row(rows.cells()));
   }
   // Cells that are next to each other in characters must be neighbours.
-  const bool in_order = !sweep::disordered_axis(grid);
+  const bool in_order = sorted && !sweep::disordered_axis(grid);
   TerminalView view{in_order ? map.text(terminal_width(), shows_colours()) : "", {}};
   if (in_order && view.map.empty()) return view;
   if (const auto cell = map.typical_rub()) {

@@ -1,6 +1,7 @@
 """Reads the tables that the programs write: CSV with comment lines and a header, columns by name and never by number."""
 
 import csv
+import hashlib
 
 
 class TableError(Exception):
@@ -10,9 +11,11 @@ class TableError(Exception):
 def read_table(path, *needed):
     """Yields the rows of the CSV file `path` as they are read, each a dict from the column's name to its text.
 
-    Lines that begin with # and empty lines are passed over. Raises TableError where there is no header, where one of
-    the `needed` columns is missing, or where a row has not as many cells as the header.
+    Lines that begin with # and empty lines are passed over. Raises TableError where the table is not as it was written,
+    where there is no header, where one of the `needed` columns is missing, or where a row has not as many cells as the
+    header.
     """
+    require_whole(path)
     with open(path, encoding="utf-8", errors="replace", newline="") as file:
         lines = _NumberedLines(file)
         try:
@@ -35,6 +38,22 @@ def _rows(path, lines, needed):
             yield dict(zip(header, cells))
     if header is None:
         raise TableError(f"{path}: no header")
+
+
+def require_whole(path):
+    """Raises TableError where a table is not what its checksum says, the SHA-256 of all lines but its own.
+
+    Tables that have none, as those of earlier versions and those written by hand, are taken as they are.
+    """
+    total, said = hashlib.sha256(), None
+    with open(path, "rb") as file:
+        for line in file:
+            if said is None and line.startswith(b"# sha256 "):
+                said = line.split()[2:]
+            else:
+                total.update(line)
+    if said is not None and said != [total.hexdigest().encode()]:
+        raise TableError(f"{path}: is not as it was written: its sha256 is {total.hexdigest()}")
 
 
 def digest(path):

@@ -111,6 +111,18 @@ TEST(WholeFile, IsThereOnlyOnceItIsCommitted) {
   EXPECT_EQ(entries(directory.path()), 1);
 }
 
+TEST(WholeFile, IsWholeOnTheDiskBeforeItHasItsName) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.csv";
+  WholeFile file(path);
+  file.write("digits follow: 00");
+  file.write_at(15, "42");
+  file.finish();
+  EXPECT_FALSE(std::filesystem::exists(path));
+  file.rename();
+  EXPECT_EQ(read_whole_file(path), "digits follow: 42");
+}
+
 TEST(WholeFile, ThatIsGivenUpLeavesTheOlderOne) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";

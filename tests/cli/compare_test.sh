@@ -25,6 +25,9 @@ expect_empty stdout
 
 # A changed class, as a regression would show it.
 sed '10s/non_contact,,/subharmonic,3,/' a/map.csv >changed.csv
+expect_compared 3 a/map.csv changed.csv
+expect_contains stderr 'changed.csv: is not as it was written: its sha256 is '
+reseal changed.csv
 { sed -n '/^speed_hz,/p; 10p' a/map.csv; } >tenth.csv
 IFS=, read -r speed_hz whirl_ratio < <(cells tenth.csv speed_hz whirl_ratio)
 expect_compared 5 a/map.csv changed.csv --figure difference.gp
@@ -44,6 +47,7 @@ expect_matches stdout '^70,0.200,non_contact,subharmonic 1/[0-9]* [a-z]*,non_con
 changed_labels weak weak || fail changed_labels.sh
 [[ $(wc -l <stdout) == 1 ]] || fail 'no cell has another label'
 sed -i 's/,non_contact,/,chaotic,/' weak/map.csv
+reseal weak/map.csv
 ! changed_labels weak hard || fail 'nobody made this map'
 expect_matches stderr 'weak/map.csv: 70 Hz and 0.2 is chaotic, .* says non_contact$'
 
@@ -53,7 +57,7 @@ expect_compared 5 a/map.csv c/map.csv
 expect_matches stdout 'in one map only$'
 
 # Maps are read a row at a time: these two would take some 200 MB as tables.
-grep -e '^#' -e '^speed_hz,' a/map.csv >many.csv
+grep -e '^#' -e '^speed_hz,' a/map.csv | grep -v -e '^# format ' -e '^# sha256 ' >many.csv
 for ((i = 1000; i < 1600; ++i)); do rows a/map.csv | sed "s/^/$i/"; done >>many.csv
 (
   ulimit -v 100000

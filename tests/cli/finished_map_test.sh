@@ -63,13 +63,15 @@ expect_empty stderr
 expect_as_before
 cp -r map failed
 sed -i 's/,non_contact,\(.*\),ok,kick,/,failed,\1,step_limit,kick,/' failed/map.csv
+reseal failed/map.csv
 expect_exit 4 "${cell[@]}" --output failed
 expect_contains stdout 'status step_limit'
 
 # No whole map: cut, or not one at all.
 sed -i '$d' failed/map.csv
+reseal failed/map.csv
 expect_exit 2 "${cell[@]}" --output failed
-expect_contains stderr 'failed/map.csv: holds 0 cells of this configuration, which has 1'
+expect_contains stderr 'failed/map.csv: holds 0 cells of this configuration, which has 1: there is no row of speed_hz 50, whirl_ratio 0.2'
 echo precious >failed/map.csv
 expect_exit 2 "${cell[@]}" --output failed
 expect_contains stderr 'failed/map.csv: is no map of this program'

@@ -15,7 +15,7 @@ identified() {
 
 expect_exit 0 "$kit" --free-response --duration-s 1 --noise-m 1e-6 --set rotor.modes=3 --output free
 expect_files free config.yaml identification.csv sensors.csv
-[[ $(head -n 1 free/sensors.csv) == t_s,speed_hz,shaft_angle_rad,sensor_0_m,sensor_1_m ]] || fail 'another header'
+[[ $(header_of free/sensors.csv) == t_s,speed_hz,shaft_angle_rad,sensor_0_m,sensor_1_m ]] || fail 'another header'
 [[ $(wc -l <free/sensors.csv) == 1002 ]] || fail 'not 1001 samples'
 identified free/identification.csv natural_frequency_hz 1 29 31
 
@@ -27,7 +27,7 @@ identified run_up/identification.csv critical_speed_hz 1 29 31.5
 # Whirl modes over the speed: the lowest critical speed is that of the run-up, and the gyroscopic moment parts the modes.
 expect_exit 0 "$kit" --campbell 0:200:21 --output campbell
 expect_files campbell campbell.csv config.yaml critical_speeds.csv mode_shapes.csv
-[[ $(head -n 1 campbell/campbell.csv) == speed_hz,mode,whirl,forward_share,frequency_hz,damping_ratio ]] || fail 'another header'
+[[ $(header_of campbell/campbell.csv) == speed_hz,mode,whirl,forward_share,frequency_hz,damping_ratio ]] || fail 'another header'
 [[ $(count_rows campbell/campbell.csv 'speed_hz == 200') == 7 ]] || fail 'not seven modes below 400 Hz'
 [[ $(count_rows campbell/critical_speeds.csv "whirl == 'forward' and 29 < speed_hz < 31") == 1 ]] ||
   fail "another first critical speed: $(<campbell/critical_speeds.csv)"

@@ -33,9 +33,9 @@ expect_exit 0 "${along[@]}" --whirl-ratio 0.6 --output line
 expect_files line "${files[@]}"
 expect_contains line/line.csv '# along speed_hz'
 [[ $(grep -v '^#' line/line.csv | head -n 1) == "pass,value,$header" ]] || fail 'another header of line.csv'
-[[ $(head -n 1 line/bifurcation.csv) == pass,value,speed_hz,class,order,point,x_m,y_m,vx_m_per_s,vy_m_per_s ]] ||
+[[ $(header_of line/bifurcation.csv) == pass,value,speed_hz,class,order,point,x_m,y_m,vx_m_per_s,vy_m_per_s ]] ||
   fail 'another header of bifurcation.csv'
-[[ $(head -n 1 line/cascade.csv) == pass,value,speed_hz,order,frequency_hz,amplitude_m ]] || fail 'another header of cascade.csv'
+[[ $(header_of line/cascade.csv) == pass,value,speed_hz,order,frequency_hz,amplitude_m ]] || fail 'another header of cascade.csv'
 expect_matches stdout '^kick +90 to 90  subharmonic 1/2$'
 rubline=$rubsweep rubsweep=$sweep
 expect_exit 0 line/config.yaml --set 'sweep.speed_hz={from: 50, to: 150, count: 6}' --set 'sweep.whirl_ratio={values: [0.6]}' \
@@ -142,6 +142,7 @@ done
 [[ -s out.png ]] || fail 'there is no out.png'
 # What stands in the files becomes no command.
 sed -i 's/,subharmonic,/,"; system("touch pwned"); ",/' drawn/line.csv
+reseal drawn/line.csv
 "$top/scripts/cascade.sh" drawn evil Evil >/dev/null 2>&1 && fail 'cascade.sh drew a class that is none'
 "$top/scripts/bifurcation.sh" drawn evil Evil >/dev/null 2>&1 && fail 'bifurcation.sh drew a class that is none'
 expect_missing pwned

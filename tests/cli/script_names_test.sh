@@ -21,6 +21,7 @@ for name in "${names[@]}"; do
   rm -r "./$name"
 done
 sed -i 's/non_contact/"; system("touch pwned-by-class"); "/' map/map.csv
+reseal map/map.csv
 "$top/scripts/domain_map.sh" map/map.csv evil_map Map >stdout 2>stderr || true
 expect_no_commands
 
@@ -36,6 +37,7 @@ done
 spoil() {
   cp -r trace spoiled
   sed -i "$2" "spoiled/$1"
+  reseal "spoiled/$1"
   code=0
   "$top/scripts/trace.sh" spoiled spoiled_picture Spoiled >stdout 2>stderr || code=$?
   [[ $code != 0 ]] || fail "trace.sh drew $1 after $2"
@@ -63,6 +65,7 @@ for name in "${names[@]}"; do
 done
 # The first column is the title of its panels.
 sed -E '/^(#|cell,)/!s/^[^,]*/"; system("touch pwned-title"); "`touch pwned-title-2`'"'"'; system("touch pwned-title-3") #/' "$table" >evil.csv
+reseal evil.csv
 "$top/scripts/work_precision.sh" evil.csv evil Evil >stdout 2>stderr || fail 'work_precision.sh evil.csv'
 png evil.png
 expect_no_commands

@@ -80,6 +80,27 @@ expect_files() {
 # expect_same FILE FILE
 expect_same() { diff "$1" "$2" >&2 || fail "$1 and $2 differ"; }
 
+# header_of TABLE: its first line that is no comment.
+header_of() { grep -m 1 -v '^#' "$1"; }
+
+# expect_whole_table TABLE...: each has the head of every table, and the checksum there is that of all other lines.
+expect_whole_table() {
+  local table
+  for table; do
+    [[ $(grep -c -e '^# rub[a-z-]* [0-9.]*$' -e '^# ringstab [0-9.]*$' -e '^# digest [0-9a-f-]\{36\}$' -e '^# format 1$' "$table") == 3 ]] ||
+      fail "$table has another head: $(head -n 6 "$table")"
+    [[ $(sed '/^# sha256 /d' "$table" | sha256sum | cut -d' ' -f1) == "$(sed -n 's/^# sha256 //p' "$table")" ]] ||
+      fail "$table has another checksum"
+  done
+}
+
+# reseal TABLE: a test changed it, and it gets the checksum of what it holds now.
+reseal() {
+  local sum
+  sum=$(sed '/^# sha256 /d' "$1" | sha256sum)
+  sed -i "s/^# sha256 .*/# sha256 ${sum%% *}/" "$1"
+}
+
 # rows MAP: the rows of a map, without comments and header.
 rows() { grep -v -e '^#' -e '^speed_hz,' "$1" || true; }
 

@@ -51,6 +51,25 @@ TEST(MapTable, ARowCutShortHasItsPlace) {
   EXPECT_THROW(read_map_table("/nowhere/map.csv"), IoError);
 }
 
+TEST(MapTable, ItsRowsAreInTheOrderOfTheCellsWhateverThatOfTheFile) {
+  const sweep::Grid grid{{50, 60}, sweep::UnbalanceMeasure::whirl_ratio, {0.2, 0.4}};
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.csv";
+  const std::string header = "speed_hz,whirl_ratio,class,revolutions\n";
+  std::ofstream(path) << header
+                      << "60,0.4,chaotic,4\n50,0.4,unsettled,3\n50,0.2,non_contact,1\n60,0.2,synchronous,2\n";
+  const MapTable map = read_map_table(path, grid);
+  for (std::size_t cell = 0; cell < 4; ++cell)
+    EXPECT_EQ(map.number("revolutions", cell), static_cast<double>(cell + 1));
+  EXPECT_EQ(map.word("class", 0), "non_contact");
+  EXPECT_EQ(map.word("class", 3), "chaotic");
+
+  std::ofstream(path) << header << "60,0.4,chaotic,4\n50,0.4,unsettled,3\n50,0.2,non_contact,1\n";
+  EXPECT_TRUE(message_of<IoError>([&] {
+                read_map_table(path, grid);
+              }).ends_with("map.csv: holds 3 cells of 4, there is no row of speed_hz 60, whirl_ratio 0.2"));
+}
+
 TEST(MapTable, ADamagedCellHasItsPlace) {
   const auto problem = [](const std::string& text) { return message_of<IoError>([&] { read(text); }); };
   EXPECT_TRUE(

@@ -9,6 +9,7 @@
 
 #include "batch/temporary_directory.hpp"
 #include "page/decoded.hpp"
+#include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/page/assets.hpp"
 #include "rubsweep/report/map_csv.hpp"
@@ -25,12 +26,12 @@ MapTable map_of_study() {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";
   std::ofstream file(path, std::ios::binary);
-  file << report::map_comments("1.2.3", "digest-of-the-study") << report::map_header() << "\n";
+  file << batch::table_head({"rubsweep 1.2.3", "digest-of-the-study", {}}) << report::map_comments() << report::map_header() << "\n";
   response::motion::Workspace workspace;
   for (std::size_t cell = 0; cell < sweep::cell_count(study.grid); ++cell)
     file << report::map_line(sweep::evaluate_cell(study, cell, workspace)) << "\n";
   file.close();
-  return read_map_table(path);
+  return read_map_table(path, study.grid);
 }
 
 std::string page_of(const MapTable& map, const std::filesystem::path& directory, int threads = 1,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 
@@ -30,33 +31,55 @@ sweep::Row row_of(MotionClass motion_class, double length_m) {
   return row;
 }
 
-/// `rows` as the map of a plane.
+/// `rows` as the map of a plane, in the order of its starts, or from the last one to the first.
 class BasinSliceTest : public testing::Test {
  protected:
-  BasinSlice read(const std::vector<sweep::Row>& rows, std::vector<double> across, std::vector<double> up) {
+  BasinSlice read(const std::vector<sweep::Row>& rows, std::vector<double> across, std::vector<double> up,
+                  bool backwards = false) {
+    sweep::Study study;
+    study.grid = {{50}, sweep::UnbalanceMeasure::whirl_ratio, {0.5}};
+    study.grid.axes = {{{"start.x_m"}, {1}, across}, {{"start.casings.0.vy_m_per_s"}, {1}, up}};
+    std::vector<std::string> lines;
+    for (std::size_t start = 0; start < rows.size(); ++start) {
+      sweep::Row row = rows[start];
+      row.speed_hz = 50;
+      row.whirl_ratio = 0.5;
+      row.key_values = {across[start % across.size()], up[start / across.size()]};
+      lines.push_back(map_line(row, study));
+    }
+    if (backwards) std::ranges::reverse(lines);
     const auto file = directory_.path() / "map.csv";
     std::ofstream stream(file);
-    stream << "# a comment\n" << map_header() << '\n';
-    for (const sweep::Row& row : rows) stream << map_line(row) << '\n';
+    stream << "# a comment\n" << map_header(study) << '\n';
+    for (const std::string& line : lines) stream << line << '\n';
     stream.close();
-    return read_basin_slice(file, {{"x_m", "casing0_vy_m_per_s"}, {std::move(across), std::move(up)}});
+    return read_basin_slice(file, {{"x_m", "casing0_vy_m_per_s"}, {std::move(across), std::move(up)}},
+                            study.grid);
   }
 
   TemporaryDirectory directory_;
 };
+
+TEST_F(BasinSliceTest, TakesARowForWhatItSays) {
+  const std::vector<sweep::Row> rows{row_of(MotionClass::non_contact, 1e-4),
+                                     row_of(MotionClass::subharmonic, 2e-3),
+                                     row_of(MotionClass::subharmonic, 2e-3), row_of(MotionClass::failed, 0)};
+  EXPECT_EQ(slice_csv(read(rows, {-1e-3, 1e-3}, {0, 0.5}, true)),
+            slice_csv(read(rows, {-1e-3, 1e-3}, {0, 0.5})));
+}
 
 TEST_F(BasinSliceTest, NumbersTheAttractorsOfItsRows) {
   const BasinSlice slice =
       read({row_of(MotionClass::non_contact, 1e-4), row_of(MotionClass::subharmonic, 2e-3),
             row_of(MotionClass::subharmonic, 2e-3), row_of(MotionClass::failed, 0)},
            {-1e-3, 1e-3}, {0, 0.5});
-  EXPECT_EQ(slice_csv(slice, "# c\n"),
-            "# c\nx_m,casing0_vy_m_per_s,attractor,label,status\n"
+  EXPECT_EQ(slice_csv(slice),
+            "x_m,casing0_vy_m_per_s,attractor,label,status\n"
             "-0.001,0,2,non_contact,ok\n"
             "0.001,0,1,subharmonic 1/2,ok\n"
             "-0.001,0.5,1,subharmonic 1/2,ok\n"
             "0.001,0.5,,failed,step_limit\n");
-  EXPECT_EQ(attractors_csv(slice, ""),
+  EXPECT_EQ(attractors_csv(slice),
             "attractor,label,starts,share,standard_error,peak_displacement_m,amplitude_1x_forward_m,"
             "amplitude_1x_backward_m,x_m,casing0_vy_m_per_s\n"
             "1,subharmonic 1/2,2,0.5,0.25,0.002,0.0006666666666666666,0,0.001,0\n"
@@ -94,11 +117,12 @@ TEST_F(BasinSliceTest, OfOneAttractorHasNoBoundary) {
 }
 
 TEST_F(BasinSliceTest, RefusesTheMapOfAnotherPlane) {
-  const std::vector<sweep::Row> rows(5, row_of(MotionClass::non_contact, 1e-3));
-  EXPECT_NE(message_of<IoError>([&] {
-              read(rows, places(2), places(2));
-            }).find("map.csv: holds 5 rows, allowed: one for each of the 4 starts"),
-            std::string::npos);
+  const std::vector<sweep::Row> rows(3, row_of(MotionClass::non_contact, 1e-3));
+  EXPECT_NE(
+      message_of<IoError>([&] { read(rows, places(2), places(2)); })
+          .find("map.csv: holds 3 cells of 4, there is no row of speed_hz 50, whirl_ratio 0.5, start.x_m 1, "
+                "start.casings.0.vy_m_per_s 1"),
+      std::string::npos);
 }
 
 }  // namespace

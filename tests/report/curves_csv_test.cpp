@@ -41,8 +41,8 @@ TEST(CurvesCsv, RowsOfPointsAndMeetings) {
 }
 
 TEST(CurvesCsv, CommentsAndSummarySayHowACurveEnds) {
-  EXPECT_EQ(curve_comments("1.2", "abc", "speed_hz", "whirl_ratio", one_curve()),
-            "# rubbranch 1.2\n# digest abc\n# parameter speed_hz\n# curve_parameter whirl_ratio\n"
+  EXPECT_EQ(curve_comments("speed_hz", "whirl_ratio", one_curve()),
+            "# parameter speed_hz\n# curve_parameter whirl_ratio\n"
             "# curve 0: graze, order 2, ends left_range and closed\n");
   EXPECT_EQ(
       curves_summary("speed_hz", "whirl_ratio", one_curve()),

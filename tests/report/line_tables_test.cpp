@@ -36,9 +36,9 @@ TEST(LineTables, HaveARowForEachCellPointAndLine) {
   // Two turns of four samples: lines at -2, -1.5, ..., 1.5. One below a thousandth of the largest is left
   // out, and so is one below a millionth of the clearance; 0X does not count as the largest.
   made.motion->spectrum = {2, 4, {0.9e-9, 0, 1e-6, 0, 1, 0.9e-6, 1e-3, 0}};
-  const LineTables tables = tables_of(std::vector{made}, cells, "stops.0.clearance_m", "# x\n");
-  EXPECT_EQ(tables.line_csv, "# x\n# along stops.0.clearance_m\npass,value," + map_header() + "\nup,1.5," +
-                                 map_line(made.row) + "\n");
+  const LineTables tables = tables_of(std::vector{made}, cells, "stops.0.clearance_m");
+  EXPECT_EQ(tables.line_csv, map_comments() + "# along stops.0.clearance_m\npass,value," + map_header() +
+                                 "\nup,1.5," + map_line(made.row) + "\n");
   EXPECT_EQ(tables.bifurcation_csv,
             "pass,value,speed_hz,class,order,point,x_m,y_m,vx_m_per_s,vy_m_per_s\n"
             "up,1.5,50,subharmonic,2,0,0.001,0.002,3,4\nup,1.5,50,subharmonic,2,1,0.005,0.006,7,8\n");
@@ -48,7 +48,7 @@ TEST(LineTables, HaveARowForEachCellPointAndLine) {
 
 TEST(LineTables, ACellWithoutMotionHasOnlyItsRow) {
   const LineTables tables = tables_of(std::vector{point(line::Pass::kick, 0, MotionClass::failed)},
-                                      std::vector{cell(1)}, "speed_hz", "");
+                                      std::vector{cell(1)}, "speed_hz");
   EXPECT_NE(tables.line_csv.find("\nkick,1,50,"), std::string::npos);
   EXPECT_EQ(tables.bifurcation_csv.find('\n') + 1, tables.bifurcation_csv.size());
   EXPECT_EQ(tables.cascade_csv.find('\n') + 1, tables.cascade_csv.size());

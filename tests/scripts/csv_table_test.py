@@ -1,3 +1,5 @@
+import hashlib
+
 import csv_table
 from files import FileTest
 
@@ -27,6 +29,17 @@ class ReadTable(FileTest):
     def test_reads_row_by_row(self):
         rows = csv_table.read_table(self.write("t.csv", "a,b\n1,2\n3\n"))
         self.assertEqual(next(rows)["a"], "1")
+
+
+class Checksum(FileTest):
+    def test_all_lines_but_its_own_are_in_the_sum(self):
+        other_lines = "# rubline 1\n# digest x\n", "a,b\n1,2\n"
+        total = hashlib.sha256("".join(other_lines).encode()).hexdigest()
+        whole = f"# sha256 {total}\n".join(other_lines)
+        self.assertEqual(list(csv_table.read_table(self.write("t.csv", whole))), [{"a": "1", "b": "2"}])
+        for changed in (whole.replace("1,2", "1,3"), whole[:-1], whole.replace("digest x", "digest y"), whole[:60]):
+            with self.assertRaisesRegex(csv_table.TableError, "t.csv: is not as it was written"):
+                next(csv_table.read_table(self.write("t.csv", changed)))
 
 
 class Numbers(FileTest):

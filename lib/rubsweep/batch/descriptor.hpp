@@ -35,6 +35,9 @@ inline Descriptor open_file(const std::filesystem::path& path, int flags, std::s
   return open_file(path, flags, action, path);
 }
 
+/// Whether the open file is still the one that has the name `path`.
+bool is_file_at(int descriptor, const std::filesystem::path& path);
+
 /// Writes everything; returns 0 or the system's error number.
 int write_all(int descriptor, std::string_view text);
 

@@ -32,14 +32,6 @@ int lock(int descriptor, int operation) {
   return 0;
 }
 
-/// The holder before us may have removed the file between our opening and our locking it.
-bool is_file_at(int descriptor, const std::filesystem::path& path) {
-  struct stat opened {
-  }, named{};
-  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
-         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
-}
-
 std::string identity(const std::string& purpose) {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
@@ -80,6 +72,7 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
     auto [descriptor, may_write] = open_lock(path_);
     const int error = patience == Patience::wait ? lock(descriptor.get(), operation)
                                                  : lock(descriptor.get(), operation | LOCK_NB);
+    // The holder before us may have removed the file between our opening and our locking it.
     const bool still_there = is_file_at(descriptor.get(), path_);
     if (error == EWOULDBLOCK && still_there) {
       if (++refusals == most_refusals)

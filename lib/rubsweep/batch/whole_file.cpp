@@ -2,14 +2,16 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
 #include <utility>
 
+#include "rubsweep/batch/directory.hpp"
+#include "rubsweep/batch/leftovers.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
@@ -17,33 +19,23 @@ namespace {
 
 constexpr std::size_t buffer_bytes = 65536;
 
-/// Two processes that write one path do not share a temporary, nor do two hosts of one file system.
-std::filesystem::path beside(std::filesystem::path path) {
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
-  return path += fmt::format(".tmp-{}-{}", host.data(), ::getpid());
-}
-
-/// The file behind a symbolic link. Throws IoError where that is a device or a pipe; of a directory the
-/// system says so when it is to be replaced.
-std::filesystem::path regular(std::filesystem::path path) {
-  std::error_code none;
-  constexpr int most_links = 40;  // of a circle, the system says so when the file is opened
-  for (int i = 0; i < most_links && std::filesystem::is_symlink(path, none); ++i)
-    path = path.parent_path() / std::filesystem::read_symlink(path);
-  if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none) &&
-      !std::filesystem::is_directory(path, none)) {
-    throw IoError(fmt::format("{}: is not a regular file", path.string()));
-  }
-  return path;
-}
-
 }  // namespace
 
 WholeFile::WholeFile(std::filesystem::path path)
-    : path_(regular(std::move(path))),
-      temporary_(beside(path_)),
-      descriptor_(open_file(temporary_, O_WRONLY | O_CREAT | O_TRUNC, "write", path_)) {}
+    : path_(file_behind(std::move(path))), temporary_(temporary_beside(path_)), descriptor_([this] {
+        const std::string own = path_.filename();
+        remove_leftovers(path_.parent_path(), [&](std::string_view name) { return name == own; });
+        return open_temporary();
+      }()) {}
+
+/// Locked, so that no other process takes it for what a killed one left; on a file system without locks
+/// nobody can.
+Descriptor WholeFile::open_temporary() const {
+  while (true) {
+    Descriptor opened = open_file(temporary_, O_WRONLY | O_CREAT | O_TRUNC, "write", path_);
+    if (::flock(opened.get(), LOCK_EX) != 0 || is_file_at(opened.get(), temporary_)) return opened;
+  }
+}
 
 WholeFile::~WholeFile() {
   if (!committed_) ::unlink(temporary_.c_str());
@@ -59,13 +51,46 @@ void WholeFile::flush() {
   waiting_.clear();
 }
 
-void WholeFile::commit() {
+void WholeFile::write_at(std::size_t offset, std::string_view text) {
   flush();
-  if (::fsync(descriptor_.get()) != 0 || ::close(descriptor_.release()) != 0 ||
-      std::rename(temporary_.c_str(), path_.c_str()) != 0) {
-    throw_io_error("write", path_, errno);
+  while (!text.empty()) {
+    const ssize_t written = ::pwrite(descriptor_.get(), text.data(), text.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno != EINTR) throw_io_error("write", path_, errno);
+    if (written < 0) continue;
+    text.remove_prefix(static_cast<std::size_t>(written));
+    offset += static_cast<std::size_t>(written);
   }
+}
+
+void WholeFile::finish() {
+  if (finished_) return;
+  flush();
+  if (::fsync(descriptor_.get()) != 0) throw_io_error("write", path_, errno);
+  finished_ = true;
+}
+
+void WholeFile::commit() {
+  rename();
+  sync_directory(path_.parent_path());
+}
+
+void WholeFile::rename() {
+  finish();
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw_io_error("write", path_, errno);
   committed_ = true;
+  ::close(descriptor_.release());  // and with it the lock of a temporary that is none any more
+}
+
+std::filesystem::path file_behind(std::filesystem::path path) {
+  std::error_code none;
+  constexpr int most_links = 40;  // of a circle, the system says so when the file is opened
+  for (int i = 0; i < most_links && std::filesystem::is_symlink(path, none); ++i)
+    path = path.parent_path() / std::filesystem::read_symlink(path);
+  if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none) &&
+      !std::filesystem::is_directory(path, none)) {
+    throw IoError(fmt::format("{}: is not a regular file", path.string()));
+  }
+  return path;
 }
 
 void write_whole_file(const std::filesystem::path& path, std::string_view text) {

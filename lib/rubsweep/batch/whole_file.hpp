@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -9,9 +10,9 @@
 namespace rubsweep::batch {
 
 /// A file that appears under its name whole or not at all: what is written goes to a temporary beside it,
-/// which takes the name at the end; a symbolic link stays, a device or pipe is refused. Not for two threads
-/// and one path. Every function throws IoError with the path and the system's reason, and then an older file
-/// of that name is as it was.
+/// which takes the name at the end; a symbolic link stays, a device or pipe is refused. What killed processes
+/// left of the same file goes when it is begun. Not for two threads and one path. Every function throws
+/// IoError with the path and the system's reason, and then an older file of that name is as it was.
 class WholeFile {
  public:
   explicit WholeFile(std::filesystem::path path);
@@ -24,17 +25,32 @@ class WholeFile {
   /// Where another process may write instead, as its standard output.
   int descriptor() const { return descriptor_.get(); }
 
-  /// Waits until everything is on the disk, then renames. Nothing may be written afterwards.
+  /// Writes over what was written before at `offset`.
+  void write_at(std::size_t offset, std::string_view text);
+
+  /// Waits until everything is on the disk, still under the name of the temporary. Nothing may be written
+  /// afterwards.
+  void finish();
+
+  /// Finishes, then renames, and waits until the name is on the disk as well.
   void commit();
+
+  /// The same without that wait, for one of several files of a directory that is synced after the last.
+  void rename();
 
  private:
   void flush();
+  Descriptor open_temporary() const;
 
   std::filesystem::path path_, temporary_;
   Descriptor descriptor_;
   std::string waiting_;  ///< not yet handed to the system
-  bool committed_ = false;
+  bool finished_ = false, committed_ = false;
 };
+
+/// The file behind a symbolic link. Throws IoError where that is a device or a pipe; of a directory the
+/// system says so when it is to be replaced.
+std::filesystem::path file_behind(std::filesystem::path path);
 
 /// Makes `path` hold exactly `text`, whole or not at all (see WholeFile).
 void write_whole_file(const std::filesystem::path& path, std::string_view text);

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/report/map_cells.hpp"
 #include "rubsweep/report/map_columns.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
@@ -57,6 +59,14 @@ std::vector<bool> columns_of_numbers(const std::filesystem::path& path) {
   return some;
 }
 
+template <class Value>
+std::vector<Value> in_order(const std::vector<Value>& rows,
+                            const std::vector<std::pair<std::size_t, std::size_t>>& cells) {
+  std::vector<Value> ordered;
+  for (const auto& [cell, row] : cells) ordered.push_back(rows[row]);
+  return ordered;
+}
+
 }  // namespace
 
 const MapColumn* MapTable::find(std::string_view name) const {
@@ -92,6 +102,22 @@ MapTable read_map_table(const std::filesystem::path& path) {
   }
   map.version = report::comment_after(file, "rubsweep ");
   map.digest = report::comment_after(file, "digest ");
+  return map;
+}
+
+MapTable read_map_table(const std::filesystem::path& path, const sweep::Grid& grid) {
+  batch::CsvReader file(path);
+  report::CellsOfRows cells_of_rows(file, grid);
+  std::vector<std::pair<std::size_t, std::size_t>> cells;  // with the row of each
+  while (file.next()) cells.emplace_back(cells_of_rows.take(file), cells.size());
+  if (!grid.refinement) cells_of_rows.require_all();
+  MapTable map = read_map_table(path);
+  if (std::ranges::is_sorted(cells)) return map;
+  std::ranges::sort(cells);
+  for (MapColumn& column : map.columns) {
+    if (!column.numbers.empty()) column.numbers = in_order(column.numbers, cells);
+    if (!column.words.empty()) column.words = in_order(column.words, cells);
+  }
   return map;
 }
 

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/sweep/grid.hpp"
+
 namespace rubsweep::page {
 
 /// One column of a map. A column whose cells are all numbers or empty, some of them numbers, has `numbers`
@@ -35,5 +37,10 @@ struct MapTable {
 
 /// Throws IoError, with file:line where the text is at fault.
 MapTable read_map_table(const std::filesystem::path& path);
+
+/// A map of this grid, its rows in the order of the cells whatever their order in the file. Throws IoError
+/// also where a row is no cell of the grid or one that is there twice, and where a cell is missing, which of
+/// a refined map it may.
+MapTable read_map_table(const std::filesystem::path& path, const sweep::Grid& grid);
 
 }  // namespace rubsweep::page

@@ -10,6 +10,7 @@
 #include "rubsweep/basin/uncertainty_exponent.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
 #include "rubsweep/sweep/row.hpp"
 
@@ -107,27 +108,28 @@ std::string exponent(const basin::LabelGrid& grid) {
 
 }  // namespace
 
-BasinSlice read_basin_slice(const std::filesystem::path& map, const SlicePlane& plane) {
+BasinSlice read_basin_slice(const std::filesystem::path& map, const SlicePlane& plane,
+                            const sweep::Grid& grid) {
   batch::CsvReader rows(map);
   const MotionReader reader(rows);
-  BasinSlice slice{plane, {}, {}};
-  sweep::AttractorCount count;
+  CellsOfRows cells(rows, grid);
+  std::vector<sweep::SampledMotion> motions(sweep::cell_count(grid));
+  BasinSlice slice{plane, {}, std::vector<std::string>(motions.size())};
   while (rows.next()) {
-    count.add(reader.motion(rows));
-    slice.statuses.push_back(reader.status(rows));
+    const std::size_t start = cells.take(rows);
+    motions[start] = reader.motion(rows);
+    slice.statuses[start] = reader.status(rows);
   }
-  const std::size_t starts = plane.values[0].size() * plane.values[1].size();
-  if (slice.statuses.size() != starts) {
-    throw IoError(fmt::format("{}: holds {} rows, allowed: one for each of the {} starts", map.string(),
-                              slice.statuses.size(), starts));
-  }
+  cells.require_all();
+  sweep::AttractorCount count;
+  for (const sweep::SampledMotion& motion : motions) count.add(motion);
   slice.basins = count.basins();
   return slice;
 }
 
-std::string slice_csv(const BasinSlice& slice, const std::string& comments) {
+std::string slice_csv(const BasinSlice& slice) {
   const SlicePlane& plane = slice.plane;
-  std::string text = comments + fmt::format("{},{},attractor,label,status\n", plane.names[0], plane.names[1]);
+  std::string text = fmt::format("{},{},attractor,label,status\n", plane.names[0], plane.names[1]);
   for (std::size_t i = 0; i < slice.statuses.size(); ++i) {
     const auto number = static_cast<std::size_t>(slice.basins.numbers[i]);
     const auto [across, up] = start_at(plane, i);
@@ -138,11 +140,10 @@ std::string slice_csv(const BasinSlice& slice, const std::string& comments) {
   return text;
 }
 
-std::string attractors_csv(const BasinSlice& slice, const std::string& comments) {
+std::string attractors_csv(const BasinSlice& slice) {
   const SlicePlane& plane = slice.plane;
-  std::string text =
-      comments + fmt::format("attractor,label,starts,share,standard_error,{},{},{},{},{}\n", lengths[0],
-                             lengths[1], lengths[2], plane.names[0], plane.names[1]);
+  std::string text = fmt::format("attractor,label,starts,share,standard_error,{},{},{},{},{}\n", lengths[0],
+                                 lengths[1], lengths[2], plane.names[0], plane.names[1]);
   int number = 0;
   for (const sweep::Attractor& attractor : slice.basins.attractors) {
     ++number;

@@ -8,6 +8,7 @@
 
 #include "rubsweep/basin/label_grid.hpp"
 #include "rubsweep/sweep/attractors.hpp"
+#include "rubsweep/sweep/grid.hpp"
 
 namespace rubsweep::report {
 
@@ -29,17 +30,18 @@ struct BasinSlice {
 /// Boxes of so many starts a side, for the basin entropy.
 inline constexpr std::size_t entropy_box = 5;
 
-/// Tells the attractors apart to which the rows of a map lead, one for each start of the plane in its order.
-/// Throws IoError where the map is none of that plane.
-BasinSlice read_basin_slice(const std::filesystem::path& map, const SlicePlane& plane);
+/// Tells the attractors apart to which the rows of a map lead. The cells of its grid are the starts of the
+/// plane, in its order, whatever the order of the rows. Throws IoError where a start is missing or is there
+/// twice.
+BasinSlice read_basin_slice(const std::filesystem::path& map, const SlicePlane& plane,
+                            const sweep::Grid& grid);
 
 /// A row for each start: both numbers, `attractor` (empty: failed), `label` (class and order), `status`.
-/// `comments` stands above.
-std::string slice_csv(const BasinSlice& slice, const std::string& comments);
+std::string slice_csv(const BasinSlice& slice);
 
 /// A row for each attractor, the most frequent first: `attractor`, `label`, `starts`, `share`,
 /// `standard_error`, the three lengths that tell it apart, and the first start that leads to it.
-std::string attractors_csv(const BasinSlice& slice, const std::string& comments);
+std::string attractors_csv(const BasinSlice& slice);
 
 /// What a terminal shows: shares, entropies and exponent, each with what it says.
 std::string slice_summary(const BasinSlice& slice);

@@ -20,9 +20,8 @@ std::pair<double, double> interval(const branch::Branch& branch) {
 
 }  // namespace
 
-std::string branch_comments(const std::string& version, const std::string& digest,
-                            const std::string& parameter, const std::vector<branch::Branch>& branches) {
-  std::string text = fmt::format("# rubbranch {}\n# digest {}\n# parameter {}\n", version, digest, parameter);
+std::string branch_comments(const std::string& parameter, const std::vector<branch::Branch>& branches) {
+  std::string text = fmt::format("# parameter {}\n", parameter);
   for (std::size_t i = 0; i < branches.size(); ++i) {
     text += fmt::format("# branch {}: order {}, ends {} and {}\n", i, branches[i].order,
                         branch::to_string(branches[i].falling), branch::to_string(branches[i].rising));

@@ -7,9 +7,8 @@
 
 namespace rubsweep::report {
 
-/// `#` lines of both files: version, digest, what the parameter is, and how each branch ends.
-std::string branch_comments(const std::string& version, const std::string& digest,
-                            const std::string& parameter, const std::vector<branch::Branch>& branches);
+/// `#` lines of both files: what the parameter is, and how each branch ends.
+std::string branch_comments(const std::string& parameter, const std::vector<branch::Branch>& branches);
 
 /// Header and a row for every point, branch by branch, by ascending arclength.
 std::string branch_csv(const std::vector<branch::Branch>& branches);

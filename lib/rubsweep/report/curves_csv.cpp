@@ -30,11 +30,9 @@ std::string interval(const branch::Curve& curve, const Value& value) {
 
 }  // namespace
 
-std::string curve_comments(const std::string& version, const std::string& digest,
-                           const std::string& parameter, const std::string& curve_parameter,
+std::string curve_comments(const std::string& parameter, const std::string& curve_parameter,
                            const std::vector<CurveFrom>& curves) {
-  std::string text = fmt::format("# rubbranch {}\n# digest {}\n# parameter {}\n# curve_parameter {}\n",
-                                 version, digest, parameter, curve_parameter);
+  std::string text = fmt::format("# parameter {}\n# curve_parameter {}\n", parameter, curve_parameter);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const branch::Curve& curve = curves[i].curve;
     text += fmt::format("# curve {}: {}, order {}, ends {}\n", i, branch::to_string(curve.kind), curve.order,

@@ -15,9 +15,8 @@ struct CurveFrom {
   std::size_t event = 0;  ///< row of events.csv, from 0
 };
 
-/// `#` lines of both files: version, digest, which the parameters are, and how each curve ends.
-std::string curve_comments(const std::string& version, const std::string& digest,
-                           const std::string& parameter, const std::string& curve_parameter,
+/// `#` lines of both files: which the parameters are, and how each curve ends.
+std::string curve_comments(const std::string& parameter, const std::string& curve_parameter,
                            const std::vector<CurveFrom>& curves);
 
 /// Header and a row for every point, curve by curve, by ascending arclength.

@@ -51,9 +51,9 @@ void add_spectrum(const line::LinePoint& point, double clearance_m, const std::s
 }  // namespace
 
 LineTables tables_of(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells,
-                     std::string_view along, const std::string& comments) {
+                     std::string_view along) {
   LineTables tables;
-  tables.line_csv = fmt::format("{}# along {}\npass,value,{}\n", comments, along, map_header());
+  tables.line_csv = fmt::format("{}# along {}\npass,value,{}\n", map_comments(), along, map_header());
   tables.bifurcation_csv = "pass,value,speed_hz,class,order,point,x_m,y_m,vx_m_per_s,vy_m_per_s\n";
   tables.cascade_csv = "pass,value,speed_hz,order,frequency_hz,amplitude_m\n";
   for (const line::LinePoint& point : points) {

@@ -19,9 +19,9 @@ struct LineTables {
   std::string cascade_csv;  ///< pass, value, speed_hz, order, frequency_hz, amplitude_m: significant lines
 };
 
-/// `points` of `cells`, ordered as they shall stand; `along` names what changes, `comments` opens line.csv.
+/// `points` of `cells`, ordered as they shall stand; `along` names what changes.
 LineTables tables_of(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells,
-                     std::string_view along, const std::string& comments);
+                     std::string_view along);
 
 /// What a terminal shows: the motions of each pass in the order in which they come along the line.
 std::string line_summary(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells);

@@ -27,14 +27,12 @@ std::string map_line(const sweep::Row& row, const sweep::Study& study) {
   return batch::csv_row(cells);
 }
 
-std::string map_comments(const std::string& version, const std::string& digest, const sweep::Study& study) {
+std::string map_comments(const sweep::Study& study) {
   const std::vector<std::string> keys = sweep::key_names(study.grid);
   return fmt::format(
-      "# rubsweep {}\n"
-      "# digest {}\n"
       "# units: SI, named in the columns; orders and ratios are pure numbers; forward whirl is positive\n"
       "{}",
-      version, digest, keys.empty() ? "" : fmt::format("# keys {}\n", batch::csv_row(keys)));
+      keys.empty() ? "" : fmt::format("# keys {}\n", batch::csv_row(keys)));
 }
 
 }  // namespace rubsweep::report

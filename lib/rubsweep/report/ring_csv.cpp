@@ -38,13 +38,10 @@ void append_point(const ring::Track& track, const ring::TrackPoint& point, std::
 
 }  // namespace
 
-std::string ring_comments(const std::string& version, const std::string& digest) {
-  return fmt::format(
-      "# ringstab {}\n"
-      "# digest {}\n"
-      "# units: named in the columns; a positive real part grows; frequencies in the rotating frame; loads "
-      "from 0\n",
-      version, digest);
+std::string ring_comments() {
+  return "# units: named in the columns; a positive real part grows; frequencies in the rotating frame; "
+         "loads "
+         "from 0\n";
 }
 
 std::string eigenvalues_csv(const ring::Track& track) {

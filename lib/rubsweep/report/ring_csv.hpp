@@ -9,8 +9,8 @@
 
 namespace rubsweep::report {
 
-/// `#` lines with version, digest and units, one per line with its end.
-std::string ring_comments(const std::string& version, const std::string& digest);
+/// A `#` line on units and signs, with its end.
+std::string ring_comments();
 
 /// speed_rpm, mode, real_per_s, imaginary_rad_per_s: at every asked speed every mode; of a conjugate pair the
 /// root with the positive frequency, of a mode with two real roots both.

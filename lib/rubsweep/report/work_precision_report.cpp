@@ -59,17 +59,15 @@ std::string reference_sentence(const std::string& cell, const bench::Reference& 
       reference.against_rkf78, reference.against_dopri5, bench::reference_tolerance);
 }
 
-std::string work_precision_comments(const std::string& version, const std::string& digest,
-                                    const bench::WorkPrecisionOptions& options) {
+std::string work_precision_comments(const bench::WorkPrecisionOptions& options) {
   return fmt::format(
-      "# rubbench {}\n# digest {}\n"
       "# times: processor time, median of up to {} runs of {} revolutions from the start of the kick, "
       "variants in turn; "
       "ratios count\n"
       "# state_error: after {} revolutions, largest component in (clearance, clearance omega)\n"
       "# label_agreement: share of cells of the map with class and order of the reference\n"
       "# steps, switches, rhs_calls: of one run\n",
-      version, digest, options.repeats, options.turns, options.error_turns);
+      options.repeats, options.turns, options.error_turns);
 }
 
 std::string status_of(const WorkPrecisionLine& line) {

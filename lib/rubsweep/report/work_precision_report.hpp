@@ -27,9 +27,8 @@ std::string variant_name(const bench::Variant& variant);
 /// One sentence on the reference of a cell and how far the other routes to it are away.
 std::string reference_sentence(const std::string& cell, const bench::Reference& reference);
 
-/// `#` lines with version, digest and what the columns mean, one per line with its end.
-std::string work_precision_comments(const std::string& version, const std::string& digest,
-                                    const bench::WorkPrecisionOptions& options);
+/// `#` lines that say what the columns mean, one per line with its end.
+std::string work_precision_comments(const bench::WorkPrecisionOptions& options);
 
 /// Header and rows. steps, switches and rhs_calls are those of one timed run; what does not apply is empty.
 std::string work_precision_csv(const std::vector<WorkPrecisionLine>& lines);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace rubsweep::apps {
+
+/// What rubbranch --map finds out about a map.
+inline constexpr std::array<std::string_view, 4> family_files{"boundaries.csv", "contradictions.csv",
+                                                              "edges.csv", "families.csv"};
+
+/// What rubbasin says of its map.
+inline constexpr std::array<std::string_view, 2> slice_files{"attractors.csv", "slice.csv"};
+
+/// What rubbranch --map keeps of its work until the files above are there, and who is at it.
+inline constexpr std::string_view family_journal_file = "families.journal",
+                                  family_lock_file = "families.lock";
+
+inline constexpr std::string_view report_page_file = "report.html";
+
+/// All results that are made of a map and lie beside it: without that map they mean nothing.
+inline std::vector<std::string_view> derived_files() {
+  std::vector<std::string_view> names{report_page_file};
+  names.insert(names.end(), family_files.begin(), family_files.end());
+  names.insert(names.end(), slice_files.begin(), slice_files.end());
+  return names;
+}
+
+}  // namespace rubsweep::apps

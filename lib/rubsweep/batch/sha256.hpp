@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace rubsweep::batch {
+
+/// SHA-256 of a text that comes in pieces (FIPS 180-4): what `sha256sum` prints of a file.
+class Sha256 {
+ public:
+  void add(std::string_view text);
+
+  /// Of all that was added, as 64 hexadecimal digits. Nothing may be added afterwards.
+  std::string digits();
+
+ private:
+  void take_block(const unsigned char* block);
+
+  std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                                      0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+  std::array<unsigned char, 64> waiting_{};  ///< the bytes of a block that is not full yet
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace rubsweep::batch
