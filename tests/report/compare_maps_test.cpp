@@ -51,7 +51,7 @@ std::vector<Row> cells() {
 class CompareMaps : public testing::Test {
  protected:
   std::filesystem::path table(const std::string& name, const std::vector<Row>& rows) const {
-    std::string text = "# digest digest\n" + map_comments() + map_header() + "\n";
+    std::string text = "# rubsweep 1\n# digest digest\n" + map_comments() + map_header() + "\n";
     for (const Row& row : rows) text += map_line(row) + "\n";
     return table_of(name, text);
   }
@@ -89,7 +89,7 @@ TEST_F(CompareMaps, KeysSayWhichCellItIs) {
   sweep::Study study;
   study.grid.axes = {{{"kick.force_n"}, {1}, {100, 200}}};
   auto map = [&](const std::string& name, double other_force_n) {
-    std::string text = "# digest digest\n" + map_comments(study) + map_header(study) + "\n";
+    std::string text = "# rubsweep 1\n# digest digest\n" + map_comments(study) + map_header(study) + "\n";
     for (const double force_n : {100.0, other_force_n}) {
       Row cell = cells()[0];
       cell.key_values = {force_n};
