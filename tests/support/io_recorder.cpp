@@ -77,9 +77,9 @@ bool exists(const std::string& path) {
 
 std::string hexadecimal(const void* data, std::size_t length) {
   std::string text;
-  for (const unsigned char c : std::string_view(static_cast<const char*>(data), length)) {
+  for (const char c : std::string_view(static_cast<const char*>(data), length)) {
     char digits[3];
-    std::snprintf(digits, sizeof digits, "%02x", c);
+    std::snprintf(digits, sizeof digits, "%02x", static_cast<unsigned>(static_cast<unsigned char>(c)));
     text += digits;
   }
   return text;
