@@ -35,7 +35,7 @@ panel() {
 }
 
 # draw_with SCRIPT ARGUMENT...: where the data are, so that the names in the script's own commands are those written there.
-draw_with() { (cd "$work" && gnuplot -c "$here/$1" . "$output" "${@:2}"); }
+draw_with() { (cd "$work" && gnuplot -d -c "$here/$1" . "$output" "${@:2}"); }
 draw() { draw_with ring_panels.gp "$1" "$panels"; }
 
 # chart NAME CONFIG_STEM [--set KEY=VALUE]...: lays the onsets of its chart out as $work/NAME.KIND and $work/NAME.couplings.

@@ -36,7 +36,7 @@ read -r natural_frequency_hz _ < <(found free_response natural_frequency_hz)
 read -r damping_ratio sensor < <(found free_response damping_ratio)
 read -r critical_speed_hz _ < <(found run_up critical_speed_hz)
 mkdir -p "$figures"
-gnuplot -c "$here/rotor_kit.gp" "$directory" "$figures/rotor_kit_identification" "$sensor" "$natural_frequency_hz" \
+gnuplot -d -c "$here/rotor_kit.gp" "$directory" "$figures/rotor_kit_identification" "$sensor" "$natural_frequency_hz" \
   "$damping_ratio" "$critical_speed_hz"
 "$here/trace.sh" "$directory/rub" "$figures/rotor_kit_rub" 'Rotor kit against a rub screw, the shaft as the sensors beside the disc see it: exact, and read every 1 ms' -20
 

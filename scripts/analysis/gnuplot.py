@@ -10,8 +10,9 @@ SCRIPTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
 def draw(script, *arguments):
-    """gnuplot -c SCRIPT ARGUMENT...; names of files must be absolute, to gnuplot others may be commands."""
-    if subprocess.run(["gnuplot", "-c", os.path.join(SCRIPTS, script), *arguments], check=False).returncode:
+    """gnuplot -c SCRIPT ARGUMENT..., without what ~/.gnuplot says; names of files must be absolute, to gnuplot others may
+    be commands."""
+    if subprocess.run(["gnuplot", "-d", "-c", os.path.join(SCRIPTS, script), *arguments], check=False).returncode:
         raise Failure(f"gnuplot failed in {script}")
 
 

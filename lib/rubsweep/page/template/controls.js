@@ -1,6 +1,6 @@
 "use strict";
 // What can be set besides the selected cell: the layer, the classes that are shown, and the address that remembers both.
-const firstLayers = Object.keys(layerNames);
+const firstLayers = [...layerNames.keys()];
 
 function layersOf(data) {
   const skipped = new Set(["speed_hz", "whirl_ratio", "eccentricity_m", ...data.index.keys]);

@@ -88,5 +88,5 @@ function rowsCsv(data, cells) {
   };
   const lines = cells.map((cell) => names.map((name) => text(data.value(name, cell))).join(","));
   return [`# rubsweep ${data.index.version}`, `# digest ${data.index.digest}`,
-    `# rows chosen in the report: ${cells.length} of ${data.cells}`, names.join(","), ...lines].join("\n") + "\n";
+    `# rows chosen in the report: ${cells.length} of ${data.cells}`, names.map(text).join(","), ...lines].join("\n") + "\n";
 }

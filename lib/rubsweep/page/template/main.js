@@ -91,14 +91,14 @@ function listenToMouse() {
 }
 
 function listenToKeys() {
-  const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  const steps = new Map(Object.entries({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }));
   let anchor = null;
   view.box.addEventListener("keydown", (event) => {
     if (event.key === "Escape") {
       state.rectangle = anchor = null;
       drawMap();
     }
-    const step = steps[event.key];
+    const step = steps.get(event.key);
     if (!step) return;
     event.preventDefault();
     const before = data.placeOf(state.selected), [i0, j0, i1, j1] = view.shown;

@@ -23,8 +23,11 @@ const kinds = [
 ];
 const kindByName = new Map(kinds.map((kind, place) => [kind.name, place]));
 const wordColours = ["#332288", "#88CCEE", "#DDCC77", "#CC6677", "#117733", "#AA4499", "#44AA99", "#999933", "#882255"];
-const proofColours = { rest: "#44AA99", floquet: "#332288", floquet_observed: "#88CCEE", observed: "#DDCC77" };
-const robustColours = { yes: "#88CCEE", no: "#882255" };
+// By the words of a table, which may be any: Maps, not plain objects.
+const fixedColours = new Map([
+  ["proof", new Map(Object.entries({ rest: "#44AA99", floquet: "#332288", floquet_observed: "#88CCEE", observed: "#DDCC77" }))],
+  ["robust", new Map(Object.entries({ yes: "#88CCEE", no: "#882255" }))],
+]);
 
 // While the page is printed its colours are those of a light screen.
 let printing = false;
@@ -47,9 +50,9 @@ function kindOf(row) {
 
 // Colours of a layer of words: one for each word that occurs.
 function wordScale(name, words) {
-  const fixed = name === "proof" ? proofColours : name === "robust" ? robustColours : {};
+  const fixed = fixedColours.get(name) ?? new Map();
   const sorted = words.filter((word) => word !== "").sort();
-  const colours = new Map(sorted.map((word, place) => [word, fixed[word] || wordColours[place % wordColours.length]]));
+  const colours = new Map(sorted.map((word, place) => [word, fixed.get(word) ?? wordColours[place % wordColours.length]]));
   return (word) => colours.get(word) || emptyColour();
 }
 

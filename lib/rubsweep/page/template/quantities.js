@@ -1,10 +1,11 @@
 "use strict";
 // How numbers and columns are called on the page.
-const layerNames = {
+// Maps, as a table may have columns called constructor or __proto__, which plain objects know already.
+const layerNames = new Map(Object.entries({
   class: "class", proof: "proof", floquet_modulus: "largest multiplier", peak_contact_force_n: "peak contact force",
   peak_displacement_m: "peak displacement", hits_per_revolution: "hits per revolution", revolutions: "revolutions",
   robust: "robust",
-};
+}));
 const significant = d3.format(".4~g");
 
 // The unit in which a column is shown, and the factor to it.
@@ -24,12 +25,12 @@ function quantity(name, value) {
 }
 
 function columnTitle(name) {
-  const unit = unitOf(name)[1], words = (layerNames[name] || name.replace(/_(m|n|hz)$/, "")).replaceAll("_", " ");
+  const unit = unitOf(name)[1], words = (layerNames.get(name) ?? name.replace(/_(m|n|hz)$/, "")).replaceAll("_", " ");
   return unit ? words + " (" + unit + ")" : words;
 }
 
-const axisNames = { speed_hz: "speed", whirl_ratio: "whirl ratio", eccentricity_m: "eccentricity" };
-const axisName = (name) => axisNames[name] || name;
+const axisNames = new Map(Object.entries({ speed_hz: "speed", whirl_ratio: "whirl ratio", eccentricity_m: "eccentricity" }));
+const axisName = (name) => axisNames.get(name) ?? name;
 function axisTitle(name) {
   const unit = unitOf(name)[1];
   return axisName(name) + (unit ? ` (${unit})` : "");

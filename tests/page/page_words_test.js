@@ -1,0 +1,39 @@
+"use strict";
+// Columns and words of a table may be called as the members of every plain object: the page takes them for what they are.
+const assert = require("node:assert");
+const fs = require("node:fs");
+const path = require("node:path");
+const vm = require("node:vm");
+
+const format = () => (value) => String(value);
+const selection = new Proxy(function () {}, { get: () => () => selection, apply: () => selection });
+const page = { d3: { format, select: () => selection, range: (n) => [...Array(n).keys()] }, window: { matchMedia: () => ({ matches: false }) }, URLSearchParams };
+vm.createContext(page);
+const template = process.argv[2];
+const sources = ["quantities", "palette", "controls", "export"].map((name) =>
+  fs.readFileSync(path.join(template, name + ".js"), "utf8").replace('"use strict";', ""));
+const wanted = "({ columnTitle, axisName, axisTitle, wordScale, layersOf, rowsCsv, quantity, emptyColour })";
+const { columnTitle, axisName, axisTitle, wordScale, layersOf, rowsCsv } = vm.runInContext(sources.join("\n") + wanted, page);
+
+const members = ["constructor", "__proto__", "toString", "hasOwnProperty", "valueOf", "__defineGetter__"];
+for (const name of members) {
+  assert.strictEqual(columnTitle(name), name.replaceAll("_", " "));
+  assert.strictEqual(axisName(name), name);
+  assert.strictEqual(axisTitle(name), name);
+}
+for (const layer of ["proof", "robust", "class", ...members]) {
+  const colour = wordScale(layer, members);
+  for (const word of members) assert.match(colour(word), /^#[0-9A-F]{6}$/, `${layer}: ${word}`);
+}
+assert.strictEqual(columnTitle("floquet_modulus"), "largest multiplier");
+assert.strictEqual(axisTitle("speed_hz"), "speed (Hz)");
+assert.strictEqual(wordScale("proof", ["rest"])("rest"), "#44AA99");
+
+const column = { words: [], values: [1] };
+const columns = new Map([["class", { words: ["chaotic"], values: [0] }], ...members.map((name) => [name, column])]);
+const data = { columns, cells: 1, index: { keys: [], version: "1", digest: "2" }, value: (name) => (name === "class" ? "chaotic" : 1) };
+assert.deepStrictEqual([...layersOf(data)], ["class", ...members]);
+
+// Names with commas and quotes are quoted as words are.
+data.columns = new Map([['a,"b"', column], ["c", column]]);
+assert.strictEqual(rowsCsv(data, [0]).split("\n").slice(-3).join("|"), '"a,""b""",c|1,1|');
