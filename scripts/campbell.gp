@@ -15,7 +15,9 @@ array shape_colour[4] = ["#332288", "#CC6677", "#117733", "#DDAA33"]
 turning = "#777777"
 
 file(name) = work . "/" . name
+# Here, while no axis has a range: of what lies outside the range of an axis, stats sees nothing.
 stats file("curves") using 1:2 name "C" nooutput
+if (shapes) { stats file("shapes") index 0 using 1 name "P" nooutput }
 right = shapes ? 0.56 : 0.95
 
 do for [format in "png svg"] {
@@ -53,10 +55,8 @@ do for [format in "png svg"] {
   unset label
 
   if (shapes) {
-    stats file("shaft") using 1 name "S" nooutput
     set lmargin at screen 0.68
     set rmargin at screen 0.98
-    stats file("shapes") index 0 using 1 name "P" nooutput
     margin = 0.03 * (P_max - P_min)
     set xrange [P_min - margin:P_max + margin]
     set yrange [-1.25:1.55]

@@ -17,6 +17,9 @@ def main(arguments):
     traces = [os.path.abspath(name) for name in [arguments[0]] + arguments[4:]]
     with tempfile.TemporaryDirectory() as work:
         rows = [trace_layout.lay_out(trace, work, i + 1, int(revolutions)) for i, trace in enumerate(traces)]
+        highest = max(row["highest"] for row in rows)
+        for i, row in enumerate(rows):
+            trace_layout.lay_out_labels(work, i + 1, row, highest)
         with open(os.path.join(work, "rows.gp"), "w", encoding="utf-8") as file:
             for array in rows[0]:
                 file.write(f"array {array}[{len(rows)}]\n")

@@ -14,6 +14,11 @@ from command import Failure, require_readable
 # begins.
 LARGEST_ORDER = 8
 REVOLUTIONS_OF_AN_OVAL = 8
+LEAST_ORDER = 2
+LEAST_SHARE = 0.01  # of the largest line: the spectra go on to the last order with so large a one
+# The unit of lengths by the size of the motion in metres, so that the numbers at an axis stay short.
+UNITS = ((2e-8, 1e9, "nm"), (2e-5, 1e6, "µm"), (math.inf, 1e3, "mm"))
+SAME_PLACE = 1e-9
 
 _NUMBER = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")
 _WHOLE = re.compile(r"0|[1-9][0-9]*")
@@ -66,7 +71,7 @@ def read_motion(path):
     )
 
 
-def title(motion, natural_frequency_hz=None):
+def title(motion, natural_frequency_hz=None, places=""):
     """Title of a row of panels; a rotor kit has many natural frequencies, and none in its configuration."""
     name = "no contact" if motion.name == "non_contact" else motion.name.replace("_", " ")
     if motion.order not in ("", "1"):
@@ -86,34 +91,71 @@ def title(motion, natural_frequency_hz=None):
     unbalance = "no clearance left at rest"
     if motion.whirl_ratio:
         unbalance = "whirl ratio %.3g" % float(motion.whirl_ratio)
-    return f"{name}: {'%.4g' % motion.speed_hz} Hz{ratio}, {unbalance}"
+    return f"{name}: {'%.4g' % motion.speed_hz} Hz{ratio}, {unbalance}" + (f"; {places}" if places else "")
 
 
-@dataclass(frozen=True)
+@dataclass
 class Stops:
-    """The stops of a configuration in mm, and the columns of trajectory.csv that hold the moving walls."""
+    """The stops of a configuration in metres, and the columns of trajectory.csv that hold the moving walls. Only what
+    stands where the rotor is looked at can be drawn around its orbit; what stands elsewhere along a shaft is drawn in the
+    time history, together with the rotor there."""
 
-    walls: list  # (normal x, normal y, clearance) of flat walls
-    rings: list  # (centre x, centre y, clearance)
+    walls: list  # (normal x, normal y, clearance) of flat walls around the orbit
+    rings: list  # (centre x, centre y, clearance), likewise
     moving: list  # (name of the column, y at rest) of walls that move up and down
+    levels: list  # y of walls at rest that a time history reaches
+    elsewhere: list  # (name of the gap's column, that of the casing or None, y at rest) of walls at other places
+    places: str  # where the rotor is looked at and where stops stand elsewhere, in words; empty where they are one place
+
+
+def observed_place_m(config):
+    """Along the shaft of a rotor kit, where its first sensor is, else its first stop; None where there is no shaft."""
+    for path in ("rotor.sensors.0.position_m", "stops.0.position_m"):
+        if path in config:
+            return configuration.number(config[path])
+    return None
 
 
 def read_stops(config):
-    walls, rings, moving = [], [], []
+    stops = Stops([], [], [], [], [], "")
+    observed = observed_place_m(config)
+    others = []
     for i in range(configuration.stop_count(config)):
         path = f"stops.{i}."
-        clearance_mm = 1e3 * configuration.number(config[path + "clearance_m"])
-        if config[path + "kind"] == "annular":
-            # The casing's centre as seen from the rotor's rest position.
-            offset = configuration.numbers(config.get(path + "offset_m", "[0, 0]"))
-            rings.append((-1e3 * offset[0], -1e3 * offset[1], clearance_mm))
-            continue
-        angle_deg = configuration.number(config[path + "angle_deg"])
-        angle = angle_deg * math.pi / 180
-        walls.append((math.cos(angle), math.sin(angle), clearance_mm))
-        if abs(angle_deg) == 90 and path + "casing.mass_kg" in config:
-            moving.append((f"casing_{i}_y_m", angle_deg / 90 * clearance_mm))
-    return Stops(walls, rings, moving)
+        place = configuration.number(config[path + "position_m"]) if path + "position_m" in config else observed
+        here = place is None or abs(place - observed) < SAME_PLACE
+        if not here:
+            others.append(f"stop {i} at {1e3 * place:.4g} mm")
+        _add_stop(stops, config, i, here)
+    if others:
+        stops.places = f"seen at {1e3 * observed:.4g} mm, {', '.join(others)}"
+    return stops
+
+
+def _add_stop(stops, config, i, here):
+    path = f"stops.{i}."
+    clearance_m = configuration.number(config[path + "clearance_m"])
+    if config[path + "kind"] == "annular":
+        # The casing's centre as seen from the rotor's rest position.
+        offset = configuration.numbers(config.get(path + "offset_m", "[0, 0]"))
+        if here:
+            stops.rings.append((-offset[0], -offset[1], clearance_m))
+            stops.levels += [-offset[1] - clearance_m, -offset[1] + clearance_m]
+        return
+    angle_deg = configuration.number(config[path + "angle_deg"])
+    angle = angle_deg * math.pi / 180
+    if here:
+        stops.walls.append((math.cos(angle), math.sin(angle), clearance_m))
+    upright = abs(math.remainder(angle_deg, 360)) == 90
+    if not upright:
+        return
+    rest_m = math.copysign(clearance_m, math.sin(angle))
+    casing = f"casing_{i}_y_m" if path + "casing.mass_kg" in config else None
+    stops.levels.append(rest_m)
+    if casing:
+        stops.moving.append((casing, rest_m))
+    if not here:
+        stops.elsewhere.append((f"gap_{i}_m", casing, rest_m))
 
 
 @dataclass(frozen=True)
@@ -160,7 +202,8 @@ def lay_out(directory, work, row_number, revolutions):
     for name in ("y_m", "vy_m_per_s"):
         checked(files["section.csv"], sections[0][name], _NUMBER)
     last = int(checked(files["section.csv"], sections[-1]["revolution"], _WHOLE))
-    trajectory = list(csv_table.read_table(files["trajectory.csv"], "t_s", "x_m", "y_m", *(name for name, _ in stops.moving)))
+    seen = history_columns(stops)
+    trajectory = list(csv_table.read_table(files["trajectory.csv"], "t_s", "x_m", "y_m", *seen))
     first = round(csv_table.number(trajectory[0], "t_s") * motion.speed_hz) if trajectory else 0
     shown = spans(motion, first, last, window, revolutions)
 
@@ -169,21 +212,27 @@ def lay_out(directory, work, row_number, revolutions):
         return (revolution - 1e-6) / motion.speed_hz
 
     history = csv_table.between(trajectory, "t_s", instant(shown.begin), shown.end / motion.speed_hz)
-    orbit = csv_table.between(trajectory, "t_s", instant(shown.orbit_from))
+    orbit = list(csv_table.between(trajectory, "t_s", instant(shown.orbit_from)))
     section = csv_table.between(sections, "revolution", shown.section_from)
     spectrum = list(csv_table.between(
         csv_table.read_table(files["spectrum.csv"], "order", "amplitude_m"), "order", -LARGEST_ORDER, LARGEST_ORDER))
     base = os.path.join(work, str(row_number))
-    _write(base + ".history", history, "t_s", "x_m", "y_m", *(name for name, _ in stops.moving))
+    _write(base + ".history", history, "t_s", "x_m", "y_m", *seen)
     _write(base + ".orbit", orbit, "x_m", "y_m")
     _write(base + ".section", section, "x_m", "y_m")
     _write(base + ".spectrum", spectrum, "order", "amplitude_m")
-    _write_labels(base + ".labels", spectrum, motion)
 
     probed = lay_out_probes(directory, work, row_number, shown, motion.speed_hz, config)
-    moving_walls = [(4 + k, rest_mm) for k, (_, rest_mm) in enumerate(stops.moving)]
+    size_m = max((abs(csv_table.number(row, name)) for row in orbit for name in ("x_m", "y_m")), default=1.0)
+    per_metre, unit = next((factor, word) for largest_m, factor, word in UNITS if size_m < largest_m)
+
+    def lengths(rows, columns=()):
+        """All numbers but those at the places `columns`, which are no lengths, in the unit of the picture."""
+        return _quoted("".join("%.17g " % (figure if k in columns else per_metre * figure)
+                               for row in rows for k, figure in enumerate(row)))
+
     return {
-        "row_title": _quoted(title(motion, natural_hz and configuration.number(natural_hz))),
+        "row_title": _quoted(title(motion, natural_hz and configuration.number(natural_hz), stops.places)),
         "probed": int(probed),
         "from": shown.begin,
         "to": shown.end,
@@ -191,13 +240,50 @@ def lay_out(directory, work, row_number, revolutions):
         "order": motion.order or 0,
         "kick_s": "0" if motion.starts_at_rest else kick_s,
         "at_rest": int(motion.starts_at_rest),
-        "moving_walls": _quoted(_triples(moving_walls)),
+        "moving_walls": lengths(((_column(seen, name), rest_m) for name, rest_m in stops.moving), {0}),
+        "elsewhere": lengths(
+            ((_column(seen, gap), _column(seen, casing) if casing else 0, rest_m) for gap, casing, rest_m in stops.elsewhere),
+            {0, 1}),
+        "levels": lengths((level_m,) for level_m in stops.levels),
         "gravity": gravity,
         "start_y_m": sections[0]["y_m"],
         "start_vy_m_per_s": sections[0]["vy_m_per_s"],
-        "walls": _quoted(_triples(stops.walls)),
-        "rings": _quoted(_triples(stops.rings)),
+        "walls": lengths(stops.walls, {0, 1}),
+        "rings": lengths(stops.rings),
+        "per_metre": "%g" % per_metre,
+        "unit": _quoted(unit),
+        "comb_spacing": motion.comb_spacing or 0,
+        "highest": highest_order(spectrum),
     }
+
+
+def history_columns(stops):
+    """The columns of trajectory.csv that a time history needs beside time, x and y."""
+    return [name for name, _ in stops.moving] + [gap for gap, _, _ in stops.elsewhere]
+
+
+def _column(seen, name):
+    """The place of a column in the file of a time history, from 1."""
+    return 4 + seen.index(name)
+
+
+def highest_order(spectrum):
+    """The order to which a spectrum is drawn: lines that show lie within."""
+    lines = [(csv_table.number(row, "order"), csv_table.number(row, "amplitude_m")) for row in spectrum]
+    least = LEAST_SHARE * max((amplitude for _, amplitude in lines), default=0)
+    return max([LEAST_ORDER, *(math.ceil(abs(order)) for order, amplitude in lines if amplitude > least)])
+
+
+def lay_out_labels(work, row_number, row, highest):
+    """Writes work/ROW_NUMBER.labels: the lines to name in a picture that goes to the order `highest`; `row` is what
+    lay_out returned."""
+    base = os.path.join(work, str(row_number))
+    with open(base + ".spectrum", encoding="utf-8") as file:
+        spectrum = [line.split() for line in file]
+    lines = [(float(order), float(amplitude)) for order, amplitude in spectrum]
+    named = spectrum_labels.named_lines(lines, int(row["order"]), float(row["comb_spacing"]), highest)
+    with open(base + ".labels", "w", encoding="utf-8") as file:
+        file.writelines(f"{spectrum[i][0]} {spectrum[i][1]} {name}\n" for i, name in named)
 
 
 def see_x_and_y(config):
@@ -227,17 +313,6 @@ def lay_out_probes(directory, work, row_number, shown, speed_hz, config):
 def _write(path, rows, *names):
     with open(path, "w", encoding="utf-8") as file:
         file.writelines(" ".join(row[name] for name in names) + "\n" for row in rows)
-
-
-def _write_labels(path, spectrum, motion):
-    lines = [(csv_table.number(row, "order"), csv_table.number(row, "amplitude_m")) for row in spectrum]
-    named = spectrum_labels.named_lines(lines, int(motion.order or 0), float(motion.comb_spacing or 0))
-    with open(path, "w", encoding="utf-8") as file:
-        file.writelines(f"{spectrum[i]['order']} {spectrum[i]['amplitude_m']} {name}\n" for i, name in named)
-
-
-def _triples(tuples):
-    return "".join("%.17g " % figure for figures in tuples for figure in figures)
 
 
 def _quoted(text):

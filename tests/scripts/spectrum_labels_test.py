@@ -24,8 +24,15 @@ class NamedLines(unittest.TestCase):
 
     def test_small_lines_and_those_in_the_way_of_larger_ones_have_no_name(self):
         spectrum = [(0, 0), (0.1, 0.9), (0.15, 0.1), (0.2, 1.0), (0.3, 0), (1, 0.049), (2, 0), (3, 0.06)]
-        self.assertEqual([i for i, _ in named_lines(spectrum)], [3, 7])
+        self.assertEqual([i for i, _ in named_lines(spectrum, highest=3)], [3, 7])
 
     def test_eight_at_most(self):
         spectrum = [(k / 2, 1 + 0.01 * k if k % 2 else 0) for k in range(40)]
-        self.assertEqual([i for i, _ in named_lines(spectrum)], list(range(39, 23, -2)))
+        self.assertEqual([i for i, _ in named_lines(spectrum, highest=20)], list(range(39, 7, -4)))
+
+    def test_the_further_a_picture_goes_the_fewer_names_it_has_room_for(self):
+        spectrum = [(k / 2, 1 if k % 2 else 0) for k in range(-16, 17)]
+        counts = [len(named_lines(spectrum, highest=highest)) for highest in (2, 8)]
+        orders = sorted(spectrum[i][0] for i, _ in named_lines(spectrum, highest=8))
+        self.assertEqual(counts, [4, 8])
+        self.assertTrue(all(b - a >= 0.78 for a, b in zip(orders, orders[1:])))

@@ -50,11 +50,17 @@ class LayOut(FileTest):
                 "kick_s": "0.005",
                 "at_rest": 0,
                 "moving_walls": '"4 -1 "',
+                "elsewhere": '""',
+                "levels": '"-1 "',
                 "gravity": "0",
                 "start_y_m": "1e-3",
                 "start_vy_m_per_s": "2",
                 "walls": '"6.123233995736766e-17 -1 1 "',
                 "rings": '""',
+                "per_metre": "1000",
+                "unit": '"mm"',
+                "comb_spacing": 0,
+                "highest": 2,
             },
         )
 
@@ -65,6 +71,7 @@ class LayOut(FileTest):
         self.assertEqual(self.read("1.orbit").split("\n")[0], "12 -12")
         self.assertEqual(self.read("1.section").split("\n")[:2], ["7e-4 1e-3", "8e-4 1e-3"])
         self.assertEqual(self.read("1.spectrum"), "0 0\n0.5 1e-3\n1 0\n")
+        trace_layout.lay_out_labels(self.directory, 1, self.lay_out(-1), 2)
         self.assertEqual(self.read("1.labels"), "0.5 1e-3 1/2X\n")
 
     def test_readings_of_probes_that_see_x_and_y(self):
@@ -155,6 +162,25 @@ class Stops(FileTest):
             "stops.1.casing.mass_kg": "1",
             "stops.2.kind": "one_side", "stops.2.clearance_m": "1e-3", "stops.2.angle_deg": "90",
         })
-        self.assertEqual(stops.rings, [(-1, 0.5, 2)])
-        self.assertEqual(stops.walls[0], (1, 0, 1))
+        self.assertEqual(stops.rings, [(-1e-3, 5e-4, 2e-3)])
+        self.assertEqual(stops.walls[0], (1, 0, 1e-3))
+        self.assertEqual(stops.levels, [-1.5e-3, 2.5e-3, 1e-3])
         self.assertEqual(stops.moving, [], "a wall that moves sideways, and a rigid one")
+
+    def test_a_stop_elsewhere_along_the_shaft_is_seen_by_its_gap(self):
+        stops = trace_layout.read_stops({
+            "stops.0.kind": "one_side", "stops.0.clearance_m": "1e-3", "stops.0.angle_deg": "270",
+            "stops.0.position_m": "0.3", "stops.0.casing.mass_kg": "1",
+            "stops.1.kind": "one_side", "stops.1.clearance_m": "2e-3", "stops.1.angle_deg": "10", "stops.1.position_m": "0.2",
+            "rotor.sensors.0.position_m": "0.2",
+        })
+        self.assertEqual(len(stops.walls), 1)
+        self.assertEqual(stops.elsewhere, [("gap_0_m", "casing_0_y_m", -1e-3)])
+        self.assertEqual(stops.places, "seen at 200 mm, stop 0 at 300 mm")
+
+    def test_without_sensors_the_first_stop_is_where_the_rotor_is_seen(self):
+        stop = {"kind": "one_side", "clearance_m": "1e-3", "angle_deg": "90"}
+        config = {f"stops.{i}.{key}": value for i in (0, 1) for key, value in stop.items()}
+        config |= {"stops.0.position_m": "0.3", "stops.1.position_m": "0.35"}
+        stops = trace_layout.read_stops(config)
+        self.assertEqual([len(stops.walls), len(stops.elsewhere)], [1, 1])

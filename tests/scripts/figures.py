@@ -1,0 +1,90 @@
+"""Test cases that let gnuplot draw what the programs of scripts/analysis lay out, and look at the picture."""
+
+import os
+import re
+import subprocess
+import sys
+import unittest
+import xml.etree.ElementTree
+from dataclasses import dataclass
+
+from files import FileTest
+
+SVG = "{http://www.w3.org/2000/svg}"
+ANALYSIS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../scripts/analysis")
+
+
+# Of a letter, as shares of the size of its font.
+WIDTH, HEIGHT = 0.6, 0.72
+
+
+@dataclass(frozen=True)
+class Text:
+    """What is written at a place of the picture, in its own units, y downward; `upright` where it runs upward."""
+
+    text: str
+    x: float
+    y: float
+    size: float
+    anchor: str
+    upright: bool
+
+    def box(self):
+        """(left, top, right, bottom) of what it covers."""
+        length = WIDTH * self.size * len(self.text)
+        begin = {"start": 0.0, "middle": -0.5, "end": -1.0}[self.anchor] * length
+        if self.upright:
+            return self.x - HEIGHT * self.size, self.y - begin - length, self.x, self.y - begin
+        return self.x + begin, self.y - HEIGHT * self.size, self.x + begin + length, self.y
+
+
+class FigureTest(FileTest):
+    """draw() makes the picture; without gnuplot the tests are skipped."""
+
+    @classmethod
+    def setUpClass(cls):
+        try:
+            subprocess.run(["gnuplot", "--version"], check=True, stdout=subprocess.DEVNULL)
+        except OSError:
+            raise unittest.SkipTest("there is no gnuplot") from None
+
+    def draw(self, program, *arguments):
+        """Runs analysis/PROGRAM INPUT OUTPUT ARGUMENT..., the input being the test's own directory; gnuplot must not
+        complain. Returns the root of the picture."""
+        output = self.path("picture")
+        source = arguments[0] if arguments else "."
+        command = [sys.executable, "-B", os.path.join(ANALYSIS, program), self.path(source), output, *arguments[1:]]
+        done = subprocess.run(command, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              env={**os.environ, "LC_ALL": "C.UTF-8"})
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+        for kind in ("png", "svg"):
+            self.assertGreater(os.path.getsize(f"{output}.{kind}"), 1000)
+        return xml.etree.ElementTree.parse(output + ".svg").getroot()
+
+
+def texts(root):
+    """All texts of a picture that say something."""
+    found = []
+    for place in root.iter(SVG + "g"):
+        for node in place.findall(SVG + "text"):
+            text = "".join(node.itertext()).strip()
+            if text:
+                x, y = re.match(r"translate\(([-0-9.]+),([-0-9.]+)\)", place.get("transform")).groups()
+                found.append(Text(text, float(x), float(y), float(place.get("font-size")), place.get("text-anchor"),
+                                  "rotate(-90" in place.get("transform")))
+    return found
+
+
+def words(root):
+    return [text.text for text in texts(root)]
+
+
+def over_each_other(root):
+    """Pairs of texts of which one covers a part of the other."""
+    found = []
+    boxes = [(text.text, text.box()) for text in texts(root)]
+    for i, (one, a) in enumerate(boxes):
+        for other, b in boxes[i + 1:]:
+            if a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]:
+                found.append((one, other))
+    return found
