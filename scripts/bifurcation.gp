@@ -26,8 +26,16 @@ array size_of[3] = [0.5, 0.7, 0.9]
 array pass_colour[3] = ["#777777", "#CC6677", "#332288"]
 several = words(passes) > 1
 
-stats file("section") using 1:2 name "S" nooutput
-margin = S_max_x > S_min_x ? 0.01 * (S_max_x - S_min_x) : 0.1
+# Here, while no axis has a range: of what lies outside the range of an axis, stats sees nothing.
+stats file("section") using 1 name "X" nooutput
+stats file("section") using 2 name "Y" nooutput
+margin = X_max > X_min ? 0.01 * (X_max - X_min) : 0.1
+# A wall near the motion is in the picture; a far one does not shrink the motion to a line.
+farthest = abs(Y_max) > abs(Y_min) ? abs(Y_max) : abs(Y_min)
+wall = ARG7 ne "nan" && clearance < 4 * farthest
+low = wall && clearance < Y_min ? clearance : Y_min
+high = wall && clearance > Y_max ? clearance : Y_max
+space = high > low ? 0.06 * (high - low) : high != 0 ? 0.1 * abs(high) : 1
 
 do for [format in "png svg"] {
   if (format eq "png") {
@@ -36,6 +44,7 @@ do for [format in "png svg"] {
     set terminal svg size 1600, 1200 font "DejaVu Sans,20" linewidth 1.5
   }
   set output output . "." . format
+  reset
   set encoding utf8
   set minussign
   set multiplot
@@ -44,16 +53,15 @@ do for [format in "png svg"] {
   set rmargin at screen 0.75
   set tics nomirror out
   set grid linecolor rgb "#E4E4E4"
-  set xrange [S_min_x - margin:S_max_x + margin]
+  set xrange [X_min - margin:X_max + margin]
 
   set tmargin at screen 0.86
   set bmargin at screen 0.42
   set format x ""
   set ylabel "section, " . direction . " (mm)" offset 0.5, 0
-  set yrange [*:*]
-  set offsets 0, 0, graph 0.04, graph 0.04
+  set yrange [low - space:high + space]
   set key at screen 0.765, graph 1 left top Left reverse samplen 1 spacing 1.3
-  if (ARG7 ne "nan") {
+  if (wall) {
     set arrow 1 from graph 0, first clearance to graph 1, first clearance nohead dashtype 2 linewidth 1.5 linecolor rgb "black"
     set label 2 "clearance at rest" at graph 0.01, first clearance left offset 0, 0.5 font ",16"
   }
@@ -69,7 +77,6 @@ do for [format in "png svg"] {
 
   set tmargin at screen 0.39
   set bmargin at screen 0.10
-  unset offsets
   set yrange [0:*]
   set format x "% h"
   set xlabel x_label noenhanced

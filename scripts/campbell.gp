@@ -1,5 +1,5 @@
 # Draws the Campbell diagram that analysis/campbell_layout.py lays out.
-# gnuplot -c campbell.gp WORK OUTPUT_BASENAME HEADING SHAPES
+# gnuplot -c campbell.gp WORK OUTPUT_BASENAME HEADING SHAPES BYLINE
 # WORK holds curves, critical, shapes, shaft and labels.gp; SHAPES: how many mode shapes there are.
 
 work = ARG1
@@ -27,10 +27,12 @@ do for [format in "png svg"] {
     set terminal svg size 2000, 1000 font "DejaVu Sans,20" linewidth 1.5
   }
   set output output . "." . format
+  reset
   set encoding utf8
   set minussign
   set multiplot
   set label 1000 heading at screen 0.5, 0.972 center font ":Bold,24" noenhanced
+  set label 1003 ARG5 at screen 0.995, 0.015 right font ",13" noenhanced
 
   load file("labels.gp")
   set lmargin at screen 0.07

@@ -44,6 +44,7 @@ do for [format in "png svg"] {
     set terminal svg size width, 1200 font "DejaVu Sans,20" linewidth 1.5
   }
   set output output . "." . format
+  reset
   set encoding utf8
   set minussign
   set multiplot

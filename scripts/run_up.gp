@@ -1,5 +1,5 @@
 # Draws the run-up through rub that analysis/run_up_layout.py lays out.
-# gnuplot -c run_up.gp WORK OUTPUT_BASENAME HEADING SPEEDS WALL ORBITS REACH ORDER
+# gnuplot -c run_up.gp WORK OUTPUT_BASENAME HEADING SPEEDS WALL ORBITS REACH ORDER BYLINE
 # SPEEDS: least and largest in Hz; WALL: clearance in mm, angle in degrees or nan; ORBITS: their speeds; REACH: half the
 # width of an orbit's panel in mm; ORDER: the largest one that is drawn.
 
@@ -37,10 +37,12 @@ do for [format in "png svg"] {
     set terminal svg size width, height font "DejaVu Sans,20" linewidth 1.5
   }
   set output output . "." . format
+  reset
   set encoding utf8
   set minussign
   set multiplot
   set label 1 heading at screen 0.47, 0.98 center font ":Bold,22" noenhanced
+  set label 9 ARG9 at screen 0.995, 0.012 right font ",13" noenhanced
 
   # Strip of orbits, each at its place on the axis of speeds.
   set border 15 linewidth 0.7

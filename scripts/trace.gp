@@ -1,5 +1,5 @@
 # Draws the traces that trace.sh lays out, one row of panels per trace: time history, orbit, full spectrum.
-# gnuplot -c trace.gp DIRECTORY OUTPUT_BASENAME HEADING ROWS
+# gnuplot -c trace.gp DIRECTORY OUTPUT_BASENAME HEADING ROWS BYLINE
 # DIRECTORY holds rows.gp (assignments) and for each row ROW.history, .orbit, .section, .spectrum, .labels in SI units;
 # the lengths among the assignments are in the row's unit, of which there are per_metre[row] in a metre.
 
@@ -107,7 +107,8 @@ do for [format in "png svg"] {
   set border 0
   unset xtics
   unset ytics
-  set label 1 heading at screen 0.5, 1 - 30.0 / height center font ":Bold,24"
+  set label 1 heading at screen 0.5, 1 - 30.0 / height center font ":Bold,24" noenhanced
+  set label 11 ARG5 at screen 0.995, 12.0 / height right font ",13" noenhanced
 
   # Legend, across the whole picture; only what some row shows.
   at_px = 0.5 * (width - 940 - (any_moving_wall ? 300 : 0) - (any_elsewhere ? 330 : 0) - (any_kick ? 130 : 0) - (any_probe ? 240 : 0))

@@ -18,7 +18,7 @@ def main(arguments):
         "basin.gp",
         {"starts": basin_layout.box_lines(slice_)},
         output,
-        map_heading.heading(arguments[2], slice_.config),
+        map_heading.heading(arguments[2], slice_.config, varied=slice_.columns),
         " ".join(f"{attractor.kind} {attractor.rank}" for attractor in named),
         "".join(attractor.legend + "|" for attractor in named),
         "%d" % max(0, len(slice_.attractors) - len(named)),

@@ -16,7 +16,7 @@ def main(arguments):
         "bifurcation.gp",
         {"section": line_layout.section_lines(line), "peaks": line_layout.peak_lines(line)},
         output,
-        map_heading.heading(arguments[2], line.config),
+        map_heading.heading(arguments[2], line.config, varied=(line.along,)),
         line.kinds,
         " ".join(line.passes),
         line.label,

@@ -24,7 +24,7 @@ def main(arguments):
         "branch_figure.gp",
         files,
         output,
-        map_heading.heading(arguments[2], config, None),
+        map_heading.heading(arguments[2], config, varied=(branches.parameter,)),
         " ".join(str(order) for order in branches.orders()),
         " ".join(marks),
         branches.parameter,

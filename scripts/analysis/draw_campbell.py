@@ -4,6 +4,8 @@ import os
 import tempfile
 
 import campbell_layout
+import captions
+import configuration
 import gnuplot
 from command import run_program
 
@@ -14,7 +16,9 @@ def main(arguments):
     with tempfile.TemporaryDirectory() as work:
         shapes = campbell_layout.lay_out(directory, work)
         os.makedirs(os.path.dirname(output), exist_ok=True)
-        gnuplot.draw("campbell.gp", work, output, arguments[2], str(shapes))
+        config = configuration.read_configuration(os.path.join(directory, "config.yaml"))
+        heading = captions.headed(arguments[2], config)
+        gnuplot.draw("campbell.gp", work, output, heading, str(shapes), captions.byline(config))
 
 
 if __name__ == "__main__":

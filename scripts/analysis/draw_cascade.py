@@ -29,7 +29,7 @@ def main(arguments):
         "cascade.gp",
         files,
         output,
-        map_heading.heading(arguments[2], line.config),
+        map_heading.heading(arguments[2], line.config, varied=(line.along,)),
         line.kinds,
         " ".join(line.passes),
         line.label,

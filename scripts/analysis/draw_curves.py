@@ -36,7 +36,7 @@ def main(arguments):
         "curve_figure.gp",
         files | {"meetings": marks, "cells": domain_map.cell_lines(cells)},
         output,
-        map_heading.heading(arguments[2], config, None),
+        map_heading.heading(arguments[2], config, varied=curves.parameters),
         " ".join(curves.kinds()),
         " ".join(sorted({cell.kind for cell in cells})),
         *curves.parameters,

@@ -3,6 +3,8 @@
 import os
 import tempfile
 
+import captions
+import configuration
 import gnuplot
 import run_up_layout
 from command import run_program
@@ -13,17 +15,19 @@ def main(arguments):
     directory, output = (os.path.abspath(name) for name in arguments[:2])
     with tempfile.TemporaryDirectory() as work:
         shown = run_up_layout.lay_out(directory, work)
+        config = configuration.read_configuration(os.path.join(directory, "config.yaml"))
         os.makedirs(os.path.dirname(output), exist_ok=True)
         gnuplot.draw(
             "run_up.gp",
             work,
             output,
-            arguments[2],
+            captions.headed(arguments[2], config),
             shown["speeds"],
             f"{shown['clearance']} {shown['angle']}",
             shown["orbits"],
             shown["reach"],
             shown["order"],
+            captions.byline(config),
         )
 
 

@@ -4,6 +4,8 @@ import os
 import re
 import tempfile
 
+import captions
+import configuration
 import gnuplot
 import trace_layout
 from command import run_program
@@ -24,8 +26,9 @@ def main(arguments):
             for array in rows[0]:
                 file.write(f"array {array}[{len(rows)}]\n")
                 file.writelines(f"{array}[{i + 1}] = {row[array]}\n" for i, row in enumerate(rows))
+        config = configuration.read_configuration(os.path.join(traces[0], "config.yaml"))
         os.makedirs(os.path.dirname(output), exist_ok=True)
-        gnuplot.draw("trace.gp", work, output, heading, str(len(rows)))
+        gnuplot.draw("trace.gp", work, output, captions.headed(heading, config), str(len(rows)), captions.byline(config))
 
 
 if __name__ == "__main__":

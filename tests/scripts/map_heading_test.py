@@ -54,8 +54,24 @@ class Heading(unittest.TestCase):
             map_heading.heading("T", config, 29.868).split("\n")[1:],
             [
                 "{/*0.75 rotor kit, identified 29.87 Hz; clearance 1 mm, Hertz line contact at 250 N, "
-                "offset [0, 0.00025] m, delivered e = 0.6}",
+                "offset [0, 0.25] mm, delivered e = 0.6}",
                 "{/*0.75 casing rigid; no kick}",
             ],
         )
         self.assertIn("{/*0.75 rotor kit; ", map_heading.heading("T", config))
+
+    def test_what_the_picture_varies_is_no_number_of_the_heading(self):
+        text = map_heading.heading("", ONE_SIDE, varied=("kick.force_n",))
+        self.assertIn("kick for 5 ms", text)
+        swept = {**ONE_SIDE, "sweep.x.key": "stops.0.restitution", "sweep.y.keys": "[rotor.mass_kg, rotor.damping_ratio]",
+                 "study.key": "kick.duration_s"}
+        text = map_heading.heading("", swept)
+        self.assertIn("rotor 30 Hz; clearance 1 mm, K = 2×10^{6} N/m}", text)
+        self.assertIn("kick 200 N}", text)
+        self.assertNotIn("nominal", text)
+
+    def test_title_author_and_note_of_the_configuration(self):
+        config = {**ONE_SIDE, "title": "Pump_3 {new}", "author": '"A. B\u00e9"', "note": '"first: line\\nsecond"'}
+        lines = map_heading.heading("Map", config).split("\n")
+        self.assertEqual(lines[0], r"{/:Bold Pump\_3 \{new\}: Map}")
+        self.assertEqual(lines[3], "{/*0.6 A. Bé: first: line}")
