@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include "exit_code.hpp"
+#include "help_text.hpp"
 
 namespace rubsweep::apps {
 
 bool answered(std::string_view program, Action action, const std::function<std::string()>& help) {
   if (action == Action::help) {
-    fmt::print("{}", help());
+    fmt::print("{}", wrapped(help()));
   } else if (action == Action::version) {
     fmt::print("{} {}\n", program, RUBSWEEP_VERSION);
   } else {

@@ -119,10 +119,15 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   return outcome_of(report::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
 }
 
-std::string heading_of(const ramp::SpeedRamp& ramp) {
-  return fmt::format("Run-{} through rub, {:.4g} to {:.4g} Hz at {:.4g} Hz/s, eccentricity {:.4g} mm",
-                     ramp.to_hz > ramp.from_hz ? "up" : "down", ramp.from_hz, ramp.to_hz, ramp.rate_hz_per_s,
-                     1e3 * ramp.eccentricity_m);
+/// The script that draws it, and what stands above the picture.
+std::pair<const char*, std::string> drawing_of(const RubtraceArguments& arguments) {
+  if (arguments.campbell) return {"draw_campbell.py", "Campbell diagram"};
+  const ramp::SpeedRamp& ramp = arguments.run_up.value();
+  return {arguments.with_stops ? "draw_run_up.py" : "draw_bode.py",
+          fmt::format("Run-{} {}, {:.4g} to {:.4g} Hz at {:.4g} Hz/s, eccentricity {:.4g} mm",
+                      ramp.to_hz > ramp.from_hz ? "up" : "down",
+                      arguments.with_stops ? "through rub" : "without stops", ramp.from_hz, ramp.to_hz,
+                      ramp.rate_hz_per_s, 1e3 * ramp.eccentricity_m)};
 }
 
 }  // namespace
@@ -136,8 +141,8 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
   write_result_files(files, file_names, directory, {"rubsweep", config::study_digest(config.study)});
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
   if (arguments.figure) {
-    arguments.figure->draw(arguments.campbell ? "draw_campbell.py" : "draw_run_up.py", directory,
-                           arguments.campbell ? "Campbell diagram" : heading_of(*arguments.run_up));
+    const auto [script, heading] = drawing_of(arguments);
+    arguments.figure->draw(script, directory, heading);
     if (!arguments.quiet) fmt::print("figure    {}\n", arguments.figure->file().string());
   }
   if (run == integrate::run::Outcome::ok) return done;

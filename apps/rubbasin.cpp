@@ -33,15 +33,23 @@ std::string axis_of(const StartNumber& number, const StartRange& range, std::siz
   return fmt::format("{{key: {}, from: {}, to: {}, count: {}}}", number.key, range.from, range.to, count);
 }
 
+using Plane = std::array<StartNumber, 2>;
+
+Plane plane_of(const RubbasinArguments& arguments) {
+  if (arguments.plane) return *arguments.plane;
+  const config::RunConfig config = config::read_cell_config(arguments.config, arguments.overrides);
+  return usual_plane(config.study.machine.stops.front());
+}
+
 /// The configuration whose map is the slice: one cell, and an axis for each number of the plane.
-config::RunConfig sliced_config(const RubbasinArguments& arguments) {
-  const config::RunConfig given = config::read_cell_config(arguments.config, arguments.overrides,
-                                                           {arguments.plane[0].key, arguments.plane[1].key});
+config::RunConfig sliced_config(const RubbasinArguments& arguments, const Plane& plane) {
+  const config::RunConfig given =
+      config::read_cell_config(arguments.config, arguments.overrides, {plane[0].key, plane[1].key});
   require_speed("--cell", arguments.cell.speed_hz, given.study.machine);
   std::array<std::string, 2> axes;
   bool has_state = false;
   for (std::size_t i = 0; i < 2; ++i) {
-    const StartNumber& number = arguments.plane[i];
+    const StartNumber& number = plane[i];
     refuse_missing_casing(number, given);
     has_state = has_state || number.is_state;
     const StartRange range = arguments.from ? StartRange{(*arguments.from)[i], (*arguments.to)[i]}
@@ -61,11 +69,11 @@ config::RunConfig sliced_config(const RubbasinArguments& arguments) {
   return config::read_run_config_text(config::print_config(plain), arguments.config, overrides);
 }
 
-int write_slice(const RubbasinArguments& arguments, const config::RunConfig& config, const fs::path& map) {
+int write_slice(const RubbasinArguments& arguments, const Plane& plane, const config::RunConfig& config,
+                const fs::path& map) {
   const auto& axes = config.study.grid.axes;
   const report::BasinSlice slice = report::read_basin_slice(
-      map, {{arguments.plane[0].column, arguments.plane[1].column}, {axes.at(0).values, axes.at(1).values}},
-      config.study.grid);
+      map, {{plane[0].column, plane[1].column}, {axes.at(0).values, axes.at(1).values}}, config.study.grid);
   const ResultFiles files{{"slice.csv", report::map_comments() + report::slice_csv(slice)},
                           {"attractors.csv", report::map_comments() + report::attractors_csv(slice)}};
   const fs::path directory = map.parent_path();
@@ -88,19 +96,20 @@ int write_slice(const RubbasinArguments& arguments, const config::RunConfig& con
 
 int perform(const RubbasinArguments& arguments) {
   if (answered("rubbasin", arguments.action, rubbasin_help)) return done;
-  const config::RunConfig config = sliced_config(arguments);
+  const Plane plane = plane_of(arguments);
+  const config::RunConfig config = sliced_config(arguments, plane);
   batch::require_threads(arguments.threads, 1);
   const fs::path output = arguments.output.value_or(directory_beside(config.output_directory, "_basin"));
   keep_run_configuration(arguments.config, output);
   MapDirectory directory(output, config, std::nullopt, arguments.fresh, "rubbasin");
   if (directory.finished_map()) {
     if (!arguments.quiet) say(map_is_there("rubbasin"));
-    return write_slice(arguments, config, directory.map());
+    return write_slice(arguments, plane, config, directory.map());
   }
   const SweepRun how{"rubbasin", arguments.threads, arguments.progress, arguments.quiet};
   if (!compute_missing_cells(how, config.study, directory)) return 128 + caught_signal();
   warn("rubbasin", directory.write_map());
-  return write_slice(arguments, config, directory.map());
+  return write_slice(arguments, plane, config, directory.map());
 }
 
 }  // namespace

@@ -20,9 +20,10 @@ po::options_description visible_options() {
   options.add_options()(
       "cell", po::value<std::string>()->value_name("SPEED_HZ,UNBALANCE"),
       "the cell, the unbalance as the sweep has it (whirl ratio or eccentricity in metres)")(
-      "plane", po::value<std::string>()->value_name("A,B")->default_value("x,vx"),
+      "plane", po::value<std::string>()->value_name("A,B"),
       "the two numbers of a start that the slice goes over: x, y, vx, vy of the rotor, casing0.x ... "
-      "casing0.vy of the casing of stop 0, or keys of the configuration as --set names them")(
+      "casing0.vy of the casing of stop 0, or keys of the configuration as --set names them; default: x,vx "
+      "or y,vy, whichever is nearer to the normal of the first stop")(
       "grid", po::value<std::string>()->value_name("NxM")->default_value("65x65"),
       "starts across and up, evenly spaced, both ends included")(
       "from", po::value<std::string>()->value_name("A,B"),
@@ -80,7 +81,7 @@ RubbasinArguments parse_rubbasin_arguments(int argc, const char* const* argv) {
   if (arguments.action != Action::run) return arguments;
   if (given.count("cell") == 0) throw UsageError("the cell is needed: --cell SPEED_HZ,UNBALANCE");
   arguments.cell = read_cell(given["cell"].as<std::string>());
-  arguments.plane = read_plane(given["plane"].as<std::string>());
+  if (given.count("plane") != 0) arguments.plane = read_plane(given["plane"].as<std::string>());
   arguments.from = corner_of(given, "from");
   arguments.to = corner_of(given, "to");
   if (arguments.from.has_value() != arguments.to.has_value())

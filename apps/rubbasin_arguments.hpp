@@ -15,7 +15,7 @@ namespace rubsweep::apps {
 
 struct RubbasinArguments : StudyArguments {
   CellArgument cell = {};
-  std::array<StartNumber, 2> plane = {};
+  std::optional<std::array<StartNumber, 2>> plane = {};     ///< empty: along the first stop's normal
   std::optional<std::array<double, 2>> from = {}, to = {};  ///< corners of the slice, both or none
   std::array<std::size_t, 2> starts = {65, 65};             ///< across and up
   bool fresh = false;

@@ -39,7 +39,9 @@ po::options_description visible_options() {
       "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
       "they show")("noise-m", po::value<double>()->value_name("S")->default_value(0),
                    "standard deviation of the sensors' noise; likewise");
-  add_figure(options, "draw a trace, a Campbell diagram or a run-up with stops as FILE.png or FILE.svg");
+  add_figure(
+      options,
+      "draw a trace, a Campbell diagram, a run-up (Bode plot) or one with stops as FILE.png or FILE.svg");
   add_output(options, "write there instead of output.directory + _trace");
   add_set(options);
   add_last(options);
@@ -114,8 +116,8 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
     arguments.campbell = campbell_speeds_of(given["campbell"].as<std::string>());
   arguments.with_stops = given.count("with-stops") != 0;
   if (arguments.with_stops && !arguments.run_up) throw UsageError("--with-stops belongs to --run-up");
-  if (arguments.figure && (arguments.free_response || (arguments.run_up && !arguments.with_stops)))
-    throw UsageError("--figure belongs to a trace, to --campbell or to --run-up --with-stops");
+  if (arguments.figure && arguments.free_response)
+    throw UsageError("--figure belongs to a trace, to --campbell or to --run-up");
   const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
   if (static_cast<int>(arguments.free_response) + arguments.run_up.has_value() +
           arguments.campbell.has_value() >
@@ -189,7 +191,7 @@ std::string rubtrace_help() {
       "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --figure /tmp/trace.png\n"
       "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
       "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
-      "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5\n"
+      "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5 --figure /tmp/bode.png\n"
       "  rubtrace configs/minimal.yaml --run-up 20:60:1 --eccentricity-m 2e-4 --with-stops --figure "
       "/tmp/run_up.png\n"
       "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n\n"

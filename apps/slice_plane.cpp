@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <numbers>
 #include <string_view>
+#include <variant>
 
 #include "program.hpp"
 
@@ -63,6 +65,17 @@ std::array<StartNumber, 2> read_plane(const std::string& text) {
   if (plane[0].key == plane[1].key)
     throw UsageError(fmt::format("--plane {}: allowed: two different numbers", text));
   return plane;
+}
+
+std::array<StartNumber, 2> usual_plane(const model::Stop& first) {
+  std::array<double, 2> normal{1, 0};
+  if (const auto* flat = std::get_if<model::OneSideGeometry>(&first.geometry)) {
+    const double angle = flat->angle_deg * std::numbers::pi / 180;
+    normal = {std::cos(angle), std::sin(angle)};
+  } else if (const auto* ring = std::get_if<model::AnnularGeometry>(&first.geometry)) {
+    normal = ring->offset_m;
+  }
+  return read_plane(std::abs(normal[1]) > std::abs(normal[0]) ? "y,vy" : "x,vx");
 }
 
 StartRange usual_range(const StartNumber& number, const config::RunConfig& config, double speed_hz) {

@@ -58,7 +58,7 @@ do for [kind in "png svg"] {
   plot bode using 1:3 every ::1 with linespoints pt 7 ps 0.5 lc rgb line notitle, \
     bode using 1:5 every ::1 with lines lw 2 dt 3 lc rgb second notitle
   unset arrow 1
-  set yrange [*:*]
+  set autoscale
   set ytics autofreq
   unset multiplot
   unset output

@@ -74,6 +74,13 @@ expect_contains kicks/map.csv ,kick,
 "$sweep" "$minimal" "${cell[@]}" --set kick.force_n=225 --set kick.angle_deg=120 --output one --fresh >stdout 2>stderr
 expect_contains stdout "$(cells kicks/slice.csv kick.force_n kick.angle_deg label | sed -n 's/^225,120,//p')"
 
+# Without a plane the slice goes towards the first stop, wherever that is.
+for angle in -90:y_m,vy_m_per_s 60:y_m,vy_m_per_s 130:y_m,vy_m_per_s 30:x_m,vx_m_per_s 180:x_m,vx_m_per_s; do
+  expect_exit 0 "$minimal" --cell 70,0.4 --grid 3x3 --set "stops.0.angle_deg=${angle%:*}" --output "towards${angle%:*}"
+  expect_contains "towards${angle%:*}/slice.csv" "${angle#*:},attractor"
+  [[ $(cells "towards${angle%:*}/slice.csv" label | sort -u) != non_contact ]] || fail "no start meets a stop at ${angle%:*} degrees"
+done
+
 expect_usage_error 'the cell is needed: --cell SPEED_HZ,UNBALANCE' "$minimal"
 expect_usage_error "--plane x,z: there is no 'z', allowed: two of x, y, vx, vy" "$minimal" --cell 70,0.4 --plane x,z
 expect_usage_error '--plane x,x: allowed: two different numbers' "$minimal" --cell 70,0.4 --plane x,x
