@@ -30,13 +30,24 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
+/// Where the first word ends; blanks between single quotes part none.
+std::size_t end_of_word(std::string_view text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\'' && (quoted || i == 0 || text[i - 1] == ' ' || text[i - 1] == '=')) quoted = !quoted;
+    if (text[i] == ' ' && !quoted) return i;
+  }
+  return std::min(text.find(' '), text.size());
+}
+
 /// Appends words parted by single blanks; `head` stays as it is.
 std::string filled(std::string_view head, std::string_view words, std::size_t indent, std::size_t columns,
                    std::string_view end_of_line) {
   std::string text, line(head);
   bool begun = false;
   while (!words.empty()) {
-    const std::size_t end = std::min(words.find(' '), words.size());
+    const std::size_t end =
+        end_of_line.empty() ? std::min(words.find(' '), words.size()) : end_of_word(words);
     const std::string_view word = words.substr(0, end);
     words.remove_prefix(std::min(end + 1, words.size()));
     if (word.empty()) continue;
@@ -53,12 +64,17 @@ std::string filled(std::string_view head, std::string_view words, std::size_t in
   return text + line + "\n";
 }
 
+/// A full stop, the colon before a list, or the last option of a usage.
+bool ends_a_paragraph(std::string_view line) {
+  return line.ends_with('.') || line.ends_with(':') || line.ends_with(']');
+}
+
 /// How many lines from `first` on are one paragraph.
 std::size_t paragraph(const std::vector<std::string_view>& lines, std::size_t first) {
   const std::size_t indent = hanging_indent(lines[first]);
   std::size_t end = first + 1;
   while (end < lines.size() && !lines[end].empty() && indent_of(lines[end]) == indent &&
-         (indent == 0 || hanging_indent(lines[end]) == indent) && !lines[end].ends_with(':'))
+         (indent == 0 || hanging_indent(lines[end]) == indent) && !ends_a_paragraph(lines[end - 1]))
     ++end;
   return end - first;
 }

@@ -111,7 +111,10 @@ int compare(const po::variables_map& given) {
   for (const std::string& map : maps) require_whole_table("rubsweep-compare", map);
   const auto comparison = report::compare_maps(maps[0], maps[1], tolerance, sensitive);
   if (!given.count("quiet")) fmt::print("{}", report::describe_comparison(comparison, tolerance));
-  if (figure) write_figure(comparison, fmt::format("{} -> {}", maps[0], maps[1]), *figure);
+  if (figure)
+    write_figure(comparison,
+                 fmt::format("{} -> {}; numbers to a tolerance of {:g}", maps[0], maps[1], tolerance),
+                 *figure);
   return comparison.equal() ? done : maps_differ;
 }
 

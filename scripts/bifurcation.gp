@@ -58,7 +58,8 @@ do for [format in "png svg"] {
   set tmargin at screen 0.86
   set bmargin at screen 0.42
   set format x ""
-  set ylabel "section, " . direction . " (mm)" offset 0.5, 0
+  # Not as labels of the axes: beside a fixed margin these may come over the numbers.
+  set label 3 "section, " . direction . " (mm)" at screen 0.015, 0.64 center rotate by 90
   set yrange [low - space:high + space]
   set key at screen 0.765, graph 1 left top Left reverse samplen 1 spacing 1.3
   if (wall) {
@@ -80,7 +81,7 @@ do for [format in "png svg"] {
   set yrange [0:*]
   set format x "% h"
   set xlabel x_label noenhanced
-  set ylabel "largest displacement (mm)" offset 0.5, 0
+  set label 3 "largest displacement (mm)" at screen 0.015, 0.245 center rotate by 90
   set key at screen 0.765, graph 1
   plot for [p = 1:3] file("peaks") using ($3 == p - 1 ? $1 : NaN):2 with linespoints pointtype mark[p] \
       pointsize size_of[p] linecolor rgb pass_colour[p] linewidth 1.2 title (is_shown(pass[p]) ? pass_legend[p] : "")

@@ -58,7 +58,8 @@ do for [format in "png svg"] {
   set bmargin at screen 0.47
   set yrange [0:*]
   set format x ""
-  set ylabel sprintf("1X amplitude (%s)", unit) offset 0.5, 0
+  # Not as labels of the axes, which may come over the numbers at them.
+  set label 3 sprintf("1X amplitude (%s)", unit) at screen 0.025, 0.69 center rotate by 90
   plot for [i = 0:sensors - 1] file(i) using 1:2 with lines linewidth 2 dashtype dash(i) \
       linecolor rgb colours[i + 1] title value(sprintf("name_%d", i)), \
     NaN with lines dashtype 2 linewidth 1.2 linecolor rgb mark \
@@ -73,7 +74,7 @@ do for [format in "png svg"] {
   set ytics phase_step
   set format x "% h"
   set xlabel "shaft speed (Hz)"
-  set ylabel "phase (°)" offset -0.7, 0
+  set label 3 "phase (°)" at screen 0.025, 0.27 center rotate by 90
   plot for [i = 0:sensors - 1] file(i) using 1:3 with lines linewidth 2 dashtype dash(i) \
     linecolor rgb colours[i + 1] notitle
   unset multiplot

@@ -44,9 +44,10 @@ do for [format in "png svg"] {
   set xrange [C_min_x:fastest]
   set yrange [0:top]
   set xlabel "shaft speed (Hz)"
-  set ylabel "whirl frequency (Hz)"
+  # Not as labels of the axes: beside a fixed margin these may come over the numbers.
+  set label 1004 "whirl frequency (Hz)" at screen 0.013, 0.49 center rotate by 90
   set key at screen 0.07, screen 0.945 left top horizontal Left reverse noopaque samplen 2.5 maxrows 1
-  set label 1001 "1X" at first 0.94 * fastest, first 0.94 * fastest + 0.035 * top right textcolor rgb turning
+  set label 1001 "1X" at first name_of_1x, first name_of_1x + 0.035 * top right textcolor rgb turning
   set label 1002 "2X" at first 0.5 * 0.94 * top, first 0.94 * top right offset -0.8, 0 textcolor rgb turning
   plot x with lines linecolor rgb turning dashtype 3 linewidth 1.5 notitle, \
     2 * x with lines linecolor rgb turning dashtype 3 linewidth 0.8 notitle, \
@@ -63,7 +64,7 @@ do for [format in "png svg"] {
     set xrange [P_min - margin:P_max + margin]
     set yrange [-1.25:1.55]
     set xlabel "place along the shaft (mm)"
-    set ylabel "deflection / largest" offset 1, 0
+    set label 5 "deflection / largest" at screen 0.628, 0.49 center rotate by 90
     set key at graph 0.5, graph 0.99 center top Left reverse opaque samplen 2 spacing 1.2 maxrows 2 font ",16"
     set arrow 1 from first P_min, first 0 to first P_max, first 0 nohead linewidth 3 linecolor rgb "#AAAAAA" back
     set label 4 "disc ■, support ▲, stop ✕" at graph 0.02, graph 0.03 left font ",16"

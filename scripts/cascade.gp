@@ -60,7 +60,8 @@ do for [format in "png svg"] {
   do for [i = 1:panels] {
     set lmargin at screen x_at(150 + (i - 1) * (panel_px + 40))
     set rmargin at screen x_at(150 + (i - 1) * (panel_px + 40) + panel_px)
-    if (i == 1) { set ylabel y_label noenhanced } else { unset ylabel; set format y "" }
+    # Not as the label of the axis: beside a fixed margin it may come over the numbers.
+    if (i == 1) { set label 6 y_label at screen x_at(22), 0.47 center rotate by 90 noenhanced } else { set format y "" }
     set label 2 "backward" at graph 0.02, 0.97 left font ",16"
     set label 3 "forward" at graph 0.98, 0.97 right font ",16"
     set label 4 legend_of(word(passes, i)) at graph 0.5, 0.97 center font ":Bold"
@@ -75,6 +76,7 @@ do for [format in "png svg"] {
         fillcolor rgb "white" fillstyle solid 1 border linecolor rgb colour[number_of(word(kinds_of(name), k))] notitle, \
       for [k = 1:words(shown)] NaN with points pointtype 5 pointsize 1.6 linecolor rgb colour[at(k)] title legend[at(k)]
     unset label 1
+    unset label 6
     unset arrow 1
     unset label 5
   }

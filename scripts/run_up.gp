@@ -85,7 +85,8 @@ do for [format in "png svg"] {
   set yrange [*:*]
   set offsets 0, 0, graph 0.05, graph 0.05
   set format x ""
-  set ylabel "displacement (mm)"
+  # Not as labels of the axes: beside a fixed margin these may come over the numbers.
+  set label 4 "displacement (mm)" at screen 0.018, 0.65 center rotate by 90
   set key at screen 0.47, 0.847 center top horizontal Left reverse samplen 2 maxrows 1
     plot file("envelope") using 1:2:3 with filledcurves linecolor rgb rotor fillstyle solid 0.35 noborder title "y", \
     file("envelope") using 1:4 with lines linewidth 1.2 linecolor rgb rotor title "largest distance", \
@@ -93,12 +94,12 @@ do for [format in "png svg"] {
     clearance with lines dashtype 2 linecolor rgb "black" title "clearance at rest"
   unset offsets
   unset key
+  unset label
 
   # Where it rubs.
   set tmargin at screen 0.475
   set bmargin at screen 0.425
   set yrange [-0.6:1.6]
-  unset ylabel
   set ytics ("steady" 0, "ramp" 1) nomirror out
   plot file("rub") using 1:3:1:2:($3 - 0.35):($3 + 0.35) with boxxyerror linecolor rgb wall fillstyle solid 0.8 noborder notitle, \
     NaN notitle
@@ -112,7 +113,7 @@ do for [format in "png svg"] {
   set yrange [-order - 0.2:order + 0.2]
   set format x "% h"
   set xlabel "shaft speed (Hz)"
-  set ylabel "order (backward < 0 < forward)"
+  set label 4 "order (backward < 0 < forward)" at screen 0.018, 0.235 center rotate by 90
   set logscale cb
   set cbrange [top_amplitude / 300:top_amplitude]
   set palette defined (0 "#F4F4F4", 0.25 "#88CCEE", 0.5 "#4F9BD0", 0.75 "#332288", 1 "#000000")
@@ -123,8 +124,6 @@ do for [format in "png svg"] {
       fillstyle solid 1 noborder linecolor palette notitle
   unset logscale cb
   unset label
-  unset xlabel
-  unset ylabel
   unset multiplot
   unset output
 }

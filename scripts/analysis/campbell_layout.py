@@ -31,6 +31,7 @@ def lay_out(directory, work):
     top = max(1.5 * fastest, 1.3 * min((row["frequency_hz"] for row in curves), default=0))
     sizes = [
         f"fastest = {fastest:.17g}",
+        f"name_of_1x = {place_of_1x(critical, fastest):.17g}",
         f"top = {top:.17g}",
         f"any_critical = {len(critical) > 0:d}",
         f"any_mixed = {any(row['whirl'] == 'mixed' for row in curves):d}",
@@ -80,6 +81,16 @@ def label_lines(rows, fastest):
         elif following < middle + CLOSE * fastest:
             place = "left offset 0.8, -0.8"
         yield _label(middle, middle, "%.4g" % middle, place)
+
+
+def place_of_1x(critical, fastest):
+    """The speed at which the line of the shaft speed is named: near its end, but not where a critical speed is."""
+    places = [share * fastest for share in (0.94, 0.85, 0.76, 0.67, 0.58, 0.49, 0.4)]
+
+    def room(place):
+        return min((abs(row["speed_hz"] - place) for row in critical), default=fastest)
+
+    return next((place for place in places if room(place) > BESIDE_AXIS * fastest), max(places, key=room))
 
 
 def _label(x, y, text, place):

@@ -63,9 +63,9 @@ class ReportTest(unittest.TestCase):
         complaints = [entry for entry in self.browser.log() if entry["level"] in ("SEVERE", "WARNING")]
         self.assertEqual(complaints, [])
 
-    def open(self, fragment=""):
+    def open(self, fragment="", page=None):
         self.browser.open("about:blank")
-        self.browser.open((self.map / "report.html").as_uri() + fragment)
+        self.browser.open((page or self.map / "report.html").as_uri() + fragment)
         ready = 'return document.documentElement.dataset.ready === "yes" || ' \
                 '(document.getElementById("problem") || {}).textContent'
         self.assertIs(self.browser.wait(lambda: self.browser.run(ready), "the page does not get ready"), True)
@@ -178,6 +178,38 @@ class ReportTest(unittest.TestCase):
         for _ in range(20):
             self.browser.press("#map", LEFT)
         self.wait_for_panels(self.cell(60, 0.6))  # the edge holds
+
+    def hover(self):
+        return self.browser.run('return document.getElementById("hover").textContent')
+
+    def test_the_line_below_the_map_follows_the_keys(self):
+        self.click_cell(self.cell(80, 0.6))
+        self.assertIn("80 Hz, whirl ratio 0.6", self.hover())
+        self.browser.press("#map", RIGHT + UP)
+        self.wait_for_panels(self.cell(90, 0.7))
+        self.assertIn("90 Hz, whirl ratio 0.7", self.hover())
+        # The mouse shows another cell, and lets go of it beside the map.
+        self.browser.mouse(("move", *self.browser.run("return view.middleOf(arguments[0])", self.cell(120, 0.4))))
+        self.assertIn("120 Hz, whirl ratio 0.4", self.hover())
+        self.browser.mouse(("move", 5, 5))
+        self.assertIn("90 Hz, whirl ratio 0.7", self.hover())
+
+    def test_a_cell_without_a_motion_shows_one_of_its_kind_or_none(self):
+        thinned = self.work / "thinned.html"
+        subprocess.run([rubsweep.parent / "rubreport", self.map, "--orbits", "12", "--output", thinned, "--quiet"], check=True)
+        self.open(page=thinned)
+        kinds = self.browser.run("""
+            const key = (cell) => cell === null ? null : [data.value("class", cell), String(data.value("order", cell))].join();
+            return d3.range(data.cells).map((cell) => [key(cell), key(data.recordedCell(cell)), data.recordedCells().map(key)])
+            """)
+        self.assertGreater(len({own for own, _, _ in kinds}), 4)
+        for own, shown, recorded in kinds:
+            self.assertEqual(shown, own if own in recorded else None)
+        missing = next(cell for cell, (_, shown, _) in enumerate(kinds) if shown is None)
+        self.browser.click_at(*self.browser.run("return view.middleOf(arguments[0])", missing))
+        note = 'return document.getElementById("cell-note").textContent'
+        self.browser.wait(lambda: "No motion of its kind is stored" in self.browser.run(note), "it does not say so")
+        self.assertEqual(self.browser.run('return document.querySelectorAll("#panels svg").length'), 0)
 
     def test_hover_says_the_numbers_of_the_cell(self):
         cell = self.cell(80, 0.6)

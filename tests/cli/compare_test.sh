@@ -70,7 +70,10 @@ if command -v gnuplot >/dev/null; then
   [[ $(head -c 4 difference.png | tail -c 3) == PNG ]] || fail 'no picture'
   gnuplot difference.gp && expect_contains difference.gp "set output 'difference.png'"
   expect_compared 5 a/map.csv changed.csv --figure difference.svg
-  expect_contains difference.svg 'another class (1)'
+  for text in 'another class (1)' 'Where two maps differ' 'a/map.csv -&gt; changed.csv' 'shaft speed (Hz)' \
+    'whirl ratio (quiet whirl / clearance)'; do
+    expect_contains difference.svg "$text"
+  done
   expect_compared 3 a/map.csv a/map.csv --figure nowhere/difference.png
   expect_contains stderr 'cannot write nowhere/difference.png: No such file or directory'
   expect_compared 3 a/map.csv a/map.csv --quiet --figure nowhere/difference.png

@@ -82,6 +82,12 @@ done
 expect_exit 0 "$top/configs/figure11_annulus.yaml" --run-up 50:24:-8 --eccentricity-m 1e-4 --with-stops --output through \
   --figure pictures/down.png --quiet
 [[ -s pictures/down.png ]] || fail 'no picture of a run-down'
+# Without stops a run-up is a Bode plot.
+expect_exit 0 "$top/configs/rotor_kit.yaml" --run-up 20:45:2 --eccentricity-m 2e-5 --output bode --figure pictures/bode.svg --quiet
+for text in 'Run-up without stops, 20 to 45 Hz' '1X amplitude (mm)' 'phase (°)' 'critical speed 30.' 'sensor 1, at 190 mm, 90°'; do
+  expect_contains pictures/bode.svg "$text"
+done
+[[ -z $(grep -o 'Warning' stderr) ]] || fail 'gnuplot complains'
 mkdir bin
 ln -s "$(command -v python3)" bin/python3
 PATH=$work/bin expect_exit 3 "$minimal" --speed-hz 90 --whirl-ratio 0.6 --output none --figure none.png

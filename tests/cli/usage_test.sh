@@ -6,8 +6,8 @@ expect_help threads fresh shard merge report figure check explain print-config p
 expect_exit 0 --help
 expect_matches stdout '^Examples:$'
 
-# Every example is accepted.
-mapfile -t examples < <(sed -n 's,^  rubsweep configs/,,p' stdout)
+# Every example is accepted; a long one goes on behind a backslash.
+mapfile -t examples < <(sed ':a;/\\$/{N;s/ *\\\n */ /;ba}' stdout | sed -n 's,^  rubsweep configs/,,p')
 ((${#examples[@]} >= 3)) || fail 'fewer than three examples'
 for example in "${examples[@]}"; do
   eval "words=(${example% --explain})"  # as a shell takes its quotes

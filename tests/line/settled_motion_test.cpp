@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
 #include "line/line_of_cells.hpp"
 #include "rubsweep/integrate/start.hpp"
@@ -57,6 +59,36 @@ void expect_as_traced(double speed_hz, double whirl_ratio, std::size_t turns) {
 TEST(SettledMotion, OfASubharmonicIsThatOfALongTrace) {
   expect_as_traced(90, 0.6, 2);
   expect_as_traced(70, 0.2, 2);
+}
+
+/// The motion that a kick at this phase leads to.
+SettledMotion after_kick_at(double phase_deg, double speed_hz, double whirl_ratio) {
+  model::Machine machine = scene::one_side_machine();
+  machine.kick.value().phase_deg = phase_deg;
+  const auto points = followed(over_speed(machine, {speed_hz}, scene::WhirlRatio{whirl_ratio}), {Pass::kick});
+  return points.front().motion.value();
+}
+
+TEST(SettledMotion, TheSectionDoesNotMoveWithThePhaseOfTheKick) {
+  for (const auto& [speed_hz, whirl_ratio, turns] :
+       {std::tuple(90.0, 0.6, 2U), std::tuple(50.0, 0.2, 1U), std::tuple(70.0, 0.2, 2U)}) {
+    const SettledMotion at_once = after_kick_at(0, speed_hz, whirl_ratio);
+    ASSERT_EQ(at_once.section.size(), turns);
+    for (const double phase_deg : {40.0, 123.4, -77.0, 359.999, 720.0}) {
+      const SettledMotion later = after_kick_at(phase_deg, speed_hz, whirl_ratio);
+      if (later.section.size() != turns) continue;  // another motion
+      for (const SectionPoint& point : later.section) {
+        double nearest_m = 1, nearest_m_per_s = 1;
+        for (const SectionPoint& other : at_once.section) {
+          nearest_m = std::min(nearest_m, (other.displacement_m - point.displacement_m).norm());
+          nearest_m_per_s =
+              std::min(nearest_m_per_s, (other.velocity_m_per_s - point.velocity_m_per_s).norm());
+        }
+        EXPECT_LT(nearest_m, 1e-4 * 1e-3) << phase_deg;
+        EXPECT_LT(nearest_m_per_s, 1e-4 * 1e-3 * 2 * std::numbers::pi * speed_hz) << phase_deg;
+      }
+    }
+  }
 }
 
 TEST(SettledMotion, OfARotorAtRestIsItsQuietWhirl) {

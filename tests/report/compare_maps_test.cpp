@@ -279,18 +279,42 @@ TEST_F(CompareMaps, TheFigureHoldsEveryCellUnderItsVerdict) {
   auto other = cells();
   other[0].order = 4;
   const std::string script = comparison_figure(compare(cells(), other), "it's a map", "svg", "out.svg");
-  EXPECT_NE(script.find("set title 'it''s a map'\n"), std::string::npos);
+  EXPECT_NE(script.find("set label 2 'it''s a map' at"), std::string::npos);
   EXPECT_NE(script.find("set output 'out.svg'\n"), std::string::npos);
   EXPECT_NE(comparison_figure(compare(cells(), other), "a\nsystem('b')", "svg", "|c'.svg")
-                .find("set output './|c''.svg'\nset title 'a?system(''b'')'\n"),
+                .find("set output './|c''.svg'\n"),
+            std::string::npos);
+  EXPECT_NE(comparison_figure(compare(cells(), other), "a\nsystem('b')", "svg", "c.svg")
+                .find("set label 2 'a?system(''b'')' at"),
             std::string::npos);
   EXPECT_EQ(comparison_figure(compare(cells(), other), "a", "svg", "").find("set output"), std::string::npos);
   EXPECT_EQ(message_of<IoError>([&] { comparison_figure(compare(cells(), other), "a", "svg", "c\n.svg"); }),
             "cannot write 'c?.svg': its name has control characters");
-  EXPECT_NE(script.find("$cells_0 << END\n60 0.2\n50 0.4\n60 0.4\nEND\n"), std::string::npos);
-  EXPECT_NE(script.find("$cells_3 << END\n50 0.2\nEND\n"), std::string::npos);
+  EXPECT_NE(script.find("$cells_0 << END\n60 0.2 55 65 0.1 "), std::string::npos);
+  EXPECT_NE(script.find("$cells_3 << END\n50 0.2 45 55 "), std::string::npos);
   EXPECT_NE(script.find("title 'another class (1)'"), std::string::npos);
   EXPECT_EQ(script.find("$cells_2"), std::string::npos) << "nothing is drawn for what there is not";
+  EXPECT_NE(script.find("set label 1 'Where two maps differ'"), std::string::npos);
+  EXPECT_NE(script.find("set ylabel 'whirl ratio (quiet whirl / clearance)'"), std::string::npos);
+}
+
+TEST_F(CompareMaps, TheFigureIsDrawnOverTheAxesThatHaveSeveralValues) {
+  MapComparison comparison;
+  comparison.axis = "eccentricity_m";
+  comparison.keys = {"kick.force_n", "kick.angle_deg"};
+  for (const double force_n : {10, 20}) {
+    for (const double speed_hz : {30, 50}) {
+      ComparedCell cell;
+      cell.speed_hz = speed_hz;
+      cell.unbalance = 1e-4;
+      cell.keys = {force_n, 90};
+      comparison.cells.push_back(cell);
+    }
+  }
+  const std::string script = comparison_figure(comparison, "a", "svg", "");
+  EXPECT_NE(script.find("set label 1 'Two maps that are equal'"), std::string::npos);
+  EXPECT_NE(script.find("set xlabel 'shaft speed (Hz)'\nset ylabel 'kick.force_n'\n"), std::string::npos);
+  EXPECT_NE(script.find("50 20 40 60 15 25\n"), std::string::npos);
 }
 
 }  // namespace

@@ -54,3 +54,10 @@ class Line(figures.FigureTest):
         self.line("rotor.damping_ratio", 0.001, (-0.003, -0.002))
         words = figures.words(self.draw("draw_bifurcation.py", ".", "Bifurcations"))
         self.assertEqual(words.count("rotor.damping_ratio"), 1)
+
+    def test_no_text_stands_over_another(self):
+        for program in ("draw_bifurcation.py", "draw_cascade.py"):
+            for sections_m in ((-0.003, -0.002), (-2.5e-6, 1e-6), (0.01234, 0.01235)):
+                with self.subTest(program=program, sections_m=sections_m):
+                    self.line("rotor.damping_ratio", 0.001, sections_m)
+                    self.assertEqual(figures.over_each_other(self.draw(program, ".", "Bifurcations")), [])

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "rubsweep/error.hpp"
 
@@ -22,12 +24,61 @@ constexpr std::array styles{Style{CellVerdict::equal, "equal", "#d9d9d9"},
                             Style{CellVerdict::classes_differ, "another class", "#d7191c"},
                             Style{CellVerdict::only_in_one, "in one map only", "#000000"}};
 
-std::string data_of(const MapComparison& comparison, CellVerdict verdict) {
+/// A number of a cell that the picture may be drawn over.
+struct Axis {
+  std::string column;
+  std::vector<double> values;     ///< of the cells, in their order
+  std::vector<double> different;  ///< ascending
+};
+
+Axis axis_of(std::string column, const MapComparison& comparison, const auto& value_of) {
+  Axis axis{std::move(column), {}, {}};
+  for (const ComparedCell& cell : comparison.cells) axis.values.push_back(value_of(cell));
+  axis.different = axis.values;
+  std::ranges::sort(axis.different);
+  const auto twice = std::ranges::unique(axis.different);
+  axis.different.erase(twice.begin(), twice.end());
+  return axis;
+}
+
+/// The first two axes with several values; speed and unbalance where there are not so many.
+std::array<Axis, 2> plane_of(const MapComparison& comparison) {
+  std::vector<Axis> axes;
+  axes.push_back(axis_of("speed_hz", comparison, [](const ComparedCell& cell) { return cell.speed_hz; }));
+  axes.push_back(
+      axis_of(comparison.axis, comparison, [](const ComparedCell& cell) { return cell.unbalance; }));
+  for (std::size_t i = 0; i < comparison.keys.size(); ++i)
+    axes.push_back(
+        axis_of(comparison.keys[i], comparison, [i](const ComparedCell& cell) { return cell.keys.at(i); }));
+  std::ranges::stable_partition(axes, [](const Axis& axis) { return axis.different.size() > 1; });
+  return {axes[0], axes[1]};
+}
+
+/// Where the cell of a value ends on both sides: half way to its neighbours.
+std::array<double, 2> edges(const std::vector<double>& values, double value) {
+  const auto at = static_cast<std::size_t>(std::ranges::lower_bound(values, value) - values.begin());
+  if (values.size() == 1) return {value - 0.5, value + 0.5};
+  const double before = at > 0 ? value - values[at - 1] : values[1] - value,
+               after = at + 1 < values.size() ? values[at + 1] - value : before;
+  return {value - before / 2, value + after / 2};
+}
+
+std::string data_of(const MapComparison& comparison, const std::array<Axis, 2>& plane, CellVerdict verdict) {
   std::string data;
-  for (const ComparedCell& cell : comparison.cells) {
-    if (cell.verdict == verdict) data += fmt::format("{} {}\n", cell.speed_hz, cell.unbalance);
+  for (std::size_t i = 0; i < comparison.cells.size(); ++i) {
+    if (comparison.cells[i].verdict != verdict) continue;
+    const double x = plane[0].values[i], y = plane[1].values[i];
+    const auto across = edges(plane[0].different, x), up = edges(plane[1].different, y);
+    data += fmt::format("{} {} {} {} {} {}\n", x, y, across[0], across[1], up[0], up[1]);
   }
   return data;
+}
+
+std::string label_of(const std::string& column) {
+  if (column == "speed_hz") return "shaft speed (Hz)";
+  if (column == "whirl_ratio") return "whirl ratio (quiet whirl / clearance)";
+  if (column == "eccentricity_m") return "eccentricity (m)";
+  return column;
 }
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
@@ -54,26 +105,37 @@ std::string set_output(const std::string& output) {
 
 std::string comparison_figure(const MapComparison& comparison, const std::string& heading,
                               const std::string& terminal, const std::string& output) {
+  const std::array<Axis, 2> plane = plane_of(comparison);
   std::string script, plots;
+  // The worst last: where cells of several values of other keys lie in one place, it shows.
   for (const Style& style : styles) {
     const std::size_t cells = comparison.count(style.verdict);
     if (cells == 0) continue;
     const auto block = fmt::format("$cells_{}", static_cast<int>(style.verdict));
-    script += fmt::format("{} << END\n{}END\n", block, data_of(comparison, style.verdict));
-    plots += fmt::format("{}{} with points pointtype 5 pointsize 1 linecolor rgb '{}' title '{} ({})'",
-                         plots.empty() ? "" : ", \\\n     ", block, style.colour, style.name, cells);
+    script += fmt::format("{} << END\n{}END\n", block, data_of(comparison, plane, style.verdict));
+    plots += fmt::format(
+        "{}{} using 1:2:3:4:5:6 with boxxyerror linecolor rgb '{}' linewidth 0.5 fillstyle solid 1 border "
+        "title "
+        "'{} ({})'",
+        plots.empty() ? "" : ", \\\n     ", block, style.colour, style.name, cells);
   }
   return fmt::format(
-      "set terminal {} size 1000,600 noenhanced font 'DejaVu Sans,11'\n"
+      "set terminal {} size 1300,800 noenhanced font 'DejaVu Sans,15' linewidth 1.2\n"
       "{}"
-      "set title {}\n"
-      "set xlabel 'shaft speed (Hz)'\n"
-      "set ylabel '{}'\n"
-      "set key outside below\n"
-      "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n"
+      "set encoding utf8\n"
+      "set label 1 {} at screen 0.5, 0.965 center font ':Bold,17'\n"
+      "set label 2 {} at screen 0.5, 0.925 center font ',12'\n"
+      "set xlabel {}\n"
+      "set ylabel {}\n"
+      "set tics out nomirror\n"
+      "set tmargin at screen 0.89\n"
+      "set rmargin at screen 0.74\n"
+      "set key at screen 0.755, graph 1 left top Left reverse samplen 1.5 spacing 1.4\n"
+      "set autoscale noextend\n"
       "{}plot {}\n",
-      terminal, set_output(output), in_quotes(heading),
-      comparison.axis == "whirl_ratio" ? "whirl ratio before contact" : "eccentricity (m)", script, plots);
+      terminal, set_output(output),
+      in_quotes(comparison.equal() ? "Two maps that are equal" : "Where two maps differ"), in_quotes(heading),
+      in_quotes(label_of(plane[0].column)), in_quotes(label_of(plane[1].column)), script, plots);
 }
 
 }  // namespace rubsweep::report

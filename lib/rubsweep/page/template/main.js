@@ -25,9 +25,13 @@ function drawMap() {
     .text(state.rectangle || !state.view ? "Zoom to the rectangle" : "Whole map");
 }
 
+// The line below the map: of the cell under the mouse, else of the selected one.
+function sayNumbers(cell) { document.getElementById("hover").textContent = cell === null ? "" : hoverText(data, cell); }
+
 let asked = 0;
 async function showCell() {
   const cell = state.selected, recorded = data.recordedCell(cell), mine = ++asked;
+  sayNumbers(cell);
   document.getElementById("cell-title").textContent = `${placeText(data, cell)}: ${motionText(data, cell)}`;
   const measure = data.index.unbalance_measure;
   const keys = data.index.keys.map((key) => ` --set ${key}=${data.value(key, cell)}`).join("");
@@ -37,11 +41,11 @@ async function showCell() {
   d3.select("#numbers").selectAll("tr").data([...data.columns.keys()]).join("tr").selectAll("td")
     .data((name) => [columnTitle(name), quantity(name, data.value(name, cell)).replace(unitOf(name)[1], "")]).join("td")
     .text((text) => text);
-  const orbit = await data.orbit(recorded);
+  const orbit = recorded === null ? undefined : await data.orbit(recorded);
   if (mine !== asked) return;
   let note = hoverText(data, cell);
   if (recorded !== cell && orbit) note += `. No motion of this cell is stored; shown is the one at ${placeText(data, recorded)}.`;
-  if (!orbit) note += ". There is no motion to show.";
+  if (!orbit) note += recorded === null ? ". No motion of its kind is stored." : ". There is no motion to show.";
   document.getElementById("cell-note").textContent = note;
   document.getElementById("panels").dataset.cell = orbit ? recorded : "";
   if (orbit) drawPanels(data, recorded, orbit, state.stop);
@@ -74,7 +78,7 @@ function listenToMouse() {
   });
   view.box.addEventListener("pointermove", (event) => {
     const at = view.placesAt(event.clientX, event.clientY);
-    document.getElementById("hover").textContent = at ? hoverText(data, data.cellAt(...at)) : "";
+    sayNumbers(at ? data.cellAt(...at) : state.selected);
     // A finger scrolls the page instead.
     if (!from || !at || event.pointerType !== "mouse" || event.buttons !== 1) return;
     if (!dragged && at[0] === from[0] && at[1] === from[1]) return;
@@ -82,6 +86,7 @@ function listenToMouse() {
     state.rectangle = ordered(from, at);
     view.drawMarks();
   });
+  view.box.addEventListener("pointerleave", () => sayNumbers(state.selected));
   view.box.addEventListener("click", (event) => {
     const at = view.placesAt(event.clientX, event.clientY);
     if (dragged) drawMap();
@@ -153,10 +158,11 @@ function sayWhatIsStored() {
   const thinned = speed_stride > 1 || unbalance_stride > 1;
   document.getElementById("orbits-note").textContent = data.index.orbits.cells
     ? `This map is refined: motions are stored for ${recorded} of its computed cells. Other cells show the nearest of ` +
-      "them that has their class, and say so."
+      "them that has their class and order, and say so, or nothing."
     : thinned
     ? `This map is large: motions are stored for ${recorded} of its ${data.cells} cells, every ${speed_stride}. speed and ` +
-      `every ${unbalance_stride}. unbalance. Other cells show the nearest of them, and say so.`
+      `every ${unbalance_stride}. unbalance. Other cells show the nearest of them that has their class and order, and ` +
+      "say so, or nothing."
     : `Motions are stored for all ${recorded} cells that have one, as straight lines between as few samples as draw them ` +
       "within 1/400 of the orbit's size.";
 }

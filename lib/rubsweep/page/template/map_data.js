@@ -59,22 +59,21 @@ class MapData {
   // A refined map has cells of which only the class is known, from their block.
   isComputed(cell) { return this.value("status", cell) !== "not computed"; }
 
-  // The cell with a stored motion that is nearest to `cell`; in a refined map of those of its class, if there is one.
+  // The cells whose motions are stored.
+  recordedCells() {
+    const { cells, speed_stride, unbalance_stride } = this.index.orbits, speeds = this.x.source.length;
+    if (cells) return cells;
+    const kept = (count, stride) => d3.range(Math.floor(stride / 2), count, stride);
+    return kept(this.y.source.length, unbalance_stride).flatMap((j) => kept(speeds, speed_stride).map((i) => j * speeds + i));
+  }
+
+  // The nearest cell to `cell` that has its kind and order and a stored motion; null where there is none.
   recordedCell(cell) {
-    const listed = this.index.orbits.cells;
-    if (listed) {
-      const [i, j] = this.placeOf(cell), alike = listed.filter((other) => this.kinds[other] === this.kinds[cell]);
-      const distance = (other) => { const [k, l] = this.placeOf(other); return (i - k) ** 2 + (j - l) ** 2; };
-      const from = alike.length ? alike : listed;
-      return from[d3.minIndex(from, distance)];
-    }
-    const speeds = this.x.source.length, { speed_stride, unbalance_stride } = this.index.orbits;
-    const nearest = (i, count, stride) => {
-      const first = Math.floor(stride / 2), last = Math.floor((count - 1 - first) / stride);
-      return first + stride * Math.max(0, Math.min(last, Math.round((i - first) / stride)));
-    };
-    const j = nearest(Math.floor(cell / speeds), this.y.source.length, unbalance_stride);
-    return j * speeds + nearest(cell % speeds, speeds, speed_stride);
+    const order = this.value("order", cell), [i, j] = this.placeOf(cell);
+    const distance = (other) => { const [k, l] = this.placeOf(other); return (i - k) ** 2 + (j - l) ** 2; };
+    const alike = (this.recorded ||= this.recordedCells()).filter((other) =>
+      this.kinds[other] === this.kinds[cell] && Object.is(this.value("order", other), order));
+    return alike.length ? alike[d3.minIndex(alike, distance)] : null;
   }
 
   // The motion of a cell for which recordedCell(cell) === cell; undefined where it has none.
