@@ -13,33 +13,32 @@ _STATS = re.compile(r"^\s*(if \([^{]*\) \{ )?stats ")
 
 
 def hidden(lines):
-    """The numbers of the lines with a stats that the ranges of a panel may narrow. A loop's body is read twice: what its
-    end leaves behind is there when it begins again."""
+    """The numbers of the lines with a stats that the range of a panel may narrow."""
     found = set()
     fixed = False
-    once = [(number, line) for number, line in enumerate(lines, 1) if not line.lstrip().startswith("#")]
-    first = next((i for i, (_, line) in enumerate(once) if line.startswith("do for") and line.rstrip().endswith("{")), len(once))
-    for number, line in [*once, *once[first:]]:
-        if line.startswith("clear_panel ="):
-            continue
+    for number, line in _passed(lines):
         if fixed and _STATS.match(line):
             found.add(number)
         if _FREES.search(line):
             fixed = False
         if _FIXES.search(line):
             fixed = True
-    # Outside of every loop a line is passed once.
-    return sorted(found - _unrepeated(once, first))
+    return sorted(found)
 
 
-def _unrepeated(lines, first):
-    """The lines behind the first loop that stand in none."""
-    depth, outside = 0, set()
-    for number, line in lines[first:]:
-        if depth == 0 and not line.rstrip().endswith("{"):
-            outside.add(number)
+def _passed(lines):
+    """The lines with their numbers, those of a loop twice: what its end leaves behind is there when it begins again."""
+    block, depth = [], 0
+    for number, line in enumerate(lines, 1):
+        if line.lstrip().startswith("#") or line.startswith("clear_panel ="):
+            continue
+        block.append((number, line))
         depth += line.count("{") - line.count("}")
-    return outside
+        if depth == 0:
+            yield from block
+            if block[0][1].startswith("do for"):
+                yield from block
+            block = []
 
 
 class Ranges(unittest.TestCase):
