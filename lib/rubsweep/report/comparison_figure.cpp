@@ -35,9 +35,8 @@ Axis axis_of(std::string column, const MapComparison& comparison, const auto& va
   Axis axis{std::move(column), {}, {}};
   for (const ComparedCell& cell : comparison.cells) axis.values.push_back(value_of(cell));
   axis.different = axis.values;
-  std::ranges::sort(axis.different);
-  const auto twice = std::ranges::unique(axis.different);
-  axis.different.erase(twice.begin(), twice.end());
+  std::sort(axis.different.begin(), axis.different.end());
+  axis.different.erase(std::unique(axis.different.begin(), axis.different.end()), axis.different.end());
   return axis;
 }
 
@@ -50,7 +49,7 @@ std::array<Axis, 2> plane_of(const MapComparison& comparison) {
   for (std::size_t i = 0; i < comparison.keys.size(); ++i)
     axes.push_back(
         axis_of(comparison.keys[i], comparison, [i](const ComparedCell& cell) { return cell.keys.at(i); }));
-  std::ranges::stable_partition(axes, [](const Axis& axis) { return axis.different.size() > 1; });
+  std::stable_partition(axes.begin(), axes.end(), [](const Axis& axis) { return axis.different.size() > 1; });
   return {axes[0], axes[1]};
 }
 
