@@ -41,7 +41,9 @@ set xrange [LOW_min_x:HIGH_max_x]
 set yrange [LOW_min_y:HIGH_max_y]
 set title heading
 set xlabel ARG7
-set ylabel ARG8
+# Not as the label of the axis, which may come over the numbers at it.
+set lmargin at screen 0.1
+set label 100 ARG8 at screen 0.02, graph 0.5 center rotate by 90
 set xtics out nomirror
 set ytics out nomirror
 set encoding utf8

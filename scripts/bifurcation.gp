@@ -1,6 +1,6 @@
 # Draws the bifurcation diagram that analysis/line_layout.py lays out.
-# gnuplot -c bifurcation.gp WORK OUTPUT_BASENAME HEADING PRESENT PASSES LABEL CLEARANCE_MM DIRECTION
-# WORK holds section and peaks; CLEARANCE_MM is nan where it changes along the line; PRESENT: the kinds in them, a blank around each.
+# gnuplot -c bifurcation.gp WORK OUTPUT_BASENAME HEADING PRESENT PASSES LABEL CLEARANCE_MM DIRECTION SCALE
+# WORK holds section and peaks; CLEARANCE_MM is nan where it changes along the line; SCALE: log or nothing; PRESENT: the kinds in them, a blank around each.
 
 work = ARG1
 output = ARG2
@@ -53,7 +53,10 @@ do for [format in "png svg"] {
   set rmargin at screen 0.75
   set tics nomirror out
   set grid linecolor rgb "#E4E4E4"
-  set xrange [X_min - margin:X_max + margin]
+  if (ARG9 eq "log") {
+    set logscale x
+    set xrange [X_min / (X_max / X_min)**0.01:X_max * (X_max / X_min)**0.01]
+  } else { set xrange [X_min - margin:X_max + margin] }
 
   set tmargin at screen 0.86
   set bmargin at screen 0.42

@@ -1,6 +1,6 @@
 # Draws the Bode plot that analysis/bode_layout.py lays out.
-# gnuplot -c bode.gp WORK OUTPUT_BASENAME HEADING SENSORS UNIT CRITICAL BYLINE
-# WORK holds sensor_N for each of the SENSORS (speed in Hz, amplitude in UNIT, phase in degrees) and names.gp; CRITICAL: the
+# gnuplot -c bode.gp WORK OUTPUT_BASENAME HEADING SENSORS UNIT CRITICAL BYLINE SPEED_LABEL
+# WORK holds sensor_N for each of the SENSORS (speed, amplitude in UNIT, phase in degrees) and names.gp; CRITICAL: the
 # critical speeds that they show.
 
 work = ARG1
@@ -63,7 +63,7 @@ do for [format in "png svg"] {
   plot for [i = 0:sensors - 1] file(i) using 1:2 with lines linewidth 2 dashtype dash(i) \
       linecolor rgb colours[i + 1] title value(sprintf("name_%d", i)), \
     NaN with lines dashtype 2 linewidth 1.2 linecolor rgb mark \
-      title (words(critical) ? sprintf("critical speed %s Hz", listed) : "")
+      title (words(critical) ? sprintf("critical speed %s %s", listed, strstrt(ARG8, "rpm") ? "rpm" : "Hz") : "")
   unset label 1
   unset label 2
   unset key
@@ -73,7 +73,7 @@ do for [format in "png svg"] {
   set yrange [bottom:top]
   set ytics phase_step
   set format x "% h"
-  set xlabel "shaft speed (Hz)"
+  set xlabel ARG8
   set label 3 "phase (°)" at screen 0.025, 0.27 center rotate by 90
   plot for [i = 0:sensors - 1] file(i) using 1:3 with lines linewidth 2 dashtype dash(i) \
     linecolor rgb colours[i + 1] notitle

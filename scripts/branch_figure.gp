@@ -21,7 +21,9 @@ name_of(k) = word("fold period-doubling period-halving torus branch-point graze"
 
 set title heading
 set xlabel x_label noenhanced
-set ylabel "amplitude (mm)"
+# Not as the label of the axis, which may come over the numbers at it.
+set lmargin at screen 0.1
+set label 100 "amplitude (mm)" at screen 0.02, graph 0.5 center rotate by 90
 set tics nomirror out
 set grid linecolor rgb "#E4E4E4"
 set key at screen 0.79, graph 1 left top Left reverse samplen 2 spacing 1.4

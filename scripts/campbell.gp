@@ -41,19 +41,19 @@ do for [format in "png svg"] {
   set tmargin at screen 0.86
   set border 31 linewidth 1
   set tics nomirror out
-  set xrange [C_min_x:fastest]
+  set xrange [C_min_x:fastest * per_hz]
   set yrange [0:top]
-  set xlabel "shaft speed (Hz)"
+  set xlabel per_hz == 1 ? "shaft speed (Hz)" : "shaft speed (rpm)"
   # Not as labels of the axes: beside a fixed margin these may come over the numbers.
   set label 1004 "whirl frequency (Hz)" at screen 0.013, 0.49 center rotate by 90
   set key at screen 0.07, screen 0.945 left top horizontal Left reverse noopaque samplen 2.5 maxrows 1
-  set label 1001 "1X" at first name_of_1x, first name_of_1x + 0.035 * top right textcolor rgb turning
-  set label 1002 "2X" at first 0.5 * 0.94 * top, first 0.94 * top right offset -0.8, 0 textcolor rgb turning
-  plot x with lines linecolor rgb turning dashtype 3 linewidth 1.5 notitle, \
-    2 * x with lines linecolor rgb turning dashtype 3 linewidth 0.8 notitle, \
+  set label 1001 "1X" at first name_of_1x * per_hz, first name_of_1x + 0.035 * top right textcolor rgb turning
+  set label 1002 "2X" at first 0.5 * 0.94 * top * per_hz, first 0.94 * top right offset -0.8, 0 textcolor rgb turning
+  plot x / per_hz with lines linecolor rgb turning dashtype 3 linewidth 1.5 notitle, \
+    2 * x / per_hz with lines linecolor rgb turning dashtype 3 linewidth 0.8 notitle, \
     for [k = 1:(any_mixed ? 3 : 2)] file("curves") using 1:($3 == k - 1 ? $2 : NaN) with lines \
       linecolor rgb colour[k] dashtype dash[k] linewidth 2 title direction[k], \
-    (any_critical ? file("critical") : "/dev/null") using 1:1 with points pointtype 7 pointsize 1.3 \
+    (any_critical ? file("critical") : "/dev/null") using ($1 * per_hz):1 with points pointtype 7 pointsize 1.3 \
       linecolor rgb "black" title (any_critical ? "critical speed" : "")
   unset label
 

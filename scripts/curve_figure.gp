@@ -21,7 +21,9 @@ array curve_colour[5] = ["#000000", "#7A0000", "#00217A", "#005A1E", "#333333"]
 
 set title heading
 set xlabel ARG6 noenhanced
-set ylabel ARG7 noenhanced
+# Not as the label of the axis, which may come over the numbers at it.
+set lmargin at screen 0.1
+set label 100 ARG7 at screen 0.02, graph 0.5 center rotate by 90 noenhanced
 set tics nomirror out
 set key at screen 0.775, graph 1 left top Left reverse samplen 2 spacing 1.4
 set rmargin at screen 0.76

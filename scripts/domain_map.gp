@@ -1,7 +1,8 @@
 # Draws the cells that analysis/domain_map.py lays out, one colour per class and order.
 # gnuplot -c domain_map.gp CELLS OUTPUT_BASENAME HEADING PRESENT LABELS SPEED_LABEL UNBALANCE_LABEL BOUNDARIES FADE
 # PRESENT: the kinds in CELLS, a blank around each; LABELS: x y text x y text ...; the other two stand at the axes;
-# FADE: not empty where cells are shown by as much of their colour as their strength says;
+# FADE: fade where cells are shown by as much of their colour as their strength says, logx and logy where an axis is
+# logarithmic;
 # BOUNDARIES: the kinds of lines in CELLS behind the cells, a block for each.
 
 cells = ARG1
@@ -50,7 +51,9 @@ do for [k = 1:words(labels):3] {
 
 set title heading
 set xlabel speed_label
-set ylabel unbalance_label
+# Not as the label of the axis, which may come over the numbers at it.
+set lmargin at screen 0.1
+set label 100 unbalance_label at screen 0.02, graph 0.5 center rotate by 90
 if (in_natural_frequencies) { set xtics 1 out nomirror; set mxtics 2 } else { set xtics autofreq out nomirror }
 set ytics out nomirror
 set key at screen 0.775, graph 1 left top Left reverse samplen 1.5 spacing 1.4
@@ -65,7 +68,9 @@ x_if(i) = strcol(7) eq kind[i] ? $1 : NaN
 mixed(level, strength) = int(255 - (0.2 + 0.8 * strength) * (255 - level) + 0.5)
 faded(i, strength) = 65536 * mixed(part(colour[i], 1), strength) + 256 * mixed(part(colour[i], 2), strength) + \
   mixed(part(colour[i], 3), strength)
-fade = strlen(ARG9) > 0
+fade = strstrt(ARG9, "fade") > 0
+if (strstrt(ARG9, "logx")) { set logscale x }
+if (strstrt(ARG9, "logy")) { set logscale y }
 if (fade) { set label "fainter: fewer of the neighbouring\nkicks lead to the same motion" at screen 0.78, screen 0.08 left font ",15" }
 
 set terminal pngcairo size 1600, 1000 font "DejaVu Sans,20" linewidth 1.5

@@ -1,6 +1,6 @@
 # Draws the run-up through rub that analysis/run_up_layout.py lays out.
 # gnuplot -c run_up.gp WORK OUTPUT_BASENAME HEADING SPEEDS WALL ORBITS REACH ORDER BYLINE
-# SPEEDS: least and largest in Hz; WALL: clearance in mm, angle in degrees or nan; ORBITS: their speeds; REACH: half the
+# SPEEDS: least and largest, and their unit; WALL: clearance in mm, angle in degrees or nan; ORBITS: their speeds; REACH: half the
 # width of an orbit's panel in mm; ORDER: the largest one that is drawn.
 
 work = ARG1
@@ -8,6 +8,7 @@ output = ARG2
 heading = ARG3
 least = real(word(ARG4, 1))
 largest = real(word(ARG4, 2))
+unit = word(ARG4, 3)
 clearance = real(word(ARG5, 1))
 flat = word(ARG5, 2) ne "nan"
 angle = flat ? real(word(ARG5, 2)) * pi / 180 : 0
@@ -60,7 +61,7 @@ do for [format in "png svg"] {
     set rmargin at screen middle + 0.46 * panel
     set tmargin at screen 0.93
     set bmargin at screen 0.93 - 0.92 * panel * width / height
-    set label 2 word(orbits, i) . " Hz" at screen middle, 0.94 center font ",15"
+    set label 2 word(orbits, i) . " " . unit at screen middle, 0.94 center font ",15"
     if (flat) {
       plot clearance * cos(angle) - (t - pi) * reach * sin(angle), clearance * sin(angle) + (t - pi) * reach * cos(angle) \
           with lines dashtype 2 linecolor rgb "black" notitle, \
@@ -112,7 +113,7 @@ do for [format in "png svg"] {
   set ytics 1
   set yrange [-order - 0.2:order + 0.2]
   set format x "% h"
-  set xlabel "shaft speed (Hz)"
+  set xlabel sprintf("shaft speed (%s)", unit)
   set label 4 "order (backward < 0 < forward)" at screen 0.018, 0.235 center rotate by 90
   set logscale cb
   set cbrange [top_amplitude / 300:top_amplitude]

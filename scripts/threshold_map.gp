@@ -30,7 +30,9 @@ if (THRESHOLD_max > THRESHOLD_min) { set cbrange [THRESHOLD_min:THRESHOLD_max] }
 set cblabel ARG6 . ", smallest after which rub goes on"
 set title heading
 set xlabel ARG4
-set ylabel ARG5
+# Not as the label of the axis, which may come over the numbers at it.
+set lmargin at screen 0.1
+set label 100 ARG5 at screen 0.02, graph 0.5 center rotate by 90
 set xtics out nomirror
 set ytics out nomirror
 set key outside below Left reverse samplen 1.5

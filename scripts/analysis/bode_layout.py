@@ -4,6 +4,7 @@ import os
 
 import configuration
 import csv_table
+import shown_units
 from command import Failure, require_readable
 from trace_layout import UNITS
 
@@ -27,6 +28,7 @@ class Bode:
             if row["quantity"] == "critical_speed_hz":
                 self._critical[int(csv_table.number(row, "sensor"))] = csv_table.number(row, "value")
         largest_m = max(csv_table.number(row, f"sensor_{i}_amplitude_m") for row in self._rows for i in self.sensors)
+        self.speed = shown_units.axis(self.config, "speed_hz")
         self.per_metre, self.unit = next((factor, word) for limit, factor, word in UNITS if largest_m < limit)
 
     def lines(self, sensor):
@@ -38,7 +40,7 @@ class Bode:
                 phase -= 360 * round((phase - before) / 360)
             before = phase
             amplitude = self.per_metre * csv_table.number(row, f"sensor_{sensor}_amplitude_m")
-            yield f"{csv_table.number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g}"
+            yield f"{self.speed.factor * csv_table.number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g}"
 
     def names(self):
         """What the legend says of each sensor: where it looks and the critical speed that it shows."""
@@ -54,4 +56,4 @@ class Bode:
 
     def critical(self):
         """The critical speeds of the sensors that show one, each once to four digits."""
-        return sorted({"%.4g" % speed for sensor, speed in self._critical.items() if sensor in self.sensors}, key=float)
+        return sorted({"%.4g" % (self.speed.factor * speed) for sensor, speed in self._critical.items() if sensor in self.sensors}, key=float)

@@ -5,6 +5,7 @@ from itertools import groupby
 
 import configuration
 import csv_table
+import shown_units
 from command import require_readable
 
 WHIRLS = ("forward", "backward", "mixed")
@@ -24,7 +25,9 @@ def lay_out(directory, work):
     curves = _numbers(files["campbell.csv"], "mode", "speed_hz", "frequency_hz")
     critical = _numbers(files["critical_speeds.csv"], "mode", "speed_hz")
     shapes = _numbers(files["mode_shapes.csv"], "mode", "frequency_hz", "position_m", "x_real", "y_real", "x_imag", "y_imag")
-    _write(work, "curves", curve_lines(curves))
+    config = configuration.read_configuration(files["config.yaml"])
+    per_hz = shown_units.axis(config, "speed_hz").factor
+    _write(work, "curves", curve_lines(curves, per_hz))
     _write(work, "critical", ("%.17g" % row["speed_hz"] for row in critical))
     fastest = max((row["speed_hz"] for row in curves), default=0)
     # As high as shows where the modes meet the shaft speed, and the slowest mode in any case.
@@ -33,23 +36,24 @@ def lay_out(directory, work):
         f"fastest = {fastest:.17g}",
         f"name_of_1x = {place_of_1x(critical, fastest):.17g}",
         f"top = {top:.17g}",
+        f"per_hz = {per_hz:.17g}",  # of the unit in which shaft speeds are shown
         f"any_critical = {len(critical) > 0:d}",
         f"any_mixed = {any(row['whirl'] == 'mixed' for row in curves):d}",
     ]
-    _write(work, "labels.gp", [*sizes, *name_lines(curves, top), *label_lines(critical, fastest)])
+    _write(work, "labels.gp", [*sizes, *name_lines(curves, top, per_hz), *label_lines(critical, fastest, per_hz)])
     shown = shown_shapes(shapes)
     _write(work, "shapes", shape_lines(shown))
-    _write(work, "shaft", shaft_lines(configuration.read_configuration(files["config.yaml"])))
+    _write(work, "shaft", shaft_lines(config))
     return len(shown)
 
 
-def curve_lines(rows):
+def curve_lines(rows, per_hz=1):
     """Speed, frequency and direction (0 forward, 1 backward, 2 mixed); a block for each stretch of one direction."""
     for _, mode in groupby(rows, key=lambda row: row["mode"]):
         last = None
         for row in mode:
             direction = WHIRLS.index(row["whirl"])
-            point = "%.17g %.17g" % (row["speed_hz"], row["frequency_hz"])
+            point = "%.17g %.17g" % (per_hz * row["speed_hz"], row["frequency_hz"])
             if last is not None and last[1] != direction:
                 # The stretches meet.
                 yield f"{point} {last[1]}"
@@ -59,17 +63,17 @@ def curve_lines(rows):
         yield ""
 
 
-def name_lines(rows, top):
+def name_lines(rows, top, per_hz=1):
     """The number of each mode at its end, as gnuplot's labels; modes that end at one height share one."""
     ends = [list(mode)[-1] for _, mode in groupby(rows, key=lambda row: row["mode"])]
     shown = sorted((row for row in ends if row["frequency_hz"] < top), key=lambda row: row["frequency_hz"])
     for cluster in _clusters(shown, "frequency_hz", SAME_HEIGHT * top):
         place = sum(row["frequency_hz"] for row in cluster) / len(cluster)
         text = ",".join("%d" % row["mode"] for row in cluster)
-        yield _label(cluster[0]["speed_hz"], place, text, "left offset 0.6, 0")
+        yield _label(per_hz * cluster[0]["speed_hz"], place, text, "left offset 0.6, 0")
 
 
-def label_lines(rows, fastest):
+def label_lines(rows, fastest, per_hz=1):
     """Critical speeds as gnuplot's labels; speeds that lie together get one, at their middle. It stands above to the left
     of the line, below to the right where the next one is close, above to the right beside the axis."""
     clusters = list(_clusters(sorted(rows, key=lambda row: row["speed_hz"]), "speed_hz", 0, SAME_SPEED))
@@ -80,7 +84,7 @@ def label_lines(rows, fastest):
             place = "left offset 0.3, 0.9"
         elif following < middle + CLOSE * fastest:
             place = "left offset 0.8, -0.8"
-        yield _label(middle, middle, "%.4g" % middle, place)
+        yield _label(per_hz * middle, middle, "%.4g" % (per_hz * middle), place)
 
 
 def place_of_1x(critical, fastest):

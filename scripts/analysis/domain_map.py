@@ -7,7 +7,7 @@ quasi_periodic_oval and, whirling backward, quasi_periodic_whip.
 
 import math
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import csv_table
 
@@ -62,6 +62,16 @@ def read_cells(path, measure, natural_frequency_hz=None, across="speed_hz", stre
     return cells
 
 
+def scaled(cells, boundaries, across, up):
+    """The same cells and lines in units of which there are so many in one."""
+    if across == up == 1:
+        return cells, boundaries
+    return (
+        [replace(cell, x=across * cell.x, y=up * cell.y) for cell in cells],
+        {kind: [[(across * x, up * y) for x, y in line] for line in lines] for kind, lines in boundaries.items()},
+    )
+
+
 def boundary_kind(kind):
     """How the picture parts the kinds of boundaries.csv."""
     named = {"fold": "fold", "period_doubling": "doubling", "period_halving": "doubling", "neimark_sacker": "torus"}
@@ -96,9 +106,13 @@ def boundary_lines(boundaries):
             yield ""
 
 
-def edges(values):
-    """A dict from each distinct value to the two edges of the cells there; a value alone is 0.2 wide."""
+def edges(values, logarithmic=False):
+    """A dict from each distinct value to the two edges of the cells there, which on a logarithmic axis are half way in
+    its logarithm; a value alone is 0.2 wide."""
     values = sorted(set(values))
+    if logarithmic:
+        exponents = edges(math.log(value) for value in values)
+        return {value: tuple(math.exp(edge) for edge in exponents[math.log(value)]) for value in values}
     if len(values) == 1:
         return {values[0]: (values[0] - 0.05, values[0] + 0.05)}
     found = {}
@@ -138,9 +152,10 @@ def labels(cells):
     return found
 
 
-def cell_lines(cells):
-    """One line per cell: x y left right bottom top kind strength."""
-    across, up = edges(cell.x for cell in cells), edges(cell.y for cell in cells)
+def cell_lines(cells, logarithmic=(False, False)):
+    """One line per cell: x y left right bottom top kind strength; which axes are logarithmic."""
+    across = edges((cell.x for cell in cells), logarithmic[0])
+    up = edges((cell.y for cell in cells), logarithmic[1])
     for cell in cells:
         figures = (cell.x, cell.y, *across[cell.x], *up[cell.y])
         yield " ".join(_digits(figure) for figure in figures) + f" {cell.kind} {_digits(cell.strength)}"

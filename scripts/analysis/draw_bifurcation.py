@@ -22,6 +22,7 @@ def main(arguments):
         line.label,
         line.clearance_mm(),
         "towards the wall" if line.has_fixed_wall() else "y",
+        "log" if line.is_logarithmic else "",
     )
 
 

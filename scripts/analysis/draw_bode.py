@@ -23,6 +23,7 @@ def main(arguments):
         bode.unit,
         " ".join(bode.critical()),
         captions.byline(bode.config),
+        bode.speed.label,
     )
 
 

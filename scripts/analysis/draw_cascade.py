@@ -19,7 +19,7 @@ def main(arguments):
     highest = line_layout.largest_amplitude(spectra)
     if highest == 0:
         raise Failure(f"{line.files['cascade.csv']}: no line of a spectrum")
-    values = [float(cell["value"]) for cell in line.cells]
+    values = [line.value(cell) for cell in line.cells]
     span = max(values) - min(values) or 1.0
     order = line_layout.largest_order(spectra)
     height = HEIGHT * span / highest

@@ -9,16 +9,14 @@ import domain_map
 import gnuplot
 import map_heading
 import refined_map
+import shown_units
 import swept_axes
 from command import Failure, require_readable, run_program
 
 
-def axis_label(column, natural_hz):
+def label(axis):
     """What stands at an axis; keys of the configuration under their own names."""
-    if column == "speed_hz":
-        return "shaft speed (Hz)" if natural_hz is None else "shaft speed / natural frequency"
-    names = {"whirl_ratio": "whirl ratio (quiet whirl / clearance)", "eccentricity_m": "eccentricity (m)"}
-    return names.get(column) or column.replace("_", r"\_")
+    return axis.label.replace("_", r"\_")
 
 
 def main(arguments):
@@ -35,7 +33,7 @@ def main(arguments):
     if "rotor.natural_frequency_hz" in config:
         natural_hz = configuration.number(config["rotor.natural_frequency_hz"])
     across, up = swept_axes.plane(config)
-    if across != "speed_hz":
+    if across != "speed_hz" or shown_units.in_rpm(config):
         natural_hz = None
 
     fade = len(arguments) > 3
@@ -52,10 +50,16 @@ def main(arguments):
         columns = [swept_axes.values(config, axis) for axis in (across, up)]
         columns[0] = [value / (natural_hz or 1) for value in columns[0]]
         cells = refined_map.painted_cells(cells, *columns, int(config["sweep.refine.levels"]))
+    axes = [shown_units.axis(config, across), shown_units.axis(config, up, max(cell.y for cell in cells))]
+    if natural_hz is not None:
+        axes[0] = shown_units.Axis("shaft speed / natural frequency", 1, axes[0].logarithmic)
+    cells, boundaries = domain_map.scaled(cells, boundaries, axes[0].factor, axes[1].factor)
+    logarithmic = [axis.logarithmic and min(values) > 0
+                   for axis, values in zip(axes, ([cell.x for cell in cells], [cell.y for cell in cells]))]
     present = " ".join(sorted({cell.kind for cell in cells}))
     os.makedirs(os.path.dirname(output), exist_ok=True)
     with tempfile.NamedTemporaryFile("w", encoding="utf-8") as file:
-        file.writelines(line + "\n" for line in domain_map.cell_lines(cells))
+        file.writelines(line + "\n" for line in domain_map.cell_lines(cells, logarithmic))
         file.writelines(line + "\n" for line in domain_map.boundary_lines(boundaries))
         file.flush()
         gnuplot.draw(
@@ -65,10 +69,10 @@ def main(arguments):
             map_heading.heading(arguments[2], config, identified_hz),
             f" {present} ",
             domain_map.label_text(domain_map.labels(cells)),
-            axis_label(across, natural_hz),
-            axis_label(up, None),
+            label(axes[0]),
+            label(axes[1]),
             " ".join(boundaries),
-            "fade" if fade else "",
+            " ".join(word for word, on in zip(("fade", "logx", "logy"), (fade, *logarithmic)) if on),
         )
 
 

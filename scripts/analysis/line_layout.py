@@ -6,16 +6,12 @@ import re
 
 import configuration
 import csv_table
+import shown_units
 from command import Failure, require_readable
 from domain_map import kind_of
 from domain_measures import spread
 
 PASSES = ("kick", "up", "down")
-LABELS = {
-    "speed_hz": "shaft speed (Hz)",
-    "whirl_ratio": "whirl ratio (quiet whirl / clearance)",
-    "eccentricity_m": "eccentricity (m)",
-}
 _KIND = re.compile(r"[a-z_0-9]+")
 
 # The cascade goes on to the last order with a line of this share of the largest.
@@ -50,8 +46,21 @@ class Line:
         self.passes = [name for name in PASSES if any(row["pass"] == name for row in self.cells)]
 
     @property
+    def axis(self):
+        """How the number that is varied is shown."""
+        return shown_units.axis(self.config, self.along)
+
+    @property
     def label(self):
-        return LABELS.get(self.along, self.along)
+        return self.axis.label
+
+    def value(self, row):
+        """Of a row of any of the tables, in the unit that is shown."""
+        return self.axis.factor * _number(row, "value")
+
+    @property
+    def is_logarithmic(self):
+        return self.axis.logarithmic and all(_number(row, "value") > 0 for row in self.cells)
 
     @property
     def kinds(self):
@@ -87,7 +96,7 @@ def section_lines(line):
     x, y = line.towards_wall()
     for row in csv_table.read_table(line.files["bifurcation.csv"], "pass", "value", "x_m", "y_m"):
         displacement = x * _number(row, "x_m") + y * _number(row, "y_m")
-        yield f"{_digits(row, 'value')} {1e3 * displacement:.17g} {PASSES.index(row['pass'])} {line.kind(row)}"
+        yield f"{line.value(row):.17g} {1e3 * displacement:.17g} {PASSES.index(row['pass'])} {line.kind(row)}"
 
 
 def peak_lines(line):
@@ -96,7 +105,7 @@ def peak_lines(line):
         for row in line.cells:
             peak = csv_table.number(row, "peak_displacement_m")
             if row["pass"] == name and peak is not None:
-                yield f"{_digits(row, 'value')} {1e3 * peak:.17g} {PASSES.index(name)}"
+                yield f"{line.value(row):.17g} {1e3 * peak:.17g} {PASSES.index(name)}"
         yield ""
 
 
@@ -126,7 +135,7 @@ class Spectrum:
 def spectra(line):
     """A dict from each pass to its spectra, the largest value first; of many, some that are evenly spread. 0X, which is no
     whirl, is left out."""
-    by_cell = {(row["pass"], row["value"]): Spectrum(_number(row, "value"), line.kind(row)) for row in line.cells}
+    by_cell = {(row["pass"], row["value"]): Spectrum(line.value(row), line.kind(row)) for row in line.cells}
     for row in csv_table.read_table(line.files["cascade.csv"], "pass", "value", "order", "amplitude_m"):
         line.kind(row)  # there is such a cell
         order = _number(row, "order")
@@ -170,7 +179,3 @@ def _number(row, name):
     if value is None:
         raise Failure(f"column '{name}': an empty cell")
     return value
-
-
-def _digits(row, name):
-    return "%.17g" % _number(row, name)

@@ -6,6 +6,7 @@ import os
 import configuration
 import csv_table
 import domain_map
+import shown_units
 from command import Failure, require_readable
 
 LEAST_ORDERS = 2
@@ -18,24 +19,27 @@ def lay_out(directory, work):
     files = {name: os.path.join(directory, name) for name in names}
     require_readable(*files.values())
     config = configuration.read_configuration(files["config.yaml"])
+    speed = shown_units.axis(config, "speed_hz")
     envelope = _rows(files["envelope.csv"], "speed_hz", "lowest_y_m", "highest_y_m", "peak_displacement_m")
     if not envelope:
         raise Failure(f"{files['envelope.csv']}: no row")
-    _write(work, "envelope", (_line(row[0], *(1e3 * value for value in row[1:])) for row in envelope))
+    _write(work, "envelope", (_line(speed.factor * row[0], *(1e3 * value for value in row[1:])) for row in envelope))
     steady = _rows(files["quasi_static.csv"], "speed_hz", "peak_displacement_m")
-    _write(work, "steady", (_line(speed, 1e3 * peak) for speed, peak in steady if peak is not None))
+    _write(work, "steady", (_line(speed.factor * hz, 1e3 * peak) for hz, peak in steady if peak is not None))
     orbits = _rows(files["orbits.csv"], "orbit", "speed_hz", "x_m", "y_m")
     _write(work, "orbits", orbit_lines(orbits))
     lines = _rows(files["spectrogram.csv"], "speed_hz", "order", "amplitude_m")
-    _write(work, "spectrogram", spectrogram_lines(lines))
+    _write(work, "spectrogram", spectrogram_lines([(speed.factor * hz, *rest) for hz, *rest in lines]))
     spans = list(csv_table.read_table(files["rub.csv"], "source", "from_hz", "to_hz"))
-    _write(work, "rub", rub_lines(spans))
-    titles = [speed for number, speed, _, _ in orbits if number is not None]
-    orbit_speeds = [speed for i, speed in enumerate(titles) if i == 0 or speed != titles[i - 1]]
+    _write(work, "rub", rub_lines(spans, speed.factor))
+    titles = [speed.factor * hz for number, hz, _, _ in orbits if number is not None]
+    orbit_speeds = [shown for i, shown in enumerate(titles) if i == 0 or shown != titles[i - 1]]
     reach = 1e3 * max((math.hypot(x, y) for _, _, x, y in orbits), default=1e-3)
     clearance = 1e3 * configuration.number(config["stops.0.clearance_m"])
     return {
-        "speeds": "%.17g %.17g" % (min(row[0] for row in envelope), max(row[0] for row in envelope)),
+        "speeds": "%.17g %.17g %s" % (speed.factor * min(row[0] for row in envelope),
+                                       speed.factor * max(row[0] for row in envelope),
+                                       "rpm" if shown_units.in_rpm(config) else "Hz"),
         "clearance": "%.17g" % clearance,
         "angle": "%.17g" % (configuration.number(config["stops.0.angle_deg"]) if "stops.0.angle_deg" in config else math.nan),
         "orbits": " ".join("%.4g" % speed for speed in orbit_speeds),
@@ -63,10 +67,10 @@ def spectrogram_lines(lines):
             yield _line(speed, order, *edges[speed], 1e3 * amplitude)
 
 
-def rub_lines(spans):
+def rub_lines(spans, factor=1):
     """Ends of each stretch and 1 for the ramp, 0 for steady motions."""
     for row in spans:
-        ends = csv_table.number(row, "from_hz"), csv_table.number(row, "to_hz")
+        ends = [factor * csv_table.number(row, name) for name in ("from_hz", "to_hz")]
         yield _line(min(ends), max(ends), 1 if row["source"] == "ramp" else 0)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import configuration
 import csv_table
+import shown_units
 import spectrum_labels
 from command import Failure, require_readable
 
@@ -71,7 +72,7 @@ def read_motion(path):
     )
 
 
-def title(motion, natural_frequency_hz=None, places=""):
+def title(motion, speed, natural_frequency_hz=None, places=""):
     """Title of a row of panels; a rotor kit has many natural frequencies, and none in its configuration."""
     name = "no contact" if motion.name == "non_contact" else motion.name.replace("_", " ")
     if motion.order not in ("", "1"):
@@ -91,7 +92,7 @@ def title(motion, natural_frequency_hz=None, places=""):
     unbalance = "no clearance left at rest"
     if motion.whirl_ratio:
         unbalance = "whirl ratio %.3g" % float(motion.whirl_ratio)
-    return f"{name}: {'%.4g' % motion.speed_hz} Hz{ratio}, {unbalance}" + (f"; {places}" if places else "")
+    return f"{name}: {speed}{ratio}, {unbalance}" + (f"; {places}" if places else "")
 
 
 @dataclass
@@ -232,7 +233,7 @@ def lay_out(directory, work, row_number, revolutions):
                                for row in rows for k, figure in enumerate(row)))
 
     return {
-        "row_title": _quoted(title(motion, natural_hz and configuration.number(natural_hz), stops.places)),
+        "row_title": _quoted(title(motion, shown_units.speed_text(config, motion.speed_hz), natural_hz and configuration.number(natural_hz), stops.places)),
         "probed": int(probed),
         "from": shown.begin,
         "to": shown.end,

@@ -80,11 +80,11 @@ def words(root):
 
 
 def over_each_other(root):
-    """Pairs of texts of which one covers a part of the other."""
+    """Pairs of texts of which one covers a part of the other; a text in a box is written twice."""
     found = []
     boxes = [(text.text, text.box()) for text in texts(root)]
     for i, (one, a) in enumerate(boxes):
         for other, b in boxes[i + 1:]:
-            if a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]:
+            if (one, a) != (other, b) and a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]:
                 found.append((one, other))
     return found

@@ -14,7 +14,7 @@ class RunUp(FileTest):
 
     def test_all_of_it_in_millimetres(self):
         shown = run_up_layout.lay_out(self.directory, self.directory)
-        self.assertEqual(shown, {"speeds": "20 30", "clearance": "1", "angle": "90", "orbits": "22 28", "reach": "5.5",
+        self.assertEqual(shown, {"speeds": "20 30 Hz", "clearance": "1", "angle": "90", "orbits": "22 28", "reach": "5.5",
                                  "order": "3"})
         self.assertEqual(self.read("envelope"), "20 -1 2 3\n30 0 0 0\n")
         self.assertEqual(self.read("steady"), "20 1\n")

@@ -115,7 +115,7 @@ class LayOut(FileTest):
 
 class Title(FileTest):
     def expect(self, title, natural_hz=None, **changes):
-        self.assertEqual(trace_layout.title(replace(PLAIN, **changes), natural_hz), title)
+        self.assertEqual(trace_layout.title(replace(PLAIN, **changes), "50 Hz", natural_hz), title)
 
     def test_titles(self):
         self.expect("chaotic: 50 Hz, whirl ratio 0.6")
