@@ -139,21 +139,51 @@ TEST(DryFriction, ASlipThatComesToZeroInTheFirstStepOfARunSticks) {
   }
 }
 
-TEST(DryFriction, TwoWallsOfOneRigidCasingThatStickTogetherAreNamed) {
-  const Belt belt{.revolution = pi / 2};
-  scene::Scene scene = belt.scene(2.2, 0);
-  scene.contacts.push_back(scene.contacts[0]);
-  for (const auto& options : {run::SolverOptions{}, stepper(run::Stepper::dopri5, 1e-8)}) {
-    exact::ModeCache modes;
-    const run::Run run = start(scene, options, modes);
-    run::TurnReport report;
-    run::Outcome outcome = run::Outcome::ok;
-    ASSERT_EQ(run.advance({}, report), outcome);
-    const std::vector<double> moves = report.section;
-    for (int k = 0; k < 6 && outcome == run::Outcome::ok; ++k) outcome = run.advance({}, report);
-    EXPECT_EQ(outcome, run::Outcome::stick_undetermined);
-    run.restart(moves);
-    EXPECT_EQ(run.advance({}, report), run::Outcome::ok);
+/// `contact` in two, with these shares of its stiffness and other coefficients of friction: what the two do
+/// together is what the one does.
+std::pair<scene::Contact, scene::Contact> split(const scene::Contact& contact, double share, double more) {
+  const double mu = contact::dry_coefficient(contact.friction);
+  std::pair parts(contact, contact);
+  parts.first.stiffness_n_per_m *= share;
+  parts.first.damping_ns_per_m *= share;
+  parts.second.stiffness_n_per_m *= 1 - share;
+  parts.second.damping_ns_per_m *= 1 - share;
+  parts.first.friction = model::ConstantFriction{mu * more};
+  parts.second.friction = model::ConstantFriction{mu * (1 - share * more) / (1 - share)};
+  return parts;
+}
+
+/// Largest distance of the sections of `scene` and of the same with its first stop in two, over `turns`.
+double split_apart(const scene::Scene& scene, const std::pair<scene::Contact, scene::Contact>& parts,
+                   const run::SolverOptions& options, int turns) {
+  scene::Scene two = scene;
+  two.contacts[0] = parts.first;
+  two.contacts.push_back(parts.second);
+  exact::ModeCache modes;
+  const run::Run one_run = start(scene, options, modes), two_run = start(two, options, modes);
+  run::TurnReport a, b;
+  double apart = 0;
+  for (int k = 0; k < turns; ++k) {
+    EXPECT_EQ(one_run.advance({}, a), run::Outcome::ok) << k;
+    EXPECT_EQ(two_run.advance({}, b), run::Outcome::ok) << k;
+    apart = std::max(apart, distance(a.section, b.section));
+  }
+  return apart;
+}
+
+TEST(DryFriction, TwoWallsOfOneRigidCasingHoldWhatOneDoes) {
+  // Which of the two holds how much is open; what the mass does is not.
+  const Belt carried{.damping = 0.1, .surface = 0.8, .revolution = 1};
+  const Belt stops{.normal = 2, .mu = 0.25, .revolution = pi / 2};
+  for (const double share : {0.5, 0.2, 0.9}) {
+    for (const double more : {1.0, 0.3, 1.05}) {
+      for (const scene::Scene& scene :
+           {carried.scene(0, -0.8), stops.scene(2.2, 0), carried.scene(1.5, 2.0)}) {
+        const auto parts = split(scene.contacts[0], share, more);
+        EXPECT_LT(split_apart(scene, parts, {}, 8), 1e-10) << share << ' ' << more;
+        EXPECT_LT(split_apart(scene, parts, stepper(run::Stepper::dopri5, 1e-9), 8), 1e-6);
+      }
+    }
   }
 }
 
@@ -229,6 +259,68 @@ scene::Scene random_scene(std::mt19937& random, bool annular, int stops) {
   scene.displacement_m << even(-0.5, 0.5), even(-0.5, 0.5);
   scene.velocity_m_per_s << even(-2, 2), even(-2, 2);
   return scene;
+}
+
+TEST(DryFriction, StopsInTwoDoWhatTheyDoInOne) {
+  std::mt19937 random(23);
+  for (int cell = 0; cell < 60; ++cell) {
+    const scene::Scene scene = random_scene(random, cell % 2 == 1, 1 + cell % 3 / 2);
+    const auto parts = split(scene.contacts[0], 0.2 + 0.2 * (cell % 4), 0.4 + 0.2 * (cell % 3));
+    EXPECT_LT(split_apart(scene, parts, {}, 6), 1e-7) << cell;
+  }
+}
+
+TEST(DryFriction, NearlyParallelWallsDoNearlyWhatOneDoes) {
+  for (const double apart_deg : {0.3, 0.01, 1e-4, 1e-6}) {
+    // A rotor that its weight presses on the floor, kicked along it, with slow surfaces: it sticks and slips.
+    auto scene = test::one_mass_scene(1, 1, 0.05, 2 * pi / 0.15, 1);
+    scene.harmonic_n << 0.2, std::complex<double>(0, -0.2);
+    scene.constant_n << 0, -1.8;
+    scene::Contact floor;
+    floor.wall = contact::FlatWall{contact::direction(-90)};
+    floor.clearance_m = 1;
+    floor.stiffness_n_per_m = 1000;
+    floor.damping_ns_per_m = 5;
+    floor.friction = model::ConstantFriction{0.6};
+    floor.surface_speed_m_per_s = 0.02;
+    scene.contacts.push_back(floor);
+    scene.displacement_m << 0.4, -1.0008;
+    scene.velocity_m_per_s << 0.7, 0;
+    auto parts = split(floor, 0.5, 1);
+    parts.first.wall = contact::FlatWall{contact::direction(-90 - apart_deg)};
+    parts.second.wall = contact::FlatWall{contact::direction(-90 + apart_deg)};
+    // Their penetrations differ by the angle times the way along the floor.
+    const double angle = apart_deg * pi / 180;
+    EXPECT_LT(split_apart(scene, parts, {}, 4), 4 * angle + 1e-9) << apart_deg;
+    EXPECT_LT(split_apart(scene, parts, stepper(run::Stepper::dopri5, 1e-9), 1), 4 * angle + 1e-6)
+        << apart_deg;
+  }
+}
+
+TEST(DryFriction, AWallWhoseTangentTheRingsPassesLetsTheRunGoOn) {
+  // Rolls in a ring past a flat wall of the same radius and clearance: both slips are zero where the tangents
+  // are parallel.
+  for (const double share : {0.5, 0.8, 1.0}) {
+    test::RollingScene rolling = test::rolling_scene(1e3);
+    scene::Contact& ring = rolling.scene.contacts[0];
+    ring.friction = model::ConstantFriction{0.4};
+    ring.surface_speed_m_per_s = rolling.radius * rolling.whirl;
+    scene::Contact wall = ring;
+    wall.wall = contact::FlatWall{contact::direction(70)};
+    wall.stiffness_n_per_m *= share;
+    rolling.scene.contacts.push_back(wall);
+    exact::ModeCache modes;
+    const run::Run run = start(rolling.scene, {}, modes),
+                   other = start(rolling.scene, stepper(run::Stepper::rkf78, 1e-12), modes);
+    run::TurnReport a, b;
+    for (int k = 0; k < 6; ++k) {
+      ASSERT_EQ(run.advance({}, a), run::Outcome::ok) << k;
+      ASSERT_EQ(other.advance({}, b), run::Outcome::ok) << k;
+      EXPECT_LT(distance(a.section, b.section), 1e-8) << k;
+      other.restart(a.section);
+    }
+    EXPECT_GT(a.effort.switches, 6);
+  }
 }
 
 class RandomDryFriction : public testing::TestWithParam<std::pair<bool, int>> {};

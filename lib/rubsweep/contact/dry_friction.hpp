@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace rubsweep::contact {
@@ -26,22 +28,29 @@ using StickMatrix = Eigen::Matrix<double, Eigen::Dynamic, columns == 1 ? 1 : Eig
 using StickVector = StickMatrix<1>;
 using StickMobility = StickMatrix<most_sticking>;
 
-/// Whether every friction force of these surfaces moves some of them. Those of two walls of one direction on
-/// one rigid casing can only be told apart by forces that move nothing: which of the two lets go first is
-/// then open.
-bool determined(const StickMobility& mobility);
-
 /// Forces that hold every one of the surfaces: mobility f = acceleration.
 StickVector holding_forces(const StickMobility& mobility, const StickVector& acceleration);
 
-/// What `count` surfaces with slip zero do from here on, and their friction. `acceleration` is that of each
-/// slip without friction at any of them, `mobility` what a unit of friction at one takes off the acceleration
-/// at another (symmetric, no negative eigenvalue), `limit` >= 0 the largest friction of each. The friction
+/// What surfaces with slip zero do from one instant on, and the friction of each. Those that stick have
+/// tangents that are independent of each other: their friction is determined.
+struct SettledSlips {
+  std::array<Slip, most_sticking> slips{};
+  /// Friction at its limit, and still no acceleration of the slip: others keep the surface standing. So does
+  /// one wall with another one of its direction on the same rigid casing.
+  std::array<bool, most_sticking> poised{};
+  StickVector force;
+  /// The friction obeys the law; false for numbers that are not finite, too. Nothing else may be used then.
+  bool obeys_law = false;
+};
+
+/// What surfaces with slip zero do from here on. `acceleration` is that of each slip without friction at any
+/// of them, `mobility` what a unit of friction at one takes off the acceleration at another (symmetric, no
+/// negative eigenvalue, which may be singular), `limit` >= 0 the largest friction of each. The friction
 /// sought obeys |f| <= limit, f = limit where the slip then accelerates forward and f = -limit where it does
 /// backward. That is the minimum of f.mobility f / 2 - acceleration.f over a box (Gauss's principle of least
-/// constraint): there always is one, and the motion that follows is the same for all minima. Sticking where
-/// friction below the limit does. `slips` and `force` are as long as `limit`.
-void settle_slips(const StickMobility& mobility, const StickVector& acceleration, const StickVector& limit,
-                  Slip* slips, StickVector& force);
+/// constraint): there always is one, and the motion that follows is the same for all minima. It is found by
+/// active sets in finitely many steps, and tried against the law before it is returned.
+SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acceleration,
+                          const StickVector& limit);
 
 }  // namespace rubsweep::contact

@@ -89,8 +89,8 @@ class HybridRun {
           return finish(report, run::Outcome::step_limit);
         case taylor::TaylorEnding::non_finite:
           return finish(report, run::Outcome::non_finite);
-        case taylor::TaylorEnding::stick_undetermined:
-          return finish(report, run::Outcome::stick_undetermined);
+        case taylor::TaylorEnding::friction_unsettled:
+          return finish(report, run::Outcome::friction_unsettled);
       }
       if (taylor_->at_end_of_turn()) {
         taylor_->finish(report);
@@ -154,8 +154,8 @@ class HybridRun {
         return finish(report, run::Outcome::step_limit);
       case taylor::TaylorEnding::non_finite:
         return finish(report, run::Outcome::non_finite);
-      case taylor::TaylorEnding::stick_undetermined:
-        return finish(report, run::Outcome::stick_undetermined);
+      case taylor::TaylorEnding::friction_unsettled:
+        return finish(report, run::Outcome::friction_unsettled);
     }
     ++taylor_turns_;
     finish(report, run::Outcome::ok);

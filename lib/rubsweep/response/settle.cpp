@@ -206,6 +206,8 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
     }
     run.outcome = motion.advance(request, turn);
     run.effort = turn.effort;
+    // A turn that failed counts, too: the reversal may be why it did.
+    run.slip_reversed = run.slip_reversed || turn.slip_reversed;
     if (run.outcome != integrate::run::Outcome::ok) {
       run.motion.motion_class = motion::MotionClass::failed;
       return run;
@@ -214,7 +216,6 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
     torus.add(request, turn);
     run.section = turn.section;
     if (turn.touched) run.last_contact_revolution = run.revolutions;
-    run.slip_reversed = run.slip_reversed || turn.slip_reversed;
     if (run.revolutions > first_recorded) record.add(turn);
     if (static_cast<double>(run.revolutions) < kick_turns) continue;
     if (const auto proven = proof.look(turn)) {

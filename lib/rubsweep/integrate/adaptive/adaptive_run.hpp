@@ -66,7 +66,7 @@ class AdaptiveRun {
     dynamics_(step_.start, step_.start_rate, 0.0);
     while (step_.start_phase < end_phase_) {
       if (steps_ + refused_ >= limit) return finish(report, run::Outcome::step_limit);
-      if (dynamics_.undetermined()) return finish(report, run::Outcome::stick_undetermined);
+      if (dynamics_.unsettled()) return finish(report, run::Outcome::friction_unsettled);
       if (step_.start_phase >= impulses_.next_phase_rad()) apply_impulses(observer);
       const run::Outcome outcome = advance_one_step(observer);
       if (outcome != run::Outcome::ok) return finish(report, outcome);
@@ -99,8 +99,13 @@ class AdaptiveRun {
   void enter_slips(double phase) {
     enter_slips_by_state(dynamics_, step_.start, step_.start_rate, phase);
     for (std::size_t i = 0; i < just_moved_.size(); ++i)
-      just_moved_[i] = dynamics_.touches_dry(i) && dynamics_.slips()[i] != contact::Slip::sticking &&
-                       stands(dynamics_, i, step_.start);
+      just_moved_[i] = leaves_zero(i) && stands(dynamics_, i, step_.start);
+  }
+
+  /// Contact `i`, if its slip is zero, begins to slip.
+  bool leaves_zero(std::size_t i) const {
+    return dynamics_.touches_dry(i) && dynamics_.slips()[i] != contact::Slip::sticking &&
+           !dynamics_.poised(i);
   }
 
   /// Rate and kinematics at the start of a step, by the law now in force.
@@ -214,6 +219,8 @@ class AdaptiveRun {
       switched = true;
       ++switches_;
       observer.mode_switch({step_.end_phase, static_cast<int>(i), from, mode});
+      if (mode == contact::Mode::open && dynamics_.any_poised())
+        settle_slips(dynamics_, step_.end, probe_rate_, step_.end_phase, [](std::size_t) { return false; });
       if (from == contact::Mode::open && dynamics_.touches_dry(i)) touch_down(i);
     }
     if (!switched) return;
@@ -232,8 +239,11 @@ class AdaptiveRun {
   void switch_slip(const Crossing& crossing) {
     ++switches_;
     if (crossing.event == Crossing::Event::release) {
-      dynamics_.slips()[crossing.contact] = crossing.slip;
-      just_moved_[crossing.contact] = true;
+      const std::size_t i = crossing.contact;
+      const bool others = let_go(dynamics_, i, crossing.slip, step_.end, probe_rate_, step_.end_phase);
+      for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
+        if (j == i || (others && stands(dynamics_, j, step_.end))) just_moved_[j] = leaves_zero(j);
+      }
     } else {
       stop_slip(crossing.contact);
     }
@@ -246,7 +256,7 @@ class AdaptiveRun {
                  [&](std::size_t j) { return j == i; });
     for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
       if (dynamics_.touches_dry(j) && (j == i || stands(dynamics_, j, step_.end)))
-        just_moved_[j] = dynamics_.slips()[j] != contact::Slip::sticking;
+        just_moved_[j] = leaves_zero(j);
     }
     dynamics_(step_.end, step_.end_rate, step_.end_phase);
     if constexpr (requires { dynamics_.changes(step_.end); }) {

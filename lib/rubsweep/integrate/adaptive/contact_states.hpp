@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/QR>
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -28,6 +29,7 @@ class ContactStates {
       : system_(system),
         modes_(system.contacts.size(), contact::Mode::open),
         slips_(system.contacts.size(), contact::Slip::forward),
+        poised_(system.contacts.size(), false),
         held_(system.contacts.size()) {
     for (const Contact& c : system.contacts) {
       dry_.push_back(contact::dry_coefficient(c.friction));
@@ -63,9 +65,14 @@ class ContactStates {
   }
   bool any_dry() const { return !Smoothed && any_dry_; }
 
-  /// Says whether what holds the contacts that stick is not determined one by one: then the run is to end.
-  void leave_undetermined(bool so) { undetermined_ = so; }
-  bool undetermined() const { return undetermined_; }
+  /// Contact `i` has its largest friction, and others that stick keep its slip at zero all the same.
+  bool poised(std::size_t i) const { return poised_[i]; }
+  void poise(std::size_t i, bool so) { poised_[i] = so; }
+  bool any_poised() const { return std::ranges::find(poised_, true) != poised_.end(); }
+
+  /// Says whether no friction was found that obeys the law: then the run is to end.
+  void leave_unsettled(bool so) { unsettled_ = so; }
+  bool unsettled() const { return unsettled_; }
 
   /// Adds the friction that holds the contacts that stick to a rate without it.
   template <class State>
@@ -209,12 +216,13 @@ class ContactStates {
   std::vector<contact::Mode> modes_;
   std::vector<contact::Slip> slips_;
   std::vector<double> dry_;  ///< coefficients
+  std::vector<bool> poised_;
   mutable std::vector<Held> held_;
   /// Rate of the surface speeds over these themselves; zero at a steady speed.
   double surface_growth_ = 0;
 
  private:
-  bool any_dry_ = false, undetermined_ = false;
+  bool any_dry_ = false, unsettled_ = false;
 };
 
 }  // namespace rubsweep::integrate::adaptive

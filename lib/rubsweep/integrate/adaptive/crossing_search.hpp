@@ -11,6 +11,7 @@
 
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/dry_friction.hpp"
+#include "rubsweep/integrate/adaptive/settle_slips.hpp"
 #include "rubsweep/integrate/adaptive/step.hpp"
 #include "rubsweep/numerics/bernstein_root.hpp"
 
@@ -92,13 +93,16 @@ struct CrossingSearch {
     return probe;
   }
 
-  /// Contact `i` slips: where its slip comes to zero. A slip that starts at zero starts away from it.
+  /// Contact `i` slips: where its slip comes to zero. A slip that starts at zero starts away from it; that of
+  /// a poised contact stops past the edge of what is zero for it.
   std::optional<Crossing> locate_stop(std::size_t i) {
     const double h = step.end_phase - step.start_phase;
     const double sign = -contact::sign_of(dynamics.slips()[i]);
-    const auto value = [&](double x) {
+    const auto slip = [&](double x) {
       return sign * dynamics.slip(i, state_inside(step.start_phase + x * h));
     };
+    const double edge = dynamics.poised(i) ? std::max(0.0, slip(0) + poised_edge(i)) : 0;
+    const auto value = [&](double x) { return slip(x) - edge; };
     const bool moved = just_moved[i];
     const double at_start = moved ? 0 : value(0), at_end = value(1);
     const double rate = moved ? 0 : sign * h * dynamics.slip_rate(i, step.start, step.start_rate);
@@ -111,6 +115,11 @@ struct CrossingSearch {
     if (!phase && !moved && comes_near_zero(quartic)) phase = shallow_rise(value);
     if (!phase) return std::nullopt;
     return Crossing{*phase, i, {}, Crossing::Event::stop, {}};
+  }
+
+  double poised_edge(std::size_t i) const {
+    const auto& c = dynamics.system().contacts[i];
+    return poised_slip * std::max(1.0, std::abs(c.surface_speed_m_per_s / c.slip_scale_m_per_s));
   }
 
   /// Where a function rose that is at or above zero at the end of the step, and not at its start but for a

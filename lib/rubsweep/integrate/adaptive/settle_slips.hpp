@@ -15,36 +15,92 @@ namespace rubsweep::integrate::adaptive {
 /// rounding leaves less, and what it leaves friction would stop within as many radians.
 inline constexpr double no_slip = 1e-12;
 
+/// A poised contact whose slip is within this (as `no_slip`) of zero stands. Where it leaves that against its
+/// friction, it is settled anew.
+inline constexpr double poised_slip = 1e-11;
+
 template <class Law, class State>
 bool stands(const Law& law, std::size_t i, const State& state) {
   const auto& c = law.system().contacts[i];
   const double surface = c.surface_speed_m_per_s / c.slip_scale_m_per_s;
-  return std::abs(law.slip(i, state)) <= no_slip * std::max(1.0, std::abs(surface));
+  // A contact that is settled anew may be past the edge, and poised again.
+  const double near = law.poised(i) ? 2 * poised_slip : no_slip;
+  return std::abs(law.slip(i, state)) <= near * std::max(1.0, std::abs(surface));
+}
+
+/// The contacts that stand: those that stick, whose slip is zero, and that `besides` says, but for those that
+/// `never` says. None is poised from here on. False where they are too many.
+template <class Law, class State, class Besides, class Never>
+bool find_standing(Law& law, const State& state, const Besides& besides, const Never& never,
+                   typename Law::Stuck& standing) {
+  for (std::size_t i = 0; i < law.slips().size(); ++i) {
+    const bool takes_part =
+        law.touches_dry(i) && !never(i) &&
+        (law.slips()[i] == contact::Slip::sticking || besides(i) || stands(law, i, state));
+    law.poise(i, false);
+    if (!takes_part) continue;
+    if (standing.count == standing.list.size()) return false;
+    standing.list[standing.count++] = i;
+  }
+  return true;
+}
+
+/// Settles what these contacts do from here on. `more` is what their slips accelerate beside what the forces
+/// of all others make them.
+template <class Law, class State>
+void settle_standing(Law& law, const typename Law::Stuck& standing, const State& state, State& rate,
+                     double phase, const contact::StickVector& more) {
+  if (standing.count == 0) return;
+  for (std::size_t k = 0; k < standing.count; ++k) law.slips()[standing.list[k]] = contact::Slip::sticking;
+  law.loose(state, rate, phase);
+  contact::StickVector limit(static_cast<Eigen::Index>(standing.count));
+  for (std::size_t k = 0; k < standing.count; ++k)
+    limit(static_cast<Eigen::Index>(k)) = std::max(0.0, law.largest_friction_n(standing.list[k], state));
+  const contact::StickVector acceleration = law.accelerations(standing, state, rate) + more;
+  const contact::SettledSlips settled =
+      contact::settle_slips(law.mobility(standing, state), acceleration, limit);
+  if (!settled.obeys_law) law.leave_unsettled(true);
+  for (std::size_t k = 0; k < standing.count; ++k) {
+    law.slips()[standing.list[k]] = settled.slips[k];
+    law.poise(standing.list[k], settled.poised[k]);
+  }
 }
 
 /// Settles what those contacts do whose slip is zero: the ones that stick, those that stand, and those that
-/// `besides` says.
-/// `rate` is room for a rate of the state.
+/// `besides` says. `rate` is room for a rate of the state.
 template <class Law, class State, class Besides>
 void settle_slips(Law& law, const State& state, State& rate, double phase, const Besides& besides) {
   typename Law::Stuck standing;
-  for (std::size_t i = 0; i < law.slips().size() && standing.count < standing.list.size(); ++i) {
-    if (!law.touches_dry(i)) continue;
-    if (law.slips()[i] != contact::Slip::sticking && !besides(i) && !stands(law, i, state)) continue;
-    law.slips()[i] = contact::Slip::sticking;
-    standing.list[standing.count++] = i;
+  const auto none = [](std::size_t) { return false; };
+  if (!find_standing(law, state, besides, none, standing)) return law.leave_unsettled(true);
+  const auto count = static_cast<Eigen::Index>(standing.count);
+  settle_standing(law, standing, state, rate, phase, contact::StickVector::Zero(count));
+}
+
+/// Contact `i` sticks, and its friction has come to its limit in the direction of `slip`: it is let go. What
+/// is poised may have to hold it from here on, and is settled anew, asked for a little more than now: for
+/// what `i` will be asked for and no longer has. The friction of all is continuous. True where there was
+/// something to settle. `rate` is room.
+template <class Law, class State>
+bool let_go(Law& law, std::size_t i, contact::Slip slip, const State& state, State& rate, double phase) {
+  constexpr double little = 1e-9;  // of the limit: above rounding of the forces
+  law.slips()[i] = slip;
+  if (!law.any_poised()) return false;
+  typename Law::Stuck standing;
+  const auto none = [](std::size_t) { return false; };
+  const auto only_i = [i](std::size_t j) { return j == i; };
+  if (!find_standing(law, state, none, only_i, standing) || standing.count == standing.list.size()) {
+    law.leave_unsettled(true);
+    return true;
   }
-  if (standing.count == 0) return;
-  law.loose(state, rate, phase);
-  contact::StickVector limit(static_cast<Eigen::Index>(standing.count)), force;
-  for (std::size_t k = 0; k < standing.count; ++k)
-    limit(static_cast<Eigen::Index>(k)) = std::max(0.0, law.largest_friction_n(standing.list[k], state));
-  std::array<contact::Slip, contact::most_sticking> slips{};
-  const contact::StickMobility mobility = law.mobility(standing, state);
-  contact::settle_slips(mobility, law.accelerations(standing, state, rate), limit, slips.data(), force);
-  for (std::size_t k = 0; k < standing.count; ++k) law.slips()[standing.list[k]] = slips[k];
-  if (standing.count > 1 && law.stuck_contacts().count > 0 && !contact::determined(mobility))
-    law.leave_undetermined(true);
+  typename Law::Stuck with_i = standing;
+  with_i.list[with_i.count++] = i;
+  const double asked_n = contact::sign_of(slip) * little * law.largest_friction_n(i, state);
+  const auto count = static_cast<Eigen::Index>(standing.count);
+  const contact::StickVector more = law.mobility(with_i, state).col(count).head(count) * asked_n;
+  settle_standing(law, standing, state, rate, phase, more);
+  law.poise(i, law.stuck_contacts().count > 0);
+  return true;
 }
 
 /// Which way contact `i` slips by the state alone; what stands is left to `settle_slips`.
@@ -59,8 +115,9 @@ void take_slip_of_state(Law& law, std::size_t i, const State& state) {
 template <class Law, class State>
 void enter_slips_by_state(Law& law, const State& state, State& rate, double phase) {
   if (!law.any_dry()) return;
-  law.leave_undetermined(false);
+  law.leave_unsettled(false);
   for (std::size_t i = 0; i < law.slips().size(); ++i) {
+    law.poise(i, false);
     if (law.touches_dry(i)) take_slip_of_state(law, i, state);
   }
   settle_slips(law, state, rate, phase, [](std::size_t) { return false; });

@@ -11,7 +11,7 @@ enum class Outcome {
   step_limit,          ///< more steps in one revolution than allowed
   step_too_small,      ///< the step control asked for a step below rounding of the phase
   non_finite,          ///< the state left the finite numbers
-  stick_undetermined,  ///< stops that only the sum of their frictions holds came to stick together
+  friction_unsettled,  ///< no friction was found that obeys the law at all contacts with slip zero
 };
 
 constexpr std::string_view to_string(Outcome outcome) {
@@ -24,8 +24,8 @@ constexpr std::string_view to_string(Outcome outcome) {
       return "step_too_small";
     case Outcome::non_finite:
       return "non_finite";
-    case Outcome::stick_undetermined:
-      return "stick_undetermined";
+    case Outcome::friction_unsettled:
+      return "friction_unsettled";
   }
   return "";
 }

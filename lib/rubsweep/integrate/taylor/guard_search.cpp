@@ -18,6 +18,10 @@ using Coefficients = std::array<double, numerics::most_taylor_order + 1>;
 /// end at rounding, since a landing leaves a few units of rounding of the states, which are of order one.
 double noise_of(double accuracy) { return 1e-13 / rounding_of_series * accuracy; }
 
+/// A guard that an expansion begins with at zero, or past it by rounding, and that goes on rising: its root
+/// fell on the end of the piece before, where none looked for it.
+bool rises_at_once(double value, double rate) { return value >= 0 && rate > 0; }
+
 /// 1, 2, ...: what a derivative multiplies the coefficients by.
 constexpr auto rate_factors = [] {
   Coefficients factors{};
@@ -47,7 +51,7 @@ double fastest_distance(const ContactSeries& contact, int order, double duration
 /// Where the slip comes to zero, from the side it is on. It is measured in clearances a
 /// radian, and starts at zero where it is within rounding of the surface's own speed.
 std::optional<double> first_stop(ContactSeries& contact, int order, double accuracy, double duration_rad,
-                                 int zero_terms) {
+                                 const SlipStart& start) {
   const ContactLaw& law = contact.law();
   const double surface = law.surface_speed_m_per_s / law.slip_scale_m_per_s, sign = -contact.slip_sign();
   if (-sign * surface - fastest_distance(contact, order, duration_rad) > 0) return std::nullopt;
@@ -56,8 +60,11 @@ std::optional<double> first_stop(ContactSeries& contact, int order, double accur
   double power = 1;
   for (int k = 0; k < order; ++k, power *= duration_rad)
     c[static_cast<std::size_t>(k)] = power * sign * (contact.sliding()[k] + (k == 0 ? surface : 0));
-  return numerics::first_rise_of(first(c, order).subspan(static_cast<std::size_t>(zero_terms)),
-                                 noise_of(accuracy) * std::max(1.0, std::abs(surface)));
+  const double unit = std::max(1.0, std::abs(surface));
+  if (start.poised_within > 0) c[0] = std::min(c[0], -start.poised_within * unit);
+  if (start.zero_terms == 0 && rises_at_once(c[0], c[1])) return 0;
+  return numerics::first_rise_of(first(c, order).subspan(static_cast<std::size_t>(start.zero_terms)),
+                                 noise_of(accuracy) * unit);
 }
 
 /// Where the holding friction reaches `sign` times the largest one; in units of the stop's spring force at
@@ -69,6 +76,7 @@ std::optional<double> first_release(const ContactSeries& contact, int order, dou
   double power = 1;
   for (int k = 0; k < order; ++k, power *= duration_rad)
     c[static_cast<std::size_t>(k)] = -power * contact.reserve_term(k, sign) / unit;
+  if (rises_at_once(c[0], c[1])) return 0;
   return numerics::first_rise_of(first(c, order), 0);
 }
 
@@ -142,17 +150,19 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
     Coefficients guard;
     const double by_v = damper * law.damping / law.stiffness;
     for (std::size_t k = 0; k < count; ++k) guard[k] = spring * p[k] + by_v * v[k];
-    const auto rise = numerics::first_rise_of(first(guard, order), noise_of(accuracy));
+    const auto rise = rises_at_once(guard[0], guard[1])
+                          ? std::optional(0.0)
+                          : numerics::first_rise_of(first(guard, order), noise_of(accuracy));
     if (rise && (!earliest || *rise < earliest->share)) earliest = GuardCrossing{*rise, to};
   }
   return earliest;
 }
 
 std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, double accuracy,
-                                          double duration_rad, int zero_terms) {
+                                          double duration_rad, const SlipStart& start) {
   using contact::Slip;
   if (!contact.sticks()) {
-    const auto stop = first_stop(contact, order, accuracy, duration_rad, zero_terms);
+    const auto stop = first_stop(contact, order, accuracy, duration_rad, start);
     return stop ? std::optional(SlipEvent{*stop, Slip::sticking}) : std::nullopt;
   }
   std::optional<SlipEvent> first;

@@ -34,10 +34,18 @@ struct SlipEvent {
   contact::Slip next = contact::Slip::sticking;
 };
 
-/// The first such end of a contact with dry friction that touches. `zero_terms`: so many of the slip's first
-/// coefficients are zero but for rounding, because it has just begun to leave zero.
+/// What is known of a slip where an expansion starts.
+struct SlipStart {
+  /// So many of its first coefficients are zero but for rounding, because it has just begun to leave zero.
+  int zero_terms = 0;
+  /// Others keep it at zero: it stops where it has left that by so much (clearances a radian) against its
+  /// friction. Zero where it is none of those.
+  double poised_within = 0;
+};
+
+/// The first such end of a contact with dry friction that touches.
 std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, double accuracy,
-                                          double duration_rad, int zero_terms);
+                                          double duration_rad, const SlipStart& start);
 
 /// The share of `duration_rad` up to which every tanh that the expansion takes as constant is one; 1 where
 /// all of it is.

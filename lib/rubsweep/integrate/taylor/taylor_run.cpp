@@ -151,7 +151,7 @@ double TaylorRun<N>::longest_step(double fastest) const {
 
 template <int N>
 TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
-  if (dynamics_.undetermined()) return TaylorEnding::stick_undetermined;
+  if (dynamics_.unsettled()) return TaylorEnding::friction_unsettled;
   pulses_.go_to(phase_);
   creep_.end(motion_, dynamics_);
   expand(state_);
@@ -269,6 +269,7 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
     mode = contact::mode_after(mode, c.stiffness, c.damping, kinematics);
     if (mode == from) continue;
     note_switch(report, i, from);
+    if (mode == Mode::open && dynamics_.any_poised()) settle_poised();
     if (from != Mode::open || !dynamics_.touches_dry(i)) continue;
     adaptive::take_slip_of_state(dynamics_, i, state_);
     if (dynamics_.slips()[i] == contact::Slip::sticking) stop_slip(i);
@@ -279,8 +280,17 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
 template <int N>
 void TaylorRun<N>::switch_slip(std::size_t i, contact::Slip slip) {
   if (slip == contact::Slip::sticking) return stop_slip(i);
-  dynamics_.slips()[i] = slip;
-  zero_terms_[i] = 2;
+  const bool others = adaptive::let_go(dynamics_, i, slip, state_, probe_, phase_);
+  for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
+    if (j == i || (others && leaves_zero(j))) zero_terms_[j] = dynamics_.poised(j) ? 0 : 2;
+  }
+}
+
+/// Contact `i` stands, and begins to slip.
+template <int N>
+bool TaylorRun<N>::leaves_zero(std::size_t i) const {
+  return dynamics_.touches_dry(i) && dynamics_.slips()[i] != contact::Slip::sticking &&
+         !dynamics_.poised(i) && adaptive::stands(dynamics_, i, state_);
 }
 
 /// The slip of contact `i` is zero; `rate_` is that before it was.
@@ -288,12 +298,19 @@ template <int N>
 void TaylorRun<N>::stop_slip(std::size_t i) {
   adaptive::settle_slips(dynamics_, state_, probe_, phase_, [i](std::size_t j) { return j == i; });
   for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
-    if (dynamics_.touches_dry(j) && (j == i || adaptive::stands(dynamics_, j, state_)))
-      zero_terms_[j] = dynamics_.slips()[j] == contact::Slip::sticking ? 0 : 1;
+    if (!dynamics_.touches_dry(j) || (j != i && !adaptive::stands(dynamics_, j, state_))) continue;
+    zero_terms_[j] = dynamics_.slips()[j] == contact::Slip::sticking || dynamics_.poised(j) ? 0 : 1;
   }
   dynamics_(state_, probe_, phase_);
   if (tangents_.count() > 0) adaptive::cross_slip(dynamics_, i, state_, rate_, probe_, tangents_.vectors());
   std::swap(rate_, probe_);
+}
+
+/// A contact that may have kept others standing is open.
+template <int N>
+void TaylorRun<N>::settle_poised() {
+  adaptive::settle_slips(dynamics_, state_, probe_, phase_, [](std::size_t) { return false; });
+  dynamics_(state_, rate_, phase_);
 }
 
 /// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.

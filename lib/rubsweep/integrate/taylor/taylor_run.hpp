@@ -23,7 +23,7 @@ enum class TaylorEnding {
   ok,
   step_limit,
   non_finite,
-  stick_undetermined,
+  friction_unsettled,
 };
 
 /// A run in pieces that are power series of the phase: within one joint contact mode every law is analytic,
@@ -94,6 +94,8 @@ class TaylorRun {
   void switch_modes(run::TurnReport& report, const JointEvent& event);
   void switch_slip(std::size_t i, contact::Slip slip);
   void stop_slip(std::size_t i);
+  void settle_poised();
+  bool leaves_zero(std::size_t i) const;
   void project_tangents();
   void apply_impulses(run::TurnReport& report);
   void note_switch(run::TurnReport& report, std::size_t i, contact::Mode from);
