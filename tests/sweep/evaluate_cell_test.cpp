@@ -315,7 +315,7 @@ TEST(EvaluateCell, ReversedSlipIsAStatusOfOneWayFrictionAlone) {
 }
 
 TEST(EvaluateCell, SeveralStatusesAreJoined) {
-  // Among these limits some are enough for the first contacts and not for a later turn.
+  // Among these limits some are enough for the first contacts and not for what follows.
   Study study = one_side_study({75}, {0.4});
   study.machine.stops[0].contact_radius_m = 0;
   study.machine.stops[0].friction = model::OneWayFriction{0.1};
@@ -327,9 +327,31 @@ TEST(EvaluateCell, SeveralStatusesAreJoined) {
     ++joined;
     EXPECT_EQ(to_string(row.motion_class), "failed");
     EXPECT_FALSE(row.measures);
-    EXPECT_GT(row.revolutions, 0);
   }
   EXPECT_GT(joined, 0);
+}
+
+TEST(EvaluateCell, AReversalInTheFirstTurnIsNamedWhereThatFails) {
+  // Starts pressed into the wall and slides back along it faster than the surface goes forward.
+  Study study = one_side_study({75}, {0.4});
+  model::Stop& stop = study.machine.stops[0];
+  stop.friction = model::OneWayFriction{0.3};
+  stop.contact_radius_m = 1e-4;
+  study.machine.kick.reset();
+  const double slow_m_per_s = -2 * stop.contact_radius_m * 2 * std::numbers::pi * 75;
+  // The wall's tangent, wherever it stands.
+  const double angle = std::get<model::OneSideGeometry>(stop.geometry).angle_deg * std::numbers::pi / 180;
+  study.machine.start = model::Start{.rotor = {.x_m = 1.2 * stop.clearance_m * std::cos(angle),
+                                               .y_m = 1.2 * stop.clearance_m * std::sin(angle),
+                                               .vx_m_per_s = -slow_m_per_s * std::sin(angle),
+                                               .vy_m_per_s = slow_m_per_s * std::cos(angle)}};
+  for (const auto method : {integrate::run::Method::exact, integrate::run::Method::adaptive}) {
+    study.solver.method = method;
+    study.solver.max_steps_per_revolution = 10;
+    const Row row = evaluate(study);
+    EXPECT_EQ(row.status, "step_limit;slip_reversal");
+    EXPECT_EQ(row.revolutions, 0);
+  }
 }
 
 TEST(EvaluateCell, DependsOnItsArgumentsAlone) {
