@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "rubsweep/error.hpp"
@@ -126,6 +127,56 @@ TEST(SectionReturns, AfterItsOrderOnceEveryNumberIsWithinTheTolerance) {
   EXPECT_FALSE(returns.returned({1, 5 + 2 * section_tolerance}));
   EXPECT_TRUE(returns.returned({1 - section_tolerance / 2, 5}));
   EXPECT_FALSE(returns.returned({2, 5 + 2 * section_tolerance}));
+}
+
+/// Rows that come to repeat after n turns, where a disturbance of the size `distance` is left at the start
+/// and turns by `angle` (of a circle) and shrinks by `factor` in every period.
+std::vector<double> settling_rows(int n, double distance, double angle, double factor) {
+  std::vector<double> rows = periodic_rows(n);
+  for (int k = 0; k <= turns; ++k) {
+    const int period = k / n;
+    const double left = distance * std::pow(factor, period), turned = 2 * std::acos(-1.0) * angle * period;
+    at(rows, k, 0) += left * std::cos(turned);
+    at(rows, k, 2) += left * std::sin(turned);
+  }
+  return rows;
+}
+
+/// A multiplier near -1 makes the return after two periods far closer than that after one: 1 - m^2 against
+/// 1 - m. So do multipliers near other roots of unity after more periods.
+TEST(Section, ASlowApproachIsOfTheOrderThatItApproaches) {
+  for (const auto& [n, multiple, left] : {std::tuple{4, 2, 0.3},
+                                          {4, 2, 0.8},
+                                          {3, 2, 0.3},
+                                          {1, 2, 0.6},
+                                          {2, 3, 0.3},
+                                          {1, 5, 0.7},
+                                          {2, 6, 0.3},
+                                          {5, 2, 0.5}}) {
+    const double factor = std::pow(left, static_cast<double>(n) / turns);
+    const auto rows = settling_rows(n, 1.5e-5, 1.0 / multiple, factor);
+    const auto period = period_of_section(rows, states, 12);
+    ASSERT_TRUE(period) << n << " times " << multiple;
+    EXPECT_EQ(period->order, n) << "times " << multiple;
+    EXPECT_GT(period->residual, 0);
+  }
+}
+
+TEST(Section, AnOrderOfItsOwnThatSettlesStaysWhatItIs) {
+  for (const double factor : {0.2, 0.5, 0.9, 0.99}) {
+    // The orbit of 8 turns differs from one of 4 by 3e-5, and its distance from there shrinks as it settles.
+    auto rows = settling_rows(4, 5e-6, 0.5, std::pow(factor, 4.0 / turns));
+    for (int k = 0; k <= turns; ++k) at(rows, k, 1) += k / 4 % 2 == 0 ? 3e-5 : -3e-5;
+    const auto period = period_of_section(rows, states, 12);
+    ASSERT_TRUE(period) << factor;
+    EXPECT_EQ(period->order, 8) << factor;
+  }
+}
+
+TEST(Section, AnApproachThatIsTooSlowToTellIsOfNoOrder) {
+  for (const double factor : {0.94, 0.97, 0.99})
+    EXPECT_FALSE(period_of_section(settling_rows(4, 2e-5, 0.5, std::pow(factor, 4.0 / turns)), states, 12))
+        << factor;
 }
 
 }  // namespace
