@@ -6,6 +6,7 @@
 #include "rubsweep/response/motion/record.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/response/proof/approach.hpp"
+#include "rubsweep/response/proof/equal_stops.hpp"
 #include "rubsweep/response/proof/orbit_ball.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 #include "rubsweep/response/proof/split_norms.hpp"
@@ -38,6 +39,7 @@ std::vector<double> start_of(const StableOrbit& orbit) {
 OrbitProof::OrbitProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                        const motion::ResponseOptions& options, motion::Workspace& workspace)
     : scene_(after_the_kick(scene)),
+      distinct_(with_equal_stops_as_one(scene_)),
       run_solver_(solver),
       solver_(solver),
       options_(options),
@@ -87,7 +89,7 @@ std::optional<motion::Proof> OrbitProof::converges(std::span<const double> secti
   const auto norms = adapted_norms(orbit.transitions);
   if (!norms) return std::nullopt;
   const auto radius =
-      map_->exact() ? ball_radius(scene_, workspace_.modes, start_of(orbit), *norms) : std::nullopt;
+      map_->exact() ? ball_radius(distinct_, workspace_.modes, start_of(orbit), *norms) : std::nullopt;
   const double distance = adapted_distance(section, orbit, *norms);
   const Nearness wanted =
       radius ? Nearness{.adapted = *radius} : Nearness{followed_down * distance, on_the_orbit, true};
@@ -100,11 +102,11 @@ std::optional<motion::Proof> OrbitProof::converges(std::span<const double> secti
 /// Whether there is a ball that a free vibration along the walls, which only the structure damps, may fill
 /// without harm, and the transient comes into it. Most are inside when they are looked at first.
 bool OrbitProof::enters_split_ball(std::span<const double> section, const StableOrbit& orbit) {
-  const auto norms = split_norms(orbit.transitions, seen_by_contacts(scene_));
+  const auto norms = split_norms(orbit.transitions, seen_by_contacts(distinct_));
   if (!norms) return false;
   const Eigen::Map<const Eigen::VectorXd> here(section.data(), static_cast<Eigen::Index>(section.size()));
   const auto distance = parts_of(*norms, 0, here - orbit.sections.front());
-  const auto radii = split_ball_radii(scene_, workspace_.modes, start_of(orbit), *norms, distance);
+  const auto radii = split_ball_radii(distinct_, workspace_.modes, start_of(orbit), *norms, distance);
   return radii &&
          comes_inside(at_tight_tolerance(), section, orbit, *norms, *radii,
                       patience(orbit, map_->closed_forms()).turns(turns_to_enter(*norms, distance, *radii)));

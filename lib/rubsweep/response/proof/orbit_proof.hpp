@@ -38,6 +38,7 @@ class OrbitProof {
   std::optional<motion::Measures> measure(const std::vector<double>& section, int order);
 
   scene::Scene scene_;
+  scene::Scene distinct_;  ///< equal stops as one, so that no two guards are one and the same
   integrate::run::SolverOptions run_solver_, solver_;
   const motion::ResponseOptions& options_;
   motion::Workspace& workspace_;
