@@ -13,6 +13,7 @@
 
 #include "forecast.hpp"
 #include "interrupt.hpp"
+#include "premises.hpp"
 #include "program.hpp"
 #include "refined_cells.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
@@ -157,6 +158,7 @@ std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const swee
                     directory.cells()));
   }
   if (directory.missing().empty() && !study.grid.refinement) return 0;
+  if (!how.quiet) warn_of_premises(how.program, study, scene::prepare_machine(study.machine));
   MissingCells missing(how, study, directory);
   if (!missing.run()) return std::nullopt;
   return missing.left_to_others();

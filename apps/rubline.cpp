@@ -16,6 +16,7 @@
 #include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "kept_files.hpp"
+#include "premises.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubline_arguments.hpp"
@@ -149,6 +150,7 @@ class LineRun {
   int run() {
     batch::require_threads(arguments_.threads, 1);
     make_directory(directory_);
+    if (!arguments_.quiet) warn();
     const std::atomic<bool>& stop = catch_interrupts();
     std::optional<Watch> watch(
         std::in_place,
@@ -180,6 +182,17 @@ class LineRun {
   }
 
  private:
+  /// Of the machine at one end of the line and of that at the other, at the speeds of all cells.
+  void warn() const {
+    sweep::Study at_speeds = *cells_.front().study;
+    at_speeds.grid.axes.clear();
+    at_speeds.grid.speed_hz.clear();
+    for (const line::LineCell& cell : cells_) at_speeds.grid.speed_hz.push_back(cell.place.speed_hz);
+    warn_of_premises("rubline", at_speeds, *cells_.front().machine);
+    if (cells_.back().machine != cells_.front().machine)
+      warn_of_premises("rubline", at_speeds, *cells_.back().machine);
+  }
+
   void write() {
     std::ranges::sort(points_, {},
                       [](const line::LinePoint& point) { return std::pair(point.pass, point.cell); });

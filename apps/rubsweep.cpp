@@ -10,6 +10,7 @@
 #include "map_directory.hpp"
 #include "map_outcome.hpp"
 #include "missing_cells.hpp"
+#include "premises.hpp"
 #include "program.hpp"
 #include "refined_cells.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
@@ -98,8 +99,8 @@ int perform(const RubsweepArguments& arguments) {
       arguments,
       {.size =
            [&] {
-             scene::prepare_machine(
-                 study.machine);  // throws where no structure can be computed of these numbers
+             // Throws where no structure can be computed of these numbers.
+             warn_of_premises("rubsweep", study, scene::prepare_machine(study.machine));
              return fmt::format("{} cells", sweep::cell_count(study.grid));
            },
        .explanation =

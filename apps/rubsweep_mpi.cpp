@@ -18,6 +18,7 @@
 #include "map_outcome.hpp"
 #include "mpi_leader.hpp"
 #include "mpi_messages.hpp"
+#include "premises.hpp"
 #include "program.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/config/print_config.hpp"
@@ -25,6 +26,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
 #include "rubsweep_arguments.hpp"
@@ -74,6 +76,8 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
     job.reset();
     return code;
   }
+  const sweep::Study& study = job->config.study;
+  if (!job->arguments.quiet) warn_of_premises(mpi_program_name, study, scene::prepare_machine(study.machine));
   return done;
 }
 

@@ -13,6 +13,7 @@
 #include "experiment.hpp"
 #include "forecast.hpp"
 #include "kept_files.hpp"
+#include "premises.hpp"
 #include "program.hpp"
 #include "result_files.hpp"
 #include "rubsweep/config/cell_config.hpp"
@@ -124,6 +125,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
                               .window_revolutions = study.response.window_revolutions,
                               .trajectory_revolutions = arguments.last_revolutions};
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  if (!arguments.quiet) warn_of_premises("rubtrace", study, prepared);
   if (arguments.probes) options.probes = probes_of(arguments, prepared, options.revolutions);
   refuse_more_memory_than_there_is(options, study.machine.stops.size());
   const fs::path directory = directory_of(arguments, config);

@@ -13,6 +13,7 @@
 #include "rubsweep/report/explain_machine.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/idle_torsion.hpp"
+#include "rubsweep/sweep/unstable_rotor.hpp"
 #include "rubsweep/sweep/untouched_walls.hpp"
 
 namespace rubsweep::report {
@@ -97,8 +98,8 @@ std::string explain_study(const sweep::Study& study) {
   const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
   std::string text = explain_machine(study.machine, *slowest);
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
-  text += sweep::why_torsion_is_idle(prepared, *slowest) + sweep::why_walls_stay_untouched(study, prepared) +
-          explain_solver(study);
+  text += sweep::where_rotor_is_unstable(study, prepared) + sweep::why_torsion_is_idle(prepared, *slowest) +
+          sweep::why_walls_stay_untouched(study, prepared) + explain_solver(study);
   text += fmt::format(
       "a cell ends when rest {}is proven, else after {} revolutions, by its last two windows of {}\n",
       study.response.floquet_proof ? "or a stable orbit " : "", study.response.max_revolutions,

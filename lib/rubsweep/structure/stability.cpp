@@ -11,18 +11,27 @@ constexpr int grid_speeds = 200;
 constexpr double rounding = 1e-9;  ///< of the fastest rate
 constexpr int bisections = 30;
 
-Eigen::VectorXcd rates_per_s(const Assembly& assembly, double speed_rad_per_s) {
-  const LinearSystem& system = assembly.system;
-  Eigen::MatrixXd damping = system.damping, stiffness = system.stiffness;
-  if (assembly.gyroscopic.size() > 0) damping += speed_rad_per_s * assembly.gyroscopic;
-  if (assembly.circulatory.size() > 0) stiffness += speed_rad_per_s * assembly.circulatory;
-  const Eigen::LDLT<Eigen::MatrixXd> mass(system.mass);
-  const Eigen::Index n = system.coordinates();
+Eigen::VectorXcd rates_per_s(const Eigen::MatrixXd& inertia, const Eigen::MatrixXd& damping,
+                             const Eigen::MatrixXd& stiffness) {
+  const Eigen::LDLT<Eigen::MatrixXd> mass(inertia);
+  const Eigen::Index n = inertia.rows();
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   generator.topRightCorner(n, n).setIdentity();
   generator.bottomLeftCorner(n, n) = -mass.solve(stiffness);
   generator.bottomRightCorner(n, n) = -mass.solve(damping);
   return generator.eigenvalues();
+}
+
+Eigen::VectorXcd rates_per_s(const Assembly& assembly, double speed_rad_per_s) {
+  const LinearSystem& system = assembly.system;
+  Eigen::MatrixXd damping = system.damping, stiffness = system.stiffness;
+  if (assembly.gyroscopic.size() > 0) damping += speed_rad_per_s * assembly.gyroscopic;
+  if (assembly.circulatory.size() > 0) stiffness += speed_rad_per_s * assembly.circulatory;
+  return rates_per_s(system.mass, damping, stiffness);
+}
+
+bool any_grows(const Eigen::VectorXcd& rates) {
+  return rates.real().maxCoeff() > rounding * rates.cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -32,8 +41,11 @@ double growth_per_s(const Assembly& assembly, double speed_rad_per_s) {
 }
 
 bool grows(const Assembly& assembly, double speed_rad_per_s) {
-  const Eigen::VectorXcd rates = rates_per_s(assembly, speed_rad_per_s);
-  return rates.real().maxCoeff() > rounding * rates.cwiseAbs().maxCoeff();
+  return any_grows(rates_per_s(assembly, speed_rad_per_s));
+}
+
+bool grows(const LinearSystem& system) {
+  return any_grows(rates_per_s(system.mass, system.damping, system.stiffness));
 }
 
 std::optional<double> instability_hz(const Assembly& assembly, double highest_hz) {

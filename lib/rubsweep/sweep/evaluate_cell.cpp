@@ -15,9 +15,11 @@
 #include "rubsweep/contact/hertz_line.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/overloaded.hpp"
+#include "rubsweep/response/proof/rest_proof.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/hertz_secant.hpp"
 #include "rubsweep/sweep/robustness.hpp"
+#include "rubsweep/sweep/unstable_rotor.hpp"
 
 namespace rubsweep::sweep {
 namespace {
@@ -60,7 +62,9 @@ Row evaluate_as_it_is(const Study& study, const scene::PreparedMachine& prepared
   const scene::Cell start = scene::build_cell(prepared, place.speed_hz, place.unbalance);
   if (!scene::can_run(start.start)) return row_of(start, place.speed_hz, prepared.machine, nullptr);
   const response::SettledRun run = response::settle(start, study.solver, study.response, workspace);
-  return row_of(start, place.speed_hz, prepared.machine, &run);
+  Row row = row_of(start, place.speed_hz, prepared.machine, &run);
+  if (response::proof::RestProof(start, workspace.forms).vibration_grows()) add_status(row, unstable_rotor);
+  return row;
 }
 
 /// The cell at a place, of a prepared machine that may differ from the study's.

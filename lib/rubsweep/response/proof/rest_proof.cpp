@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/structure/stability.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -19,11 +20,11 @@ RestProof::RestProof(const scene::Cell& cell) {
 
 RestProof::RestProof(const scene::Cell& cell, numerics::ModalFormCache& forms) {
   const scene::Scene& scene = cell.scene;
-  // At a whirl ratio of 1 rounding must not decide.
-  if (cell.start != scene::Start::quiet) return;
   const auto system = integrate::run::scale<Eigen::Dynamic>(scene);
   const std::optional<numerics::ModalForm>& form = forms.form_of(system.stiffness, system.damping);
-  grows_ = form && form->growth > growth_tolerance;
+  grows_ = form ? form->growth > growth_tolerance : structure::grows(scene.structure);
+  // At a whirl ratio of 1 rounding must not decide.
+  if (cell.start != scene::Start::quiet) return;
   // With torsion no free vibration is linear.
   if (!form || grows_ || !scene.impulses.empty() || scene.twist) return;
   usable_ = true;

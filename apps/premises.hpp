@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string_view>
+
+#include "rubsweep/scene/prepared_machine.hpp"
+#include "rubsweep/sweep/study.hpp"
+
+namespace rubsweep::apps {
+
+/// Says on the standard error where a premise of the study does not hold, before anything is run: a rotor
+/// that is unstable without its stops. `prepared` is that of study.machine.
+void warn_of_premises(std::string_view program, const sweep::Study& study,
+                      const scene::PreparedMachine& prepared);
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,79 @@
+#include "rubsweep/sweep/unstable_rotor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/structure/stability.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+constexpr std::size_t most_speeds = 400, most_machines = 16;
+
+/// Of at most so many, spread evenly, the first and the last among them.
+std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
+  const std::size_t taken = std::min(count, most);
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < taken; ++i) places.push_back(taken == 1 ? 0 : i * (count - 1) / (taken - 1));
+  return places;
+}
+
+struct Found {
+  std::size_t looked_at = 0, unstable = 0;
+  double lowest_hz = 0, highest_hz = 0;
+  double growth_per_s = 0, growth_hz = 0;  ///< the fastest, and the speed that it is at
+
+  void look(const structure::Assembly& assembly, double speed_hz) {
+    ++looked_at;
+    const double speed = 2 * std::numbers::pi * speed_hz;
+    if (!structure::grows(assembly, speed)) return;
+    lowest_hz = unstable == 0 ? speed_hz : std::min(lowest_hz, speed_hz);
+    highest_hz = std::max(highest_hz, speed_hz);
+    ++unstable;
+    const double growth = structure::growth_per_s(assembly, speed);
+    if (growth <= growth_per_s) return;
+    growth_per_s = growth;
+    growth_hz = speed_hz;
+  }
+};
+
+/// The machine whose axes hold what they do in a cell; empty where its numbers are not allowed together.
+std::optional<scene::PreparedMachine> machine_of(const Study& study, std::size_t cell) {
+  try {
+    return scene::prepare_machine(study.with_keys(key_values(study.grid, cell)).machine);
+  } catch (const ConfigError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::string where_rotor_is_unstable(const Study& study, const scene::PreparedMachine& prepared) {
+  const std::vector<double>& speeds = study.grid.speed_hz;
+  const std::vector<std::size_t> places = spread(speeds.size(), most_speeds);
+  Found found;
+  const auto look = [&](const scene::PreparedMachine& machine) {
+    for (const std::size_t place : places) found.look(machine.assembly, speeds[place]);
+  };
+  if (study.grid.axes.empty()) {
+    look(prepared);
+  } else {
+    const std::size_t in_plane = speeds.size() * study.grid.unbalance.size();
+    for (const std::size_t plane : spread(cell_count(study.grid) / in_plane, most_machines))
+      if (const auto machine = machine_of(study, plane * in_plane)) look(*machine);
+  }
+  if (found.unstable == 0) return "";
+  return fmt::format(
+      "unstable rotor: at {} of {} speeds looked at, from {:.6g} to {:.6g} Hz, a free vibration of the rotor "
+      "without its stops grows (by {:.3g} 1/s at {:.6g} Hz): the quiet whirl does not last, kicked or not, "
+      "and nothing but the stops limits the motion; rows say {}, rubtrace --campbell shows the modes\n",
+      found.unstable, found.looked_at, found.lowest_hz, found.highest_hz, found.growth_per_s, found.growth_hz,
+      unstable_rotor);
+}
+
+}  // namespace rubsweep::sweep
