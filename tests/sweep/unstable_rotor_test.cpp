@@ -25,6 +25,8 @@ Study bouncing_shaft(double cross_n_per_m) {
                 .youngs_modulus_pa = 2.06e14,
                 .shear_modulus_pa = 7.92e13,
                 .density_kg_per_m3 = 7850}};
+  kit.discs = {
+      {.position_m = 0.2, .mass_kg = 1, .polar_inertia_kg_m2 = 1e-3, .diametral_inertia_kg_m2 = 6e-4}};
   for (const double position_m : {0.0, 0.4}) {
     model::Support& support = kit.supports.emplace_back();
     support.position_m = position_m;
@@ -41,7 +43,7 @@ Study bouncing_shaft(double cross_n_per_m) {
 }
 
 double limit_n_per_m() {
-  const double mass_kg = 7850 * std::acos(-1.0) * 0.03 * 0.03 * 0.4;
+  const double mass_kg = 1 + 7850 * std::acos(-1.0) * 0.03 * 0.03 * 0.4;
   return 200 * std::sqrt(2e6 / mass_kg);
 }
 
