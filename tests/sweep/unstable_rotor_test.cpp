@@ -57,7 +57,7 @@ TEST(UnstableRotor, CrossCoupledBearingsAreNamedFromTheirLimitOn) {
 
 TEST(UnstableRotor, EveryRowSaysSoWhateverItsClassAndStart) {
   response::motion::Workspace workspace;
-  Study study = bouncing_shaft(1.5 * limit_n_per_m());
+  Study study = bouncing_shaft(1.05 * limit_n_per_m());
   study.grid.unbalance = {0.3, 1.5};
   for (std::size_t cell = 0; cell < cell_count(study.grid); ++cell) {
     const Row row = evaluate_cell(study, cell, workspace);
