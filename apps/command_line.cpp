@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/program_options.hpp>
 #include <cmath>
 #include <sstream>
 #include <vector>
 
 #include "program.hpp"
+#include "rubsweep/config/nearest.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -16,6 +18,18 @@ namespace {
 constexpr int most_threads = 1024;
 
 bool is_given(const po::variables_map& given, const char* name) { return given.count(name) != 0; }
+
+/// " (did you mean '--threads'?)" of an option that there is not; empty where none is near.
+std::string meant_instead_of(std::string_view given, const po::options_description& options) {
+  given.remove_prefix(std::min(given.find_first_not_of('-'), given.size()));
+  std::vector<std::string_view> names;
+  for (const auto& option : options.options()) {
+    if (option->long_name() != "config")
+      names.push_back(option->long_name());  // the file, said without a name
+  }
+  const auto meant = config::nearest(given, names);
+  return meant ? fmt::format(" (did you mean '--{}'?)", *meant) : "";
+}
 
 }  // namespace
 
@@ -64,6 +78,8 @@ po::variables_map read_command_line(int argc, const char* const* argv, const po:
     const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
     po::store(po::command_line_parser(argc, argv).options(options).positional(positional).style(style).run(),
               given);
+  } catch (const po::unknown_option& error) {
+    throw UsageError(error.what() + meant_instead_of(error.get_option_name(), options));
   } catch (const po::invalid_option_value& error) {
     // Texts are taken as they are.
     throw UsageError(fmt::format("{}, allowed: a number", error.what()));

@@ -138,7 +138,8 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
   make_directory(directory);
   files.emplace("config.yaml", config::print_config(config));
   std::erase_if(files, [](const auto& file) { return file.second.empty(); });
-  write_result_files(files, file_names, directory, {"rubsweep", config::study_digest(config.study)});
+  write_result_files(files, file_names, directory,
+                     {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
   if (arguments.figure) {
     const auto [script, heading] = drawing_of(arguments);

@@ -17,6 +17,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/report/unit_columns.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -79,7 +80,8 @@ FinishedMap read_finished_map(std::string_view program, const fs::path& map, con
   if (found.digest != config::study_digest(study)) return found;
   batch::CsvReader rows(map);
   report::CellsOfRows cells(rows, study.grid);
-  found.known_columns = batch::csv_row(rows.header()) == report::map_header(study);
+  const std::string columns = batch::csv_row(rows.header());
+  found.known_columns = report::without_unit_columns(columns) == report::map_header(study);
   while (rows.next()) {
     cells.take(rows);
     if (found.known_columns) found.summary.add(batch::csv_row(rows.cells()));

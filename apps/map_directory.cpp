@@ -18,6 +18,7 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/report/unit_columns.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -39,7 +40,7 @@ std::vector<fs::path> files(const fs::path& directory, std::string_view ending) 
 }
 
 std::string comments_and_header(const sweep::Study& study) {
-  return report::map_comments(study) + report::map_header(study) + '\n';
+  return report::map_comments(study) + report::map_header(study) + report::unit_header(study.grid) + '\n';
 }
 
 /// Steele, Lea & Flood's SplitMix64: all bits of the result depend on all of the number.
@@ -71,9 +72,14 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
       name_(name_of(part)),
       part_(part),
       header_(journal_header(config.study)),
-      source_{fmt::format("rubsweep {}", RUBSWEEP_VERSION), header_.study_digest, {}},
+      source_{fmt::format("rubsweep {}", RUBSWEEP_VERSION),
+              header_.study_digest,
+              {},
+              batch::caption_lines(config.captions)},
       head_(comments_and_header(config.study)),
       warn_over_clearances_(config.warn_over_clearances),
+      written_{.written_speed = config.study.grid.written_speed,
+               .written_unbalance = config.study.grid.written_unbalance},
       refined_(config.study.grid.refinement.has_value()) {
   allow_as_many_files_as_there_may_be();
   make_directory(directory_);
@@ -218,9 +224,13 @@ void MapDirectory::write_partial(const batch::FinishedCells& finished) const {
   batch::WholeFile file(partial());
   file.write(batch::table_head(source_) + head_);
   for (std::size_t cell = 0; cell < header_.cells; ++cell) {
-    if (has_in_share(cell) && finished.contains(cell)) file.write(finished.text(cell) + '\n');
+    if (has_in_share(cell) && finished.contains(cell)) file.write(in_map(finished.text(cell)) + '\n');
   }
   file.commit();
+}
+
+std::string MapDirectory::in_map(const std::string& line) const {
+  return line + report::unit_cells(line, written_);
 }
 
 /// With what was there to look at, when everything is in map.csv.
@@ -252,7 +262,7 @@ report::MapSummary MapDirectory::write_map() const {
     }
     const std::string line = finished.text(cell);
     summary.add(line);
-    file.write(line + '\n');
+    file.write(in_map(line) + '\n');
   }
   file.finish();
   remove_result_files(derived_files(), directory_);  // those of an earlier map

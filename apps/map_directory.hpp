@@ -69,6 +69,9 @@ class MapDirectory {
 
   std::filesystem::path map() const { return directory_ / "map.csv"; }
 
+  /// A finished cell as the map shows it: its line in a journal, and numbers in the units of the person.
+  std::string in_map(const std::string& line) const;
+
   /// Frees the directory for others, for a process that ends at once.
   void leave();
 
@@ -93,6 +96,7 @@ class MapDirectory {
   batch::TableSource source_;
   std::string head_;  ///< of the map: what stands between the head of every table and its rows
   double warn_over_clearances_ = 0;
+  sweep::Grid written_;  ///< only how its axes are written
   std::optional<batch::FileLock> own_lock_, directory_lock_;
   std::size_t cells_ = 0;
   std::vector<std::size_t> missing_;

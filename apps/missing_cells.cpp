@@ -18,6 +18,7 @@
 #include "refined_cells.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
+#include "rubsweep/report/describe_modes.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
@@ -96,13 +97,16 @@ bool MissingCells::run() {
   std::optional<Watch> watch(
       std::in_place, [this] { refresh(); }, [this] { leave(); });
   // A few cells from all over the map tell how long it will take, where somebody is there to read it.
-  if (say_progress(report::describe_footprint(study_, prepared, {threads})) &&
-      cells.size() >= least_cells_to_forecast) {
-    const auto pilots = sweep::take_pilot_cells(cells, pilots_per_thread * static_cast<std::size_t>(threads));
+  const std::size_t pilots_wanted = pilot_count(cells.size(), static_cast<std::size_t>(threads));
+  if (say_progress(report::describe_footprint(study_, prepared, {threads})) && pilots_wanted > 0) {
+    const auto pilots = sweep::take_pilot_cells(cells, pilots_wanted);
     const auto start = std::chrono::steady_clock::now();
     run_cells(pilots);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    say_progress(forecast(pilots.size(), elapsed.count(), cells.size()));
+    if (const std::string text = forecast(pilots.size(), elapsed.count(), cells.size()); !text.empty()) {
+      say_progress(text);
+      if (std::string hint = report::describe_many_modes(prepared); !hint.empty()) say_progress(hint);
+    }
   }
   run_cells(cells);
   watch.reset();
@@ -121,7 +125,7 @@ void MissingCells::write_down(std::size_t cell, const sweep::Row& row) {
   const std::string line = report::map_line(row, study_);
   const std::lock_guard lock(mutex_);
   journal_.append(cell, line);
-  partial_.append(line);
+  partial_.append(directory_.in_map(line));
   progress_.advance();
   ++finished_;
 }

@@ -42,9 +42,8 @@ MpiLeader::MpiLeader(MapJob& job, int ranks)
   }
   const std::size_t cells = job.directory->missing().size();
   // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
-  if (progress_.say(report::describe_footprint(job.config.study, {threads, ranks})) &&
-      cells >= least_cells_to_forecast)
-    pilots_ = std::min(pilots_per_thread * static_cast<std::size_t>(threads * ranks), cells / 4);
+  if (progress_.say(report::describe_footprint(job.config.study, {threads, ranks})))
+    pilots_ = pilot_count(cells, static_cast<std::size_t>(threads * ranks));
 }
 
 std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
@@ -166,13 +165,14 @@ void MpiLeader::compute() {
 }
 
 void MpiLeader::keep(std::size_t cell, const std::string& line) {
-  partial_.append(line);
+  partial_.append(job_.directory->in_map(line));
   if (refined_) refined_->add(cell, line);
   ++finished_;
   progress_.advance();
   if (pilots_ == 0 || finished_ < pilots_) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  progress_.say(forecast(finished_, elapsed.count(), job_.directory->missing().size() - finished_));
+  const std::size_t left = job_.directory->missing().size() - finished_;
+  if (const std::string text = forecast(finished_, elapsed.count(), left); !text.empty()) progress_.say(text);
   pilots_ = 0;
 }
 

@@ -4,11 +4,13 @@
 
 #include <initializer_list>
 #include <string>
+#include <variant>
 
 #include "program.hpp"
 #include "rubsweep/config/place_axes.hpp"
 #include "rubsweep/config/unit_slips.hpp"
 #include "rubsweep/model/balance.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -38,7 +40,10 @@ PlaceArguments read_place(const po::variables_map& given) {
   refuse_two_of(given, {"speed-hz", "speed-rpm"});
   refuse_two_of(given, {"whirl-ratio", "eccentricity-m", "unbalance-g-mm"});
   PlaceArguments place{.speed_hz = positive_number(given, "speed-hz")};
-  if (const auto rpm = positive_number(given, "speed-rpm")) place.speed_hz = *rpm / config::rpm_per_hz;
+  if (const auto rpm = positive_number(given, "speed-rpm")) {
+    place.speed_hz = *rpm / config::rpm_per_hz;
+    place.by_minutes = true;
+  }
   if (const auto ratio = not_negative_number(given, "whirl-ratio"))
     place.unbalance = scene::WhirlRatio{*ratio};
   if (const auto eccentricity_m = not_negative_number(given, "eccentricity-m"))
@@ -55,13 +60,29 @@ scene::Unbalance unbalance_of(const PlaceArguments& place, const model::Machine&
   return scene::Eccentricity{*place.unbalance_g_mm / units};
 }
 
+void keep_units(const PlaceArguments& place, sweep::Study& study) {
+  if (place.by_minutes) study.grid.written_speed = config::in_rpm();
+  if (place.unbalance_g_mm)
+    study.grid.written_unbalance = config::in_g_mm(model::g_mm_per_metre(study.machine));
+}
+
 void require_speed(std::string_view option, double speed_hz, const model::Machine& machine) {
-  const auto most_hz = config::most_speed_hz(machine);
-  if (!most_hz || speed_hz <= *most_hz) return;
-  throw UsageError(
-      fmt::format("{}: {} Hz is far over rotor.natural_frequency_hz (revolutions per minute?), "
-                  "allowed: at most {} Hz",
-                  option, speed_hz, *most_hz));
+  const auto slip = config::slip_of(config::Quantity::speed_hz, speed_hz, &machine);
+  if (slip && slip->certain)
+    throw UsageError(fmt::format("{}: {}, allowed: {} Hz", option, slip->wrong, slip->allowed));
+}
+
+void ask_about(std::string_view program, const scene::Unbalance& unbalance, const model::Machine& machine,
+               bool quiet) {
+  const auto slip = std::visit(
+      overloaded{[&](const scene::WhirlRatio& ratio) {
+                   return config::slip_of(config::Quantity::whirl_ratio, ratio.value, &machine);
+                 },
+                 [&](const scene::Eccentricity& eccentricity) {
+                   return config::slip_of(config::Quantity::eccentricity_m, eccentricity.value_m, &machine);
+                 }},
+      unbalance);
+  if (slip) ask(program, {"the unbalance: " + slip->wrong}, quiet);
 }
 
 }  // namespace rubsweep::apps

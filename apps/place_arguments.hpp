@@ -6,6 +6,7 @@
 #include "command_line.hpp"
 #include "rubsweep/model/machine.hpp"
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::apps {
 
@@ -14,6 +15,8 @@ struct PlaceArguments {
   std::optional<double> speed_hz = {};
   std::optional<scene::Unbalance> unbalance = {};
   std::optional<double> unbalance_g_mm = {};  ///< instead, by the mass of the rotor
+
+  bool by_minutes = false;  ///< the speed was said in revolutions per minute
 
   bool has_unbalance() const { return unbalance || unbalance_g_mm; }
 };
@@ -32,7 +35,14 @@ PlaceArguments read_place(const po::variables_map& given);
 /// of its discs stands off the axis.
 scene::Unbalance unbalance_of(const PlaceArguments& place, const model::Machine& machine);
 
+/// What was said in other units than SI is shown in them as well.
+void keep_units(const PlaceArguments& place, sweep::Study& study);
+
 /// Throws UsageError where a configuration of this machine could not have this speed; `option` said it.
 void require_speed(std::string_view option, double speed_hz, const model::Machine& machine);
+
+/// Asks what was meant by an unbalance of the command line that is hardly one.
+void ask_about(std::string_view program, const scene::Unbalance& unbalance, const model::Machine& machine,
+               bool quiet);
 
 }  // namespace rubsweep::apps

@@ -30,6 +30,11 @@ void flush_stdout() {
 
 void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
+void ask(std::string_view program, const std::vector<std::string>& questions, bool quiet) {
+  if (quiet) return;
+  for (const std::string& question : questions) say(fmt::format("{}: question: {}\n", program, question));
+}
+
 void open_standard_descriptors() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     // The smallest free number is the one that is closed. Opened the other way round, it still cannot be

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rubsweep::apps {
 
@@ -19,6 +20,9 @@ int run_program(std::string_view name, const std::function<int()>& body);
 
 /// Prints on stderr. A message that cannot be delivered changes nothing else.
 void say(const std::string& text);
+
+/// Prints what should be asked about numbers that are taken as they are, a line each; nothing with `quiet`.
+void ask(std::string_view program, const std::vector<std::string>& questions, bool quiet);
 
 /// Puts /dev/null where standard input, output or error were closed, so that no data file gets their numbers
 /// and with them what is printed. Such an output still says that it cannot be written. The first thing a

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 batch::TableSource table_source(const ResultSource& source) {
-  return {fmt::format("{} {}", source.program, RUBSWEEP_VERSION), source.digest, {}};
+  return {fmt::format("{} {}", source.program, RUBSWEEP_VERSION), source.digest, {}, source.captions};
 }
 
 /// A file that is whole on the disk, and has not its name yet.

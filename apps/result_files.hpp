@@ -15,6 +15,7 @@ using ResultFiles = std::map<std::string_view, std::string>;
 struct ResultSource {
   std::string program;  ///< without its version
   std::string digest;
+  std::string captions{};  ///< as batch::caption_lines gives them
 };
 
 /// Replaces the files `names` of a directory, all that a run may leave there, by those of a new run: of

@@ -67,7 +67,8 @@ int run(const RingstabArguments& arguments, const config::RingConfig& config) {
     return config::print_ring_config(config::read_ring_config(arguments.config, {}));
   });
   make_directory(directory);
-  const ResultSource source{"ringstab", config::ring_study_digest(study)};
+  const ResultSource source{"ringstab", config::ring_study_digest(study),
+                            batch::caption_lines(config.captions)};
   const std::string comments = report::ring_comments();
   const ring::Analysis analysis = ring::analyse(study.system, ring::speeds_rad_per_s(study));
   ResultFiles files{
@@ -102,6 +103,7 @@ std::string size_of(const ring::Study& study) {
 int perform(const RingstabArguments& arguments) {
   if (answered("ringstab", arguments.action, ringstab_help)) return done;
   const config::RingConfig config = config::read_ring_config(arguments.config, arguments.overrides);
+  ask("ringstab", config.questions, arguments.quiet);
   return act(arguments, {.size = [&] { return size_of(config.study); },
                          .explanation = [&] { return report::explain_ring(config.study); },
                          .configuration = [&] { return config::print_ring_config(config); },

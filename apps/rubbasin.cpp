@@ -45,6 +45,9 @@ Plane plane_of(const RubbasinArguments& arguments) {
 config::RunConfig sliced_config(const RubbasinArguments& arguments, const Plane& plane) {
   const config::RunConfig given =
       config::read_cell_config(arguments.config, arguments.overrides, {plane[0].key, plane[1].key});
+  ask("rubbasin", given.questions, arguments.quiet);
+  ask_about("rubbasin", sweep::unbalance_of(given.study.grid, arguments.cell.unbalance), given.study.machine,
+            arguments.quiet);
   require_speed("--cell", arguments.cell.speed_hz, given.study.machine);
   std::array<std::string, 2> axes;
   bool has_state = false;
@@ -77,7 +80,8 @@ int write_slice(const RubbasinArguments& arguments, const Plane& plane, const co
   const ResultFiles files{{"slice.csv", report::map_comments() + report::slice_csv(slice)},
                           {"attractors.csv", report::map_comments() + report::attractors_csv(slice)}};
   const fs::path directory = map.parent_path();
-  write_result_files(files, slice_files, directory, {"rubsweep", config::study_digest(config.study)});
+  write_result_files(files, slice_files, directory,
+                     {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) {
     fmt::print("{}files     {}: attractors.csv config.yaml map.csv slice.csv\n", report::slice_summary(slice),
                directory.string());

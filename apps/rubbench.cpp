@@ -158,6 +158,7 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
 
 int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
+  ask("rubbench", config.questions, arguments.quiet);
   for (const CellArgument& cell : arguments.cells) require_speed("--cell", cell.speed_hz, study.machine);
   const fs::path directory = results_directory(arguments, config.output_directory, "_bench");
   make_directory(directory);

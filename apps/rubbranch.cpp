@@ -75,6 +75,9 @@ int nothing_to_follow(const std::string& why) {
 
 int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
+  ask("rubbranch", config.questions, arguments.quiet);
+  ask_about("rubbranch", sweep::unbalance_of(study.grid, arguments.cell.unbalance), study.machine,
+            arguments.quiet);
   require_speed("--cell", arguments.cell.speed_hz, study.machine);
   if (arguments.along == "speed_hz" && arguments.to) require_speed("--to", *arguments.to, study.machine);
   const BranchFamily family = branch_family(arguments, config);
@@ -117,7 +120,8 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
     files["curves.csv"] = curve_comments + report::curves_csv(curves);
     files["meetings.csv"] = curve_comments + report::meetings_csv(curves);
   }
-  write_result_files(files, file_names, directory, {"rubbranch", config::study_digest(study)});
+  write_result_files(files, file_names, directory,
+                     {"rubbranch", config::study_digest(study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) {
     fmt::print("{}{}{}", report::branch_summary(arguments.along, branches),
                report::curves_summary(arguments.along, arguments.curve, curves),

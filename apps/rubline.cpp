@@ -201,7 +201,9 @@ class LineRun {
               {"line.csv", std::move(tables.line_csv)},
               {"bifurcation.csv", std::move(tables.bifurcation_csv)},
               {"cascade.csv", std::move(tables.cascade_csv)}};
-    write_result_files(files_, file_names, directory_, {"rubsweep", config::study_digest(config_.study)});
+    write_result_files(
+        files_, file_names, directory_,
+        {"rubsweep", config::study_digest(config_.study), batch::caption_lines(config_.captions)});
   }
 
   int interrupted() {
@@ -260,6 +262,10 @@ class LineRun {
 int perform(const RublineArguments& arguments) {
   if (answered("rubline", arguments.action, rubline_help)) return done;
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  ask("rubline", config.questions, arguments.quiet);
+  if (arguments.place.has_unbalance())
+    ask_about("rubline", unbalance_of(arguments.place, config.study.machine), config.study.machine,
+              arguments.quiet);
   return LineRun(arguments, config).run();
 }
 

@@ -93,6 +93,7 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
 int perform(const RubsweepArguments& arguments) {
   if (answered("rubsweep", arguments.action, rubsweep_help)) return done;
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  ask("rubsweep", config.questions, arguments.quiet);
   const sweep::Study& study = config.study;
   const int threads = batch::thread_count(arguments.threads);
   return act(

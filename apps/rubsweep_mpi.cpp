@@ -59,6 +59,7 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  ask(mpi_program_name, config.questions, arguments.quiet);
   refuse_fading(arguments, config.study);
   report::refuse_more_memory_than(memory_bytes, config.study,
                                   {batch::thread_count(arguments.threads), ranks});

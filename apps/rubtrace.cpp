@@ -27,6 +27,7 @@
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/trace_csv.hpp"
 #include "rubsweep/report/trace_summary.hpp"
+#include "rubsweep/report/unit_columns.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "rubsweep/sweep/hertz_secant.hpp"
 #include "rubsweep/trace/probe_period.hpp"
@@ -118,6 +119,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const scene::Place place{arguments.place.speed_hz.value(),
                            unbalance_of(arguments.place, config.study.machine)};
   config.study.grid = sweep::grid_of(place);
+  keep_units(arguments.place, config.study);
   const sweep::Study& study = config.study;
   trace::TraceOptions options{.speed_hz = place.speed_hz,
                               .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
@@ -133,9 +135,10 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 
   response::motion::Workspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, prepared, 0, workspace);
-  ResultFiles files{{"config.yaml", config::print_config(config)},
-                    {"motion.csv", report::map_comments() + report::map_header(study) + "\n" +
-                                       report::map_line(row, study) + "\n"}};
+  ResultFiles files{
+      {"config.yaml", config::print_config(config)},
+      {"motion.csv", report::map_comments() + report::map_header(study) + report::unit_header(study.grid) +
+                         "\n" + report::map_line(row, study) + report::unit_cells(row, study.grid) + "\n"}};
   std::string summary = report::motion_summary(row);
 
   // A second run of the cell: the first one, which classifies, ends where the motion is proven and asks the
@@ -156,7 +159,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
     if (options.probes)
       summary += look_by_probes(trace, *options.probes, place.speed_hz, study, workspace, files);
   }
-  write_result_files(files, file_names, directory, {"rubsweep", config::study_digest(study)});
+  write_result_files(files, file_names, directory,
+                     {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
   if (arguments.figure && trace.revolutions > 0) {
     arguments.figure->draw("draw_traces.py", directory, "One cell under the lens");
@@ -172,12 +176,17 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 int perform(RubtraceArguments arguments) {
   if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
   config::RunConfig config = config::read_cell_config(arguments.config, arguments.overrides);
+  ask("rubtrace", config.questions, arguments.quiet);
+  if (arguments.place.has_unbalance())
+    ask_about("rubtrace", unbalance_of(arguments.place, config.study.machine), config.study.machine,
+              arguments.quiet);
   if (arguments.place.speed_hz) require_speed("--speed-hz", *arguments.place.speed_hz, config.study.machine);
   if (auto& ramp = arguments.run_up) {
     require_speed("--run-up", std::max(ramp->from_hz, ramp->to_hz), config.study.machine);
     const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);
     ramp->eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
   }
+  if (arguments.campbell) require_speed("--campbell", arguments.campbell->to_hz, config.study.machine);
   if (arguments.free_response || arguments.run_up || arguments.campbell) {
     return run_experiment(arguments, config, directory_of(arguments, config));
   }

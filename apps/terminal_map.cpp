@@ -43,22 +43,35 @@ std::string word(const std::string& text) {
   return quoted + "'";
 }
 
-std::string rubtrace_command(const std::filesystem::path& directory, const sweep::Grid& grid,
-                             std::size_t cell) {
-  const scene::Place place = sweep::place_of(grid, cell);
-  const std::string unbalance = std::visit(
+/// In the unit of the person where that names the same cell to the last bit.
+std::string speed_option(const sweep::Grid& grid, double speed_hz) {
+  const auto rpm = sweep::exactly_in_units(grid.written_speed, speed_hz);
+  return rpm && grid.written_speed.unit == "rpm" ? fmt::format("--speed-rpm {}", *rpm)
+                                                 : fmt::format("--speed-hz {}", batch::csv_number(speed_hz));
+}
+
+std::string unbalance_option(const sweep::Grid& grid, const scene::Unbalance& unbalance) {
+  return std::visit(
       overloaded{[](const scene::WhirlRatio& ratio) {
                    return fmt::format("--whirl-ratio {}", batch::csv_number(ratio.value));
                  },
-                 [](const scene::Eccentricity& eccentricity) {
-                   return fmt::format("--eccentricity-m {}", batch::csv_number(eccentricity.value_m));
+                 [&](const scene::Eccentricity& eccentricity) {
+                   const auto g_mm = sweep::exactly_in_units(grid.written_unbalance, eccentricity.value_m);
+                   return g_mm && grid.written_unbalance.unit == "g mm"
+                              ? fmt::format("--unbalance-g-mm {}", *g_mm)
+                              : fmt::format("--eccentricity-m {}", batch::csv_number(eccentricity.value_m));
                  }},
-      place.unbalance);
+      unbalance);
+}
+
+std::string rubtrace_command(const std::filesystem::path& directory, const sweep::Grid& grid,
+                             std::size_t cell) {
+  const scene::Place place = sweep::place_of(grid, cell);
   std::string keys;
   for (const sweep::KeyValue& held : sweep::key_values(grid, cell))
     keys += fmt::format(" --set {}={}", held.key, batch::csv_number(held.value));
-  return fmt::format("rubtrace {} --speed-hz {} {}{} --figure cell.png", word(directory / "config.yaml"),
-                     batch::csv_number(place.speed_hz), unbalance, keys);
+  return fmt::format("rubtrace {} {} {}{} --figure cell.png", word(directory / "config.yaml"),
+                     speed_option(grid, place.speed_hz), unbalance_option(grid, place.unbalance), keys);
 }
 
 }  // namespace

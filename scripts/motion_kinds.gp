@@ -6,7 +6,7 @@ array kind[kinds] = ["non_contact", "synchronous_circle", "synchronous_circle_ba
   "subharmonic_3", "subharmonic_4", "subharmonic_5", "subharmonic_6", "subharmonic_7", "subharmonic_8", \
   "quasi_periodic_oval", "quasi_periodic_whip", "quasi_periodic", "chaotic", "unsettled", "initial_contact", "failed"]
 array legend[kinds] = ["no contact", "synchronous circle", "backward circle", "synchronous", "subharmonic 1/2", \
-  "subharmonic 1/3", "subharmonic 1/4", "subharmonic 1/5", "subharmonic 1/6", "subharmonic 1/7", "subharmonic ≤ 1/8", \
+  "subharmonic 1/3", "subharmonic 1/4", "subharmonic 1/5", "subharmonic 1/6", "subharmonic 1/7", "subharmonic 1/8 and smaller", \
   "quasi-periodic oval", "backward dry whip", "quasi-periodic", "chaotic", "unsettled", "pressed on the wall", "failed"]
 array colour[kinds] = ["#F4F4F4", "#4F9BD0", "#F4A6B8", "#88CCEE", "#CC6677", \
   "#332288", "#DDCC77", "#117733", "#882255", "#44AA99", "#999933", \

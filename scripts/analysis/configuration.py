@@ -44,6 +44,32 @@ def numbers(text):
     return [number(part) for part in text[1:-1].split(",")]
 
 
+def axis(values, path):
+    """The values of an axis of a sweep, in the unit of its key: they are listed, or placed between two ends."""
+    if f"{path}.count" not in values:
+        listed = values.get(f"{path}.values")
+        return numbers(listed) if listed else []
+    first, last = number(values[f"{path}.from"]), number(values[f"{path}.to"])
+    intervals = int(values[f"{path}.count"]) - 1
+    if values.get(f"{path}.scale") == "log":
+        inner = [first * (last / first) ** (i / intervals) for i in range(1, intervals)]
+    else:
+        inner = [first + (last - first) * i / intervals for i in range(1, intervals)]
+    return [first, *inner, last]
+
+
+def text(value):
+    """The text of a title, an author or a note: one word as it is, or in double quotes."""
+    if not value.startswith('"'):
+        return value
+    meaning = {"n": "\n", '"': '"', "\\": "\\"}
+    return re.sub(
+        r"\\(x[0-9a-f]{2}|.)",
+        lambda match: chr(int(match[1][1:], 16)) if match[1][0] == "x" else meaning[match[1]],
+        value[1:-1],
+    )
+
+
 def number(text):
     """The number that a value is."""
     try:

@@ -48,7 +48,6 @@ def main(arguments):
         boundaries = domain_map.read_boundaries(boundary_file, up, natural_hz, csv_table.digest(map_file))
     if "sweep.refine.levels" in config:
         columns = [swept_axes.values(config, axis) for axis in (across, up)]
-        columns[0] = [value / (natural_hz or 1) for value in columns[0]]
         cells = refined_map.painted_cells(cells, *columns, int(config["sweep.refine.levels"]))
     axes = [shown_units.axis(config, across), shown_units.axis(config, up, max(cell.y for cell in cells))]
     if natural_hz is not None:

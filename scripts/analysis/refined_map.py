@@ -30,14 +30,28 @@ def painted(known, across, up, levels):
 
 def painted_cells(cells, across, up, levels):
     """The cells of domain_map.read_cells with those that were not computed; `across` and `up` are the values of the
-    axes in the order of the sweep, in the units of the cells."""
-    places = {x: i for i, x in enumerate(across)}, {y: j for j, y in enumerate(up)}
-    known = {(places[0][cell.x], places[1][cell.y]): cell.kind for cell in cells}
-    strengths = {(places[0][cell.x], places[1][cell.y]): cell.strength for cell in cells}
+    axes in the order of the sweep, in units of which the cells may show others, such as rpm."""
+    across = _in_units_of([cell.x for cell in cells], across)
+    up = _in_units_of([cell.y for cell in cells], up)
+    places = [(_nearest(across, cell.x), _nearest(up, cell.y)) for cell in cells]
+    known = {place: cell.kind for place, cell in zip(places, cells)}
+    strengths = {place: cell.strength for place, cell in zip(places, cells)}
     found = painted(known, len(across), len(up), levels)
     return [
         domain_map.Cell(across[i], up[j], kind, strengths.get((i, j), 1)) for (i, j), kind in sorted(found.items())
     ]
+
+
+def _in_units_of(shown, values):
+    """A refined map has the cells at both ends of every axis, and units differ by a factor."""
+    largest = max(values, key=abs)
+    factor = max(shown, key=abs) / largest if largest else 1
+    return values if abs(factor - 1) < 1e-12 else [value * factor for value in values]
+
+
+def _nearest(values, value):
+    """Units that were divided and multiplied differ in the last digits."""
+    return min(range(len(values)), key=lambda i: abs(values[i] - value))
 
 
 def _halves(stretch):

@@ -3,39 +3,61 @@
 import configuration
 
 
+# Keys of speed and unbalance, and the column of map.csv that holds what they say in SI units.
+SPEEDS = {"speed_hz": "speed_hz", "speed_rpm": "speed_hz"}
+UNBALANCES = {
+    "whirl_ratio": "whirl_ratio",
+    "eccentricity_m": "eccentricity_m",
+    "unbalance_g_mm": "eccentricity_m",
+    "balance_grade_mm_per_s": "eccentricity_m",
+}
+
+
 def swept_axes(config):
     """Columns of the axes with more than one value, fastest first."""
-    columns = [("speed_hz", "sweep.speed_hz")]
-    columns += [(name, f"sweep.{name}") for name in ("whirl_ratio", "eccentricity_m")]
-    for axis in "xyz":
-        keys = config.get(f"sweep.{axis}.key") or config.get(f"sweep.{axis}.keys", "").strip("[]").split(",")[0]
-        columns.append((keys, f"sweep.{axis}"))
-    return [name for name, path in columns if len(_values(config, path)) > 1]
+    return [name for name, path in _paths(config) if len(configuration.axis(config, path)) > 1]
 
 
 def plane(config):
     """The columns that a picture of the map is drawn over, across and up: speed and unbalance, or the two axes with
     several values where keys are swept."""
-    unbalance = "eccentricity_m" if "sweep.eccentricity_m.values" in config else "whirl_ratio"
+    unbalance = "whirl_ratio" if configuration.axis(config, "sweep.whirl_ratio") else "eccentricity_m"
     swept = swept_axes(config)
     if len(swept) > 2:
         raise configuration.ConfigurationError(f"{', '.join(swept)} have several values, a picture has room for two")
-    if "sweep.x.values" not in config or not swept:
+    if not configuration.axis(config, "sweep.x") or not swept:
         return "speed_hz", unbalance
     if len(swept) == 2:
         return swept[0], swept[1]
     return swept[0], unbalance if swept[0] == "speed_hz" else "speed_hz"
 
 
+def written(config, column):
+    """The key under which a person wrote what stands in this column, and the values there in the unit of that key;
+    None where no axis says it."""
+    for name, si_column in (SPEEDS | UNBALANCES).items():
+        if si_column == column and (listed := configuration.axis(config, f"sweep.{name}")):
+            return name, listed
+    return None
+
+
+def is_logarithmic(config, column):
+    """Whether the axis that is this column is written on a logarithmic scale."""
+    return any(config.get(f"{path}.scale") == "log" for name, path in _paths(config) if name == column)
+
+
 def values(config, column):
-    """The values of the axis that is this column, in the order of the configuration."""
-    for name in ("speed_hz", "whirl_ratio", "eccentricity_m", "x", "y", "z"):
-        first = config.get(f"sweep.{name}.key") or config.get(f"sweep.{name}.keys", name).strip("[]").split(",")[0]
-        if first == column:
-            return _values(config, f"sweep.{name}")
+    """The values of the axis that is this column, in the order of the configuration and in the unit of its key."""
+    for name, path in _paths(config):
+        if name == column and (listed := configuration.axis(config, path)):
+            return listed
     raise configuration.ConfigurationError(f"no axis is called {column}")
 
 
-def _values(config, path):
-    text = config.get(f"{path}.values")
-    return configuration.numbers(text) if text else []
+def _paths(config):
+    """Every column that may be an axis, and the key of the axis."""
+    columns = [(column, f"sweep.{name}") for name, column in (SPEEDS | UNBALANCES).items()]
+    for axis in "xyz":
+        keys = config.get(f"sweep.{axis}.key") or config.get(f"sweep.{axis}.keys", "").strip("[]").split(",")[0]
+        columns.append((keys, f"sweep.{axis}"))
+    return columns

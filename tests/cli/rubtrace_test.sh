@@ -31,7 +31,7 @@ expect_usage_error '--whirl-ratio: allowed: a number >= 0' "$minimal" --speed-hz
 expect_usage_error '--revolutions: allowed: a number >= 1' "$minimal" "${rub[@]}" --revolutions 0
 expect_usage_error '--last-revolutions: allowed: a number >= 1' "$minimal" "${rub[@]}" --last-revolutions -3
 expect_usage_error '--output: allowed: the name of a directory' "$minimal" "${rub[@]}" --output ''
-expect_usage_error "unrecognised option '--revolution'" "$minimal" "${rub[@]}" --revolution 3
+expect_usage_error "unrecognised option '--revolution' (did you mean '--revolutions'?)" "$minimal" "${rub[@]}" --revolution 3
 expect_usage_error 'too many positional options' "$minimal" "$minimal" "${rub[@]}"
 
 # What an axis over keys holds is that of the cell.

@@ -17,7 +17,7 @@ done
 expect_usage_error 'a configuration file is needed'
 expect_usage_error 'a configuration file is needed' --quiet
 expect_usage_error "unrecognised option '--nope'" "$minimal" --nope
-expect_usage_error "unrecognised option '--thread'" "$minimal" --thread 1
+expect_usage_error "unrecognised option '--thread' (did you mean '--threads'?)" "$minimal" --thread 1
 expect_usage_error 'too many positional options' "$minimal" "$minimal"
 expect_usage_error '--threads: allowed: a number from 0 to 1024' "$minimal" --threads -1
 expect_usage_error '--threads: allowed: a number from 0 to 1024' "$minimal" --threads 100000

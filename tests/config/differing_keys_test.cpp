@@ -41,5 +41,12 @@ TEST(DifferingKeys, ShowLongListsWhereTheyDiffer) {
   EXPECT_NE(lines[0].find(" there, ...146, 147, 148, 149, 999, "), std::string::npos) << lines[0];
 }
 
+TEST(DifferingKeys, SayHowLongListsAreSpaced) {
+  EXPECT_EQ(
+      differing_keys(study({"sweep.speed_hz={from: 50, to: 150, count: 2000}"}),
+                     study({"sweep.speed_hz={from: 50, to: 151, count: 1000}"})),
+      Lines{"sweep.speed_hz.values: 2000 values from 50 to 150 there, 1000 values from 50 to 151 here"});
+}
+
 }  // namespace
 }  // namespace rubsweep::config

@@ -136,12 +136,49 @@ TEST(PrintConfig, FitsTheReaderAtItsLargest) {
 }
 
 TEST(PrintStudy, IsTheConfigurationWithoutItsOutput) {
-  RunConfig config = read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", {});
+  RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
   const std::string study = print_study(config.study);
-  EXPECT_EQ(print_config(config),
-            study + "output:\n  directory: results/one_side\n  warn_over_clearances: 10\n");
+  EXPECT_EQ(print_config(config), study + "output:\n  directory: results\n  warn_over_clearances: 10\n");
   config.warn_over_clearances = 3;
   EXPECT_EQ(print_study(config.study), study) << "no part of the digest";
+}
+
+/// The minimal configuration, which ends with its sweep and its output, with another sweep.
+RunConfig with_sweep(const std::string& speed, const std::string& unbalance) {
+  std::string text = test_file("minimal.yaml");
+  text = replaced(text, "speed_hz: {from: 60, count: 1}", speed);
+  return read_run_config_text(replaced(text, "whirl_ratio: {values: [0.5]}", unbalance), "test.yaml", {});
+}
+
+TEST(PrintConfig, KeepsAnAxisAsItWasWritten) {
+  const RunConfig config = with_sweep("speed_rpm: {from: 3000, to: 11900, count: 2000, scale: log}",
+                                      "unbalance_g_mm: {values: [0.1, 240, 33.3]}");
+  const std::string printed = print_config(config);
+  EXPECT_NE(printed.find("  speed_rpm:\n    from: 3000\n    to: 11900\n    count: 2000\n    scale: log\n"
+                         "  unbalance_g_mm:\n    values: [0.1, 240, 33.3]\n"),
+            std::string::npos)
+      << printed;
+  expect_round_trip(config);
+  const RunConfig again = read_run_config_text(printed, "printed.yaml", {});
+  EXPECT_EQ(print_study(again.study), print_study(config.study));
+  EXPECT_EQ(print_study(config.study).find("rpm"), std::string::npos) << "no part of the digest";
+}
+
+TEST(PrintConfig, KeepsAGradeWithItsRatedSpeed) {
+  const RunConfig config = with_sweep("speed_hz: {from: 55.5, to: 66.6, count: 11}",
+                                      "balance_grade_mm_per_s: {from: 2.5, to: 6.3, count: 7}\n"
+                                      "  rated_speed_rpm: 2950");
+  EXPECT_NE(print_config(config).find("balance_grade_mm_per_s:\n    from: 2.5\n    to: 6.3\n    count: 7\n"),
+            std::string::npos);
+  expect_round_trip(config);
+}
+
+TEST(PrintConfig, SaysInSiWhatOtherUnitsDoNot) {
+  RunConfig config =
+      with_sweep("speed_rpm: {from: 3000, to: 9000, count: 3}", "whirl_ratio: {values: [0.5]}");
+  config.study.grid.speed_hz = {50, std::nextafter(50.0, 51.0)};  // what 15 digits of rpm do not tell apart
+  EXPECT_NE(print_config(config).find("speed_hz:\n    values: [50, 50.00000000000001]"), std::string::npos);
+  expect_round_trip(config);
 }
 
 TEST(PrintConfig, ShowsEveryDefault) {

@@ -40,6 +40,24 @@ TEST(TerminalMap, HasACharacterForEachCellUnbalanceUpward) {
             "  2 subharmonic 1/2  ? unsettled\n");
 }
 
+TEST(TerminalMap, IsInTheUnitsOfThePerson) {
+  sweep::Grid written = grid;
+  written.measure = sweep::UnbalanceMeasure::eccentricity_m;
+  written.written_speed = {.key = "speed_rpm", .unit = "rpm", .units_per_si = 60};
+  written.written_unbalance = {.key = "unbalance_g_mm",
+                               .unit = "g mm",
+                               .units_per_si = 1000,
+                               .spacing = batch::Spacing{200, 600, 2, true}};
+  TerminalMap map(written);
+  for (int i = 0; i < 6; ++i) map.add(line(MotionClass::chaotic));
+  EXPECT_EQ(map.text(80, false),
+            "           600 ***\n"
+            "           200 ***\n"
+            "unbalance g mm 3000 rpm 4200 rpm\n"
+            "               logarithmic: unbalance\n"
+            "  * chaotic\n");
+}
+
 TEST(TerminalMap, ColoursChangeNoCharacter) {
   std::string text = small_map().text(80, true);
   EXPECT_NE(text.find("\x1b[48;2;204;102;119m"), std::string::npos);

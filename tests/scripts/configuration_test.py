@@ -72,3 +72,13 @@ class Values(FileTest):
         self.assertEqual(configuration.number("1e-3"), 1e-3)
         with self.assertRaisesRegex(configuration.ConfigurationError, "'auto' is no number"):
             configuration.number("auto")
+
+    def test_an_axis_is_listed_or_has_ends(self):
+        spaced = {"a.from": "50", "a.to": "60", "a.count": "3"}
+        self.assertEqual(configuration.axis(spaced, "a"), [50, 55, 60])
+        self.assertEqual(configuration.axis({"a.values": "[1, 5]"}, "a"), [1, 5])
+        self.assertEqual(configuration.axis({}, "a"), [])
+
+    def test_a_text_is_a_word_or_quoted(self):
+        self.assertEqual(configuration.text("pump"), "pump")
+        self.assertEqual(configuration.text('"a \\"b\\" \\\\ \\n \\x09c"'), 'a "b" \\ \n \tc')

@@ -30,6 +30,23 @@ class SweptAxes(unittest.TestCase):
         with self.assertRaisesRegex(configuration.ConfigurationError, "speed_hz, whirl_ratio, a"):
             swept_axes.plane(three)
 
+    def test_an_axis_by_its_ends_and_in_other_units_is_the_same_column(self):
+        config = {
+            "sweep.speed_rpm.from": "3000",
+            "sweep.speed_rpm.to": "12000",
+            "sweep.speed_rpm.count": "4",
+            "sweep.unbalance_g_mm.from": "1",
+            "sweep.unbalance_g_mm.to": "100",
+            "sweep.unbalance_g_mm.count": "3",
+            "sweep.unbalance_g_mm.scale": "log",
+        }
+        self.assertEqual(swept_axes.plane(config), ("speed_hz", "eccentricity_m"))
+        self.assertEqual(swept_axes.values(config, "speed_hz"), [3000, 6000, 9000, 12000])
+        self.assertEqual(swept_axes.written(config, "eccentricity_m"), ("unbalance_g_mm", [1, 10, 100]))
+        self.assertTrue(swept_axes.is_logarithmic(config, "eccentricity_m"))
+        self.assertFalse(swept_axes.is_logarithmic(config, "speed_hz"))
+        self.assertIsNone(swept_axes.written(config, "whirl_ratio"))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -63,8 +63,9 @@ Reading read_table(const fs::path& path) {
 }  // namespace
 
 std::string table_head(const TableSource& source) {
-  return fmt::format("# {}\n# digest {}\n{}{}\n{}", source.program, source.digest, format_mark, table_format,
-                     source.files.empty() ? "" : fmt::format("# files {}\n", fmt::join(source.files, " ")));
+  return fmt::format(
+      "# {}\n# digest {}\n{}{}\n{}{}", source.program, source.digest, format_mark, table_format,
+      source.files.empty() ? "" : fmt::format("# files {}\n", fmt::join(source.files, " ")), source.captions);
 }
 
 TableFile::TableFile(fs::path path, const TableSource& source) : file_(std::move(path)) {

@@ -20,6 +20,7 @@ struct TableSource {
   std::string program;             ///< with its version: "rubsweep 1.0.0"
   std::string digest;              ///< of all that decides the numbers
   std::vector<std::string> files;  ///< names of all files that were written together; empty: this one alone
+  std::string captions{};          ///< comment lines of title, author and note (see captions.hpp)
 };
 
 /// The comment lines that every table begins with, but for its checksum, which a table that grows has not.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "rubsweep/batch/axis.hpp"
 #include "rubsweep/config/section.hpp"
 
 namespace rubsweep::config {
@@ -36,7 +35,7 @@ bool all_different_and_allowed(const std::vector<double>& values, const model::R
 enum class Scale { linear, log };
 constexpr Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
 
-std::vector<double> read_spaced(Section& section, const model::Range& range, double units_per_si) {
+AxisValues read_spaced(Section& section, const model::Range& range, double units_per_si) {
   Scale scale = Scale::linear;
   section.field("scale", scale, scales);
   double from = model::required;
@@ -48,7 +47,7 @@ std::vector<double> read_spaced(Section& section, const model::Range& range, dou
   if (section.require("count", describe(counts))) section.field("count", count, counts);
   if (!section.is_sound()) return {};
   if (!to && count != 1) section.require("to", model::describe(range));
-  if (!to) return std::vector<double>(1, from / units_per_si);
+  if (!to) return {std::vector<double>(1, from / units_per_si), std::nullopt};
   if (count == 1 && *to != from) {
     section.refuse_together("count", {"count", "to"}, "1 value cannot be both from and to",
                             "a count of 2 or more, or no to");
@@ -58,42 +57,55 @@ std::vector<double> read_spaced(Section& section, const model::Range& range, dou
                             "a logarithmic scale has no place for 0 or less", "from and to > 0");
     return {};
   }
-  const double first = from / units_per_si, last = *to / units_per_si;
-  std::vector<double> values = scale == Scale::log
-                                   ? batch::logarithmically_spaced(first, last, static_cast<int>(count))
-                                   : batch::evenly_spaced(first, last, static_cast<int>(count));
-  if (!all_different_and_allowed(values, range)) {
+  const batch::Spacing spacing{from, *to, static_cast<int>(count), scale == Scale::log};
+  AxisValues axis{batch::spaced(spacing, units_per_si), spacing};
+  if (!all_different_and_allowed(axis.values, range)) {
     section.refuse_together("count", {"from", "to", "count"},
                             fmt::format("from {} to {} there are no {} different values", from, *to, count),
                             "from and to far enough apart");
   }
-  return values;
+  if (count == 1) axis.spacing.reset();
+  return axis;
 }
 
 }  // namespace
 
-std::vector<double> read_axis_values(Section& section, const model::Range& range, double units_per_si) {
-  std::vector<double> result;
+AxisValues read_axis_values(Section& section, const model::Range& range, double units_per_si) {
+  AxisValues result;
   if (const auto values = section.find("values")) {
     for (const std::string_view name : {"from", "to", "count", "scale"}) {
       if (section.find(name)) section.refuse_together(name, {name}, "given beside values", axis_forms);
     }
-    result = read_values(*values, range, units_per_si);
+    result.values = read_values(*values, range, units_per_si);
   } else if (section.is_map()) {
     result = read_spaced(section, range, units_per_si);
   }
   return result;
 }
 
-std::vector<double> read_axis(const Value& value, const model::Range& range, double units_per_si) {
+AxisValues read_axis(const Value& value, const model::Range& range, double units_per_si) {
   if (value.node.kind == Node::Kind::scalar) {
     const auto number = read_number(value, range);
-    return number ? std::vector<double>(1, *number / units_per_si) : std::vector<double>{};
+    if (!number) return {};
+    return {std::vector<double>(1, *number / units_per_si), std::nullopt};
   }
   Section section(value, axis_forms);
-  std::vector<double> result = read_axis_values(section, range, units_per_si);
+  AxisValues result = read_axis_values(section, range, units_per_si);
   section.refuse_unknown_keys();
   return result;
+}
+
+void print_axis_values(Printer& printer, const std::vector<double>& values,
+                       const std::optional<batch::Spacing>& spacing, double units_per_si) {
+  // Whoever changed the values since may not have changed how they were written.
+  if (!spacing || batch::spaced(*spacing, units_per_si) != values) {
+    printer.numbers("values", values);
+    return;
+  }
+  printer.number("from", spacing->from);
+  printer.number("to", spacing->to);
+  printer.integer("count", spacing->count);
+  if (spacing->logarithmic) printer.word("scale", "log");
 }
 
 }  // namespace rubsweep::config

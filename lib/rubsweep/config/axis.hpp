@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/config/printer.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/config/value.hpp"
 
@@ -11,13 +14,28 @@ namespace rubsweep::config {
 inline constexpr std::string_view axis_forms = "a number, {from, to, count} or {values: [...]}";
 inline constexpr long max_axis_values = 10'000;
 
+/// What axes are printed for: `as_written` for people, by ends and count where they were given so and in the
+/// unit of the person; `by_value` for a digest, which must not depend on how a file is written.
+enum class AxisPrint { as_written, by_value };
+
+/// Values of one axis in SI units, and how they are written where that is no list.
+struct AxisValues {
+  std::vector<double> values;
+  std::optional<batch::Spacing> spacing;
+};
+
 /// Values of one axis of a sweep: {from, to, count} (count evenly spaced values, both ends included, in
 /// either direction; `to` may be left out when count is 1; with `scale: log` at equal ratios) or
 /// {values: [...]}, in any order without repetition; a number is a single value. Empty after a problem.
 /// What is written is in `range`, and is divided by `units_per_si` before it is spaced.
-std::vector<double> read_axis(const Value& value, const model::Range& range, double units_per_si = 1);
+AxisValues read_axis(const Value& value, const model::Range& range, double units_per_si = 1);
 
 /// The same of a section that has keys of its own beside them.
-std::vector<double> read_axis_values(Section& section, const model::Range& range, double units_per_si = 1);
+AxisValues read_axis_values(Section& section, const model::Range& range, double units_per_si = 1);
+
+/// The entries of an axis as they were written, into a map that is open: from, to, count and scale where
+/// `spacing` says how `values` are made, else the values.
+void print_axis_values(Printer& printer, const std::vector<double>& values,
+                       const std::optional<batch::Spacing>& spacing, double units_per_si = 1);
 
 }  // namespace rubsweep::config

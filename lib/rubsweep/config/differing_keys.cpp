@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "rubsweep/config/diagnostics.hpp"
 #include "rubsweep/config/document.hpp"
+#include "rubsweep/config/number.hpp"
 #include "rubsweep/config/text.hpp"
 
 namespace rubsweep::config {
@@ -54,7 +56,39 @@ std::string excerpt(const std::string& text, std::size_t first_difference) {
   return (begin > 0 ? "..." : "") + shown(std::string_view(text).substr(begin), longest);
 }
 
+/// Numbers of a list; empty where it is none, or a short one that is shown as it is.
+std::vector<double> numbers_of_long_list(std::string_view text) {
+  constexpr std::size_t short_list = 8;
+  std::vector<double> numbers;
+  if (!text.starts_with('[') || !text.ends_with(']')) return numbers;
+  text.remove_prefix(1);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of(",]"), text.size());
+    const ParsedNumber number = parse_number(text.substr(0, end));
+    if (number.error != NumberError::none) return {};
+    numbers.push_back(number.value);
+    text.remove_prefix(std::min(text.size(), text.find_first_not_of(", ]", end)));
+  }
+  if (numbers.size() <= short_list) numbers.clear();
+  return numbers;
+}
+
+/// "2000 values from 50 to 150" of a long list that says no more: one at equal distances.
+std::string spacing_of(const std::string& text) {
+  const std::vector<double> numbers = numbers_of_long_list(text);
+  if (numbers.empty()) return "";
+  const double step = (numbers.back() - numbers.front()) / static_cast<double>(numbers.size() - 1);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double even = numbers.front() + step * static_cast<double>(i);
+    if (std::abs(numbers[i] - even) > 1e-9 * std::abs(step)) return "";
+  }
+  return fmt::format("{} values from {} to {}", numbers.size(), numbers.front(), numbers.back());
+}
+
 std::string difference(const std::string& key, const std::string& there, const std::string& here) {
+  const std::string spacing_there = spacing_of(there), spacing_here = spacing_of(here);
+  if (!spacing_there.empty() && !spacing_here.empty() && spacing_there != spacing_here)
+    return fmt::format("{}: {} there, {} here", key, spacing_there, spacing_here);
   const auto first = static_cast<std::size_t>(std::ranges::mismatch(there, here).in1 - there.begin());
   return fmt::format("{}: {} there, {} here", key, excerpt(there, first), excerpt(here, first));
 }

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "rubsweep/config/number.hpp"
 #include "rubsweep/config/text.hpp"
 
 namespace rubsweep::config {
@@ -140,12 +141,30 @@ class TreeBuilder : public YAML::EventHandler {
       if (node.kind != Node::Kind::scalar) {
         throw Refusal{node.place, "a key is not a name", "a name before ':'"};
       }
+      if (node.text == "<<" && !node.quoted) {
+        throw Refusal{node.place, "the merge key << is not supported",
+                      "the keys themselves, or base: FILE for those of another file"};
+      }
       parent.keys.push_back({std::move(node.text), node.place});
       return;
     }
+    if (is_map && node.kind == Node::Kind::null) refuse_decimal_comma(parent);
     // yaml-cpp places a missing value at whatever follows it.
     if (is_map && node.kind == Node::Kind::null) node.place = parent.keys.back().place;
     parent.items.push_back(std::move(node));
+  }
+
+  /// `{mass_kg: 0,8}` is a map of mass_kg: 0 and of a key 8 without a value. Two numbers side by side are
+  /// nothing else.
+  static void refuse_decimal_comma(const Node& map) {
+    if (map.items.empty() || map.items.back().kind != Node::Kind::scalar || map.items.back().quoted) return;
+    const std::string& whole = map.items.back().text;
+    const std::string& part = map.keys.back().text;
+    const auto number = [](std::string_view text) { return parse_number(text).error == NumberError::none; };
+    if (!number(whole) || part.empty() || part.front() < '0' || part.front() > '9' || !number(part)) return;
+    throw Refusal{map.items.back().place,
+                  fmt::format("{},{} is two values: a comma parts them", shown(whole), shown(part)),
+                  fmt::format("a decimal point, {}.{}", shown(whole), shown(part))};
   }
 
   Source source_;
@@ -184,6 +203,45 @@ Node parse(std::string_view text, const Source& source) {
   return builder.take_root();
 }
 
+/// Why YAML stumbles where nothing can be seen.
+struct InvisibleCause {
+  YAML::Mark mark;
+  std::string wrong, allowed;
+};
+
+/// Whether YAML would want a blank, or nothing, where `before` ends: at the begin of a line or after a sign.
+/// In the middle of a text any character may stand.
+bool wants_a_blank(std::string_view before) {
+  const std::size_t last = before.find_last_not_of(" \t");
+  return last == std::string_view::npos ||
+         std::string_view(":-,[{").find(before[last]) != std::string_view::npos;
+}
+
+/// The first tab in an indentation, or blank that is none to YAML, up to the line in which the parser gave
+/// up.
+std::optional<InvisibleCause> invisible_cause(std::string_view text, const YAML::Mark& error) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  YAML::Mark mark;
+  for (; mark.line <= std::max(error.line, 0) && !text.empty(); ++mark.line) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::size_t first = line.find_first_not_of(" \t"), tab = line.find('\t');
+    if (first == std::string_view::npos || line[first] == '#') continue;
+    if (tab < first) {
+      mark.column = static_cast<int>(tab);
+      return InvisibleCause{mark, "not valid YAML: a tab indents this line", "blanks"};
+    }
+    const auto blank = find_foreign_blank(line);
+    if (!blank || !wants_a_blank(line.substr(0, *blank))) continue;
+    mark.column = static_cast<int>(*blank);
+    return InvisibleCause{
+        mark, fmt::format("not valid YAML: {} is not a blank", describe_character(line.substr(*blank))),
+        "blanks"};
+  }
+  return std::nullopt;
+}
+
 std::string describe(const YAML::Exception& error) {
   if (error.msg == YAML::ErrorMsg::DOC_IN_SCALAR) return "not valid YAML: a quote is not closed";
   return "not valid YAML: " + shown(error.msg, 200);
@@ -201,6 +259,10 @@ std::optional<Node> parse_document(std::string_view text, int override_index, st
   } catch (const Refusal& refusal) {
     diagnostics.add(refusal.place, path, refusal.wrong, refusal.allowed);
   } catch (const YAML::Exception& error) {
+    if (const auto cause = invisible_cause(text, error.mark)) {
+      diagnostics.add(place_of(cause->mark, source), path, cause->wrong, cause->allowed);
+      return std::nullopt;
+    }
     diagnostics.add(place_of(error.mark, source), path, describe(error), "");
   }
   return std::nullopt;

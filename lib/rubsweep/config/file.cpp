@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <utility>
@@ -28,6 +29,21 @@ std::string read_config_bytes(const std::filesystem::path& file) {
   FileBytes bytes = read_bytes(file);
   if (bytes.error) throw IoError(fmt::format("{}: cannot be read: {}", file.string(), bytes.error.message()));
   return std::move(bytes.text);
+}
+
+void refuse_foreign(const Node& root, std::initializer_list<std::string_view> theirs,
+                    std::initializer_list<std::string_view> ours, std::string_view program,
+                    Diagnostics& diagnostics) {
+  const auto among = [](const Node::Key& key, std::initializer_list<std::string_view> names) {
+    return std::ranges::find(names, key.text) != names.end();
+  };
+  if (std::ranges::any_of(root.keys, [&](const Node::Key& key) { return among(key, ours); })) return;
+  for (const Node::Key& key : root.keys) {
+    if (!among(key, theirs)) continue;
+    diagnostics.add(key.place, key.text, fmt::format("belongs to a configuration of {}", program),
+                    fmt::format("{} with this file", program));
+    diagnostics.throw_if_any();
+  }
 }
 
 Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -29,5 +30,11 @@ std::string read_config_bytes(const std::filesystem::path& file);
 /// cannot be had.
 Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
                   const std::vector<std::string>& overrides, Diagnostics& diagnostics);
+
+/// Refuses a configuration of another program, of which every key would be unknown: one that has a key of
+/// `theirs` and none of `ours`. Throws ConfigError.
+void refuse_foreign(const Node& root, std::initializer_list<std::string_view> theirs,
+                    std::initializer_list<std::string_view> ours, std::string_view program,
+                    Diagnostics& diagnostics);
 
 }  // namespace rubsweep::config

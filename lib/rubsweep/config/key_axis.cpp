@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "rubsweep/config/axis.hpp"
 #include "rubsweep/config/text.hpp"
@@ -56,7 +57,9 @@ sweep::KeyAxis read_key_axis(Section& section) {
   sweep::KeyAxis axis;
   read_keys(section, axis);
   refuse_repeated_keys_of_axis(section, axis);
-  axis.values = read_axis_values(section, model::any_finite);
+  AxisValues read = read_axis_values(section, model::any_finite);
+  axis.values = std::move(read.values);
+  axis.spacing = read.spacing;
   return axis;
 }
 
@@ -76,7 +79,7 @@ std::vector<sweep::KeyAxis> read_key_axes(Section& sweep) {
   return axes;
 }
 
-void print_key_axis(Printer& printer, const sweep::KeyAxis& axis) {
+void print_key_axis(Printer& printer, const sweep::KeyAxis& axis, AxisPrint how) {
   const bool plain = std::ranges::all_of(axis.factors, [](double factor) { return factor == 1; });
   if (axis.keys.size() == 1 && plain) {
     printer.text("key", axis.keys.front());
@@ -84,13 +87,13 @@ void print_key_axis(Printer& printer, const sweep::KeyAxis& axis) {
     printer.texts("keys", axis.keys);
     printer.numbers("factors", axis.factors);
   }
-  printer.numbers("values", axis.values);
+  print_axis_values(printer, axis.values, how == AxisPrint::as_written ? axis.spacing : std::nullopt);
 }
 
-void print_key_axes(Printer& printer, const std::vector<sweep::KeyAxis>& axes) {
+void print_key_axes(Printer& printer, const std::vector<sweep::KeyAxis>& axes, AxisPrint how) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     printer.open(key_axis_names.at(i));
-    print_key_axis(printer, axes[i]);
+    print_key_axis(printer, axes[i], how);
     printer.close();
   }
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "rubsweep/config/axis.hpp"
 #include "rubsweep/config/printer.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/sweep/grid.hpp"
@@ -21,7 +22,7 @@ std::vector<sweep::KeyAxis> read_key_axes(Section& sweep);
 sweep::KeyAxis read_key_axis(Section& section);
 
 /// The entries of one axis, into a section that is open.
-void print_key_axis(Printer& printer, const sweep::KeyAxis& axis);
-void print_key_axes(Printer& printer, const std::vector<sweep::KeyAxis>& axes);
+void print_key_axis(Printer& printer, const sweep::KeyAxis& axis, AxisPrint how);
+void print_key_axes(Printer& printer, const std::vector<sweep::KeyAxis>& axes, AxisPrint how);
 
 }  // namespace rubsweep::config

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "rubsweep/config/axis.hpp"
+#include "rubsweep/config/number.hpp"
 #include "rubsweep/config/override.hpp"
 #include "rubsweep/model/balance.hpp"
 
@@ -38,30 +40,71 @@ void refuse_rated_speed(Section& sweep) {
 
 }  // namespace
 
-std::vector<double> read_speeds(Section& sweep) {
+void read_speeds(Section& sweep, sweep::Grid& grid) {
   sweep.require_exactly_one({"speed_hz", speed_rpm_key});
   const auto hz = sweep.find("speed_hz"), rpm = sweep.find(speed_rpm_key);
-  if (hz) return read_axis(*hz, model::positive);
-  return rpm ? read_axis(*rpm, model::positive, rpm_per_hz) : std::vector<double>{};
+  AxisValues axis;
+  if (hz) {
+    axis = read_axis(*hz, model::positive);
+  } else if (rpm) {
+    axis = read_axis(*rpm, model::positive, rpm_per_hz);
+    grid.written_speed = in_rpm();
+  }
+  grid.speed_hz = std::move(axis.values);
+  grid.written_speed.spacing = axis.spacing;
 }
 
 void read_unbalance(Section& sweep, const model::Machine& machine, sweep::Grid& grid) {
   sweep.require_exactly_one({"whirl_ratio", "eccentricity_m", unbalance_key, grade_key});
-  const auto read = [&](const Value& value, sweep::UnbalanceMeasure measure, double units_per_si) {
+  const auto read = [&](const Value& value, sweep::UnbalanceMeasure measure, sweep::WrittenAxis written) {
+    AxisValues axis = read_axis(value, model::not_negative, written.units_per_si);
     grid.measure = measure;
-    grid.unbalance = read_axis(value, model::not_negative, units_per_si);
+    grid.unbalance = std::move(axis.values);
+    grid.written_unbalance = std::move(written);
+    grid.written_unbalance.spacing = axis.spacing;
   };
   using enum sweep::UnbalanceMeasure;
-  if (const auto ratio = sweep.find("whirl_ratio")) read(*ratio, whirl_ratio, 1);
-  if (const auto eccentricity = sweep.find("eccentricity_m")) read(*eccentricity, eccentricity_m, 1);
+  if (const auto ratio = sweep.find("whirl_ratio")) read(*ratio, whirl_ratio, {});
+  if (const auto eccentricity = sweep.find("eccentricity_m")) read(*eccentricity, eccentricity_m, {});
   if (const auto unbalance = sweep.find(unbalance_key))
-    read(*unbalance, eccentricity_m, per_metre(*unbalance, model::g_mm_per_metre(machine)));
+    read(*unbalance, eccentricity_m, in_g_mm(per_metre(*unbalance, model::g_mm_per_metre(machine))));
   if (const auto grade = sweep.find(grade_key)) {
-    const double rated_hz = read_rated_speed(sweep);
-    read(*grade, eccentricity_m, per_metre(*grade, model::grade_per_metre(machine, rated_hz)));
+    const double rated_hz = read_rated_speed(sweep),
+                 units = per_metre(*grade, model::grade_per_metre(machine, rated_hz));
+    read(*grade, eccentricity_m,
+         {.key = std::string(grade_key), .unit = "mm/s", .units_per_si = units, .rated_speed_hz = rated_hz});
   } else {
     refuse_rated_speed(sweep);
   }
+}
+
+sweep::WrittenAxis in_rpm() {
+  return {.key = std::string(speed_rpm_key), .unit = "rpm", .units_per_si = rpm_per_hz};
+}
+
+sweep::WrittenAxis in_g_mm(double units_per_metre) {
+  return {.key = std::string(unbalance_key), .unit = "g mm", .units_per_si = units_per_metre};
+}
+
+void print_place_axis(Printer& printer, std::string_view si_key, const sweep::WrittenAxis& written,
+                      const std::vector<double>& values, AxisPrint how) {
+  const bool as_written = how == AxisPrint::as_written;
+  const bool spaced =
+      as_written && written.spacing && batch::spaced(*written.spacing, written.units_per_si) == values;
+  std::vector<double> listed;
+  for (const double value : values) {
+    if (const auto text = sweep::exactly_in_units(written, value))
+      listed.push_back(parse_number(*text).value);
+  }
+  const bool by_unit = as_written && !written.is_si() && (spaced || listed.size() == values.size());
+  printer.open(by_unit ? std::string_view(written.key) : si_key);
+  if (spaced) {
+    print_axis_values(printer, values, written.spacing, written.units_per_si);
+  } else {
+    printer.numbers("values", by_unit ? listed : values);
+  }
+  printer.close();
+  if (by_unit && written.key == grade_key) printer.number(rated_hz_key, written.rated_speed_hz);
 }
 
 std::string_view key_by_mass(const Node& sweep, const model::Machine& machine) {

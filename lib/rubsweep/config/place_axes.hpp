@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "rubsweep/config/axis.hpp"
+#include "rubsweep/config/printer.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/model/machine.hpp"
 #include "rubsweep/sweep/grid.hpp"
@@ -14,14 +16,23 @@ inline constexpr std::string_view speed_rpm_key = "speed_rpm", unbalance_key = "
 
 inline constexpr double rpm_per_hz = 60;
 
-/// `speed_hz` or `speed_rpm` of `sweep`, in Hz.
-std::vector<double> read_speeds(Section& sweep);
+/// `speed_hz` or `speed_rpm` of `sweep` into the speeds of `grid`, in Hz.
+void read_speeds(Section& sweep, sweep::Grid& grid);
 
 /// One of `whirl_ratio`, `eccentricity_m`, `unbalance_g_mm` and `balance_grade_mm_per_s` of `sweep` into
 /// measure and values of `grid`. The latter two become eccentricities here and for good: an unbalance by the
 /// mass of the rotor (see model/balance.hpp), a grade at the speed that `rated_speed_hz` or `rated_speed_rpm`
 /// beside it names, wherever the cell is.
 void read_unbalance(Section& sweep, const model::Machine& machine, sweep::Grid& grid);
+
+/// What is written in revolutions per minute, or in g mm of which so many are a metre of eccentricity.
+sweep::WrittenAxis in_rpm();
+sweep::WrittenAxis in_g_mm(double units_per_metre);
+
+/// An axis of speeds or unbalances with its key, `si_key` where it was not written in another unit. What is
+/// printed reads back as the same numbers: where digits of the other unit do not say them, SI does.
+void print_place_axis(Printer& printer, std::string_view si_key, const sweep::WrittenAxis& written,
+                      const std::vector<double>& values, AxisPrint how);
 
 /// The key of `sweep` whose values follow from the mass of the rotor; empty where none does.
 std::string_view key_by_mass(const Node& sweep, const model::Machine& machine);

@@ -7,12 +7,14 @@
 
 namespace rubsweep::config {
 
-/// The complete configuration as YAML, defaults included, that reads back as an equal one. Equal
-/// configurations give equal bytes. What is optional and has no value of its own (kick, kick.angle_deg,
-/// contact_mass_kg) is left out. Throws ConfigError when the output directory is not UTF-8.
+/// The complete configuration as YAML, defaults included, that reads back as an equal one: axes as they were
+/// written, by ends and count and in the units of the person. Configurations that are written alike give
+/// equal bytes. What is optional and has no value of its own (kick, kick.angle_deg, contact_mass_kg) is left
+/// out. Throws ConfigError when the output directory is not UTF-8.
 std::string print_config(const RunConfig& config);
 
-/// The same without `output`: everything that decides the numbers of a map, nothing else.
+/// Everything that decides the numbers of a map, nothing else: without captions and `output`, and with every
+/// axis as its values in SI units, so that equal studies give equal bytes however their files were written.
 std::string print_study(const sweep::Study& study);
 
 }  // namespace rubsweep::config

@@ -1,5 +1,7 @@
 #include "rubsweep/config/print_ring_config.hpp"
 
+#include "rubsweep/config/axis.hpp"
+#include "rubsweep/config/captions.hpp"
 #include "rubsweep/config/output.hpp"
 #include "rubsweep/config/printer.hpp"
 #include "rubsweep/config/ring.hpp"
@@ -10,29 +12,30 @@
 namespace rubsweep::config {
 namespace {
 
-void print(Printer& printer, const ring::Study& study) {
+void print(Printer& printer, const ring::Study& study, AxisPrint how) {
   print_ring(printer, study.system.ring);
   print_ring_loads(printer, study.system.loads);
   printer.number("friction_coefficient", study.system.friction_coefficient);
   printer.number("preload_n", study.system.preload_n);
   printer.open("speed_rpm");
-  printer.numbers("values", study.speeds_rpm);
+  print_axis_values(printer, study.speeds_rpm, how == AxisPrint::as_written ? study.spacing : std::nullopt);
   printer.close();
-  if (study.chart) print_ring_chart(printer, *study.chart);
+  if (study.chart) print_ring_chart(printer, *study.chart, how);
 }
 
 }  // namespace
 
 std::string print_ring_config(const RingConfig& config) {
   Printer printer;
-  print(printer, config.study);
+  print_captions(printer, config.captions);
+  print(printer, config.study, AxisPrint::as_written);
   print_output(printer, config.output_directory);
   return printer.yaml();
 }
 
 std::string ring_study_digest(const ring::Study& study) {
   Printer printer;
-  print(printer, study);
+  print(printer, study, AxisPrint::by_value);
   return digest_of(printer.yaml());
 }
 

@@ -27,7 +27,9 @@ std::string in_quotes(std::string_view name, std::string_view value) {
     if (length == 0) {
       throw ConfigError(fmt::format("{}: '{}' cannot be written, allowed: UTF-8 text", name, shown(value)));
     }
-    if (is_control(value[i])) {
+    if (value[i] == '\n') {
+      quoted += "\\n";
+    } else if (is_control(value[i])) {
       quoted += fmt::format("\\x{:02x}", static_cast<unsigned char>(value[i]));
     } else {
       if (value[i] == '"' || value[i] == '\\') quoted += '\\';

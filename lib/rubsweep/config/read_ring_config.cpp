@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "rubsweep/config/axis.hpp"
 #include "rubsweep/config/base.hpp"
+#include "rubsweep/config/captions.hpp"
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/output.hpp"
 #include "rubsweep/config/ring.hpp"
@@ -13,6 +15,7 @@
 #include "rubsweep/config/ring_load.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/config/sweep.hpp"
+#include "rubsweep/config/unit_slips.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/ring/normal_form.hpp"
 
@@ -47,11 +50,14 @@ RingConfig read_sections(const Value& root) {
   section.field("friction_coefficient", study.system.friction_coefficient, model::not_negative);
   section.field("preload_n", study.system.preload_n, model::not_negative);
   if (const auto value = section.require("speed_rpm", axis_forms)) {
-    study.speeds_rpm = read_axis(*value, speeds_rpm);
+    AxisValues axis = read_axis(*value, speeds_rpm);
+    study.speeds_rpm = std::move(axis.values);
+    study.spacing = axis.spacing;
     std::sort(study.speeds_rpm.begin(), study.speeds_rpm.end());
   }
   if (const auto value = section.find("chart")) study.chart = read_ring_chart(*value, study.system.loads);
   if (const auto value = section.require("output", "a map")) config.output_directory = read_output(*value);
+  read_captions(section, config.captions);
   section.refuse_unknown_keys();
   const std::size_t lines = study.chart ? study.chart->values.size() : 0;
   if (lines * study.speeds_rpm.size() > max_cells) {
@@ -74,8 +80,11 @@ RingConfig read_ring_config_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides) {
   Diagnostics diagnostics(name, overrides);
   const Node root = parse_config(text, name, root_form, overrides, diagnostics);
+  refuse_foreign(root, {"rotor", "stops"}, {"ring", "loads"}, "rubsweep", diagnostics);
   RingConfig config = read_sections({root, "", diagnostics});
+  if (diagnostics.count() == 0) refuse_unit_slips({root, "", diagnostics}, nullptr);
   diagnostics.throw_if_any();
+  config.questions = unit_questions({root, "", diagnostics}, nullptr);
   return config;
 }
 

@@ -1,6 +1,7 @@
 #include "rubsweep/config/read_run_config.hpp"
 
 #include "rubsweep/config/base.hpp"
+#include "rubsweep/config/captions.hpp"
 #include "rubsweep/config/diagnostics.hpp"
 #include "rubsweep/config/document.hpp"
 #include "rubsweep/config/file.hpp"
@@ -21,6 +22,7 @@ RunConfig read_sections(const Value& root) {
   RunConfig config;
   config.study = read_study(section);
   if (const auto value = section.require("output", "a map")) read_run_output(*value, config);
+  read_captions(section, config.captions);
   section.refuse_unknown_keys();
   return config;
 }
@@ -35,10 +37,12 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
                                const std::vector<std::string>& overrides) {
   Diagnostics diagnostics(name, overrides);
   const Node root = parse_config(text, name, root_form, overrides, diagnostics);
+  refuse_foreign(root, {"ring", "loads"}, {"rotor", "stops"}, "ringstab", diagnostics);
   RunConfig config = read_sections({root, "", diagnostics});
-  if (diagnostics.count() == 0) refuse_unit_slips({root, "", diagnostics});
+  if (diagnostics.count() == 0) refuse_unit_slips({root, "", diagnostics}, &config.study.machine);
   if (diagnostics.count() == 0) vary_keys({root, "", diagnostics}, config.study);
   diagnostics.throw_if_any();
+  config.questions = unit_questions({root, "", diagnostics}, &config.study.machine);
   return config;
 }
 

@@ -1,6 +1,7 @@
 #include "rubsweep/config/ring_chart.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "rubsweep/config/axis.hpp"
 #include "rubsweep/config/ring_load.hpp"
@@ -56,7 +57,9 @@ ring::ChartAxis read_ring_chart(const Value& value, const std::vector<ring::Load
     }
   }
   if (const auto over = section.require("over", axis_forms)) {
-    axis.values = read_axis(*over, range_of(axis.parameter));
+    AxisValues read = read_axis(*over, range_of(axis.parameter));
+    axis.values = std::move(read.values);
+    axis.spacing = read.spacing;
   }
   section.refuse_unknown_keys();
   if (!section.is_sound()) return axis;
@@ -71,12 +74,12 @@ ring::ChartAxis read_ring_chart(const Value& value, const std::vector<ring::Load
   return axis;
 }
 
-void print_ring_chart(Printer& printer, const ring::ChartAxis& axis) {
+void print_ring_chart(Printer& printer, const ring::ChartAxis& axis, AxisPrint how) {
   printer.open("chart");
   printer.field("parameter", axis.parameter, parameters);
   if (axis.load) printer.integer("load", static_cast<long>(*axis.load));
   printer.open("over");
-  printer.numbers("values", axis.values);
+  print_axis_values(printer, axis.values, how == AxisPrint::as_written ? axis.spacing : std::nullopt);
   printer.close();
   printer.close();
 }

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
+#include "rubsweep/batch/captions.hpp"
 #include "rubsweep/ring/study.hpp"
 
 namespace rubsweep::config {
@@ -10,6 +13,8 @@ namespace rubsweep::config {
 struct RingConfig {
   ring::Study study;
   std::filesystem::path output_directory;
+  batch::Captions captions{};
+  std::vector<std::string> questions{};  ///< what may be slips of units, to be asked (see unit_slips.hpp)
 };
 
 }  // namespace rubsweep::config

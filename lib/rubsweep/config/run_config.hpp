@@ -1,7 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
+#include "rubsweep/batch/captions.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::config {
@@ -11,6 +14,8 @@ struct RunConfig {
   sweep::Study study;
   std::filesystem::path output_directory;
   double warn_over_clearances = 10;  ///< cells whose rotor moves farther are counted and warned of
+  batch::Captions captions{};
+  std::vector<std::string> questions{};  ///< what may be slips of units, to be asked (see unit_slips.hpp)
 };
 
 }  // namespace rubsweep::config

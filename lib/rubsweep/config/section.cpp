@@ -89,7 +89,9 @@ void Section::refuse_unknown_keys() const {
     if (std::find(known_.begin(), known_.end(), key.text) != known_.end()) continue;
     if (!unknown.insert(key.text).second) continue;
     const auto meant = nearest(key.text, known_);
-    const std::string hint = meant ? fmt::format(" (did you mean '{}'?)", *meant) : "";
+    std::string hint = meant ? fmt::format(" (did you mean '{}'?)", *meant) : "";
+    if (const auto blank = find_foreign_blank(key.text))
+      hint = " with " + describe_character(std::string_view(key.text).substr(*blank)) + hint;
     value_.diagnostics.add(key.place, path_of(key.text), "unknown key" + hint, describe(known_));
   }
 }

@@ -89,11 +89,11 @@ void read_study_kind(const Value& value, sweep::Study& study) {
   section.refuse_unknown_keys();
 }
 
-void print_study_kind(Printer& printer, const sweep::Study& study) {
+void print_study_kind(Printer& printer, const sweep::Study& study, AxisPrint how) {
   if (study.threshold) {
     printer.open("study");
     printer.word("kind", threshold_kind);
-    print_key_axis(printer, study.threshold->axis);
+    print_key_axis(printer, study.threshold->axis, how);
     printer.number("tolerance", study.threshold->tolerance);
     printer.close();
   }

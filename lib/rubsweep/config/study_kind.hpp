@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rubsweep/config/axis.hpp"
 #include "rubsweep/config/printer.hpp"
 #include "rubsweep/config/value.hpp"
 #include "rubsweep/sweep/study.hpp"
@@ -13,6 +14,6 @@ namespace rubsweep::config {
 void read_study_kind(const Value& value, sweep::Study& study);
 
 /// Nothing for a study that asks no more than a map.
-void print_study_kind(Printer& printer, const sweep::Study& study);
+void print_study_kind(Printer& printer, const sweep::Study& study, AxisPrint how);
 
 }  // namespace rubsweep::config

@@ -38,7 +38,7 @@ void refuse_disorder(const Section& section, const sweep::Grid& grid) {
 sweep::Grid read_sweep(const Value& value, const model::Machine& machine) {
   Section section(value);
   sweep::Grid grid;
-  grid.speed_hz = read_speeds(section);
+  read_speeds(section, grid);
   read_unbalance(section, machine, grid);
   grid.axes = read_key_axes(section);
   if (const auto refine = section.find("refine")) grid.refinement = read_refinement(*refine);
@@ -56,15 +56,11 @@ sweep::Grid read_sweep(const Value& value, const model::Machine& machine) {
   return grid;
 }
 
-void print_sweep(Printer& printer, const sweep::Grid& grid) {
+void print_sweep(Printer& printer, const sweep::Grid& grid, AxisPrint how) {
   printer.open("sweep");
-  printer.open("speed_hz");
-  printer.numbers("values", grid.speed_hz);
-  printer.close();
-  printer.open(to_string(grid.measure));
-  printer.numbers("values", grid.unbalance);
-  printer.close();
-  print_key_axes(printer, grid.axes);
+  print_place_axis(printer, "speed_hz", grid.written_speed, grid.speed_hz, how);
+  print_place_axis(printer, to_string(grid.measure), grid.written_unbalance, grid.unbalance, how);
+  print_key_axes(printer, grid.axes, how);
   if (grid.refinement) {
     printer.open("refine");
     visit_fields(*grid.refinement, [&](auto name, const auto& field, const auto& allowed) {

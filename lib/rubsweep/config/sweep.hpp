@@ -14,7 +14,7 @@ inline constexpr std::size_t max_cells = 4'000'000;
 /// (see sweep/refinement.hpp).
 sweep::Grid read_sweep(const Value& value, const model::Machine& machine);
 
-/// The values themselves, in SI units: how they were given is not kept.
-void print_sweep(Printer& printer, const sweep::Grid& grid);
+/// As it was written, or the values themselves in SI units.
+void print_sweep(Printer& printer, const sweep::Grid& grid, AxisPrint how);
 
 }  // namespace rubsweep::config

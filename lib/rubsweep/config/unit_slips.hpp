@@ -1,21 +1,59 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "rubsweep/config/value.hpp"
 #include "rubsweep/model/machine.hpp"
 
 namespace rubsweep::config {
 
-/// Refuses numbers that are in range but cannot be meant in the unit of their key: a clearance as large as
-/// the radius (millimetres), a kick that lasts a hundred periods of the rotor (milliseconds), a speed a
-/// hundred times its natural frequency (revolutions per minute), a hundredfold gravity (millimetres), a rotor
-/// that is damped critically or more (per cent). The library itself simulates all of these. `root` is a whole
-/// configuration whose values have been read without a problem; what it does not hold is not judged.
-void refuse_unit_slips(const Value& root);
+/// What a number of a configuration or a command line says.
+enum class Quantity {
+  speed_hz,
+  speed_rpm,
+  whirl_ratio,
+  eccentricity_m,
+  unbalance_g_mm,
+  clearance_m,
+  contact_radius_m,
+  contact_stiffness_n_per_m,
+  support_stiffness_n_per_m,
+  angle_deg,
+  damping_ratio,
+  kick_duration_s,
+  gravity_m_per_s2,
+  displacement_m,
+  diameter_m,
+  length_m,
+  modulus_pa,
+  density_kg_per_m3
+};
 
-/// The largest speed that is not taken for one in revolutions per minute; none of a kit, which has many
-/// natural frequencies.
-std::optional<double> most_speed_hz(const model::Machine& machine);
+/// A number that is in range but cannot, or can hardly, be meant in the unit of its key.
+struct Slip {
+  std::string wrong;     ///< finishes a sentence about the number, with the question what was meant
+  std::string allowed;   ///< the plausible end that it is beyond
+  bool certain = false;  ///< no machine has such a number: refused; else asked about
+};
+
+/// Empty where the number is plausible. `machine` (null: not known) gives what it is compared with, at stop
+/// `stop` where there are several; what is not known is not judged.
+std::optional<Slip> slip_of(Quantity quantity, double value, const model::Machine* machine,
+                            std::size_t stop = 0);
+
+/// Refuses what is certainly a slip: a clearance as large as the radius (millimetres), a kick that lasts a
+/// hundred periods of the rotor (milliseconds), a speed a hundred times its natural frequency (revolutions
+/// per minute), a shaft as soft as air (gigapascals). The library itself simulates all of these. `root` is a
+/// whole configuration whose values have been read without a problem, as `machine` if it is one of a rotor;
+/// what it does not hold is not judged.
+void refuse_unit_slips(const Value& root, const model::Machine* machine);
+
+/// What should be asked about a configuration that is taken: `file:line:column: key: ... (millimetres?)`, the
+/// first number only of a list or of equal questions.
+std::vector<std::string> unit_questions(const Value& root, const model::Machine* machine);
 
 }  // namespace rubsweep::config

@@ -13,6 +13,15 @@
 namespace rubsweep::config {
 namespace {
 
+/// "1,5" as "1.5"; empty where that makes no number of it.
+std::optional<std::string> with_decimal_point(std::string text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return std::nullopt;
+  text[comma] = '.';
+  if (parse_number(text).error != NumberError::none) return std::nullopt;
+  return text;
+}
+
 std::optional<double> read_finite(const Value& value, std::string_view noun, std::string_view allowed) {
   const Node& node = value.node;
   if (node.kind != Node::Kind::scalar) {
@@ -28,6 +37,11 @@ std::optional<double> read_finite(const Value& value, std::string_view noun, std
     case NumberError::none:
       return number.value;
     case NumberError::not_a_number:
+      if (const auto meant = with_decimal_point(node.text)) {
+        refuse(value, fmt::format("{} has a decimal comma", describe(node)),
+               fmt::format("{}, as in {}", allowed, *meant));
+        break;
+      }
       refuse(value, fmt::format("{} is not {}", describe(node), noun), allowed);
       break;
     case NumberError::not_finite:
@@ -63,6 +77,10 @@ std::string describe(const Node& node) {
     case Node::Kind::map:
       return "is a map";
     case Node::Kind::scalar:
+      if (const auto blank = find_foreign_blank(node.text)) {
+        return fmt::format("'{}' with {}", shown(node.text),
+                           describe_character(std::string_view(node.text).substr(*blank)));
+      }
       return fmt::format("'{}'", shown(node.text));
     case Node::Kind::null:
       break;

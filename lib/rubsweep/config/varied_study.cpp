@@ -50,7 +50,7 @@ sweep::Study read_varied(Node document, std::span<const sweep::KeyValue> keys, c
   Section section(root);
   sweep::Study study = read_study(section);
   section.refuse_unknown_keys();
-  if (diagnostics.count() == problems) refuse_unit_slips(root);
+  if (diagnostics.count() == problems) refuse_unit_slips(root, &study.machine);
   return study;
 }
 

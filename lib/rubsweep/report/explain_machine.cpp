@@ -9,6 +9,7 @@
 #include "rubsweep/contact/hertz_line.hpp"
 #include "rubsweep/contact/restitution.hpp"
 #include "rubsweep/overloaded.hpp"
+#include "rubsweep/report/describe_modes.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/structure/stability.hpp"
 
@@ -185,6 +186,7 @@ std::string explain_kit(const scene::PreparedMachine& prepared, const model::Rot
   text += reduction.automatic ? fmt::format("  number of modes: auto, the smallest within {}\n",
                                             structure::receptance_tolerance)
                               : std::string("  number of modes: as configured\n");
+  if (const std::string many = describe_many_modes(prepared); !many.empty()) text += "    " + many + "\n";
   return text + "left out: modes that no stop and no sensor sees, and those above the last one listed\n";
 }
 

@@ -89,7 +89,34 @@ std::string explain_axis(const sweep::KeyAxis& axis) {
     keys += (i > 0 ? ", " : "") + axis.keys[i];
     if (axis.factors[i] != 1) keys += fmt::format(" (times {})", axis.factors[i]);
   }
-  return fmt::format("{} values of {} from {} to {}\n", axis.values.size(), keys, *least, *most);
+  return fmt::format("{} values of {} from {} to {}{}\n", axis.values.size(), keys, *least, *most,
+                     axis.spacing && axis.spacing->logarithmic ? ", logarithmic" : "");
+}
+
+/// "31 speeds from 3000 to 12000 rpm (50 to 200 Hz), logarithmic".
+std::string explain_place_axis(const std::vector<double>& values, const sweep::WrittenAxis& written,
+                               std::string_view what, std::string_view si_unit) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  std::string text = fmt::format("{} {} from ", values.size(), what);
+  if (written.is_si()) {
+    text += fmt::format("{} to {}{}", *least, *most, si_unit);
+  } else {
+    text += fmt::format("{} to {} {} ({:.6g} to {:.6g}{})", sweep::in_units(written, *least),
+                        sweep::in_units(written, *most), written.unit, *least, *most, si_unit);
+  }
+  return written.spacing && written.spacing->logarithmic ? text + ", logarithmic" : text;
+}
+
+std::string explain_sweep(const sweep::Grid& grid) {
+  const bool by_ratio = grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
+  const bool in_metres = grid.written_unbalance.is_si();
+  return fmt::format("sweep: {} cells, {}, {}\n", sweep::cell_count(grid),
+                     explain_place_axis(grid.speed_hz, grid.written_speed, "speeds", " Hz"),
+                     explain_place_axis(grid.unbalance, grid.written_unbalance,
+                                        by_ratio    ? "whirl ratios"
+                                        : in_metres ? "eccentricities (m)"
+                                                    : "unbalances",
+                                        by_ratio || in_metres ? "" : " m of eccentricity"));
 }
 
 }  // namespace
@@ -104,12 +131,7 @@ std::string explain_study(const sweep::Study& study) {
       "a cell ends when rest {}is proven, else after {} revolutions, by its last two windows of {}\n",
       study.response.floquet_proof ? "or a stable orbit " : "", study.response.max_revolutions,
       study.response.window_revolutions);
-  const bool by_ratio = study.grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
-  const auto [least, most] = std::minmax_element(study.grid.unbalance.begin(), study.grid.unbalance.end());
-  text += fmt::format("sweep: {} cells, {} speeds from {} to {} Hz, {} {} from {} to {}\n",
-                      sweep::cell_count(study.grid), study.grid.speed_hz.size(), *slowest, *fastest,
-                      study.grid.unbalance.size(), by_ratio ? "whirl ratios" : "eccentricities (m)", *least,
-                      *most);
+  text += explain_sweep(study.grid);
   for (const sweep::KeyAxis& axis : study.grid.axes) text += "  and " + explain_axis(axis);
   if (study.threshold) {
     text += fmt::format(

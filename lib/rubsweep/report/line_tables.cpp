@@ -7,6 +7,7 @@
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/map_summary.hpp"
+#include "rubsweep/report/unit_columns.hpp"
 #include "rubsweep/response/motion/classify.hpp"
 
 namespace rubsweep::report {
@@ -53,12 +54,14 @@ void add_spectrum(const line::LinePoint& point, double clearance_m, const std::s
 LineTables tables_of(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells,
                      std::string_view along) {
   LineTables tables;
-  tables.line_csv = fmt::format("{}# along {}\npass,value,{}\n", map_comments(), along, map_header());
+  const sweep::Grid units = cells.empty() ? sweep::Grid{} : cells.front().study->grid;
+  tables.line_csv =
+      fmt::format("{}# along {}\npass,value,{}{}\n", map_comments(), along, map_header(), unit_header(units));
   tables.bifurcation_csv = "pass,value,speed_hz,class,order,point,x_m,y_m,vx_m_per_s,vy_m_per_s\n";
   tables.cascade_csv = "pass,value,speed_hz,order,frequency_hz,amplitude_m\n";
   for (const line::LinePoint& point : points) {
     const std::string key = key_of(point, cells);
-    tables.line_csv += fmt::format("{},{}\n", key, map_line(point.row));
+    tables.line_csv += fmt::format("{},{}{}\n", key, map_line(point.row), unit_cells(point.row, units));
     if (!point.motion) continue;
     add_section(point, key, tables.bifurcation_csv);
     add_spectrum(point, cells[point.cell].study->machine.stops.front().clearance_m, key, tables.cascade_csv);

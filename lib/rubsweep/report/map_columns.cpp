@@ -12,6 +12,7 @@
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/study_columns.hpp"
+#include "rubsweep/report/unit_columns.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -119,7 +120,7 @@ std::string describe_map_columns() {
   std::string text = "Columns of map.csv, empty where they do not apply:\n";
   for (const MapColumn& column : columns)
     text += fmt::format("  {:<23}  {}\n", column.name, column.description);
-  text += describe_study_columns();
+  text += describe_study_columns() + describe_unit_columns();
   text += "Classes:\n";
   for (const auto motion_class : response::motion::motion_classes) {
     const auto row = row_of(motion_class);

@@ -32,11 +32,13 @@ class MapSummary {
   /// nothing rubs where no cell does.
   std::string text() const;
 
-  /// One line on the cells that move too far for a linear shaft to be believed; empty where there are none.
+  /// One line on the cells that move too far for a linear shaft to be believed, and another that asks for the
+  /// unbalance where no rotor moves so far; empty where there are none.
   std::string warning() const;
 
  private:
   std::string why_all_is_quiet() const;
+  std::string unbalance_question() const;
 
   double warn_over_clearances_;
   double largest_over_clearance_ = 0;

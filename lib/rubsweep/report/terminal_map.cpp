@@ -68,6 +68,27 @@ std::vector<std::pair<std::string, Sign>> legend_of(const std::vector<std::strin
   return legend;
 }
 
+std::string label_of(const sweep::WrittenAxis& axis, double si) {
+  return fmt::format("{:.4g}", si * axis.units_per_si);
+}
+
+/// No wider than the column of labels.
+std::string name_of_unbalance(const sweep::Grid& grid) {
+  if (grid.written_unbalance.is_si()) return std::string(to_string(grid.measure));
+  return grid.written_unbalance.unit == "mm/s" ? "grade, mm/s" : "unbalance g mm";
+}
+
+/// A line that says which axes are logarithmic; empty where none is.
+std::string scales_of(const sweep::Grid& grid) {
+  const auto is_log = [](const sweep::WrittenAxis& axis) {
+    return axis.spacing && axis.spacing->logarithmic;
+  };
+  std::string names;
+  if (is_log(grid.written_speed)) names = "speed";
+  if (is_log(grid.written_unbalance)) names += names.empty() ? "unbalance" : " and unbalance";
+  return names.empty() ? "" : fmt::format("{:>{}} logarithmic: {}\n", "", label_width, names);
+}
+
 /// The middle value of the i-th of `parts` equal parts of a range.
 std::size_t middle_of(std::size_t i, std::size_t parts, std::size_t values) {
   return (2 * i + 1) * values / (2 * parts);
@@ -91,15 +112,18 @@ std::string TerminalMap::text(std::size_t width, bool coloured) const {
   for (std::size_t i = 0; i < rows; ++i) {
     const std::size_t row = middle_of(rows - 1 - i, rows, unbalances);
     const bool at_end = i == 0 || i == rows - 1;
-    text += fmt::format("{:>{}} ", at_end ? fmt::format("{:.4g}", grid_.unbalance[row]) : "", label_width);
+    text += fmt::format("{:>{}} ", at_end ? label_of(grid_.written_unbalance, grid_.unbalance[row]) : "",
+                        label_width);
     for (std::size_t k = 0; k < columns; ++k)
       text += shown(sign_of(name(row * speeds + middle_of(k, columns, speeds))), coloured);
     text += '\n';
   }
-  const std::string from = fmt::format("{:.4g} Hz", grid_.speed_hz.front()),
-                    to = fmt::format("{:.4g} Hz", grid_.speed_hz.back());
+  const std::string unit = grid_.written_speed.is_si() ? "Hz" : grid_.written_speed.unit,
+                    from = label_of(grid_.written_speed, grid_.speed_hz.front()) + " " + unit,
+                    to = label_of(grid_.written_speed, grid_.speed_hz.back()) + " " + unit;
   const std::size_t between = columns > from.size() + to.size() ? columns - from.size() - to.size() : 1;
-  text += fmt::format("{:>{}} {}{:{}}{}\n", to_string(grid_.measure), label_width, from, "", between, to);
+  text += fmt::format("{:>{}} {}{:{}}{}\n", name_of_unbalance(grid_), label_width, from, "", between, to);
+  text += scales_of(grid_);
   std::size_t used = 0;
   for (const auto& [name, sign] : legend_of(names_)) {
     const std::size_t size = name.size() + 4;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/batch/axis.hpp"
 #include "rubsweep/ring/onsets.hpp"
 #include "rubsweep/ring/system.hpp"
 
@@ -26,6 +27,7 @@ struct ChartAxis {
   Parameter parameter = Parameter::friction_coefficient;
   std::optional<std::size_t> load;  ///< from 0; empty: every load alike. Not for the friction coefficient
   std::vector<double> values;
+  std::optional<batch::Spacing> spacing{};  ///< how they are written; empty where they are listed
 };
 
 /// The system with this value of the parameter.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/batch/axis.hpp"
 #include "rubsweep/ring/chart.hpp"
 #include "rubsweep/ring/system.hpp"
 
@@ -14,6 +15,7 @@ struct Study {
   System system;
   std::vector<double> speeds_rpm;  ///< ascending
   std::optional<ChartAxis> chart;
+  std::optional<batch::Spacing> spacing{};  ///< how the speeds are written; empty where they are listed
 };
 
 /// rad/s of one revolution per minute.

@@ -10,6 +10,7 @@
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/key_axis.hpp"
 #include "rubsweep/sweep/refinement.hpp"
+#include "rubsweep/sweep/written_axis.hpp"
 
 namespace rubsweep::sweep {
 
@@ -37,6 +38,7 @@ struct Grid {
   std::vector<double> unbalance;
   std::vector<KeyAxis> axes{};             ///< x, y, z: each slower than those before it
   std::optional<Refinement> refinement{};  ///< empty: every cell is computed
+  WrittenAxis written_speed{}, written_unbalance{};
 };
 
 /// Cells of the grid, speed fastest, then unbalance, then the axes over keys:

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "rubsweep/batch/axis.hpp"
 
 namespace rubsweep::sweep {
 
@@ -14,9 +17,10 @@ struct KeyValue {
 /// An axis of a sweep over numbers of the configuration, in the units of their keys. At its i-th place each
 /// key holds values[i] times its own factor.
 struct KeyAxis {
-  std::vector<std::string> keys;  ///< at least one
-  std::vector<double> factors;    ///< one for each key
-  std::vector<double> values;     ///< at least one, all different
+  std::vector<std::string> keys;            ///< at least one
+  std::vector<double> factors;              ///< one for each key
+  std::vector<double> values;               ///< at least one, all different
+  std::optional<batch::Spacing> spacing{};  ///< how they are written; empty where they are listed
 };
 
 /// What the keys of an axis hold at one of its values.

@@ -12,7 +12,7 @@ const kinds = [
   { name: "subharmonic_5", label: "subharmonic 1/5", colour: "#117733" },
   { name: "subharmonic_6", label: "subharmonic 1/6", colour: "#882255" },
   { name: "subharmonic_7", label: "subharmonic 1/7", colour: "#44AA99" },
-  { name: "subharmonic_8", label: "subharmonic ≤ 1/8", colour: "#999933" },
+  { name: "subharmonic_8", label: "subharmonic 1/8 and smaller", colour: "#999933" },
   { name: "quasi_periodic_oval", label: "quasi-periodic oval", colour: "#EE8866" },
   { name: "quasi_periodic_whip", label: "backward dry whip", colour: "#7A4F20" },
   { name: "quasi_periodic", label: "quasi-periodic", colour: "#AA4499" },

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "rubsweep/batch/captions.hpp"
+#include "rubsweep/config/printer.hpp"
+#include "rubsweep/config/section.hpp"
+
+namespace rubsweep::config {
+
+/// `title`, `author` and `note` of a root: texts that change no number. Refuses what would not be shown as it
+/// is written: control characters (of a note but its line ends), and those that turn the direction of
+/// writing.
+void read_captions(Section& root, batch::Captions& captions);
+
+/// Those that say something.
+void print_captions(Printer& printer, const batch::Captions& captions);
+
+}  // namespace rubsweep::config
