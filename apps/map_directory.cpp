@@ -78,9 +78,9 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
               batch::caption_lines(config.captions)},
       head_(comments_and_header(config.study)),
       warn_over_clearances_(config.warn_over_clearances),
-      written_{.written_speed = config.study.grid.written_speed,
-               .written_unbalance = config.study.grid.written_unbalance},
       refined_(config.study.grid.refinement.has_value()) {
+  written_.written_speed = config.study.grid.written_speed;
+  written_.written_unbalance = config.study.grid.written_unbalance;
   allow_as_many_files_as_there_may_be();
   make_directory(directory_);
   // One begins at a time: what one of them reads here, no other removes meanwhile.

@@ -177,7 +177,8 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   constexpr std::array<std::string_view, 2> file_names{"config.yaml", "work_precision.csv"};
   write_result_files({{file_names[0], config::print_config(config)},
                       {file_names[1], comments + report::work_precision_csv(lines)}},
-                     file_names, directory, {"rubbench", config::study_digest(study)});
+                     file_names, directory,
+                     {"rubbench", config::study_digest(study), batch::caption_lines(config.captions)});
   say(arguments, fmt::format("{}\nfiles: {}: config.yaml work_precision.csv\n",
                              report::work_precision_table(lines, arguments.work.turns), directory.string()));
   const bool all_ran = std::all_of(lines.begin(), lines.end(), [](const auto& line) {

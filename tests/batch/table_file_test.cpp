@@ -42,6 +42,13 @@ TEST_F(TableFileTest, HasAHeadWithTheSumOfAllOtherLines) {
   EXPECT_EQ(check_table(path_), TableSum::right);
 }
 
+TEST_F(TableFileTest, CaptionsStandInTheHead) {
+  write("a\n1\n", {"rubsweep 1.2.3", "abc", {}, "# title sha256 of nothing\n"});
+  EXPECT_TRUE(read_whole_file(path_).starts_with(
+      "# rubsweep 1.2.3\n# digest abc\n# format 1\n# title sha256 of nothing\n# sha256 "));
+  EXPECT_EQ(check_table(path_), TableSum::right);
+}
+
 TEST_F(TableFileTest, AnyOtherByteIsFound) {
   write("a,b\n1.5,word\n2.5,\n");
   const std::string whole = read_whole_file(path_);
