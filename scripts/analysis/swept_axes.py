@@ -32,20 +32,6 @@ def plane(config):
     return swept[0], unbalance if swept[0] == "speed_hz" else "speed_hz"
 
 
-def written(config, column):
-    """The key under which a person wrote what stands in this column, and the values there in the unit of that key;
-    None where no axis says it."""
-    for name, si_column in (SPEEDS | UNBALANCES).items():
-        if si_column == column and (listed := configuration.axis(config, f"sweep.{name}")):
-            return name, listed
-    return None
-
-
-def is_logarithmic(config, column):
-    """Whether the axis that is this column is written on a logarithmic scale."""
-    return any(config.get(f"{path}.scale") == "log" for name, path in _paths(config) if name == column)
-
-
 def values(config, column):
     """The values of the axis that is this column, in the order of the configuration and in the unit of its key."""
     for name, path in _paths(config):
