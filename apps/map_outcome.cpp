@@ -20,7 +20,8 @@ void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study
 }
 
 int report_map(std::string_view program, const RubsweepArguments& arguments,
-               const report::MapSummary& summary, const sweep::Study& study, MapDirectory& directory) {
+               const report::MapSummary& summary, const config::RunConfig& config, MapDirectory& directory) {
+  const sweep::Study& study = config.study;
   const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
   const TerminalView view =
       shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};
@@ -36,6 +37,7 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
     const std::filesystem::path place = directory.map().parent_path();
     const int code = write_report(place, study, program,
                                   {.file = place / "report.html",
+                                   .captions = config.captions,
                                    .threads = arguments.threads,
                                    .progress = arguments.progress,
                                    .quiet = arguments.quiet,

@@ -12,7 +12,7 @@ namespace rubsweep::apps {
 /// What is said of the whole map in `directory`, the picture and the page that the arguments ask for, and the
 /// exit code, whoever computed the map. `program` is who says it. Throws IoError.
 int report_map(std::string_view program, const RubsweepArguments& arguments,
-               const report::MapSummary& summary, const sweep::Study& study, MapDirectory& directory);
+               const report::MapSummary& summary, const config::RunConfig& config, MapDirectory& directory);
 
 /// Throws ConfigError before anything is computed where a picture is to fade by what the map will not have.
 void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study);

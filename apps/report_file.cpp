@@ -70,7 +70,8 @@ int write_report(const fs::path& directory, const sweep::Study& study, std::stri
                                       {.version = RUBSWEEP_VERSION,
                                        .configuration = config::print_study(study),
                                        .most_orbits = options.most_orbits,
-                                       .threads = options.threads},
+                                       .threads = options.threads,
+                                       .captions = options.captions},
                                       count, stop);
   watch.reset();
   progress.finish();

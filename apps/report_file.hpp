@@ -15,6 +15,7 @@ namespace rubsweep::apps {
 /// How report.html is made of a finished map.
 struct ReportOptions {
   std::filesystem::path file;  ///< where it goes
+  batch::Captions captions{};
   std::size_t most_orbits = page::usual_orbits;
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;

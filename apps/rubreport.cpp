@@ -80,6 +80,7 @@ int perform(const po::variables_map& given) {
   const config::RunConfig config = config::read_run_config(directory / "config.yaml", {});
   return write_report(directory, config.study, "rubreport",
                       {.file = file,
+                       .captions = config.captions,
                        .most_orbits = static_cast<std::size_t>(most_orbits),
                        .threads = threads_of(given),
                        .progress = progress_of(given),

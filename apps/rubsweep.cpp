@@ -74,11 +74,11 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   MapDirectory directory(output, config, arguments.shard, arguments.fresh, own_name(arguments));
   if (directory.finished_map()) {
     if (!arguments.quiet) say(map_is_there("rubsweep"));
-    return report_map("rubsweep", arguments, directory.finished_map()->summary, config.study, directory);
+    return report_map("rubsweep", arguments, directory.finished_map()->summary, config, directory);
   }
   if (arguments.merge) {
     refuse_to_merge_too_early(config, directory);
-    return report_map("rubsweep", arguments, directory.write_map(), config.study, directory);
+    return report_map("rubsweep", arguments, directory.write_map(), config, directory);
   }
   const SweepRun how{"rubsweep", arguments.threads, arguments.progress, arguments.quiet};
   const auto left_to_others = compute_missing_cells(how, config.study, directory);
@@ -87,7 +87,7 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
     if (!arguments.quiet) fmt::print("{}", shard_is_done(config.study.grid, directory, *left_to_others));
     return done;
   }
-  return report_map("rubsweep", arguments, directory.write_map(), config.study, directory);
+  return report_map("rubsweep", arguments, directory.write_map(), config, directory);
 }
 
 int perform(const RubsweepArguments& arguments) {

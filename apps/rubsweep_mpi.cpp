@@ -72,8 +72,7 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
                          std::string(mpi_program_name));
   if (const auto& map = job->directory->finished_map()) {
     if (!job->arguments.quiet) say(map_is_there(mpi_program_name));
-    const int code =
-        report_map(mpi_program_name, job->arguments, map->summary, job->config.study, *job->directory);
+    const int code = report_map(mpi_program_name, job->arguments, map->summary, job->config, *job->directory);
     job.reset();
     return code;
   }
@@ -138,8 +137,7 @@ int lead(MapJob& job, int ranks) {
   }
   if (!quiet) say(leader.description());
   // The others sleep meanwhile.
-  const int code =
-      report_map(mpi_program_name, job.arguments, directory.write_map(), job.config.study, directory);
+  const int code = report_map(mpi_program_name, job.arguments, directory.write_map(), job.config, directory);
   mpi::wait_for_all();
   return code;
 }

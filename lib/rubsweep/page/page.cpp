@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <map>
@@ -95,6 +96,35 @@ json::array boundaries(const PageContents& contents) {
   return array;
 }
 
+/// How an axis is shown; empty where it is in the units of the map and linear.
+json::object shown_axis(const sweep::WrittenAxis& written, double least) {
+  json::object shown;
+  if (!written.is_si()) {
+    shown["unit"] = written.unit;
+    shown["units_per_si"] = written.units_per_si;
+    if (written.key.starts_with("unbalance")) shown["name"] = "unbalance";
+    if (written.key.starts_with("balance_grade")) shown["name"] = "balance grade";
+  }
+  // A logarithmic axis has no place for 0.
+  if (written.spacing && written.spacing->logarithmic && least > 0) shown["logarithmic"] = true;
+  return shown;
+}
+
+json::array shown_axes(const PageContents& contents) {
+  json::array axes;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::vector<double>& values = contents.plane[i].values;
+    axes.push_back(shown_axis(contents.written[i], *std::min_element(values.begin(), values.end())));
+  }
+  return axes;
+}
+
+/// "N. N.: the note", each of them if there is one.
+std::string byline(const batch::Captions& captions) {
+  const bool both = !captions.author.empty() && !captions.note.empty();
+  return captions.author + (both ? ": " : "") + captions.note;
+}
+
 /// What the script must know to read the data that follow.
 json::object index(const PageContents& contents, const std::vector<EncodedColumn>& columns) {
   const ThinnedGrid& kept = contents.kept;
@@ -113,6 +143,7 @@ json::object index(const PageContents& contents, const std::vector<EncodedColumn
           {"speed_hz", numbers(contents.plane[0].values)},
           {"measure", contents.plane[1].name},
           {"unbalance", numbers(contents.plane[1].values)},
+          {"shown_axes", shown_axes(contents)},
           {"unbalance_measure", contents.unbalance_measure},
           {"keys", words(contents.keys)},
           {"columns", names},
@@ -159,17 +190,20 @@ std::string filled(std::string_view form, const std::map<std::string_view, std::
 }  // namespace
 
 std::string page_text(const PageContents& contents) {
-  return filled(document.text, {{"policy", policy()},
-                                {"style", std::string(style.text)},
-                                {"library", std::string(library.text)},
-                                {"script", std::string(script.text)},
-                                {"data", data(contents)},
-                                {"findings", list(contents.findings)},
-                                {"model", html_text(contents.model)},
-                                {"configuration", html_text(contents.configuration)},
-                                {"version", html_text(contents.version)},
-                                {"digest", html_text(contents.map.digest)},
-                                {"licence", html_text(library_licence.text)}});
+  return filled(document.text,
+                {{"policy", policy()},
+                 {"style", std::string(style.text)},
+                 {"library", std::string(library.text)},
+                 {"script", std::string(script.text)},
+                 {"data", data(contents)},
+                 {"title", html_text(contents.captions.title.empty() ? "Rub map" : contents.captions.title)},
+                 {"byline", html_text(byline(contents.captions))},
+                 {"findings", list(contents.findings)},
+                 {"model", html_text(contents.model)},
+                 {"configuration", html_text(contents.configuration)},
+                 {"version", html_text(contents.version)},
+                 {"digest", html_text(contents.map.digest)},
+                 {"licence", html_text(library_licence.text)}});
 }
 
 }  // namespace rubsweep::page

@@ -4,24 +4,28 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/batch/captions.hpp"
 #include "rubsweep/page/boundaries.hpp"
 #include "rubsweep/page/map_table.hpp"
 #include "rubsweep/page/orbits.hpp"
 #include "rubsweep/page/thinned_grid.hpp"
 #include "rubsweep/page/walls.hpp"
 #include "rubsweep/sweep/study.hpp"
+#include "rubsweep/sweep/written_axis.hpp"
 
 namespace rubsweep::page {
 
 /// All that a page shows.
 struct PageContents {
-  std::string version;                    ///< of the program that makes the page
-  std::vector<std::string> findings;      ///< sentences
-  std::string model;                      ///< what is simulated, in words
-  std::string configuration;              ///< YAML
-  std::array<sweep::SweptAxis, 2> plane;  ///< what the map is drawn over: across, up
-  std::string unbalance_measure;          ///< the column that says the unbalance of a cell to rubtrace
-  std::vector<std::string> keys;          ///< columns of the axes over keys of the configuration
+  std::string version;                          ///< of the program that makes the page
+  std::vector<std::string> findings;            ///< sentences
+  std::string model;                            ///< what is simulated, in words
+  std::string configuration;                    ///< YAML
+  std::array<sweep::SweptAxis, 2> plane;        ///< what the map is drawn over: across, up
+  std::array<sweep::WrittenAxis, 2> written{};  ///< how a person wrote these two axes
+  batch::Captions captions{};
+  std::string unbalance_measure;  ///< the column that says the unbalance of a cell to rubtrace
+  std::vector<std::string> keys;  ///< columns of the axes over keys of the configuration
   MapTable map;
   Walls walls;
   std::vector<Boundary> boundaries;

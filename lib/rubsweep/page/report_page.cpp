@@ -34,6 +34,16 @@ std::array<sweep::SweptAxis, 2> plane_of(const sweep::Grid& grid) {
       fmt::format("sweep: {} have several values, allowed: two axes with several values in a report", names));
 }
 
+/// How the axis with this column is written.
+sweep::WrittenAxis written_axis(const sweep::Grid& grid, const std::string& column) {
+  if (column == "speed_hz") return grid.written_speed;
+  if (column == to_string(grid.measure)) return grid.written_unbalance;
+  sweep::WrittenAxis axis;
+  for (const sweep::KeyAxis& swept : grid.axes)
+    if (swept.keys.front() == column) axis.spacing = swept.spacing;
+  return axis;
+}
+
 /// So many of `cells`, or all, evenly over them.
 std::vector<std::size_t> some_of(const std::vector<std::size_t>& cells, std::size_t most) {
   if (cells.size() <= most) return cells;
@@ -76,19 +86,22 @@ std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
     throw IoError(fmt::format("{}: holds {} cells, its configuration has {}",
                               (directory / "map.csv").string(), map.rows, sweep::cell_count(grid)));
   }
-  PageContents contents{.version = options.version,
-                        .findings = findings(map, grid),
-                        .model = report::explain_study(study),
-                        .configuration = options.configuration,
-                        .plane = plane_of(grid),
-                        .unbalance_measure = std::string(to_string(grid.measure)),
-                        .keys = sweep::key_names(grid),
-                        .map = {},
-                        .walls = walls_of(study),
-                        .boundaries = {},
-                        .orbits = {},
-                        .kept = kept_of(grid, options.most_orbits),
-                        .refined = grid.refinement.has_value()};
+  PageContents contents{
+      .version = options.version,
+      .findings = findings(map, grid),
+      .model = report::explain_study(study),
+      .configuration = options.configuration,
+      .plane = plane_of(grid),
+      .written = {written_axis(grid, plane_of(grid)[0].name), written_axis(grid, plane_of(grid)[1].name)},
+      .captions = options.captions,
+      .unbalance_measure = std::string(to_string(grid.measure)),
+      .keys = sweep::key_names(grid),
+      .map = {},
+      .walls = walls_of(study),
+      .boundaries = {},
+      .orbits = {},
+      .kept = kept_of(grid, options.most_orbits),
+      .refined = grid.refinement.has_value()};
   if (contents.refined) add_refinement(grid, painted.labels, contents.findings);
   // They lie over speed and unbalance.
   if (grid.axes.empty())

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "rubsweep/batch/captions.hpp"
 #include "rubsweep/page/map_table.hpp"
 #include "rubsweep/sweep/study.hpp"
 
@@ -22,6 +23,7 @@ struct PageOptions {
   std::size_t most_orbits =
       usual_orbits;  ///< >= 1; of a larger map a thinned grid of cells keeps its motions
   int threads = 0;   ///< 0: one per processor
+  batch::Captions captions{};
 };
 
 /// How many cells a page of this map records, of which most_orbits at most.

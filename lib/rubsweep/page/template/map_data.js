@@ -6,15 +6,22 @@ class MapData {
   constructor() {
     this.index = JSON.parse(dataText("index"));
     this.columns = new Map(this.index.columns.map((column, place) => [column.name, { ...column, place }]));
-    this.x = this.axis(this.index.speed_hz);
-    this.y = this.axis(this.index.unbalance);
+    const [across, up] = this.index.shown_axes;
+    for (const [name, shown] of [[this.index.across, across], [this.index.measure, up]])
+      if (shown.unit !== undefined) writtenUnits.set(name, [shown.units_per_si, shown.unit, shown.name]);
+    this.x = this.axis(this.index.speed_hz, across.logarithmic);
+    this.y = this.axis(this.index.unbalance, up.logarithmic);
     this.cells = this.index.speed_hz.length * this.index.unbalance.length;
     this.blocks = new Map();
   }
 
-  // An axis in rising order: its values, the edges of its cells half way between them, and the place of each value in
-  // the configuration.
-  axis(values) {
+  // An axis in rising order: its values, the edges of its cells half way between them (on a logarithmic one, of their
+  // logarithms), and the place of each value in the configuration.
+  axis(values, logarithmic = false) {
+    if (logarithmic && d3.min(values) > 0) {
+      const of = this.axis(values.map(Math.log));
+      return { ...of, values: of.source.map((place) => values[place]), edges: of.edges.map(Math.exp), logarithmic };
+    }
     const source = d3.range(values.length).sort((a, b) => values[a] - values[b]);
     const sorted = source.map((place) => values[place]), last = sorted.length - 1;
     const edges = d3.range(1, sorted.length).map((i) => (sorted[i - 1] + sorted[i]) / 2);

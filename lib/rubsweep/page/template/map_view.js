@@ -22,9 +22,10 @@ class MapView {
     this.height = this.box.clientHeight;
     const [i0, j0, i1, j1] = state.view || [0, 0, data.x.values.length - 1, data.y.values.length - 1];
     this.shown = [i0, j0, i1, j1];
-    this.x = d3.scaleLinear().domain([data.x.edges[i0], data.x.edges[i1 + 1]])
+    const scale = (axis) => (axis.logarithmic ? d3.scaleLog() : d3.scaleLinear());
+    this.x = scale(data.x).domain([data.x.edges[i0], data.x.edges[i1 + 1]])
       .range([margin.left, this.width - margin.right]);
-    this.y = d3.scaleLinear().domain([data.y.edges[j0], data.y.edges[j1 + 1]])
+    this.y = scale(data.y).domain([data.y.edges[j0], data.y.edges[j1 + 1]])
       .range([this.height - margin.bottom, margin.top]);
   }
 

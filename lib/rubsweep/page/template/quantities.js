@@ -8,8 +8,12 @@ const layerNames = new Map(Object.entries({
 }));
 const significant = d3.format(".4~g");
 
+// What a person wrote in other units: column -> [factor, unit, name].
+const writtenUnits = new Map();
+
 // The unit in which a column is shown, and the factor to it.
 function unitOf(name) {
+  if (writtenUnits.has(name)) return writtenUnits.get(name);
   if (name.endsWith("_m")) return [1e3, "mm"];
   if (name.endsWith("_n")) return [1, "N"];
   if (name.endsWith("_hz")) return [1, "Hz"];
@@ -30,7 +34,7 @@ function columnTitle(name) {
 }
 
 const axisNames = new Map(Object.entries({ speed_hz: "speed", whirl_ratio: "whirl ratio", eccentricity_m: "eccentricity" }));
-const axisName = (name) => axisNames.get(name) ?? name;
+const axisName = (name) => writtenUnits.get(name)?.[2] ?? axisNames.get(name) ?? name;
 function axisTitle(name) {
   const unit = unitOf(name)[1];
   return axisName(name) + (unit ? ` (${unit})` : "");
