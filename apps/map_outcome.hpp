@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "map_directory.hpp"
+#include "rubsweep/config/run_config.hpp"
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/sweep/study.hpp"
 #include "rubsweep_arguments.hpp"

@@ -1,6 +1,6 @@
 """Title, author and note of a configuration, as pictures show them. All of them may be missing."""
 
-import json
+import configuration
 
 LONGEST = 160  # letters of a line that a picture has room for
 
@@ -22,8 +22,4 @@ def headed(heading, config):
 
 
 def _text(config, key):
-    """Plain words stand as they are, others in double quotes, as in JSON but for bytes by number."""
-    value = config.get(key, "")
-    if not value.startswith('"'):
-        return value
-    return json.loads(value.replace("\\x", "\\u00"))
+    return configuration.text(config.get(key, ""))

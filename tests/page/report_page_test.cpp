@@ -26,7 +26,8 @@ MapTable map_of_study() {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";
   std::ofstream file(path, std::ios::binary);
-  file << batch::table_head({"rubsweep 1.2.3", "digest-of-the-study", {}}) << report::map_comments() << report::map_header() << "\n";
+  file << batch::table_head({"rubsweep 1.2.3", "digest-of-the-study", {}}) << report::map_comments()
+       << report::map_header() << "\n";
   response::motion::Workspace workspace;
   for (std::size_t cell = 0; cell < sweep::cell_count(study.grid); ++cell)
     file << report::map_line(sweep::evaluate_cell(study, cell, workspace)) << "\n";
@@ -71,6 +72,29 @@ TEST(ReportPage, HoldsEachMotionOnceInTheOrderOfTheCells) {
 TEST(ReportPage, ALargeMapKeepsTheMotionsOfSomeCells) {
   const std::string page = page_of(map_of_study(), "/nowhere", 1, 2);
   EXPECT_NE(element(page, "index").find("\"recorded\":2,"), std::string::npos);
+}
+
+TEST(ReportPage, IsCalledWhatTheConfigurationIs) {
+  const PageOptions options{"1.2.3", "", usual_orbits, 1, {"Pump <3>", "N. N.", "first run"}};
+  const std::string page = *report_page(
+      study, map_of_study(), "/nowhere", options, [] {}, go_on);
+  EXPECT_NE(page.find("<title>Pump &lt;3&gt;</title>"), std::string::npos);
+  EXPECT_NE(page.find("<h1>Pump &lt;3&gt;</h1>\n<p id=\"byline\">N. N.: first run</p>"), std::string::npos);
+  EXPECT_NE(page_of(map_of_study(), "/nowhere").find("<title>Rub map</title>"), std::string::npos);
+}
+
+TEST(ReportPage, AxesAreShownAsTheyWereWritten) {
+  EXPECT_NE(element(page_of(map_of_study(), "/nowhere"), "index").find("\"shown_axes\":[{},{}]"),
+            std::string::npos);
+  sweep::Study written = study;
+  written.grid.written_speed = {"speed_rpm", "rpm", 60, {}, 0};
+  written.grid.written_unbalance.spacing = {0.2, 0.6, 2, true};
+  const PageOptions options{"1.2.3", "", usual_orbits, 1};
+  const std::string index = element(*report_page(
+                                        written, map_of_study(), "/nowhere", options, [] {}, go_on),
+                                    "index");
+  EXPECT_NE(index.find(R"("unit":"rpm","units_per_si":6E1)"), std::string::npos) << index;
+  EXPECT_NE(index.find(R"({"logarithmic":true}])"), std::string::npos);
 }
 
 TEST(ReportPage, NothingOutsideIsAskedFor) {

@@ -71,7 +71,7 @@ class Heading(unittest.TestCase):
         self.assertNotIn("nominal", text)
 
     def test_title_author_and_note_of_the_configuration(self):
-        config = {**ONE_SIDE, "title": "Pump_3 {new}", "author": '"A. B\u00e9"', "note": '"first: line\\nsecond"'}
+        config = {**ONE_SIDE, "title": "Pump_3 {new}", "author": '"A. Bé"', "note": '"first: line\\nsecond"'}
         lines = map_heading.heading("Map", config).split("\n")
         self.assertEqual(lines[0], r"{/:Bold Pump\_3 \{new\}: Map}")
         self.assertEqual(lines[3], "{/*0.6 A. Bé: first: line}")

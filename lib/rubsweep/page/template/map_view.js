@@ -93,9 +93,9 @@ class MapView {
     const inUnit = (axis, name) => axis.copy().domain(axis.domain().map((value) => value * unitOf(name)[0]));
     g.html("");
     g.append("g").attr("transform", `translate(0,${ends.bottom})`)
-      .call(d3.axisBottom(inUnit(this.x, across)).ticks(Math.max(3, this.width / 90)));
+      .call(d3.axisBottom(inUnit(this.x, across)).ticks(Math.max(3, this.width / 90), this.x.base && "~g"));
     g.append("g").attr("transform", `translate(${ends.left},0)`)
-      .call(d3.axisLeft(inUnit(this.y, measure)).ticks(Math.max(3, this.height / 60)));
+      .call(d3.axisLeft(inUnit(this.y, measure)).ticks(Math.max(3, this.height / 60), this.y.base && "~g"));
     g.append("text").attr("class", "label").attr("text-anchor", "middle")
       .attr("x", (margin.left + this.width - margin.right) / 2).attr("y", this.height - 8).text(axisTitle(across));
     g.append("text").attr("class", "label").attr("text-anchor", "middle")
