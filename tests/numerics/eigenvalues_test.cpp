@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <complex>
 
 namespace rubsweep::numerics {
@@ -17,6 +18,20 @@ TEST(Eigenvalues, OfADampedOscillatorAreItsRates) {
     EXPECT_NEAR(std::abs(value.imag()), rad_per_s * std::sqrt(1 - ratio * ratio), 1e-14);
   }
   EXPECT_NEAR(spectral_radius(generator), rad_per_s, 1e-14);
+}
+
+TEST(Eigenvalues, DoNotDependOnTheUnitOfTime) {
+  // An undamped structure and its contact; in a unit of 2^-order seconds its rates are 2^order times as many.
+  const Eigen::Matrix2d stiffness{{4e8, -3e8}, {-5e8, 9e8}};
+  const auto in_unit = [&](int order) {
+    Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(4, 4);
+    generator.topRightCorner(2, 2).setIdentity();
+    generator.bottomLeftCorner(2, 2) = -stiffness * std::ldexp(1.0, 2 * order);
+    return spectral_radius(generator) * std::ldexp(1.0, -order);
+  };
+  const double right = std::sqrt((13e8 + std::sqrt(25e16 + 60e16)) / 2);
+  for (const int order : {0, 12, 20, 40, -40}) EXPECT_NEAR(in_unit(order), right, 1e-6 * right) << order;
+  EXPECT_EQ(in_unit(20), in_unit(30));
 }
 
 TEST(Eigenvectors, AreStretchedByTheirValues) {

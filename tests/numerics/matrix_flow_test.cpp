@@ -83,5 +83,21 @@ TEST(FlowBound, IsNeverExceededAndNotFarAbove) {
   }
 }
 
+TEST(FlowBound, DoesNotDependOnTheUnitOfTime) {
+  const Matrix2d k{{4e8, -1e8}, {3e9, 5e9}}, c{{1e3, 0}, {-2e3, 2e3}};
+  const auto in_unit = [&](int order) {
+    const double faster = std::ldexp(1.0, order);
+    const MatrixXd a = generator_of(faster * faster * k, faster * c);
+    RowVectorXd row(4);
+    row << 1, -2, 5e-6 / faster, 1e-6 / faster;
+    RowVectorXd bound = FlowBound(a, 3e-5 / faster, 7e4 * faster).of(row);
+    bound.tail(2) *= faster;
+    return bound;
+  };
+  const RowVectorXd usual = in_unit(0);
+  for (const int order : {8, 20, 40, -20})
+    EXPECT_LT((in_unit(order) - usual).cwiseQuotient(usual).cwiseAbs().maxCoeff(), 1e-6) << order;
+}
+
 }  // namespace
 }  // namespace rubsweep::numerics

@@ -6,8 +6,10 @@
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/exact/exact_run.hpp"
+#include "rubsweep/integrate/exact/sticking_stretch.hpp"
 #include "rubsweep/integrate/run/coordinates.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
+#include "rubsweep/integrate/run/work_bound.hpp"
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
 
 namespace rubsweep::integrate {
@@ -17,6 +19,10 @@ constexpr int longest_absence = 64;  ///< turns by other means before closed for
 /// Closed forms do not take over nearer to the end of a turn than that: they would have to make it in no
 /// time.
 constexpr double last_join = 2 * std::numbers::pi - 1e-9;
+/// A stretch in which friction holds a contact ends that much before its turn does: a piece ends the turn.
+constexpr double before_the_end = 1e-6;
+/// Pieces before the next look for such a stretch at most, where there was none.
+constexpr int longest_wait = 64;
 
 /// The scene as it stands at the start of revolution `revolution`, at `section`.
 scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long revolution) {
@@ -25,6 +31,18 @@ scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long 
   for (scene::Pulse& pulse : scene.pulses)
     pulse.elapsed_s += static_cast<double>(revolution) * scene.period_s();
   return scene;
+}
+
+/// Work of a turn that several methods make together.
+double most_work_of_a_turn(const run::SolverOptions& options) {
+  return run::work_of_a_piece * static_cast<double>(run::most_pieces_of_a_turn(options));
+}
+
+/// The time after which no pulse acts any more, radians from the start of revolution 0.
+double end_of_pulses_rad(const scene::Scene& scene) {
+  double end_s = 0;
+  for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
+  return end_s * scene.speed_rad_per_s;
 }
 
 /// Whether turns are handed on in the middle: between flat stops, by Taylor's series.
@@ -44,7 +62,8 @@ class HybridRun {
       : scene_(scene),
         options_(options),
         run_(scene, std::move(modes), options.max_steps_per_revolution),
-        in_pieces_(may_be_in_pieces(scene, options)) {}
+        in_pieces_(may_be_in_pieces(scene, options)),
+        end_of_pulses_rad_(end_of_pulses_rad(scene)) {}
 
   run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
     if (!away_) {
@@ -73,16 +92,21 @@ class HybridRun {
 
  private:
   using TaylorRun = taylor::TaylorRun<N>;
+  static constexpr double full_turn = 2 * std::numbers::pi;
 
   /// A turn that friction leaves saturation in: pieces by Taylor's series until it is saturated again, and
   /// closed forms in between. The run stands where the first of these pieces begins.
   run::Outcome go_on_in_pieces(const run::TurnRequest& request, run::TurnReport& report) {
     if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
+    pieces_to_wait_ = wait_ = 0;
+    const double before = work_so_far();
     for (;;) {
+      if (work_so_far() - before > most_work_of_a_turn(options_))
+        return finish(report, run::Outcome::step_limit);
       const auto& place = run_.place();
       taylor_->join(request, run_.revolution(), place.phase_rad, place.state, place.modes,
                     place.tangent_vectors);
-      switch (make_piece(report)) {
+      switch (make_piece(request, report, before)) {
         case taylor::TaylorEnding::ok:
           break;
         case taylor::TaylorEnding::step_limit:
@@ -115,15 +139,48 @@ class HybridRun {
     }
   }
 
-  /// To where closed forms take over again, or to the end of the turn.
-  taylor::TaylorEnding make_piece(run::TurnReport& report) {
+  /// To where closed forms take over again, or to the end of the turn; `before`: the work before the turn.
+  taylor::TaylorEnding make_piece(const run::TurnRequest& request, run::TurnReport& report, double before) {
     for (;;) {
       const taylor::TaylorEnding ending = taylor_->go_on(report);
       if (ending != taylor::TaylorEnding::ok || taylor_->at_end_of_turn()) return ending;
+      if (taylor_->sticks() && stick(request, report) &&
+          work_so_far() - before > most_work_of_a_turn(options_))
+        return taylor::TaylorEnding::step_limit;
       const bool may_join = !taylor_->sticks() && taylor_->phase_rad() < last_join;
       if (may_join && run_.join(taylor_->phase_rad(), taylor_->section(), taylor_->modes(), report))
         return ending;
     }
+  }
+
+  /// Closed forms as long as friction holds what touches. False, with nothing changed, where there is no such
+  /// stretch, or where so many short ones were met that pieces go on for a while.
+  bool stick(const run::TurnRequest& request, run::TurnReport& report) {
+    const double phase = taylor_->phase_rad();
+    if (static_cast<double>(run_.revolution()) * full_turn + phase < end_of_pulses_rad_) return false;
+    if (pieces_to_wait_ > 0) return --pieces_to_wait_, false;
+    if (!sticking_) sticking_ = std::make_unique<exact::StickingStretch>(scene_);
+    held_.phase_rad = phase;
+    held_.state = taylor_->section();
+    held_.tangent_vectors = taylor_->tangents();
+    if (!sticking_->go_on(request, taylor_->modes(), taylor_->slips(), full_turn - before_the_end,
+                          options_.max_steps_per_revolution, held_, report)) {
+      pieces_to_wait_ = wait_ = std::clamp(2 * wait_, 1, longest_wait);
+      return false;
+    }
+    wait_ = 0;
+    taylor_->join(request, run_.revolution(), held_.phase_rad, held_.state, taylor_->modes(),
+                  held_.tangent_vectors);
+    return true;
+  }
+
+  /// Of this run without a stepper's.
+  double work_so_far() const {
+    run::Effort effort = run_.effort();
+    if (taylor_) effort = sum(effort, taylor_->effort());
+    if (taylor_) effort.taylor_pieces = taylor_->effort().steps;
+    return run::work(effort) +
+           run::work_of_a_step * (sticking_ ? static_cast<double>(sticking_->steps()) : 0);
   }
 
   void be_away() {
@@ -203,6 +260,7 @@ class HybridRun {
       report.effort.taylor_pieces = taylor_->effort().steps;
       report.effort.creep_pieces = taylor_->effort().creep_pieces;
     }
+    if (sticking_) report.effort.steps += sticking_->steps();
     report.effort.taylor_turns = taylor_turns_;
     report.effort.adaptive_turns = adaptive_turns_;
     return outcome;
@@ -211,8 +269,12 @@ class HybridRun {
   scene::Scene scene_;
   run::SolverOptions options_;
   exact::ExactRun<N> run_;
-  bool in_pieces_ = false;             ///< turns whose friction leaves saturation are
-  std::unique_ptr<TaylorRun> taylor_;  ///< made when first needed
+  bool in_pieces_ = false;                            ///< turns whose friction leaves saturation are
+  std::unique_ptr<TaylorRun> taylor_;                 ///< made when first needed
+  std::unique_ptr<exact::StickingStretch> sticking_;  ///< made when first needed
+  exact::StickingStretch::Place held_;
+  double end_of_pulses_rad_ = 0;
+  int pieces_to_wait_ = 0, wait_ = 0;  ///< before the next look for a stretch that sticks
   run::Cursor adaptive_;               ///< empty while no stepper is at work
   bool away_ = false;                  ///< from closed forms
   std::vector<double> section_;        ///< where the run left them

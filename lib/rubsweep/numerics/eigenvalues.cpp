@@ -1,16 +1,55 @@
 #include "rubsweep/numerics/eigenvalues.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 
 namespace rubsweep::numerics {
+namespace {
 
-Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix) { return matrix.eigenvalues(); }
+using Eigen::MatrixXd;
 
-Eigenvectors eigenvectors(const Eigen::MatrixXd& matrix) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix);
+/// Binary orders between a row and the column of the same number from which a matrix is balanced. The
+/// generator of u'' = -k u has k of them: an eigenvalue loses sqrt(k) times the rounding of doubles.
+constexpr int badly_scaled = 40;
+
+/// log2 of the off-diagonal part of row `i` over that of column `i`; 0 where one of them is zero.
+int imbalance(const MatrixXd& matrix, Eigen::Index i) {
+  const double diagonal = std::abs(matrix(i, i));
+  const double row = matrix.row(i).cwiseAbs().sum() - diagonal,
+               column = matrix.col(i).cwiseAbs().sum() - diagonal;
+  return row > 0 && column > 0 ? std::ilogb(row) - std::ilogb(column) : 0;
+}
+
+/// A similar matrix whose rows and columns are alike, by powers of two, which cost no rounding (Parlett and
+/// Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors, 1969). Others as they are.
+MatrixXd balanced(MatrixXd matrix) {
+  bool needed = false;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    needed = needed || std::abs(imbalance(matrix, i)) >= badly_scaled;
+  constexpr int most_sweeps = 100;  // each one at least halves what is out of balance
+  for (int sweep = 0; needed && sweep < most_sweeps; ++sweep) {
+    needed = false;
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+      const int half = imbalance(matrix, i) / 2;
+      if (half == 0) continue;
+      needed = true;
+      matrix.row(i) *= std::ldexp(1.0, -half);
+      matrix.col(i) *= std::ldexp(1.0, half);
+    }
+  }
+  return matrix;
+}
+
+}  // namespace
+
+Eigen::VectorXcd eigenvalues(const MatrixXd& matrix) { return balanced(matrix).eigenvalues(); }
+
+Eigenvectors eigenvectors(const MatrixXd& matrix) {
+  const Eigen::EigenSolver<MatrixXd> solver(matrix);
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-double spectral_radius(const Eigen::MatrixXd& matrix) { return eigenvalues(matrix).cwiseAbs().maxCoeff(); }
+double spectral_radius(const MatrixXd& matrix) { return eigenvalues(matrix).cwiseAbs().maxCoeff(); }
 
 }  // namespace rubsweep::numerics

@@ -37,6 +37,24 @@ LongMatrix long_flow(const MatrixXd& generator, double duration_s) {
   return flow;
 }
 
+/// e^|A t| for a short time, entry by entry a bound of e^{A s} for |s| <= t. Where a unit of time is long or
+/// short beside the motion, the exponential is taken in another one: its squarings would lose the small
+/// entries beside the large ones. By powers of two, which cost no rounding.
+MatrixXd bound_between(const MatrixXd& generator, double duration_s) {
+  constexpr int far_from_the_unit = 20;  // binary orders: rounding still leaves three digits of each entry
+  const Eigen::Index n = generator.rows() / 2, m = generator.rows() - n;
+  const double largest = generator.bottomLeftCorner(m, n).cwiseAbs().maxCoeff();
+  const int order = largest > 0 ? std::ilogb(std::sqrt(largest)) : 0;
+  const double unit = std::abs(order) > far_from_the_unit ? std::ldexp(1.0, order) : 1;
+  MatrixXd exponent = generator.cwiseAbs() * duration_s;
+  exponent.topRightCorner(n, m) *= unit;
+  exponent.bottomLeftCorner(m, n) /= unit;
+  MatrixXd bound = exponent.exp();
+  bound.topRightCorner(n, m) /= unit;
+  bound.bottomLeftCorner(m, n) *= unit;
+  return bound;
+}
+
 }  // namespace
 
 MatrixXd matrix_flow(const MatrixXd& generator, double duration_s) {
@@ -61,7 +79,7 @@ void make_matrix_flows(const MatrixXd& generator, double longest_s, int k,
 FlowBound::FlowBound(const MatrixXd& generator, double horizon_s, double fastest_rad_per_s)
     : points_(static_cast<int>(std::ceil(16 * horizon_s * fastest_rad_per_s)) + 1),
       step_(matrix_flow(generator, horizon_s / points_)),
-      between_((generator.cwiseAbs() * (horizon_s / points_)).exp()) {}
+      between_(bound_between(generator, horizon_s / points_)) {}
 
 RowVectorXd FlowBound::of(const RowVectorXd& row) const {
   RowVectorXd now = row, largest = RowVectorXd::Zero(row.size());

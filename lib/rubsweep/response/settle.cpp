@@ -11,6 +11,7 @@
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
+#include "rubsweep/integrate/run/work_bound.hpp"
 #include "rubsweep/response/aperiodic.hpp"
 #include "rubsweep/response/motion/record.hpp"
 #include "rubsweep/response/proof/orbit_proof.hpp"
@@ -190,6 +191,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   const integrate::run::Run motion = integrate::start(cell.scene, solver, workspace.modes);
   proof::RestProof rest(cell, workspace.forms);
   MotionProof proof(cell.scene, solver, options, workspace);
+  const double most_work = integrate::run::most_work_of_a_run(solver);
   const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
   TorusWatch torus(cell.scene, options, worth_watching(cell.scene, options, kick_turns));
   motion::Record record(cell.scene, options);
@@ -208,6 +210,8 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
     run.effort = turn.effort;
     // A turn that failed counts, too: the reversal may be why it did.
     run.slip_reversed = run.slip_reversed || turn.slip_reversed;
+    if (run.outcome == integrate::run::Outcome::ok && integrate::run::work(turn.effort) > most_work)
+      run.outcome = integrate::run::Outcome::step_limit;
     if (run.outcome != integrate::run::Outcome::ok) {
       run.motion.motion_class = motion::MotionClass::failed;
       return run;

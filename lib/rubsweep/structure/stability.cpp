@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <cmath>
 #include <numbers>
 
 namespace rubsweep::structure {
@@ -19,6 +20,15 @@ Eigen::VectorXcd rates_per_s(const Eigen::MatrixXd& inertia, const Eigen::Matrix
   generator.topRightCorner(n, n).setIdentity();
   generator.bottomLeftCorner(n, n) = -mass.solve(stiffness);
   generator.bottomRightCorner(n, n) = -mass.solve(damping);
+  // Displacements and velocities in units of time that make them alike, where the second is far from that:
+  // the eigenvalues would lose what rounding takes from the larger ones. A power of two costs no rounding.
+  constexpr int far_from_the_unit = 20;
+  const double largest = generator.bottomLeftCorner(n, n).cwiseAbs().maxCoeff();
+  const int order = largest > 0 ? std::ilogb(std::sqrt(largest)) : 0;
+  if (std::abs(order) > far_from_the_unit) {
+    generator.topRightCorner(n, n) *= std::ldexp(1.0, order);
+    generator.bottomLeftCorner(n, n) *= std::ldexp(1.0, -order);
+  }
   return generator.eigenvalues();
 }
 

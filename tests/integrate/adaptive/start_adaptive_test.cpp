@@ -247,6 +247,17 @@ TEST(Adaptive, StepLimitIsAnOutcome) {
   EXPECT_EQ(turn.effort.steps + turn.effort.refused, 20);
 }
 
+TEST(Adaptive, EvaluationsOfATurnAreBoundedWhateverAStepAsksFor) {
+  // An extrapolation asks for dozens of evaluations a step.
+  run::SolverOptions options = with(run::Stepper::bulirsch_stoer, 1e-13);
+  options.max_steps_per_revolution = 20;
+  run::TurnReport turn;
+  EXPECT_EQ(start_adaptive(test::cell_of({}).scene, options)({}, turn), run::Outcome::step_limit);
+  EXPECT_LT(turn.effort.steps + turn.effort.refused, 20);
+  EXPECT_GE(turn.effort.rhs_calls, run::most_evaluations_of_a_turn(options));
+  EXPECT_LT(turn.effort.rhs_calls, 10 * run::most_evaluations_of_a_turn(options));
+}
+
 TEST(Adaptive, NonFiniteStatesAreAnOutcome) {
   auto scene = test::one_mass_scene(1, 1, 0, 1, 1);
   scene.constant_n << std::numeric_limits<double>::infinity(), 0;

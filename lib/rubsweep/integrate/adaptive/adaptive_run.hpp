@@ -15,6 +15,7 @@
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/integrate/run/work_bound.hpp"
 
 namespace rubsweep::integrate::adaptive {
 
@@ -36,6 +37,7 @@ class AdaptiveRun {
         pulses_(scene, system_.scale, full_turn),
         impulses_(scene),
         max_steps_(options.max_steps_per_revolution),
+        max_evaluations_(run::most_evaluations_of_a_turn(options)),
         start_kinematics_(system_.contacts.size()),
         end_kinematics_(system_.contacts.size()),
         just_moved_(system_.contacts.size(), false) {
@@ -59,13 +61,15 @@ class AdaptiveRun {
     end_phase_ = end_phase;
     StepObserver observer(request, report);
     const long limit = steps_ + refused_ + max_steps_;
+    const long evaluations = dynamics_.rhs_calls() + max_evaluations_;
     step_.start_phase = 0;
     if (!impulses_.none()) impulses_.begin_turn(revolution_);
     // The pulses count their time from the start of the turn: they go first.
     pulses_.begin_turn(revolution_);
     dynamics_(step_.start, step_.start_rate, 0.0);
     while (step_.start_phase < end_phase_) {
-      if (steps_ + refused_ >= limit) return finish(report, run::Outcome::step_limit);
+      if (steps_ + refused_ >= limit || dynamics_.rhs_calls() >= evaluations)
+        return finish(report, run::Outcome::step_limit);
       if (dynamics_.unsettled()) return finish(report, run::Outcome::friction_unsettled);
       if (step_.start_phase >= impulses_.next_phase_rad()) apply_impulses(observer);
       const run::Outcome outcome = advance_one_step(observer);
@@ -296,7 +300,7 @@ class AdaptiveRun {
   StepMethod method_;
   run::PulseTimes pulses_;
   run::Impulses impulses_;
-  long max_steps_;
+  long max_steps_, max_evaluations_;  ///< of a turn
   Step<State> step_;
   State probe_, probe_rate_;
   double size_ = 0;                       ///< next step to try, in radians of rotation

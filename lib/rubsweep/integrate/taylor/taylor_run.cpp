@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rubsweep/integrate/adaptive/settle_slips.hpp"
+#include "rubsweep/integrate/run/work_bound.hpp"
 #include "rubsweep/integrate/taylor/joint_event.hpp"
 #include "rubsweep/integrate/taylor/step_length.hpp"
 #include "rubsweep/integrate/taylor/step_peaks.hpp"
@@ -16,6 +17,7 @@ namespace {
 using contact::Mode;
 
 constexpr double same_instant = 1e-13;  ///< radians: landings nearer than that make no progress
+constexpr int most_expansions = 4;      ///< of each piece that a turn may have
 constexpr int longest_standstill = 16;  ///< landings without progress before one is stepped over
 
 }  // namespace
@@ -31,7 +33,7 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       impulses_(scene),
       structure_rate_(numerics::spectral_radius(numerics::generator_of(system_.stiffness, system_.damping))),
       creep_(series.creep_above),
-      max_steps_(options.max_steps_per_revolution),
+      max_steps_(run::most_pieces_of_a_turn(options)),
       state_(run::scaled_initial_state(scene)),
       rate_(state_.size()),
       probe_(state_.size()),
@@ -76,6 +78,7 @@ void TaylorRun<N>::ask(const run::TurnRequest& request) {
   standstill_ = 0;
   creep_.begin_turn();
   step_limit_ = effort_.steps + max_steps_;
+  expansion_limit_ = expansions_ + most_expansions * max_steps_;
 }
 
 template <int N>
@@ -193,6 +196,7 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
 
 template <int N>
 void TaylorRun<N>::expand(const std::vector<double>& state) {
+  ++expansions_;
   motion_.expand(state.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
 }
 

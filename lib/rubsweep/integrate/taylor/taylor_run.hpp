@@ -58,7 +58,8 @@ class TaylorRun {
             const std::vector<contact::Mode>& modes, const Eigen::MatrixXd& tangent_vectors);
   /// One piece of the turn that was joined; `report` goes on. After `ok` the run is at `phase_rad()`.
   TaylorEnding go_on(run::TurnReport& report) {
-    return effort_.steps < step_limit_ ? step(report) : TaylorEnding::step_limit;
+    const bool may_go_on = effort_.steps < step_limit_ && expansions_ < expansion_limit_;
+    return may_go_on ? step(report) : TaylorEnding::step_limit;
   }
   /// That piece reached the end of the turn.
   bool at_end_of_turn() const { return phase_ >= end_phase_; }
@@ -69,6 +70,8 @@ class TaylorRun {
   /// Dry friction holds a contact.
   bool sticks() const { return dynamics_.any_dry() && dynamics_.stuck_contacts().count > 0; }
   const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
+  /// Of contacts that touch with dry friction.
+  const std::vector<contact::Slip>& slips() const { return dynamics_.slips(); }
   /// As many tangent vectors as were given, where they are now.
   const Eigen::MatrixXd& tangents() const { return tangents_.vectors(); }
 
@@ -112,6 +115,8 @@ class TaylorRun {
   double tangent_accuracy_ = 0;
   double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
   long max_steps_ = 0, step_limit_ = 0;
+  /// Where contacts creep a piece takes several, and a search for creep that fails takes them for nothing.
+  long expansions_ = 0, expansion_limit_ = 0;
   std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
   /// Per contact with dry friction: so many of the slip's first coefficients are zero where it is now.

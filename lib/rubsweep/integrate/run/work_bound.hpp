@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+
+#include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
+
+namespace rubsweep::integrate::run {
+
+// Work is counted in evaluations of the right-hand side, about 0.1 microseconds each for a rotor with one
+// casing. A count and not a time, so that a run ends at the same place on every host.
+
+/// A step of closed forms, and a piece of Taylor series with its tangent vectors, each takes about as long as
+/// so many evaluations.
+inline constexpr double work_of_a_step = 2, work_of_a_piece = 100;
+
+/// What a run has done since its start.
+inline double work(const Effort& effort) {
+  const long other_steps = effort.steps + effort.refused - effort.taylor_pieces;
+  return static_cast<double>(effort.rhs_calls) + work_of_a_step * static_cast<double>(other_steps) +
+         work_of_a_piece * static_cast<double>(effort.taylor_pieces);
+}
+
+/// Evaluations of the right-hand side that an adaptive turn may ask for, for its steps and to look inside
+/// them for events: those of as many steps by dopri5 as a turn may take, and a third more.
+inline long most_evaluations_of_a_turn(const SolverOptions& options) {
+  return 8 * options.max_steps_per_revolution;
+}
+
+/// Taylor pieces of a turn: as much work, but never fewer than the smallest number of steps that may be asked
+/// for.
+inline long most_pieces_of_a_turn(const SolverOptions& options) {
+  return std::min(options.max_steps_per_revolution,
+                  std::max(SolverOptions::max_steps_low, options.max_steps_per_revolution / 10));
+}
+
+/// Work of a whole run, whatever the solver: that of ten of the dearest turns. A smaller limit of a turn does
+/// not shorten runs whose turns are cheap.
+inline double most_work_of_a_run(const SolverOptions& options) {
+  return 100 * static_cast<double>(
+                   std::max(options.max_steps_per_revolution, SolverOptions{}.max_steps_per_revolution));
+}
+
+}  // namespace rubsweep::integrate::run

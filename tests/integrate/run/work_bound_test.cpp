@@ -1,0 +1,39 @@
+#include "rubsweep/integrate/run/work_bound.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rubsweep::integrate::run {
+namespace {
+
+TEST(WorkBound, PiecesAreStepsThatCostMore) {
+  const Effort closed{.steps = 70};
+  EXPECT_EQ(work(closed), 140);
+  const Effort with_pieces{.steps = 70, .taylor_pieces = 30};
+  EXPECT_EQ(work(with_pieces), 2 * 40 + 100 * 30);
+  const Effort adaptive{.rhs_calls = 600, .steps = 90, .refused = 10};
+  EXPECT_EQ(work(adaptive), 600 + 2 * 100);
+}
+
+TEST(WorkBound, ALargerLimitOfATurnRaisesAllOthersAndASmallerOneShortensNoRun) {
+  const SolverOptions usual;
+  SolverOptions more, fewer;
+  more.max_steps_per_revolution = 7 * usual.max_steps_per_revolution;
+  fewer.max_steps_per_revolution = SolverOptions::max_steps_low;
+  EXPECT_EQ(most_pieces_of_a_turn(more), 7 * most_pieces_of_a_turn(usual));
+  EXPECT_EQ(most_evaluations_of_a_turn(more), 7 * most_evaluations_of_a_turn(usual));
+  EXPECT_EQ(most_work_of_a_run(more), 7 * most_work_of_a_run(usual));
+  EXPECT_EQ(most_pieces_of_a_turn(fewer), SolverOptions::max_steps_low);
+  EXPECT_EQ(most_work_of_a_run(fewer), most_work_of_a_run(usual));
+}
+
+TEST(WorkBound, NoTurnAloneReachesTheBoundOfItsRun) {
+  const SolverOptions usual;
+  const Effort pieces{.steps = most_pieces_of_a_turn(usual), .taylor_pieces = most_pieces_of_a_turn(usual)};
+  EXPECT_LT(work(pieces), most_work_of_a_run(usual));
+  const Effort adaptive{.rhs_calls = most_evaluations_of_a_turn(usual),
+                        .steps = usual.max_steps_per_revolution};
+  EXPECT_LE(work(adaptive), most_work_of_a_run(usual));
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate::run
