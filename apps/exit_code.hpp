@@ -11,6 +11,7 @@ enum ExitCode : int {
   some_cells_failed = 4,
   maps_differ = 5,
   directory_in_use = 6,
+  not_whole = 7,        ///< results are damaged, unfinished, or do not belong together
   software_fault = 70,  ///< out of memory, or a fault of the program itself (sysexits: EX_SOFTWARE)
 };
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "exit_code.hpp"
 #include "forecast.hpp"
@@ -22,6 +24,7 @@
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep_arguments.hpp"
+#include "verified_directory.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -90,7 +93,21 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   return report_map("rubsweep", arguments, directory.write_map(), config, directory);
 }
 
+int verify(const RubsweepArguments& arguments) {
+  const DirectoryVerdict verdict = verify_directory(*arguments.verified);
+  const auto list = [&](const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) say(fmt::format("rubsweep: {}\n", sentence));
+  };
+  list(verdict.faults);
+  if (!arguments.quiet) list(verdict.remarks);
+  if (!arguments.quiet && verdict.faults.empty()) {
+    fmt::print("{}: whole: {}\n", arguments.verified->string(), fmt::join(verdict.files, " "));
+  }
+  return verdict.faults.empty() ? done : not_whole;
+}
+
 int perform(const RubsweepArguments& arguments) {
+  if (arguments.verified) return verify(arguments);
   if (answered("rubsweep", arguments.action, rubsweep_help)) return done;
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
   ask("rubsweep", config.questions, arguments.quiet);

@@ -27,6 +27,8 @@ po::options_description visible_options() {
       "shard", po::value<std::string>()->value_name("I/N"),
       "compute the I-th of N parts of the map alone; others may run at the same time, on any machine")(
       "merge", "run nothing, put the finished shards of a map together")(
+      "verify", po::value<std::string>()->value_name("DIR"),
+      "run nothing, say whether the results in a directory, of any program, are whole and belong together")(
       "report",
       "also write DIR/report.html, a page that shows the map and the motion of each cell at a click");
   add_actions(options, "say what is simulated, what is left out and why, run nothing");
@@ -66,10 +68,24 @@ void read_division(const po::variables_map& given, RubsweepArguments& arguments)
   if (arguments.action == Action::run) arguments.figure = figure_of(given);
 }
 
+/// It looks at a directory as it is, and needs nothing else.
+RubsweepArguments verify_arguments(const po::variables_map& given) {
+  for (const auto& [name, value] : given) {
+    if (!value.defaulted() && name != "verify" && name != "quiet")
+      throw UsageError("--verify DIR goes alone, or with --quiet");
+  }
+  RubsweepArguments arguments;
+  arguments.verified = given["verify"].as<std::string>();
+  arguments.quiet = given.count("quiet") != 0;
+  return arguments;
+}
+
 }  // namespace
 
 RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
   const po::variables_map given = read_study_command_line(argc, argv, visible_options());
+  if (given.count("verify") != 0 && given.count("help") == 0 && given.count("version") == 0)
+    return verify_arguments(given);
   RubsweepArguments arguments{study_arguments(given, "rubsweep")};
   if (arguments.action == Action::help || arguments.action == Action::version) return arguments;
   arguments.threads = threads_of(given);
@@ -96,7 +112,8 @@ std::string rubsweep_help() {
       "/tmp/refined\n"
       "  rubsweep configs/figure06_one_side.yaml --shard 2/8\n"
       "  rubsweep configs/figure06_one_side.yaml --report\n"
-      "  rubsweep configs/figure06_one_side.yaml --figure map.png\n\n"
+      "  rubsweep configs/figure06_one_side.yaml --figure map.png\n"
+      "  rubsweep --verify results/figure06_one_side\n\n"
       "On a terminal the map is also shown in characters, with commands that look closer.\n\n"
       "Writes DIR/map.csv (one row per cell, speed fastest) and DIR/config.yaml (the complete "
       "configuration);\n"
@@ -114,7 +131,8 @@ std::string rubsweep_help() {
       "{}\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration, or DIR holds cells or a map of another one; 3 "
       "input/output;\n"
-      "4 done, but some cells failed; 6 another process is at work in DIR; 70 out of memory or a fault of "
+      "4 done, but some cells failed; 6 another process is at work in DIR; 7 --verify: not whole; 70 out of "
+      "memory or a fault of "
       "the "
       "program;\n"
       "128+signal when interrupted.\n",

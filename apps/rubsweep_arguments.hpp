@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,8 @@ struct RubsweepArguments : StudyArguments {
   std::optional<Figure> figure = {};  ///< also draw the finished map
   bool fade = false;                  ///< its cells by their robust_share
   bool report = false;                ///< also make report.html of the finished map
+  /// Only say whether the results in this directory are whole.
+  std::optional<std::filesystem::path> verified = {};
 };
 
 /// Throws UsageError (program.hpp).
