@@ -37,7 +37,7 @@ expect_fault() {
 source=map
 expect_fault 'copy/map.csv: is not as it was written: its last line has no end' truncate -s -60 map.csv
 expect_fault 'copy/map.csv: is not as it was written' sed -i '$s/ok/OK/' map.csv
-expect_fault 'copy/edges.csv: is not as it was written' sed -i '$s/0/1/' edges.csv
+expect_fault 'copy/edges.csv: is not as it was written' sed -i '$s/,/;/' edges.csv
 expect_fault 'copy/families.csv: is not as it was written: its checksum is missing' sed -i '/^# sha256/d' families.csv
 expect_fault 'edges.csv: is missing, it was written with boundaries.csv' rm edges.csv
 expect_fault 'config.yaml: is missing' rm config.yaml
@@ -70,7 +70,7 @@ expect_fault 'trajectory.csv: is not as it was written' sed -i '300s/1/2/' traje
 expect_exit 0 --verify ring
 expect_contains stdout config.yaml
 source=ring
-expect_fault 'onsets.csv: is not as it was written' sed -i '$s/0/1/' onsets.csv
+expect_fault 'onsets.csv: is not as it was written' sed -i '$s/,/;/' onsets.csv
 
 # What is not finished, and a refined map.
 killed_at 10 killed "${quick[@]}"
