@@ -62,8 +62,9 @@ int cannot_start(scene::Start start) {
 }
 
 /// Refused before anything is begun, not killed in the middle.
-void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::size_t stops) {
-  const double needed = trace::trace_bytes(options, stops),
+void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::size_t stops,
+                                      Eigen::Index coordinates) {
+  const double needed = trace::trace_bytes(options, stops, coordinates),
                there = static_cast<double>(machine_memory_bytes());
   if (needed <= there) return;
   throw ConfigError(fmt::format(
@@ -129,7 +130,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   if (!arguments.quiet) warn_of_premises("rubtrace", study, prepared);
   if (arguments.probes) options.probes = probes_of(arguments, prepared, options.revolutions);
-  refuse_more_memory_than_there_is(options, study.machine.stops.size());
+  refuse_more_memory_than_there_is(options, study.machine.stops.size(),
+                                   prepared.assembly.system.coordinates());
   const fs::path directory = directory_of(arguments, config);
   make_directory(directory);
 

@@ -70,8 +70,10 @@ expect_empty stderr
 mv results/minimal_trace trace
 expect_files trace "${files[@]}"
 expect_header trace/trajectory.csv t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,casing_0_x_m,casing_0_y_m,gap_0_m,normal_force_0_n\
-,friction_force_0_n $((600 * 128))
-expect_header trace/section.csv revolution,t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,casing_0_x_m,casing_0_y_m 601
+,friction_force_0_n,casing_0_vx_m_per_s,casing_0_vy_m_per_s,kinetic_energy_j,elastic_energy_j,contact_energy_j\
+,forcing_power_w,damping_power_w,contact_damping_power_w,friction_power_w $((600 * 128))
+expect_header trace/section.csv revolution,t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,casing_0_x_m,casing_0_y_m\
+,casing_0_vx_m_per_s,casing_0_vy_m_per_s 601
 expect_header trace/spectrum.csv order,frequency_hz,amplitude_m $((64 * 128))
 [[ $(header_of trace/events.csv) == t_s,stop,from,to ]] || fail 'events.csv has another header'
 expect_whole_rows trace/motion.csv

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <random>
 
 #include "rubsweep/error.hpp"
@@ -52,7 +54,7 @@ TEST(StateReader, GivesTheForcesThatTheEquationsOfMotionNeed) {
     const double normal_n = equations.mc * rate[7] + equations.kc * s[3] + equations.cc * s[7];
     const double friction_n = -(equations.mc * rate[6] + equations.kc * s[2] + equations.cc * s[6]);
 
-    const TraceState state = reader.read(scaled(s, rotor));
+    const TraceState state = reader.read(scaled(s, rotor), 0);
     ASSERT_EQ(state.stops.size(), 1u);
     EXPECT_NEAR(state.displacement_m.x(), s[0], 1e-18);
     EXPECT_NEAR(state.displacement_m.y(), s[1], 1e-18);
@@ -76,7 +78,7 @@ TEST(StateReader, SmoothedLawDiffersAtTheCornersOnly) {
   OneSideState<double> state{};
   const auto force_at = [&](const StateReader& reader, double penetration_m) {
     state[1] = rotor.clearance_m + penetration_m;
-    return reader.read(scaled(state, rotor)).stops[0].normal_force_n;
+    return reader.read(scaled(state, rotor), 0).stops[0].normal_force_n;
   };
   EXPECT_EQ(force_at(sharp, 0), 0);
   EXPECT_NEAR(force_at(soft, 0), rotor.stiffness_n_per_m * 1e-6 / 8, 1e-9);  // a parabola over the width
@@ -98,16 +100,35 @@ scene::Scene annular_scene() {
   return scene;
 }
 
-TEST(StateReader, ShowsNoFrictionWhereDryFrictionLetsAContactStick) {
+TEST(StateReader, ShowsWhatHoldsAContactThatSticks) {
   scene::Scene scene = annular_scene();
+  // The shaft's spring pulls along the normal; a force that turns acts along the tangent (-0.8, 0.6) at first
+  // and against it half a turn later.
+  const Eigen::Vector2d tangent(-0.8, 0.6);
+  scene.harmonic_n = (70.0 * tangent).cast<std::complex<double>>();
+  scene.constant_n = 20 * tangent;
   const StateReader reader(scene, located);
   const double speed = scene.speed_rad_per_s;
-  // The sliding speed of -2 m/s along (-0.8, 0.6) is that of the surface.
+  // The sliding speed of -2 m/s along the tangent is that of the surface.
   const std::vector<double> sticking{0.6, 0.8, 1.6 / (1e-3 * speed), -1.2 / (1e-3 * speed)};
-  EXPECT_NEAR(reader.read(sticking).stops.at(0).normal_force_n, 500, 1e-9);
-  EXPECT_EQ(reader.read(sticking).stops.at(0).friction_force_n, 0);
-  scene.contacts[0].friction = model::OneWayFriction{0.2};
-  EXPECT_NEAR(reader.read(sticking).stops.at(0).friction_force_n, 0.2 * 500, 1e-9);
+  EXPECT_NEAR(reader.read(sticking, 0).stops.at(0).normal_force_n, 500, 1e-9);
+  EXPECT_NEAR(reader.read(sticking, 0).stops.at(0).friction_force_n, 90, 1e-7);
+  EXPECT_NEAR(reader.read(sticking, 7.5).stops.at(0).friction_force_n, -50, 1e-7);
+  EXPECT_NEAR(reader.read(sticking, 0.25).stops.at(0).friction_force_n, 20, 1e-7);
+  // A kick of 60 N at its top, more than friction holds: the surface begins to slip forward.
+  scene.pulses.push_back({.direction = tangent, .force_n = 60, .duration_s = 2 * scene.period_s()});
+  const StateReader kicked(scene, located);
+  EXPECT_NEAR(kicked.read(sticking, 1).stops.at(0).friction_force_n, 0.2 * 500, 1e-9);
+  EXPECT_NEAR(kicked.read(sticking, 0.5).stops.at(0).friction_force_n, -50 + 60 * std::sqrt(0.5), 1e-7);
+}
+
+TEST(StateReader, SmoothedDryFrictionIsThatOfTheEquationsOfMotion) {
+  scene::Scene scene = annular_scene();
+  const StateReader reader(scene, smoothed);
+  const double speed = scene.speed_rad_per_s, slip_m_per_s = 1e-6 * speed;
+  const std::vector<double> creeping{0.6, 0.8, -0.8 * (slip_m_per_s - 2) / (1e-3 * speed),
+                                     0.6 * (slip_m_per_s - 2) / (1e-3 * speed)};
+  EXPECT_NEAR(reader.read(creeping, 0).stops.at(0).friction_force_n, 0.2 * 500 * std::tanh(1), 1e-6);
 }
 
 TEST(StateReader, ReadsARingAlongTheOffsetDisplacement) {
@@ -117,14 +138,14 @@ TEST(StateReader, ReadsARingAlongTheOffsetDisplacement) {
   // d = (6, 8)e-4 + (3, 4)e-4 = 1.5e-3 along n = (0.6, 0.8); closing at 1 m/s, sliding at 0.5 m/s along
   // (-0.8, 0.6).
   const std::vector<double> touching{0.6, 0.8, (0.6 - 0.4) / (1e-3 * speed), (0.8 + 0.3) / (1e-3 * speed)};
-  const StopState stop = reader.read(touching).stops.at(0);
+  const StopState stop = reader.read(touching, 0).stops.at(0);
   EXPECT_NEAR(stop.gap_m, -5e-4, 1e-17);
   EXPECT_NEAR(stop.normal_force_n, 500 + 100, 1e-9);
   EXPECT_NEAR(stop.friction_force_n, 0.2 * 500, 1e-9);
   EXPECT_EQ(stop.casing_m, Eigen::Vector2d(0, 0));  // rigid
 
   // In the very centre there is no normal, and nothing touches.
-  const StopState centred = reader.read(std::vector<double>{-0.3, -0.4, 0, 0}).stops.at(0);
+  const StopState centred = reader.read(std::vector<double>{-0.3, -0.4, 0, 0}, 0).stops.at(0);
   EXPECT_NEAR(centred.gap_m, 1e-3, 1e-18);
   EXPECT_EQ(centred.normal_force_n, 0);
   EXPECT_EQ(centred.friction_force_n, 0);
@@ -134,7 +155,7 @@ TEST(StateReader, RefusesAStateOfAnotherSize) {
   const scene::Scene scene = annular_scene();
   const StateReader reader(scene, located);
   EXPECT_EQ(reader.size(), 4u);
-  EXPECT_THROW(reader.read(std::vector<double>(3)), SolverError);
+  EXPECT_THROW(reader.read(std::vector<double>(3), 0), SolverError);
 }
 
 }  // namespace

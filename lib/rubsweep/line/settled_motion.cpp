@@ -120,8 +120,8 @@ class Follower {
  private:
   /// The state k / samples of the turn that was recorded last; at its end that of the next one.
   trace::TraceState sample(int k) const {
-    if (k == request_.samples_per_revolution) return reader_.read(turn_.section);
-    return reader_.read(
+    if (k == request_.samples_per_revolution) return reader_.read_motion(turn_.section);
+    return reader_.read_motion(
         std::span(turn_.samples).subspan(static_cast<std::size_t>(k) * reader_.size(), reader_.size()));
   }
 

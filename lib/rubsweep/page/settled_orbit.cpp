@@ -52,7 +52,8 @@ class Recorder {
   void add(std::span<const double> samples, int left) {
     const std::size_t stride = static_cast<std::size_t>(orbit_.steps_per_turn / samples_per_turn_);
     for (std::size_t k = 0; k * reader_.size() < samples.size(); ++k) {
-      const trace::TraceState state = reader_.read(samples.subspan(k * reader_.size(), reader_.size()));
+      const trace::TraceState state =
+          reader_.read_motion(samples.subspan(k * reader_.size(), reader_.size()));
       const std::complex<double> z(state.displacement_m.x(), state.displacement_m.y());
       if (k == 0 && left <= lengths_.section) orbit_.section_m.push_back(z);
       if (k % stride == 0 && left <= lengths_.spectrum) displacement_m_.push_back(z);
@@ -61,7 +62,7 @@ class Recorder {
   }
 
   SettledOrbit finish(std::span<const double> end, response::spectrum::SpectrumWorkspace& workspace) {
-    add_to_signals(reader_.read(end));
+    add_to_signals(reader_.read_motion(end));
     orbit_.spectrum = response::spectrum::full_spectrum(displacement_m_, lengths_.spectrum, workspace);
     return std::move(orbit_);
   }

@@ -11,10 +11,13 @@ namespace rubsweep::report {
 /// start of the kick.
 
 /// t_s, x_m, y_m, vx_m_per_s, vy_m_per_s, then per stop casing_i_x_m, casing_i_y_m, gap_i_m,
-/// normal_force_i_n, friction_force_i_n.
+/// normal_force_i_n, friction_force_i_n; with torsion twist_deg, torque_nm; per stop casing_i_vx_m_per_s,
+/// casing_i_vy_m_per_s; of a rotor kit coordinate_k_m, coordinate_k_m_per_s; then energies and powers as in
+/// trace::Energy.
 std::string trajectory_csv(const trace::Trace& trace);
 
-/// revolution, t_s, x_m, y_m, vx_m_per_s, vy_m_per_s, then per stop casing_i_x_m, casing_i_y_m.
+/// revolution, t_s, x_m, y_m, vx_m_per_s, vy_m_per_s, then per stop casing_i_x_m, casing_i_y_m, then per
+/// stop casing_i_vx_m_per_s, casing_i_vy_m_per_s.
 std::string section_csv(const trace::Trace& trace);
 
 /// t_s, stop, from, to: the changes of contact mode.

@@ -26,6 +26,10 @@ class Recorder {
     }
     trace.stops = reader_.stops();
     trace.twisting = scene.twist.has_value();
+    const auto casings = std::ranges::count_if(
+        scene.contacts, [](const scene::Contact& contact) { return contact.casing_point.has_value(); });
+    if (scene.structure.coordinates() > 2 + 2 * casings)
+      trace.vibration_coordinates = scene.structure.coordinates();
     add_section(integrate::run::scaled_initial_state(scene));
   }
 
@@ -37,7 +41,7 @@ class Recorder {
           std::span(turn.samples)
               .subspan(static_cast<std::size_t>(k * refinement_) * reader_.size(), reader_.size());
       if (std::any_of(scaled.begin(), scaled.end(), [](double value) { return std::isnan(value); })) break;
-      states.push_back({sample_time_s(k), reader_.read(scaled)});
+      states.push_back({sample_time_s(k), reader_.read(scaled, turns_at(k))});
       const Eigen::Vector2d& z = states.back().state.displacement_m;
       trace_.displacement_m.emplace_back(z.x(), z.y());
     }
@@ -88,8 +92,13 @@ class Recorder {
     return static_cast<double>(sample) / (options_.samples_per_revolution * options_.speed_hz);
   }
 
+  /// The same in turns of the shaft, whose whole part is exact.
+  double turns_at(int k) const {
+    return static_cast<double>(trace_.revolutions) + static_cast<double>(k) / options_.samples_per_revolution;
+  }
+
   void add_section(std::span<const double> scaled) {
-    trace_.section.push_back({sample_time_s(0), reader_.read(scaled)});
+    trace_.section.push_back({sample_time_s(0), reader_.read(scaled, turns_at(0))});
   }
 
   StateReader reader_;
@@ -102,13 +111,16 @@ class Recorder {
 
 }  // namespace
 
-double trace_bytes(const TraceOptions& options, std::size_t stops) {
+double trace_bytes(const TraceOptions& options, std::size_t stops, Eigen::Index coordinates) {
   // A state, and its line of a table: numbers of all digits and their commas. A list or a text that grows may
   // take twice what it holds.
   constexpr double number_bytes = 21, copies = 2;
-  const double state_bytes = sizeof(TracedState) + sizeof(StopState) * static_cast<double>(stops),
-               section_bytes = state_bytes + number_bytes * static_cast<double>(6 + 2 * stops),
-               sample_bytes = state_bytes + number_bytes * static_cast<double>(5 + 5 * stops);
+  const double of_coordinates = 2 * static_cast<double>(coordinates);
+  const double state_bytes = sizeof(TracedState) + sizeof(StopState) * static_cast<double>(stops) +
+                             sizeof(double) * of_coordinates,
+               section_bytes = state_bytes + number_bytes * static_cast<double>(6 + 4 * stops),
+               sample_bytes =
+                   state_bytes + number_bytes * (static_cast<double>(12 + 7 * stops) + of_coordinates);
   const long kept =
       std::min(options.revolutions, options.trajectory_revolutions.value_or(options.revolutions));
   double reading_bytes = 0;

@@ -25,7 +25,8 @@ struct TraceOptions {
 };
 
 /// About how many bytes a trace and the tables made of it take in memory, changes of contact mode left out.
-double trace_bytes(const TraceOptions& options, std::size_t stops);
+/// `coordinates`: of the structure.
+double trace_bytes(const TraceOptions& options, std::size_t stops, Eigen::Index coordinates);
 
 /// A state at a time since the start of the kick.
 struct TracedState {
@@ -43,7 +44,9 @@ struct TracedSwitch {
 struct Trace {
   integrate::run::Outcome outcome = integrate::run::Outcome::ok;
   std::size_t stops = 0;
-  bool twisting = false;                ///< the states have a twist and a torque
+  bool twisting = false;  ///< the states have a twist and a torque
+  /// Coordinates of the structure where these are more than the rotor and its casings, else 0.
+  Eigen::Index vibration_coordinates = 0;
   long revolutions = 0;                 ///< whole ones; the lists go on to the failure, if there was one
   std::vector<TracedState> trajectory;  ///< samples at t = k T / N, k = 0 .. revolutions N - 1
   std::vector<TracedState> section;     ///< states at t = 0, T, 2 T, ...: one more than revolutions

@@ -6,15 +6,18 @@
 
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/scene/scene.hpp"
+#include "rubsweep/trace/dry_forces.hpp"
+#include "rubsweep/trace/energy.hpp"
 
 namespace rubsweep::trace {
 
 /// What one stop shows at one instant. Forces are those on the casing.
 struct StopState {
   Eigen::Vector2d casing_m{0, 0};  ///< displacement of the casing; 0 where it is rigid
-  double gap_m = 0;                ///< distance still open between rotor and wall; < 0: penetration
-  double normal_force_n = 0;       ///< along the normal from the rotor to the wall, >= 0
-  double friction_force_n = 0;     ///< along the tangent (-n_y, n_x); 0 while dry friction lets it stick
+  Eigen::Vector2d casing_m_per_s{0, 0};
+  double gap_m = 0;             ///< distance still open between rotor and wall; < 0: penetration
+  double normal_force_n = 0;    ///< along the normal from the rotor to the wall, >= 0
+  double friction_force_n = 0;  ///< along the tangent (-n_y, n_x); also what holds a contact that sticks
 };
 
 /// What is traced of one state of a run.
@@ -22,13 +25,15 @@ struct TraceState {
   Eigen::Vector2d displacement_m{0, 0};  ///< of the observed point, the rotor
   Eigen::Vector2d velocity_m_per_s{0, 0};
   std::vector<StopState> stops;
+  Eigen::VectorXd coordinates_m, rates_m_per_s;  ///< of the whole structure: q and q'
+  Energy energy;
   double twist_rad = 0;  ///< angle by which the rotor is ahead of its drive; 0 without torsion
   double torque_nm = 0;  ///< of the rotor on its drive
 };
 
 /// Reads states of a run of `scene`, scaled as integrate::run::TurnReport holds them (q then q', 2n numbers),
-/// back to SI. Contact forces are those of the law that a run with these options integrates, as it follows
-/// from the state alone. The scene must outlive the reader.
+/// back to SI. Contact forces are those of the law that a run with these options integrates. The scene must
+/// outlive the reader.
 class StateReader {
  public:
   StateReader(const scene::Scene& scene, const integrate::run::SolverOptions& options);
@@ -37,16 +42,26 @@ class StateReader {
   std::size_t size() const { return 2 * static_cast<std::size_t>(scene_.structure.coordinates()); }
   std::size_t stops() const { return scene_.contacts.size(); }
 
-  /// Throws SolverError when `scaled` has another size.
-  TraceState read(std::span<const double> scaled) const;
+  /// `turns`: of the shaft since t = 0, which what turns with it and a kick go by. Throws SolverError when
+  /// `scaled` has another size.
+  TraceState read(std::span<const double> scaled, double turns) const;
+  /// Where everything is and how fast it moves, without forces and energies, which take longer.
+  TraceState read_motion(std::span<const double> scaled) const;
 
  private:
-  StopState read_stop(std::size_t index, const Eigen::VectorXd& q_m,
-                      const Eigen::VectorXd& rate_m_per_s) const;
-  bool sticks(const scene::Contact& contact, double slip_m_per_s) const;
+  /// Motion of one stop as it is seen from its wall.
+  struct StopMotion {
+    double penetration_m = 0, closing_speed_m_per_s = 0, sliding_speed_m_per_s = 0;
+  };
+
+  StopMotion stop_motion(std::size_t index, const TraceState& state) const;
+  /// Forces of a stop and what they do to the energy. `dry_n`: its friction where that is dry.
+  void add_forces(std::size_t index, double dry_n, TraceState& state) const;
+  double friction_n(const scene::Contact& contact, double slip_m_per_s, double spring_n, double dry_n) const;
 
   const scene::Scene& scene_;
   double smoothing_m_;  ///< width of the blended law; 0: the law with its corners
+  DryForces dry_forces_;
   std::vector<Eigen::Matrix<double, 2, Eigen::Dynamic>> relative_;  ///< per stop: rotor minus casing
 };
 
