@@ -36,40 +36,57 @@ RunUp slow_run_up() {
   return run;
 }
 
-TEST(BodePlot, AmplitudeAndLagOfARotorThroughItsCriticalSpeed) {
+OneXSignal signal_of(const RunUp& run, std::span<const Complex> phasor, std::span<const double> noise,
+                     double sensor_angle_deg) {
+  return {phasor, noise, run.angle, run.speed, sensor_angle_deg};
+}
+
+TEST(OneX, FitsWhatTheReadingsAddAndTellsTheLag) {
   const RunUp run = slow_run_up();
+  const std::vector<Complex> nothing(run.x.size());
   for (const bool vertical : {false, true}) {
-    const auto plot = bode_plot(vertical ? run.y : run.x, run.angle, run.speed, vertical ? 90 : 0, 5);
-    ASSERT_GT(plot.size(), 300U);
-    for (const BodePoint& point : plot) {
+    const OneX one = one_x(signal_of(run, nothing, vertical ? run.y : run.x, vertical ? 90 : 0), 5);
+    ASSERT_GT(one.plot.size(), 1500U);
+    for (const BodePoint& point : one.plot) {
       const Complex expected = steady(point.speed_hz);
       EXPECT_NEAR(point.amplitude_m, std::abs(expected), 0.005 * std::abs(expected)) << point.speed_hz;
       EXPECT_NEAR(point.phase_deg, std::arg(expected) * 180 / pi, 1) << point.speed_hz;
     }
-    // The amplitude for unbalance is largest at f / sqrt(1 - 2 zeta^2).
-    ASSERT_TRUE(critical_speed_hz(plot));
-    EXPECT_NEAR(*critical_speed_hz(plot), 30 / std::sqrt(1 - 2 * 0.02 * 0.02), 0.02);
   }
 }
 
-TEST(BodePlot, TooShortForAWindow) {
-  const std::vector<double> few{0, 1, 2};
-  EXPECT_TRUE(bode_plot(few, few, few, 0, 5).empty());
-  EXPECT_FALSE(critical_speed_hz({}));
+TEST(OneX, IsThePhasorAtTheInstantAndItsTopThatOfTheCurve) {
+  const RunUp run = slow_run_up();
+  std::vector<Complex> phasor;
+  for (const double hz : run.speed) phasor.push_back(steady(hz));
+  const OneX one = one_x(signal_of(run, phasor, {}, 0), 10);
+  for (const BodePoint& point : one.plot) {
+    const Complex expected = steady(point.speed_hz);
+    EXPECT_NEAR(point.amplitude_m, std::abs(expected), 1e-15);
+    EXPECT_NEAR(point.phase_deg, std::arg(expected) * 180 / pi, 1e-9);
+  }
+  // The amplitude for unbalance is largest at f / sqrt(1 - 2 zeta^2), e / (2 zeta sqrt(1 - zeta^2)).
+  ASSERT_TRUE(one.speed_of_largest_hz);
+  EXPECT_NEAR(*one.speed_of_largest_hz, 30 / std::sqrt(1 - 2 * 0.02 * 0.02), 1e-6);
+  EXPECT_NEAR(one.largest_amplitude_m, 1e-4 / (0.04 * std::sqrt(1 - 0.02 * 0.02)), 1e-13);
 }
 
-TEST(CriticalSpeed, IsTheTopOfTheParabola) {
-  std::vector<BodePoint> plot;
-  for (const double hz : {28.0, 29.0, 30.5, 31.0, 33.0})
-    plot.push_back({hz, 1 - (hz - 30.2) * (hz - 30.2) / 100, 0});
-  ASSERT_TRUE(critical_speed_hz(plot));
-  EXPECT_NEAR(*critical_speed_hz(plot), 30.2, 1e-12);
+TEST(OneX, HasNoTopAtAnEnd) {
+  const RunUp run = slow_run_up();
+  std::vector<Complex> rising, falling;
+  for (const double hz : run.speed) {
+    rising.emplace_back(hz);
+    falling.emplace_back(-100 + hz);
+  }
+  EXPECT_FALSE(one_x(signal_of(run, rising, {}, 0), 5).speed_of_largest_hz);
+  EXPECT_FALSE(one_x(signal_of(run, falling, {}, 0), 5).speed_of_largest_hz);
 }
 
-TEST(CriticalSpeed, IsNoneAtAnEnd) {
-  const std::vector<BodePoint> rising{{10, 1, 0}, {11, 2, 0}, {12, 3, 0}}, falling{{40, 3, 0}, {41, 2, 0}};
-  EXPECT_FALSE(critical_speed_hz(rising));
-  EXPECT_FALSE(critical_speed_hz(falling));
+TEST(OneX, TooShortForAWindow) {
+  RunUp run{{}, {}, {0, 1, 2}, {1, 1, 1}};
+  const std::vector<Complex> few(3);
+  EXPECT_TRUE(one_x(signal_of(run, few, {}, 0), 5).plot.empty());
+  EXPECT_TRUE(one_x({}, 5).plot.empty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "ramp/ring_machine.hpp"
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/identify/experiment.hpp"
 #include "rubsweep/identify/linear_run.hpp"
 #include "rubsweep/ramp/ramp_record.hpp"
 #include "scene/kit_machine.hpp"
@@ -32,6 +33,45 @@ std::vector<RampSample> samples_of(const model::Machine& machine, const SpeedRam
       });
   EXPECT_EQ(outcome, Outcome::ok);
   return samples;
+}
+
+/// A Jeffcott rotor far inside an annular stop.
+model::Machine roomy_machine(double damping_ratio) {
+  model::Machine machine;
+  machine.rotor =
+      model::JeffcottRotor{.mass_kg = 5, .natural_frequency_hz = 100, .damping_ratio = damping_ratio};
+  model::Stop stop;
+  stop.geometry = model::AnnularGeometry{};
+  stop.clearance_m = 0.1;
+  stop.stiffness_n_per_m = 1e7;
+  stop.damping = model::NominalRestitution{0.5};
+  stop.contact_radius_m = 0.2;
+  machine.stops = {stop};
+  return machine;
+}
+
+TEST(RampRun, LargestOneXIsTheLargestRadiusOfACircularMotion) {
+  // Of the first one an independent solver says 0.01147795 m at 102.573 Hz.
+  struct Case {
+    double damping_ratio;
+    SpeedRamp ramp;
+  };
+  for (const auto& [damping_ratio, ramp] :
+       {Case{0.02, {5, 150, 24.1667, 5e-4}}, Case{0.02, {5, 150, 60, 5e-4}},
+        Case{0.01, {160, 60, -35, 5e-4}}}) {
+    const model::Machine machine = roomy_machine(damping_ratio);
+    double peak_m = 0;
+    run_ramp(scene::prepare_machine(machine), ramp, {.relative_tolerance = 1e-10}, 32,
+             [&](const RampStretch& stretch) { peak_m = std::max(peak_m, stretch.peak_displacement_m); });
+    const identify::RunUp found = identify::run_up(scene::prepare_machine(machine), ramp.from_hz, ramp.to_hz,
+                                                   ramp.rate_hz_per_s, ramp.eccentricity_m, {});
+    for (const double amplitude_m : found.largest_amplitude_m)
+      EXPECT_NEAR(amplitude_m, peak_m, 2e-6 * peak_m) << ramp.rate_hz_per_s;
+    if (ramp.rate_hz_per_s != 24.1667) continue;
+    EXPECT_NEAR(found.largest_amplitude_m[0], 0.01147795, 5e-8);
+    ASSERT_TRUE(found.critical_speed_hz[1]);
+    EXPECT_NEAR(*found.critical_speed_hz[1], 102.573, 1e-3);
+  }
 }
 
 /// Far from its stops a ramp is the one of identify::run_linear, by another right-hand side in other units.

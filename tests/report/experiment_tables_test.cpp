@@ -43,8 +43,9 @@ TEST(ExperimentTables, OfARunUp) {
             "speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,sensor_1_phase_deg,"
             "sensor_2_amplitude_m,sensor_2_phase_deg\n10,1e-04,-90,1e-04,-90,1e-04,-90\n");
   EXPECT_EQ(tables.identification_csv,
-            "quantity,sensor,value\ncritical_speed_hz,0,10\nlargest_amplitude_m,0,1e-04\n"
-            "critical_speed_hz,1,11\nlargest_amplitude_m,1,2e-04\n");
+            "quantity,sensor,value\ncritical_speed_hz,0,10\nspeed_of_largest_1x_hz,0,10\n"
+            "largest_amplitude_m,0,1e-04\n"
+            "critical_speed_hz,1,11\nspeed_of_largest_1x_hz,1,11\nlargest_amplitude_m,1,2e-04\n");
   EXPECT_TRUE(tables.summary.ends_with("sensor 2 (45 deg)  does not see the unbalance\n"));
 }
 
@@ -59,7 +60,7 @@ TEST(ExperimentTables, OfARunUpThatPassesNoCriticalSpeed) {
                          .largest_amplitude_m = {2e-4}};
   ExperimentTables tables = tables_of(run_up);
   EXPECT_TRUE(tables.summary.ends_with(
-      "no critical speed: of what was measured, 10 to 11 Hz, 1X is largest at an end, 0.0002 m\n"));
+      "no largest 1X inside: of what was measured, 10 to 11 Hz, 1X is largest at an end, 0.0002 m\n"));
   EXPECT_EQ(tables.identification_csv, "quantity,sensor,value\nlargest_amplitude_m,0,2e-04\n");
   run_up.bode = {{}};
   EXPECT_NE(tables_of(run_up).summary.find("run up more slowly"), std::string::npos);

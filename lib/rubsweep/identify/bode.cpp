@@ -11,9 +11,12 @@ namespace rubsweep::identify {
 namespace {
 
 using std::numbers::pi;
+using Complex = std::complex<double>;
 
-BodePoint fit_window(std::span<const double> x, std::span<const double> angle, std::span<const double> speed,
-                     double sensor_angle_deg) {
+constexpr std::size_t fewest_samples = 8;
+
+/// A of offset + Re(A e^{i angle}), fitted.
+Complex fit_phasor(std::span<const double> x, std::span<const double> angle) {
   const auto n = static_cast<Eigen::Index>(x.size());
   Eigen::MatrixX3d base(n, 3);
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -22,51 +25,76 @@ BodePoint fit_window(std::span<const double> x, std::span<const double> angle, s
   }
   const Eigen::Vector3d fit =
       base.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(x.data(), n));
-  double sum = 0;
-  for (const double value : speed) sum += value;
-  double phase = std::atan2(fit(1), fit(0)) * 180 / pi + sensor_angle_deg;
+  return {fit(0), fit(1)};
+}
+
+double lag_deg(Complex phasor, double sensor_angle_deg) {
+  double phase = std::arg(phasor) * 180 / pi + sensor_angle_deg;
   phase -= 360 * std::ceil(phase / 360 - 1e-12);
   // Zero lag with its noise reads about 0, not about -360.
-  if (phase <= -350) phase += 360;
-  return {sum / static_cast<double>(x.size()), std::hypot(fit(0), fit(1)), phase};
+  return phase <= -350 ? phase + 360 : phase;
+}
+
+/// Middle of a window, and what the window leaves of the noise.
+struct Window {
+  std::size_t middle = 0;
+  Complex noise_m;
+};
+
+std::vector<Window> windows_of(const OneXSignal& signal, int revolutions) {
+  const std::span<const double> angle = signal.shaft_angle_rad;
+  const auto reaching = [&](double target_rad) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(angle, target_rad) - angle.begin());
+  };
+  std::vector<Window> windows;
+  for (long turn = 0;; ++turn) {
+    const double begin_rad = angle.empty() ? 0 : angle.front() + 2 * pi * static_cast<double>(turn);
+    const std::size_t begin = reaching(begin_rad), end = reaching(begin_rad + 2 * pi * revolutions);
+    if (end >= angle.size()) break;  // no whole window is left
+    if (end - begin < fewest_samples) continue;
+    Window window{reaching(begin_rad + pi * revolutions), 0};
+    if (!windows.empty() && windows.back().middle == window.middle) continue;
+    if (!signal.noise_m.empty())
+      window.noise_m =
+          fit_phasor(signal.noise_m.subspan(begin, end - begin), angle.subspan(begin, end - begin));
+    windows.push_back(window);
+  }
+  return windows;
+}
+
+/// The largest amplitude between the two neighbours of a window, by a parabola through the samples.
+void find_top(const OneXSignal& signal, const Window& before, const Window& at, const Window& after,
+              OneX& one) {
+  const auto amplitude = [&](std::size_t k) { return std::abs(signal.phasor_m[k] + at.noise_m); };
+  std::size_t top = at.middle;
+  for (std::size_t k = before.middle; k <= after.middle; ++k) {
+    if (amplitude(k) > amplitude(top)) top = k;
+  }
+  top = std::clamp<std::size_t>(top, before.middle + 1, after.middle - 1);
+  const double a = amplitude(top - 1), b = amplitude(top), c = amplitude(top + 1), bend = a - 2 * b + c;
+  const double shift = bend < 0 ? std::clamp((a - c) / (2 * bend), -1.0, 1.0) : 0;
+  one.largest_amplitude_m = b - (a - c) * shift / 4;
+  // The speed changes evenly from sample to sample.
+  one.speed_of_largest_hz = signal.speed_hz[top] + shift * (signal.speed_hz[top + 1] - signal.speed_hz[top]);
 }
 
 }  // namespace
 
-std::vector<BodePoint> bode_plot(std::span<const double> displacement_m,
-                                 std::span<const double> shaft_angle_rad, std::span<const double> speed_hz,
-                                 double sensor_angle_deg, int revolutions) {
-  constexpr std::size_t fewest = 8;
-  std::vector<BodePoint> plot;
-  const double window = 2 * pi * revolutions;
-  for (std::size_t begin = 0; begin < displacement_m.size();) {
-    const double end_angle = shaft_angle_rad[begin] + window;
-    std::size_t end = begin;
-    while (end < displacement_m.size() && shaft_angle_rad[end] < end_angle) ++end;
-    if (end == displacement_m.size()) break;  // no whole window is left
-    const std::size_t count = end - begin;
-    if (count >= fewest) {
-      plot.push_back(fit_window(displacement_m.subspan(begin, count), shaft_angle_rad.subspan(begin, count),
-                                speed_hz.subspan(begin, count), sensor_angle_deg));
-    }
-    begin = end;
+OneX one_x(const OneXSignal& signal, int revolutions) {
+  const std::vector<Window> windows = windows_of(signal, revolutions);
+  OneX one;
+  std::size_t top = 0;
+  for (const Window& window : windows) {
+    const Complex phasor = signal.phasor_m[window.middle] + window.noise_m;
+    one.plot.push_back(
+        {signal.speed_hz[window.middle], std::abs(phasor), lag_deg(phasor, signal.sensor_angle_deg)});
+    if (one.plot.back().amplitude_m > one.plot[top].amplitude_m) top = one.plot.size() - 1;
   }
-  return plot;
-}
-
-std::optional<double> critical_speed_hz(const std::vector<BodePoint>& plot) {
-  if (plot.empty()) return std::nullopt;
-  const auto top = std::max_element(plot.begin(), plot.end(), [](const BodePoint& a, const BodePoint& b) {
-    return a.amplitude_m < b.amplitude_m;
-  });
-  if (top == plot.begin() || top + 1 == plot.end()) return std::nullopt;
-  const auto &a = *(top - 1), &b = *top, &c = *(top + 1);
-  const double left = (b.amplitude_m - a.amplitude_m) / (b.speed_hz - a.speed_hz);
-  const double right = (c.amplitude_m - b.amplitude_m) / (c.speed_hz - b.speed_hz);
-  const double bend = (right - left) / (c.speed_hz - a.speed_hz);
-  if (bend >= 0) return b.speed_hz;
-  // Newton's form: slope at b is left + bend (b - a).
-  return b.speed_hz - (left + bend * (b.speed_hz - a.speed_hz)) / (2 * bend);
+  if (one.plot.empty()) return one;
+  one.largest_amplitude_m = one.plot[top].amplitude_m;
+  const bool inside = top > 0 && top + 1 < windows.size();
+  if (inside) find_top(signal, windows[top - 1], windows[top], windows[top + 1], one);
+  return one;
 }
 
 }  // namespace rubsweep::identify

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,15 +16,27 @@ struct BodePoint {
   double phase_deg = 0;
 };
 
-/// Splits a run-up into windows of `revolutions` and fits offset + Re(A e^{i phi}) to each. `shaft_angle_rad`
-/// rises along the samples; `speed_hz` is that of each sample; `sensor_angle_deg` the sensor's direction,
-/// which the mark passes that much later. A window with fewer than eight samples gives no point.
-std::vector<BodePoint> bode_plot(std::span<const double> displacement_m,
-                                 std::span<const double> shaft_angle_rad, std::span<const double> speed_hz,
-                                 double sensor_angle_deg, int revolutions);
+/// What one sensor reads of a run-up, sample by sample.
+struct OneXSignal {
+  std::span<const std::complex<double>> phasor_m;  ///< A of the part Re(A e^{i phi}) at this instant
+  std::span<const double> noise_m;                 ///< on the readings; empty: none
+  std::span<const double> shaft_angle_rad;         ///< phi, rising
+  std::span<const double> speed_hz;
+  double sensor_angle_deg = 0;  ///< direction of the sensor, which the mark passes that much later
+};
 
-/// Speed of the largest amplitude, by a parabola through the largest point and its neighbours; empty where
-/// that is at an end of the plot, beyond which it may go on.
-std::optional<double> critical_speed_hz(const std::vector<BodePoint>& plot);
+/// 1X of a run-up as a tracking filter shows it that looks at `revolutions` at once.
+struct OneX {
+  std::vector<BodePoint> plot;  ///< one per revolution: A in the middle of the window
+  double largest_amplitude_m = 0;
+  /// Speed at which the amplitude was largest; empty where that is at an end of the plot, beyond which it may
+  /// go on. On a fast ramp it is not the critical speed: the vibration comes later than the shaft.
+  std::optional<double> speed_of_largest_hz;
+};
+
+/// The phasor is taken at the instant and not as the mean of a window, in which a resonance that is passed
+/// through loses its top. What the window does to noise, by least squares of offset + Re(A e^{i phi}), is
+/// added to it. A window with fewer than eight samples gives no point.
+OneX one_x(const OneXSignal& signal, int revolutions);
 
 }  // namespace rubsweep::identify

@@ -3,9 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <random>
 #include <span>
+#include <utility>
 
 namespace rubsweep::identify {
 namespace {
@@ -36,6 +38,21 @@ std::vector<bool> sees_something(const Eigen::MatrixXd& signal, double noise_m) 
   for (Eigen::Index i = 0; i < signal.cols(); ++i)
     sees.push_back(signal.col(i).cwiseAbs().maxCoeff() > floor_m);
   return sees;
+}
+
+/// A of every sensor's part Re(A e^{i phi}) that turns with the shaft, samples x sensors.
+Eigen::MatrixXcd phasors(const scene::PreparedMachine& machine, LinearRun run, const Eigen::MatrixXd& rows) {
+  run.driven = Driven::in_phase;
+  const Eigen::MatrixXd in_phase = run_linear(machine, run, rows);
+  run.driven = Driven::quarter_behind;
+  const Eigen::MatrixXd behind = run_linear(machine, run, rows);
+  Eigen::MatrixXcd phasors(in_phase.rows(), in_phase.cols());
+  for (Eigen::Index k = 0; k < phasors.rows(); ++k) {
+    const double angle_rad = shaft_angle_rad(run, static_cast<double>(k) * run.sample_s);
+    for (Eigen::Index i = 0; i < phasors.cols(); ++i)
+      phasors(k, i) = std::complex<double>(in_phase(k, i), behind(k, i)) * std::polar(1.0, -angle_rad);
+  }
+  return phasors;
 }
 
 }  // namespace
@@ -85,24 +102,29 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
                .critical_speed_hz = {},
                .largest_amplitude_m = {}};
   run_up.signal_m = run_linear(machine, run_up.run, sensors.rows);
+  const Eigen::MatrixXcd phasor_m = phasors(machine, run_up.run, sensors.rows);
   // What noise hides in a free response the Bode plot still finds.
-  run_up.sees = sees_something(run_up.signal_m, 0);
-  add_noise(run_up.signal_m, sampling.noise_m);
+  run_up.sees = sees_something(phasor_m.cwiseAbs(), 0);
+  Eigen::MatrixXd noise_m = Eigen::MatrixXd::Zero(run_up.signal_m.rows(), run_up.signal_m.cols());
+  add_noise(noise_m, sampling.noise_m);
+  run_up.signal_m += noise_m;
   std::vector<double> angle_rad, speed_hz;
   for (int k = 0; k < run_up.run.samples; ++k) {
     angle_rad.push_back(shaft_angle_rad(run_up.run, k * run_up.run.sample_s));
     speed_hz.push_back(shaft_speed_hz(run_up.run, k * run_up.run.sample_s));
   }
-  for (Eigen::Index i = 0; i < run_up.signal_m.cols(); ++i) {
-    const double direction_deg = sensors.angle_deg[static_cast<std::size_t>(i)];
-    run_up.bode.push_back(
-        bode_plot(column(run_up.signal_m, i), angle_rad, speed_hz, direction_deg, bode_revolutions));
+  for (Eigen::Index i = 0; i < phasor_m.cols(); ++i) {
+    const auto sensor = static_cast<std::size_t>(i);
+    OneX one = one_x({.phasor_m = {phasor_m.col(i).data(), angle_rad.size()},
+                      .noise_m = sampling.noise_m > 0 ? column(noise_m, i) : std::span<const double>{},
+                      .shaft_angle_rad = angle_rad,
+                      .speed_hz = speed_hz,
+                      .sensor_angle_deg = sensors.angle_deg[sensor]},
+                     bode_revolutions);
     run_up.critical_speed_hz.emplace_back();
-    if (run_up.sees[static_cast<std::size_t>(i)])
-      run_up.critical_speed_hz.back() = critical_speed_hz(run_up.bode.back());
-    double largest_m = 0;
-    for (const BodePoint& point : run_up.bode.back()) largest_m = std::max(largest_m, point.amplitude_m);
-    run_up.largest_amplitude_m.push_back(largest_m);
+    if (run_up.sees[sensor]) run_up.critical_speed_hz.back() = one.speed_of_largest_hz;
+    run_up.largest_amplitude_m.push_back(one.largest_amplitude_m);
+    run_up.bode.push_back(std::move(one.plot));
   }
   return run_up;
 }

@@ -32,15 +32,16 @@ struct FreeResponse {
 FreeResponse free_response(const scene::PreparedMachine& machine, double duration_s,
                            const Sampling& sampling);
 
-/// Speed ramp with an unbalance, without stops: 1X amplitude and phase over speed, and the critical speed.
+/// Speed ramp with an unbalance, without stops: 1X amplitude and phase over speed, and where 1X is largest.
 struct RunUp {
   LinearRun run;
   Eigen::MatrixXd signal_m;                  ///< samples x sensors
   std::vector<double> angle_deg;             ///< per sensor
   std::vector<std::vector<BodePoint>> bode;  ///< per sensor
   std::vector<bool> sees;                    ///< per sensor: more than rounding
-  std::vector<std::optional<double>>
-      critical_speed_hz;                    ///< per sensor; empty where one sees nothing or none is passed
+  /// Per sensor: speed of the largest 1X during the ramp, which is the critical speed where the ramp is slow;
+  /// empty where one sees nothing or 1X is largest at an end.
+  std::vector<std::optional<double>> critical_speed_hz;
   std::vector<double> largest_amplitude_m;  ///< per sensor, of 1X
 };
 

@@ -21,7 +21,12 @@ using State = std::vector<double>;
 
 /// Below a millionth of a sample no progress is made that anyone could wait for.
 constexpr double shortest_step = 1e-6;
-constexpr double relative_tolerance = 1e-8;
+constexpr double relative_tolerance = 1e-10;
+
+/// What the run multiplies all forces by that turn with the shaft.
+std::complex<double> turned_back(const LinearRun& run) {
+  return run.driven == Driven::quarter_behind ? std::complex<double>(0, -1) : 1;
+}
 
 class Structure {
  public:
@@ -36,9 +41,10 @@ class Structure {
     circulatory_ = prepared.assembly.circulatory.size() > 0
                        ? Eigen::MatrixXd(mass_.solve(prepared.assembly.circulatory))
                        : Eigen::MatrixXd::Zero(damping_.rows(), damping_.cols());
-    unbalance_ = run.eccentricity_m * solve(system.unbalance_kg);
-    bow_ = prepared.assembly.bow_n.size() > 0 ? solve(prepared.assembly.bow_n)
-                                              : Eigen::VectorXcd(Eigen::VectorXcd::Zero(unbalance_.size()));
+    unbalance_ = turned_back(run) * run.eccentricity_m * solve(system.unbalance_kg);
+    bow_ = prepared.assembly.bow_n.size() > 0
+               ? Eigen::VectorXcd(turned_back(run) * solve(prepared.assembly.bow_n))
+               : Eigen::VectorXcd(Eigen::VectorXcd::Zero(unbalance_.size()));
     constant_ = mass_.solve(constant_n);
   }
 
@@ -95,8 +101,8 @@ State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run
   const double w = 2 * pi * run.from_hz;
   if (prepared.assembly.gyroscopic.size() > 0) system.damping += w * prepared.assembly.gyroscopic;
   if (prepared.assembly.circulatory.size() > 0) system.stiffness += w * prepared.assembly.circulatory;
-  Eigen::VectorXcd force = run.eccentricity_m * w * w * system.unbalance_kg;
-  if (prepared.assembly.bow_n.size() > 0) force += prepared.assembly.bow_n;
+  Eigen::VectorXcd force = turned_back(run) * run.eccentricity_m * w * w * system.unbalance_kg;
+  if (prepared.assembly.bow_n.size() > 0) force += turned_back(run) * prepared.assembly.bow_n;
   const scene::QuietMotion quiet = scene::quiet_motion(system, w, force, constant_n);
   const Eigen::VectorXd q = quiet.displacement(0), v = w * quiet.velocity(0);
   State state(q.begin(), q.end());
@@ -110,6 +116,7 @@ class ImpulsesOnARamp {
  public:
   ImpulsesOnARamp(const scene::PreparedMachine& prepared, const LinearRun& run) : run_(run) {
     const Eigen::LDLT<Eigen::MatrixXd> mass(prepared.assembly.system.mass);
+    if (run.driven != Driven::by_all) return;
     for (const auto& train : prepared.assembly.impulses)
       trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});
   }
@@ -183,7 +190,8 @@ SensorRows sensor_rows(const scene::PreparedMachine& prepared) {
 
 Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearRun& run,
                            const Eigen::MatrixXd& sensor_rows) {
-  const Eigen::VectorXd constant_n = prepared.machine.gravity_m_per_s2 * prepared.assembly.system.weight_kg;
+  Eigen::VectorXd constant_n = prepared.machine.gravity_m_per_s2 * prepared.assembly.system.weight_kg;
+  if (run.driven != Driven::by_all) constant_n.setZero();
   Structure structure(prepared, run, constant_n);
   if (run.kick && prepared.machine.kick) {
     // The pulses of any cell: neither their place nor their direction depends on the speed.

@@ -8,6 +8,15 @@
 
 namespace rubsweep::identify {
 
+/// What moves a linear run. Its response to all that turns with the shaft is Re(A e^{i phi}) with a phasor A
+/// that changes with the speed: `in_phase` gives its real part times e^{i phi}, `quarter_behind` the
+/// imaginary one, because forces a quarter turn behind give what the response was a quarter turn ago.
+enum class Driven {
+  by_all,          ///< also weight, kick and faulty bearings
+  in_phase,        ///< unbalance and bow alone
+  quarter_behind,  ///< the same, turned back by a quarter turn
+};
+
 /// The structure of a machine without its contacts, while the shaft's angle is phi = 2 pi (from t + rate t^2
 /// / 2): the preliminary experiments on a rotor. The unbalance forces e Re(U (phi'^2 - i phi'') e^{i phi}), a
 /// bow Re(bow e^{i phi}). The gyroscopic moment and the damping that turns with the shaft follow phi'; the
@@ -18,6 +27,7 @@ struct LinearRun {
   double rate_hz_per_s = 0;
   double eccentricity_m = 0;
   bool kick = false;  ///< the machine's kick at t = 0, towards the first stop's wall unless it has an angle
+  Driven driven = Driven::by_all;
   double sample_s = 1e-3;
   int samples = 0;  ///< at t = 0, sample_s, ...
 };

@@ -42,11 +42,11 @@ std::string why_none(const identify::RunUp& run_up, std::size_t sensor) {
   if (!run_up.sees[sensor]) return "does not see the unbalance";
   const auto& plot = run_up.bode[sensor];
   if (plot.empty()) {
-    return fmt::format("no critical speed: no {} revolutions with enough samples, run up more slowly",
+    return fmt::format("no largest 1X: no {} revolutions with enough samples, run up more slowly",
                        identify::bode_revolutions);
   }
   return fmt::format(
-      "no critical speed: of what was measured, {:.5g} to {:.5g} Hz, 1X is largest at an end, {:.4g} m",
+      "no largest 1X inside: of what was measured, {:.5g} to {:.5g} Hz, 1X is largest at an end, {:.4g} m",
       plot.front().speed_hz, plot.back().speed_hz, run_up.largest_amplitude_m[sensor]);
 }
 
@@ -92,14 +92,15 @@ ExperimentTables tables_of(const identify::RunUp& run_up) {
   for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
     const std::optional<double> critical_hz = run_up.critical_speed_hz[i];
     const double largest_m = run_up.largest_amplitude_m[i];
+    // The older name stays beside the one that says what it is.
     if (critical_hz) add(tables.identification_csv, "critical_speed_hz", i, *critical_hz);
+    if (critical_hz) add(tables.identification_csv, "speed_of_largest_1x_hz", i, *critical_hz);
     if (run_up.sees[i] && !run_up.bode[i].empty())
       add(tables.identification_csv, "largest_amplitude_m", i, largest_m);
     tables.summary += fmt::format(
         "sensor {} ({} deg)  {}\n", i, run_up.angle_deg[i],
-        critical_hz
-            ? fmt::format("critical speed {:.5g} Hz, 1X amplitude there {:.4g} m", *critical_hz, largest_m)
-            : why_none(run_up, i));
+        critical_hz ? fmt::format("1X largest at {:.5g} Hz of this ramp, {:.4g} m", *critical_hz, largest_m)
+                    : why_none(run_up, i));
   }
   tables.bode_csv = bode_csv(run_up.bode);
   return tables;
