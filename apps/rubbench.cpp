@@ -148,10 +148,10 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
                                            arguments.relative_tolerances);
   for (bench::Measurement& measurement :
        bench::measure(scene, study.solver, variants, reference.section, arguments.work)) {
-    // Closed forms alone are the reference itself: what they are away from the other routes.
-    if (!measurement.variant.stepper && measurement.state_error)
+    // Without long double they are the reference themselves: what they are away from the other routes.
+    if (!reference.long_double && !measurement.variant.stepper && measurement.state_error)
       measurement.state_error = bench::uncertainty(reference);
-    lines.push_back({name, measurement, {}, false});
+    lines.push_back({.cell = name, .measurement = measurement, .reference = reference});
   }
   return sentence;
 }

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "rubsweep/integrate/start.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -17,9 +19,10 @@ TEST(Reference, IsTheLongDoubleOneOnSetA) {
   const test::OneSideRotor rotor;
   const Reference reference = reference_section(test::cell_of(rotor).scene, turns, {});
   const auto by_hand = test::long_double_sections(rotor, turns, 1000);
-  EXPECT_LT(test::section_error(reference.section, by_hand[turns], rotor), 1e-11);
+  EXPECT_TRUE(reference.long_double);
+  EXPECT_LT(test::section_error(reference.section, by_hand[turns], rotor), 5e-16);
   EXPECT_TRUE(reference.closed_forms);
-  EXPECT_LT(uncertainty(reference), 1e-11);
+  EXPECT_LT(uncertainty(reference), 3e-16);
   EXPECT_GT(reference.against_rkf78, 0);  // another route, not the same one again
   EXPECT_GT(reference.against_dopri5, 0);
 }
@@ -30,7 +33,30 @@ TEST(Reference, OfARingIsMadeByAStepper) {
   const auto cell = scene::build_cell(machine, 75, scene::WhirlRatio{0.5});
   const Reference reference = reference_section(cell.scene, turns, {});
   EXPECT_FALSE(reference.closed_forms);
+  EXPECT_TRUE(reference.long_double);
+  EXPECT_LT(uncertainty(reference), 1e-15);
+}
+
+TEST(Reference, SaysWhatItIsWhereThereIsNoLongDouble) {
+  model::Machine machine = test::machine_of({});
+  machine.stops[0].friction = model::ConstantFriction{0.1};
+  const auto cell = scene::build_cell(machine, 75, scene::WhirlRatio{0.4});
+  const Reference reference = reference_section(cell.scene, turns, {});
+  EXPECT_FALSE(reference.long_double);
+  EXPECT_EQ(uncertainty(reference), std::max(reference.against_rkf78, reference.against_dopri5));
   EXPECT_LT(uncertainty(reference), 1e-9);
+}
+
+TEST(Reference, ExactRunsAreJudgedByLessThanTheStepperIsWrong) {
+  const auto scene = test::cell_of({}).scene;
+  const Reference reference = reference_section(scene, turns, {});
+  integrate::exact::ModeCache modes;
+  const integrate::run::Run run = integrate::start(scene, {}, modes);
+  integrate::run::TurnReport turn;
+  for (int k = 0; k < turns; ++k) ASSERT_EQ(run.advance({}, turn), integrate::run::Outcome::ok);
+  const double error = section_difference(turn.section, reference.section);
+  EXPECT_LT(error, 2e-14);
+  EXPECT_LT(10 * error, reference.against_rkf78);
 }
 
 TEST(Reference, TakesAnythingFromTheConfigurationButWhatItStatesItself) {

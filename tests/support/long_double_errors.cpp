@@ -4,11 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "rubsweep/bench/long_double_run.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "support/long_double_run.hpp"
 
 namespace rubsweep::test {
 namespace {
+
+using bench::LongDoubleRun;
 
 constexpr LongDoubleRun::Real tolerance = 1e-17L;
 
@@ -61,7 +63,7 @@ LongDoubleErrors errors_against_long_double(const scene::Scene& scene,
   }
   errors.over_growth = errors.section / std::max(1.0, growth.cwiseAbs().maxCoeff());
   LongDoubleRun moved(scene, tolerance);
-  const Eigen::MatrixXd right = monodromy(moved, before, turns - 1).cast<double>();
+  const Eigen::MatrixXd right = bench::monodromy(moved, before, turns - 1).cast<double>();
   errors.monodromy = (last - right).cwiseAbs().maxCoeff() / right.cwiseAbs().maxCoeff();
   return errors;
 }

@@ -5,7 +5,7 @@
 
 namespace rubsweep::test {
 
-/// How far a run is from one in long double (LongDoubleRun) after some turns. Sections are as
+/// How far a run is from one in long double (bench::LongDoubleRun) after some turns. Sections are as
 /// integrate::run::TurnReport has them.
 struct LongDoubleErrors {
   double section = 0;  ///< largest entry

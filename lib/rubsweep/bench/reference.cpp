@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "rubsweep/bench/long_double_run.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/start.hpp"
 
@@ -32,6 +33,30 @@ integrate::run::SolverOptions adaptive(integrate::run::SolverOptions options,
   return options;
 }
 
+LongDoubleRun::State long_double_section(const scene::Scene& scene, int turns, long double tolerance) {
+  LongDoubleRun run(scene, tolerance);
+  for (int k = 0; k < turns; ++k) run.advance_turn();
+  return run.section();
+}
+
+/// Puts the section in long double in the place of the one in double, where there is one.
+void use_long_double(const scene::Scene& scene, int turns, Reference& reference) {
+  if (!LongDoubleRun::applies(scene) || scene.structure.coordinates() > most_long_double_coordinates) return;
+  try {
+    const auto best = long_double_section(scene, turns, long_double_tolerance),
+               looser = long_double_section(scene, turns, 100 * long_double_tolerance);
+    for (std::size_t k = 0; k < best.size(); ++k) {
+      reference.section[k] = static_cast<double>(best[k]);
+      const long double rounded = std::abs(best[k] - static_cast<long double>(reference.section[k]));
+      reference.long_double_error =
+          std::max(reference.long_double_error, static_cast<double>(std::abs(best[k] - looser[k]) + rounded));
+    }
+    reference.long_double = true;
+  } catch (const SolverError&) {
+    // Too slow for this scene: the exact solver stays the reference.
+  }
+}
+
 }  // namespace
 
 integrate::run::SolverOptions reference_options(integrate::run::SolverOptions base,
@@ -52,11 +77,13 @@ Reference reference_section(const scene::Scene& scene, int turns, const integrat
   const auto against = [&](integrate::run::Stepper stepper) {
     return section_difference(best.section, turn_after(scene, turns, adaptive(options, stepper)).section);
   };
-  return {.section = best.section,
-          .against_rkf78 = against(integrate::run::Stepper::rkf78),
-          .against_dopri5 = against(integrate::run::Stepper::dopri5),
-          .closed_forms = integrate::solver_of(scene, options) == integrate::Solver::exact &&
-                          best.effort.adaptive_turns == 0 && best.effort.taylor_turns == 0};
+  Reference reference{.section = best.section,
+                      .against_rkf78 = against(integrate::run::Stepper::rkf78),
+                      .against_dopri5 = against(integrate::run::Stepper::dopri5),
+                      .closed_forms = integrate::solver_of(scene, options) == integrate::Solver::exact &&
+                                      best.effort.adaptive_turns == 0 && best.effort.taylor_turns == 0};
+  use_long_double(scene, turns, reference);
+  return reference;
 }
 
 double section_difference(std::span<const double> a, std::span<const double> b) {

@@ -9,20 +9,31 @@
 
 namespace rubsweep::bench {
 
-/// The section that errors are measured against, and how far two other routes to it are away.
+/// The section that errors are measured against. It is made in long double where LongDoubleRun applies and
+/// the structure is small enough to wait for; else it is that of the exact solver, and what is known of its
+/// error is how far two other routes in double are away.
 struct Reference {
   std::vector<double> section;  ///< scaled, as TurnReport::section
-  double against_rkf78 = 0;     ///< largest difference of a component from adaptive rkf78
-  double against_dopri5 = 0;    ///< and from adaptive dopri5, in (clearance, clearance omega)
-  bool closed_forms = false;    ///< no turn of the reference was made by a stepper
+  bool long_double = false;
+  double long_double_error =
+      0;                      ///< of it: what a hundred times its tolerance changes, and rounding to double
+  double against_rkf78 = 0;   ///< of the exact solver: largest difference of a component from adaptive rkf78
+  double against_dopri5 = 0;  ///< and from adaptive dopri5, in (clearance, clearance omega)
+  bool closed_forms = false;  ///< no turn of the exact solver was made by a stepper or by Taylor pieces
 };
 
-/// What is known of the error of the reference: the larger of its two distances.
+/// What is known of the error of the reference; where the exact solver is the reference, the larger of its
+/// two distances.
 inline double uncertainty(const Reference& reference) {
+  if (reference.long_double) return reference.long_double_error;
   return std::max(reference.against_rkf78, reference.against_dopri5);
 }
 
-/// Tolerance of every stepper behind a reference.
+/// Tolerance of a reference in long double, and the most coordinates that one is made for.
+inline constexpr long double long_double_tolerance = 1e-17L;
+inline constexpr int most_long_double_coordinates = 24;
+
+/// Tolerance of every stepper behind another reference.
 inline constexpr double reference_tolerance = 1e-13;
 
 /// `base` as references are computed: the exact solver wherever it applies, its turns without a closed form,

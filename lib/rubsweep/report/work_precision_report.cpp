@@ -51,6 +51,14 @@ std::string variant_name(const bench::Variant& variant) {
 }
 
 std::string reference_sentence(const std::string& cell, const bench::Reference& reference) {
+  if (reference.long_double) {
+    return fmt::format(
+        "{}: reference in long double by Runge-Kutta-Fehlberg 7(8) at {:.0e}, right to {:.1e}; the exact "
+        "solver "
+        "is {:.1e} from adaptive rkf78 and {:.1e} from adaptive dopri5 at {:.0e}\n",
+        cell, static_cast<double>(bench::long_double_tolerance), bench::uncertainty(reference),
+        reference.against_rkf78, reference.against_dopri5, bench::reference_tolerance);
+  }
   return fmt::format(
       "{}: reference {}, {:.1e} from adaptive rkf78 and {:.1e} from adaptive dopri5 at {:.0e}\n", cell,
       reference.closed_forms ? "by closed forms alone"
@@ -65,6 +73,8 @@ std::string work_precision_comments(const bench::WorkPrecisionOptions& options) 
       "variants in turn; "
       "ratios count\n"
       "# state_error: after {} revolutions, largest component in (clearance, clearance omega)\n"
+      "# reference: long_double, or exact (the exact solver in double, where there is no other); "
+      "reference_error: what is known of its error\n"
       "# label_agreement: share of cells of the map with class and order of the reference\n"
       "# steps, switches, rhs_calls: of one run\n",
       options.repeats, options.turns, options.error_turns);
@@ -82,10 +92,10 @@ std::string status_of(const WorkPrecisionLine& line) {
 std::string work_precision_csv(const std::vector<WorkPrecisionLine>& lines) {
   std::string text =
       "cell,method,stepper,contact,tolerance,microseconds_per_revolution,state_error,label_agreement,steps,"
-      "switches,rhs_calls,status\n";
+      "switches,rhs_calls,status,reference,reference_error\n";
   for (const WorkPrecisionLine& line : lines) {
     const bench::Measurement& m = line.measurement;
-    const std::array<std::string, 12> cells{line.cell,
+    const std::array<std::string, 14> cells{line.cell,
                                             std::string(to_string(m.variant.method)),
                                             stepper_name(m.variant),
                                             std::string(to_string(m.variant.contact)),
@@ -96,7 +106,9 @@ std::string work_precision_csv(const std::vector<WorkPrecisionLine>& lines) {
                                             fmt::format("{}", m.effort.steps),
                                             fmt::format("{}", m.effort.switches),
                                             fmt::format("{}", m.effort.rhs_calls),
-                                            status_of(line)};
+                                            status_of(line),
+                                            line.reference.long_double ? "long_double" : "exact",
+                                            csv_number(bench::uncertainty(line.reference))};
     text += batch::csv_row(cells) + "\n";
   }
   return text;

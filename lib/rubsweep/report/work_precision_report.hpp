@@ -16,6 +16,7 @@ struct WorkPrecisionLine {
   bench::Measurement measurement;
   std::optional<bench::LabelAgreement> labels;  ///< over the whole map; empty: not asked or too slow
   bool labels_too_slow = false;
+  bench::Reference reference{};  ///< what the state error was measured against
 };
 
 /// "75 Hz whirl 0.4" or "75 Hz e 3e-05 m".
@@ -24,7 +25,7 @@ std::string cell_name(const scene::Place& place);
 /// "adaptive dopri5 located 1e-08", or "exact located" of closed forms and Taylor pieces.
 std::string variant_name(const bench::Variant& variant);
 
-/// One sentence on the reference of a cell and how far the other routes to it are away.
+/// One sentence on the reference of a cell, what is known of its error, and how far other routes are away.
 std::string reference_sentence(const std::string& cell, const bench::Reference& reference);
 
 /// `#` lines that say what the columns mean, one per line with its end.

@@ -7,13 +7,13 @@
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/scene/scene.hpp"
 
-namespace rubsweep::test {
+namespace rubsweep::bench {
 
-/// Any scene but one with dry friction, torsion or impulse trains (std::invalid_argument), turn by turn in
-/// long double by a route of its own, slow and readable: Runge-Kutta-Fehlberg 7(8) from Boost.Odeint inside
+/// Any scene that it applies to, turn by turn in long double by a route of its own, slow and readable: what
+/// the errors of solvers in double are measured against. Runge-Kutta-Fehlberg 7(8) from Boost.Odeint inside
 /// each contact mode, the ends of modes and pulses met by a bracketing search over the length of the step.
 /// States are those of integrate::run::TurnReport::section. It takes matrices and contacts from the scene;
-/// `long_double_sections` has the one rotor that it knows from its parameters, and so checks the scene too.
+/// a test beside it has one rotor from its parameters alone, and so checks the scene too.
 class LongDoubleRun {
  public:
   using Real = long double;
@@ -21,12 +21,17 @@ class LongDoubleRun {
   using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
   using State = std::vector<Real>;
 
-  /// `tolerance`: what the stepper's estimate of one step's error is held below, in sections.
+  /// False beside dry friction, torsion and impulse trains.
+  static bool applies(const scene::Scene& scene);
+
+  /// Throws std::invalid_argument where it does not apply. `tolerance`: what the stepper's estimate of one
+  /// step's error is held below, in sections.
   LongDoubleRun(const scene::Scene& scene, Real tolerance);
 
   const State& section() const { return state_; }
   /// Puts the run at the start of turn `turn`.
   void restart(const State& section, int turn);
+  /// Throws SolverError after more steps than anybody would wait for.
   void advance_turn();
 
  private:
@@ -77,4 +82,4 @@ class LongDoubleRun {
 /// no change of mode lies within 4e-6 of another.
 LongDoubleRun::Matrix monodromy(LongDoubleRun& run, const LongDoubleRun::State& section, int turn);
 
-}  // namespace rubsweep::test
+}  // namespace rubsweep::bench

@@ -1,4 +1,4 @@
-#include "support/long_double_run.hpp"
+#include "rubsweep/bench/long_double_run.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -10,16 +10,18 @@
 #include <stdexcept>
 
 #include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/error.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
-namespace rubsweep::test {
+namespace rubsweep::bench {
 namespace {
 
 using Real = LongDoubleRun::Real;
 using Vector = LongDoubleRun::Vector;
 using State = LongDoubleRun::State;
 
+constexpr long most_steps = 1'000'000;
 constexpr Real turn_rad = 2 * std::numbers::pi_v<Real>;
 
 auto displacements(const State& state) {
@@ -46,9 +48,16 @@ Real length_factor(Real allowed_over_error) {
 
 }  // namespace
 
+bool LongDoubleRun::applies(const scene::Scene& scene) {
+  return !scene.twist && scene.impulses.empty() &&
+         std::ranges::none_of(scene.contacts, [](const scene::Contact& contact) {
+           return contact::dry_coefficient(contact.friction) != 0;
+         });
+}
+
 LongDoubleRun::LongDoubleRun(const scene::Scene& scene, Real tolerance)
     : length_m_(scene.length_scale_m), speed_(scene.speed_rad_per_s), tolerance_(tolerance) {
-  if (scene.twist || !scene.impulses.empty()) throw std::invalid_argument("torsion or impulse trains");
+  if (!applies(scene)) throw std::invalid_argument("dry friction, torsion or impulse trains");
   const structure::LinearSystem& system = scene.structure;
   const Real newtons = length_m_ * speed_ * speed_;
   inverse_mass_ = Matrix(system.mass.cast<Real>()).inverse();
@@ -63,7 +72,6 @@ LongDoubleRun::LongDoubleRun(const scene::Scene& scene, Real tolerance)
                        start + Real(pulse.duration_s) * speed_});
   }
   for (const scene::Contact& contact : scene.contacts) {
-    if (contact::dry_coefficient(contact.friction) != 0) throw std::invalid_argument("dry friction");
     contacts_.push_back({contact, scene::relative_map(system, contact).cast<Real>(),
                          contact::offset(contact.wall).cast<Real>() / length_m_,
                          Real(contact.clearance_m) / length_m_, Real(contact.stiffness_n_per_m) * length_m_,
@@ -218,8 +226,12 @@ void LongDoubleRun::advance_turn() {
       if (end > phase_ && end < turn_end) ends.push_back(end);
   }
   std::sort(ends.begin(), ends.end());
+  long steps = 0;
   for (const Real end : ends) {
-    while (phase_ < end) advance_piece(end);
+    while (phase_ < end) {
+      if (++steps > most_steps) throw SolverError("long double run: too many steps in one revolution");
+      advance_piece(end);
+    }
     phase_ = end;
   }
 }
@@ -243,4 +255,4 @@ LongDoubleRun::Matrix monodromy(LongDoubleRun& run, const LongDoubleRun::State& 
   return derivative;
 }
 
-}  // namespace rubsweep::test
+}  // namespace rubsweep::bench
