@@ -10,6 +10,7 @@
 
 #include "program.hpp"
 #include "rubsweep/config/nearest.hpp"
+#include "rubsweep/model/magnitude.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -133,14 +134,16 @@ StudyArguments study_arguments(const po::variables_map& given, std::string_view 
 std::optional<double> positive_number(const po::variables_map& given, const char* name) {
   if (!is_given(given, name)) return std::nullopt;
   const double value = given[name].as<double>();
-  if (!std::isfinite(value) || value <= 0) throw UsageError(fmt::format("--{}: allowed: a number > 0", name));
+  if (!model::contains(model::positive, value))
+    throw UsageError(fmt::format("--{}: allowed: {}", name, model::describe(model::positive, value)));
   return value;
 }
 
 std::optional<double> not_negative_number(const po::variables_map& given, const char* name) {
   if (!is_given(given, name)) return std::nullopt;
   const double value = given[name].as<double>();
-  if (!std::isfinite(value) || value < 0) throw UsageError(fmt::format("--{}: allowed: a number >= 0", name));
+  if (!model::contains(model::not_negative, value))
+    throw UsageError(fmt::format("--{}: allowed: {}", name, model::describe(model::not_negative, value)));
   return value;
 }
 

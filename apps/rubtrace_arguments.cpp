@@ -9,6 +9,7 @@
 #include "command_line.hpp"
 #include "program.hpp"
 #include "rubsweep/identify/experiment.hpp"
+#include "rubsweep/model/range.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -25,8 +26,7 @@ po::options_description visible_options() {
       "instead: response to the kick at standstill without stops, and the frequency and damping fitted to "
       "it")("run-up", po::value<std::string>()->value_name("FROM:TO:RATE"),
             "instead: speed ramp without stops in Hz:Hz:Hz/s with --eccentricity-m or --unbalance-g-mm; Bode "
-            "plot and "
-            "critical speed")(
+            "plot and speed of the largest 1X")(
       "with-stops",
       "of --run-up: through rub; envelope, orbits and spectrogram of orders, and where it rubs beside where "
       "it does "
@@ -66,7 +66,7 @@ std::optional<std::vector<double>> numbers_between_colons(const std::string& tex
     } catch (const std::logic_error&) {
       return std::nullopt;
     }
-    if (used != part.size() || !std::isfinite(numbers.back())) return std::nullopt;
+    if (used != part.size() || !model::contains(model::any_finite, numbers.back())) return std::nullopt;
     begin += part.size() + 1;
   }
   return numbers;

@@ -27,8 +27,52 @@ TEST(Stop, TakesEachFriction) {
   };
   EXPECT_TRUE(std::holds_alternative<model::NoFriction>(friction("none")));
   EXPECT_EQ(std::get<model::ConstantFriction>(friction("{coefficient: 0.2}")).coefficient, 0.2);
-  EXPECT_EQ(std::get<model::StribeckFriction>(friction("{stribeck: [1, 2, 3, 4, 5, -6]}")).gamma,
-            (std::array<double, 6>{1, 2, 3, 4, 5, -6}));
+  EXPECT_EQ(std::get<model::StribeckFriction>(friction("{stribeck: [1, 3, 2, 4, 5, 6]}")).gamma,
+            (std::array<double, 6>{1, 3, 2, 4, 5, 6}));
+}
+
+TEST(Stop, NoSpellingOfFrictionMayDrive) {
+  const auto message = [](const std::string& text) {
+    return message_of(test_file("minimal.yaml"), {"stops.0.friction=" + text});
+  };
+  EXPECT_NE(
+      message("{stribeck: [0, 0, 0, -0.1, 100, 0]}")
+          .find("stops.0.friction.stribeck: gives a coefficient of -0.1 at a slip of 0.4 m/s, which drives "
+                "the slip, allowed: a coefficient >= 0 at every slip"),
+      std::string::npos)
+      << message("{stribeck: [0, 0, 0, -0.1, 100, 0]}");
+  for (const char* driving :
+       {"{stribeck: [0.3, 10, 100, 0.1, 1, 0]}", "{stribeck: [0, 0, 0, 0.1, 100, -1e-6]}",
+        "{stribeck: [0, 0, 0, 0.1, -100, 0]}", "{coefficient: -0.1}", "{one_way: -0.1}"})
+    EXPECT_FALSE(message(driving).empty()) << driving;
+  EXPECT_NE(message("{stribeck: [0, 0, 0, 11, 100, 0]}").find("gives a coefficient of 11, allowed"),
+            std::string::npos);
+  EXPECT_FALSE(message("{coefficient: 11}").empty());
+}
+
+TEST(Stop, NoNumberIsBeyondWhatProductsBear) {
+  const auto message = [](const std::string& override) {
+    return message_of(test_file("minimal.yaml"), {override});
+  };
+  EXPECT_NE(message("stops.0.clearance_m=1e-300")
+                .find("stops.0.clearance_m: 1e-300 is out of range, allowed: 1e-30 to 1e+30 in magnitude"),
+            std::string::npos);
+  for (const char* key : {"stops.0.stiffness_n_per_m=1e200", "rotor.mass_kg=1e-200",
+                          "gravity_m_per_s2=1e-310", "stops.0.friction={stribeck: [0, 0, 0, 0.1, 1e290, 0]}",
+                          "stops.0.casing={mass_kg: 1e-40, stiffness_n_per_m: 2, damping_ratio: 3}"})
+    EXPECT_NE(message(key).find("in magnitude"), std::string::npos) << key;
+}
+
+TEST(Kick, IsShorterThanTheLongestRun) {
+  const std::string kick = "kick={force_n: 200, duration_s: 0.5}";
+  EXPECT_EQ(message_of(test_file("minimal.yaml"), {kick, "response.max_revolutions=130"}), "");
+  const std::string slow = message_of(test_file("minimal.yaml"), {kick, "sweep.speed_hz=300"});
+  EXPECT_EQ(slow, "");
+  EXPECT_NE(message_of(test_file("minimal.yaml"),
+                       {"kick={force_n: 200, duration_s: 3}", "response.max_revolutions=130"})
+                .find("kick.duration_s: 3 s are no shorter than a run, 2.167 s, allowed: less than "
+                      "response.max_revolutions / speed"),
+            std::string::npos);
 }
 
 TEST(Stop, TakesEachCasing) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rubsweep/model/magnitude.hpp"
+
 namespace rubsweep::model {
 namespace {
 
@@ -26,14 +28,25 @@ TEST(Contains, ClosedEndsBelongToTheIntervalOpenEndsDoNot) {
 }
 
 TEST(Contains, EveryEndIsOptional) {
-  EXPECT_TRUE(contains(any_finite, -1e308));
-  EXPECT_TRUE(contains(any_finite, 1e308));
-  EXPECT_TRUE(contains(Range{.high = 2}, -1e308));
+  EXPECT_TRUE(contains(any_finite, -1e30));
+  EXPECT_TRUE(contains(any_finite, 1e30));
+  EXPECT_TRUE(contains(Range{.high = 2}, -1e30));
   EXPECT_FALSE(contains(Range{.high = 2}, 2.1));
 }
 
+TEST(Contains, NoMagnitudeOfWhichProductsAreNoNumbers) {
+  EXPECT_TRUE(contains(positive, 1e-30));
+  for (const double value : {1e-300, 9e-31, 1.1e30, 1e308, smallest}) {
+    EXPECT_FALSE(contains(positive, value)) << value;
+    EXPECT_FALSE(contains(any_finite, -value)) << value;
+    EXPECT_EQ(describe(positive, value), "1e-30 to 1e+30 in magnitude");
+    EXPECT_EQ(describe(not_negative, value), "0, or 1e-30 to 1e+30 in magnitude");
+    EXPECT_EQ(describe(positive, -value), "a number > 0");
+  }
+}
+
 TEST(Contains, PositiveLeavesOutBothZeros) {
-  EXPECT_TRUE(contains(positive, smallest));
+  EXPECT_TRUE(contains(positive, smallest_magnitude));
   EXPECT_FALSE(contains(positive, 0.0));
   EXPECT_FALSE(contains(positive, -0.0));
   EXPECT_TRUE(contains(not_negative, 0.0));

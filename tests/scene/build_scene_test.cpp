@@ -254,8 +254,8 @@ TEST(BuildCell, UnreachableAtAnUndampedResonance) {
 
 TEST(BuildCell, WhatOverflowsIsNoNumberThatSaysTheUnbalanceTheOtherWay) {
   model::Machine machine = one_side_machine();
-  machine.stops[0].clearance_m = 5e-324;
-  EXPECT_TRUE(std::isnan(build_cell(machine, 75, Eccentricity{1e-5}).whirl_ratio));
+  machine.stops[0].clearance_m = 1e-30;
+  EXPECT_TRUE(std::isnan(build_cell(machine, 75, Eccentricity{1e290}).whirl_ratio));
   EXPECT_TRUE(std::isnan(build_cell(one_side_machine(), 1e-200, WhirlRatio{0.4}).eccentricity_m));
 }
 
@@ -288,6 +288,22 @@ TEST(BuildCell, KickPointsAtTheFirstStopUnlessItHasAnAngle) {
   EXPECT_EQ(pulse.duration_s, 0.005);
   machine.kick.reset();
   EXPECT_TRUE(build_cell(machine, 75, WhirlRatio{0.1}).scene.pulses.empty());
+}
+
+TEST(BuildCell, InARingKickAndPhaseGoAlongOffsetPlusSag) {
+  model::Machine machine = one_side_machine();
+  machine.stops[0].geometry = model::AnnularGeometry{{3e-4, 1e-4}};
+  machine.stops[0].casing.reset();
+  machine.gravity_m_per_s2 = 9.81;
+  const Cell cell = build_cell(machine, 75, WhirlRatio{0.2});
+  const auto relative = relative_map(cell.scene.structure, cell.scene.contacts[0]);
+  const double w = 2 * std::numbers::pi * 30, sag_m = 9.81 / (w * w);
+  const Eigen::Vector2d along = Eigen::Vector2d(3e-4, 1e-4 - sag_m).normalized();
+  EXPECT_LE((cell.scene.pulses.at(0).direction.head(2) - along).norm(), 1e-12);
+  // The quiet whirl is farthest along this direction at t = 0.
+  const auto excursion = [&](double phase) { return along.dot(relative * cell.quiet.displacement(phase)); };
+  for (double phase = 0.05; phase < 6.25; phase += 0.05) EXPECT_LT(excursion(phase), excursion(0));
+  EXPECT_NEAR(along.dot(relative * cell.quiet.velocity(0)), 0, 1e-16);
 }
 
 TEST(BuildCell, EveryStopHasItsContactAndTheMovingOnesTheirCasing) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -18,6 +19,42 @@ namespace {
 Row evaluate(const Study& study, std::size_t cell = 0) {
   response::motion::Workspace workspace;
   return evaluate_cell(study, cell, workspace);
+}
+
+TEST(RowOf, NothingThatIsNotFiniteIsOk) {
+  const Study study = one_side_study({75}, {0.4});
+  const scene::Cell cell = scene::build_cell(study.machine, 75, scene::WhirlRatio{0.4});
+  response::SettledRun run;
+  run.revolutions = 130;
+  run.motion.motion_class = response::motion::MotionClass::synchronous;
+  run.motion.order = 1;
+  run.motion.measures.contact.peak_displacement_m = 1e-3;
+  EXPECT_EQ(row_of(cell, 75, study.machine, &run).status, "ok");
+  for (const double none : {std::numeric_limits<double>::infinity(), std::nan("")}) {
+    run.motion.measures.contact.peak_contact_force_n = none;
+    const Row row = row_of(cell, 75, study.machine, &run);
+    EXPECT_EQ(row.status, "non_finite");
+    EXPECT_EQ(row.motion_class, response::motion::MotionClass::failed);
+    EXPECT_FALSE(row.measures);
+    EXPECT_FALSE(row.order);
+  }
+  // A finite peak over a clearance that is next to nothing.
+  run.motion.measures.contact.peak_contact_force_n = 1;
+  scene::Cell narrow = cell;
+  narrow.scene.length_scale_m = 1e-320;
+  EXPECT_EQ(row_of(narrow, 75, study.machine, &run).status, "non_finite");
+}
+
+TEST(RowOf, SaysThatTheRunEndedBeforeItsKick) {
+  const Study study = one_side_study({75}, {0.4});
+  scene::Cell cell = scene::build_cell(study.machine, 75, scene::WhirlRatio{0.4});
+  ASSERT_EQ(cell.scene.pulses.size(), 1u);
+  response::SettledRun run;
+  run.revolutions = 130;
+  cell.scene.pulses[0].duration_s = 129.0 / 75;
+  EXPECT_EQ(row_of(cell, 75, study.machine, &run).status, "ok");
+  cell.scene.pulses[0].duration_s = 131.0 / 75;
+  EXPECT_EQ(row_of(cell, 75, study.machine, &run).status, "kick_unfinished");
 }
 
 /// The one-side rotor by the other route: equations written by hand, classical Runge-Kutta in small equal

@@ -1,8 +1,11 @@
 #include "rubsweep/config/friction.hpp"
 
+#include <fmt/format.h>
+
 #include <variant>
 
 #include "rubsweep/config/section.hpp"
+#include "rubsweep/contact/friction_bounds.hpp"
 #include "rubsweep/contact/stribeck_curve.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/overloaded.hpp"
@@ -42,6 +45,20 @@ model::StribeckFriction read_curve(Section& section) {
   return {};
 }
 
+/// A curve that drives the slip somewhere is none, whichever way it is said.
+void refuse_driving(const Section& section, std::string_view key, const model::Friction& friction) {
+  const contact::FrictionBounds bounds = contact::friction_bounds(friction);
+  if (contact::brakes(bounds)) return;
+  section.refuse_together(
+      key, {key},
+      bounds.smallest < 0
+          ? fmt::format("gives a coefficient of {:.4g} at a slip of {:.4g} m/s, which drives the slip",
+                        bounds.smallest, bounds.smallest_at_m_per_s)
+          : fmt::format("gives a coefficient of {:.4g}", bounds.largest),
+      fmt::format("a coefficient >= 0 at every slip and, without its viscous part, <= {}",
+                  model::ConstantFriction::coefficient_range.high));
+}
+
 }  // namespace
 
 model::Friction read_friction(const Value& value) {
@@ -53,9 +70,13 @@ model::Friction read_friction(const Value& value) {
   model::Friction friction;
   section.require_exactly_one({"stribeck", "static", "coefficient", "one_way"});
   if (const auto stribeck = section.find("stribeck")) {
-    read_numbers(*stribeck, friction.emplace<model::StribeckFriction>().gamma);
+    if (read_numbers(*stribeck, friction.emplace<model::StribeckFriction>().gamma))
+      refuse_driving(section, "stribeck", friction);
   }
-  if (section.find("static")) friction = read_curve(section);
+  if (section.find("static")) {
+    friction = read_curve(section);
+    if (section.is_sound()) refuse_driving(section, "static", friction);
+  }
   if (const auto coefficient = section.find("coefficient")) {
     const auto number = read_number(*coefficient, model::ConstantFriction::coefficient_range);
     friction = model::ConstantFriction{number.value_or(0)};

@@ -1,5 +1,7 @@
 #include "rubsweep/config/kick.hpp"
 
+#include <fmt/format.h>
+
 #include "rubsweep/config/section.hpp"
 
 namespace rubsweep::config {
@@ -13,6 +15,14 @@ model::Kick read_kick(const Value& value, const std::optional<model::Range>& pla
   if (places) section.field("position_m", kick.position_m, *places);
   section.refuse_unknown_keys();
   return kick;
+}
+
+void refuse_endless_kick(const Value& value, const model::Kick& kick, double longest_run_s) {
+  if (kick.force_n == 0 || kick.duration_s < longest_run_s) return;
+  Section(value).refuse_together(
+      "duration_s", {"duration_s"},
+      fmt::format("{} s are no shorter than a run, {:.4g} s", kick.duration_s, longest_run_s),
+      "less than response.max_revolutions / speed");
 }
 
 void print_kick(Printer& printer, const model::Kick& kick) {

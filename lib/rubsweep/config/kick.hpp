@@ -11,6 +11,9 @@ namespace rubsweep::config {
 /// `kick`: {force_n, duration_s, angle_deg, phase_deg}, the angles optional; and position_m where there are
 /// `places` along the shaft of a rotor kit, optional too.
 model::Kick read_kick(const Value& value, const std::optional<model::Range>& places);
+/// A kick that no run outlasts leaves nothing to look at: `longest_run_s` is that of the slowest shaft.
+void refuse_endless_kick(const Value& value, const model::Kick& kick, double longest_run_s);
+
 void print_kick(Printer& printer, const model::Kick& kick);
 
 }  // namespace rubsweep::config

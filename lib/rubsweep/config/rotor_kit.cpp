@@ -1,9 +1,12 @@
 #include "rubsweep/config/rotor_kit.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string_view>
 #include <type_traits>
 
+#include "rubsweep/model/disc_inertia.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::config {
@@ -38,6 +41,15 @@ std::vector<Part> read_parts(const Value& list, const model::Range& range, More 
 }
 
 constexpr auto nothing_more = [](Section&, auto&) {};
+
+void read_inertia(Section& section, const model::Disc& disc) {
+  const double most = model::largest_polar_inertia_kg_m2(disc);
+  if (!section.is_sound() || disc.polar_inertia_kg_m2 <= most) return;
+  section.refuse_together(
+      "polar_inertia_kg_m2", {"polar_inertia_kg_m2", "diametral_inertia_kg_m2"},
+      "is more than twice the diametral one, which no body has",
+      fmt::format("at most {} = 2 diametral_inertia_kg_m2", 2 * disc.diametral_inertia_kg_m2));
+}
 
 void read_hole(Section& section, const model::ShaftSegment& segment) {
   if (!(segment.inner_diameter_m >= segment.outer_diameter_m)) return;
@@ -180,7 +192,7 @@ model::RotorKit read_rotor_kit(Section& section) {
   };
   section.require("shaft", "a list of maps");
   list("shaft", kit.shaft, read_hole);
-  list("discs", kit.discs, nothing_more);
+  list("discs", kit.discs, read_inertia);
   const auto supports = section.require("supports", "a list of maps");
   list("supports", kit.supports, read_inner_parts);
   list("couplings", kit.couplings, nothing_more);

@@ -1,5 +1,7 @@
 #include "rubsweep/config/stop.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <variant>
@@ -9,6 +11,7 @@
 #include "rubsweep/config/hertz.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/contact/hertz_line.hpp"
+#include "rubsweep/model/magnitude.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::config {
@@ -89,6 +92,11 @@ void read_contact(Section& section, model::Stop& stop) {
   if (hertz) {
     stop.hertz = read_hertz(*hertz);
     stop.stiffness_n_per_m = stop.hertz ? contact::hertz_stiffness_n_per_m(*stop.hertz) : 1;
+    if (!model::contains(model::positive, stop.stiffness_n_per_m)) {
+      section.refuse_together(hertz_key, {hertz_key},
+                              fmt::format("gives a stiffness of {:.4g} N/m", stop.stiffness_n_per_m),
+                              model::describe(model::positive, stop.stiffness_n_per_m));
+    }
   }
   model::Stop::visit_fields(stop, [&](std::string_view name, double& field, const model::Range& range) {
     if (name != stiffness_key || !hertz) {

@@ -1,5 +1,6 @@
 #include "rubsweep/config/study.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <variant>
 
@@ -49,6 +50,10 @@ sweep::Study read_study(Section& root) {
   if (const auto value = root.find("study")) read_study_kind(*value, study);
   if (const auto value = root.find("solver")) study.solver = read_solver(*value, study.machine.stops.size());
   if (const auto value = root.find("response")) read_response(*value, study);
+  if (const auto value = root.find("kick"); value && root.is_sound()) {
+    refuse_endless_kick(*value, *study.machine.kick,
+                        study.response.max_revolutions / std::ranges::min(study.grid.speed_hz));
+  }
   return study;
 }
 

@@ -9,6 +9,7 @@
 #include "rubsweep/config/nearest.hpp"
 #include "rubsweep/config/number.hpp"
 #include "rubsweep/config/text.hpp"
+#include "rubsweep/model/magnitude.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -95,10 +96,9 @@ std::string describe_unknown(std::string_view text, std::span<const std::string_
 }
 
 std::optional<double> read_number(const Value& value, const model::Range& range) {
-  const std::string allowed = model::describe(range);
-  const auto number = read_finite(value, "a number", allowed);
+  const auto number = read_finite(value, "a number", model::describe(range));
   if (number && !model::contains(range, *number)) {
-    refuse(value, fmt::format("{} is out of range", shown(value.node.text)), allowed);
+    refuse(value, fmt::format("{} is out of range", shown(value.node.text)), model::describe(range, *number));
     return std::nullopt;
   }
   return number;

@@ -30,8 +30,9 @@ Node document_of(const sweep::Study& study) {
   sweep::Study plain = study;
   plain.threshold.reset();
   plain.basin.reset();
-  // The largest speed is the one that may be too large for another rotor.
-  plain.grid = {.speed_hz = {*std::ranges::max_element(study.grid.speed_hz)},
+  // The largest speed may be too large for another rotor, the smallest one makes the longest run for a kick.
+  const auto [slowest, fastest] = std::ranges::minmax(study.grid.speed_hz);
+  plain.grid = {.speed_hz = slowest < fastest ? std::vector{slowest, fastest} : std::vector{fastest},
                 .measure = study.grid.measure,
                 .unbalance = {study.grid.unbalance.front()}};
   Diagnostics diagnostics("the printed study", {});

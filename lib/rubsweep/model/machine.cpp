@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/model/magnitude.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::model {
@@ -16,7 +17,7 @@ namespace {
 void require(const std::string& path, double value, const Range& range) {
   if (contains(range, value)) return;
   if (std::isnan(value)) throw ConfigError(fmt::format("{}: missing, allowed: {}", path, describe(range)));
-  throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range)));
+  throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range, value)));
 }
 
 auto requiring(std::string prefix) {

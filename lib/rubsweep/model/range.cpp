@@ -4,12 +4,32 @@
 
 #include <cmath>
 
+#include "rubsweep/model/magnitude.hpp"
+
 namespace rubsweep::model {
 
-bool contains(const Range& range, double value) {
-  if (!std::isfinite(value)) return false;
+namespace {
+
+bool inside(const Range& range, double value) {
   if (value < range.low || (range.low_open && value == range.low)) return false;
   return !(value > range.high || (range.high_open && value == range.high));
+}
+
+bool of_any_machine(double value) {
+  const double magnitude = std::abs(value);
+  return magnitude == 0 || (magnitude >= smallest_magnitude && magnitude <= largest_magnitude);
+}
+
+}  // namespace
+
+bool contains(const Range& range, double value) {
+  return std::isfinite(value) && of_any_machine(value) && inside(range, value);
+}
+
+std::string describe(const Range& range, double value) {
+  if (!std::isfinite(value) || !inside(range, value)) return describe(range);
+  return fmt::format("{}{} to {} in magnitude", inside(range, 0) ? "0, or " : "", smallest_magnitude,
+                     largest_magnitude);
 }
 
 std::string describe(const Range& range) {

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/model/disc_inertia.hpp"
+#include "rubsweep/model/magnitude.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::model {
@@ -14,7 +16,7 @@ namespace {
 void require(const std::string& path, double value, const Range& range) {
   if (contains(range, value)) return;
   if (std::isnan(value)) throw ConfigError(fmt::format("{}: missing, allowed: {}", path, describe(range)));
-  throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range)));
+  throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range, value)));
 }
 
 template <class Part>
@@ -108,6 +110,10 @@ void validate(const RotorKit& kit, const std::string& path) {
   }
   const double length = shaft_length_m(kit);
   require_parts(kit.discs, path, "discs", length);
+  for (std::size_t i = 0; i < kit.discs.size(); ++i) {
+    require(fmt::format("{}discs.{}.polar_inertia_kg_m2", path, i), kit.discs[i].polar_inertia_kg_m2,
+            Range{.low = 0, .high = largest_polar_inertia_kg_m2(kit.discs[i])});
+  }
   require_parts(kit.supports, path, "supports", length);
   require_parts(kit.sensors, path, "sensors", length);
   require_parts(kit.couplings, path, "couplings", length);

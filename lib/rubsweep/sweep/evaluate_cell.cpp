@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -37,6 +38,33 @@ void doubt(Row& row, const model::Machine& machine, double clearance_m) {
   if (!row.measures) return;
   row.peak_over_clearance = row.measures->contact.peak_displacement_m / clearance_m;
   if (beyond_hertz(machine, row.measures->contact.peak_contact_force_n)) add_status(row, "beyond_hertz");
+}
+
+/// No motion is called by numbers that are none.
+void refuse_what_is_not_finite(Row& row) {
+  if (!row.measures) return;
+  const response::motion::Measures& of = *row.measures;
+  for (const double number :
+       {row.peak_over_clearance.value_or(0), of.contact.peak_displacement_m, of.contact.peak_contact_force_n,
+        of.contact.peak_casing_displacement_m, of.amplitude_1x_forward_m, of.amplitude_1x_backward_m}) {
+    if (std::isfinite(number)) continue;
+    const std::string_view word = integrate::run::to_string(integrate::run::Outcome::non_finite);
+    row.motion_class = response::motion::MotionClass::failed;
+    row.order.reset();
+    row.proof.reset();
+    row.measures.reset();
+    row.peak_over_clearance.reset();
+    return add_status(row, word);
+  }
+}
+
+/// A run that ended sooner than its kick shows the kick, not what it leads to.
+void doubt_unfinished_kick(Row& row, const scene::Scene& scene) {
+  const double run_s = static_cast<double>(row.revolutions) * scene.period_s();
+  const bool over = std::ranges::all_of(scene.pulses, [&](const scene::Pulse& pulse) {
+    return pulse.force_n == 0 || pulse.duration_s - pulse.elapsed_s <= run_s;
+  });
+  if (!over && row.measures) add_status(row, "kick_unfinished");
 }
 
 void fill(Row& row, const response::SettledRun& run) {
@@ -172,6 +200,8 @@ Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machi
   if (run == nullptr) return row;
   fill(row, *run);
   doubt(row, machine, cell.scene.length_scale_m);
+  doubt_unfinished_kick(row, cell.scene);
+  refuse_what_is_not_finite(row);
   return row;
 }
 
