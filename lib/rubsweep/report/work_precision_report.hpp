@@ -14,7 +14,7 @@ namespace rubsweep::report {
 struct WorkPrecisionLine {
   std::string cell;
   bench::Measurement measurement;
-  std::optional<bench::LabelAgreement> labels;  ///< over the whole map; empty: not asked or too slow
+  std::optional<bench::LabelAgreement> labels{};  ///< over the whole map; empty: not asked or too slow
   bool labels_too_slow = false;
   bench::Reference reference{};  ///< what the state error was measured against
 };
