@@ -102,7 +102,7 @@ expect_figure curve_figure.sh plane plane 'fold'
 expect_usage_error '--map takes the configuration of the map' "$minimal" --map results
 expect_usage_error '--along belongs to a cell, not to --map' --map results --along whirl_ratio
 expect_usage_error '--points belongs to a cell, not to --map' --map results --points 10
-expect_usage_error '--cell: 4500 Hz is far over rotor.natural_frequency_hz' "$minimal" --cell 4500,0.4
+expect_usage_error '--cell: 4500 Hz is over 100 times the lowest natural frequency' "$minimal" --cell 4500,0.4
 expect_usage_error 'gravity_m_per_s2 is 0 here, which says no range' "$minimal" --cell 70,0.4 --along gravity_m_per_s2
 expect_exit 2 "$minimal" --cell 70,0.4 --along response.max_revolutions
 expect_contains stderr '--along response.max_revolutions: is no part of the machine'

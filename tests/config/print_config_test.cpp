@@ -1,7 +1,6 @@
 #include "rubsweep/config/print_config.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <random>
 
@@ -58,11 +57,10 @@ RunConfig awkward_config(std::mt19937_64& random) {
     config.study.machine.kick =
         model::Kick{awkward(random), std::min(awkward(random), 1e-3 / frequency_hz), maybe()};
   config.study.machine.gravity_m_per_s2 = std::min(awkward(random), 100.);
-  config.study.grid.speed_hz = {std::min(awkward(random), 80 * frequency_hz),
-                                std::numeric_limits<double>::denorm_min(),
+  config.study.grid.speed_hz = {std::min(awkward(random), 80 * frequency_hz), 1.1e-30,
                                 std::min(awkward(random), 90 * frequency_hz)};
   config.study.grid.measure = sweep::UnbalanceMeasure(random() % 2);
-  config.study.grid.unbalance = {std::numeric_limits<double>::max(), 0, awkward(random)};
+  config.study.grid.unbalance = {0.9e30, 0, awkward(random)};
   config.study.solver.method = integrate::run::Method(random() % 3);
   config.study.solver.stepper = integrate::run::Stepper(random() % 6);
   // The exact solver knows no smoothed law.
