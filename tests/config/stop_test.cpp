@@ -37,8 +37,9 @@ TEST(Stop, NoSpellingOfFrictionMayDrive) {
   };
   EXPECT_NE(
       message("{stribeck: [0, 0, 0, -0.1, 100, 0]}")
-          .find("stops.0.friction.stribeck: gives a coefficient of -0.1 at a slip of 0.4 m/s, which drives "
-                "the slip, allowed: a coefficient >= 0 at every slip"),
+          .find(
+              "stops.0.friction.stribeck: gives a coefficient of -0.1 at a slip of 0.1954 m/s, which drives "
+              "the slip, allowed: a coefficient >= 0 at every slip"),
       std::string::npos)
       << message("{stribeck: [0, 0, 0, -0.1, 100, 0]}");
   for (const char* driving :

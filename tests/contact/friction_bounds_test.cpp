@@ -41,14 +41,14 @@ TEST(FrictionBounds, AreThoseOfADenseScan) {
   std::mt19937 random(3);
   std::normal_distribution<double> height(0, 0.3), decade(0, 1.5);
   int driving = 0;
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < 100; ++trial) {
     const auto steepness = [&] { return std::pow(10, 1 + decade(random)); };
     const StribeckFriction friction{
         {height(random), steepness(), steepness(), std::abs(height(random)), steepness(), 0}};
     const FrictionBounds bounds = friction_bounds(friction);
     double smallest = 1, largest = -1;
     for (int k = 0; k <= 30000; ++k) {
-      const double mu = friction_coefficient(friction, std::pow(10, -8 + 12.0 * k / 30000));
+      const double mu = friction_coefficient(friction, std::pow(10, -9 + 16.0 * k / 30000));
       smallest = std::min(smallest, mu);
       largest = std::max(largest, mu);
     }
@@ -61,7 +61,7 @@ TEST(FrictionBounds, AreThoseOfADenseScan) {
       EXPECT_NEAR(friction_coefficient(friction, bounds.smallest_at_m_per_s), bounds.smallest, 1e-12);
     }
   }
-  EXPECT_GT(driving, 30);
+  EXPECT_GT(driving, 10);
 }
 
 TEST(RefuseDriving, SaysWhichFrictionAndWhatIsAllowed) {
