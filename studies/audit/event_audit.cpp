@@ -82,7 +82,8 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
   long adaptive_turns = 0, taylor_turns = 0;
   for (int k = 0, quiet = 0; k < turns && quiet < free_turns; ++k) {
     before = turn.section;
-    if (exact.advance(asked, turn) != Outcome::ok) {
+    audit.outcome = exact.advance(asked, turn);
+    if (audit.outcome != Outcome::ok) {
       audit.exact_failed = true;
       return audit;
     }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "audit/random_machine.hpp"
+#include "rubsweep/integrate/run/outcome.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 
 namespace rubsweep::audit {
@@ -26,8 +27,11 @@ struct EventAudit {
   /// Farther apart than the tolerance with the same changes of mode, in a turn that the exact solver handed
   /// to dopri5: what that tolerance makes of a strongly diverging motion.
   long parted = 0;
-  bool exact_failed = false, other_failed = false;  ///< a solver did not finish a turn
-  std::optional<EventDifference> difference;        ///< the exact solver is wrong
+  /// Made again by time stepping: with a contact that dry friction holds, and with two slips at zero at once.
+  long stuck = 0, stuck_together = 0;
+  integrate::run::Outcome outcome = integrate::run::Outcome::ok;  ///< of the last turn by the exact solver
+  bool exact_failed = false, other_failed = false;                ///< a solver did not finish a turn
+  std::optional<EventDifference> difference;                      ///< the exact solver is wrong
   /// The two differ, and the reference says that rkf78 is the one that is wrong.
   long other_wrong = 0;
 };

@@ -75,10 +75,80 @@ void make_thin(Draw& draw, model::Stop& stop) {
   }
 }
 
+/// Next to `value`, equal to it, or a little more by a share of 1e-12 to 1e-2.
+double nearly(Draw& draw, double value) {
+  return draw.chance(0.4) ? value : value * (1 + draw.log(1e-12, 1e-2));
+}
+
+model::Stop dry_stop(Draw& draw, const model::JeffcottRotor& rotor) {
+  model::Stop dry = stop(draw, rotor);
+  const double rate = 2 * std::numbers::pi * rotor.natural_frequency_hz;
+  dry.stiffness_n_per_m = rotor.mass_kg * rate * rate * draw.log(10, 3e3);
+  dry.damping = model::NominalRestitution{draw.even(0.3, 0.95)};
+  dry.contact_radius_m = draw.chance(0.2) ? 0 : draw.log(1e-5, 0.02);
+  dry.friction = model::ConstantFriction{draw.log(0.05, 2)};
+  // Of rigid ones the tangents depend on each other.
+  if (draw.chance(0.7)) dry.casing.reset();
+  return dry;
+}
+
+/// The next stop beside `pattern`: alike or nearly so in what decides when both touch and what both slip.
+model::Stop dry_neighbour(Draw& draw, const model::JeffcottRotor& rotor, const model::Stop& pattern) {
+  model::Stop next = draw.chance(0.5) ? pattern : dry_stop(draw, rotor);
+  next.clearance_m = nearly(draw, pattern.clearance_m);
+  next.contact_radius_m = nearly(draw, pattern.contact_radius_m);
+  if (draw.chance(0.5)) next.casing.reset();
+  return next;
+}
+
+void put_dry_stops(Draw& draw, StopKind kind, const model::JeffcottRotor& rotor,
+                   std::vector<model::Stop>& stops) {
+  const double angle = draw.chance(0.5) ? -90 : draw.even(0, 360);
+  model::Stop first = dry_stop(draw, rotor);
+  const double away = draw.chance(0.5) ? 0 : draw.log(1e-10, 0.1) * first.clearance_m;
+  const double way = draw.even(0, 2 * std::numbers::pi);
+  if (kind == StopKind::parallel_flats) {
+    first.geometry = model::OneSideGeometry{angle};
+  } else {
+    first.geometry = model::AnnularGeometry{{away * std::cos(way), away * std::sin(way)}};
+  }
+  stops.push_back(first);
+  const int more = kind == StopKind::rings ? 1 : draw.whole(1, 2);
+  const double apart_deg = draw.chance(0.15) ? 0 : draw.log(1e-6, 10);
+  for (int i = 0; i < more; ++i) {
+    model::Stop next = dry_neighbour(draw, rotor, first);
+    if (kind == StopKind::rings) {
+      next.geometry = model::AnnularGeometry{{0, 0}};
+    } else {
+      next.geometry = model::OneSideGeometry{std::fmod(angle + (i + 1) * apart_deg + 360, 360)};
+    }
+    stops.push_back(next);
+  }
+}
+
+/// Slow surfaces, and a weight or a kick that brings the rotor to its stops.
+RandomCell dry_cell(StopKind kind, Draw& draw) {
+  RandomCell cell;
+  const model::JeffcottRotor rotor{draw.log(0.1, 7), draw.even(10, 45), draw.log(0.002, 0.1)};
+  cell.machine.rotor = rotor;
+  put_dry_stops(draw, kind, rotor, cell.machine.stops);
+  const double clearance_m = cell.machine.stops.front().clearance_m;
+  const double rate = 2 * std::numbers::pi * rotor.natural_frequency_hz;
+  cell.speed_hz = rotor.natural_frequency_hz * draw.log(0.1, 3);
+  cell.eccentricity_m = clearance_m * draw.log(0.003, 0.5);
+  if (draw.chance(0.6)) cell.machine.gravity_m_per_s2 = draw.log(0.3, 5) * clearance_m * rate * rate;
+  const double duration_s = draw.log(0.03, 0.4) / rotor.natural_frequency_hz;
+  const double speed_m_per_s = draw.log(0.5, 6) * clearance_m * rate;
+  cell.machine.kick = model::Kick{rotor.mass_kg * speed_m_per_s * std::numbers::pi / (2 * duration_s),
+                                  duration_s, draw.even(0, 360)};
+  return cell;
+}
+
 }  // namespace
 
 RandomCell random_cell(StopKind kind, std::mt19937_64& random) {
   Draw draw(random);
+  if (several_dry(kind)) return dry_cell(kind, draw);
   RandomCell cell;
   model::Machine& machine = cell.machine;
   machine.rotor = model::JeffcottRotor{draw.log(0.1, 7), draw.even(10, 45), draw.log(0.002, 0.1)};

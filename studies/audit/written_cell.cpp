@@ -40,6 +40,8 @@ void write_cell(const RandomCell& cell, const std::string& file) {
   sweep::Study study;
   study.machine = cell.machine;
   study.grid = {{cell.speed_hz}, sweep::UnbalanceMeasure::whirl_ratio, {cell.whirl_ratio}};
+  if (cell.eccentricity_m)
+    study.grid = {{cell.speed_hz}, sweep::UnbalanceMeasure::eccentricity_m, {*cell.eccentricity_m}};
   std::ofstream stream(file);
   stream << config::print_study(study) << "output: {directory: map}\n";
   if (!stream.flush()) throw IoError("cannot write " + file);

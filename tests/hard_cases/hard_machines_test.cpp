@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <array>
 #include <random>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "audit/dry_audit.hpp"
 #include "audit/event_audit.hpp"
 #include "audit/proof_audit.hpp"
 #include "rubsweep/config/read_run_config.hpp"
@@ -147,6 +149,21 @@ TEST(HardMachines, AnAuditOfEventsInShort) {
     const auto found = audit::audit_events(audit::random_cell(kind, random), 30);
     EXPECT_FALSE(found.difference) << i;
   }
+}
+
+/// Several dry contacts at once, against time stepping that shares no code with the solvers.
+TEST(HardMachines, AnAuditOfDryContactsInShort) {
+  long stuck = 0;
+  for (std::size_t i = 0; i < 48; ++i) {
+    std::mt19937_64 random(7'000'000 + i);
+    const auto kind = std::array{audit::StopKind::parallel_flats, audit::StopKind::ring_and_flats,
+                                 audit::StopKind::rings}[i % 3];
+    const auto found = audit::audit_dry_contacts(audit::random_cell(kind, random), 12);
+    EXPECT_FALSE(found.difference) << i;
+    EXPECT_FALSE(found.exact_failed) << i;
+    stuck += found.stuck;
+  }
+  EXPECT_GT(stuck, 8);
 }
 
 TEST(HardMachines, AnAuditOfProofsInShort) {

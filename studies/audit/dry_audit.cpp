@@ -1,0 +1,113 @@
+#include "audit/dry_audit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "audit/section_distance.hpp"
+#include "audit/time_stepping_turn.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::audit {
+namespace {
+
+using integrate::run::Outcome;
+using integrate::run::TurnReport;
+using integrate::run::TurnRequest;
+
+constexpr double clearly = 4;      ///< times what time stepping itself is uncertain by
+constexpr double rounding = 1e-6;  ///< of the section: what no time stepping resolves
+constexpr double undecided = 0.1;  ///< clearances: steps that do not converge to that decide nothing
+constexpr int finer = 8;           ///< times the steps, before anything is called wrong
+
+/// So many steps that the stiffest contact turns by little in one.
+long steps_of_turn(const scene::Scene& scene) {
+  constexpr double little_rad = 0.1;
+  const double mass = scene.structure.mass.diagonal().minCoeff();
+  double stiffest = 0;
+  for (const scene::Contact& contact : scene.contacts)
+    stiffest = std::max(stiffest, contact.stiffness_n_per_m / mass);
+  const double turn_rad = std::sqrt(stiffest) * scene.period_s();
+  return std::clamp(std::lround(turn_rad / little_rad), 4000L, 60000L);
+}
+
+double size_of(const std::vector<double>& section) {
+  double largest = 1;
+  for (const double value : section) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// How far a section is from the finest of three time steppings, and how far those are apart.
+struct Comparison {
+  double error = 0, spread = 0;
+  bool stuck = false, together = false;
+
+  Comparison(const scene::Scene& scene, const std::vector<double>& before, const std::vector<double>& after,
+             long steps) {
+    const SteppedTurn coarse = time_stepping_turn(scene, before, steps),
+                      middle = time_stepping_turn(scene, before, 2 * steps),
+                      fine = time_stepping_turn(scene, before, 4 * steps);
+    error = section_distance(after, fine.section);
+    spread = std::max(section_distance(coarse.section, fine.section),
+                      section_distance(middle.section, fine.section));
+    stuck = fine.stuck > 0;
+    together = fine.together > 0;
+  }
+
+  bool agrees(const std::vector<double>& after) const {
+    return error <= clearly * spread + rounding * size_of(after);
+  }
+};
+
+}  // namespace
+
+EventAudit audit_dry_contacts(const RandomCell& random, int turns, int most_checked) {
+  EventAudit audit;
+  scene::Unbalance unbalance = scene::WhirlRatio{random.whirl_ratio};
+  if (random.eccentricity_m) unbalance = scene::Eccentricity{*random.eccentricity_m};
+  const scene::Cell cell = scene::build_cell(random.machine, random.speed_hz, unbalance);
+  if (!scene::can_run(cell.start)) return audit;
+  scene::Scene free = cell.scene;
+  free.pulses.clear();
+  integrate::run::SolverOptions options;
+  options.method = integrate::run::Method::exact;
+  integrate::exact::ModeCache modes;
+  const integrate::run::Run run = integrate::start(cell.scene, options, modes);
+  const double kick_turns = random.machine.kick ? random.machine.kick->duration_s * random.speed_hz : 0;
+  TurnReport turn;
+  std::vector<double> before;
+  long taylor_turns = 0;
+  for (int k = 0, checked = 0; k < turns && checked < most_checked; ++k) {
+    before = turn.section;
+    audit.outcome = run.advance({}, turn);
+    if (audit.outcome != Outcome::ok) {
+      audit.exact_failed = true;
+      return audit;
+    }
+    const bool pieces = turn.effort.taylor_turns != taylor_turns;
+    taylor_turns = turn.effort.taylor_turns;
+    if (k < 1 || k < kick_turns || !turn.touched) continue;
+    ++checked;
+    ++audit.turns;
+    ++audit.touched;
+    audit.turns_with_pieces += pieces;
+    audit.exact_turns += !pieces;
+    const long steps = steps_of_turn(free);
+    Comparison found(free, before, turn.section, steps);
+    audit.stuck += found.stuck;
+    audit.stuck_together += found.together;
+    if (found.agrees(turn.section)) {
+      audit.parted += found.spread > undecided;
+      continue;
+    }
+    found = Comparison(free, before, turn.section, finer * steps);
+    if (found.agrees(turn.section)) continue;
+    audit.difference = EventDifference{k + 1, found.error, found.spread, {}};
+    return audit;
+  }
+  return audit;
+}
+
+}  // namespace rubsweep::audit
