@@ -49,5 +49,13 @@ TEST(Eigenvalues, SpectralRadiusGoesByTheModulus) {
   EXPECT_NEAR(spectral_radius(Eigen::MatrixXd{{-5, 1}, {0, 4}}), 5, 1e-14);
 }
 
+TEST(Eigenvalues, OfWhatIsNotFiniteAreNotKnown) {
+  const Eigen::MatrixXd matrix{{1, std::nan("")}, {0, 2}};
+  EXPECT_TRUE(eigenvalues(matrix).array().isNaN().all());
+  EXPECT_TRUE(eigenvectors(matrix).values.array().isNaN().all());
+  EXPECT_FALSE(spectral_radius(matrix) < 1);
+  EXPECT_FALSE(spectral_radius(matrix) >= 1);
+}
+
 }  // namespace
 }  // namespace rubsweep::numerics

@@ -97,7 +97,7 @@ Followed locate(const WhirlProblem& problem, const Followed& low, const Followed
   const auto excess = [&](double speed_hz) {
     return alike_at(problem, speed_hz, low.mode).frequency_hz() - speed_hz;
   };
-  std::uintmax_t iterations = 100;
+  std::uintmax_t iterations = 400;  // four halve the bracket at least: it ends before
   const auto bracket =
       boost::math::tools::toms748_solve(excess, low.speed_hz, high.speed_hz, excess_hz(low), excess_hz(high),
                                         boost::math::tools::eps_tolerance<double>(48), iterations);

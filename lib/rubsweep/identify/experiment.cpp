@@ -9,6 +9,8 @@
 #include <span>
 #include <utility>
 
+#include "rubsweep/error.hpp"
+
 namespace rubsweep::identify {
 namespace {
 
@@ -84,6 +86,8 @@ double lowest_frequency_hz(const scene::PreparedMachine& machine) {
   const Eigen::MatrixXd stiffness = (system.stiffness + system.stiffness.transpose()) / 2;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, system.mass,
                                                                         Eigen::EigenvaluesOnly);
+  if (modes.info() != Eigen::Success)
+    throw SolverError("lowest frequency: the eigenvalue iteration does not converge");
   return std::sqrt(std::max(modes.eigenvalues().minCoeff(), 0.0)) / (2 * std::numbers::pi);
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rubsweep::numerics {
 namespace {
@@ -41,13 +42,24 @@ MatrixXd balanced(MatrixXd matrix) {
   return matrix;
 }
 
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
 }  // namespace
 
-Eigen::VectorXcd eigenvalues(const MatrixXd& matrix) { return balanced(matrix).eigenvalues(); }
+Eigen::VectorXcd eigenvalues(const MatrixXd& matrix) {
+  const Eigen::VectorXcd none = Eigen::VectorXcd::Constant(matrix.rows(), not_known);
+  // The iteration may say of a matrix that is not finite that it has converged.
+  if (!matrix.allFinite()) return none;
+  const Eigen::EigenSolver<MatrixXd> solver(balanced(matrix), false);
+  return solver.info() == Eigen::Success ? solver.eigenvalues() : none;
+}
 
 Eigenvectors eigenvectors(const MatrixXd& matrix) {
   const Eigen::EigenSolver<MatrixXd> solver(matrix);
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  if (solver.info() == Eigen::Success && matrix.allFinite())
+    return {solver.eigenvalues(), solver.eigenvectors()};
+  return {Eigen::VectorXcd::Constant(matrix.rows(), not_known),
+          Eigen::MatrixXcd::Constant(matrix.rows(), matrix.rows(), not_known)};
 }
 
 double spectral_radius(const MatrixXd& matrix) { return eigenvalues(matrix).cwiseAbs().maxCoeff(); }

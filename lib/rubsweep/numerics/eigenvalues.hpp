@@ -4,8 +4,8 @@
 
 namespace rubsweep::numerics {
 
-/// Eigenvalues of a real square matrix, in the order that Eigen's EigenSolver finds them. Here so that its
-/// templates are compiled once.
+/// Eigenvalues of a real square matrix, in the order that Eigen's EigenSolver finds them; all NaN where its
+/// iteration does not converge or the matrix is not finite. Here so that its templates are compiled once.
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix);
 
 /// The same with their eigenvectors, one per column. Those of a pair of complex eigenvalues are conjugate.
@@ -16,7 +16,7 @@ struct Eigenvectors {
 Eigenvectors eigenvectors(const Eigen::MatrixXd& matrix);
 
 /// Largest |eigenvalue|: of a monodromy matrix the modulus of the largest multiplier, of a generator its
-/// fastest rate.
+/// fastest rate. NaN where the eigenvalues are.
 double spectral_radius(const Eigen::MatrixXd& matrix);
 
 }  // namespace rubsweep::numerics

@@ -174,7 +174,7 @@ class Search {
     const double first = low.speed - reach, last = high.speed + reach;
     const double at_low = function(first), at_high = function(last);
     if (!(std::isfinite(at_low) && std::isfinite(at_high)) || at_low * at_high >= 0) return std::nullopt;
-    std::uintmax_t steps = 60;
+    std::uintmax_t steps = 400;  // four halve the bracket at least: it ends before
     const auto [from, to] = boost::math::tools::toms748_solve(
         function, first, last, at_low, at_high, boost::math::tools::eps_tolerance<double>(51), steps);
     const double speed = from + 0.5 * (to - from);

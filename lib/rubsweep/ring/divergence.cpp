@@ -5,12 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubsweep/error.hpp"
+
 namespace rubsweep::ring {
 
 std::vector<double> divergence_speeds(const NormalForm& form) {
   // 1 / O^2 rather than O^2: K2 may be singular (loads without mass), K0 holds every spring.
   const Eigen::MatrixXd inverse = form.stiffness.fullPivLu().solve(form.softening);
-  const Eigen::VectorXcd roots = Eigen::EigenSolver<Eigen::MatrixXd>(inverse, false).eigenvalues();
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(inverse, false);
+  if (solver.info() != Eigen::Success)
+    throw SolverError("divergence: the eigenvalue iteration did not converge");
+  const Eigen::VectorXcd roots = solver.eigenvalues();
   const double largest = roots.cwiseAbs().maxCoeff();
   std::vector<double> speeds;
   for (const std::complex<double>& root : roots) {

@@ -70,7 +70,7 @@ std::optional<double> closest_approach(const NormalForm& form, std::size_t k, do
   const auto rate = [&](double speed) { return opening_rate(form, k, speed); };
   const double at_low = rate(low), at_high = rate(high);
   if (!(at_low < 0 && at_high > 0)) return std::nullopt;
-  std::uintmax_t steps = 100;
+  std::uintmax_t steps = 400;  // four halve the bracket at least: it ends before
   const auto [from, to] = boost::math::tools::toms748_solve(
       rate, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(48), steps);
   return from + 0.5 * (to - from);

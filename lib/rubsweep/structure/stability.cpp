@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace rubsweep::structure {
@@ -29,7 +30,10 @@ Eigen::VectorXcd rates_per_s(const Eigen::MatrixXd& inertia, const Eigen::Matrix
     generator.topRightCorner(n, n) *= std::ldexp(1.0, order);
     generator.bottomLeftCorner(n, n) *= std::ldexp(1.0, -order);
   }
-  return generator.eigenvalues();
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(generator, false);
+  if (solver.info() == Eigen::Success) return solver.eigenvalues();
+  // Not known: nothing is said to grow.
+  return Eigen::VectorXcd::Constant(2 * n, std::numeric_limits<double>::quiet_NaN());
 }
 
 Eigen::VectorXcd rates_per_s(const Assembly& assembly, double speed_rad_per_s) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
@@ -9,6 +10,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -131,6 +133,8 @@ class BulirschStoer {
       from = out;
       dynamics(from, rate, phase);
     }
+    // A state on the way is no state at `target`: the run is to end where it does not get there.
+    if (phase < target) std::fill(out.begin(), out.end(), std::numeric_limits<double>::quiet_NaN());
   }
 
   void restart() { stepper_.reset(); }

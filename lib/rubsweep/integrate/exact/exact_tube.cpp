@@ -22,6 +22,7 @@ double largest_length(const Eigen::MatrixXd& matrix) {
   const Eigen::MatrixXd square = matrix.transpose() * matrix;
   if (!square.allFinite()) return std::numeric_limits<double>::infinity();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(square, Eigen::EigenvaluesOnly);
+  if (solver.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
   return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 
