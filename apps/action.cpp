@@ -4,14 +4,15 @@
 
 #include "exit_code.hpp"
 #include "help_text.hpp"
+#include "program.hpp"
 
 namespace rubsweep::apps {
 
 bool answered(std::string_view program, Action action, const std::function<std::string()>& help) {
   if (action == Action::help) {
-    fmt::print("{}", wrapped(help()));
+    print("{}", wrapped(help()));
   } else if (action == Action::version) {
-    fmt::print("{} {}\n", program, RUBSWEEP_VERSION);
+    print("{} {}\n", program, RUBSWEEP_VERSION);
   } else {
     return false;
   }
@@ -21,13 +22,13 @@ bool answered(std::string_view program, Action action, const std::function<std::
 int act(const StudyArguments& arguments, const StudyActions& actions) {
   switch (arguments.action) {
     case Action::check:
-      if (!arguments.quiet) fmt::print("{}: ok, {}\n", arguments.config.string(), actions.size());
+      if (!arguments.quiet) print("{}: ok, {}\n", arguments.config.string(), actions.size());
       return done;
     case Action::explain:
-      fmt::print("{}", actions.explanation());
+      print("{}", actions.explanation());
       return done;
     case Action::print_config:
-      fmt::print("{}", actions.configuration());
+      print("{}", actions.configuration());
       return done;
     default:
       return actions.run();

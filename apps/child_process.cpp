@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <string_view>
 
 #include "rubsweep/error.hpp"
@@ -37,9 +39,19 @@ bool run_child(std::vector<std::string> command, const ChildStreams& streams) {
   arguments.reserve(command.size() + 1);
   for (std::string& argument : command) arguments.push_back(argument.data());
   arguments.push_back(nullptr);
+  // Signals that wait here do not wait there.
+  posix_spawnattr_t attributes;
+  sigset_t nothing;
+  ::sigemptyset(&nothing);
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawnattr_setsigmask(&attributes, &nothing);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t process = 0;
-  const int error = ::posix_spawnp(&process, arguments.front(), &actions, nullptr, arguments.data(), environ);
+  const int error =
+      ::posix_spawnp(&process, arguments.front(), &actions, &attributes, arguments.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
+  if (error == ENOMEM) throw std::bad_alloc();
   if (error != 0)
     throw IoError(fmt::format("{} cannot be started: {}", command.front(), std::strerror(error)));
   int status = 0;

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "exit_code.hpp"
+#include "interrupt.hpp"
 #include "program.hpp"
+#include "result_directory.hpp"
 #include "result_files.hpp"
 #include "rubsweep/batch/axis.hpp"
 #include "rubsweep/config/print_config.hpp"
@@ -134,17 +136,23 @@ std::pair<const char*, std::string> drawing_of(const RubtraceArguments& argument
 
 int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& config,
                    const std::filesystem::path& directory) {
+  const ResultDirectory made(directory, file_names);
+  end_on_interrupts("nothing was written");
   auto [files, summary, run] = perform(arguments, config.study);
-  make_directory(directory);
   files.emplace("config.yaml", config::print_config(config));
   std::erase_if(files, [](const auto& file) { return file.second.empty(); });
-  write_result_files(files, file_names, directory,
-                     {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
-  if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
+  {
+    const InterruptsWait whole_set;
+    write_result_files(
+        files, file_names, directory,
+        {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
+    end_on_interrupts("the files are written, no figure is");
+  }
+  if (!arguments.quiet) print("{}{}", summary, files_line(files, directory));
   if (arguments.figure) {
     const auto [script, heading] = drawing_of(arguments);
     arguments.figure->draw(script, directory, heading);
-    if (!arguments.quiet) fmt::print("figure    {}\n", arguments.figure->file().string());
+    if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
   }
   if (run == integrate::run::Outcome::ok) return done;
   say(fmt::format("rubtrace: the run-up failed: {}; the files end there\n", to_string(run)));

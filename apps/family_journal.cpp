@@ -19,6 +19,10 @@ FamilyJournal::FamilyJournal(const fs::path& directory, const sweep::Study& stud
       }) {
   make_directory(directory);
   lock_.emplace(directory / family_lock_file, batch::LockMode::exclusive, "rubbranch");
+  if (!lock_->guards()) {
+    say(fmt::format("rubbranch: {}: this file system has no locks: nothing keeps a second run away from it\n",
+                    directory.string()));
+  }
   const batch::JournalHeader header = journal_header(study);
   read(header, fresh);
   journal_.emplace(path_, header);

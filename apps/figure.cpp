@@ -5,14 +5,15 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "child_process.hpp"
+#include "interrupt.hpp"
 #include "program.hpp"
+#include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
+#include "writable.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -54,11 +55,6 @@ fs::path scripts_directory(const std::string& option) {
                             installed.lexically_normal().string(), source.string()));
 }
 
-std::string text_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 void add_figure(po::options_description& options, const char* meaning) {
@@ -77,19 +73,22 @@ Figure::Figure(fs::path file, const std::string& option) : file_(std::move(file)
     }
   }
   scripts_ = scripts_directory(option);
+  require_writable(file_, true);
 }
 
 void Figure::draw(const std::string& script, const fs::path& input, const std::string& heading,
                   const std::vector<std::string>& more) const {
+  const InterruptsWait until_the_directory_is_gone;
   const TemporaryDirectory work;
   const fs::path output = work.path() / "picture";
   ::setenv("LC_ALL", "C.UTF-8", 1);
-  std::vector<std::string> command{"python3",       "-B",   scripts_ / "analysis" / script, input.string(),
-                                   output.string(), heading};
+  // Pictures are the same whatever the user has set for Python and gnuplot.
+  std::vector<std::string> command{
+      "python3", "-E", "-s", "-B", scripts_ / "analysis" / script, input.string(), output.string(), heading};
   command.insert(command.end(), more.begin(), more.end());
   if (!run_child(std::move(command))) throw IoError(fmt::format("{}: could not be drawn", file_.string()));
   if (file_.has_parent_path()) make_directory(file_.parent_path());
-  batch::write_whole_file(file_, text_of_file(fs::path(output) += file_.extension()));
+  batch::write_whole_file(file_, batch::read_input(fs::path(output) += file_.extension()));
 }
 
 std::optional<Figure> figure_of(const po::variables_map& given, const std::string& option) {

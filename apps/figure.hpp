@@ -16,7 +16,7 @@ void add_figure(po::options_description& options, const char* meaning);
 class Figure {
  public:
   /// `file`, the value of --OPTION, ends with .png or .svg, else UsageError. Throws IoError, before anything
-  /// is computed, where gnuplot, Python or the scripts are missing.
+  /// is computed, where gnuplot, Python or the scripts are missing, or FILE could not be written.
   Figure(std::filesystem::path file, const std::string& option);
 
   const std::filesystem::path& file() const { return file_; }

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
 #include <string_view>
 
 #include "program.hpp"
 #include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/batch/descriptor.hpp"
+#include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/config/differing_keys.hpp"
 #include "rubsweep/config/print_config.hpp"
@@ -45,14 +43,14 @@ std::string keys_that_differ(const fs::path& config_file, const std::string& dig
 
 /// What the comments before the header of a table say; empty where they say none.
 std::string digest_in(const fs::path& table) {
-  std::ifstream stream(table);
-  if (!stream) batch::throw_io_error("read", table, errno);
+  const batch::InputStream stream = batch::open_input_stream(table);
   constexpr std::string_view mark = "# digest ";
-  for (std::string line; std::getline(stream, line) && line.starts_with('#');) {
-    if (line.starts_with(mark)) return line.substr(mark.size());
+  batch::LineBuffer buffer;
+  while (true) {
+    const std::string_view line = batch::read_line(stream.get(), table, buffer.text, buffer.capacity);
+    if (!line.starts_with('#')) return "";
+    if (line.starts_with(mark)) return std::string(line.substr(mark.size(), line.find('\n') - mark.size()));
   }
-  if (stream.bad()) batch::throw_io_error("read", table, EIO);
-  return "";
 }
 
 }  // namespace

@@ -1,12 +1,18 @@
 #include "interrupt.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <condition_variable>
 #include <csignal>
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string_view>
 #include <system_error>
 #include <utility>
+
+#include "result_directory.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -24,14 +30,48 @@ void remember(int number) {
   std::signal(number, SIG_DFL);
 }
 
-}  // namespace
+std::atomic<const char*> words_at_the_end{""};
+static_assert(std::atomic<const char*>::is_always_lock_free);
 
-const std::atomic<bool>& catch_interrupts() {
+void write_out(std::string_view text) { (void)!::write(STDERR_FILENO, text.data(), text.size()); }
+
+void end_now(int number) {
+  const std::string_view words = words_at_the_end.load();
+  write_out(program_invocation_short_name);
+  write_out(words.empty() ? ": interrupted" : ": interrupted; ");
+  write_out(words);
+  write_out("\n");
+  remove_empty_result_directories();
+  ::_exit(128 + number);
+}
+
+void handle(void (*handler)(int)) {
   for (const int number : {SIGINT, SIGTERM}) {
     struct sigaction inherited {};
     if (::sigaction(number, nullptr, &inherited) == 0 && inherited.sa_handler == SIG_IGN) continue;
-    std::signal(number, remember);
+    std::signal(number, handler);
   }
+}
+
+}  // namespace
+
+void end_on_interrupts(const char* words) {
+  words_at_the_end = words;
+  handle(end_now);
+}
+
+InterruptsWait::InterruptsWait() : before_{} {
+  sigset_t held;
+  ::sigemptyset(&held);
+  ::sigaddset(&held, SIGINT);
+  ::sigaddset(&held, SIGTERM);
+  ::pthread_sigmask(SIG_BLOCK, &held, &before_);
+}
+
+InterruptsWait::~InterruptsWait() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+const std::atomic<bool>& catch_interrupts() {
+  handle(remember);
   return stop;
 }
 

@@ -2,10 +2,29 @@
 
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <functional>
 #include <thread>
 
 namespace rubsweep::apps {
+
+/// From now on SIGINT and SIGTERM end the program at once with 128 + signal, after "PROGRAM: interrupted;
+/// WORDS" on stderr, or "PROGRAM: interrupted" without words; empty directories that were made for results
+/// go. `words` is a literal.
+void end_on_interrupts(const char* words);
+
+/// While it lives, these signals wait: a set of files is written whole, and temporaries are removed. For
+/// programs of one thread.
+class InterruptsWait {
+ public:
+  InterruptsWait();
+  ~InterruptsWait();
+  InterruptsWait(const InterruptsWait&) = delete;
+  InterruptsWait& operator=(const InterruptsWait&) = delete;
+
+ private:
+  sigset_t before_;
+};
 
 /// From now on SIGINT and SIGTERM only set the returned flag, so that running cells can finish and be kept.
 /// One that was ignored when the program started (nohup and its like) stays ignored.

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <set>
 #include <utility>
@@ -102,8 +103,26 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   if (!finished_map_) read_journals();
 }
 
+std::size_t MapDirectory::share_in(std::size_t cell, std::size_t count) const {
+  return (refined_ ? mixed(cell) : cell) % count;
+}
+
 std::size_t MapDirectory::share_of(std::size_t cell) const {
-  return (refined_ ? mixed(cell) : cell) % part_.value_or(Share{}).count;
+  return share_in(cell, part_.value_or(Share{}).count);
+}
+
+std::size_t MapDirectory::shards_begun() const {
+  constexpr std::string_view before = "-of-";
+  std::size_t most = 0;
+  for (const fs::path& journal : journals()) {
+    const std::string name = journal.filename();
+    const std::size_t at = name.find(before);
+    std::size_t count = 0;
+    if (!name.starts_with("map.shard-") || at == std::string::npos) continue;
+    std::from_chars(name.data() + at + before.size(), name.data() + name.size(), count);
+    most = std::max(most, count);
+  }
+  return most;
 }
 
 bool MapDirectory::is_at_work_on(const std::vector<std::size_t>& cells) const {
@@ -129,6 +148,14 @@ std::vector<fs::path> MapDirectory::journals() const { return files(directory_, 
 
 /// Parts share the directory, each with a lock of its own; the whole takes it alone.
 void MapDirectory::lock(const std::string& program) {
+  lock_share(program);
+  if (!directory_lock_->guards()) {
+    say(fmt::format("{}: {}: this file system has no locks: nothing keeps a second run away from it\n",
+                    program, directory_.string()));
+  }
+}
+
+void MapDirectory::lock_share(const std::string& program) {
   const fs::path whole = directory_ / "map.lock";
   if (part_) {
     own_lock_.emplace(path(".lock"), batch::LockMode::exclusive, program);
@@ -150,7 +177,10 @@ void MapDirectory::lock(const std::string& program) {
 /// Nothing is begun that could not be ended, and nobody waits for the other end of a pipe.
 void MapDirectory::refuse_what_is_no_file() const {
   std::vector<fs::path> ours = journals();
-  ours.insert(ours.end(), {directory_ / "config.yaml", map(), partial()});
+  ours.push_back(partial());
+  // Their names are ours alone: behind a link would be a file of somebody's that is no journal.
+  for (const fs::path& file : ours) batch::refuse_link("write", file);
+  ours.insert(ours.end(), {directory_ / "config.yaml", map()});
   for (const fs::path& file : ours) {
     if (fs::exists(file) && !fs::is_regular_file(file))
       throw IoError(fmt::format("{}: is not a regular file", file.string()));

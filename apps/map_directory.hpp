@@ -47,6 +47,12 @@ class MapDirectory {
   /// Whether the cell is one of the share.
   bool has_in_share(std::size_t cell) const { return share_of(cell) == part_.value_or(Share{}).index; }
 
+  /// The same of a division into `count` shards: which of them has the cell, from 0.
+  std::size_t share_in(std::size_t cell, std::size_t count) const;
+
+  /// How many shards the division has of which one was begun here, the finest of several; 0 where none was.
+  std::size_t shards_begun() const;
+
   /// Whether another process is at work on a share that has one of these cells. Throws IoError.
   bool is_at_work_on(const std::vector<std::size_t>& cells) const;
 
@@ -80,6 +86,7 @@ class MapDirectory {
   std::size_t share_of(std::size_t cell) const;
   std::vector<std::filesystem::path> journals() const;
   void lock(const std::string& program);
+  void lock_share(const std::string& program);
   void refuse_what_is_no_file() const;
   void remove_leftovers() const;
   void forget() const;

@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
 #include "exit_code.hpp"
 #include "finished_map.hpp"
+#include "program.hpp"
 #include "report_file.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/page/report_page.hpp"
 #include "terminal_map.hpp"
+#include "writable.hpp"
 
 namespace rubsweep::apps {
 
@@ -19,19 +23,31 @@ void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study
         "--fade: the map has no column robust_share, allowed: with response.robustness probability");
 }
 
+void refuse_what_cannot_be_shown(const RubsweepArguments& arguments, const sweep::Study& study,
+                                 const std::filesystem::path& directory) {
+  if (arguments.report) {
+    page::require_plane(study.grid, "a report");
+    require_writable(directory / "report.html", true);
+  }
+  if (arguments.figure) page::require_plane(study.grid, "a picture");
+}
+
 int report_map(std::string_view program, const RubsweepArguments& arguments,
                const report::MapSummary& summary, const config::RunConfig& config, MapDirectory& directory) {
   const sweep::Study& study = config.study;
   const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
   const TerminalView view =
       shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};
-  if (!arguments.quiet) fmt::print("{}{}map: {}\n", view.map, summary.text(), directory.map().string());
+  if (!arguments.quiet) {
+    std::fputs(view.map.c_str(), stdout);  // with its colours
+    print("{}map: {}\n", summary.text(), directory.map().string());
+  }
   if (!arguments.quiet) warn(program, summary);
   if (arguments.figure) {
     arguments.figure->draw("draw_domain_map.py", directory.map(),
                            study.machine.kick ? "Rub domains after a kick" : "Rub domains",
                            arguments.fade ? std::vector<std::string>{"fade"} : std::vector<std::string>{});
-    if (!arguments.quiet) fmt::print("figure: {}\n", arguments.figure->file().string());
+    if (!arguments.quiet) print("figure: {}\n", arguments.figure->file().string());
   }
   if (arguments.report) {
     const std::filesystem::path place = directory.map().parent_path();
@@ -44,7 +60,7 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
                                    .before_leaving = [&] { directory.leave(); }});
     if (code != done) return code;
   }
-  fmt::print("{}", view.next);
+  print("{}", view.next);
   return summary.has_failed_cells() ? some_cells_failed : done;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string_view>
 
 #include "map_directory.hpp"
@@ -17,5 +18,10 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
 
 /// Throws ConfigError before anything is computed where a picture is to fade by what the map will not have.
 void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study);
+
+/// Throws before anything is computed where the page or the picture that is asked for would be refused in the
+/// end: ConfigError for a map of more than two axes, IoError for a page that cannot be written.
+void refuse_what_cannot_be_shown(const RubsweepArguments& arguments, const sweep::Study& study,
+                                 const std::filesystem::path& directory);
 
 }  // namespace rubsweep::apps

@@ -32,6 +32,10 @@ namespace {
 /// Until the journals of other shards are read again.
 constexpr std::chrono::milliseconds shard_patience{500};
 
+/// Shards that were begun with one command are not there at one instant, and the first may have no more to do
+/// before the last has begun.
+constexpr std::chrono::seconds beginners_patience{5};
+
 }  // namespace
 
 MissingCells::MissingCells(const SweepRun& how, const sweep::Study& study, MapDirectory& directory)
@@ -51,6 +55,7 @@ bool MissingCells::run_refined() {
   std::optional<Watch> watch(
       std::in_place, [this] { refresh(); }, [this] { leave(); });
   bool alone = false;
+  const auto begun = std::chrono::steady_clock::now();
   while (!stop_) {
     known.read(directory_);
     std::vector<std::size_t> wanted = known.wanted(), own = wanted;
@@ -58,7 +63,8 @@ bool MissingCells::run_refined() {
     if (!own.empty()) {
       alone = false;
       run_cells(own);
-    } else if (directory_.is_at_work_on(wanted)) {
+    } else if (directory_.is_at_work_on(wanted) ||
+               (!wanted.empty() && std::chrono::steady_clock::now() - begun < beginners_patience)) {
       alone = false;
       std::this_thread::sleep_for(shard_patience);
     } else if (!wanted.empty() && !alone) {

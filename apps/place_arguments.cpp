@@ -10,6 +10,7 @@
 #include "rubsweep/config/place_axes.hpp"
 #include "rubsweep/config/unit_slips.hpp"
 #include "rubsweep/model/balance.hpp"
+#include "rubsweep/model/physical_range.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::apps {
@@ -67,6 +68,10 @@ void keep_units(const PlaceArguments& place, sweep::Study& study) {
 }
 
 void require_speed(std::string_view option, double speed_hz, const model::Machine& machine) {
+  if (!(speed_hz <= model::physical::frequency_hz.high)) {
+    throw UsageError(fmt::format("{}: {} Hz is no speed of a shaft, allowed: at most {} Hz", option, speed_hz,
+                                 model::physical::frequency_hz.high));
+  }
   const auto slip = config::slip_of(config::Quantity::speed_hz, speed_hz, &machine);
   if (slip && slip->certain)
     throw UsageError(fmt::format("{}: {}, allowed: {} Hz", option, slip->wrong, slip->allowed));

@@ -13,12 +13,31 @@
 #include <system_error>
 
 #include "exit_code.hpp"
+#include "interrupt.hpp"
 #include "rubsweep/batch/directory.hpp"
+#include "rubsweep/config/terminal_text.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::apps {
 
 namespace {
+
+/// "PROGRAM: TEXT", where nothing can be allocated, and in signal handlers.
+void say_without_memory(std::string_view text) {
+  for (const std::string_view part : {std::string_view(program_invocation_short_name), std::string_view(": "),
+                                      text, std::string_view("\n")})
+    (void)!::write(STDERR_FILENO, part.data(), part.size());
+}
+
+/// An abort is the end of a library that finds no memory (FFTW), and of an exception that nobody catches.
+/// What was finished is in the journals, and the system frees the locks.
+void end_after_abort(int) {
+  say_without_memory("ended by an abort: out of memory, or a fault of the program");
+  ::_exit(software_fault);
+}
+
+/// Before anything else is set up, which needs memory as well.
+[[gnu::constructor(101)]] void expect_aborts() { std::signal(SIGABRT, end_after_abort); }
 
 /// What was printed may still be on its way to a full disk or a closed pipe.
 void flush_stdout() {
@@ -28,7 +47,12 @@ void flush_stdout() {
 
 }  // namespace
 
-void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
+void say(const std::string& text) { std::fputs(config::printable(text).c_str(), stderr); }
+
+void print_text(const std::string& text) {
+  const std::string shown = config::printable(text);
+  std::fwrite(shown.data(), 1, shown.size(), stdout);
+}
 
 void ask(std::string_view program, const std::vector<std::string>& questions, bool quiet) {
   if (quiet) return;
@@ -44,8 +68,11 @@ void open_standard_descriptors() {
   }
 }
 
-int run_program(std::string_view name, const std::function<int()>& body) {
+namespace {
+
+int run_guarded(std::string_view name, const std::function<int()>& body) {
   open_standard_descriptors();
+  end_on_interrupts("");
   // A file-size limit is then an error of the write that met it, with its message, instead of a silent death.
   std::signal(SIGXFSZ, SIG_IGN);
   // So is a reader of the progress who has gone, which must not end a sweep.
@@ -71,15 +98,26 @@ int run_program(std::string_view name, const std::function<int()>& body) {
     complain(error);
     return directory_in_use;
   } catch (const std::system_error& error) {  // the file system's and {fmt}'s
+    if (error.code() == std::errc::not_enough_memory) throw std::bad_alloc();
     if (error.code() == std::errc::broken_pipe)
       return 128 + SIGPIPE;  // nobody reads on: as if it had ended us
     complain(error);
     return input_output;
   } catch (const std::bad_alloc&) {
-    say(fmt::format("{}: out of memory\n", name));
-    return software_fault;
+    throw;
   } catch (const std::exception& error) {
     complain(error);
+    return software_fault;
+  }
+}
+
+}  // namespace
+
+int run_program(std::string_view name, const std::function<int()>& body) {
+  try {
+    return run_guarded(name, body);
+  } catch (...) {  // no memory, perhaps not even for the message about something else
+    say_without_memory("out of memory");
     return software_fault;
   }
 }

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rubsweep::apps {
@@ -15,11 +18,20 @@ class UsageError : public std::runtime_error {
 };
 
 /// Runs a program's `body` and returns its exit code. An exception becomes a message on stderr and the exit
-/// code of its cause.
+/// code of its cause. Until catch_interrupts is called, SIGINT and SIGTERM end the program as
+/// end_on_interrupts says.
 int run_program(std::string_view name, const std::function<int()>& body);
 
-/// Prints on stderr. A message that cannot be delivered changes nothing else.
+/// Prints on stderr, control characters as \xNN: what comes from files and names moves no cursor. A message
+/// that cannot be delivered changes nothing else.
 void say(const std::string& text);
+
+/// The same on stdout.
+void print_text(const std::string& text);
+template <typename... Arguments>
+void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  print_text(fmt::format(format, std::forward<Arguments>(arguments)...));
+}
 
 /// Prints what should be asked about numbers that are taken as they are, a line each; nothing with `quiet`.
 void ask(std::string_view program, const std::vector<std::string>& questions, bool quiet);

@@ -81,7 +81,7 @@ int write_report(const fs::path& directory, const sweep::Study& study, std::stri
   }
   batch::write_whole_file(options.file, *text);
   if (!options.quiet)
-    fmt::print("report: {} ({:.1f} MB)\n", options.file.string(), static_cast<double>(text->size()) / 1e6);
+    print("report: {} ({:.1f} MB)\n", options.file.string(), static_cast<double>(text->size()) / 1e6);
   return done;
 }
 

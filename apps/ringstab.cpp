@@ -10,6 +10,7 @@
 #include "interrupt.hpp"
 #include "kept_files.hpp"
 #include "program.hpp"
+#include "result_directory.hpp"
 #include "result_files.hpp"
 #include "ringstab_arguments.hpp"
 #include "rubsweep/batch/line_log.hpp"
@@ -66,7 +67,8 @@ int run(const RingstabArguments& arguments, const config::RingConfig& config) {
   keep_configuration(arguments.config, directory, [&] {
     return config::print_ring_config(config::read_ring_config(arguments.config, {}));
   });
-  make_directory(directory);
+  const ResultDirectory made(directory, file_names);
+  end_on_interrupts("nothing was written");
   const ResultSource source{"ringstab", config::ring_study_digest(study),
                             batch::caption_lines(config.captions)};
   const std::string comments = report::ring_comments();
@@ -87,7 +89,7 @@ int run(const RingstabArguments& arguments, const config::RingConfig& config) {
   write_result_files(files, file_names, directory, source);
   fs::remove(directory / "chart.partial.csv");
   if (!arguments.quiet) {
-    fmt::print("{}{}{}", summary, report::chart_summary(lines), files_line(files, directory));
+    print("{}{}{}", summary, report::chart_summary(lines), files_line(files, directory));
   }
   const bool all_ok =
       std::all_of(lines.begin(), lines.end(), [](const auto& line) { return line->status == "ok"; });

@@ -83,8 +83,8 @@ int write_slice(const RubbasinArguments& arguments, const Plane& plane, const co
   write_result_files(files, slice_files, directory,
                      {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) {
-    fmt::print("{}files     {}: attractors.csv config.yaml map.csv slice.csv\n", report::slice_summary(slice),
-               directory.string());
+    print("{}files     {}: attractors.csv config.yaml map.csv slice.csv\n", report::slice_summary(slice),
+          directory.string());
   }
   if (arguments.figure) {
     const bool by_ratio = config.study.grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
@@ -93,7 +93,7 @@ int write_slice(const RubbasinArguments& arguments, const Plane& plane, const co
                            fmt::format("Basins at {:.6g} Hz, {}", arguments.cell.speed_hz,
                                        by_ratio ? fmt::format("whirl ratio {:.6g}", unbalance)
                                                 : fmt::format("eccentricity {:.6g} mm", 1e3 * unbalance)));
-    if (!arguments.quiet) fmt::print("figure    {}\n", arguments.figure->file().string());
+    if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
   }
   return slice.basins.failed > 0 ? some_cells_failed : done;
 }

@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "exit_code.hpp"
+#include "interrupt.hpp"
 #include "kept_files.hpp"
 #include "place_arguments.hpp"
 #include "program.hpp"
+#include "result_directory.hpp"
 #include "result_files.hpp"
 #include "rubbench_arguments.hpp"
 #include "rubsweep/bench/label_agreement.hpp"
@@ -27,6 +29,8 @@ namespace rubsweep::apps {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 2> file_names{"config.yaml", "work_precision.csv"};
 
 scene::Place place_at(const sweep::Grid& grid, double speed_hz, double unbalance) {
   return {speed_hz, sweep::unbalance_of(grid, unbalance)};
@@ -120,7 +124,7 @@ class Labels {
 
 void say(const RubbenchArguments& arguments, const std::string& text) {
   if (arguments.quiet) return;
-  fmt::print("{}", text);
+  print("{}", text);
   std::fflush(stdout);
 }
 
@@ -161,7 +165,10 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   ask("rubbench", config.questions, arguments.quiet);
   for (const CellArgument& cell : arguments.cells) require_speed("--cell", cell.speed_hz, study.machine);
   const fs::path directory = results_directory(arguments, config.output_directory, "_bench");
-  make_directory(directory);
+  const ResultDirectory made(directory, file_names);
+  end_on_interrupts("nothing was written");
+  for (const CellArgument& cell : arguments.cells)
+    scene_of(study, place_at(study.grid, cell.speed_hz, cell.unbalance));
   const auto to_label = places_to_label(study.grid, arguments);
   const auto labelled = bench::reference_labels(study.machine, to_label, study.solver, study.response);
   const auto places = places_to_time(arguments, study.grid, to_label, labelled);
@@ -174,7 +181,7 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   Labels labels(study, labelled, arguments.label_seconds);
   for (report::WorkPrecisionLine& line : lines) labels.fill(lines, line);
 
-  constexpr std::array<std::string_view, 2> file_names{"config.yaml", "work_precision.csv"};
+  const InterruptsWait whole_set;
   write_result_files({{file_names[0], config::print_config(config)},
                       {file_names[1], comments + report::work_precision_csv(lines)}},
                      file_names, directory,

@@ -13,9 +13,11 @@
 #include "branch_plane.hpp"
 #include "cell_on_axes.hpp"
 #include "exit_code.hpp"
+#include "interrupt.hpp"
 #include "kept_files.hpp"
 #include "place_arguments.hpp"
 #include "program.hpp"
+#include "result_directory.hpp"
 #include "result_files.hpp"
 #include "rubbranch_arguments.hpp"
 #include "rubbranch_curves.hpp"
@@ -84,7 +86,8 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   std::optional<BranchPlane> plane;
   if (!arguments.curve.empty()) plane = branch_plane(arguments, config);
   const fs::path directory = results_directory(arguments, config.output_directory, "_branch");
-  make_directory(directory);
+  const ResultDirectory made(directory, file_names);
+  end_on_interrupts("nothing was written");
 
   const scene::Cell cell = scene::build_cell(study.machine, arguments.cell.speed_hz,
                                              sweep::unbalance_of(study.grid, arguments.cell.unbalance));
@@ -120,12 +123,12 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
     files["curves.csv"] = curve_comments + report::curves_csv(curves);
     files["meetings.csv"] = curve_comments + report::meetings_csv(curves);
   }
+  const InterruptsWait whole_set;
   write_result_files(files, file_names, directory,
                      {"rubbranch", config::study_digest(study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) {
-    fmt::print("{}{}{}", report::branch_summary(arguments.along, branches),
-               report::curves_summary(arguments.along, arguments.curve, curves),
-               files_line(files, directory));
+    print("{}{}{}", report::branch_summary(arguments.along, branches),
+          report::curves_summary(arguments.along, arguments.curve, curves), files_line(files, directory));
   }
   return done;
 }

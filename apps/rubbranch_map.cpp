@@ -26,6 +26,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/families_csv.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
+#include "writable.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -88,6 +89,8 @@ int run_on_map(const RubbranchArguments& arguments) {
     if (is_followed(map, cell)) proven.push_back(cell);
   }
   const fs::path output = arguments.output.value_or(directory);
+  for (const char* name : {"families.csv", "edges.csv", "boundaries.csv", "contradictions.csv"})
+    require_writable(output / name, true);
   const std::atomic<bool>& stop = catch_interrupts();
   FamilyJournal journal(output, study, arguments.fresh);
   if (journal.found_before() > 0) {
@@ -119,9 +122,9 @@ int run_on_map(const RubbranchArguments& arguments) {
                      family_files, output, {"rubbranch", map.digest});
   journal.remove();
   if (!arguments.quiet) {
-    fmt::print("{}{}files     {}: boundaries.csv contradictions.csv edges.csv families.csv\n",
-               report::families_summary(study.grid, families, proven.size(), edges),
-               report::contradictions_summary(checks), output.string());
+    print("{}{}files     {}: boundaries.csv contradictions.csv edges.csv families.csv\n",
+          report::families_summary(study.grid, families, proven.size(), edges),
+          report::contradictions_summary(checks), output.string());
   }
   return families.not_followed.empty() ? done : some_cells_failed;
 }

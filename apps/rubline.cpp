@@ -18,6 +18,7 @@
 #include "kept_files.hpp"
 #include "premises.hpp"
 #include "program.hpp"
+#include "result_directory.hpp"
 #include "result_files.hpp"
 #include "rubline_arguments.hpp"
 #include "rubsweep/batch/axis.hpp"
@@ -149,7 +150,7 @@ class LineRun {
 
   int run() {
     batch::require_threads(arguments_.threads, 1);
-    make_directory(directory_);
+    const ResultDirectory made(directory_, file_names);
     if (!arguments_.quiet) warn();
     const std::atomic<bool>& stop = catch_interrupts();
     std::optional<Watch> watch(
@@ -172,7 +173,7 @@ class LineRun {
     write();
     if (points_.size() < cells_.size() * arguments_.passes.size()) return interrupted();
     if (!arguments_.quiet)
-      fmt::print("{}{}", report::line_summary(points_, cells_), files_line(files_, directory_));
+      print("{}{}", report::line_summary(points_, cells_), files_line(files_, directory_));
     draw("draw_bifurcation.py", "Bifurcation diagram", arguments_.figure);
     draw("draw_cascade.py", "Cascade of full spectra", arguments_.cascade_figure);
     const bool failed = std::ranges::any_of(points_, [](const line::LinePoint& point) {
@@ -228,7 +229,7 @@ class LineRun {
   void draw(const std::string& script, std::string_view what, const std::optional<Figure>& figure) const {
     if (!figure) return;
     figure->draw(script, directory_, fmt::format("{}{}", what, where()));
-    if (!arguments_.quiet) fmt::print("figure    {}\n", figure->file().string());
+    if (!arguments_.quiet) print("figure    {}\n", figure->file().string());
   }
 
   /// What does not change along the line: " at 75 Hz, whirl ratio 0.4".

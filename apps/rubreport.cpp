@@ -10,6 +10,8 @@
 #include "program.hpp"
 #include "report_file.hpp"
 #include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/page/report_page.hpp"
+#include "writable.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -77,7 +79,9 @@ int perform(const po::variables_map& given) {
   const fs::path file =
       given.count("output") ? fs::path(given["output"].as<std::string>()) : directory / "report.html";
   refuse_input(file, directory);
+  require_writable(file, false);
   const config::RunConfig config = config::read_run_config(directory / "config.yaml", {});
+  page::require_plane(config.study.grid, "a report");
   return write_report(directory, config.study, "rubreport",
                       {.file = file,
                        .captions = config.captions,

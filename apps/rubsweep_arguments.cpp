@@ -22,6 +22,8 @@ po::options_description visible_options() {
                         "of --figure: cells fade by robust_share, of response.robustness probability");
   add_threads(options, "threads; 0: one per processor");
   add_set(options);
+  options.add_options()("status", po::value<std::string>()->value_name("DIR"),
+                        "instead: say how far the map in DIR is, of which shards, and who is at work");
   options.add_options()("fresh",
                         "forget what earlier runs finished, a finished map included, and start over")(
       "shard", po::value<std::string>()->value_name("I/N"),
@@ -86,6 +88,17 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
   const po::variables_map given = read_study_command_line(argc, argv, visible_options());
   if (given.count("verify") != 0 && given.count("help") == 0 && given.count("version") == 0)
     return verify_arguments(given);
+  if (given.count("status") != 0 && given.count("help") == 0 && given.count("version") == 0) {
+    for (const auto& [name, value] : given) {
+      if (name != "status" && name != "quiet" && !value.defaulted())
+        throw UsageError(
+            fmt::format("--status: is asked for alone, allowed: rubsweep --status DIR, without {}",
+                        name == "config" ? "CONFIG.yaml" : "--" + name));
+    }
+    RubsweepArguments status;
+    status.status = given["status"].as<std::string>();
+    return status;
+  }
   RubsweepArguments arguments{study_arguments(given, "rubsweep")};
   if (arguments.action == Action::help || arguments.action == Action::version) return arguments;
   arguments.threads = threads_of(given);
@@ -111,6 +124,7 @@ std::string rubsweep_help() {
       "  rubsweep configs/figure06_one_side.yaml --set 'sweep.refine={{levels: 2, probes: 1}}' --output "
       "/tmp/refined\n"
       "  rubsweep configs/figure06_one_side.yaml --shard 2/8\n"
+      "  rubsweep --status results/figure06_one_side\n"
       "  rubsweep configs/figure06_one_side.yaml --report\n"
       "  rubsweep configs/figure06_one_side.yaml --figure map.png\n"
       "  rubsweep --verify results/figure06_one_side\n\n"
@@ -135,7 +149,7 @@ std::string rubsweep_help() {
       "memory or a fault of "
       "the "
       "program;\n"
-      "128+signal when interrupted.\n",
+      "75 a shard of a refined map did what it could, and others must go on; 128+signal when interrupted.\n",
       text_of(visible_options()), report::describe_map_columns());
 }
 

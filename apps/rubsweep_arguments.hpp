@@ -22,6 +22,7 @@ struct RubsweepArguments : StudyArguments {
   bool report = false;                ///< also make report.html of the finished map
   /// Only say whether the results in this directory are whole.
   std::optional<std::filesystem::path> verified = {};
+  std::optional<std::filesystem::path> status = {};  ///< only say how far the map in this directory is
 };
 
 /// Throws UsageError (program.hpp).

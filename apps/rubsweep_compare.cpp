@@ -21,6 +21,7 @@
 #include "rubsweep/report/comparison_figure.hpp"
 #include "rubsweep/report/describe_comparison.hpp"
 #include "rubsweep/report/map_columns.hpp"
+#include "writable.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -76,7 +77,7 @@ void draw(const std::string& script, const fs::path& picture) {
   if (!input || std::fputs(script.c_str(), input.get()) < 0 || std::fflush(input.get()) != 0)
     throw IoError(fmt::format("a temporary file: {}", std::strerror(errno)));
   std::rewind(input.get());
-  if (!run_child({"gnuplot"}, {.input = ::fileno(input.get()), .output = file.descriptor()}))
+  if (!run_child({"gnuplot", "-d"}, {.input = ::fileno(input.get()), .output = file.descriptor()}))
     throw IoError(fmt::format("{}: gnuplot could not draw it", picture.string()));
   file.commit();
 }
@@ -105,12 +106,15 @@ int compare(const po::variables_map& given) {
     if (kind != ".png" && kind != ".svg" && kind != ".gp") {
       throw UsageError("--figure: allowed: a name that ends with .png, .svg or .gp");
     }
+    if (kind != ".gp" && !find_command("gnuplot"))
+      throw IoError("--figure: there is no program called gnuplot to draw with (Debian: gnuplot-nox)");
+    require_writable(*figure, false);
   }
   std::optional<fs::path> sensitive;
   if (given.count("sensitive")) sensitive = given["sensitive"].as<std::string>();
   for (const std::string& map : maps) require_whole_table("rubsweep-compare", map);
   const auto comparison = report::compare_maps(maps[0], maps[1], tolerance, sensitive);
-  if (!given.count("quiet")) fmt::print("{}", report::describe_comparison(comparison, tolerance));
+  if (!given.count("quiet")) print("{}", report::describe_comparison(comparison, tolerance));
   if (figure)
     write_figure(comparison,
                  fmt::format("{} -> {}; numbers to a tolerance of {:g}", maps[0], maps[1], tolerance),

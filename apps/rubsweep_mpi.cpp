@@ -55,7 +55,8 @@ std::string help() {
 int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::optional<MapJob>& job) {
   RubsweepArguments arguments = parse_rubsweep_arguments(argc, argv);
   if (answered(mpi_program_name, arguments.action, help)) return done;
-  if (arguments.action != Action::run || arguments.shard || arguments.merge || arguments.verified) {
+  if (arguments.action != Action::run || arguments.shard || arguments.merge || arguments.verified ||
+      arguments.status) {
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
@@ -65,6 +66,7 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
                                   {batch::thread_count(arguments.threads), ranks});
   config.output_directory = fs::absolute(arguments.output.value_or(config.output_directory));
   keep_run_configuration(arguments.config, config.output_directory);
+  refuse_what_cannot_be_shown(arguments, config.study, config.output_directory);
   job.emplace();
   job->arguments = std::move(arguments);
   job->config = std::move(config);

@@ -12,9 +12,11 @@
 #include "exit_code.hpp"
 #include "experiment.hpp"
 #include "forecast.hpp"
+#include "interrupt.hpp"
 #include "kept_files.hpp"
 #include "premises.hpp"
 #include "program.hpp"
+#include "result_directory.hpp"
 #include "result_files.hpp"
 #include "rubsweep/config/cell_config.hpp"
 #include "rubsweep/config/print_config.hpp"
@@ -133,7 +135,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   refuse_more_memory_than_there_is(options, study.machine.stops.size(),
                                    prepared.assembly.system.coordinates());
   const fs::path directory = directory_of(arguments, config);
-  make_directory(directory);
+  const ResultDirectory made(directory, file_names);
+  end_on_interrupts("nothing was written");
 
   response::motion::Workspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, prepared, 0, workspace);
@@ -161,12 +164,16 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
     if (options.probes)
       summary += look_by_probes(trace, *options.probes, place.speed_hz, study, workspace, files);
   }
-  write_result_files(files, file_names, directory,
-                     {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
-  if (!arguments.quiet) fmt::print("{}{}", summary, files_line(files, directory));
+  {
+    const InterruptsWait whole_set;
+    write_result_files(files, file_names, directory,
+                       {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
+    end_on_interrupts("the files are written, no figure is");
+  }
+  if (!arguments.quiet) print("{}{}", summary, files_line(files, directory));
   if (arguments.figure && trace.revolutions > 0) {
     arguments.figure->draw("draw_traces.py", directory, "One cell under the lens");
-    if (!arguments.quiet) fmt::print("figure    {}\n", arguments.figure->file().string());
+    if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
   }
   if (!scene::can_run(cell.start)) return cannot_start(cell.start);
   if (trace.outcome == integrate::run::Outcome::ok) return done;
@@ -183,6 +190,8 @@ int perform(RubtraceArguments arguments) {
     ask_about("rubtrace", unbalance_of(arguments.place, config.study.machine), config.study.machine,
               arguments.quiet);
   if (arguments.place.speed_hz) require_speed("--speed-hz", *arguments.place.speed_hz, config.study.machine);
+  if (const auto& speeds = arguments.campbell)
+    require_speed("--campbell", speeds->to_hz, config.study.machine);
   if (auto& ramp = arguments.run_up) {
     require_speed("--run-up", std::max(ramp->from_hz, ramp->to_hz), config.study.machine);
     const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);

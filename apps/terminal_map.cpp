@@ -13,6 +13,7 @@
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/report/terminal_map.hpp"
+#include "shell_word.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -29,18 +30,6 @@ bool shows_colours() {
   const char *none = std::getenv("NO_COLOR"), *colours = std::getenv("COLORTERM");
   const std::string_view named = colours == nullptr ? "" : colours;
   return (none == nullptr || *none == '\0') && (named == "truecolor" || named == "24bit");
-}
-
-/// A word of a command line, in quotes where a shell would take it apart.
-std::string word(const std::string& text) {
-  const auto plain = [](char c) {
-    return std::string_view("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+:@%,")
-               .find(c) != std::string_view::npos;
-  };
-  if (!text.empty() && std::ranges::all_of(text, plain)) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
 }
 
 /// In the unit of the person where that names the same cell to the last bit.
@@ -70,7 +59,7 @@ std::string rubtrace_command(const std::filesystem::path& directory, const sweep
   std::string keys;
   for (const sweep::KeyValue& held : sweep::key_values(grid, cell))
     keys += fmt::format(" --set {}={}", held.key, batch::csv_number(held.value));
-  return fmt::format("rubtrace {} {} {}{} --figure cell.png", word(directory / "config.yaml"),
+  return fmt::format("rubtrace {} {} {}{} --figure cell.png", shell_word(directory / "config.yaml"),
                      speed_option(grid, place.speed_hz), unbalance_option(grid, place.unbalance), keys);
 }
 
@@ -94,7 +83,7 @@ TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid&
     view.next +=
         fmt::format("next: {}  # {}\n", rubtrace_command(path.parent_path(), grid, *cell), map.name(*cell));
   }
-  if (!has_report) view.next += fmt::format("next: rubreport {}\n", word(path.parent_path()));
+  if (!has_report) view.next += fmt::format("next: rubreport {}\n", shell_word(path.parent_path()));
   return view;
 }
 

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -14,6 +12,7 @@
 #include "refined_cells.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/file_lock.hpp"
+#include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/config/print_ring_config.hpp"
 #include "rubsweep/config/read_ring_config.hpp"
@@ -193,8 +192,7 @@ class Verification {
 
   void check_report() {
     if (!has(report_page_file) || digest_.empty()) return;
-    std::ifstream stream(directory_ / report_page_file, std::ios::binary);
-    const std::string page{std::istreambuf_iterator<char>(stream), {}};
+    const std::string page = batch::read_input(directory_ / report_page_file);
     const std::size_t end = page.find_last_not_of('\n');
     if (end == std::string::npos || !page.substr(0, end + 1).ends_with("</html>")) {
       fault(fmt::format("{}: is cut off", report_page_file));

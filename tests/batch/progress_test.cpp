@@ -2,7 +2,9 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <stdlib.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,6 +44,59 @@ TEST(ProgressLine, IsFullOnlyAtTheEnd) {
   EXPECT_EQ(progress_line(1000, 1000, 10), "1000/1000 cells, 100%, 100 cells/s, 0:00:00 left");
 }
 
+/// A pseudo terminal that hands over what is written to it as it is.
+class Terminal {
+ public:
+  Terminal() : main_end_(::posix_openpt(O_RDWR | O_NOCTTY)) {
+    ::grantpt(main_end_);
+    ::unlockpt(main_end_);
+    stream_ = std::fopen(::ptsname(main_end_), "w");
+    termios plain{};
+    ::tcgetattr(fileno(stream_), &plain);
+    ::cfmakeraw(&plain);
+    ::tcsetattr(fileno(stream_), TCSANOW, &plain);
+  }
+  ~Terminal() {
+    std::fclose(stream_);
+    ::close(main_end_);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  std::FILE* stream() const { return stream_; }
+
+  /// All that was written so far.
+  std::string text() {
+    std::fflush(stream_);
+    std::string all;
+    pollfd waiting{.fd = main_end_, .events = POLLIN, .revents = 0};
+    while (::poll(&waiting, 1, 100) > 0 && (waiting.revents & POLLIN) != 0) {
+      std::array<char, 4096> piece{};
+      const ssize_t length = ::read(main_end_, piece.data(), piece.size());
+      if (length <= 0) break;
+      all.append(piece.data(), static_cast<std::size_t>(length));
+    }
+    return all;
+  }
+
+ private:
+  int main_end_;
+  std::FILE* stream_;
+};
+
+/// What `steps` steps of a progress of `total` write to a terminal.
+std::string written_to_terminal(std::size_t total, std::size_t steps, std::chrono::milliseconds pause) {
+  Terminal terminal;
+  {
+    Progress progress(total, ProgressMode::automatic, terminal.stream());
+    for (std::size_t i = 0; i < steps; ++i) {
+      std::this_thread::sleep_for(pause);
+      progress.advance();
+    }
+  }
+  return terminal.text();
+}
+
 /// What `steps` steps of a progress of `total` write to a file.
 std::string written_to_file(ProgressMode mode, std::size_t total, std::size_t steps,
                             std::chrono::milliseconds pause = {}) {
@@ -66,13 +121,13 @@ TEST(Progress, IsSilentUnlessATerminalOrAsked) {
 }
 
 TEST(Progress, EndsWithTheTotalTimeAlsoWhenStoppedEarly) {
-  EXPECT_EQ(written_to_file(ProgressMode::always, 10, 0), "\r0/10 cells, 0%\r0/10 cells in 0:00:00\n");
-  EXPECT_TRUE(written_to_file(ProgressMode::always, 10, 7).ends_with("\r7/10 cells in 0:00:00\n"));
+  EXPECT_EQ(written_to_file(ProgressMode::always, 10, 0), "0/10 cells, 0%\n0/10 cells in 0:00:00\n");
+  EXPECT_TRUE(written_to_file(ProgressMode::always, 10, 7).ends_with("\n7/10 cells in 0:00:00\n"));
 }
 
 TEST(Progress, RewritesItsLineAtMostTenTimesASecond) {
   const auto start = std::chrono::steady_clock::now();
-  const std::string text = written_to_file(ProgressMode::always, 200, 200, std::chrono::milliseconds(2));
+  const std::string text = written_to_terminal(200, 200, std::chrono::milliseconds(2));
   const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto drawn = std::ranges::count(text, '\r');
   EXPECT_GE(drawn, 3);  // first, last and at least one in 0.4 s
@@ -80,26 +135,29 @@ TEST(Progress, RewritesItsLineAtMostTenTimesASecond) {
 }
 
 TEST(Progress, SaysWhatASlowCellThatIsRunningCosts) {
-  std::FILE* file = std::tmpfile();
-  Progress progress(1001, ProgressMode::always, file);
+  Terminal terminal;
+  Progress progress(1001, ProgressMode::automatic, terminal.stream());
   progress.advance(1000);
   std::this_thread::sleep_for(std::chrono::milliseconds(1600));
   progress.refresh();
   progress.refresh();  // too soon
-  std::rewind(file);
-  std::array<char, 4096> text{};
-  text[std::fread(text.data(), 1, text.size() - 1, file)] = 0;
   // The average cell would promise the end in no time.
-  EXPECT_TRUE(
-      std::regex_match(text.data(), std::regex("\r0/1001 cells, 0%\r1000/1001 cells, 99%, [0-9.]+ cells/s, "
-                                               "(0:00:0[1-9]|0:[0-9:]+[1-9][0-9]) left")))
-      << text.data();
+  const std::string text = terminal.text();
+  EXPECT_TRUE(std::regex_match(text, std::regex("\r0/1001 cells, 0%\r1000/1001 cells, 99%, [0-9.]+ cells/s, "
+                                                "(0:00:0[1-9]|0:[0-9:]+[1-9][0-9]) left")))
+      << text;
   progress.finish();
-  std::fclose(file);
+}
+
+TEST(Progress, IsLinesWhereNothingCanBeRewritten) {
+  const std::string text = written_to_file(ProgressMode::always, 200, 200, std::chrono::milliseconds(2));
+  EXPECT_EQ(text.find('\r'), std::string::npos) << text;
+  EXPECT_TRUE(std::regex_match(text, std::regex("0/200 cells, 0%\n200/200 cells in 0:00:[0-9]{2}\n")))
+      << text;
 }
 
 TEST(Progress, LeavesNothingOfALongerLine) {
-  const std::string text = written_to_file(ProgressMode::always, 2, 2, std::chrono::milliseconds(110));
+  const std::string text = written_to_terminal(2, 2, std::chrono::milliseconds(110));
   const auto before = text.rfind('\r', text.rfind('\r') - 1);
   const auto longer = text.rfind('\r') - before - 1;
   const auto last = text.size() - text.rfind('\r') - 2;
@@ -108,24 +166,8 @@ TEST(Progress, LeavesNothingOfALongerLine) {
 }
 
 TEST(Progress, ShowsOnATerminal) {
-  const int main_end = ::posix_openpt(O_RDWR | O_NOCTTY);
-  ASSERT_GE(main_end, 0);
-  ASSERT_EQ(::grantpt(main_end), 0);
-  ASSERT_EQ(::unlockpt(main_end), 0);
-  std::FILE* terminal = std::fopen(::ptsname(main_end), "w");
-  ASSERT_NE(terminal, nullptr);
-  Progress(5, ProgressMode::automatic, terminal).finish();
-  // A terminal hands over what was written in pieces of its own choice; the last one ends the line.
-  std::string text;
-  while (text.find('\n') == std::string::npos) {
-    std::array<char, 256> piece{};
-    const ssize_t length = ::read(main_end, piece.data(), piece.size());
-    ASSERT_GT(length, 0);
-    text.append(piece.data(), static_cast<std::size_t>(length));
-  }
-  EXPECT_EQ(text.substr(0, 16), "\r0/5 cells, 0%\r0");
-  std::fclose(terminal);
-  ::close(main_end);
+  const std::string text = written_to_terminal(5, 0, {});
+  EXPECT_EQ(text, "\r0/5 cells, 0%\r0/5 cells in 0:00:00\n");
 }
 
 }  // namespace

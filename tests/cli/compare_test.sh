@@ -81,6 +81,13 @@ if command -v gnuplot >/dev/null; then
   [[ $(<stderr) == 'rubsweep-compare: cannot write nowhere/difference.png: No such file or directory' ]] ||
     fail 'more than a message'
 
+  # What a user has set for gnuplot decides nothing.
+  mkdir -p home/.config/gnuplot
+  echo 'set output "obeyed"; set title "obeyed"' | tee home/.gnuplot >home/.config/gnuplot/gnuplotrc
+  HOME=$PWD/home XDG_CONFIG_HOME=$PWD/home/.config expect_compared 5 a/map.csv changed.csv --figure settings.svg
+  expect_same <(sed 's/<desc>.*//' settings.svg) <(sed 's/<desc>.*//' difference.svg)
+  expect_missing obeyed
+
   # Names are data, whatever they hold, and what is drawn goes to that name.
   evil=$'m\nsystem("touch pwned-by-map")\n\'`touch pwned-by-backticks`\'.csv'
   cp a/map.csv "$evil"

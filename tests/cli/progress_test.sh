@@ -10,9 +10,11 @@ expect_exit 0 "$minimal" "${cell[@]}" --progress never
 expect_empty stderr
 
 expect_exit 0 "$minimal" "${cell[@]}" --progress always
-expect_matches stderr $'^\r0/1 cells, 0%'
-expect_matches stderr $'\r1 cells on [0-9]+ threads: up to [0-9.]+ MB of memory, 0.1 MB of disk *$'
-expect_matches stderr $'\r1/1 cells in 0:0[0-9]:[0-9]{2} *$'
+# Lines, as nothing is rewritten in a file.
+expect_matches stderr '^0/1 cells, 0%$'
+expect_matches stderr '^1 cells on [0-9]+ threads: up to [0-9.]+ MB of memory, 0.1 MB of disk$'
+expect_matches stderr '^1/1 cells in 0:0[0-9]:[0-9]{2}$'
+grep -q $'\r' stderr && fail 'one line for all'
 expect_contains stdout 'map: '
 
 # A map on which nothing can rub says why: before it starts, in the explanation and in its summary.
@@ -31,7 +33,7 @@ expect_contains stdout 'weak kick: 1 N for 0.005 s reach no wall'
 
 # A long one says beforehand how long, by cells that are part of it.
 expect_exit 0 "${quick[@]}" --set sweep.speed_hz.count=125 --progress always --threads 2 --output long
-expect_matches stderr $'\rabout 0:0[0-9]:[0-9]{2} by 32 cells spread over the map *$'
+expect_matches stderr '^about 0:0[0-9]:[0-9]{2} by 32 cells spread over the map *$'
 expect_exit 0 "${quick[@]}" --set sweep.speed_hz.count=125 --threads 1 --output long_too
 expect_same long/map.csv long_too/map.csv
 # What does not fit is refused before anything is written.

@@ -6,7 +6,7 @@ expect_exit 0 "${quick[@]}" --output whole
 for shards in 1 2 5 100; do
   for ((i = 1; i <= shards; ++i)); do
     expect_exit 0 "${quick[@]}" --output "of_$shards" --shard "$i/$shards"
-    expect_contains stdout ' cells finished; when every shard is: rubsweep --merge'
+    expect_contains stdout ' cells finished; when every shard is: rubsweep '
     expect_missing "of_$shards/map.csv"
   done
   expect_exit 0 "${quick[@]}" --output "of_$shards" --merge
@@ -37,7 +37,33 @@ expect_matches part/map.shard-2-of-4.partial.csv '^59[.0-9]*,0.02,'
 [[ $(rows part/map.shard-2-of-4.partial.csv | wc -l) == 24 ]] || fail 'not a quarter of the cells'
 expect_whole_rows part/map.shard-2-of-4.partial.csv
 expect_exit 3 "${quick[@]}" --output part --merge
-expect_contains stderr 'rubsweep: nothing to merge yet: 72 of 96 cells are not finished'
+expect_contains stderr 'rubsweep: nothing to merge yet: 72 of 96 cells are not finished, those of shards 1/4, 3/4, 4/4, allowed: first'
+# What it says runs as it is printed, whatever the names are.
+cp "$minimal" "it's minimal.yaml"
+hinted=("it's minimal.yaml" "${quick[@]:1}" --output 'a b')
+expect_exit 0 "${hinted[@]}" --shard 1/3
+sed 's/.*when every shard is: //' stdout >merge_hint
+grep -q -- '--merge$' merge_hint || fail "no command: $(cat merge_hint)"
+expect_exit 3 "${hinted[@]}" --merge
+expect_contains stderr 'those of shards 2/3, 3/3'
+sed -n 's/^  rubsweep //p' stderr >hints
+[[ $(wc -l <hints) == 2 ]] || fail "not two commands: $(cat hints)"
+while IFS= read -r hint; do eval "\"\$rubsweep\" $hint --quiet" </dev/null || fail "$hint"; done <hints
+eval "\"\$rubsweep\" $(sed 's/^rubsweep //' merge_hint) --quiet"
+expect_same 'a b/map.csv' whole/map.csv
+
+# How far a map is.
+expect_exit 0 --status part
+expect_contains stdout 'part: 24 of 96 cells are finished (25 %), nobody is at work'
+expect_matches stdout '^  map.shard-2-of-4 +24  nobody is at work$'
+expect_matches stdout '^  map.shard-3-of-4 +-  not begun$'
+expect_exit 0 --status whole
+expect_contains stdout 'whole: the map is there'
+mkdir -p nothing
+expect_exit 0 --status nothing
+expect_contains stdout 'nothing: no map was begun here'
+expect_exit 3 --status no_such_directory
+expect_exit 1 --status part --merge
 # The same part again has nothing left to do; another division goes on from there.
 expect_exit 0 "${quick[@]}" --output part --shard 2/4
 expect_contains stderr '24 of 24 cells were finished before'

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "rubsweep/batch/descriptor.hpp"
+#include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
@@ -142,9 +143,7 @@ std::string csv_row(std::span<const std::string> cells) {
   return row;
 }
 
-CsvReader::CsvReader(std::filesystem::path path)
-    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "rb"), &std::fclose) {
-  if (!file_) throw_io_error("read", path_, errno);
+CsvReader::CsvReader(std::filesystem::path path) : path_(std::move(path)), file_(open_input_stream(path_)) {
   if (!read_record()) fail(path_, next_.line, "no header line");
   header_ = parse_record();
   require_distinct(header_, path_, place_.line);
@@ -155,13 +154,10 @@ bool CsvReader::read_record() {
   record_.clear();
   std::ptrdiff_t quotes = 0;
   while (true) {
-    errno = 0;
-    const ssize_t length = ::getline(&line_.text, &line_.capacity, file_.get());
-    if (length < 0 && std::ferror(file_.get())) throw_io_error("read", path_, errno);
-    if (length < 0) return !record_.empty();
-    const std::string_view line(line_.text, static_cast<std::size_t>(length));
+    const std::string_view line = read_line(file_.get(), path_, line_.text, line_.capacity);
+    if (line.empty()) return !record_.empty();
     if (record_.empty()) place_ = next_;
-    next_.offset += static_cast<std::uint64_t>(length);
+    next_.offset += line.size();
     next_.line += 1;
     if (record_.empty() && line.starts_with('#')) {
       comments_.push_back(comment_of(line));

@@ -6,14 +6,21 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <new>
 #include <system_error>
 #include <utility>
 
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
+namespace {
+
+constexpr std::string_view is_a_link = "it is a symbolic link, and what that leads to would be changed";
+
+}  // namespace
 
 void throw_io_error(std::string_view action, const std::filesystem::path& path, int error) {
+  if (error == ENOMEM) throw std::bad_alloc();
   throw IoError(
       fmt::format("cannot {} {}: {}", action, path.string(), std::generic_category().message(error)));
 }
@@ -21,8 +28,16 @@ void throw_io_error(std::string_view action, const std::filesystem::path& path, 
 Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action,
                      const std::filesystem::path& known_as) {
   Descriptor descriptor(::open(path.c_str(), flags | O_CLOEXEC, 0666));
-  if (descriptor.get() < 0) throw_io_error(action, known_as, errno);
-  return descriptor;
+  if (descriptor.get() >= 0) return descriptor;
+  if (errno == ELOOP && (flags & O_NOFOLLOW) != 0)
+    throw IoError(fmt::format("cannot {} {}: {}", action, known_as.string(), is_a_link));
+  throw_io_error(action, known_as, errno);
+}
+
+void refuse_link(std::string_view action, const std::filesystem::path& path) {
+  std::error_code none;
+  if (std::filesystem::is_symlink(path, none))
+    throw IoError(fmt::format("cannot {} {}: {}", action, path.string(), is_a_link));
 }
 
 Descriptor::~Descriptor() {

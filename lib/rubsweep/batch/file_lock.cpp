@@ -24,10 +24,32 @@ namespace {
 constexpr int most_refusals = 20;
 constexpr std::chrono::milliseconds between_refusals{5};
 
-/// 0, or the system's error number: with LOCK_NB, EWOULDBLOCK when somebody else holds the lock.
+bool has_no_such_locks(int error) {
+  return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP || error == EINVAL;
+}
+
+/// The same for a file system that has no flock(2): locks of an open file by fcntl(2), which network file
+/// systems pass on to their server.
+int lock_by_record(int descriptor, int operation) {
+  struct flock whole {};
+  whole.l_type = (operation & LOCK_EX) != 0 ? F_WRLCK : F_RDLCK;
+  whole.l_whence = SEEK_SET;
+  const int command = (operation & LOCK_NB) != 0 ? F_OFD_SETLK : F_OFD_SETLKW;
+  while (::fcntl(descriptor, command, &whole) != 0) {
+    if (errno == EAGAIN || errno == EACCES) return EWOULDBLOCK;
+    if (errno != EINTR) return errno;
+  }
+  return 0;
+}
+
+/// 0, or the system's error number: with LOCK_NB, EWOULDBLOCK when somebody else holds the lock; ENOLCK where
+/// the file system has no locks of any kind.
 int lock(int descriptor, int operation) {
   while (::flock(descriptor, operation) != 0) {
-    if (errno != EINTR) return errno;
+    if (errno == EINTR) continue;
+    if (!has_no_such_locks(errno)) return errno;
+    const int error = lock_by_record(descriptor, operation);
+    return has_no_such_locks(error) || error == EBADF ? ENOLCK : error;
   }
   return 0;
 }
@@ -48,16 +70,29 @@ std::string written_holder(int descriptor) {
   return written.empty() ? "another process" : std::string(written.substr(0, written.find('\n')));
 }
 
+/// Only a file of ours is ever emptied.
+void require_regular(int descriptor, const std::filesystem::path& path) {
+  struct stat facts {};
+  if (::fstat(descriptor, &facts) != 0) throw_io_error("lock", path, errno);
+  if (!S_ISREG(facts.st_mode))
+    throw IoError(fmt::format("cannot lock {}: it is not a regular file", path.string()));
+}
+
 /// The file at `path` to be locked, and whether it may be written: in a directory that is shared it may be
 /// one that only its owner can write, and who that is does not matter when he is dead.
 std::pair<Descriptor, bool> open_lock(const std::filesystem::path& path) {
   constexpr int most_attempts = 3;  // it may be removed between the two ways to open it
   for (int attempt = 1;; ++attempt) {
-    const int writable = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (writable >= 0) return {Descriptor(writable), true};
+    constexpr int ours = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+    const int writable = ::open(path.c_str(), O_RDWR | O_CREAT | ours, 0666);
     const int error = errno;
-    const int readable = error == EACCES ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : -1;
-    if (readable >= 0) return {Descriptor(readable), false};
+    const int readable = writable < 0 && error == EACCES ? ::open(path.c_str(), O_RDONLY | ours) : -1;
+    Descriptor opened(writable >= 0 ? writable : readable);
+    if (opened.get() >= 0) {
+      require_regular(opened.get(), path);
+      return {std::move(opened), writable >= 0};
+    }
+    if (error == ELOOP) refuse_link("lock", path);
     if (error != EACCES || attempt == most_attempts) throw_io_error("lock", path, error);
   }
 }
@@ -80,8 +115,9 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
       std::this_thread::sleep_for(between_refusals);
       continue;
     }
-    if (error != 0 && error != EWOULDBLOCK) throw_io_error("lock", path_, error);
-    if (error != 0 || !still_there) continue;  // its holder has just removed it
+    guards_ = error != ENOLCK;
+    if (error != 0 && error != EWOULDBLOCK && guards_) throw_io_error("lock", path_, error);
+    if (error == EWOULDBLOCK || !still_there) continue;  // its holder has just removed it
     // A dead owner's file is replaced by one of ours where the directory lets us.
     if (!may_write && mode == LockMode::exclusive && ::unlink(path_.c_str()) == 0) continue;
     writable = may_write;
@@ -96,17 +132,18 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
 
 FileLock::~FileLock() {
   // Somebody may have removed the directory and begun another one under its name: that lock is not ours.
-  if (lock(descriptor_->get(), LOCK_EX | LOCK_NB) == 0 && is_file_at(descriptor_->get(), path_))
+  if ((!guards_ || lock(descriptor_->get(), LOCK_EX | LOCK_NB) == 0) && is_file_at(descriptor_->get(), path_))
     ::unlink(path_.c_str());
 }
 
 std::optional<std::string> lock_holder(const std::filesystem::path& path) {
-  const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW);
   if (opened < 0 && errno == ENOENT) return std::nullopt;
+  if (opened < 0 && errno == ELOOP) refuse_link("read", path);
   const Descriptor descriptor(opened);
   if (opened < 0) throw_io_error("read", path, errno);
   const int error = lock(descriptor.get(), LOCK_SH | LOCK_NB);
-  if (error == 0) return std::nullopt;
+  if (error == 0 || error == ENOLCK) return std::nullopt;
   if (error != EWOULDBLOCK) throw_io_error("lock", path, error);
   return written_holder(descriptor.get());
 }

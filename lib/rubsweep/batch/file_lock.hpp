@@ -28,15 +28,19 @@ class FileLock {
   FileLock(std::filesystem::path path, LockMode mode, const std::string& purpose,
            Patience patience = Patience::none);
   ~FileLock();  ///< removes the file unless others share the lock, or it is no longer the one that was locked
+  /// False where the file system has no locks: then nothing keeps others away.
+  bool guards() const { return guards_; }
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
  private:
   std::filesystem::path path_;
   std::optional<Descriptor> descriptor_;
+  bool guards_ = true;
 };
 
-/// Who holds the lock at `path`; empty when nobody does, or there is no such file. Throws IoError.
+/// Who holds the lock at `path`; empty when nobody does, where the file system has no locks, or there is no
+/// such file. Throws IoError.
 std::optional<std::string> lock_holder(const std::filesystem::path& path);
 
 }  // namespace rubsweep::batch

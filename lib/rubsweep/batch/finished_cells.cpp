@@ -1,12 +1,12 @@
 #include "rubsweep/batch/finished_cells.hpp"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <string_view>
 
+#include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/journal.hpp"
 #include "rubsweep/error.hpp"
 
@@ -22,7 +22,7 @@ constexpr std::size_t most_files = 0xffff;  // the last index would be `nowhere`
 std::size_t FinishedCells::add(const std::filesystem::path& journal) {
   if (files_.size() == most_files) throw IoError("too many journals, allowed: 65535");
   const std::uint64_t file = static_cast<std::uint64_t>(files_.size()) << offset_bits;
-  files_.push_back({journal, open_file(journal, O_RDONLY, "read")});
+  files_.push_back({journal, open_input(journal)});
   return read_journal(journal, [&](const JournalRecord& record) {
     std::uint64_t& place = places_.at(record.cell);
     if (place != nowhere) return;

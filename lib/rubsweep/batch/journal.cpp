@@ -4,14 +4,11 @@
 
 #include <algorithm>
 #include <boost/crc.hpp>
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <cstdlib>
-#include <memory>
 #include <optional>
 #include <utility>
 
+#include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
 
@@ -45,13 +42,7 @@ std::optional<std::size_t> read_size(std::string_view text) {
 /// Lines of a file of any size, one at a time.
 class LineReader {
  public:
-  explicit LineReader(const std::filesystem::path& path)
-      : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
-    if (!file_) throw_io_error("read", path, errno);
-  }
-  ~LineReader() { std::free(buffer_); }
-  LineReader(const LineReader&) = delete;
-  LineReader& operator=(const LineReader&) = delete;
+  explicit LineReader(const std::filesystem::path& path) : path_(path), file_(open_input_stream(path)) {}
 
   /// The next line without its end; false when no whole line is left: one without an end was torn.
   bool next(std::string_view& line, std::uint64_t& offset) {
@@ -60,13 +51,11 @@ class LineReader {
       offset = offset_;
       return true;
     }
-    errno = 0;
-    const ssize_t length = ::getline(&buffer_, &capacity_, file_.get());
-    if (length < 0 && std::ferror(file_.get())) throw_io_error("read", path_, errno);
-    if (length < 0 || buffer_[length - 1] != '\n') return false;
+    const std::string_view read = read_line(file_.get(), path_, buffer_.text, buffer_.capacity);
+    if (!read.ends_with('\n')) return false;
     offset = offset_ = position_;
-    position_ += static_cast<std::uint64_t>(length);
-    line = line_ = std::string_view(buffer_, static_cast<std::size_t>(length - 1));
+    position_ += read.size();
+    line = line_ = read.substr(0, read.size() - 1);
     return true;
   }
 
@@ -75,9 +64,8 @@ class LineReader {
 
  private:
   std::filesystem::path path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  char* buffer_ = nullptr;
-  std::size_t capacity_ = 0;
+  InputStream file_;
+  LineBuffer buffer_;
   std::uint64_t position_ = 0;
   std::string_view line_;  ///< the last one
   std::uint64_t offset_ = 0;
@@ -173,6 +161,7 @@ std::size_t read_journal(const std::filesystem::path& path,
 
 Journal::Journal(const std::filesystem::path& path, const JournalHeader& header)
     : log_([&] {
+        refuse_link("write", path);
         std::error_code unknown;
         const bool there = std::filesystem::exists(path, unknown);
         // What cannot be looked at may well be there: a header in its place would cost all its records.

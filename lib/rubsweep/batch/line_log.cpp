@@ -40,7 +40,8 @@ off_t whole_lines(int descriptor, const std::filesystem::path& path) {
 }  // namespace
 
 LineLog::LineLog(std::filesystem::path path)
-    : path_(std::move(path)), descriptor_(open_file(path_, O_RDWR | O_CREAT | O_APPEND, "write")) {
+    : path_(std::move(path)),
+      descriptor_(open_file(path_, O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW, "write")) {
   const off_t whole = whole_lines(descriptor_.get(), path_);
   if (whole != size_of(descriptor_.get(), path_) && ::ftruncate(descriptor_.get(), whole) != 0) {
     throw_io_error("shorten", path_, errno);

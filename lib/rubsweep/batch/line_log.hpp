@@ -16,7 +16,7 @@ class LineLog {
   static constexpr std::chrono::seconds sync_interval{5};
 
   /// Appends to `path` or creates it. A last line without an end (an interrupted write) is cut off first.
-  /// Throws IoError.
+  /// Throws IoError, for a symbolic link as well.
   explicit LineLog(std::filesystem::path path);
 
   /// Adds `line` and a line end. Throws IoError; then nothing of the line stays behind if the system allows.

@@ -12,6 +12,7 @@
 #include <exception>
 #include <future>
 #include <mutex>
+#include <new>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -47,6 +48,8 @@ struct Failures {
     throw ConfigError(message(error));
   } catch (const IoError& error) {
     throw IoError(message(error));
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw SolverError(message(error));
   }

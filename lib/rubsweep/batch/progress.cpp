@@ -10,7 +10,8 @@ namespace rubsweep::batch {
 namespace {
 
 constexpr auto redraw_interval = std::chrono::milliseconds(100),
-               refresh_interval = std::chrono::milliseconds(1000);
+               refresh_interval = std::chrono::milliseconds(1000),
+               line_interval = std::chrono::milliseconds(10000);
 
 constexpr std::size_t most_ends = 1024;
 
@@ -20,8 +21,10 @@ std::string rate_text(double per_second) {
   return fmt::format("{:.{}f}", per_second, decimals);
 }
 
+bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) != 0; }
+
 bool shows(ProgressMode mode, std::FILE* stream) {
-  if (mode == ProgressMode::automatic) return isatty(fileno(stream)) != 0;
+  if (mode == ProgressMode::automatic) return is_terminal(stream);
   return mode == ProgressMode::always;
 }
 
@@ -43,7 +46,10 @@ std::string progress_line(std::size_t done, std::size_t total, double elapsed_s,
 }
 
 Progress::Progress(std::size_t total, ProgressMode mode, std::FILE* stream, std::size_t done_before)
-    : done_before_(done_before), total_(total), stream_(shows(mode, stream) ? stream : nullptr) {
+    : done_before_(done_before),
+      total_(total),
+      stream_(shows(mode, stream) ? stream : nullptr),
+      in_place_(is_terminal(stream)) {
   if (stream_) draw(progress_line(done_, total_, 0, done_before_));
 }
 
@@ -54,13 +60,13 @@ void Progress::advance(std::size_t cells) {
   const std::size_t worth_keeping = std::min(most_ends, total_ - std::min(done_, total_));
   ends_.insert(ends_.end(), std::min(cells, most_ends), now);
   while (ends_.size() > worth_keeping) ends_.pop_front();
-  if (now - drawn_ < redraw_interval) return;
+  if (now - drawn_ < (in_place_ ? redraw_interval : line_interval)) return;
   draw(line());
   drawn_ = now;
 }
 
 void Progress::refresh() {
-  if (!stream_ || Clock::now() - drawn_ < refresh_interval) return;
+  if (!stream_ || Clock::now() - drawn_ < (in_place_ ? refresh_interval : line_interval)) return;
   draw(line());
   drawn_ = Clock::now();
 }
@@ -68,8 +74,8 @@ void Progress::refresh() {
 bool Progress::say(const std::string& text) {
   if (!stream_) return false;
   draw(text);
-  std::fputc('\n', stream_);
-  drawn_width_ = 0;
+  if (!in_place_) return true;
+  end_line();
   draw(line());
   return true;
 }
@@ -77,7 +83,7 @@ bool Progress::say(const std::string& text) {
 void Progress::finish() {
   if (!stream_) return;
   draw(fmt::format("{}/{} cells in {}", done_, total_, hours_minutes_seconds(elapsed_s())));
-  std::fputc('\n', stream_);
+  if (in_place_) end_line();
   std::fflush(stream_);
   stream_ = nullptr;
 }
@@ -96,7 +102,17 @@ std::string Progress::line() const {
   return progress_line(done_, total_, elapsed_s(), done_before_, recent_s_per_cell());
 }
 
+void Progress::end_line() {
+  std::fputc('\n', stream_);
+  drawn_width_ = 0;
+}
+
 void Progress::draw(const std::string& line) {
+  if (!in_place_) {
+    std::fputs((line + '\n').c_str(), stream_);
+    std::fflush(stream_);
+    return;
+  }
   // Blanks cover what a longer line left behind. A terminal that is gone must not end the run.
   std::fputs(fmt::format("\r{:<{}}", line, drawn_width_).c_str(), stream_);
   std::fflush(stream_);

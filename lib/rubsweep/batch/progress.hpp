@@ -21,10 +21,10 @@ std::string hours_minutes_seconds(double duration_s);
 std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before = 0,
                           double recent_s_per_cell = 0);
 
-/// A line on a terminal that counts finished cells, rewritten in place at most ten times a second. The time
-/// left is what the average cell says, or what as many last cells as are left say, whichever is longer. Time
-/// counts from construction; `done_before` cells were finished by then. Not for use by several threads at
-/// once.
+/// A line that counts finished cells: on a terminal rewritten in place at most ten times a second, in a file
+/// or a pipe one line after another, every ten seconds. The time left is what the average cell says, or what
+/// as many last cells as are left say, whichever is longer. Time counts from construction; `done_before`
+/// cells were finished by then. Not for use by several threads at once.
 class Progress {
  public:
   Progress(std::size_t total, ProgressMode mode, std::FILE* stream = stderr, std::size_t done_before = 0);
@@ -35,7 +35,7 @@ class Progress {
   /// So many more cells are finished.
   void advance(std::size_t cells = 1);
 
-  /// Draws the line anew, as time goes by while no cell is finished; at most once a second.
+  /// Draws the line anew, as time goes by while no cell is finished; on a terminal at most once a second.
   void refresh();
 
   /// Puts `text` on a line of its own above, where progress is shown; true if it is.
@@ -51,12 +51,14 @@ class Progress {
   double elapsed_s() const;
   double recent_s_per_cell() const;
   std::string line() const;
+  void end_line();
   void draw(const std::string& line);
 
   std::size_t done_before_;
   std::size_t done_ = done_before_;
   std::size_t total_;
   std::FILE* stream_;  ///< null: nothing is (or is any longer) shown
+  bool in_place_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point drawn_ = start_;
   std::size_t drawn_width_ = 0;

@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <cstdlib>
-#include <memory>
 #include <optional>
 #include <utility>
 
-#include "rubsweep/batch/descriptor.hpp"
+#include "rubsweep/batch/input_file.hpp"
 
 namespace rubsweep::batch {
 namespace {
@@ -33,19 +29,12 @@ struct Reading {
 
 /// No row begins with '#'.
 Reading read_table(const fs::path& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw_io_error("read", path, errno);
-  std::unique_ptr<char, void (*)(void*)> buffer(nullptr, &std::free);
-  std::size_t capacity = 0;
+  const InputStream file = open_input_stream(path);
+  LineBuffer buffer;
   Reading reading;
   while (true) {
-    errno = 0;
-    char* text = buffer.release();
-    const ssize_t length = ::getline(&text, &capacity, file.get());
-    buffer.reset(text);
-    if (length < 0 && std::ferror(file.get())) throw_io_error("read", path, errno);
-    if (length < 0) return reading;
-    const std::string_view line(text, static_cast<std::size_t>(length));
+    const std::string_view line = read_line(file.get(), path, buffer.text, buffer.capacity);
+    if (line.empty()) return reading;
     reading.ends = line.ends_with('\n');
     if (!reading.said && line.starts_with(sum_mark)) {
       reading.said = line.substr(sum_mark.size(), line.size() - sum_mark.size() - (reading.ends ? 1 : 0));
@@ -96,9 +85,6 @@ void TableFile::rename() {
 }
 
 TableSum check_table(const fs::path& path) {
-  std::error_code none;
-  if (fs::exists(path, none) && !fs::is_regular_file(path, none))
-    throw IoError(fmt::format("{}: is not a regular file", path.string()));
   Reading reading = read_table(path);
   const auto refuse = [&](const std::string& why) {
     throw DamagedTable(fmt::format("{}: is not as it was written: {}", path.string(), why));

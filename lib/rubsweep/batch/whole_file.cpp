@@ -32,7 +32,7 @@ WholeFile::WholeFile(std::filesystem::path path)
 /// nobody can.
 Descriptor WholeFile::open_temporary() const {
   while (true) {
-    Descriptor opened = open_file(temporary_, O_WRONLY | O_CREAT | O_TRUNC, "write", path_);
+    Descriptor opened = open_file(temporary_, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, "write", path_);
     if (::flock(opened.get(), LOCK_EX) != 0 || is_file_at(opened.get(), temporary_)) return opened;
   }
 }

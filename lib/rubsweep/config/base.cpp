@@ -81,8 +81,8 @@ class Resolver {
     const fs::path base = file.parent_path() / *text;
     if (!may_be_read(name, base, chain)) return std::nullopt;
     const FileBytes bytes = read_bytes(base);
-    if (bytes.error) {
-      refuse(name, fmt::format("'{}' cannot be read: {}", shown(*text), bytes.error.message()), allowed_base);
+    if (!bytes.problem.empty()) {
+      refuse(name, fmt::format("'{}' cannot be read: {}", shown(*text), bytes.problem), allowed_base);
       return std::nullopt;
     }
     const int index = diagnostics_.add_file(shown(base.string(), max_text_bytes));

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
+#include <system_error>
 #include <utility>
 
 #include "rubsweep/config/base.hpp"
@@ -13,21 +12,19 @@
 
 namespace rubsweep::config {
 
-FileBytes read_bytes(const std::filesystem::path& file) {
-  const auto failed = [] { return FileBytes{"", {errno, std::generic_category()}}; };
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return failed();
-  std::string text(max_document_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) return failed();
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return {std::move(text), {}};
+FileBytes read_bytes(const std::filesystem::path& file, batch::InputKind kind) {
+  const batch::Input input = batch::find_input(file, kind);
+  if (!input.problem.empty()) return {"", input.problem};
+  FileBytes bytes;
+  if (const int error = batch::read_bytes(input.descriptor.get(), max_document_bytes + 1, bytes.text))
+    return {"", std::generic_category().message(error)};
+  return bytes;
 }
 
 std::string read_config_bytes(const std::filesystem::path& file) {
-  FileBytes bytes = read_bytes(file);
-  if (bytes.error) throw IoError(fmt::format("{}: cannot be read: {}", file.string(), bytes.error.message()));
+  FileBytes bytes = read_bytes(file, batch::InputKind::also_passed_on);
+  if (!bytes.problem.empty())
+    throw IoError(fmt::format("{}: cannot be read: {}", file.string(), bytes.problem));
   return std::move(bytes.text);
 }
 

@@ -4,9 +4,9 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
+#include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/config/diagnostics.hpp"
 #include "rubsweep/config/document.hpp"
 
@@ -15,13 +15,15 @@ namespace rubsweep::config {
 /// What was read of a file, and why nothing was.
 struct FileBytes {
   std::string text;
-  std::error_code error;
+  std::string problem;  ///< empty: none
 };
 
 /// The bytes of a configuration file, at most one more than a document may have.
-FileBytes read_bytes(const std::filesystem::path& file);
+FileBytes read_bytes(const std::filesystem::path& file,
+                     batch::InputKind kind = batch::InputKind::regular_file);
 
-/// The same. Throws IoError when the file cannot be read.
+/// The same of a file that the command line names, which may be one that the caller opened and passed on, as
+/// <(...) of a shell is. Throws IoError when the file cannot be read.
 std::string read_config_bytes(const std::filesystem::path& file);
 
 /// Parses a configuration, writes it over its bases (see base.hpp; `file` is where they are looked for from)

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <boost/locale/utf.hpp>
 
+#include "rubsweep/config/terminal_text.hpp"
+
 namespace rubsweep::config {
 namespace {
 
@@ -79,13 +81,7 @@ std::string shown(std::string_view text, std::size_t longest) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
     if (result.size() >= longest) return result + "...";
-    const std::size_t length = utf8_length(text.substr(i));
-    if (length == 0 || is_control(text[i])) {
-      result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
-    } else {
-      result += text.substr(i, length);
-    }
-    i += std::max<std::size_t>(length, 1);
+    i += append_shown(result, text.substr(i), ControlCharacters::none);
   }
   return result;
 }

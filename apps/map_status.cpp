@@ -1,0 +1,116 @@
+#include "map_status.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "rubsweep/batch/file_lock.hpp"
+#include "rubsweep/batch/journal.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds watched{2};
+
+/// What the journals of a directory hold.
+struct Finished {
+  std::map<std::string, std::size_t> by_journal;  ///< name without its ending -> cells in it
+  std::set<std::size_t> cells;                    ///< of all of them
+  std::size_t all = 0;                            ///< of the grid
+};
+
+std::vector<std::string> names_with(const fs::path& directory, std::string_view ending) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with("map.") && name.ends_with(ending) && name != "map.begin.lock")
+      names.push_back(name.substr(0, name.size() - ending.size()));
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+Finished read_finished(const fs::path& directory) {
+  Finished finished;
+  for (const std::string& name : names_with(directory, ".journal")) {
+    const fs::path journal = directory / (name + ".journal");
+    finished.all = batch::read_journal_header(journal).cells;
+    std::set<std::size_t> own;
+    batch::read_journal(journal, [&](const batch::JournalRecord& record) { own.insert(record.cell); });
+    finished.by_journal[name] = own.size();
+    finished.cells.merge(own);
+  }
+  return finished;
+}
+
+/// N of `map.shard-I-of-N`, 0 of another name.
+std::size_t shards_of(std::string_view name) {
+  const std::size_t at = name.find("-of-");
+  std::size_t count = 0;
+  if (!name.starts_with("map.shard-") || at == std::string_view::npos) return 0;
+  std::from_chars(name.data() + at + 4, name.data() + name.size(), count);
+  return count;
+}
+
+std::string rate_text(std::size_t before, std::size_t now) {
+  const double rate =
+      static_cast<double>(now - std::min(before, now)) / std::chrono::duration<double>(watched).count();
+  return fmt::format(", {:.3g} cells/s", rate);
+}
+
+}  // namespace
+
+std::string map_status(const fs::path& directory) {
+  if (!fs::is_directory(directory)) throw IoError(fmt::format("{}: is not a directory", directory.string()));
+  std::map<std::string, std::string> holders;
+  for (const std::string& name : names_with(directory, ".lock")) {
+    if (const auto holder = batch::lock_holder(directory / (name + ".lock"))) holders[name] = *holder;
+  }
+  Finished finished = read_finished(directory);
+  const Finished before = finished;
+  if (!holders.empty()) {
+    std::this_thread::sleep_for(watched);
+    finished = read_finished(directory);
+  }
+  if (finished.by_journal.empty()) {
+    if (fs::exists(directory / "map.csv"))
+      return fmt::format("{}: the map is there, nothing is left to do\n", directory.string());
+    return fmt::format("{}: no map was begun here{}\n", directory.string(),
+                       holders.empty() ? "" : ", one is beginning");
+  }
+  std::string text = fmt::format(
+      "{}: {} of {} cells are finished ({} %){}\n", directory.string(), finished.cells.size(), finished.all,
+      100 * finished.cells.size() / finished.all,
+      holders.empty() ? ", nobody is at work" : rate_text(before.cells.size(), finished.cells.size()));
+  std::set<std::string> names;
+  std::size_t shards = 0;
+  for (const auto& [name, cells] : finished.by_journal) {
+    names.insert(name);
+    shards = std::max(shards, shards_of(name));
+  }
+  for (const auto& [name, holder] : holders) shards = std::max(shards, shards_of(name));
+  for (std::size_t i = 1; i <= shards; ++i) names.insert(fmt::format("map.shard-{}-of-{}", i, shards));
+  for (const std::string& name : names) {
+    const auto there = finished.by_journal.find(name);
+    const auto holder = holders.find(name);
+    text += fmt::format("  {:24} {:>8}  {}\n", name,
+                        there == finished.by_journal.end() ? "-" : std::to_string(there->second),
+                        holder != holders.end()              ? "at work: " + holder->second
+                        : there == finished.by_journal.end() ? "not begun"
+                                                             : "nobody is at work");
+  }
+  return text;
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,61 @@
+#include "merge.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "refined_cells.hpp"
+#include "rubsweep/error.hpp"
+#include "shell_word.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+/// More would fill the screen.
+constexpr std::size_t most_commands = 20;
+
+}  // namespace
+
+std::string command_of(const RubsweepArguments& arguments, std::string_view more) {
+  std::string command = "rubsweep " + shell_word(arguments.config.string());
+  for (const std::string& key : arguments.overrides) command += " --set " + shell_word(key);
+  if (arguments.output) command += " --output " + shell_word(arguments.output->string());
+  return more.empty() ? command : command + " " + std::string(more);
+}
+
+void refuse_to_merge_too_early(const RubsweepArguments& arguments, const config::RunConfig& config,
+                               const MapDirectory& directory) {
+  std::vector<std::size_t> wanted = directory.missing();
+  const bool refined = config.study.grid.refinement.has_value();
+  if (refined) {
+    RefinedCells known(config.study.grid);
+    known.read(directory);
+    wanted = known.wanted();
+  }
+  if (wanted.empty()) return;
+  std::string text =
+      refined ? fmt::format("nothing to merge yet: the refined map wants {} cells more", wanted.size())
+              : fmt::format("nothing to merge yet: {} of {} cells are not finished", wanted.size(),
+                            directory.cells());
+  const std::size_t count = directory.shards_begun();
+  if (count == 0) {
+    throw IoError(fmt::format("{}, and no shard was begun, allowed: first\n  {}", text,
+                              command_of(arguments, "--shard I/N")));
+  }
+  std::set<std::size_t> shards;
+  for (const std::size_t cell : wanted) shards.insert(directory.share_in(cell, count) + 1);
+  std::vector<std::string> names;
+  for (const std::size_t shard : shards) names.push_back(fmt::format("{}/{}", shard, count));
+  text += fmt::format(", {} shard{} {}, allowed: first{}", refined ? "of" : "those of",
+                      names.size() == 1 ? "" : "s", fmt::join(names, ", "),
+                      refined ? " (begun at the same time they wait for each other)" : "");
+  for (std::size_t i = 0; i < std::min(names.size(), most_commands); ++i)
+    text += "\n  " + command_of(arguments, "--shard " + names[i]);
+  if (names.size() > most_commands) text += fmt::format("\n  ... and {} more", names.size() - most_commands);
+  throw IoError(text);
+}
+
+}  // namespace rubsweep::apps
