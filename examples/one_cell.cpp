@@ -53,6 +53,8 @@ std::string in_words(const response::motion::Motion& motion) {
       return "it does not touch the stop any more";
     case response::motion::MotionClass::synchronous:
       return "it rubs in every revolution in the same way";
+    case response::motion::MotionClass::resting_contact:
+      return "it rests on the stop and does not move";
     case response::motion::MotionClass::subharmonic:
       return "it rubs in a rhythm of " + std::to_string(motion.order.value()) + " revolutions";
     case response::motion::MotionClass::quasi_periodic:

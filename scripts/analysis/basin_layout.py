@@ -24,7 +24,7 @@ class Attractor:
         self.rank = rank  # of those of its kind, from 0
         self.legend = f": {100 * csv_table.number(row, 'share'):.1f} %"
         # Others have no length of their own.
-        if self.kind == "synchronous" or self.kind.startswith("subharmonic"):
+        if self.kind in ("synchronous", "resting_contact") or self.kind.startswith("subharmonic"):
             self.legend = f", {1e3 * csv_table.number(row, 'peak_displacement_m'):.3g} mm" + self.legend
         # The name of the kind leaves orders from 8 on open.
         if self.kind.startswith("subharmonic"):

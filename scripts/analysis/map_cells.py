@@ -47,7 +47,7 @@ class MapCell:
         return self.name == "quasi_periodic" and self.comb_spacing is not None
 
     def rubs(self):
-        return self.name in ("synchronous", "subharmonic", "quasi_periodic", "chaotic", "unsettled")
+        return self.name in ("synchronous", "resting_contact", "subharmonic", "quasi_periodic", "chaotic", "unsettled")
 
 
 def read_map(path, natural_frequency_hz):

@@ -74,7 +74,8 @@ def read_motion(path):
 
 def title(motion, speed, natural_frequency_hz=None, places=""):
     """Title of a row of panels; a rotor kit has many natural frequencies, and none in its configuration."""
-    name = "no contact" if motion.name == "non_contact" else motion.name.replace("_", " ")
+    named = {"non_contact": "no contact", "resting_contact": "at rest on a stop"}
+    name = named.get(motion.name, motion.name.replace("_", " "))
     if motion.order not in ("", "1"):
         name += f" 1/{motion.order}"
     if motion.name == "synchronous" and motion.orbit == "circle":

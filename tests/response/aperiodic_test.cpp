@@ -125,6 +125,7 @@ TEST(ClassifyAperiodic, ChaosThatEndsInAPeriodIsNotChaos) {
   const Aperiodic found = follow(map, {0.1, 0.2});
   EXPECT_EQ(name(found), "unsettled");
   EXPECT_EQ(found.returns_after, 1);
+  EXPECT_TRUE(found.left_chaos);
 }
 
 TEST(ClassifyAperiodic, TurnsOfTheRunCountForChaosButNotForItsExponent) {
@@ -143,7 +144,11 @@ TEST(ClassifyAperiodic, ChaosThatLosesContactIsNotChaos) {
   const Aperiodic found = follow(henon, {0.1, 0.2}, 300);
   EXPECT_EQ(name(found), "unsettled");
   EXPECT_FALSE(found.exponent);
+  EXPECT_TRUE(found.left_chaos);
   EXPECT_EQ(name(follow(henon, {0.1, 0.2}, 1280)), "chaotic");
+  // What was never chaotic has left nothing.
+  EXPECT_FALSE(follow(circle(2 * std::numbers::pi / 14, 0), {1, 0}).left_chaos);
+  EXPECT_FALSE(follow(modulated_period_two(0), {0.9, 0.05, 0, 0.1}, 300).left_chaos);
 }
 
 TEST(ClassifyAperiodic, AShorterPauseIsContact) {

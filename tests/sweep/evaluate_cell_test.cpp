@@ -470,5 +470,25 @@ TEST(EvaluateCell, SolversAgreeWithDampingThatTurns) {
   }
 }
 
+/// A weight of four clearances of sag on a floor, without unbalance: nothing moves, and the spring of the
+/// stop carries what that of the rotor does not. With unbalance it moves on the floor.
+TEST(EvaluateCell, ARotorThatRestsOnAStopIsCalledSo) {
+  Study study = one_side_study({60}, {0});
+  study.machine.kick.reset();
+  study.machine.gravity_m_per_s2 = 60;
+  study.machine.stops.front().geometry = model::OneSideGeometry{-90};
+  study.grid.measure = UnbalanceMeasure::eccentricity_m;
+  const Row row = evaluate(study);
+  EXPECT_EQ(to_string(row.motion_class), "resting_contact");
+  ASSERT_TRUE(row.measures);
+  EXPECT_EQ(row.measures->contact.contact_fraction, 1);
+  const double rotor_n_per_m = 0.8 * std::pow(2 * std::numbers::pi * 30, 2);
+  const double carried_n =
+      rotor_n_per_m * row.measures->contact.peak_displacement_m + row.measures->contact.peak_contact_force_n;
+  EXPECT_NEAR(carried_n, 0.8 * 60, 0.1);
+  study.grid.unbalance = {1e-5};
+  EXPECT_EQ(to_string(evaluate(study).motion_class), "synchronous");
+}
+
 }  // namespace
 }  // namespace rubsweep::sweep

@@ -60,6 +60,14 @@ std::optional<double> dominant_amplitude_m(const Measures& m) {
   return m.dominant ? std::optional(m.dominant->amplitude_m) : std::nullopt;
 }
 
+std::optional<double> least_mean_life(const Row& row) {
+  return row.survival ? std::optional(row.survival->least_mean_life()) : std::nullopt;
+}
+
+std::optional<int> escapes(const Row& row) {
+  return row.survival ? std::optional(row.survival->escapes) : std::nullopt;
+}
+
 using enum Comparison;
 
 constexpr std::array columns{
@@ -104,6 +112,10 @@ constexpr std::array columns{
               "largest distance of a casing from its unloaded place", measured<peak_casing_displacement_m>},
     MapColumn{"peak_over_clearance", "", number, "peak_displacement_m / clearance of the first stop",
               of_row<&Row::peak_over_clearance>},
+    MapColumn{"chaos_life_revolutions", "", ignored, "chaotic: its mean life is this or more, to 95 %",
+              of_row<least_mean_life>},
+    MapColumn{"chaos_escapes", "", ignored, "chaotic: how often it or a companion left it while followed",
+              of_row<escapes>},
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ constexpr std::array signs{
     Sign{"quasi_periodic oval", 'o', 0xEE8866}, Sign{"quasi_periodic dry whip", 'w', 0x7A4F20},
     Sign{"quasi_periodic", 'q', 0xAA4499},      Sign{"chaotic", '*', 0x000000},
     Sign{"unsettled", '?', 0x555555, false},    Sign{"initial_contact", '#', 0x999999, false},
-    Sign{"failed", '!', 0xCC0000, false}};
+    Sign{"failed", '!', 0xCC0000, false},       Sign{"resting_contact", 'r', 0xA8C686}};
 /// Of 1/2 to 1/7, and of longer periods.
 constexpr std::array<std::uint32_t, 7> subharmonic_rgb{0xCC6677, 0x332288, 0xDDCC77, 0x117733,
                                                        0x882255, 0x44AA99, 0x999933};

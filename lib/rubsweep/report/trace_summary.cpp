@@ -23,6 +23,10 @@ std::string motion_text(const sweep::Row& row) {
     text += fmt::format(", rest proven after {} revolutions", row.revolutions);
   if (row.proof == response::motion::Proof::observed)
     text += fmt::format(", observed after {} revolutions", row.revolutions);
+  if (row.survival) {
+    text += fmt::format(", lasts {:.3g} revolutions or more in the mean (95 %, {} of its companions escaped)",
+                        row.survival->least_mean_life(), row.survival->escapes);
+  }
   if (row.status != "ok") text += ", status " + row.status;
   return text;
 }

@@ -27,6 +27,13 @@ bool chaotic(const motion::Exponent& exponent) {
   return exponent.per_revolution > std::max(exponent.error_bar, chaos_floor);
 }
 
+/// Chaotic in the first half of the turns that are not its last window.
+bool was_chaotic(const Followed& motion, int window) {
+  constexpr std::size_t fewest = 80;
+  const std::size_t turns = motion.turns() - std::min(motion.turns(), static_cast<std::size_t>(window));
+  return turns / 2 >= fewest && chaotic(exponent_of(std::span(motion.contributions).first(turns / 2)));
+}
+
 /// Fills class and evidence; false when the turns so far do not decide.
 bool decide(const Followed& motion, std::size_t turns_before,
             const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
@@ -34,6 +41,7 @@ bool decide(const Followed& motion, std::size_t turns_before,
   result.exponent = exponent_of(motion.contributions);
   if (const auto period = period_of(motion)) {
     result.returns_after = period->order;
+    result.left_chaos = was_chaotic(motion, window);
     return true;
   }
   const auto [exponent, bar] = *result.exponent;
@@ -64,8 +72,9 @@ Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& to
                              std::vector<double> section, std::size_t turns_before,
                              const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
                              spectrum::SpectrumWorkspace& workspace) {
-  Followed motion{.states = section.size(), .rows = {}, .contributions = {}};
   Aperiodic result;
+  Followed& motion = result.motion;
+  motion.states = section.size();
   const std::size_t chaos_from = turns_before < shortest_chaos ? shortest_chaos - turns_before : 0;
   for (const std::size_t look : {first_look, std::max(first_look, chaos_from), second_look, last_look}) {
     if (look <= motion.turns()) continue;
@@ -73,7 +82,11 @@ Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& to
       const auto growth = turn(section);
       if (!growth) return {};
       motion.add(section, *growth, touched());
-      if (motion.turns_without_contact >= window) return {};
+      if (motion.turns_without_contact >= window) {
+        Aperiodic lost;
+        lost.left_chaos = was_chaotic(motion, window);
+        return lost;
+      }
     }
     if (decide(motion, turns_before, observed, window, workspace, result)) return result;
   }

@@ -59,9 +59,25 @@ void look_for_comb(const motion::Record& record, const motion::ResponseOptions& 
       spectrum::largest_comb_line(record.displacement_m(), options.samples_per_revolution, comb->spacing);
 }
 
+/// What the end of a whole run shows.
+struct Verdict {
+  motion::Motion motion;
+  std::optional<Survival> survival;  ///< of chaos
+};
+
+/// How long chaos lasts that `followed` is a stretch of.
+void ask_how_long_it_lasts(proof::SceneMap& map, const motion::ResponseOptions& options,
+                           const Followed& followed, Verdict& verdict) {
+  verdict.survival =
+      survive([&map](std::span<double> section) { return map(section); }, [&map] { return map.touched(); },
+              followed, {.window = options.window_revolutions, .max_order = options.max_order});
+  if (verdict.survival->escapes > 0) verdict.motion.status = motion::MotionStatus::transient_chaos;
+}
+
 void follow_on(const scene::Scene& scene, integrate::run::SolverOptions solver,
                const motion::ResponseOptions& options, std::span<const double> section,
-               motion::Workspace& workspace, motion::Motion& motion) {
+               motion::Workspace& workspace, Verdict& verdict) {
+  motion::Motion& motion = verdict.motion;
   solver.relative_tolerance = std::min(solver.relative_tolerance, largest_tolerance_of_an_exponent);
   proof::SceneMap map(scene, solver, workspace.modes);
   const Aperiodic found = classify_aperiodic(
@@ -70,8 +86,11 @@ void follow_on(const scene::Scene& scene, integrate::run::SolverOptions solver,
       workspace.spectrum);
   motion.motion_class = found.motion_class;
   motion.exponent = found.exponent;
+  if (found.left_chaos) motion.status = motion::MotionStatus::transient_chaos;
   if (found.returns_after.value_or(0) > options.max_order)
     motion.status = motion::MotionStatus::order_above_max;
+  if (found.motion_class == motion::MotionClass::chaotic)
+    ask_how_long_it_lasts(map, options, found.motion, verdict);
 }
 
 /// Neither a period nor rest: what the end of the run shows may have none.
@@ -79,27 +98,29 @@ bool may_be_aperiodic(const motion::WindowVerdict& verdict) {
   return verdict.motion_class == motion::MotionClass::unsettled && !verdict.period;
 }
 
-/// Verdict at the end of the run; `section` is that of its last turn, `chaos` what a watch has seen of it.
-motion::Motion verdict(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-                       const motion::ResponseOptions& options, const motion::Record& record,
-                       std::span<const double> section, const std::optional<motion::Exponent>& chaos,
-                       motion::Workspace& workspace) {
+/// Verdict at the end of the run; `section` is that of its last turn, `watch` what was seen on the way there.
+Verdict verdict_of(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                   const motion::ResponseOptions& options, const motion::Record& record,
+                   std::span<const double> section, const TorusWatch& watch, motion::Workspace& workspace) {
   const motion::WindowVerdict previous =
       motion::classify_window(record.window(0), options, workspace.spectrum);
   const motion::WindowVerdict last = motion::classify_window(record.window(1), options, workspace.spectrum);
-  motion::Motion motion = motion::settle_verdict(previous, last);
-  if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return motion;
+  Verdict verdict{motion::settle_verdict(previous, last), {}};
+  motion::Motion& motion = verdict.motion;
+  if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return verdict;
   if (rotating::rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
   if (!options.exponent || motion.motion_class != motion::MotionClass::unsettled ||
       !integrate::run::same_every_turn(scene.impulses))
-    return motion;
-  if (chaos) {
+    return verdict;
+  if (const auto chaos = watch.chaos()) {
     motion.motion_class = motion::MotionClass::chaotic;
     motion.exponent = chaos;
+    proof::SceneMap map(scene, solver, workspace.modes);
+    ask_how_long_it_lasts(map, options, watch.motion(), verdict);
   } else {
-    follow_on(scene, solver, options, section, workspace, motion);
+    follow_on(scene, solver, options, section, workspace, verdict);
   }
-  return motion;
+  return verdict;
 }
 
 /// What a transient of a scene may be proven to settle on: a rotationally symmetric one is looked at in the
@@ -139,10 +160,9 @@ void conclude(const motion::ProvenMotion& proven, SettledRun& run) {
   run.floquet_modulus = proven.floquet_modulus;
 }
 
-/// What the end of a whole run shows.
-void conclude(const motion::Motion& seen, const scene::Cell& cell, const proof::RestProof& rest,
-              SettledRun& run) {
-  run.motion = seen;
+void conclude(const Verdict& seen, const scene::Cell& cell, const proof::RestProof& rest, SettledRun& run) {
+  run.motion = seen.motion;
+  run.survival = seen.survival;
   // Two windows without contact do not last where the quiet motion itself touches, or where a vibration about
   // it grows, as by damping that turns with the shaft: the whirl is still growing.
   const bool lasts = cell.start == scene::Start::quiet && !rest.vibration_grows();
@@ -190,6 +210,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   SettledRun run;
   const integrate::run::Run motion = integrate::start(cell.scene, solver, workspace.modes);
   proof::RestProof rest(cell, workspace.forms);
+  run.rotor_unstable = rest.vibration_grows();
   MotionProof proof(cell.scene, solver, options, workspace);
   const double most_work = integrate::run::most_work_of_a_run(solver);
   const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
@@ -236,8 +257,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
         conclude_on_torus(torus, record, options, workspace, run))
       return run;
   }
-  conclude(verdict(cell.scene, solver, options, record, turn.section, torus.chaos(), workspace), cell, rest,
-           run);
+  conclude(verdict_of(cell.scene, solver, options, record, turn.section, torus, workspace), cell, rest, run);
   return run;
 }
 

@@ -9,6 +9,7 @@
 #include "rubsweep/response/motion/options.hpp"
 #include "rubsweep/response/motion/proof.hpp"
 #include "rubsweep/response/motion/workspace.hpp"
+#include "rubsweep/response/survival.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::response {
@@ -22,7 +23,11 @@ struct SettledRun {
   /// From the kick to the end of the windows; those that measure an exponent do not count.
   long revolutions = 0;
   std::optional<long> last_contact_revolution;  ///< 1 for the first; empty: the wall was never touched
+  std::optional<Survival> survival;             ///< of chaos: how long it was seen to last
   bool slip_reversed = false;                   ///< as of the turns
+  /// Some free vibration of the rotor without its stops grows at this speed: there is no quiet motion to
+  /// which it could return, and nothing but the stops limits what it does.
+  bool rotor_unstable = false;
   integrate::run::Effort effort;
   /// The state after these revolutions, scaled as TurnReport::section; empty where there was none.
   std::vector<double> section;

@@ -44,6 +44,8 @@ class TorusWatch {
   /// The exponent of a motion that was chaotic from the first turn that was watched up to now, 1280 turns or
   /// more; else empty.
   std::optional<motion::Exponent> chaos() const;
+  /// All turns that were watched.
+  const Followed& motion() const { return motion_; }
 
  private:
   void end() { look_ = options_.max_revolutions; }

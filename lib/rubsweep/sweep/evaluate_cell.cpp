@@ -16,7 +16,6 @@
 #include "rubsweep/contact/hertz_line.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/overloaded.hpp"
-#include "rubsweep/response/proof/rest_proof.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/hertz_secant.hpp"
 #include "rubsweep/sweep/robustness.hpp"
@@ -73,6 +72,7 @@ void fill(Row& row, const response::SettledRun& run) {
   row.proof = run.proof;
   row.floquet_modulus = run.floquet_modulus;
   if (run.motion.exponent) row.lyapunov_per_revolution = run.motion.exponent->per_revolution;
+  row.survival = run.survival;
   row.revolutions = run.revolutions;
   row.last_contact_revolution = run.last_contact_revolution;
   if (run.outcome == integrate::run::Outcome::ok) {
@@ -82,6 +82,7 @@ void fill(Row& row, const response::SettledRun& run) {
   }
   if (run.motion.status != response::motion::MotionStatus::ok) add_status(row, to_string(run.motion.status));
   if (run.slip_reversed) add_status(row, "slip_reversal");
+  if (run.rotor_unstable) add_status(row, unstable_rotor);
 }
 
 /// The cell at a place with the stiffnesses that the machine has.
@@ -90,9 +91,7 @@ Row evaluate_as_it_is(const Study& study, const scene::PreparedMachine& prepared
   const scene::Cell start = scene::build_cell(prepared, place.speed_hz, place.unbalance);
   if (!scene::can_run(start.start)) return row_of(start, place.speed_hz, prepared.machine, nullptr);
   const response::SettledRun run = response::settle(start, study.solver, study.response, workspace);
-  Row row = row_of(start, place.speed_hz, prepared.machine, &run);
-  if (response::proof::RestProof(start, workspace.forms).vibration_grows()) add_status(row, unstable_rotor);
-  return row;
+  return row_of(start, place.speed_hz, prepared.machine, &run);
 }
 
 /// The cell at a place, of a prepared machine that may differ from the study's.

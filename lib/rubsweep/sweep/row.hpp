@@ -65,9 +65,10 @@ struct Row {
   std::optional<RunStart> start;              ///< empty: nothing was run
   std::optional<double> robust_share{};       ///< see the function; empty unless asked for
   std::optional<int> refinement_level{};      ///< of a refined map
-  std::optional<Basins> basins{};        ///< of a study that asks for them; empty where no kick was simulated
-  std::vector<double> key_values{};      ///< of the axes over keys, in the order of key_names
-  std::optional<HertzSecant> hertz{};    ///< where secants may be taken anew
+  std::optional<Basins> basins{};      ///< of a study that asks for them; empty where no kick was simulated
+  std::vector<double> key_values{};    ///< of the axes over keys, in the order of key_names
+  std::optional<HertzSecant> hertz{};  ///< where secants may be taken anew
+  std::optional<response::Survival> survival{};  ///< of a chaotic motion
   std::optional<Threshold> threshold{};  ///< of a study that asks for it; empty where no kick was simulated
 };
 

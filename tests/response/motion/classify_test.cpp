@@ -59,6 +59,22 @@ TEST(Classify, SlidingAllAlongWithoutAHitIsContact) {
   EXPECT_EQ(to_string(sliding.verdict().motion_class), "synchronous");
 }
 
+TEST(Classify, PressedOnAStopAndAtRestIsNoMotion) {
+  const auto pressed = [](double size_m) {
+    auto recording = record([size_m](double turn) {
+      return std::complex(size_m * std::cos(2 * std::numbers::pi * turn), -clearance_m);
+    });
+    recording.contact.assign(turns, {.contact_fraction = 1});
+    return recording.verdict();
+  };
+  for (const double size_m : {0.0, 1e-7 * clearance_m}) {
+    EXPECT_EQ(to_string(pressed(size_m).motion_class), "resting_contact") << size_m;
+    EXPECT_EQ(pressed(size_m).order, 1);
+    EXPECT_FALSE(pressed(size_m).measures.dominant);
+  }
+  EXPECT_EQ(to_string(pressed(1e-5 * clearance_m).motion_class), "synchronous");
+}
+
 TEST(Classify, OneGrazeIsContact) {
   auto graze = record(circle(clearance_m));
   graze.contact.assign(turns, {});

@@ -27,9 +27,9 @@ TEST(MotionClasses, WhatRubsAndWhatRepeats) {
   EXPECT_FALSE(row_of(MotionClass::failed).rubs);
   // A motion at rest, or that returns after whole turns, measures the same whenever one looks.
   for (const MotionClass motion_class : motion_classes) {
-    const bool expected = motion_class == MotionClass::non_contact ||
-                          motion_class == MotionClass::synchronous ||
-                          motion_class == MotionClass::subharmonic;
+    const bool expected =
+        motion_class == MotionClass::non_contact || motion_class == MotionClass::synchronous ||
+        motion_class == MotionClass::resting_contact || motion_class == MotionClass::subharmonic;
     EXPECT_EQ(row_of(motion_class).repeats, expected) << to_string(motion_class);
   }
 }

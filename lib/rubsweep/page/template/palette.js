@@ -6,6 +6,7 @@ const kinds = [
   { name: "synchronous_circle", label: "synchronous circle", colour: "#4F9BD0" },
   { name: "synchronous_circle_backward", label: "backward circle", colour: "#F4A6B8" },
   { name: "synchronous", label: "synchronous", colour: "#88CCEE" },
+  { name: "resting_contact", label: "at rest on a stop", colour: "#A8C686" },
   { name: "subharmonic_2", label: "subharmonic 1/2", colour: "#CC6677" },
   { name: "subharmonic_3", label: "subharmonic 1/3", colour: "#332288", dark: "#5A48C8" },
   { name: "subharmonic_4", label: "subharmonic 1/4", colour: "#DDCC77" },

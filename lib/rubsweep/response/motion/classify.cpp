@@ -103,11 +103,16 @@ WindowVerdict classify_window(const Window& window, const ResponseOptions& optio
     verdict.off_order_energy_fraction = off.energy_fraction;
     verdict.spectrum_agrees = off.agrees;
     if (off.agrees) {
-      verdict.motion_class = n == 1 ? MotionClass::synchronous : MotionClass::subharmonic;
+      verdict.motion_class = class_of_period(n, verdict.measures);
       verdict.order = n;
     }
   }
   return verdict;
+}
+
+MotionClass class_of_period(int order, const Measures& measures) {
+  if (order > 1) return MotionClass::subharmonic;
+  return measures.dominant ? MotionClass::synchronous : MotionClass::resting_contact;
 }
 
 Measures measure_window(const Window& window, spectrum::SpectrumWorkspace& workspace) {

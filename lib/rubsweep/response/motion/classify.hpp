@@ -33,7 +33,7 @@ struct Window {
 
 /// What one window says on its own.
 struct WindowVerdict {
-  MotionClass motion_class = MotionClass::unsettled;  ///< non_contact, synchronous, subharmonic or unsettled
+  MotionClass motion_class = MotionClass::unsettled;  ///< of no contact, of a period, or unsettled
   std::optional<int> order;                           ///< confirmed by section and spectrum
   std::optional<SectionPeriod> period;                ///< what the section alone says; empty without contact
   bool spectrum_agrees = true;                        ///< false: `period` exists and the spectrum denies it
@@ -49,6 +49,10 @@ struct WindowVerdict {
 /// SolverError when sizes do not match, there are fewer than 4 samples per turn or no clearance.
 WindowVerdict classify_window(const Window& window, const ResponseOptions& options,
                               spectrum::SpectrumWorkspace& workspace);
+
+/// What a motion with contact is called whose section returns after `order` turns: synchronous or
+/// subharmonic, and `resting_contact` where no line but 0X is significant, so that nothing moves.
+MotionClass class_of_period(int order, const Measures& measures);
 
 /// Measures of a window, its spectrum over all of its turns.
 Measures measure_window(const Window& window, spectrum::SpectrumWorkspace& workspace);

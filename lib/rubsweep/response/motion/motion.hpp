@@ -18,6 +18,8 @@ enum class MotionStatus {
                        ///< 1/n
   order_above_max,  ///< unsettled, and on the way to or on a section that returns after more than max_order
                     ///< turns
+  transient_chaos,  ///< chaotic, and it or a companion from a nearby state left the chaos within the turns
+                    ///< that they were followed for
 };
 
 constexpr std::string_view to_string(MotionStatus status) {
@@ -28,6 +30,8 @@ constexpr std::string_view to_string(MotionStatus status) {
       return "spectrum_disagrees";
     case MotionStatus::order_above_max:
       return "order_above_max";
+    case MotionStatus::transient_chaos:
+      return "transient_chaos";
   }
   throw SolverError("motion status without a name");
 }
@@ -58,7 +62,7 @@ struct Exponent {
 /// The settled verdict on one run.
 struct Motion {
   MotionClass motion_class = MotionClass::unsettled;
-  std::optional<int> order;  ///< n of synchronous (1) and subharmonic motion, else empty
+  std::optional<int> order;  ///< n of a motion with contact that repeats after n turns, else empty
   MotionStatus status = MotionStatus::ok;
   Measures measures;
   std::optional<Exponent> exponent;  ///< measured where two windows and a comb did not decide

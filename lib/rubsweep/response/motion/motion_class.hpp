@@ -12,6 +12,7 @@ namespace rubsweep::response::motion {
 enum class MotionClass {
   non_contact,
   synchronous,
+  resting_contact,
   subharmonic,
   quasi_periodic,
   chaotic,
@@ -40,6 +41,11 @@ constexpr MotionClassRow row_of(MotionClass motion_class) {
     case MotionClass::synchronous:
       return {.word = "synchronous",
               .description = "the section returns after one turn",
+              .rubs = true,
+              .repeats = true};
+    case MotionClass::resting_contact:
+      return {.word = "resting_contact",
+              .description = "pressed on a stop and at rest there: no line but 0X",
               .rubs = true,
               .repeats = true};
     case MotionClass::subharmonic:

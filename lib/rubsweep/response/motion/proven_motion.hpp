@@ -9,7 +9,7 @@ namespace rubsweep::response::motion {
 
 /// A motion that a transient is proven to settle on.
 struct ProvenMotion {
-  MotionClass motion_class = MotionClass::synchronous;  ///< synchronous, subharmonic or quasi_periodic
+  MotionClass motion_class = MotionClass::synchronous;  ///< of a period, or quasi_periodic
   std::optional<int> order;                             ///< in turns; empty when quasi-periodic
   Measures measures;                                    ///< of the orbit itself
   double floquet_modulus = 0;                           ///< largest multiplier over its period, < 1

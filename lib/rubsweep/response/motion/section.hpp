@@ -29,6 +29,13 @@ struct SectionPeriod {
 /// smaller order returns over the rows that decided for n: then the window began in a transient, which the
 /// shorter window of n just misses, and n says nothing about the motion behind it. SolverError when `rows`
 /// has no such shape.
+///
+/// A slow approach to an orbit of fewer turns passes for n turns: where a multiplier m of an orbit of k turns
+/// is near -1, sections 2 k turns apart differ by 1 - m^2 of the distance from the orbit, those k turns apart
+/// by 1 - m, a hundred times more. A part of n (a divisor of it) whose return shrinks over the window is
+/// therefore asked where it shrinks to (`return_limit`): to a distance of its own, and n stands; to nothing,
+/// and the part is the order, its residual that of the end; anything between is decided by no window, and the
+/// answer is empty.
 std::optional<SectionPeriod> period_of_section(std::span<const double> rows, int states, int max_order);
 
 /// The sections of the last turns of a run that settles on a known order, to see when it has.

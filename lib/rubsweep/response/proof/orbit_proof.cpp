@@ -77,9 +77,8 @@ std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> se
   if (!proof) return std::nullopt;
   const auto measures = measure(start_of(*orbit), orbit->order);
   if (!measures) return std::nullopt;
-  return motion::ProvenMotion{
-      orbit->order == 1 ? motion::MotionClass::synchronous : motion::MotionClass::subharmonic, orbit->order,
-      *measures, orbit->floquet_modulus, *proof};
+  return motion::ProvenMotion{motion::class_of_period(orbit->order, *measures), orbit->order, *measures,
+                              orbit->floquet_modulus, *proof};
 }
 
 /// Follows the transient as far as the word asks for that can be had.

@@ -22,7 +22,8 @@ class RestProof {
   RestProof(const scene::Cell& cell, numerics::ModalFormCache& forms);
   explicit RestProof(const scene::Cell& cell);
 
-  /// Whether the quiet motion is known not to last, because some free vibration about it grows.
+  /// Whether some free vibration of the rotor without its stops grows, so that no quiet motion lasts. Known
+  /// wherever the run starts.
   bool vibration_grows() const { return grows_; }
 
   /// `section`: scaled state at the start of a revolution with every contact open and the kick over, as
