@@ -45,6 +45,15 @@ TEST(Eigenvectors, AreStretchedByTheirValues) {
   }
 }
 
+TEST(GeneralModes, SaySoWhenTheIterationIsCutShort) {
+  const Eigen::MatrixXd cyclic{{0, 0, 0, 1}, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+  EXPECT_FALSE(general_modes(cyclic, false, 0).converged);
+  const GeneralModes found = general_modes(cyclic, true);
+  ASSERT_TRUE(found.converged);
+  for (Eigen::Index i = 0; i < 4; ++i) EXPECT_NEAR(std::abs(found.values(i)), 1, 1e-14);
+  EXPECT_LE((cyclic * found.vectors - found.vectors * found.values.asDiagonal()).norm(), 1e-14);
+}
+
 TEST(Eigenvalues, SpectralRadiusGoesByTheModulus) {
   EXPECT_NEAR(spectral_radius(Eigen::MatrixXd{{-5, 1}, {0, 4}}), 5, 1e-14);
 }

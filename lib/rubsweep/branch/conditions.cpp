@@ -1,12 +1,13 @@
 #include "rubsweep/branch/conditions.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <cmath>
 #include <complex>
 #include <limits>
 
 #include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/singular_values.hpp"
 
 namespace rubsweep::branch {
 namespace {
@@ -14,13 +15,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-using Svd = Eigen::JacobiSVD<MatrixXd>;
-
 /// Solution of the singular system in the space of all but the last singular value.
-VectorXd solve_but_last(const Svd& svd, const VectorXd& right) {
+VectorXd solve_but_last(const numerics::SingularValues& svd, const VectorXd& right) {
   const Eigen::Index rank = right.size() - 1;
-  return svd.matrixV().leftCols(rank) *
-         (svd.matrixU().leftCols(rank).transpose() * right).cwiseQuotient(svd.singularValues().head(rank));
+  return svd.v.leftCols(rank) *
+         (svd.u.leftCols(rank).transpose() * right).cwiseQuotient(svd.values.head(rank));
 }
 
 struct SumAndProduct {
@@ -48,13 +47,13 @@ SumAndProduct nearest_pair(const MatrixXd& monodromy) {
 std::optional<Condition> singular_condition(const MonodromyJet& jet, double sign) {
   const Eigen::Index n = jet.here.rows(), last = n - 1;
   const MatrixXd one = MatrixXd::Identity(n, n);
-  const Svd svd(jet.here - sign * one, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const VectorXd left = svd.matrixU().col(last), right = svd.matrixV().col(last);
+  const numerics::SingularValues svd = numerics::singular_values(jet.here - sign * one);
+  const VectorXd left = svd.u.col(last), right = svd.v.col(last);
   const auto beside = jet.along(right);
   if (!beside) return std::nullopt;
   const MatrixXd slope = beside->slope();
   Condition condition;
-  condition.value = svd.singularValues()(last);
+  condition.value = svd.values(last);
   condition.by_state = left.transpose() * slope;
   condition.by_parameter.resize(static_cast<Eigen::Index>(jet.by_parameter.size()));
   for (Eigen::Index i = 0; i < condition.by_parameter.size(); ++i)
@@ -65,8 +64,7 @@ std::optional<Condition> singular_condition(const MonodromyJet& jet, double sign
   critical.quadratic = condition.by_state.dot(right);
   // Kuznetsov, Elements of Applied Bifurcation Theory, (5.50) and (5.53), six times.
   const VectorXd squared = slope * right;
-  const VectorXd answer =
-      sign > 0 ? solve_but_last(svd, squared) : VectorXd((jet.here - one).partialPivLu().solve(squared));
+  const VectorXd answer = sign > 0 ? solve_but_last(svd, squared) : numerics::solve(jet.here - one, squared);
   const MatrixXd bend = (beside->ahead - 2 * jet.here + beside->behind) / (beside->step * beside->step);
   critical.cubic = left.dot(bend * right) - 3 * condition.by_state.dot(answer);
   return condition;
@@ -77,9 +75,9 @@ std::optional<Condition> pair_condition(const MonodromyJet& jet) {
   const Eigen::Index n = m.rows();
   if (n < 2) return std::nullopt;
   const auto [sum, product] = nearest_pair(m);
-  const Svd svd(m * m - sum * m + product * MatrixXd::Identity(n, n),
-                Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const MatrixXd left = svd.matrixU().rightCols(2), right = svd.matrixV().rightCols(2);
+  const numerics::SingularValues svd =
+      numerics::singular_values(m * m - sum * m + product * MatrixXd::Identity(n, n));
+  const MatrixXd left = svd.u.rightCols(2), right = svd.v.rightCols(2);
   const Eigen::Matrix2d overlap = left.transpose() * right;
   const Eigen::MatrixXd weighed = overlap.inverse() * left.transpose();  // 2 x n
   const Eigen::Matrix2d block = weighed * m * right;

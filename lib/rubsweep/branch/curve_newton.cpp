@@ -1,11 +1,11 @@
 #include "rubsweep/branch/curve_newton.hpp"
 
-#include <Eigen/LU>
 #include <array>
 #include <cmath>
 
 #include "rubsweep/branch/hermite.hpp"
 #include "rubsweep/branch/multipliers.hpp"
+#include "rubsweep/numerics/lu.hpp"
 
 namespace rubsweep::branch {
 namespace {
@@ -38,8 +38,8 @@ CurveCorrection correct_with(const ExtendedSystem& system, const Position& guess
     found.extended = extend(system, found.at, difference_steps);
     found.evaluation = found.extended.evaluation;
     if (found.evaluation != Evaluation::ok) return found;
-    const Eigen::PartialPivLU<MatrixXd> lu(bordered(found.extended, direction));
-    if (!(lu.rcond() > least_condition)) {
+    const numerics::LuFactors lu(bordered(found.extended, direction));
+    if (!(lu.reciprocal_condition() > least_condition)) {
       found.singular = true;
       return found;
     }
@@ -75,12 +75,12 @@ CurveCorrection correct(const ExtendedSystem& system, const Position& guess, con
 
 std::optional<CurvePoint> completed(const ExtendedSystem& system, const CurveCorrection& found,
                                     const Position& direction, double arclength) {
-  const Eigen::PartialPivLU<MatrixXd> lu(bordered(found.extended, direction));
+  const numerics::LuFactors lu(bordered(found.extended, direction));
   VectorXd along = VectorXd::Zero(direction.size());
   along(along.size() - 1) = 1;
   CurvePoint point;
   point.tangent = lu.solve(along);
-  if (!(lu.rcond() > least_condition) || !point.tangent.allFinite()) return std::nullopt;
+  if (!(lu.reciprocal_condition() > least_condition) || !point.tangent.allFinite()) return std::nullopt;
   point.tangent.normalize();
   point.at = found.at;
   point.place = place_of(system, found.at);

@@ -1,10 +1,10 @@
 #include "rubsweep/branch/doubling.hpp"
 
-#include <Eigen/SVD>
 #include <utility>
 
 #include "rubsweep/branch/orbit_newton.hpp"
 #include "rubsweep/branch/segment.hpp"
+#include "rubsweep/numerics/singular_values.hpp"
 
 namespace rubsweep::branch {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 Eigen::VectorXd alternating(const Eigen::MatrixXd& monodromy) {
   const Eigen::Index n = monodromy.rows();
   const Eigen::MatrixXd sum = monodromy + Eigen::MatrixXd::Identity(n, n);
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(sum, Eigen::ComputeFullV).matrixV().col(n - 1);
+  return numerics::singular_values(sum).v.col(n - 1);
 }
 
 }  // namespace

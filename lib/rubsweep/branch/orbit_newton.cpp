@@ -1,11 +1,11 @@
 #include "rubsweep/branch/orbit_newton.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "rubsweep/branch/multipliers.hpp"
+#include "rubsweep/numerics/lu.hpp"
 
 namespace rubsweep::branch {
 namespace {
@@ -141,7 +141,7 @@ Correction correct(const OrbitProblem& problem, const Position& guess, const Vec
     }
     VectorXd right(n + 1);
     right << -defect, 0;
-    const VectorXd step = bordered(point.monodromy, slope, direction).partialPivLu().solve(right);
+    const VectorXd step = numerics::solve(bordered(point.monodromy, slope, direction), right);
     if (!step.allFinite()) return found;
     at += step;
   }
@@ -159,12 +159,12 @@ bool complete(const OrbitProblem& problem, const VectorXd& direction, BranchPoin
   if (!best_difference(problem, point, slope)) return false;
   VectorXd right = VectorXd::Zero(direction.size());
   right(right.size() - 1) = 1;
-  VectorXd tangent = bordered(point.monodromy, slope, direction).partialPivLu().solve(right);
+  VectorXd tangent = numerics::solve(bordered(point.monodromy, slope, direction), right);
   if (!tangent.allFinite() || !(tangent.norm() > 0)) return false;
   tangent.normalize();
   if (tangent.dot(direction) < 0) tangent = -tangent;
   point.tangent = tangent;
-  point.branching = bordered(point.monodromy, slope, tangent).partialPivLu().determinant();
+  point.branching = numerics::determinant(bordered(point.monodromy, slope, tangent));
   point.multipliers = multipliers_of(point.monodromy);
   point.unstable = count_outside(point.multipliers);
   return true;

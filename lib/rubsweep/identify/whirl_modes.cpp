@@ -1,12 +1,13 @@
 #include "rubsweep/identify/whirl_modes.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/orthogonal.hpp"
+#include "rubsweep/numerics/self_adjoint.hpp"
 
 namespace rubsweep::identify {
 namespace {
@@ -17,9 +18,9 @@ using Complex = std::complex<double>;
 constexpr double same_root = 1e-7;  ///< of its size: rounding of a double root, and far below any split
 
 /// lower^-1 matrix lower^-T.
-Eigen::MatrixXd normalised(const Eigen::LLT<Eigen::MatrixXd>& mass, const Eigen::MatrixXd& matrix) {
-  const Eigen::MatrixXd half = mass.matrixL().solve(matrix);
-  return mass.matrixL().solve(half.transpose()).transpose();
+Eigen::MatrixXd normalised(const numerics::CholeskyFactors& mass, const Eigen::MatrixXd& matrix) {
+  const Eigen::MatrixXd half = mass.solve_lower(matrix);
+  return mass.solve_lower(half.transpose()).transpose();
 }
 
 }  // namespace
@@ -48,12 +49,12 @@ std::vector<WhirlMode> WhirlProblem::at(double speed_hz) const {
   const Eigen::MatrixXd stiffness = stiffness_ + 2 * pi * speed_hz * circulatory_;
   generator.bottomLeftCorner(n, n) = -stiffness * rad_per_s_.cwiseInverse().asDiagonal();
   generator.bottomRightCorner(n, n) = -damping_ - 2 * pi * speed_hz * gyroscopic_;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(generator);
-  if (solver.info() != Eigen::Success) throw SolverError("whirl modes: the iteration does not converge");
+  const numerics::GeneralModes all = numerics::general_modes(generator, true);
+  if (!all.converged) throw SolverError("whirl modes: the iteration does not converge");
   std::vector<WhirlMode> modes;
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
-    const Complex root = solver.eigenvalues()(k);
-    if (root.imag() > 0) modes.push_back(mode_of(root, solver.eigenvectors().col(k)));
+    const Complex root = all.values(k);
+    if (root.imag() > 0) modes.push_back(mode_of(root, all.vectors.col(k)));
   }
   std::stable_sort(modes.begin(), modes.end(), [](const WhirlMode& a, const WhirlMode& b) {
     return a.root_per_s.imag() < b.root_per_s.imag();
@@ -68,8 +69,8 @@ WhirlMode WhirlProblem::mode_of(Complex root, const Eigen::VectorXcd& state) con
   mode.state = state.normalized();
   const Eigen::VectorXcd place = mode.state.head(rad_per_s_.size());
   const Eigen::VectorXcd normal = rad_per_s_.cwiseInverse().cast<Complex>().asDiagonal() * place;
-  mode.shape = mass_.matrixU().solve(Eigen::MatrixXd(normal.real())).cast<Complex>() +
-               Complex(0, 1) * mass_.matrixU().solve(Eigen::MatrixXd(normal.imag())).cast<Complex>();
+  mode.shape = mass_.solve_upper(normal.real()).cast<Complex>() +
+               Complex(0, 1) * mass_.solve_upper(normal.imag()).cast<Complex>();
   mode.forward_share =
       std::clamp(0.5 * (1 + place.dot(spin_ * place).real() / normal.squaredNorm()), 0.0, 1.0);
   return mode;
@@ -84,12 +85,11 @@ void WhirlProblem::part_by_direction(std::vector<WhirlMode>& modes) const {
     if (count < 2) continue;
     Eigen::MatrixXcd states(2 * n, count);
     for (Eigen::Index k = 0; k < count; ++k) states.col(k) = modes[begin + static_cast<std::size_t>(k)].state;
-    const Eigen::MatrixXcd base =
-        states.householderQr().householderQ() * Eigen::MatrixXcd::Identity(2 * n, count);
+    const Eigen::MatrixXcd base = numerics::orthonormal_columns(states, count);
     const Eigen::MatrixXcd places = base.topRows(n);
     // Most backward first.
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> directions(places.adjoint() * spin_ * places);
-    const Eigen::MatrixXcd parted = base * directions.eigenvectors();
+    const auto directions = numerics::self_adjoint_modes(Eigen::MatrixXcd(places.adjoint() * spin_ * places));
+    const Eigen::MatrixXcd parted = base * directions.vectors;
     for (Eigen::Index k = 0; k < count; ++k) {
       WhirlMode& mode = modes[begin + static_cast<std::size_t>(k)];
       mode = mode_of(mode.root_per_s, parted.col(k));

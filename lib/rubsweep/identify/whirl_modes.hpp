@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <complex>
 #include <vector>
 
 #include "rubsweep/identify/free_rotor.hpp"
+#include "rubsweep/numerics/cholesky.hpp"
 
 namespace rubsweep::identify {
 
@@ -39,7 +39,7 @@ class WhirlProblem {
   WhirlMode mode_of(std::complex<double> root, const Eigen::VectorXcd& state) const;
   void part_by_direction(std::vector<WhirlMode>& modes) const;
 
-  Eigen::LLT<Eigen::MatrixXd> mass_;
+  numerics::CholeskyFactors mass_;
   Eigen::VectorXd rad_per_s_;  ///< w
   Eigen::MatrixXd stiffness_, damping_, gyroscopic_, circulatory_;
   Eigen::MatrixXcd spin_;  ///< i spin, of the first n numbers of a state

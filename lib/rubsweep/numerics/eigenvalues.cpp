@@ -62,6 +62,20 @@ Eigenvectors eigenvectors(const MatrixXd& matrix) {
           Eigen::MatrixXcd::Constant(matrix.rows(), matrix.rows(), not_known)};
 }
 
+GeneralModes general_modes(const Eigen::MatrixXd& matrix, bool with_vectors,
+                           Eigen::Index iterations_per_row) {
+  // One solver a thread: it keeps its workspace from one matrix to the next.
+  thread_local Eigen::EigenSolver<Eigen::MatrixXd> solver;
+  solver.setMaxIterations(iterations_per_row * matrix.rows());
+  solver.compute(matrix, with_vectors);
+  GeneralModes modes;
+  modes.converged = solver.info() == Eigen::Success;
+  if (!modes.converged) return modes;
+  modes.values = solver.eigenvalues();
+  if (with_vectors) modes.vectors = solver.eigenvectors();
+  return modes;
+}
+
 double spectral_radius(const MatrixXd& matrix) { return eigenvalues(matrix).cwiseAbs().maxCoeff(); }
 
 }  // namespace rubsweep::numerics

@@ -15,6 +15,16 @@ struct Eigenvectors {
 };
 Eigenvectors eigenvectors(const Eigen::MatrixXd& matrix);
 
+/// Eigenvalues of a real square matrix and, where asked for, eigenvectors of unit length, one a column.
+/// `iterations_per_row`: after so many QR steps a row it gives up; Eigen's own limit is 40.
+struct GeneralModes {
+  Eigen::VectorXcd values;
+  Eigen::MatrixXcd vectors;
+  bool converged = false;  ///< else there are no values
+};
+GeneralModes general_modes(const Eigen::MatrixXd& matrix, bool with_vectors,
+                           Eigen::Index iterations_per_row = 40);
+
 /// Largest |eigenvalue|: of a monodromy matrix the modulus of the largest multiplier, of a generator its
 /// fastest rate. NaN where the eigenvalues are.
 double spectral_radius(const Eigen::MatrixXd& matrix);

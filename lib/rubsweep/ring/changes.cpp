@@ -1,6 +1,5 @@
 #include "rubsweep/ring/changes.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -10,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "rubsweep/numerics/lu.hpp"
 #include "rubsweep/ring/divergence.hpp"
 
 namespace rubsweep::ring {
@@ -156,7 +156,7 @@ class Search {
     if (kind == Kind::zero_crossing) {
       return [this](double speed) {
         const double scaled = speed / form_.reference_rad_per_s;
-        return (form_.stiffness - scaled * scaled * form_.softening).determinant();
+        return numerics::determinant(form_.stiffness - scaled * scaled * form_.softening);
       };
     }
     if (kind == Kind::axis_crossing) {

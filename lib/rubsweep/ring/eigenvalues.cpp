@@ -1,10 +1,11 @@
 #include "rubsweep/ring/eigenvalues.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <cmath>
+#include <utility>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/lu.hpp"
 
 namespace rubsweep::ring {
 namespace {
@@ -12,31 +13,29 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
-using Solver = Eigen::EigenSolver<MatrixXd>;
 
-/// One solver a thread: it keeps its workspace from one speed to the next.
-const Solver& solve(const MatrixXd& matrix, bool with_vectors) {
-  thread_local Solver solver;
-  // Eigen gives up after 40 iterations a row; where several roots merge at once it may need more.
-  solver.setMaxIterations(4000 * matrix.rows());
-  solver.compute(matrix, with_vectors);
-  if (solver.info() != Eigen::Success) throw SolverError("the eigenvalue iteration did not converge");
-  return solver;
+/// Where several roots merge at once Eigen's own limit may be too low.
+constexpr Index iterations_per_row = 4000;
+
+numerics::GeneralModes solve(const MatrixXd& matrix, bool with_vectors) {
+  numerics::GeneralModes modes = numerics::general_modes(matrix, with_vectors, iterations_per_row);
+  if (!modes.converged) throw SolverError("the eigenvalue iteration did not converge");
+  return modes;
 }
 
 }  // namespace
 
 Eigen::VectorXcd eigenvalues(const NormalForm& form, double speed_rad_per_s) {
-  return form.reference_rad_per_s * solve(state_matrix(form, speed_rad_per_s), false).eigenvalues();
+  return form.reference_rad_per_s * solve(state_matrix(form, speed_rad_per_s), false).values;
 }
 
 Spectrum spectrum(const NormalForm& form, double speed_rad_per_s) {
-  const Solver& solver = solve(state_matrix(form, speed_rad_per_s), true);
+  numerics::GeneralModes all = solve(state_matrix(form, speed_rad_per_s), true);
   Spectrum result;
-  result.vectors = solver.eigenvectors();
-  result.values = form.reference_rad_per_s * solver.eigenvalues();
+  result.vectors = std::move(all.vectors);
+  result.values = form.reference_rad_per_s * all.values;
   // Rows of the inverse are the left eigenvectors, scaled to y^H x = 1.
-  const MatrixXcd left = Eigen::PartialPivLU<MatrixXcd>(result.vectors).inverse();
+  const MatrixXcd left = numerics::inverse(result.vectors);
   const MatrixXcd moved = state_matrix_slope(form, speed_rad_per_s) * result.vectors;
   result.slopes.resize(result.values.size());
   for (Index i = 0; i < result.values.size(); ++i) {

@@ -1,9 +1,9 @@
 #include "rubsweep/ring/normal_form.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/lu.hpp"
 
 namespace rubsweep::ring {
 
@@ -17,8 +17,8 @@ NormalForm normal_form(const System& system) {
   const auto scaled = [&](const MatrixXd& matrix) -> MatrixXd {
     return scale.asDiagonal() * matrix * scale.asDiagonal();
   };
-  const Eigen::PartialPivLU<MatrixXd> mass(scaled(matrices.mass));
-  if (!(mass.rcond() > 1e-12)) {
+  const numerics::LuFactors mass(scaled(matrices.mass));
+  if (!(mass.reciprocal_condition() > 1e-12)) {
     throw ConfigError("the mass matrix is singular: friction cancels the inertia of a load");
   }
   const MatrixXd stiffness = mass.solve(scaled(matrices.stiffness));

@@ -1,11 +1,11 @@
 #include "rubsweep/scene/given_start.hpp"
 
-#include <Eigen/QR>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/orthogonal.hpp"
 
 namespace rubsweep::scene {
 namespace {
@@ -34,10 +34,10 @@ Eigen::VectorXd brought_to(const Wanted& wanted, const Eigen::VectorXd& state,
     rows.row(i) = row;
     values(i) = value;
   }
-  const Eigen::MatrixXd shapes = matrix.completeOrthogonalDecomposition().solve(rows.transpose());
+  const Eigen::MatrixXd shapes = numerics::least_norm_solution(matrix, Eigen::MatrixXd(rows.transpose()));
   const Eigen::VectorXd missing = values - rows * state;
   const Eigen::VectorXd changed =
-      state + shapes * (rows * shapes).completeOrthogonalDecomposition().solve(missing);
+      state + shapes * numerics::least_norm_solution(Eigen::MatrixXd(rows * shapes), missing);
   if (!((rows * changed - values).norm() <= largest_miss * missing.norm()))
     throw ConfigError("start: the structure cannot be brought there, allowed: points that move freely");
   return changed;

@@ -1,8 +1,9 @@
 #include "rubsweep/scene/quiet_motion.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <complex>
+
+#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/orthogonal.hpp"
 
 namespace rubsweep::scene {
 
@@ -19,9 +20,9 @@ namespace {
 /// An undamped part at its own frequency makes the matrix singular, which matters only where something drives
 /// that part: else it rests (the solution of least norm).
 Eigen::VectorXcd amplitude_of(const Eigen::MatrixXcd& dynamic_stiffness, const Eigen::VectorXcd& harmonic_n) {
-  Eigen::VectorXcd amplitude = dynamic_stiffness.partialPivLu().solve(harmonic_n);
+  Eigen::VectorXcd amplitude = numerics::solve(dynamic_stiffness, harmonic_n);
   if (amplitude.allFinite()) return amplitude;
-  const Eigen::VectorXcd least = dynamic_stiffness.completeOrthogonalDecomposition().solve(harmonic_n);
+  const Eigen::VectorXcd least = numerics::least_norm_solution(dynamic_stiffness, harmonic_n);
   const double defect = (dynamic_stiffness * least - harmonic_n).norm();
   return defect <= 1e-12 * harmonic_n.norm() ? least : amplitude;
 }
@@ -37,7 +38,7 @@ QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_
   QuietMotion motion;
   motion.amplitude = amplitude_of(dynamic_stiffness, harmonic_n);
   motion.mean = constant_n.isZero(0) ? Eigen::VectorXd(Eigen::VectorXd::Zero(constant_n.size()))
-                                     : Eigen::VectorXd(structure.stiffness.partialPivLu().solve(constant_n));
+                                     : numerics::solve(structure.stiffness, constant_n);
   return motion;
 }
 

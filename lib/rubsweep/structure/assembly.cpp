@@ -1,9 +1,9 @@
 #include "rubsweep/structure/assembly.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/cholesky.hpp"
 
 namespace rubsweep::structure {
 
@@ -37,8 +37,8 @@ void refuse_unusable(const Assembly& assembly) {
   }
   // Each mass against its own size: a rotor of a tonne may have a casing of a gramme.
   const Eigen::VectorXd scale = system.mass.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::LLT<Eigen::MatrixXd> factor(scale.asDiagonal() * system.mass * scale.asDiagonal());
-  if (!scale.allFinite() || factor.info() != Eigen::Success) {
+  const numerics::CholeskyFactors factor(scale.asDiagonal() * system.mass * scale.asDiagonal());
+  if (!scale.allFinite() || !factor.positive_definite()) {
     throw ConfigError(
         "rotor, stops: their numbers leave a motion without mass, allowed: masses less far apart");
   }

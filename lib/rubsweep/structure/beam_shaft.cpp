@@ -1,12 +1,12 @@
 #include "rubsweep/structure/beam_shaft.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/lu.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/structure/beam_element.hpp"
 
@@ -201,7 +201,7 @@ Eigen::VectorXd least_bent_line(const BeamShaft& shaft, const model::BowPoints& 
     right(n + i) = points.deflection_m[index];
   }
   Eigen::VectorXd line = Eigen::VectorXd::Zero(shaft.coordinates());
-  line.head(n) = system.fullPivLu().solve(right).head(n);
+  line.head(n) = numerics::solve_full_pivot(system, right).head(n);
   return line;
 }
 

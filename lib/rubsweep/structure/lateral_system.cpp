@@ -1,12 +1,12 @@
 #include "rubsweep/structure/lateral_system.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/self_adjoint.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -80,29 +80,28 @@ PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiff
     throw ConfigError(
         "rotor: its numbers give a mass or stiffness that is no finite number, allowed: less extreme ones");
   }
-  const Eigen::LLT<Eigen::MatrixXd> factor(stiffness);
-  if (factor.info() != Eigen::Success) {
+  const numerics::CholeskyFactors factor(stiffness);
+  if (!factor.positive_definite()) {
     throw ConfigError(
         "rotor.supports: they leave the shaft free to move as a whole, or are so much stiffer or softer than "
         "the "
         "shaft that rounding says so, allowed: supports that hold it");
   }
-  const auto lower = factor.matrixL();
-  const Eigen::MatrixXd half = lower.solve(mass);
-  Eigen::MatrixXd inverse = lower.solve(half.transpose());
+  const Eigen::MatrixXd half = factor.solve_lower(mass);
+  Eigen::MatrixXd inverse = factor.solve_lower(half.transpose());
   inverse = (inverse + inverse.transpose().eval()) / 2;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(inverse);
-  const Eigen::VectorXd& values = solver.eigenvalues();
+  const auto all = numerics::self_adjoint_modes(inverse);
+  const Eigen::VectorXd& values = all.values;
   const Eigen::Index n = values.size();
   Eigen::Index kept = 0;
-  if (solver.info() != Eigen::Success) throw ConfigError(no_modes);
+  if (!all.converged) throw ConfigError(no_modes);
   while (kept < std::min(count, n) && values(n - 1 - kept) > massless * values(n - 1)) ++kept;
   if (kept == 0) throw ConfigError(no_modes);
   PlaneModes modes{Eigen::VectorXd(kept), Eigen::MatrixXd(n, kept)};
   for (Eigen::Index j = 0; j < kept; ++j) {
     const double value = values(n - 1 - j);
     modes.rad_per_s(j) = 1 / std::sqrt(value);
-    modes.shape.col(j) = factor.matrixU().solve(solver.eigenvectors().col(n - 1 - j)) / std::sqrt(value);
+    modes.shape.col(j) = factor.solve_upper(all.vectors.col(n - 1 - j)) / std::sqrt(value);
   }
   if (!modes.rad_per_s.allFinite() || !modes.shape.allFinite()) throw ConfigError(no_modes);
   return modes;

@@ -1,13 +1,13 @@
 #include "rubsweep/structure/reduction.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/lu.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -23,7 +23,7 @@ constexpr const char* too_extreme =
 /// One plane before the reduction: all modes that may be kept, and what a static force at each stop does.
 struct Plane {
   Eigen::MatrixXd stiffness;
-  Eigen::LLT<Eigen::MatrixXd> factor;
+  numerics::CholeskyFactors factor;
   PlaneModes modes;
   std::vector<Eigen::Index> seen;  ///< of `modes`
 };
@@ -32,11 +32,12 @@ Plane study_plane(const BeamShaft& shaft, std::size_t index, const std::vector<d
   Plane plane;
   plane.stiffness = shaft.plane_stiffness(index);
   plane.modes = plane_modes(shaft.mass, plane.stiffness, model::RotorKit::most_modes);
-  plane.factor.compute(plane.stiffness);
+  plane.factor = numerics::CholeskyFactors(plane.stiffness);
   std::vector<double> compliance;
   for (const double place : places_m) {
     const Eigen::Index w = shaft.deflection(place);
-    compliance.push_back(plane.factor.solve(Eigen::VectorXd::Unit(shaft.coordinates(), w))(w));
+    compliance.push_back(
+        plane.factor.solve(Eigen::VectorXd(Eigen::VectorXd::Unit(shaft.coordinates(), w)))(w));
   }
   for (const double value : compliance) {
     if (!(value > 0) || !std::isfinite(value)) throw ConfigError(too_extreme);
@@ -58,8 +59,8 @@ PlaneModes attachments(const BeamShaft& shaft, const Plane& plane, const Eigen::
                        const std::vector<double>& stops_m) {
   Eigen::MatrixXd kept(shaft.coordinates(), 0);
   for (const double stop : stops_m) {
-    Eigen::VectorXd shape =
-        plane.factor.solve(Eigen::VectorXd::Unit(shaft.coordinates(), shaft.deflection(stop)));
+    Eigen::VectorXd shape = plane.factor.solve(
+        Eigen::VectorXd(Eigen::VectorXd::Unit(shaft.coordinates(), shaft.deflection(stop))));
     const double whole = shape(shaft.deflection(stop));
     for (int pass = 0; pass < 2; ++pass) {  // twice is enough: rounding of the first is taken out
       shape -= modes * (modes.transpose() * (shaft.mass * shape));
@@ -265,7 +266,7 @@ Eigen::MatrixXcd receptance(const BeamShaft& shaft, const PlaneBases& bases, con
       (system.stiffness - rad_per_s * rad_per_s * system.mass).cast<std::complex<double>>();
   dynamic += i * rad_per_s * (system.damping + speed_rad_per_s * system.gyroscopic);
   const Eigen::MatrixXcd forces = rows(forces_m).transpose().cast<std::complex<double>>();
-  return rows(responses_m).cast<std::complex<double>>() * dynamic.partialPivLu().solve(forces);
+  return rows(responses_m).cast<std::complex<double>>() * numerics::solve(dynamic, forces);
 }
 
 double modal_mass_kg(const BeamShaft& shaft, const Reduction& reduction, std::size_t plane, Eigen::Index j,

@@ -1,8 +1,8 @@
 #include "rubsweep/response/proof/adapted_norm.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 
+#include "rubsweep/numerics/cholesky.hpp"
 #include "rubsweep/numerics/eigenvalues.hpp"
 
 namespace rubsweep::response::proof {
@@ -48,9 +48,9 @@ std::optional<AdaptedNorms> adapted_norms(const std::vector<MatrixXd>& transitio
   for (std::size_t i = transitions.size(); i-- > 0;) {
     square = identity +
              transitions[i].transpose() * square * transitions[i] / (norms.contraction * norms.contraction);
-    const Eigen::LLT<MatrixXd> factor(square);
-    if (factor.info() != Eigen::Success) return std::nullopt;
-    norms.norm[i] = factor.matrixU();
+    const numerics::CholeskyFactors factor(square);
+    if (!factor.positive_definite()) return std::nullopt;
+    norms.norm[i] = factor.upper();
   }
   return norms;
 }

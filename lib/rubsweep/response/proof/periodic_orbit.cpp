@@ -1,8 +1,7 @@
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 
-#include <Eigen/LU>
-
 #include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/lu.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -60,7 +59,7 @@ std::optional<Closed> close(const TurnMap& turn, const TurnMap& roughly, const V
     exactly = error < nearly_closed;
     if (error < closed && by_rough_map) continue;
     const MatrixXd slope = MatrixXd::Identity(x.size(), x.size()) - back->monodromy;
-    const VectorXd step = slope.partialPivLu().solve(back->defect);
+    const VectorXd step = numerics::solve(slope, back->defect);
     // The last step takes the error to rounding.
     if (error < closed)
       return Closed{back->order, step.allFinite() ? VectorXd(x + step) : x, back->monodromy};

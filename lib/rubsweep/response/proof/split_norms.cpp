@@ -1,11 +1,10 @@
 #include "rubsweep/response/proof/split_norms.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <cmath>
 
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/orthogonal.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
@@ -42,7 +41,7 @@ MatrixXd slow_directions(const MatrixXd& monodromy, double turns, const MatrixXd
 /// Orthonormal columns: the first are across the columns of `basis`, the last ones span them.
 MatrixXd across_and_along(const MatrixXd& basis) {
   const Index along = basis.cols(), size = basis.rows();
-  const MatrixXd whole = basis.householderQr().householderQ() * MatrixXd::Identity(size, size);
+  const MatrixXd whole = numerics::orthonormal_columns(basis, size);
   MatrixXd sorted(size, size);
   sorted << whole.rightCols(size - along), whole.leftCols(along);
   return sorted;

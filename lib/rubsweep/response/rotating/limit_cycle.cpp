@@ -1,11 +1,11 @@
 #include "rubsweep/response/rotating/limit_cycle.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/lu.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/response/proof/foretold.hpp"
 #include "rubsweep/response/proof/patience.hpp"
@@ -56,23 +56,26 @@ struct Closed {
 /// Newton's steps of (state, period), the state staying across `across`, by the derivative of one arc.
 class NewtonSteps {
  public:
-  NewtonSteps(const RotatingArc& arc, const VectorXd& rate_at_end, const VectorXd& across) {
-    const Eigen::Index n = across.size();
-    MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
-    bordered.topLeftCorner(n, n) = arc.transition - MatrixXd::Identity(n, n);
-    bordered.topRightCorner(n, 1) = rate_at_end;
-    bordered.bottomLeftCorner(1, n) = across.transpose();
-    factors_.compute(bordered);
-  }
+  NewtonSteps(const RotatingArc& arc, const VectorXd& rate_at_end, const VectorXd& across)
+      : factors_(bordered(arc, rate_at_end, across)) {}
 
   VectorXd from(const VectorXd& x, const VectorXd& end) const {
     VectorXd defect = VectorXd::Zero(x.size() + 1);
     defect.head(x.size()) = end - x;
-    return factors_.solve(-defect);
+    return factors_.solve(VectorXd(-defect));
   }
 
  private:
-  Eigen::PartialPivLU<MatrixXd> factors_;
+  static MatrixXd bordered(const RotatingArc& arc, const VectorXd& rate_at_end, const VectorXd& across) {
+    const Eigen::Index n = across.size();
+    MatrixXd matrix = MatrixXd::Zero(n + 1, n + 1);
+    matrix.topLeftCorner(n, n) = arc.transition - MatrixXd::Identity(n, n);
+    matrix.topRightCorner(n, 1) = rate_at_end;
+    matrix.bottomLeftCorner(1, n) = across.transpose();
+    return matrix;
+  }
+
+  numerics::LuFactors factors_;
 };
 
 /// The first step by the rougher of `flows`, which gains as much from so far away.

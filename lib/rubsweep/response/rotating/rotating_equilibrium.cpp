@@ -1,11 +1,11 @@
 #include "rubsweep/response/rotating/rotating_equilibrium.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/lu.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 
@@ -24,7 +24,7 @@ double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 std::optional<VectorXd> fixed_point(const RotatingEquations& equations, const VectorXd& start) {
   VectorXd x = start;
   for (int i = 0; i < newton_iterations; ++i) {
-    const VectorXd step = equations.jacobian(x).partialPivLu().solve(equations.rate(x));
+    const VectorXd step = numerics::solve(equations.jacobian(x), equations.rate(x));
     x -= step;
     if (!x.allFinite() || largest(x - start) > proof::farthest_orbit) return std::nullopt;
     if (largest(step) < closed) return x;

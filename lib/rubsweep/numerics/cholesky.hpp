@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+namespace rubsweep::numerics {
+
+/// Factors of a symmetric positive definite matrix a = lower lower^T whose size is known at run time (LLT).
+/// Here so that Eigen's templates are compiled once.
+class CholeskyFactors {
+ public:
+  CholeskyFactors() = default;  ///< of no matrix; another one must be assigned before it is used
+  explicit CholeskyFactors(const Eigen::MatrixXd& a);
+  bool positive_definite() const;  ///< else nothing below means anything
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+  Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;  ///< lower^-1 b
+  Eigen::MatrixXd solve_upper(const Eigen::MatrixXd& b) const;  ///< lower^-T b
+  Eigen::MatrixXd upper() const;                                ///< lower^T
+
+ private:
+  std::shared_ptr<const Eigen::LLT<Eigen::MatrixXd>> llt_;
+};
+
+}  // namespace rubsweep::numerics

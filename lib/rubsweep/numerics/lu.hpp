@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+namespace rubsweep::numerics {
+
+/// LU decompositions of matrices whose size is known at run time. Here so that Eigen's templates are compiled
+/// once: a source that uses one needs seconds for them.
+
+/// a^-1 b by partialPivLu; not finite where `a` is singular.
+Eigen::VectorXd solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+Eigen::VectorXcd solve(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
+Eigen::MatrixXcd solve(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
+/// a^-1 by partialPivLu.
+Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& a);
+/// By partialPivLu.
+double determinant(const Eigen::MatrixXd& a);
+
+/// a^-1 b by fullPivLu, for matrices that may be close to singular.
+Eigen::VectorXd solve_full_pivot(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+Eigen::MatrixXd solve_full_pivot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+/// Factors of a square matrix (PartialPivLU), kept for several right-hand sides.
+class LuFactors {
+ public:
+  explicit LuFactors(const Eigen::MatrixXd& a);
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+  double reciprocal_condition() const;  ///< estimated, in the 1-norm
+
+ private:
+  std::shared_ptr<const Eigen::PartialPivLU<Eigen::MatrixXd>> lu_;
+};
+
+}  // namespace rubsweep::numerics
