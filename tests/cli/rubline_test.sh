@@ -98,11 +98,11 @@ expect_exit 2 axes.yaml --along kick.force_n
 expect_contains stderr 'axes.yaml:6:6: sweep.y: stops.0.casing.mass_kg has 2 values'
 expect_exit 0 axes.yaml --along kick.force_n --set sweep.y.values=[0.06] --output along_x --quiet
 rubsweep=$sweep expect_exit 0 axes.yaml --output axes_map --quiet
-[[ $(grep '^kick,' along_x/line.csv | cut -d, -f2-) == "$(rows axes_map/map.csv | tail -n 3 | awk -F, -v OFS=, '{v = $27; NF = 26; print v, $0}')" ]] ||
+[[ $(grep '^kick,' along_x/line.csv | cut -d, -f2-) == "$(rows axes_map/map.csv | tail -n 3 | awk -F, -v OFS=, '{v = $29; NF = 28; print v, $0}')" ]] ||
   fail 'the rows along x are not those of the map'
 # Along either of two tied keys both change; an axis whose keys are set is left to them.
 expect_exit 0 axes.yaml --along rotor.damping_ratio --set kick.force_n=400 --output along_y --quiet
-[[ $(grep '^kick,' along_y/line.csv | cut -d, -f2-) == "$(rows axes_map/map.csv | sed -n '3p;6p' | awk -F, -v OFS=, '{v = $29; NF = 26; print v, $0}')" ]] ||
+[[ $(grep '^kick,' along_y/line.csv | cut -d, -f2-) == "$(rows axes_map/map.csv | sed -n '3p;6p' | awk -F, -v OFS=, '{v = $31; NF = 28; print v, $0}')" ]] ||
   fail 'the rows along y are not those of the map'
 expect_exit 0 axes.yaml --along speed_hz --set kick.force_n=400 --set sweep.y.values=[0.06] --output held --quiet
 [[ $(grep '^kick,' held/line.csv | cut -d, -f3-) == "$(rows axes_map/map.csv | tail -n 1 | cut -d, -f1-26)" ]] || fail 'other keys are held'
