@@ -26,9 +26,10 @@ using CellOf = std::function<double(std::string_view name)>;
 
 std::string cells_by(const CellOf& cell, const sweep::Grid& grid) {
   std::string text;
-  if (!grid.written_speed.is_si()) text += "," + sweep::in_units(grid.written_speed, cell("speed_hz"));
+  if (!grid.written_speed.is_si())
+    text.append(",").append(sweep::in_units(grid.written_speed, cell("speed_hz")));
   if (!grid.written_unbalance.is_si())
-    text += "," + sweep::in_units(grid.written_unbalance, cell("eccentricity_m"));
+    text.append(",").append(sweep::in_units(grid.written_unbalance, cell("eccentricity_m")));
   return text;
 }
 

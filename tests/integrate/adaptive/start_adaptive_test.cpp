@@ -9,6 +9,7 @@
 
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/work_bound.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
 #include "support/simple_scenes.hpp"
