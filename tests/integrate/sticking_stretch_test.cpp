@@ -122,11 +122,27 @@ TEST(StickingStretch, ABeltLetsTheBodyGoWhereTheSpringIsAsStrongAsFriction) {
 }
 
 TEST(StickingStretch, UndampedVibrationAgainstTheWallNeitherEndsNorIsLost) {
-  // Pressed by 2 N and struck: the load swings by a tenth, friction holds all the same.
-  Held held{.stiffness = 1e6, .damping = 0, .structure_damping = 0};
+  // Pressed by 2 N and struck: the load swings by a tenth, friction holds all the same. The wall's spring is
+  // beside the structure's: a cosine of rate sqrt(k + K) about the position where both carry the forces.
+  const Held held{.stiffness = 1e6, .damping = 0, .structure_damping = 0};
   scene::Scene scene = held.scene(0.4, 0);
   scene.displacement_m(0) += 2e-7;
-  expect_like_pieces(scene, 2, 1e-10, 200);
+  const double rate = std::sqrt(1 + held.stiffness),
+               rest = (held.pressed_n + 1 + held.stiffness) / (1 + held.stiffness),
+               amplitude = scene.displacement_m(0) - rest;
+  exact::ModeCache modes;
+  const run::Run run = start(scene, {}, modes);
+  run::TurnReport turn;
+  for (int k = 1; k <= 4; ++k) {
+    ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
+    const double angle = rate * 2 * pi * k;
+    EXPECT_NEAR(turn.section[0], rest + amplitude * std::cos(angle), 1e-15 * k) << k;
+    EXPECT_NEAR(turn.section[2], -amplitude * rate * std::sin(angle), 1e-12 * k) << k;
+    EXPECT_NEAR(turn.section[1], 0.4, 1e-14) << k;
+  }
+  EXPECT_LT(turn.effort.steps, 200);
+  // A phase of 6000 radians a turn: pieces add up what each of them rounds.
+  expect_like_pieces(scene, 2, 1e-9, 200);
 }
 
 }  // namespace
