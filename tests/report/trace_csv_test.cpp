@@ -42,8 +42,9 @@ TEST(TrajectoryCsv, HasTheRotorThenEveryStop) {
 TEST(SectionCsv, HasTheRotorThenTheCasings) {
   trace::Trace trace;
   trace.stops = 2;
-  trace.section = {{0, {.displacement_m = {0, 0}, .velocity_m_per_s = {0, 0}, .stops = {{}, {}}}},
-                   {1250.5, state_with_two_stops()}};
+  trace::TraceState at_rest;
+  at_rest.stops.resize(2);
+  trace.section = {{0, at_rest}, {1250.5, state_with_two_stops()}};
   EXPECT_EQ(
       section_csv(trace),
       "revolution,t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,casing_0_x_m,casing_0_y_m,casing_1_x_m,casing_1_y_m,"
