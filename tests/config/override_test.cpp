@@ -110,7 +110,7 @@ TEST(Override, RefusesAPathThatLeadsNowhere) {
   EXPECT_EQ(problems_with({"solvr.method=auto"}),
             "--set solvr.method=auto: solvr: unknown key (did you mean 'solver'?), allowed: base, rotor, "
             "stops, kick, start, "
-            "gravity_m_per_s2, sweep, study, solver, response, output");
+            "gravity_m_per_s2, sweep, study, solver, response, output, title, author, note");
   EXPECT_EQ(problems_with({"rotor.mass_kg.value=1"}),
             "--set rotor.mass_kg.value=1: rotor.mass_kg: is '0.8' and cannot hold 'value', allowed: a map or "
             "a list");

@@ -48,7 +48,7 @@ TEST(Printer, QuotesTextOnlyWhereNeeded) {
   EXPECT_EQ(printed("null"), "t: \"null\"\n");
   EXPECT_EQ(printed(""), "t: \"\"\n");
   EXPECT_EQ(printed("..."), "t: \"...\"\n");
-  EXPECT_EQ(printed("a \"b\" \\ \n"), "t: \"a \\\"b\\\" \\\\ \\x0a\"\n");
+  EXPECT_EQ(printed("a \"b\" \\ \n"), "t: \"a \\\"b\\\" \\\\ \\n\"\n");
   EXPECT_THROW(printed("\xC3("), ConfigError);
 }
 

@@ -130,7 +130,7 @@ TEST(ReadRunConfig, ReportsAllProblemsOfAFileAtOnce) {
       "/ 2\n"
       "test.yaml:24:1: outputs: unknown key (did you mean 'output'?), allowed: base, rotor, stops, kick, "
       "start, "
-      "gravity_m_per_s2, sweep, study, solver, response, output");
+      "gravity_m_per_s2, sweep, study, solver, response, output, title, author, note");
 }
 
 /// One to four random edits: a byte changed, inserted or removed, a stretch doubled or removed.

@@ -67,7 +67,13 @@ FrictionBounds friction_bounds(const model::Friction& friction) {
   if (terms.count > 0) {
     span = span_of(terms);
     const auto whole = [&](double slip) { return friction_coefficient(friction, slip); };
-    const auto fallen = [&](double slip) { return terms.viscous_s_per_m * slip - whole(slip); };
+    // Term by term: at high slip the viscous part is so large that a difference would be its rounding.
+    const auto fallen = [&](double slip) {
+      double sum = terms.constant + terms.dry;
+      for (std::size_t i = 0; i < terms.count; ++i)
+        sum += terms.tanh[i].height * std::tanh(terms.tanh[i].steepness_s_per_m * slip);
+      return -sum;
+    };
     std::tie(bounds.smallest_at_m_per_s, bounds.smallest) = smallest(whole, span);
     bounds.largest = -smallest(fallen, span).second;
   }
