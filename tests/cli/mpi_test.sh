@@ -120,8 +120,8 @@ expect_same term_slow/map.csv slow/map.csv
 # What it takes is said beforehand, and refused where it is too much, as by rubsweep.
 long=("${quick[@]}" --set sweep.speed_hz.count=125)
 expect_mpi 0 2 "${long[@]}" --output long --progress always
-expect_matches stderr $'\r1000 cells on 2 ranks of 1 threads: up to [0-9.]+ MB of memory each, 1.0 MB of disk *$'
-expect_matches stderr $'\rabout 0:0[0-9]:[0-9]{2} by [0-9]+ cells spread over the map *$'
+expect_matches stderr $'(^|\r)1000 cells on 2 ranks of 1 threads: up to [0-9.]+ MB of memory each, 1.0 MB of disk *$'
+expect_matches stderr $'(^|\r)about 0:0[0-9]:[0-9]{2} by [0-9]+ cells spread over the map *$'
 expect_exit 0 "${long[@]}" --output long_alone
 expect_same long/map.csv long_alone/map.csv
 threads=1024 expect_mpi 2 2 "$minimal" --output large \

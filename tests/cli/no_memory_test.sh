@@ -60,7 +60,7 @@ for program in trace line; do
   declare -n command=$program
   "${command[@]}" --output "$program"
   faults=0
-  for number in $(numbers "$(count_of "${command[@]}" --output counted)"); do
+  for number in $(numbers "$(count_of "${command[@]}" --output "counted_$program")"); do
     rm -rf out
     without "$number" "${command[@]}" --output out
     for file in out/*; do

@@ -45,7 +45,7 @@ TEXT
 grep -oE '^array colour.*|^  "#.*' "$top/scripts/motion_kinds.gp" | grep -oE '#[0-9A-F]{6}' >figure_colours
 sed -n '/^const kinds/,/^];/p' "$top/lib/rubsweep/page/template/palette.js" | grep -oE ' colour: "#[0-9A-F]{6}' |
   grep -oE '#.*' >page_colours
-(($(wc -l <page_colours) == 18)) || fail 'not every kind has a colour'
+(($(wc -l <page_colours) == 19)) || fail 'not every kind has a colour'
 grep -vxF -f page_colours figure_colours >other_colours || true
 expect_empty other_colours
 diff <(grep -oE '0x[0-9A-F]{6}' "$top/lib/rubsweep/report/terminal_map.cpp" | sed 's/0x/#/' | sort -u) \

@@ -82,4 +82,4 @@ expect_exit 2 bad.yaml
 expect_matches stderr '^bad\.yaml:[0-9]+:[0-9]+: loads\.0\.mass_kg: 0 is out of range, allowed: a number > 0$'
 expect_matches stderr "^bad\.yaml:[0-9]+:1: friction_coeficient: unknown key \(did you mean 'friction_coefficient'\?\)"
 expect_exit 2 "$top/configs/minimal.yaml"
-expect_contains stderr 'ring: missing'
+expect_contains stderr 'rotor: belongs to a configuration of rubsweep'

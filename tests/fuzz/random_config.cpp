@@ -27,7 +27,7 @@ std::string segment(ByteSource& b) {
 std::string disc(ByteSource& b) {
   std::string text =
       fmt::format("    - {{position_m: {}, mass_kg: {}, polar_inertia_kg_m2: {}, diametral_inertia_kg_m2: {}",
-                  b.number(0.2), b.number(0.8), b.number(5.6e-4), b.number(3.2e-4));
+                  b.number(0.2), b.number(0.8), b.number(5.6e-4), b.number(5.6e-4));
   if (b.once_in(3)) {
     text += fmt::format(
         ", eccentricity_ratio: {}, eccentricity_phase_deg: {}, skew_rad_per_m: {}, skew_phase_deg: {}",
