@@ -70,7 +70,7 @@ if command -v gnuplot >/dev/null; then
   [[ $(head -c 4 difference.png | tail -c 3) == PNG ]] || fail 'no picture'
   gnuplot difference.gp && expect_contains difference.gp "set output 'difference.png'"
   expect_compared 5 a/map.csv changed.csv --figure difference.svg
-  for text in 'another class (1)' 'Where two maps differ' 'a/map.csv -&gt; changed.csv' 'shaft speed (Hz)' \
+  for text in 'another class (1)' 'Where two maps differ' 'changed.csv; numbers to a tolerance of' 'shaft speed (Hz)' \
     'whirl ratio (quiet whirl / clearance)'; do
     expect_contains difference.svg "$text"
   done

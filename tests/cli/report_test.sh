@@ -69,7 +69,7 @@ rm map/boundaries.csv
 
 # What is no finished map.
 report_exit 3 nowhere
-expect_contains stderr 'nowhere/config.yaml'
+expect_contains stderr 'cannot write nowhere/report.html'
 sed -i 's/mass_kg: 0.8/mass_kg: 0.9/' elsewhere/config.yaml
 report_exit 2 elsewhere
 expect_contains stderr 'elsewhere/map.csv: is no map of this configuration'
