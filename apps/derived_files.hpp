@@ -6,14 +6,14 @@
 
 namespace rubsweep::apps {
 
-/// What rubbranch --map finds out about a map.
+/// Files of rubbranch --map about a map.
 inline constexpr std::array<std::string_view, 4> family_files{"boundaries.csv", "contradictions.csv",
                                                               "edges.csv", "families.csv"};
 
-/// What rubbasin says of its map.
+/// Files of rubbasin about its map.
 inline constexpr std::array<std::string_view, 2> slice_files{"attractors.csv", "slice.csv"};
 
-/// What rubbranch --map keeps of its work until the files above are there, and who is at it.
+/// Journal and lock of rubbranch --map, which stay until the files above are there.
 inline constexpr std::string_view family_journal_file = "families.journal",
                                   family_lock_file = "families.lock";
 

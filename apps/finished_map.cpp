@@ -41,7 +41,7 @@ std::string keys_that_differ(const fs::path& config_file, const std::string& dig
   return text;
 }
 
-/// What the comments before the header of a table say; empty where they say none.
+/// Digest in the comments before the header of a table; empty where there is none.
 std::string digest_in(const fs::path& table) {
   const batch::InputStream stream = batch::open_input_stream(table);
   constexpr std::string_view mark = "# digest ";

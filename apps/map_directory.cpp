@@ -187,7 +187,7 @@ void MapDirectory::refuse_what_is_no_file() const {
   }
 }
 
-/// What killed processes were about to write whole.
+/// Removes temporary files that killed processes left behind.
 void MapDirectory::remove_leftovers() const {
   batch::remove_leftovers(directory_, [](std::string_view name) {
     return name == "config.yaml" || name == family_journal_file || name.starts_with("map.") ||

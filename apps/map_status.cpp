@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds watched{2};
 
-/// What the journals of a directory hold.
+/// Cells in the journals of a directory.
 struct Finished {
   std::map<std::string, std::size_t> by_journal;  ///< name without its ending -> cells in it
   std::set<std::size_t> cells;                    ///< of all of them

@@ -35,7 +35,7 @@ PlaceArguments read_place(const po::variables_map& given);
 /// of its discs stands off the axis.
 scene::Unbalance unbalance_of(const PlaceArguments& place, const model::Machine& machine);
 
-/// What was said in other units than SI is shown in them as well.
+/// Keeps the units of the command line, so that results are shown in them as well.
 void keep_units(const PlaceArguments& place, sweep::Study& study);
 
 /// Throws UsageError where a configuration of this machine could not have this speed; `option` said it.

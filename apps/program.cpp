@@ -30,7 +30,7 @@ void say_without_memory(std::string_view text) {
 }
 
 /// An abort is the end of a library that finds no memory (FFTW), and of an exception that nobody catches.
-/// What was finished is in the journals, and the system frees the locks.
+/// Finished cells are in the journals, and the system frees the locks.
 void end_after_abort(int) {
   say_without_memory("ended by an abort: out of memory, or a fault of the program");
   ::_exit(software_fault);
