@@ -174,7 +174,7 @@ class HybridRun {
     return true;
   }
 
-  /// Of this run without a stepper's.
+  /// Work of this run without that of its stepper.
   double work_so_far() const {
     run::Effort effort = run_.effort();
     if (taylor_) effort = sum(effort, taylor_->effort());

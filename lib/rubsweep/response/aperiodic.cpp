@@ -11,12 +11,12 @@
 namespace rubsweep::response {
 namespace {
 
-/// Of the undecided cells of the one-side, two-sides and annular maps the first look decides five of six, all
-/// three together nineteen of twenty. A transient that outlasts them may last for ever.
+/// First look: decides five of six undecided cells of the one-side, two-sides and annular maps; all three
+/// looks decide nineteen of twenty. A transient that outlasts them may last for ever.
 constexpr std::size_t first_look = 640, second_look = 1280, last_look = 2560;
 constexpr std::size_t shortest_chaos = 1280;
 
-/// Of the section in the last two fifths of the turns.
+/// Period of the section in the last two fifths of the turns.
 std::optional<motion::SectionPeriod> period_of(const Followed& motion) {
   const std::size_t half = 2 * motion.turns() / 5;
   return motion::period_of_section(motion.last_rows(half), static_cast<int>(motion.states),

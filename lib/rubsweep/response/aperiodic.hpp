@@ -20,7 +20,7 @@ inline constexpr double zero_exponent = 5e-4;
 /// The rate at which the closest return grows or shrinks must be known to within this, per turn.
 inline constexpr double known_rate = 5e-4;
 
-/// What a motion without a period turned out to be.
+/// Verdict on a motion without a period.
 struct Aperiodic {
   motion::MotionClass motion_class =
       motion::MotionClass::unsettled;        ///< quasi_periodic, chaotic or unsettled

@@ -22,7 +22,7 @@ motion::Exponent exponent_of(std::span<const double> contributions);
 /// Zero for none.
 double bump_mean(std::span<const double> contributions);
 
-/// Of contributions without their first fifth, and of either half of these.
+/// Weighted means of the contributions without their first fifth, and of the two halves of these.
 struct BumpMeans {
   double all = 0, first = 0, last = 0;
 };

@@ -59,7 +59,7 @@ void look_for_comb(const motion::Record& record, const motion::ResponseOptions& 
       spectrum::largest_comb_line(record.displacement_m(), options.samples_per_revolution, comb->spacing);
 }
 
-/// What the end of a whole run shows.
+/// Verdict at the end of a whole run.
 struct Verdict {
   motion::Motion motion;
   std::optional<Survival> survival;  ///< of chaos
@@ -123,8 +123,8 @@ Verdict verdict_of(const scene::Scene& scene, const integrate::run::SolverOption
   return verdict;
 }
 
-/// What a transient of a scene may be proven to settle on: a rotationally symmetric one is looked at in the
-/// frame that turns with the shaft.
+/// Proof that a transient settles on a motion: a rotationally symmetric scene is looked at in the frame that
+/// turns with the shaft.
 class MotionProof {
  public:
   MotionProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,

@@ -36,7 +36,7 @@ class TorusWatch {
   /// Revolutions after which the windows begin that a verdict is made from: two of them, or one where a torus
   /// was seen, since the section has shown what the one before it would.
   long record_begin() const { return record_begin_; }
-  /// Of the torus that was seen; else empty.
+  /// Exponent of the torus that was seen; else empty.
   const std::optional<motion::Exponent>& torus() const { return torus_; }
   /// The window shows something else than a torus: the watch ends.
   void refuse();

@@ -29,7 +29,7 @@ double slip_m_per_s(const run::ScaledContact<N>& c, const contact::ContactFrame&
   return c.slip_scale_m_per_s * f.sliding_speed + c.surface_speed_m_per_s;
 }
 
-/// What a rate of the coordinates makes of the sliding speed.
+/// Row that gives the sliding speed from the rates of the coordinates.
 template <int N>
 Eigen::Matrix<double, 1, N> tangential_row(const run::ScaledContact<N>& c, const contact::ContactFrame& f) {
   return f.cosine * c.second_row - f.sine * c.first_row;

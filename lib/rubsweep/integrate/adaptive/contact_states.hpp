@@ -14,9 +14,9 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// What the contacts of a system do: each has a mode, and one with dry friction, which jumps where the slip
-/// reverses, slips one way or the other or sticks. Those that stick keep the slip that they have: what holds
-/// them, and what that means for small changes of the state. A smoothed law has neither.
+/// Discrete states of a system's contacts: the mode of each, and with dry friction, which jumps where the
+/// slip reverses, its slip: one way, the other, or sticking at the slip that it has, with the holding forces
+/// and their derivatives by the state. A smoothed law has neither modes nor slips.
 template <int N, bool Smoothed>
 class ContactStates {
  public:
@@ -40,7 +40,7 @@ class ContactStates {
   const run::ScaledSystem<N>& system() const { return system_; }
   std::vector<contact::Mode>& modes() { return modes_; }
   const std::vector<contact::Mode>& modes() const { return modes_; }
-  /// What dry friction goes by; of no meaning in contacts that are open or have another friction.
+  /// Slip states for dry friction; meaningless in contacts that are open or have another friction.
   std::vector<contact::Slip>& slips() { return slips_; }
   const std::vector<contact::Slip>& slips() const { return slips_; }
 
@@ -50,7 +50,7 @@ class ContactStates {
     std::size_t count = 0;
   };
 
-  /// Those that stick.
+  /// Contacts that stick.
   Stuck stuck_contacts() const {
     Stuck stuck;
     for (std::size_t i = 0; i < slips_.size() && stuck.count < stuck.list.size(); ++i) {
@@ -174,7 +174,7 @@ class ContactStates {
  protected:
   using Contact = run::ScaledContact<N>;
 
-  /// What holds a contact that sticks, and the second derivative of its distance along the normal.
+  /// Holding friction of a contact that sticks, and the second derivative of its distance along the normal.
   struct Held {
     double force_n = 0, normal_acceleration = 0;
   };
@@ -200,7 +200,7 @@ class ContactStates {
       const auto along = tangential_row(system_.contacts[i], f);
       const Eigen::Matrix<double, 1, N> across = f.cosine * c.first_row + f.sine * c.second_row;
       const double q = f.curvature, s = f.sliding_speed, v = f.closing_speed;
-      // Of s: t . w' - v q t . w. Of r': n . w' + s q t . w. Of the tangent: -q (t . w) n.
+      // Gradient of s: t . w' - v q t . w; of r': n . w' + s q t . w; of the tangent: -q (t . w) n.
       need_u.row(k) = along * by_u - (held_[i].normal_acceleration * q + (s * s - v * v) * q * q) * along +
                       s * v * q * q * across;
       need_v.row(k) = along * by_v - v * q * along - s * q * across;

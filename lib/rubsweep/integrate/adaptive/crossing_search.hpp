@@ -17,7 +17,7 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// What ends a step before its end.
+/// First event inside a step, which ends it.
 struct Crossing {
   /// A guard of a contact mode, a slip that comes to zero, a contact that sticks and is let go.
   enum class Event { mode, stop, release };
@@ -61,11 +61,11 @@ struct CrossingSearch {
   }
 
  private:
-  /// Of the height of a slip's interpolant over a step: from there its largest value is looked at closely.
+  /// Share of the height of a slip's interpolant over a step from which its largest value is refined.
   static constexpr double near_zero = 0.1;
   static constexpr double shortest_share = 1e-12;  ///< of a step, that an event takes at least
 
-  /// What holds a contact that sticks, and at most could.
+  /// Friction that a sticking contact needs, and the most that it can have.
   struct Friction {
     double holds_n = 0, largest_n = 0;
     /// By how much it is asked for more than that in the direction of `sign`.

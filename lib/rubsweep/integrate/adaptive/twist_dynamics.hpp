@@ -129,7 +129,7 @@ class TwistDynamics : private OwnSystem<Eigen::Dynamic>, public Dynamics<Eigen::
       OwnSystem::own.contacts[i].surface_speed_m_per_s = speed * surface_m_per_s_[i];
   }
 
-  /// What friction at the surfaces does to phi''.
+  /// Contribution of friction at the surfaces to phi''.
   template <class State>
   double contact_torque(const State& state) const {
     double torque_nm = 0;

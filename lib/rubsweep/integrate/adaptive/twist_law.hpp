@@ -7,9 +7,9 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// What torsion adds to the right-hand side of a scene, scaled: lengths by L, time in radians of the drive's
-/// rotation, the angle coordinate by L like all others. phi is the angle of the rotor, phi' its rate (1 where
-/// it keeps up with the drive).
+/// Terms that torsion adds to the right-hand side of a scene, scaled: lengths by L, time in radians of the
+/// drive's rotation, the angle coordinate by L like all others. phi is the angle of the rotor, phi' its rate
+/// (1 where it keeps up with the drive).
 struct TwistLaw {
   Eigen::Index coordinate = 0;
   double length_m = 0;            ///< L: angle = L times the coordinate
@@ -26,7 +26,7 @@ struct TwistLaw {
   std::vector<double> contact_radius_m;
 };
 
-/// Of a scene that has torsion.
+/// Law of a scene that has torsion.
 TwistLaw twist_law(const scene::Scene& scene);
 
 /// The scene without the forces that turn with the shaft, which the law of torsion has.

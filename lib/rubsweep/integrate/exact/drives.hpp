@@ -27,7 +27,7 @@ struct Phasors {
   std::vector<std::complex<double>> pulses{};
 };
 
-/// What drives an exact motion: the unbalance, and of the scene's pulses those that act now.
+/// Harmonic forces on an exact motion: the unbalance, and those of the scene's pulses that act now.
 class Drives {
  public:
   /// `system`: the scaled one, with time in seconds.

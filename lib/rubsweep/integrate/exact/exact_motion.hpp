@@ -50,7 +50,7 @@ class ExactMotion {
     drives_.start(phase_rad, pulses, time_s, now_.phasors);
   }
 
-  /// What changes while the mode does not: the free vibration, and what drives it.
+  /// Variables within a mode: the free vibration and the phasors of the forces.
   struct Instant {
     State free;
     Phasors phasors;
@@ -71,8 +71,8 @@ class ExactMotion {
   /// p'' of flat contact `i`, by the law of the present mode.
   double closing_acceleration(std::size_t i, const State& physical) const;
 
-  /// What bounds are multiplied by: with a modal form the length of every pair of the free vibration (n
-  /// numbers, then n zeros), else the size of each of its 2n components.
+  /// Factors of the bounds: with a modal form the length of every pair of the free vibration (n numbers, then
+  /// n zeros), else the size of each of its 2n components.
   State sizes() const;
   GuardValue guard(std::size_t e) const {
     const LinearGuard<N>& guard = mode_->guards[e];
@@ -122,8 +122,8 @@ class ExactMotion {
     return forced.with(guard.constant + all.value(), all);
   }
 
-  /// What stands for the guard of an open annular stop: (|d|^2 - C^2) / (2 C), with d the offset of the rotor
-  /// and C the clearance. It passes through zero with |d| - C and is smooth in the centre, where |d| is not.
+  /// Smooth guard of an open annular stop: (|d|^2 - C^2) / (2 C), with d the offset of the rotor and C the
+  /// clearance. It passes through zero with |d| - C and is smooth in the centre, where |d| is not.
   GuardValue annular(std::size_t r, const State& sizes) const;
 
   /// Normal force in newtons of the touching contact `t`, one that pushes, at an instant of the present mode.
@@ -191,7 +191,7 @@ class ExactMotion {
     HarmonicResponse<N> response;
   };
 
-  /// What is kept of the way from one mode to another.
+  /// Precomputed transition from one mode to another.
   struct Passage {
     const ModeChange<N>* change = nullptr;  ///< null: not yet made
     HarmonicChange<N> unbalance;
@@ -203,7 +203,7 @@ class ExactMotion {
     Stretch interval;
   };
 
-  /// Of what vibrates and what drives it now.
+  /// Highest angular frequency of the free vibration and of the forces that act now.
   double fastest_rad_per_s() const { return drives_.fastest_rad_per_s(mode_->fastest_rad_per_s); }
   bool prepare(const LinearMode<N>& mode, ModeCell& cell) const;
   /// From the present mode to one whose cell is prepared.

@@ -17,13 +17,13 @@ using contact::Mode;
 constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
 constexpr double same_instant = 1e-13;   ///< of a turn: crossings nearer to each other happen at once
 constexpr int longest_standstill = 16;   ///< mode switches without progress before a graze is stepped over
-/// Of a turn: steps towards an annular stop before it counts as touched.
+/// Shortest step towards an annular stop, as a share of a turn; after a shorter one it counts as touched.
 constexpr double shortest_to_annular = 1e-7;
 /// More steps in a turn than this show bounds that do not fit the motion, as with a friction so strong that
 /// closed forms are small differences of large numbers: the adaptive solver makes such a turn.
 constexpr long most_steps = 100'000;
-/// Of a mode's longest step: friction must be certain to stay saturated for so long where a turn comes back
-/// from another solver. More than what ends an exact piece, so that the two do not take turns at each step.
+/// Shortest stretch of certain saturation, as a share of a mode's longest step, for a turn to come back from
+/// another solver. Longer than what ends an exact piece, so that the two do not alternate.
 constexpr double stretch_to_join = 16 * SlipWatch<2>::shortest_stretch;
 
 }  // namespace
@@ -221,9 +221,9 @@ ExactEnding ExactRun<N>::reach_boundary(run::TurnReport& report, double boundary
   return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
 }
 
-/// What happens inside a turn at an instant that was steered for: pulses begin or end, impulses act. A pulse
-/// is zero at both ends, so that the state and its rate go on smoothly; but its phasor comes or goes, and
-/// with it the free vibration that the bounds on the slips were made from.
+/// Instants that a turn steers for: pulses begin or end, impulses act. A pulse is zero at both ends, so that
+/// the state and its rate are continuous; but its phasor appears or disappears, and with it changes the free
+/// vibration that the bounds on the slips were made from.
 template <int N>
 bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
   if (clock_.change_pulses()) {

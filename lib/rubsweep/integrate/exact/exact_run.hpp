@@ -89,7 +89,7 @@ class ExactRun {
   void passed(run::TurnReport& report, double duration_s);
   void land(run::TurnReport& report, std::size_t guard, double latest_s);
   bool switch_mode(run::TurnReport& report, std::size_t guard);
-  /// Of all contacts, from one joint mode to another.
+  /// Reports the mode switches of all contacts between two joint modes.
   void note_switches(run::TurnReport& report, std::size_t from, std::size_t to);
   bool begin_motion(const State& here);
   bool begin_slip(const State& here);

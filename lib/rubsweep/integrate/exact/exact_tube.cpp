@@ -16,7 +16,7 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// Of matrix . y for a unit y; infinite where the matrix is not finite.
+/// Spectral norm of a matrix; infinite where the matrix is not finite.
 double largest_length(const Eigen::MatrixXd& matrix) {
   if (matrix.size() == 0) return 0;
   const Eigen::MatrixXd square = matrix.transpose() * matrix;

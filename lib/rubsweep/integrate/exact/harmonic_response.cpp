@@ -50,7 +50,7 @@ Eigen::Matrix<std::complex<Number>, N, N> dynamic_stiffness(const Matrix& stiffn
   return dynamic;
 }
 
-/// What the defect of an amplitude in long double says of it, twice: factors in double precision are enough.
+/// Two steps of iterative refinement: residuals in long double, factors in double precision suffice.
 template <int N, class Factors>
 void refine(const UnroundedMode& mode, const Factors& factors, const Eigen::VectorXcd& force,
             HarmonicResponse<N>& response) {

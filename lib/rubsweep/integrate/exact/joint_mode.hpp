@@ -20,7 +20,7 @@ constexpr std::size_t backward_in_joint_mode(std::size_t i, std::size_t contacts
   return std::size_t{1} << (2 * contacts + i);
 }
 
-/// Of these modes, every slip forward.
+/// Number of the joint mode of these contact modes, every slip forward.
 inline std::size_t joint_mode_of(const std::vector<contact::Mode>& modes) {
   std::size_t joint = 0;
   for (std::size_t i = 0; i < modes.size(); ++i) joint += in_joint_mode(modes[i], i);

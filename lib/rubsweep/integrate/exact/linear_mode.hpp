@@ -37,7 +37,7 @@ struct ExactTypes {
   using State = Eigen::Matrix<double, states, 1, Eigen::ColMajor, 2 * most, 1>;
   using Row = Eigen::Matrix<double, 1, states, Eigen::RowMajor, 1, 2 * most>;
   using Flow = Eigen::Matrix<double, states, states>;
-  /// What the time loop multiplies a state by.
+  /// Matrix that the time loop multiplies a state by.
   template <int rows>
   using RowsOfState =
       std::conditional_t<N == Eigen::Dynamic, numerics::AlignedMatrix, Eigen::Matrix<double, rows, states>>;
@@ -102,7 +102,7 @@ struct CasingView {
   typename ExactTypes<N>::template RowsOfState<4> of_free;  ///< (x, y, x', y') of z
 };
 
-/// What a mode is made from, before it is rounded.
+/// Matrices of a mode before they are rounded.
 struct UnroundedMode {
   numerics::LongMatrix stiffness, damping;
   numerics::LongVector rest;
@@ -166,7 +166,7 @@ struct LinearMode {
   }
 };
 
-/// What all contact modes of a machine are made from.
+/// Data that all contact modes of a machine share.
 struct CommonToModes {
   run::ScaledSystem<Eigen::Dynamic> system;          ///< with time in seconds
   std::vector<contact::SaturatedFriction> friction;  ///< per contact

@@ -53,7 +53,7 @@ class MachineModes {
   std::map<std::pair<std::size_t, std::size_t>, ModeChange<N>> changes_;  ///< by the indices of both modes
 };
 
-/// What the flows of all modes of a machine take at most: none of them has a modal form.
+/// Largest size of the flows of all modes of a machine, taken where none of them has a modal form.
 std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts);
 
 /// Stops whose joint contact modes can be numbered.

@@ -16,11 +16,11 @@ struct ModeChange {
   typename ExactTypes<N>::State constant;
 };
 
-/// Of modes that have kept what they are made from (LinearMode::unrounded).
+/// For modes that have kept their unrounded matrices (LinearMode::unrounded).
 template <int N>
 ModeChange<N> make_mode_change(const LinearMode<N>& from, const LinearMode<N>& to);
 
-/// What a harmonic force adds to z': Re(phasor) real + Im(phasor) imaginary.
+/// Contribution of a harmonic force to z': Re(phasor) real + Im(phasor) imaginary.
 template <int N>
 struct HarmonicChange {
   typename ExactTypes<N>::State real, imaginary;

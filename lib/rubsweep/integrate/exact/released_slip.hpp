@@ -13,8 +13,8 @@ namespace rubsweep::integrate::exact {
 struct ReleasedSlip {
   /// By the sizes of the free vibration of the structure without any contact, as for a mode of pairs.
   Eigen::RowVectorXd sliding_rate_bound;
-  /// What friction adds, per contact and per penetration at the start: at once, and per second through the
-  /// vibration that it has excited by then.
+  /// Contributions of friction, per contact and per penetration at the start: the immediate one, and the rate
+  /// per second of the one through the vibration that it has excited by then.
   std::vector<double> friction_rate, friction_swing;
 };
 

@@ -88,10 +88,10 @@ class SlipWatch {
     return longest_s_ >= least_share * motion.mode().longest_step_s;
   }
 
-  /// What is left of the slip of touch `t` at `physical`, the motion's state, before friction leaves
-  /// saturation, m/s: as a guard, negative while it is saturated, with a bound of its second derivative
-  /// within the mode's longest step. Where the touch has a `friction_rate` the bound is one of the first
-  /// derivative, which stands as the rate. For contacts that are not `always` saturated.
+  /// Slip margin of touch `t` at `physical`, the motion's state, as a guard, m/s: negative while friction is
+  /// saturated, zero where it leaves saturation, with a bound of its second derivative within the mode's
+  /// longest step. Where the touch has a `friction_rate` the bound is one of the first derivative, which
+  /// stands as the rate. For contacts that are not `always` saturated.
   Guard guard(const ExactMotion<N>& motion, std::size_t t, const State& physical) const {
     const TouchWatch<N>& touch = motion.mode().touches[t];
     const Contact& c = contacts_[touch.contact];
@@ -134,7 +134,7 @@ class SlipWatch {
   /// How long a stretch that began here may be.
   double longest_s() const { return longest_s_; }
 
-  /// Of a mode's longest step: the shortest stretch that is worth a step.
+  /// Shortest stretch that is worth a step, as a share of the mode's longest step.
   static constexpr double shortest_stretch = 1.0 / 256;
 
  private:
@@ -165,7 +165,7 @@ class SlipWatch {
                                  duration_s);
   }
 
-  /// Of a slip within the mode's longest step, m/s^2.
+  /// Bound on the rate of a slip within the mode's longest step, m/s^2.
   double rate_bound(const ExactMotion<N>& motion, const TouchWatch<N>& touch, const State& physical) const {
     double rate = motion.sliding_rate_bound(touch, physical), swing = 0;
     for (std::size_t k = 0; k < touch.friction_rate.size(); ++k) {

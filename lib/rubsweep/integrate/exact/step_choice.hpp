@@ -7,7 +7,7 @@
 
 namespace rubsweep::integrate::exact {
 
-/// What the choice of a step goes by.
+/// Limits that the choice of a step respects.
 struct StepLimits {
   double until_s = 0;                ///< no step is longer
   double reach_s = 0;                ///< longest landing
@@ -15,7 +15,7 @@ struct StepLimits {
   double same_instant_s = 0;         ///< crossings nearer to each other happen at one instant
 };
 
-/// What an exact run may do next: a step that no guard is crossed in, or a landing on the first one crossed.
+/// Next action of an exact run: a step that crosses no guard, or a landing on the first one crossed.
 struct StepChoice {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 

@@ -18,7 +18,7 @@ class TangentsOneByOne {
 
   std::size_t size() const { return count_; }
   void clear() { count_ = 0; }
-  /// Of as many numbers each; the first ones stay.
+  /// Makes room for `count` vectors, of any length; the first ones stay.
   void resize(Eigen::Index /*numbers*/, std::size_t count) {
     if (list_.size() < count) list_.resize(count);
     count_ = count;

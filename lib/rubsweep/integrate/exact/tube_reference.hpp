@@ -49,23 +49,23 @@ class TubeReference {
   const run::StateScale& scale() const { return scale_; }  ///< of sections
   const PartSizes& base() const { return base_; }          ///< disturbances that are not kicks
 
-  /// What guard `e` of the present mode makes of the disturbances.
+  /// Disturbances projected onto guard `e` of the present mode.
   Seen seen(std::size_t e) {
     Seen seen;
     see(e, seen);
     return seen;
   }
-  /// The same into what may be used again.
+  /// The same, written into an object that is used again.
   void see(std::size_t e, Seen& seen) { see_by(motion_.mode().guards[e].terms, 1, seen); }
 
-  /// What is left of the slip of a touching contact, m/s, before friction leaves saturation, as a guard, and
-  /// what it makes of the disturbances; `row` is its own on the state.
+  /// Slip margin of a touching contact, m/s, as a guard that rises through zero where friction leaves
+  /// saturation, and the disturbances projected onto it; `row` is its own on the state.
   struct SlipGuard {
     typename ExactMotion<N>::GuardValue value;
     Seen seen;
     typename ExactTypes<N>::Row row;
   };
-  /// Of all whose friction is saturated only above a slip; they last until this is asked again.
+  /// Slip guards of all contacts whose friction is saturated only above a slip; valid until the next call.
   std::span<const SlipGuard> slip_guards() {
     std::size_t count = 0;
     for (std::size_t t = 0; t < motion_.mode().touches.size(); ++t) {

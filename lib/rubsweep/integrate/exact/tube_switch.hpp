@@ -69,8 +69,8 @@ class TubeSwitch {
   std::size_t behind() const { return behind_; }
 
  private:
-  /// What is left of the slips at a change of mode, for whoever touches in its window: in the old mode until
-  /// the guard is crossed, in the new one from then on.
+  /// Adds the slip guards of a change of mode, for contacts that touch in its window: those of the old mode
+  /// until the guard is crossed, those of the new one from then on.
   bool add_slip(TurnTube::Switch& change) {
     for (const auto& slip : reference_.slip_guards()) {
       if (!add_other(change, slip.value, slip.seen)) return false;

@@ -47,7 +47,7 @@ class TurnClock {
   const run::PulseTimes& pulses() const { return pulses_; }
 
   bool impulse_is_due() const { return time_s_ >= next_impulse_s(); }
-  /// What the impulse that is due adds to the velocities q', in m/s.
+  /// Velocity jump of the impulse that is due, an increment of q' in m/s; the impulse is then past.
   const Eigen::VectorXd& take_impulse() { return impulses_.take(); }
 
  private:

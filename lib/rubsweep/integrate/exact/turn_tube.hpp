@@ -13,11 +13,11 @@ struct Parts {
   double fast = 0, slow = 0;
 };
 
-/// What holds for all motions that start a turn near one motion, its reference: x(0) = reference + W y with
-/// y = (y_fast, y_slow) and |y_fast| <= radii.fast, |y_slow| <= radii.slow (Euclidean). For all radii it is
-/// asked for, the tube answers whether all of them go through the same changes of contact mode in the same
-/// order, and by how much their ends can differ from the linear map about the reference. Up to rounding.
-/// `turn_tubes` fills it in.
+/// Bounds for all motions that start a turn near a reference motion: x(0) = reference + W y with y = (y_fast,
+/// y_slow) and |y_fast| <= radii.fast, |y_slow| <= radii.slow (Euclidean). For any radii the tube answers
+/// whether all of these motions go through the same changes of contact mode in the same order, and by how
+/// much their ends can differ from the linear map about the reference. Up to rounding. `turn_tubes` fills it
+/// in.
 ///
 /// Lemma. Inside a mode the law is linear, and at a change of mode it goes on without a jump: the two right
 /// hand sides differ by b g, g the guard that rises through zero there. So a motion near the reference

@@ -8,8 +8,8 @@
 
 namespace rubsweep::integrate::exact {
 
-/// What a turn of an exact run is looked at for between the ends of its steps, samples and peaks, and how
-/// short steps have to be for it.
+/// Observer of an exact turn between the ends of its steps, for samples and peaks, and the limit that it sets
+/// on the length of steps.
 template <int N>
 class TurnWatch {
  public:

@@ -25,7 +25,7 @@ class Impulses {
     return next_ < instants_.size() ? instants_[next_].phase_rad : std::numeric_limits<double>::infinity();
   }
 
-  /// What the next impulse adds to the velocities q', in m/s; goes on to the one after it.
+  /// Velocity jump of the next impulse, an increment of q' in m/s; advances to the impulse after it.
   const Eigen::VectorXd& take() { return trains_[instants_[next_++].train].jump_m_per_s; }
 
   /// Takes every impulse up to `phase_rad` and adds it to the velocities of a state of `scale`, u then u',

@@ -32,9 +32,9 @@ struct Effort {
   long adaptive_turns = 0;  ///< revolutions without a closed form, by a stepper
 };
 
-/// What is asked of one revolution; it may stay the same from turn to turn. States are scaled and hold 2n
-/// numbers: the displacements q in units of the scene's length scale L, then the velocities q' in units of
-/// L * speed.
+/// Request for one revolution; it may stay the same from turn to turn. States are scaled and hold 2n
+/// numbers: the displacements q in units of the scene's length scale L, then the velocities q' in units of L
+/// * speed.
 struct TurnRequest {
   int samples_per_revolution = 0;  ///< N: states at phases 2 pi k / N, k = 0..N-1; 0: none
   bool peaks = false;              ///< fill the peak_ numbers
@@ -67,7 +67,7 @@ class MovedTangentVectors {
   Eigen::MatrixXd vectors_;
 };
 
-/// What one revolution answers. Reused from turn to turn: every turn overwrites all of it.
+/// Report of one revolution. Reused from turn to turn: every turn overwrites all of it.
 struct TurnReport {
   std::vector<double> section;  ///< scaled state at the end of the turn, 2n; unchanged by a turn that fails
   std::vector<double> samples;  ///< sample_count x 2n in front, row by row

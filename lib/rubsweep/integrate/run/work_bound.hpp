@@ -14,7 +14,7 @@ namespace rubsweep::integrate::run {
 /// so many evaluations.
 inline constexpr double work_of_a_step = 2, work_of_a_piece = 100;
 
-/// What a run has done since its start.
+/// Work of a run since its start.
 inline double work(const Effort& effort) {
   const long other_steps = effort.steps + effort.refused - effort.taylor_pieces;
   return static_cast<double>(effort.rhs_calls) + work_of_a_step * static_cast<double>(other_steps) +

@@ -37,7 +37,7 @@ class AnyDirections {
     Twin first, second;
   };
 
-  /// What the contact sees of some pairs; of each direction in two parts.
+  /// Projection of some pairs onto the contact's two directions, each in two partial sums.
   struct Seen {
     Twin first{}, second{};
   };
@@ -55,7 +55,7 @@ class AnyDirections {
 
  private:
   StatePairs<N> first_push_, second_push_, first_row_, second_row_;
-  /// What a newton along either of the contact's directions accelerates of the contact itself.
+  /// Acceleration of the contact itself per newton along either of its directions.
   Twin by_first_, by_second_;
 };
 

@@ -30,7 +30,7 @@ void ContactJacobian::make_along(int k) {
   second_damped_.set(k, both(damper_) * Twin{along[1], one - along[0]});
 }
 
-/// Of K (s + mu Q) times a column.
+/// Product of K (s + mu Q) and a column.
 Twin ContactJacobian::spring_column(double along, double across) const {
   const Twin column{along, across};
   return both(spring_) * column + both(friction_) * numerics::quarter_turned(column);

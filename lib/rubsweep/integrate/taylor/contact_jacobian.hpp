@@ -17,12 +17,12 @@ class ContactJacobian {
  public:
   using Twin = numerics::Twin;
 
-  /// Of the expansion as it is now; no term is made yet.
+  /// Starts on the contact's present expansion, with no term made yet.
   void follow(const ContactSeries& contact) {
     contact_ = &contact;
     made_ = 0;
   }
-  /// Makes what is missing of the terms up to k, of B up to k + 1, as far as the motion's normal is known.
+  /// Makes the missing terms up to k, of B up to k + 1, as far as the motion's normal is known.
   void extend(int k) {
     while (made_ <= k) make(made_++);
   }

@@ -7,8 +7,8 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// What the power series of a contact's forces take from a scaled contact; none of it depends on the number
-/// of coordinates.
+/// Parameters of a scaled contact that the power series of its forces use; none depends on the number of
+/// coordinates.
 struct ContactLaw {
   bool annular = false;
   double clearance = 0, stiffness = 0, damping = 0;

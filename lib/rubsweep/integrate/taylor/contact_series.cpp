@@ -124,7 +124,7 @@ Twin ContactSeries::normal_and_rate(int k) {
     length_rate_.set(0, sum_of(normal_[0] * velocity_[0]));
     return damped ? length_rate_[0] * normal_[0] : Twin{};
   }
-  // Of the newest coefficients, which the others need not wait for, only the sums' ends are made.
+  // Only the ends of the sums use the newest coefficients: the other terms need not wait for them.
   Twin by_length[2]{}, by_velocity[2]{}, by_rate[2]{};
   const auto add = [&](int j, int half) {
     const Twin n = normal_[k - j];

@@ -48,7 +48,7 @@ class ContactSeries {
   /// Coefficient k of (tangent at the start) . d'' that keeps the slip; `a1`, `a2` are those of d'' in the
   /// two fixed directions so far, without the holding friction's coefficient k.
   double keeping_term(int k) const;
-  /// That coefficient of the holding friction, and with it those of d''.
+  /// Sets coefficient k of the holding friction, and with it those of d''.
   void hold(int k, double force_n, numerics::Twin acceleration);
   /// Each coefficient twice.
   const numerics::PlaneSeries& holding() const { return holding_; }
@@ -64,7 +64,7 @@ class ContactSeries {
   /// Slope of a tanh that is not saturated changes along the expansion, and so does viscous friction.
   bool friction_varies() const { return varies_; }
 
-  // What is known once the expansion is complete up to `order`.
+  // Results of an expansion that is complete up to `order`.
 
   /// Coefficient k <= order of the penetration; of an open annular contact (|d|^2 - C^2) / (2 C) instead,
   /// which rises through zero with it, after `make_open_penetration`.
@@ -95,7 +95,7 @@ class ContactSeries {
   double constant_coefficient() const { return constant_mu_; }
   /// Coefficient k of d mu / d(sliding).
   double friction_slope_term(int k) const;
-  /// Of d'' in the two fixed directions, where the contact sticks.
+  /// Acceleration d'' in the two fixed directions, where the contact sticks.
   const numerics::PlaneSeries& acceleration() const { return acceleration_; }
 
  private:
@@ -108,8 +108,8 @@ class ContactSeries {
 
   const ContactLaw* law_ = nullptr;
   contact::Mode mode_ = contact::Mode::open;
-  // Of the law in this mode, each number twice, as products take it: factor of the spring, damper, stiffness
-  // and clearance.
+  // Coefficients of the law in this mode, each number twice, as products take it: factor of the spring,
+  // damper, stiffness and clearance.
   numerics::Twin spring_factor_{}, damper_{}, stiffness_{}, clearance_{};
   bool varies_ = false, sliding_made_ = false, sticks_ = false;
   const Creep* creep_ = nullptr;

@@ -69,7 +69,7 @@ auto ContactTangents<Count>::linear_term(int k) -> Term {
     const Term &x = along_first_[j], &y = along_second_[j];
     for (std::size_t i = 0; i < count; ++i) sum[i] += first * x[i] + second * y[i];
   };
-  // What is newest of the vectors comes last: the other terms need not wait for it.
+  // The newest coefficient of the vectors comes last: the other terms need not wait for it.
   for (int j = 0; j <= k; ++j) {
     Twin first = jacobian_->first(k - j), second = jacobian_->second(k - j);
     if constexpr (damped) {
@@ -89,7 +89,7 @@ void ContactTangents<Count>::add_coefficient_term(std::size_t which, double slid
   coefficient_.set(k, which, product_term(slope_, sliding_.member(which), k));
 }
 
-/// Of mu times the force that it is multiplied by, whose change is `load`.
+/// Variation of the friction force, mu times a force whose variation is `load`.
 template <int Count>
 Twin ContactTangents<Count>::sliding_friction(std::size_t which, Twin load, int k) {
   load_.set(k, which, load);
@@ -122,7 +122,7 @@ auto ContactTangents<Count>::normal_and_rate(int k) -> Term {
   const PlaneSeries &n = contact_->normal(), &r = contact_->length();
   Term along, by_length{}, by_normal{};
   for (std::size_t i = 0; i < count; ++i) along[i] = n[k + 1] * displacement_[0][i];
-  // What is newest of the vectors comes last: the other terms need not wait for it.
+  // The newest coefficient of the vectors comes last: the other terms need not wait for it.
   for (int j = 0; j < k; ++j) {
     const Twin normal = n[k - j], length = r[k - j];
     const Term &w = displacement_[j + 1], &change = length_[j], &turn = normal_[j];

@@ -52,7 +52,7 @@ class ContactTangents {
   Term normal_and_rate(int k);
   Term damping_products(int k) const;
   numerics::Twin sliding_friction(std::size_t which, numerics::Twin load, int k);
-  /// Of the friction coefficient, from that of the sliding speed.
+  /// Coefficient k of the variation of mu, from that of the sliding speed.
   void add_coefficient_term(std::size_t which, double sliding, int k);
 
   static constexpr auto count = static_cast<std::size_t>(Count);

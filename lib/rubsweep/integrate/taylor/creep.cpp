@@ -51,7 +51,7 @@ bool Creep::sweep(const ContactSeries& contact, int order) {
       load_.set(k, law_->stiffness * contact.penetration_term(k));
       const double inner = inner_sum(load_, coefficient_, k) + load_[k] * coefficient_[0];
       coefficient_.set(k, (contact.holding().number(k) - inner) / load_[0]);
-      // Of mu's coefficient k the slip's own has a share by the slope; the rest comes from those before it.
+      // Coefficient k of mu is slope times that of the slip, plus a rest from the earlier coefficients.
       double rest = 0;
       for (std::size_t t = 0; t < friction.count; ++t) {
         tanh_[t].add_term(friction.tanh[t].steepness_s_per_m, 0, k);

@@ -26,9 +26,9 @@ class Creep {
   bool sweep(const ContactSeries& contact, int order);
 
   double slip_m_per_s() const { return slip_[0]; }
-  /// Of the sliding speed d' . t.
+  /// Series of the sliding speed d' . t.
   const numerics::Series& sliding() const { return sliding_; }
-  /// What the last sweep changed coefficient k < order of it by.
+  /// Change of coefficient k < order of the sliding speed in the last sweep.
   double change(int k) const { return change_[static_cast<std::size_t>(k)]; }
 
   // After a sweep: the spring force, friction over spring force, and that's derivative by the sliding speed.

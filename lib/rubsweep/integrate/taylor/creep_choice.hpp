@@ -32,7 +32,7 @@ class CreepChoice {
   explicit CreepChoice(double creep_above) : creep_above_(creep_above) {}
 
   void begin_turn() { pieces_to_wait_ = 0; }
-  /// Of the next pieces none creeps.
+  /// None of the next pieces creeps.
   void wait() { pieces_to_wait_ = pieces_until_creep; }
   /// The next piece may creep, at this largest ratio of its contacts. Counts the pieces that wait.
   bool due(double ratio) {
@@ -65,7 +65,7 @@ class CreepChoice {
   }
 
  private:
-  /// What is left of a slip's own start falls by a factor of a hundred or more in each usual piece.
+  /// The remainder of a slip's own transient falls by a factor of a hundred or more in each usual piece.
   static constexpr int pieces_until_creep = 6;
   static constexpr double least_gain = 12;  ///< usual pieces that one of creep has to be worth
 

@@ -56,7 +56,7 @@ double settle_creep(Expansion<N>& motion, const Expand& expand, std::vector<doub
     moved = 0;
     for (std::size_t k = state.size() / 2; k < state.size(); ++k)
       moved = std::max(moved, std::abs(settled[k] - state[k]));
-    // What is left of the slip's own start is known by now, and will not change.
+    // The remainder of the slip's own transient is known by now, and will not change.
     if (moved > start_noise * speed && change < 0.1 * moved) return 0;
   }
   if (moved > start_noise * std::max(1.0, motion.series().speed()) || reach < worth_rad) return 0;

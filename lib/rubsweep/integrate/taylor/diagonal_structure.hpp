@@ -20,7 +20,7 @@ struct DiagonalStructure {
         cosines(system.cosine),
         sines(system.sine) {}
 
-  /// What springs and dampers take from the acceleration of a pair.
+  /// Deceleration of a pair by springs and dampers.
   numerics::Twin resistance(std::size_t pair, numerics::Twin moved, numerics::Twin rate) const {
     return stiffness[pair] * moved + damping[pair] * rate;
   }

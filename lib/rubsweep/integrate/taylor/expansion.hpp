@@ -95,11 +95,11 @@ class Expansion {
   const DiagonalStructure<N>& structure() const { return structure_; }
   const ContactDirections<N>& directions(std::size_t i) const { return directions_[i]; }
 
-  // Of contacts that stick or creep.
+  // Contacts that stick or creep.
   std::size_t sticking() const { return sticking_; }
   std::size_t stuck(Eigen::Index k) const { return stuck_[static_cast<std::size_t>(k)]; }
   const contact::StickMobility& mobility() const { return mobility_; }
-  /// Along the tangent where the expansion starts.
+  /// Row of the tangential velocity where the expansion starts.
   Eigen::Matrix<double, 1, N> tangential_row(std::size_t i) const {
     const auto& c = system_.contacts[i];
     return contacts_[i].cosine() * c.second_row - contacts_[i].sine() * c.first_row;
@@ -231,7 +231,7 @@ class Expansion {
       contacts_[stuck(j)].hold(k, force(j), at_contact(system_.contacts[stuck(j)], acceleration_));
   }
 
-  /// What guards ask for.
+  /// Completes the velocities of open contacts, which their guards need.
   void complete_contacts() {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (contacts_[i].mode() != contact::Mode::open) continue;

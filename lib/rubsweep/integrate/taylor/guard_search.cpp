@@ -111,14 +111,14 @@ double guards_converged_rad(ContactSeries& contact, int order, double accuracy, 
       duration_rad = numerics::longest_below(duration_rad, term, k, last_terms);
     }
   }
-  // Of flat stops they are linear in the motion.
+  // Guards of flat stops are linear in the motion.
   if (!law.annular) return duration_rad;
   if (contact.mode() == Mode::open) {
     if (far_from_wall(contact, order, duration_rad)) return duration_rad;
     contact.make_open_penetration(order);
   }
   const double damper = law.damping / law.stiffness;
-  // Of a motion far into the wall rounding is that of its own size.
+  // Far inside the wall rounding is relative to the penetration.
   const double size = std::max(law.clearance, std::abs(contact.penetration_term(0)));
   for (int k = order - 2; k < order; ++k) {
     const double term = (std::abs(contact.penetration_term(k)) +

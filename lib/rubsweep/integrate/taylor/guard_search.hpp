@@ -34,12 +34,12 @@ struct SlipEvent {
   contact::Slip next = contact::Slip::sticking;
 };
 
-/// What is known of a slip where an expansion starts.
+/// Knowledge of a slip at the start of an expansion.
 struct SlipStart {
-  /// So many of its first coefficients are zero but for rounding, because it has just begun to leave zero.
+  /// Number of leading coefficients that are zero but for rounding, because the slip has just begun.
   int zero_terms = 0;
-  /// Others keep it at zero: it stops where it has left that by so much (clearances a radian) against its
-  /// friction. Zero where it is none of those.
+  /// Distance from zero (clearances a radian) at which a slip that others hold at zero stops, where it moves
+  /// against its friction. Zero for any other slip.
   double poised_within = 0;
 };
 

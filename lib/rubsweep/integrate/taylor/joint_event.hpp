@@ -11,8 +11,8 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// What ends a piece: of all contacts the first that changes its mode or its slip, or whose friction leaves
-/// saturation.
+/// Event that ends a piece: the first change of mode or slip among all contacts, or the first friction that
+/// leaves saturation.
 struct JointEvent {
   double share = 1;                    ///< of the duration that was searched
   std::optional<std::size_t> contact;  ///< none: friction leaves saturation, and nothing changes

@@ -123,7 +123,7 @@ class TangentBundle {
                          speed = at_contact(system_.contacts[i], rate(0, 0));
     if (!contact.law().annular) return speed[1];
     const numerics::Twin d = contact.distance()[0], v = contact.velocity()[0];
-    // Of |d| times the sliding speed, which is d1 d2' - d2 d1'.
+    // Variation of |d| times the sliding speed, which is d1 d2' - d2 d1'.
     const double product = moved[0] * v[1] - moved[1] * v[0] + d[0] * speed[1] - d[1] * speed[0];
     return (product - contacts_[i].length_term(0, 0) * contact.creep()->sliding()[0]) *
            contact.inverse_length();

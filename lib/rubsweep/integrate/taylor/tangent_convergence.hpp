@@ -37,7 +37,7 @@ class TangentConvergence {
   }
 
   bool all_converged() const { return left_ == 0; }
-  /// Of vector `i`; `most` where it did not converge.
+  /// Order at which vector `i` converged; `most` where it did not.
   int order(std::size_t i, int most) const { return orders_[i] > 0 ? orders_[i] : most; }
 
  private:

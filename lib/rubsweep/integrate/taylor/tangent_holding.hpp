@@ -15,8 +15,8 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// What a tangent vector changes of the friction that holds the contacts of a motion which stick or creep, as
-/// power series.
+/// Variation, along a tangent vector, of the friction that holds contacts which stick or creep, as power
+/// series.
 class TangentHolding {
  public:
   /// For so many contacts and terms; no terms where nothing can be held.
@@ -63,7 +63,7 @@ class TangentHolding {
   }
 
  private:
-  /// Of all contacts that stick: the friction, and the relative acceleration.
+  /// Coefficients of all contacts that stick: the friction, and the relative acceleration.
   struct Term {
     std::array<double, contact::most_sticking> force{};
     std::array<numerics::Twin, contact::most_sticking> acceleration{};

@@ -61,7 +61,7 @@ class TaylorRun {
     const bool may_go_on = effort_.steps < step_limit_ && expansions_ < expansion_limit_;
     return may_go_on ? step(report) : TaylorEnding::step_limit;
   }
-  /// That piece reached the end of the turn.
+  /// Whether the last piece reached the end of the turn.
   bool at_end_of_turn() const { return phase_ >= end_phase_; }
   /// Completes the report of a turn that was joined and is at its end.
   void finish(run::TurnReport& report) { end(report, TaylorEnding::ok); }
@@ -70,7 +70,7 @@ class TaylorRun {
   /// Dry friction holds a contact.
   bool sticks() const { return dynamics_.any_dry() && dynamics_.stuck_contacts().count > 0; }
   const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
-  /// Of contacts that touch with dry friction.
+  /// Slips of the contacts, valid for those that touch with dry friction.
   const std::vector<contact::Slip>& slips() const { return dynamics_.slips(); }
   /// As many tangent vectors as were given, where they are now.
   const Eigen::MatrixXd& tangents() const { return tangents_.vectors(); }

@@ -42,7 +42,7 @@ struct OffOrder {
   bool agrees = true;
 };
 
-// What lies off the multiples of 1/order; spectrum.turns is a multiple of order.
+// Energy and largest line off the multiples of 1/order; spectrum.turns is a multiple of order.
 OffOrder off_order(const spectrum::FullSpectrum& spectrum, int order, double clearance_m) {
   const int spacing = spectrum.turns / order;
   const double floor_m = significant_share_of_clearance * clearance_m;

@@ -31,7 +31,7 @@ struct Window {
   std::span<const ContactFacts> contact;  ///< of each turn
 };
 
-/// What one window says on its own.
+/// Verdict of one window by itself.
 struct WindowVerdict {
   MotionClass motion_class = MotionClass::unsettled;  ///< of no contact, of a period, or unsettled
   std::optional<int> order;                           ///< confirmed by section and spectrum
@@ -50,8 +50,8 @@ struct WindowVerdict {
 WindowVerdict classify_window(const Window& window, const ResponseOptions& options,
                               spectrum::SpectrumWorkspace& workspace);
 
-/// What a motion with contact is called whose section returns after `order` turns: synchronous or
-/// subharmonic, and `resting_contact` where no line but 0X is significant, so that nothing moves.
+/// Class of a motion with contact whose section returns after `order` turns: synchronous or subharmonic, and
+/// `resting_contact` where no line but 0X is significant, so that nothing moves.
 MotionClass class_of_period(int order, const Measures& measures);
 
 /// Measures of a window, its spectrum over all of its turns.

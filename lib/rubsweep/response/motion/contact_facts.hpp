@@ -6,7 +6,7 @@
 
 namespace rubsweep::response::motion {
 
-/// What the integrator saw of the contacts over one turn or several.
+/// Contact quantities that the integrator observed over one turn or several.
 struct ContactFacts {
   int hits = 0;                    ///< contacts that began
   double contact_fraction = 0;     ///< time in contact / time; 1 with 0 hits is a rotor that slides all along
@@ -17,7 +17,7 @@ struct ContactFacts {
   double peak_torque_nm = 0;              ///< largest torque in the drive
 };
 
-/// Of one turn that was made.
+/// Facts of one complete turn.
 ContactFacts facts_of(const integrate::run::TurnReport& turn);
 
 /// Of several turns together: hits added up, the mean share of time, the largest peaks.

@@ -11,7 +11,7 @@
 
 namespace rubsweep::response::motion {
 
-/// What the evidence itself has to say beside the class.
+/// Remarks on the evidence, beside the class.
 enum class MotionStatus {
   ok,
   spectrum_disagrees,  ///< the section returned after n turns, the spectrum holds lines off the multiples of
@@ -36,9 +36,9 @@ constexpr std::string_view to_string(MotionStatus status) {
   throw SolverError("motion status without a name");
 }
 
-/// What can be measured in one window whatever the motion is called.
+/// Measures of one window, whatever the class of the motion.
 struct Measures {
-  /// The last turns of the window, whole periods where there is one: what all that follows is taken from.
+  /// Number of last turns of the window that all measures are taken from, whole periods where there is one.
   int turns = 0;
   ContactFacts contact;
   double amplitude_1x_forward_m = 0;

@@ -8,7 +8,7 @@
 
 namespace rubsweep::response::motion {
 
-/// What a motion is called.
+/// Classes of motion.
 enum class MotionClass {
   non_contact,
   synchronous,

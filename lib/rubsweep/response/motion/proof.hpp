@@ -4,7 +4,7 @@
 
 namespace rubsweep::response::motion {
 
-/// What the class of a motion rests on; each word says what is shown, up to rounding.
+/// Evidence for the class of a motion; each word says what is shown, up to rounding.
 enum class Proof {
   rest,     ///< a bound on the free vibration: no contact can ever come again
   floquet,  ///< the run is inside a ball about a periodic orbit from which every motion converges to it

@@ -23,7 +23,7 @@ std::optional<double> return_error(std::span<const double> rows, std::size_t lag
   return largest;
 }
 
-/// What the returns of a motion after a number of turns come to as the turns go by.
+/// Limit of the return error of a motion after a number of turns, as the turns go by.
 enum class ReturnLimit { apart, nothing, undecided };
 
 /// Root mean square of the return error after `lag` numbers in three successive stretches at the end of the

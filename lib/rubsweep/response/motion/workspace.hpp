@@ -6,7 +6,7 @@
 
 namespace rubsweep::response::motion {
 
-/// What one thread keeps from run to run. Changes no result, only what has to be made again.
+/// Caches that one thread keeps from run to run. They change no result, only the work.
 struct Workspace {
   spectrum::SpectrumWorkspace spectrum;
   integrate::exact::ModeCache modes;

@@ -9,7 +9,7 @@
 
 namespace rubsweep::response::proof {
 
-/// What counts as near an orbit: any of these is enough.
+/// Criteria for being near an orbit: any of these is enough.
 struct Nearness {
   double adapted = 0;  ///< distance in the adapted norm of the turn
   double largest = 0;  ///< or this largest component of it, in (clearance, clearance omega)

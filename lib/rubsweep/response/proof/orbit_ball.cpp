@@ -18,8 +18,8 @@ using integrate::exact::Parts;
 constexpr double largest_radius = 0.1;
 constexpr int most_halvings = 26;  ///< of it: down to 1.5e-9
 constexpr int unknown_halvings = most_halvings + 1;
-/// What a turn's own deviation may take of what the linear map leaves to 1, and how far the sections given
-/// may be from the orbit itself against the radius: the 5 % that the shares leave cover what that changes.
+/// Shares of the contraction margin of the linear map that a turn's own deviation may take, and, against the
+/// radius, of the distance between the given sections and the orbit: the remaining 5 % cover its effect.
 constexpr double deviation_share = 0.9, defect_share = 1e-3;
 
 VectorXd vector_of(const std::vector<double>& x) {

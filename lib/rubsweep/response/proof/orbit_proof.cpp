@@ -17,7 +17,7 @@ namespace {
 /// Tight enough for derivatives by differences.
 constexpr double tolerance_of_a_proof = 1e-11;
 
-/// Of derivatives for the first steps to an orbit.
+/// Accuracy of derivatives for the first Newton steps to an orbit.
 constexpr double rough_accuracy = 1e-6;
 
 /// Where no ball about the orbit is known, the transient is followed until this share of its distance is

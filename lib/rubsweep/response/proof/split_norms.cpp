@@ -15,8 +15,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Of an eigenvector's length: what contacts see of one that counts as unseen. More than rounding would do no
-/// harm but to the ball, whose tubes count everything.
+/// Largest projection onto the contacts, as a share of the eigenvector's length, that counts as unseen. More
+/// than rounding would harm only the ball, whose tubes count everything.
 constexpr double unseen = 1e-8;
 constexpr double slow_from = 0.5;  ///< of a disturbance left after a turn
 

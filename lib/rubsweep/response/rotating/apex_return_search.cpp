@@ -10,8 +10,8 @@ namespace {
 
 constexpr int most_maxima = 32;
 constexpr double full_turn = 2 * std::numbers::pi;
-/// Of |z| times the speed: a distance from the middle that changes more slowly is constant, as on a circle,
-/// and has the maxima of its rounding.
+/// Smallest radial speed, as a share of |z| |z'|: a distance from the centre that changes more slowly is
+/// constant, as on a circle, and its maxima are those of rounding.
 constexpr double constant_rate = 1e-12;
 
 }  // namespace

@@ -28,10 +28,10 @@ class ApexReturnSearch {
                                       ///< transient is within `farthest_orbit`; by linear interpolation
   };
 
-  /// What the last turn makes worth a proof; empty most of the time.
+  /// Return in the last turn that is worth a proof; empty most of the time.
   std::optional<Return> candidate() const;
 
-  /// That one could not be proven.
+  /// Excludes a candidate that could not be proven.
   void refuse(const Return& candidate);
 
  private:

@@ -34,7 +34,7 @@ void append_samples(const integrate::run::TurnReport& turn, Eigen::Index states,
       Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.sample_count).topRows(states);
 }
 
-/// What a turn, or the part of one that ends an arc, adds to its measures; `left_rad` of the arc when it
+/// Adds the measures of a turn, or of the part of one that ends an arc; `left_rad` of the arc when the turn
 /// began.
 void add_measures(const integrate::run::TurnReport& turn, double left_rad, RotatingArc& arc) {
   for (integrate::run::ModeSwitch change : turn.switches) {

@@ -27,7 +27,7 @@ struct RotatingArc {
   Eigen::MatrixXd samples;  ///< 2n x count: states in the fixed frame at phases 2 pi k / N before the end
 };
 
-/// What came of an arc by Taylor pieces; `by_stepper`: a stepper has to make it.
+/// Outcome of an arc by Taylor pieces; `by_stepper`: a stepper has to make it.
 enum class HowFollowed { made, by_stepper, failed };
 
 /// Follows a rotationally symmetric scene, its pulses left out, and the derivative of the motion by its
