@@ -11,7 +11,7 @@ namespace rubsweep::apps {
 
 enum class Action { run, check, explain, print_config, help, version };
 
-/// What every program that reads a configuration file is told.
+/// Arguments of every program that reads a configuration file.
 struct StudyArguments {
   Action action = Action::run;  ///< help and version: nothing else is filled in
   std::filesystem::path config;
@@ -23,7 +23,7 @@ struct StudyArguments {
 /// Prints what --help and --version ask for; false where something else is asked for.
 bool answered(std::string_view program, Action action, const std::function<std::string()>& help);
 
-/// What a program does with a configuration that is read, for each action.
+/// Functions of a program for each action on a configuration that was read.
 struct StudyActions {
   std::function<std::string()> size, explanation, configuration;  ///< of --check, --explain, --print-config
   std::function<int()> run;

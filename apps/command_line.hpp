@@ -10,7 +10,7 @@
 #include "action.hpp"
 #include "rubsweep/batch/progress.hpp"
 
-/// What the command lines of several programs have in common. An option is added where --help shows it.
+/// Options that several programs have in common. An option is added where --help shows it.
 namespace rubsweep::apps {
 
 namespace po = boost::program_options;
@@ -33,11 +33,11 @@ po::variables_map read_command_line(int argc, const char* const* argv, const po:
 /// The same for a program that takes one configuration file.
 po::variables_map read_study_command_line(int argc, const char* const* argv, po::options_description options);
 
-/// Of --version and --help the first that is given, else the one of --check, --explain and --print-config
-/// that is.
+/// Action asked for: of --version and --help the first that is given, else that of --check, --explain and
+/// --print-config.
 Action action_of(const po::variables_map& given);
 
-/// What `read_study_command_line` read; `program` is who asks for the configuration file.
+/// Arguments read by `read_study_command_line`; `program` is who asks for the configuration file.
 StudyArguments study_arguments(const po::variables_map& given, std::string_view program);
 
 /// The number of an option that is finite and > 0, or >= 0; empty where it is not given.

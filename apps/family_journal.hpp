@@ -23,7 +23,7 @@ class FamilyJournal {
 
   branch::FamilyRecords& records() { return records_; }
 
-  /// Of an earlier call, that were read.
+  /// Number of records read that an earlier call wrote.
   std::size_t found_before() const { return found_before_; }
 
   /// The results are written: nothing is left to go on from.

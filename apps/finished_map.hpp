@@ -33,7 +33,7 @@ FinishedMap read_finished_map(std::string_view program, const std::filesystem::p
 /// Says on stderr what makes the numbers of a whole map doubtful, where something does.
 void warn(std::string_view program, const report::MapSummary& summary);
 
-/// What `program` says on stderr where it finds the whole map of its study.
+/// Message of `program` on stderr where it finds the whole map of its study.
 std::string map_is_there(std::string_view program);
 
 /// Throws ConfigError where `there`, found at `map`, is not the whole map of the study of `here`, with both

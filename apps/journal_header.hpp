@@ -7,7 +7,7 @@
 
 namespace rubsweep::apps {
 
-/// What the results that this build of the program computes of a study belong to.
+/// Header for the results that this build of the program computes of a study.
 batch::JournalHeader journal_header(const sweep::Study& study);
 
 /// Throws ConfigError, with every key that differs, where the records of the journal at `path` are not

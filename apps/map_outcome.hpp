@@ -11,8 +11,8 @@
 
 namespace rubsweep::apps {
 
-/// What is said of the whole map in `directory`, the picture and the page that the arguments ask for, and the
-/// exit code, whoever computed the map. `program` is who says it. Throws IoError.
+/// Reports the whole map in `directory`, with the picture and the page that the arguments ask for, whoever
+/// computed it, and returns the exit code. `program` is who reports. Throws IoError.
 int report_map(std::string_view program, const RubsweepArguments& arguments,
                const report::MapSummary& summary, const config::RunConfig& config, MapDirectory& directory);
 

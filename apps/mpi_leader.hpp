@@ -21,14 +21,14 @@ namespace rubsweep::apps {
 
 inline constexpr std::string_view mpi_program_name = "rubsweep-mpi";
 
-/// What the first rank found out before there is anything to share.
+/// Results of the first rank before there is anything to share.
 struct MapJob {
   RubsweepArguments arguments;
   config::RunConfig config;
   std::optional<MapDirectory> directory;
 };
 
-/// What a run that ended early says, `finished` being the cells that it finished itself.
+/// Message of a run that ended early, `finished` being the cells that it finished itself.
 std::string interrupted_map(const MapDirectory& directory, std::size_t finished);
 
 /// The first rank: deals out chunks to all ranks, itself included, and shows what is finished. A refined map
@@ -40,10 +40,10 @@ class MpiLeader {
   /// Returns how many cells were finished, of all or before a signal.
   std::size_t run(int workers, const std::atomic<bool>& stop);
 
-  /// That ended the work of any rank; 0: none did.
+  /// Signal that ended the work of any rank; 0: none did.
   int signal() const { return signal_; }
 
-  /// What a refined map cost; empty of any other.
+  /// Cost of a refined map; empty for any other.
   std::string description() const { return refined_ ? refined_->description() : ""; }
 
  private:

@@ -8,8 +8,8 @@
 
 #include "rubsweep/batch/chunk_queue.hpp"
 
-/// What the ranks of rubsweep-mpi say to each other; the only place that knows MPI. Only the thread that made
-/// the Session may call. Whoever waits sleeps in between, where MPI itself would keep a processor busy.
+/// Messages between the ranks of rubsweep-mpi; the only place that knows MPI. Only the thread that made the
+/// Session may call. Whoever waits sleeps in between, where MPI itself would keep a processor busy.
 namespace rubsweep::apps::mpi {
 
 /// MPI as long as this lives.

@@ -39,7 +39,7 @@ void end_after_abort(int) {
 /// Before anything else is set up, which needs memory as well.
 [[gnu::constructor(101)]] void expect_aborts() { std::signal(SIGABRT, end_after_abort); }
 
-/// What was printed may still be on its way to a full disk or a closed pipe.
+/// Printed text may still be on its way to a full disk or a closed pipe.
 void flush_stdout() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::system_error(errno, std::generic_category(), "standard output");

@@ -10,8 +10,8 @@
 
 namespace rubsweep::apps {
 
-/// What is known of a refined map: the labels of its finished cells, by whichever process. Not for several
-/// threads at once.
+/// Labels of the finished cells of a refined map, by whichever process. Not for several threads at
+/// once.
 class RefinedCells {
  public:
   /// Nothing is known. The grid must outlive it.
@@ -23,10 +23,10 @@ class RefinedCells {
   /// A finished cell with its line of the map.
   void add(std::size_t cell, const std::string& line);
 
-  /// What the map needs next, ascending; none when it is complete.
+  /// Cells that the map needs next, ascending; none when it is complete.
   std::vector<std::size_t> wanted() const;
 
-  /// What a complete map cost and may miss, for a terminal.
+  /// Cost of a complete map and the islands that it may miss, for a terminal.
   std::string description() const;
 
  private:

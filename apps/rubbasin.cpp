@@ -64,7 +64,7 @@ config::RunConfig sliced_config(const RubbasinArguments& arguments, const Plane&
   plain.study.basin.reset();
   plain.study.robustness = sweep::Robustness::off;
   std::vector<std::string> overrides;  // those of the command line are in it
-  // What the configuration says of the start stays; with any, nothing is kicked.
+  // A start in the configuration stays; with any, nothing is kicked.
   if (has_state && !given.study.machine.start) overrides.emplace_back("start={}");
   overrides.push_back(fmt::format("sweep={{speed_hz: {{values: [{}]}}, {}: {{values: [{}]}}, x: {}, y: {}}}",
                                   arguments.cell.speed_hz, to_string(given.study.grid.measure),

@@ -46,7 +46,7 @@ std::vector<scene::Place> places_to_label(const sweep::Grid& grid, const Rubbenc
   return places;
 }
 
-/// Of the labelled cells that keep rubbing, or of all where none does, the one nearest to the middle.
+/// Central cell among the labelled ones that keep rubbing, or among all where none does.
 scene::Place central_rub(const std::vector<scene::Place>& places,
                          const std::vector<bench::LabelledCell>& cells, std::size_t columns) {
   if (cells.empty()) throw ConfigError("no cell of the sweep can be kicked: nothing to measure");

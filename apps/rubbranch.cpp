@@ -50,7 +50,7 @@ branch::OrbitProblem problem_of(const BranchFamily& family, branch::Closing clos
   return problem;
 }
 
-/// Of every period doubling of a branch the one with twice the period, as far as one is found.
+/// Adds, for every period doubling of a branch, the branch with twice the period where one is found.
 void add_doubled(const BranchFamily& family, branch::Closing closing, const branch::FollowOptions& options,
                  const sweep::Study& study, response::motion::Workspace& workspace,
                  std::vector<branch::Branch>& branches) {

@@ -41,7 +41,7 @@ po::options_description visible_options() {
   return options;
 }
 
-/// What stands in place of a configuration file.
+/// Arguments of --map, which stands in place of a configuration file.
 RubbranchArguments map_arguments(const po::variables_map& given) {
   RubbranchArguments arguments;
   arguments.action = action_of(given);

@@ -52,7 +52,7 @@ bool is_followed(const page::MapTable& map, std::size_t cell) {
   return closes && map.word("proof", cell).starts_with("floquet");
 }
 
-/// Of a study whose map has every cell of a grid over speed and unbalance; throws ConfigError of any other.
+/// Study of a map with every cell of a grid over speed and unbalance; throws ConfigError for any other.
 sweep::Study study_of_map(const fs::path& directory) {
   const fs::path file = directory / "config.yaml";
   sweep::Study study = config::read_run_config(file, {}).study;

@@ -183,7 +183,7 @@ class LineRun {
   }
 
  private:
-  /// Of the machine at one end of the line and of that at the other, at the speeds of all cells.
+  /// Warns for the machines at the two ends of the line, at the speeds of all cells.
   void warn() const {
     sweep::Study at_speeds = *cells_.front().study;
     at_speeds.grid.axes.clear();
@@ -232,7 +232,7 @@ class LineRun {
     if (!arguments_.quiet) print("figure    {}\n", figure->file().string());
   }
 
-  /// What does not change along the line: " at 75 Hz, whirl ratio 0.4".
+  /// Description of all that is constant along the line: " at 75 Hz, whirl ratio 0.4".
   std::string where() const {
     const scene::Place& place = cells_.front().place;
     std::string text;

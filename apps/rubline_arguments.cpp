@@ -54,7 +54,7 @@ std::optional<LineValues> values_of(const po::variables_map& given) {
   return values;
 }
 
-/// What the line runs along has no place.
+/// The quantity along the line must not have a fixed value as well.
 void refuse_place_along(const RublineArguments& arguments) {
   for (const std::string_view key : {config::speed_rpm_key, config::unbalance_key, config::grade_key}) {
     if (arguments.along == key)

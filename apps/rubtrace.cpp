@@ -46,7 +46,7 @@ constexpr std::array<std::string_view, 8> file_names{"config.yaml", "motion.csv"
                                                      "section.csv", "events.csv",        "spectrum.csv",
                                                      "sensors.csv", "probe_spectrum.csv"};
 
-/// Of fewer no period can be said.
+/// Fewer readings than this show no period.
 constexpr int fewest_readings = 16;
 
 fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {

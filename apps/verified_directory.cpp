@@ -28,13 +28,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a table says of itself.
+/// Head of a table.
 struct TableHead {
   std::string program, digest;
   std::vector<std::string> files;  ///< that were written with it
 };
 
-/// What the config.yaml says that it is.
+/// Facts from config.yaml.
 struct Configuration {
   std::string digest;
   std::optional<sweep::Study> study;  ///< of a rotor

@@ -6,7 +6,7 @@
 
 namespace rubsweep::apps {
 
-/// What is said of a directory of results that no program is at work in.
+/// Verdict on a directory of results that no program is at work in.
 struct DirectoryVerdict {
   std::vector<std::string> faults;   ///< why it is not whole; none: it is
   std::vector<std::string> remarks;  ///< what cannot be told, or does no harm

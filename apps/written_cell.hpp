@@ -55,8 +55,8 @@ struct AskedRange {
   std::optional<double> low, high;
 };
 
-/// What was asked for; an end that was not is that of the sweep or `start` if that lies beyond, of a key half
-/// of `start` or twice that. Throws UsageError where `start` is 0 and says no range.
+/// Range that was asked for; an end that was not given is that of the sweep or `start` if that lies beyond,
+/// of a key half of `start` or twice that. Throws UsageError where `start` is 0 and says no range.
 branch::ParameterRange range_of(const std::string& parameter, const AskedRange& asked, double start,
                                 const sweep::Grid& grid);
 

@@ -63,7 +63,7 @@ double error(const Made& made, const std::vector<double>& answer) {
   return largest;
 }
 
-/// What the turns make of a small change of where they start, per unit of it.
+/// Growth of a small change of the start over the turns, per unit of it.
 double growth(const scene::Scene& scene, const Made& made) {
   constexpr double change = 1e-9;
   scene::Scene changed = scene;

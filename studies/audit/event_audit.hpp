@@ -9,7 +9,7 @@
 
 namespace rubsweep::audit {
 
-/// What became of one revolution that the exact solver and rkf78 at 1e-13 both made from one section.
+/// Difference of the exact solver and rkf78 at 1e-13 over one revolution from the same section.
 struct EventDifference {
   long turn = 0;             ///< from the start of the kick, 1 is the first
   double exact_error = 0;    ///< distance of the exact section from the fixed-step reference, in clearances

@@ -8,7 +8,7 @@
 
 namespace rubsweep::audit {
 
-/// What became of a cell whose motion was proven or observed to settle on a periodic orbit.
+/// Fate of a cell whose motion was proven or observed to settle on a periodic orbit.
 struct ProofAudit {
   bool simulated = false;  ///< the kick decided, the run did not fail
   std::optional<response::motion::Proof> proof;

@@ -87,7 +87,7 @@ model::Stop dry_stop(Draw& draw, const model::JeffcottRotor& rotor) {
   dry.damping = model::NominalRestitution{draw.even(0.3, 0.95)};
   dry.contact_radius_m = draw.chance(0.2) ? 0 : draw.log(1e-5, 0.02);
   dry.friction = model::ConstantFriction{draw.log(0.05, 2)};
-  // Of rigid ones the tangents depend on each other.
+  // The tangents of rigid stops depend on each other.
   if (draw.chance(0.7)) dry.casing.reset();
   return dry;
 }

@@ -9,7 +9,7 @@
 
 namespace rubsweep::audit {
 
-/// What stands around the rotor of a random machine.
+/// Stops around the rotor of a random machine.
 enum class StopKind {
   one_flat,        ///< one flat stop at any angle
   flats,           ///< two to four, each with numbers of its own
@@ -24,7 +24,7 @@ enum class StopKind {
 };
 /// Kinds with several dry contacts at once, which time stepping makes again.
 constexpr bool several_dry(StopKind kind) { return kind >= StopKind::parallel_flats; }
-/// Those that an audit draws where none is named.
+/// Kinds that an audit draws where none is named.
 inline constexpr std::array stop_kinds{StopKind::one_flat, StopKind::flats, StopKind::equal_flats,
                                        StopKind::annular, StopKind::offset_annular};
 

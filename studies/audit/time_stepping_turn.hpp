@@ -6,7 +6,7 @@
 
 namespace rubsweep::audit {
 
-/// What a turn by time stepping came to.
+/// Result of a turn by time stepping.
 struct SteppedTurn {
   std::vector<double> section;  ///< as TurnReport::section
   long stuck = 0;               ///< steps in which dry friction held a contact

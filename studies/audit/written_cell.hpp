@@ -10,7 +10,7 @@
 
 namespace rubsweep::audit {
 
-/// What the audits' programs are asked for.
+/// Arguments of the audits' programs.
 struct CellsAndSeed {
   std::size_t cells = 0;
   std::uint64_t seed = 0;

@@ -66,7 +66,7 @@ std::string measure_cells(const sweep::Study& study, std::size_t count, Costs& c
 constexpr std::size_t lines_in_report = 500;
 constexpr int reports = 200;
 
-/// What Leader::keep and MapDirectory::write_map do with lines.
+/// The work of Leader::keep and MapDirectory::write_map on lines.
 void measure_lines(const std::string& line, const fs::path& directory, Costs& costs) {
   std::string report;
   for (std::size_t i = 0; i < lines_in_report; ++i) report.append(line).append("\n");

@@ -67,7 +67,7 @@ std::vector<double> section_after(const scene::Scene& scene, const integrate::ru
   return turn.section;
 }
 
-/// Of `turns` from where the motion has settled, each way in turn.
+/// Costs of `turns` turns from where the motion has settled, each way in turn.
 std::vector<Cost> costs_of(const scene::Scene& scene, const std::vector<Way>& ways) {
   integrate::exact::ModeCache modes;
   const std::vector<double> settled = section_after(scene, by_taylor, settling);

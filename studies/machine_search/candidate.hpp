@@ -7,8 +7,8 @@
 
 namespace rubsweep::machine_search {
 
-/// What the search may choose. The rest is fixed: a rotor of 0.8 kg at 30 Hz, a steel shaft of 10 mm, a
-/// clearance of 1 mm, brass, and the stiffness that Hertz' line contact gives for them.
+/// Parameters that the search may choose. The rest is fixed: a rotor of 0.8 kg at 30 Hz, a steel shaft of 10
+/// mm, a clearance of 1 mm, brass, and the stiffness that Hertz' line contact gives for them.
 struct Candidate {
   double rotor_damping_ratio = 0;
   double contact_length_m = 0;  ///< of the line contact, so the width of screw and ring

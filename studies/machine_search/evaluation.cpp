@@ -68,7 +68,7 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 }  // namespace
 
 Evaluation evaluate(const Candidate& candidate, double bar) {
-  // What can still be earned is known before the maps are: marks of no map at all carry the weights.
+  // The score that is still possible is known before the maps: marks of no map at all carry the weights.
   double left = most(one_side_marks({})) + most(both_sides_marks({})) + most(unequal_casings_marks({})) +
                 most(annulus_marks({})) + most(offset_marks({}, {}));
   const double started_s = processor_seconds();

@@ -7,7 +7,7 @@
 
 namespace rubsweep::machine_search {
 
-/// What the maps of one candidate show.
+/// Evaluation of the maps of one candidate.
 struct Evaluation {
   std::vector<Mark> marks;  ///< of the maps that were computed
   double score = 0;         ///< sum of the marks

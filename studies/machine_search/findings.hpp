@@ -20,18 +20,18 @@ using Rows = std::vector<sweep::Row>;
 /// frequencies), tongues that lean, gaps between them, larger n from smaller unbalance, few irregular cells.
 std::vector<Mark> one_side_marks(const Rows& map);
 
-/// Of two stops with equal casings: synchronous motion far up in speed at larger unbalance, subharmonics at
-/// smaller unbalance alone, of odd order alone.
+/// Marks of two stops with equal casings: synchronous motion far up in speed at larger unbalance,
+/// subharmonics at smaller unbalance alone, of odd order alone.
 std::vector<Mark> both_sides_marks(const Rows& map);
 
-/// Of two stops with unequal casings: even orders.
+/// Marks of two stops with unequal casings: even orders.
 std::vector<Mark> unequal_casings_marks(const Rows& map);
 
-/// Of the centred annulus: a circle at low speed, an oval at high speed and from smaller unbalance, no dry
-/// whip.
+/// Marks of the centred annulus: a circle at low speed, an oval at high speed and from smaller unbalance, no
+/// dry whip.
 std::vector<Mark> annulus_marks(const Rows& map);
 
-/// Of the annulus with offset, beside the map `centred` whose rows i have the same unbalance: the circle to
+/// Marks of the offset annulus, beside the map `centred` whose rows i have the same unbalance: the circle to
 /// higher speed, 1/2 and 1/3 slightly above twice and three times the natural frequency, another circle.
 std::vector<Mark> offset_marks(const Rows& map, const Rows& centred);
 

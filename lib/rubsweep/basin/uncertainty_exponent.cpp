@@ -17,7 +17,7 @@ bool uncertain(const LabelGrid& grid, std::size_t column, std::size_t row, std::
   return false;
 }
 
-/// Of boxes side by side.
+/// Share of uncertain boxes among boxes side by side.
 double uncertain_share(const LabelGrid& grid, std::size_t steps) {
   std::size_t boxes = 0, found = 0;
   for (std::size_t row = 0; row + steps < grid.rows; row += steps) {

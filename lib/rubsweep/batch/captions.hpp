@@ -4,7 +4,7 @@
 
 namespace rubsweep::batch {
 
-/// What a person says of a configuration beside its numbers: shown, and part of no digest. UTF-8 without
+/// Remarks of a person on a configuration, beside its numbers: shown, and part of no digest. UTF-8 without
 /// control characters, but line ends in the note.
 struct Captions {
   std::string title{}, author{}, note{};

@@ -11,7 +11,7 @@ namespace {
 /// A few easy cells say little about the next ones.
 constexpr double fastest_growth = 4;
 
-/// Of chunk_time: asking for less would cost more than an uneven end.
+/// Divisor of the smallest chunk: towards the end shorter ones would cost more than an uneven end.
 constexpr std::size_t least_share = 16;
 
 /// About the golden section of `count`, whose multiples are spread as evenly as can be however many there

@@ -26,7 +26,7 @@ class FinishedCells {
   /// Cells that no journal holds, ascending.
   std::vector<std::size_t> missing() const;
 
-  /// What the journal says of a cell that it contains. Throws IoError.
+  /// Text in the journal of a cell that it contains. Throws IoError.
   std::string text(std::size_t cell) const;
 
  private:
@@ -38,7 +38,7 @@ class FinishedCells {
   };
 
   std::vector<File> files_;
-  /// Of each cell: the index of the file in the upper 16 bits, below it the offset of the text.
+  /// Place of each cell: the index of the file in the upper 16 bits, below it the offset of the text.
   std::vector<std::uint64_t> places_;
   std::size_t count_ = 0;
 };

@@ -11,9 +11,9 @@
 
 namespace rubsweep::batch {
 
-/// What may be read. Nobody can tell how long a pipe or a device would keep its reader waiting, so that a
-/// name leads to a regular file; only what the caller of the program opened itself and passed on, as
-/// /dev/stdin or /dev/fd/63, may be anything, where the command line names it.
+/// Kinds of files that may be read. Nobody can tell how long a pipe or a device would keep its reader
+/// waiting, so that a name must lead to a regular file; only a file that the caller of the program opened and
+/// passed on, as /dev/stdin or /dev/fd/63, may be of any kind, where the command line names it.
 enum class InputKind { regular_file, also_passed_on };
 
 /// An open file, or why there is none.

@@ -89,7 +89,7 @@ std::string header_text(const JournalHeader& header) {
   return text;
 }
 
-/// What belongs to its place in the header comes first: whether the records can be trusted rests on it.
+/// Checks the header's own lines first: whether the records can be trusted rests on them.
 JournalHeader read_header(LineReader& lines, const std::filesystem::path& path) {
   JournalHeader header;
   int number = 0, first_damaged = 0;
@@ -164,7 +164,7 @@ Journal::Journal(const std::filesystem::path& path, const JournalHeader& header)
         refuse_link("write", path);
         std::error_code unknown;
         const bool there = std::filesystem::exists(path, unknown);
-        // What cannot be looked at may well be there: a header in its place would cost all its records.
+        // A file that cannot be examined may well exist: a header in its place would cost all its records.
         if (unknown) throw_io_error("look at", path, unknown.value());
         if (!there) write_whole_file(path, header_text(header));
         return path;

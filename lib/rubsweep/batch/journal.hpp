@@ -12,8 +12,8 @@
 
 namespace rubsweep::batch {
 
-/// What the results in a journal belong to. Results of two journals with equal digests and cells may be
-/// mixed.
+/// Identity of the computation that the results in a journal belong to. Results of two journals with equal
+/// digests and cells may be mixed.
 struct JournalHeader {
   std::string study_digest;       ///< of everything that decides the results
   std::string program_digest;     ///< of the code that computes them
@@ -22,7 +22,7 @@ struct JournalHeader {
   std::size_t damaged_lines = 0;  ///< that could not be read and were not needed
 };
 
-/// What should be a journal does not say what its records belong to.
+/// Thrown where a journal does not say which computation its records belong to.
 class DamagedJournal : public IoError {
   using IoError::IoError;
 };

@@ -55,9 +55,9 @@ struct Failures {
   }
 }
 
-/// What TBB guarantees, said once more where the thread sanitizer can see it, as libtbb is built without:
-/// what came before the run happens before every cell, and every cell before what comes after. Nothing is
-/// said of two cells, so that a race between them is still found.
+/// Happens-before relations that TBB guarantees, repeated for the thread sanitizer, as libtbb is built
+/// without it: the code before the run happens before every cell, and every cell before the code after it.
+/// Two cells are not ordered, so that a race between them is still found.
 std::atomic<std::size_t> runs_begun{0}, cells_ended{0};
 
 /// At the end of a cell, and of a run, by whatever way they are left.

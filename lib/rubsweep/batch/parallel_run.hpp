@@ -6,8 +6,8 @@
 
 namespace rubsweep::batch {
 
-/// What a wish for `threads` threads means: 0 is one per processor this process may use. Throws ConfigError
-/// when threads < 0.
+/// Number of threads for a request of `threads`: 0 is one per processor this process may use. Throws
+/// ConfigError when threads < 0.
 int thread_count(int threads);
 
 /// Throws ConfigError when the system does not let this process run cells on as many threads as that, and

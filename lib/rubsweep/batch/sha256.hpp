@@ -13,7 +13,7 @@ class Sha256 {
  public:
   void add(std::string_view text);
 
-  /// Of all that was added, as 64 hexadecimal digits. Nothing may be added afterwards.
+  /// Digest of all that was added, as 64 hexadecimal digits. Nothing may be added afterwards.
   std::string digits();
 
  private:

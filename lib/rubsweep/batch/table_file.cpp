@@ -19,7 +19,7 @@ constexpr std::size_t digits_of_sum = 64;
 
 std::string sum_line(std::string_view digits) { return fmt::format("{}{}\n", sum_mark, digits); }
 
-/// What is needed of a table to judge it.
+/// Facts about a table that decide whether it is whole.
 struct Reading {
   Sha256 sum;
   std::optional<std::string> said;  ///< by the line of the sum

@@ -9,7 +9,7 @@
 
 namespace rubsweep::bench {
 
-/// What a map calls the motion of one cell.
+/// Label of a map for the motion of one cell.
 struct Label {
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
   std::optional<int> order;

@@ -22,8 +22,8 @@ struct Reference {
   bool closed_forms = false;  ///< no turn of the exact solver was made by a stepper or by Taylor pieces
 };
 
-/// What is known of the error of the reference; where the exact solver is the reference, the larger of its
-/// two distances.
+/// Bound on the error of the reference; where the exact solver is the reference, the larger of its two
+/// distances.
 inline double uncertainty(const Reference& reference) {
   if (reference.long_double) return reference.long_double_error;
   return std::max(reference.against_rkf78, reference.against_dopri5);

@@ -14,7 +14,7 @@ namespace rubsweep::config {
 inline constexpr std::string_view axis_forms = "a number, {from, to, count} or {values: [...]}";
 inline constexpr long max_axis_values = 10'000;
 
-/// What axes are printed for: `as_written` for people, by ends and count where they were given so and in the
+/// Purpose of printed axes: `as_written` for people, by ends and count where they were given so and in the
 /// unit of the person; `by_value` for a digest, which must not depend on how a file is written.
 enum class AxisPrint { as_written, by_value };
 
@@ -27,7 +27,7 @@ struct AxisValues {
 /// Values of one axis of a sweep: {from, to, count} (count evenly spaced values, both ends included, in
 /// either direction; `to` may be left out when count is 1; with `scale: log` at equal ratios) or
 /// {values: [...]}, in any order without repetition; a number is a single value. Empty after a problem.
-/// What is written is in `range`, and is divided by `units_per_si` before it is spaced.
+/// Written values are in `range`, and are divided by `units_per_si` before it is spaced.
 AxisValues read_axis(const Value& value, const model::Range& range, double units_per_si = 1);
 
 /// The same of a section that has keys of its own beside them.

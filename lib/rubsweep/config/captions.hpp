@@ -11,7 +11,7 @@ namespace rubsweep::config {
 /// writing.
 void read_captions(Section& root, batch::Captions& captions);
 
-/// Those that say something.
+/// Prints the captions that are not empty.
 void print_captions(Printer& printer, const batch::Captions& captions);
 
 }  // namespace rubsweep::config

@@ -37,7 +37,7 @@ Extent extent_of(const Node& node) {
   return extent;
 }
 
-/// What a text is part of: a file of the configuration, or an override.
+/// Origin of a text: a file of the configuration, or an override.
 struct Source {
   int override_index;
   int file;

@@ -12,7 +12,7 @@
 
 namespace rubsweep::config {
 
-/// What was read of a file, and why nothing was.
+/// Contents of a file, or the reason why there are none.
 struct FileBytes {
   std::string text;
   std::string problem;  ///< empty: none

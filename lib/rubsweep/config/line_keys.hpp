@@ -9,7 +9,7 @@
 
 namespace rubsweep::config {
 
-/// What a line of cells makes of the axes over keys of a configuration.
+/// Split of a configuration's axes over keys for a line of cells.
 struct LineKeys {
   std::vector<sweep::KeyValue> fixed;  ///< on every cell of the line
   sweep::KeyAxis along;  ///< the axis that the line runs along, with its values; no keys: it runs along none

@@ -12,8 +12,8 @@ namespace rubsweep::config {
 ///   alternatives.hpp), and without a value it takes back the base's own. Two maps that name different kinds
 ///   (key `kind`) share nothing: that of `over` stands alone.
 /// - Anything else, lists included, replaces what the base has.
-/// What is left of each keeps its place; the merged map itself has that of `over`. Repeated keys are a
-/// problem in either.
+/// Remaining keys keep their places; the merged map itself has that of `over`. Repeated keys are a problem in
+/// either.
 Node merged(Node base, Node over, std::string_view path, Diagnostics& diagnostics);
 
 }  // namespace rubsweep::config

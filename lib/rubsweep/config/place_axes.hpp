@@ -25,7 +25,7 @@ void read_speeds(Section& sweep, sweep::Grid& grid);
 /// beside it names, wherever the cell is.
 void read_unbalance(Section& sweep, const model::Machine& machine, sweep::Grid& grid);
 
-/// What is written in revolutions per minute, or in g mm of which so many are a metre of eccentricity.
+/// Axes written in revolutions per minute, or in g mm of which so many are a metre of eccentricity.
 sweep::WrittenAxis in_rpm();
 sweep::WrittenAxis in_g_mm(double units_per_metre);
 

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::string_view root_form = "a map with ring, loads, friction_coefficient, speed_rpm, output";
 
-/// What only shows in the whole system.
+/// Checks of the system as a whole.
 void check_system(const ring::System& system, const Section& section) {
   try {
     ring::normal_form(system);

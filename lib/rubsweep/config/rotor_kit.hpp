@@ -12,7 +12,7 @@ namespace rubsweep::config {
 model::RotorKit read_rotor_kit(Section& section);
 void print_rotor_kit(Printer& printer, const model::RotorKit& kit);
 
-/// What a position along the shaft may be: between its ends.
+/// Allowed positions along the shaft: between its ends.
 model::Range places(const model::RotorKit& kit);
 
 }  // namespace rubsweep::config

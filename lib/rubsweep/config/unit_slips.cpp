@@ -136,7 +136,7 @@ constexpr std::array standings{
     Standing{"loads.*.geometry.density_kg_per_m3", density_kg_per_m3},
 };
 
-/// Of a kit at rest; empty where no structure can be computed.
+/// Lowest natural frequency, of a kit at rest; empty where no structure can be computed.
 std::optional<double> lowest_frequency_hz(const model::Machine& machine) {
   if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor))
     return rotor->natural_frequency_hz;

@@ -11,7 +11,7 @@
 
 namespace rubsweep::config {
 
-/// What a number of a configuration or a command line says.
+/// Quantities that a number of a configuration or a command line may stand for.
 enum class Quantity {
   speed_hz,
   speed_rpm,
@@ -52,8 +52,8 @@ std::optional<Slip> slip_of(Quantity quantity, double value, const model::Machin
 /// what it does not hold is not judged.
 void refuse_unit_slips(const Value& root, const model::Machine* machine);
 
-/// What should be asked about a configuration that is taken: `file:line:column: key: ... (millimetres?)`, the
-/// first number only of a list or of equal questions.
+/// Questions about a configuration that is accepted: `file:line:column: key: ... (millimetres?)`, only the
+/// first number of a list or of equal questions.
 std::vector<std::string> unit_questions(const Value& root, const model::Machine* machine);
 
 }  // namespace rubsweep::config

@@ -26,14 +26,14 @@ struct IntegerRange {
   bool even = false;  ///< true: odd numbers are not allowed
 };
 
-/// What is allowed, in words that finish "allowed: ".
+/// Allowed values, in words that finish "allowed: ".
 std::string describe(const IntegerRange& range);
 std::string describe(std::span<const std::string_view> words);
 
 /// Adds a problem at the value's place. `wrong` finishes a sentence about the value.
 void refuse(const Value& value, std::string_view wrong, std::string_view allowed);
 
-/// What stands there instead of what was wanted: "has no value", "is a list", "is a map" or "'text'".
+/// Description of a node that is not what was wanted: "has no value", "is a list", "is a map" or "'text'".
 std::string describe(const Node& node);
 
 /// "'wrod' is unknown (did you mean 'word'?)".

@@ -41,7 +41,7 @@ Node document_of(const sweep::Study& study) {
   return *std::move(document);
 }
 
-/// What is said of it is said at `place`.
+/// The study with these keys changed; problems with them are reported at `place`.
 sweep::Study read_varied(Node document, std::span<const sweep::KeyValue> keys, const Place& place,
                          Diagnostics& diagnostics) {
   const std::size_t problems = diagnostics.count();

@@ -18,7 +18,7 @@ struct Words {
   std::array<Enum, count> values;
 };
 
-/// Of an enumeration whose table is known at run time only.
+/// The same for an enumeration whose table is known at run time only.
 template <class Enum>
 struct Words<Enum, std::dynamic_extent> {
   std::vector<std::string_view> texts;

@@ -31,8 +31,8 @@ using StickMobility = StickMatrix<most_sticking>;
 /// Forces that hold every one of the surfaces: mobility f = acceleration.
 StickVector holding_forces(const StickMobility& mobility, const StickVector& acceleration);
 
-/// What surfaces with slip zero do from one instant on, and the friction of each. Those that stick have
-/// tangents that are independent of each other: their friction is determined.
+/// Slip states from one instant on of surfaces whose slip is zero, and the friction of each. Tangents of
+/// sticking surfaces are independent of each other: their friction is determined.
 struct SettledSlips {
   std::array<Slip, most_sticking> slips{};
   /// Friction at its limit, and still no acceleration of the slip: others keep the surface standing. So does
@@ -43,13 +43,13 @@ struct SettledSlips {
   bool obeys_law = false;
 };
 
-/// What surfaces with slip zero do from here on. `acceleration` is that of each slip without friction at any
-/// of them, `mobility` what a unit of friction at one takes off the acceleration at another (symmetric, no
-/// negative eigenvalue, which may be singular), `limit` >= 0 the largest friction of each. The friction
-/// sought obeys |f| <= limit, f = limit where the slip then accelerates forward and f = -limit where it does
-/// backward. That is the minimum of f.mobility f / 2 - acceleration.f over a box (Gauss's principle of least
-/// constraint): there always is one, and the motion that follows is the same for all minima. It is found by
-/// active sets in finitely many steps, and tried against the law before it is returned.
+/// Decides stick or slip for surfaces with zero slip. `acceleration` is that of each slip without friction at
+/// any of them, `mobility` the decrease of the acceleration at one per unit of friction at another
+/// (symmetric, no negative eigenvalue, may be singular), `limit` >= 0 the largest friction of each. The
+/// friction sought obeys |f| <= limit, f = limit where the slip then accelerates forward and f = -limit where
+/// it does backward. That is the minimum of f.mobility f / 2 - acceleration.f over a box (Gauss's principle
+/// of least constraint): there always is one, and the motion that follows is the same for all minima. It is
+/// found by active sets in finitely many steps, and tried against the law before it is returned.
 SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acceleration,
                           const StickVector& limit);
 

@@ -11,12 +11,12 @@ namespace rubsweep::identify {
 struct BodePoint {
   double speed_hz = 0;
   double amplitude_m = 0;
-  /// Of the displacement against the instant at which the mark on the shaft passes the sensor: 0 to -360,
-  /// negative values lag.
+  /// Phase of the displacement against the instant at which the mark on the shaft passes the sensor: 0 to
+  /// -360, negative values lag.
   double phase_deg = 0;
 };
 
-/// What one sensor reads of a run-up, sample by sample.
+/// Readings of one sensor during a run-up, sample by sample.
 struct OneXSignal {
   std::span<const std::complex<double>> phasor_m;  ///< A of the part Re(A e^{i phi}) at this instant
   std::span<const double> noise_m;                 ///< on the readings; empty: none

@@ -128,7 +128,7 @@ ModeShape shape_of(const FreeRotor& rotor, const Followed& at, int number) {
   Eigen::Index place_x = 0, place_y = 0;
   const double largest_x = shape.x.cwiseAbs().maxCoeff(&place_x),
                largest_y = shape.y.cwiseAbs().maxCoeff(&place_y);
-  // Of a circle the two are equal but for rounding: x then leads.
+  // On a circular orbit the two are equal but for rounding: x then leads.
   const std::complex<double> largest =
       largest_x >= (1 - 1e-6) * largest_y ? shape.x(place_x) : shape.y(place_y);
   if (largest != 0.0) {

@@ -107,7 +107,7 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
                .largest_amplitude_m = {}};
   run_up.signal_m = run_linear(machine, run_up.run, sensors.rows);
   const Eigen::MatrixXcd phasor_m = phasors(machine, run_up.run, sensors.rows);
-  // What noise hides in a free response the Bode plot still finds.
+  // Without noise: the Bode plot finds modes that noise hides in a free response.
   run_up.sees = sees_something(phasor_m.cwiseAbs(), 0);
   Eigen::MatrixXd noise_m = Eigen::MatrixXd::Zero(run_up.signal_m.rows(), run_up.signal_m.cols());
   add_noise(noise_m, sampling.noise_m);

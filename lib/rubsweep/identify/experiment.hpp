@@ -45,7 +45,7 @@ struct RunUp {
   std::vector<double> largest_amplitude_m;  ///< per sensor, of 1X
 };
 
-/// Of the slowest free vibration, without damping: what has fewer than two samples in it is not seen.
+/// Frequency of the slowest free vibration, undamped: one with fewer than two samples a period is not seen.
 double lowest_frequency_hz(const scene::PreparedMachine& machine);
 
 /// Windows of `bode_revolutions`; rate_hz_per_s has the sign of to - from.

@@ -57,7 +57,7 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
     free.x.row(node) = free.system.scatter(0, modes.bases[0].row(2 * node).transpose()).transpose();
     free.y.row(node) = free.system.scatter(1, modes.bases[1].row(2 * node).transpose()).transpose();
   }
-  // What the gyroscopic matrix does between the planes, done with the mass.
+  // The mass matrix in place of the gyroscopic one, which couples the planes.
   shaft.gyroscopic = shaft.mass;
   free.spin = structure::project(shaft, modes.bases).gyroscopic;
   return free;

@@ -23,7 +23,7 @@ using State = std::vector<double>;
 constexpr double shortest_step = 1e-6;
 constexpr double relative_tolerance = 1e-10;
 
-/// What the run multiplies all forces by that turn with the shaft.
+/// Factor of all forces that turn with the shaft.
 std::complex<double> turned_back(const LinearRun& run) {
   return run.driven == Driven::quarter_behind ? std::complex<double>(0, -1) : 1;
 }

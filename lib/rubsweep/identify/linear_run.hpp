@@ -8,9 +8,9 @@
 
 namespace rubsweep::identify {
 
-/// What moves a linear run. Its response to all that turns with the shaft is Re(A e^{i phi}) with a phasor A
-/// that changes with the speed: `in_phase` gives its real part times e^{i phi}, `quarter_behind` the
-/// imaginary one, because forces a quarter turn behind give what the response was a quarter turn ago.
+/// Excitation of a linear run. Its response to all forces that turn with the shaft is Re(A e^{i phi}) with a
+/// phasor A that changes with the speed: `in_phase` gives its real part times e^{i phi}, `quarter_behind` the
+/// imaginary one, because forces a quarter turn behind give the response of a quarter turn ago.
 enum class Driven {
   by_all,          ///< also weight, kick and faulty bearings
   in_phase,        ///< unbalance and bow alone

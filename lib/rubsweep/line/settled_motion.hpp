@@ -23,9 +23,9 @@ struct HandedState {
   Eigen::VectorXd displacement_m, velocity_m_per_rad;
 };
 
-/// What a run does once it has settled, long enough to be drawn.
+/// Settled motion of a run, long enough to be drawn.
 struct SettledMotion {
-  /// Of a periodic motion one point per turn of its period; of a rotor at rest one; of any other two windows.
+  /// One point per turn of the period of a periodic motion; one of a rotor at rest; else two windows.
   std::vector<SectionPoint> section;
   response::spectrum::FullSpectrum spectrum;  ///< over the window that a map takes
   HandedState end;                            ///< after all of it

@@ -10,7 +10,7 @@ namespace rubsweep::model {
 /// yet so narrow that products of several numbers stay finite and keep their digits. `contains` goes by it.
 inline constexpr double smallest_magnitude = 1e-30, largest_magnitude = 1e30;
 
-/// What is allowed, for somebody who gave `value`, which the range does not contain: as describe(range), but
+/// Allowed values, for somebody who gave `value`, which the range does not contain: as describe(range), but
 /// where the magnitude is the reason.
 std::string describe(const Range& range, double value);
 

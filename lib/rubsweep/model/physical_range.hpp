@@ -2,7 +2,7 @@
 
 #include "rubsweep/model/range.hpp"
 
-/// What the numbers of a shaft line may be. Far wider than any machine that was ever built, yet narrow enough
+/// Ranges of the numbers of a shaft line. Far wider than any machine that was ever built, yet narrow enough
 /// that products of them (bending stiffness E d^4 / l^3, and its inverse) stay ordinary numbers.
 namespace rubsweep::model::physical {
 

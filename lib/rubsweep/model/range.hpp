@@ -20,7 +20,7 @@ inline constexpr Range not_negative{.low = 0};
 /// True when `value` is finite and inside the interval.
 bool contains(const Range& range, double value);
 
-/// What is allowed, in words that finish "allowed: ", e.g. "a number > 0" or "a number >= 0 and <= 1".
+/// Allowed values, in words that finish "allowed: ", e.g. "a number > 0" or "a number >= 0 and <= 1".
 std::string describe(const Range& range);
 
 /// Marks a number that has no default and must be given. A signalling NaN, so that using it is loud.

@@ -55,7 +55,7 @@ struct Disc {
   }
 };
 
-/// What holds a support's housing, where the housing has a mass of its own.
+/// Suspension of a support's housing that has a mass of its own.
 struct Pedestal {
   double mass_kg = required;
   double stiffness_x_n_per_m = required;

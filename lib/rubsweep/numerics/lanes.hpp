@@ -21,7 +21,7 @@ template <class Kernel>
   kernel.template operator()<64>();
 }
 
-/// Of the widest registers that this processor has.
+/// SIMD width of the widest registers that this processor has.
 inline std::ptrdiff_t widest_lanes() {
   static const std::ptrdiff_t lanes = __builtin_cpu_supports("avx512f") ? 8
                                       : __builtin_cpu_supports("avx")   ? 4

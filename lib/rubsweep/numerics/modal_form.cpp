@@ -10,7 +10,7 @@ namespace {
 
 constexpr double largest_condition = 1e4;
 
-/// What is asked of the basis is made of the rounded numbers, whose pairs are those of the generator.
+/// Modal form of diagonal matrices, from rounded numbers, so that their pairs are those of the generator.
 ModalForm diagonal_form(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping) {
   const Eigen::Index n = stiffness.rows();
   ModalForm form{Eigen::MatrixXd::Identity(2 * n, 2 * n), Eigen::MatrixXd::Identity(2 * n, 2 * n), {}, 0};

@@ -97,7 +97,7 @@ double near_root(std::span<const double> c, double low, double high, double at_l
 /// The one root between `low`, where the polynomial is below zero, and `high`, by Halley's iteration.
 double refine(std::span<const double> c, double low, double high, double at_low, double at_high) {
   constexpr int most_iterations = 80;
-  // Of a step that is so small against the root and the slope's own change nothing but rounding is left.
+  // Size of a step, relative to the root and the change of the slope, below which only rounding is left.
   constexpr double small = 0x1p-20;
   double x = near_root(c, low, high, at_low, at_high);
   for (int i = 0; i < most_iterations; ++i) {
@@ -165,8 +165,8 @@ double value_at_one(std::span<const double> c) {
   return (k < c.size() ? even + c[k] : even) + odd;
 }
 
-/// Of a polynomial that starts below zero and ends above it: it rises all the way, or bends one way only, for
-/// a reason that is found at once. Either way it has one root.
+/// For a polynomial that starts below zero and ends above it: whether it has one root for a reason that is
+/// found at once, because it rises all the way, or bends one way only.
 bool clearly_one_root(std::span<const double> c) {
   std::array<double, most> falls, bends;  // -p', then p'' or -p''
   const std::size_t slopes = c.size() - 1;

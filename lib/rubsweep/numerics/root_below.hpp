@@ -22,7 +22,7 @@ inline double root_below(double x, int k) {
   const double logarithm = (static_cast<int>(bits >> digits) - bias + f * (4 - f) / 3) / k + bias;
   const auto whole = static_cast<std::uint64_t>(static_cast<std::int64_t>(logarithm));
   const double g = logarithm - static_cast<double>(static_cast<std::int64_t>(whole));
-  // Of itself within 1.5e-4.
+  // Relative error below 1.5e-4.
   const double power = 1 + g * (0.695976 + g * (0.224940 + g * 0.079084));
   constexpr double below = 1 - 4.5e-4;
   return below * power * std::bit_cast<double>(whole << digits);

@@ -11,7 +11,7 @@ struct SideBySide {
   double* data = nullptr;
   std::ptrdiff_t stride = 0, count = 0;
 
-  /// Of the widest registers that so many ask for, there being memory for eight.
+  /// SIMD width used for `count` vectors; storage is padded to a multiple of eight.
   static std::ptrdiff_t lanes(std::ptrdiff_t count) { return count > 4 ? 8 : count; }
   std::ptrdiff_t lanes() const { return lanes(count); }
   /// The same vectors from number j on.

@@ -23,7 +23,7 @@ inline Twin magnitudes(Twin pair) {
 }
 /// Twice.
 inline Twin sum_of(Twin pair) { return pair + swapped(pair); }
-/// That of the first, that of the second.
+/// Sum of the first pair, sum of the second.
 inline Twin sums_of(Twin first, Twin second) {
   return __builtin_shufflevector(first, second, 0, 2) + __builtin_shufflevector(first, second, 1, 3);
 }

@@ -8,7 +8,7 @@
 
 namespace rubsweep::page {
 
-/// What a map shows, one sentence each, for people: size, share and extent of lasting rub, its most frequent
+/// Findings of a map, one sentence each, for people: size, share and extent of lasting rub, its most frequent
 /// motion, the largest force and displacement, chaos, what is proven, and which cells say little.
 std::vector<std::string> findings(const MapTable& map, const sweep::Grid& grid);
 

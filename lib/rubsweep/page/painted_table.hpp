@@ -8,7 +8,7 @@
 
 namespace rubsweep::page {
 
-/// What stands in the column `status` of a cell that a refined map did not compute.
+/// Word in the column `status` of a cell that a refined map did not compute.
 inline constexpr std::string_view not_computed = "not computed";
 
 /// A refined map with a row for each cell of its grid.

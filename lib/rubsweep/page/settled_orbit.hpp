@@ -12,7 +12,7 @@
 
 namespace rubsweep::page {
 
-/// What the row of a map says of a cell, as far as its settled motion needs it.
+/// Facts from the row of a map that the recording of its settled motion needs.
 struct KnownMotion {
   std::string_view motion_class;          ///< as map.csv writes it
   std::optional<int> order;               ///< of a periodic motion

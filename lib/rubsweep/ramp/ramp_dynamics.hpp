@@ -9,8 +9,8 @@
 
 namespace rubsweep::ramp {
 
-/// What a speed ramp adds to the right-hand side of a scene at its reference speed, scaled: lengths by L,
-/// time by the reference speed.
+/// Terms that a speed ramp adds to the right-hand side of a scene at its reference speed, scaled: lengths by
+/// L, time by the reference speed.
 struct RampForces {
   double start_speed = 0;       ///< shaft speed / reference speed at the start
   double acceleration = 0;      ///< its rate per radian of the reference rotation

@@ -45,7 +45,7 @@ inline constexpr int orbits_of_a_ramp = 8, turns_of_an_orbit = 4;
 /// Turns of a spectrum, a multiple of the usual periods, and samples of each: orders up to 8 are read.
 inline constexpr int spectrum_turns = 60, spectrum_samples = 64;
 
-/// What is kept of a ramp to look at, filled stretch by stretch.
+/// Record of a ramp for figures, filled stretch by stretch.
 class RampRecord {
  public:
   explicit RampRecord(const SpeedRamp& ramp);

@@ -43,7 +43,7 @@ std::string slice_csv(const BasinSlice& slice);
 /// `standard_error`, the three lengths that tell it apart, and the first start that leads to it.
 std::string attractors_csv(const BasinSlice& slice);
 
-/// What a terminal shows: shares, entropies and exponent, each with what it says.
+/// Summary for a terminal: shares, entropies and exponent, each with its meaning.
 std::string slice_summary(const BasinSlice& slice);
 
 }  // namespace rubsweep::report

@@ -13,7 +13,7 @@ namespace {
 
 using batch::csv_number;
 
-/// Of the row that was read last, as its columns say it.
+/// Name of the row that was read last, from these columns.
 std::string name_of_row(const batch::CsvReader& row, const std::vector<std::size_t>& columns) {
   std::string name;
   for (const std::size_t column : columns)

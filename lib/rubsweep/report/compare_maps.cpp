@@ -31,7 +31,7 @@ bool has(const CsvReader& map, std::string_view column) {
   return std::ranges::find(map.header(), column) != map.header().end();
 }
 
-/// Of the row that was read last.
+/// Text of a column in the row that was read last.
 const std::string& text(const CsvReader& row, std::string_view name) { return row.cells()[row.column(name)]; }
 
 std::string label(const CsvReader& row) {

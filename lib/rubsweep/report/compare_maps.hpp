@@ -8,7 +8,7 @@
 
 namespace rubsweep::report {
 
-/// What a cell of two maps turned out to be.
+/// Verdict on a cell of two maps.
 enum class CellVerdict {
   equal,
   sensitive,       ///< listed as such or `robust` is `no` in one of the maps: not compared

@@ -7,10 +7,10 @@
 
 namespace rubsweep::report {
 
-/// What a refined map meets in any case (sweep::island_bound): a phrase.
+/// Guarantee of a refined map (sweep::island_bound): a phrase.
 std::string describe_island_bound(const sweep::Grid& grid);
 
-/// What a complete refined map cost and what it may miss: lines for a terminal. `labels` as in
+/// Cost of a complete refined map and the islands that it may miss: lines for a terminal. `labels` as in
 /// sweep::wanted_cells.
 std::string describe_refinement(const sweep::Grid& grid, std::span<const int> labels);
 

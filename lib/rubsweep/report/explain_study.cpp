@@ -26,7 +26,7 @@ bool friction_depends_on_slip(const model::Machine& machine) {
                              [](const model::Stop& stop) { return contact::depends_on_slip(stop.friction); });
 }
 
-/// What `stepper: auto` comes to for this machine, and why.
+/// The stepper that `stepper: auto` selects for this machine, and the reason.
 std::string explain_automatic(const sweep::Study& study) {
   if (!friction_depends_on_slip(study.machine))
     return "stepper auto: dopri5 throughout, as no friction depends on the slip\n";

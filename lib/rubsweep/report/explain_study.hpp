@@ -6,8 +6,8 @@
 
 namespace rubsweep::report {
 
-/// What a sweep simulates, what it leaves out and why, which solver runs it, and how a cell ends: text for a
-/// terminal.
+/// Explanation of a sweep for a terminal: its model, the omissions and their reasons, the solver, and how a
+/// cell ends.
 std::string explain_study(const sweep::Study& study);
 
 }  // namespace rubsweep::report

@@ -15,7 +15,7 @@ namespace {
 
 using batch::csv_number;
 
-/// What is written of a point at the beginning of every row.
+/// First columns of every row of a point.
 std::string key_of(const line::LinePoint& point, std::span<const line::LineCell> cells) {
   return fmt::format("{},{}", to_string(point.pass), csv_number(cells[point.cell].value));
 }

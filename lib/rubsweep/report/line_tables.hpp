@@ -11,8 +11,8 @@ namespace rubsweep::report {
 /// Lines of a spectrum beyond this order are in no table of a line or of a run-up.
 inline constexpr int largest_cascade_order = 8;
 
-/// What happens along a line of cells, as texts. `pass` is kick, up or down, `value` what changes along the
-/// line, in the unit of its name.
+/// Tables of a line of cells, as texts. `pass` is kick, up or down, `value` the parameter along the line, in
+/// the unit of its name.
 struct LineTables {
   std::string line_csv;         ///< comments, then pass, value and the columns of map.csv
   std::string bifurcation_csv;  ///< pass, value, speed_hz, class, order, point, then x_m, y_m and velocities
@@ -23,7 +23,7 @@ struct LineTables {
 LineTables tables_of(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells,
                      std::string_view along);
 
-/// What a terminal shows: the motions of each pass in the order in which they come along the line.
+/// Summary for a terminal: the motions of each pass in the order in which they come along the line.
 std::string line_summary(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells);
 
 }  // namespace rubsweep::report

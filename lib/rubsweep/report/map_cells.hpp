@@ -21,7 +21,7 @@ struct CellPlace {
   batch::CsvReader::Place row;
 };
 
-/// What follows `mark` in the comments of a map; empty where nothing does.
+/// Text after `mark` in the comments of a map; empty where there is none.
 std::string comment_after(const batch::CsvReader& map, std::string_view mark);
 
 /// whirl_ratio or eccentricity_m, whichever the two maps are swept over: the axis holds few values that come
@@ -36,7 +36,7 @@ std::vector<std::string> keys_of(const batch::CsvReader& map);
 std::vector<std::size_t> key_columns(const batch::CsvReader& map, const std::string& axis,
                                      const std::vector<std::string>& keys);
 
-/// Of the row that was read last, by its `key_columns`. Throws IoError where one of them holds no number.
+/// Key of the row that was read last, by its `key_columns`. Throws IoError where one holds no number.
 CellKey key_of(const batch::CsvReader& row, const std::vector<std::size_t>& columns);
 
 /// The rows of a map, in the order of their cells. Throws IoError where a cell is there twice.

@@ -33,13 +33,13 @@ std::string text_of(const std::optional<Value>& value) {
   return value ? text_of(*value) : std::string();
 }
 
-/// What `get` takes from the row.
+/// Text of the member `get` of the row.
 template <auto get>
 std::string of_row(const Row& row) {
   return text_of(std::invoke(get, row));
 }
 
-/// What `get` takes from the measures; empty where no motion was measured.
+/// Text of the member `get` of the measures; empty where no motion was measured.
 template <auto get>
 std::string measured(const Row& row) {
   return row.measures ? text_of(std::invoke(get, *row.measures)) : std::string();

@@ -15,8 +15,8 @@ std::string map_header(const sweep::Study& study = {});
 /// is empty.
 std::string map_line(const sweep::Row& row, const sweep::Study& study = {});
 
-/// What a map says above its header besides the head that every table has: a `#` line on the units and, of a
-/// study with axes over keys, one that names the columns of their keys; each with its end.
+/// Comment lines above the header of a map, after the head that every table has: a `#` line on the units and,
+/// for axes over keys, one that names the columns of their keys; each with its end.
 std::string map_comments(const sweep::Study& study = {});
 
 }  // namespace rubsweep::report

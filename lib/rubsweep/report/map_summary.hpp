@@ -7,8 +7,8 @@
 
 namespace rubsweep::report {
 
-/// What the motion of a row is called on a terminal: class and order, and what parts motions that share a
-/// class but are not alike: a whip that rolls backward on its own force from an oval that the unbalance
+/// Name of the motion of a row on a terminal: class and order, and the distinction between motions of one
+/// class that are not alike: a whip that rolls backward on its own force from an oval that the unbalance
 /// drives, a circle forward from one backward.
 std::string motion_name(std::string_view map_line);
 

@@ -19,7 +19,7 @@ std::string validity_summary(const ring::Study& study, const std::vector<ring::S
 /// Lines of the chart that failed, and the shares of its points; empty without a chart.
 std::string chart_summary(const std::vector<std::optional<ring::ChartLine>>& lines);
 
-/// What is modelled, what is left out and why, and how it is solved.
+/// Explanation of the model, of its omissions and their reasons, and of the method of solution.
 std::string explain_ring(const ring::Study& study);
 
 }  // namespace rubsweep::report

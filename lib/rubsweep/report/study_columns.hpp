@@ -18,7 +18,7 @@ struct StudyColumn {
   std::string (*text)(const sweep::Row&) = nullptr;  ///< what stands in the cell; empty: does not apply
 };
 
-/// Those of torsion, of iterated secants, of a study of thresholds, of basins, of a refined map, and of
+/// Columns of torsion, of iterated secants, of a study of thresholds, of basins, of a refined map, and of
 /// robustness as a probability.
 std::span<const StudyColumn> torsion_columns();
 std::span<const StudyColumn> hertz_columns();

@@ -29,7 +29,7 @@ constexpr std::array signs{
     Sign{"quasi_periodic", 'q', 0xAA4499},      Sign{"chaotic", '*', 0x000000},
     Sign{"unsettled", '?', 0x555555, false},    Sign{"initial_contact", '#', 0x999999, false},
     Sign{"failed", '!', 0xCC0000, false},       Sign{"resting_contact", 'r', 0xA8C686}};
-/// Of 1/2 to 1/7, and of longer periods.
+/// Colours of 1/2 to 1/7, and of longer periods.
 constexpr std::array<std::uint32_t, 7> subharmonic_rgb{0xCC6677, 0x332288, 0xDDCC77, 0x117733,
                                                        0x882255, 0x44AA99, 0x999933};
 
@@ -55,7 +55,7 @@ std::string shown(const Sign& sign, bool coloured) {
                      sign.character);
 }
 
-/// What each sign means, by its character; those of long periods together.
+/// Legend of the signs, by their characters; long periods share one entry.
 std::vector<std::pair<std::string, Sign>> legend_of(const std::vector<std::string>& names) {
   std::vector<std::pair<std::string, Sign>> legend;
   for (const std::string& name : names) {

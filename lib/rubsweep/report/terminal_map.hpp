@@ -29,7 +29,7 @@ class TerminalMap {
   /// rubs in a motion that has settled.
   std::optional<std::size_t> typical_rub() const;
 
-  /// What the motion of a cell is called.
+  /// Name of the motion of a cell.
   const std::string& name(std::size_t cell) const { return names_[cells_[cell]]; }
 
  private:

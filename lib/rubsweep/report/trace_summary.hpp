@@ -14,8 +14,8 @@ namespace rubsweep::report {
 /// and what they rest on.
 std::string motion_summary(const sweep::Row& row);
 
-/// What a trace shows, for a terminal: peaks, hits, the largest lines and the effort.
-/// `clearance_m` is that of the kicked stop.
+/// Summary of a trace for a terminal: peaks, hits, the largest lines and the effort. `clearance_m` is that of
+/// the kicked stop.
 std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& window, double clearance_m);
 
 /// The `count` largest lines but 0X, largest first; only those above both neighbours (one line spread over
@@ -24,7 +24,7 @@ std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& w
 std::vector<response::spectrum::SpectralLine> largest_lines(const response::spectrum::FullSpectrum& spectrum,
                                                             std::size_t count, double clearance_m);
 
-/// What a pair of probes says of the same run, one line. `angle_deg`: of all probes.
+/// Verdict of a pair of probes on the same run, one line. `angle_deg`: of all probes.
 std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePair& pair,
                           const trace::Probes& probes);
 

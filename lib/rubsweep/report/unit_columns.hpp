@@ -23,7 +23,7 @@ std::string unit_cells(std::string_view map_line, const sweep::Grid& grid);
 /// A header of map.csv without such columns, whatever units they are for.
 std::string_view without_unit_columns(std::string_view header);
 
-/// Those there may be, for --help; lines end with '\n'.
+/// All columns that there may be, for --help; lines end with '\n'.
 std::string describe_unit_columns();
 
 }  // namespace rubsweep::report

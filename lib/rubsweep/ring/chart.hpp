@@ -13,7 +13,7 @@
 
 namespace rubsweep::ring {
 
-/// What a stability chart varies beside the speed.
+/// Parameter that a stability chart varies beside the speed.
 enum class Parameter {
   friction_coefficient,
   angle_deg,

@@ -22,7 +22,7 @@ Spectrum spectrum(const NormalForm& form, double speed_rad_per_s);
 /// Largest |lambda|.
 double size_of(const Eigen::VectorXcd& values);
 
-/// What counts as a real part or an imaginary part of zero, in units of the largest |lambda|. Without
+/// Tolerance below which a real or imaginary part counts as zero, in units of the largest |lambda|. Without
 /// friction every stable root is neutral and onsets are double roots, known to the square root of the
 /// rounding; with friction the roots that cross are simple.
 double zero_tolerance(const NormalForm& form);

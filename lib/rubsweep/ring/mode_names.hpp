@@ -12,11 +12,11 @@ namespace rubsweep::ring {
 std::vector<std::string> mode_names(const System& system);
 
 /// Mode of every eigenvalue at the first speed of a track, by where the coordinates of the loads move most.
-/// Of the two that are left to the ring, either may come first (see name_ring_modes).
+/// Either of the two modes that are left to the ring may come first (see name_ring_modes).
 std::vector<int> first_modes(const Spectrum& spectrum);
 
-/// What an eigenvector looks like, whatever curve it lies on: the name of the load that holds more of the
-/// kinetic energy than the ring, else the direction in which the wave on the ring runs over the ground;
+/// Name of an eigenvector by its shape, whatever curve it lies on: the name of the load that holds more of
+/// the kinetic energy than the ring, else the direction in which the wave on the ring runs over the ground;
 /// "ring" where the root is real.
 std::string shape_name(const std::vector<std::string>& names, int nodal_diameters, double speed_rad_per_s,
                        std::complex<double> value, const Eigen::VectorXcd& vector);

@@ -8,7 +8,7 @@
 
 namespace rubsweep::ring {
 
-/// What happens at one speed. Kinds: divergence_begin, divergence_end (a real root crosses zero);
+/// Change of stability at one speed. Kinds: divergence_begin, divergence_end (a real root crosses zero);
 /// flutter_begin, flutter_end (the real part of a pair crosses zero); coupling_begin, coupling_end (two
 /// neutral pairs merge and part again, without friction); real_split (a pair becomes two real roots),
 /// real_merger (the reverse); veering (closest approach of two frequencies that do not merge); stable_from,

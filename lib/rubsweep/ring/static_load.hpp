@@ -6,7 +6,7 @@
 
 namespace rubsweep::ring {
 
-/// What the linear model takes for granted at one speed, one entry per load.
+/// Premises of the linear model at one speed, one entry per load.
 struct StaticLoad {
   std::vector<double> normal_n;  ///< force of the load on the ring in the steady state; positive: it presses
   std::vector<double> slip_m_per_s;  ///< speed of the tip over the ring's surface in the steady state

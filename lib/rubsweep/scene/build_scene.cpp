@@ -146,7 +146,7 @@ Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   return scene;
 }
 
-/// What overflows is no number that says the unbalance the other way.
+/// Clears a measure of the unbalance that overflows: it cannot stand for the other one.
 void forget_what_overflows(Cell& cell) {
   for (double* said : {&cell.whirl_ratio, &cell.eccentricity_m}) {
     if (!std::isfinite(*said)) *said = std::numeric_limits<double>::quiet_NaN();
@@ -160,7 +160,7 @@ std::complex<double> phase_of_kick(const model::Machine& machine) {
   return phase_deg == 0 ? 1.0 : std::polar(1.0, phase_deg * std::numbers::pi / 180);
 }
 
-/// What torsion needs of the machine; the unbalance has the cell's phase.
+/// Torsion of the scene; the unbalance has the cell's phase.
 Twist twist_of(const PreparedMachine& prepared, double eccentricity_m, std::complex<double> phase) {
   const structure::Assembly& assembly = prepared.assembly;
   Twist twist;

@@ -8,7 +8,7 @@
 
 namespace rubsweep::scene {
 
-/// What all cells of one machine share, whatever their speed: never changed, so that threads may share it.
+/// Data common to all cells of one machine at any speed: never changed, so that threads may share it.
 struct PreparedMachine {
   model::Machine machine;
   structure::Assembly assembly;

@@ -7,11 +7,11 @@
 
 namespace rubsweep::structure {
 
-/// What a beam shaft is reduced to: the lowest modes that a stop or sensor sees, and for each stop the
-/// attachment mode, what is left of the static deflection under a force there once the modes have taken their
-/// share. Its mass is that of the projected mass matrix. With it the static compliance between the stops is
-/// exact, however few modes are kept (MacNeal, Computers & Structures 1, 1971; Craig, Structural Dynamics,
-/// 1981, section 19.2).
+/// Reduced basis of a beam shaft: the lowest modes that a stop or sensor sees, and for each stop the
+/// attachment mode, the static deflection under a force there less the share of the modes. Its mass is that
+/// of the projected mass matrix. With it the static compliance between the stops is exact, however few
+/// modes are kept (MacNeal, Computers & Structures 1, 1971; Craig, Structural Dynamics, 1981, section
+/// 19.2).
 struct Reduction {
   PlaneBases bases;  ///< columns: modes, then attachment modes; largest deflection 1
   std::array<Eigen::VectorXd, 2> frequency_hz;  ///< of each column, undamped, at rest
@@ -34,8 +34,8 @@ Reduction reduce(const BeamShaft& shaft, const model::RotorKit& kit, const std::
 /// The reduced rotor with its support damping and its structural damping, 2 ratio w m of each shape.
 LateralSystem reduced_system(const BeamShaft& shaft, const model::RotorKit& kit, const Reduction& reduction);
 
-/// What damping that turns with the shaft adds in the coordinates of `system`: to the damping, and, times the
-/// speed, to the stiffness.
+/// Contributions of damping that turns with the shaft in the coordinates of `system`: to the damping, and,
+/// times the speed, to the stiffness.
 struct RotatingDamping {
   Eigen::MatrixXd damping, circulatory;
 };

@@ -6,7 +6,7 @@
 
 namespace rubsweep::sweep {
 
-/// What one start led to, as far as attractors are told apart.
+/// Outcome of one start, as far as attractors are told apart.
 struct SampledMotion {
   std::string name;  ///< class and order
   bool failed = false;
@@ -23,7 +23,7 @@ struct Attractor {
   double standard_error = 0;  ///< sqrt(share (1 - share) / starts)
 };
 
-/// What the starts led to; the most frequent first, of equally frequent ones the one that was met first.
+/// Attractors of all starts; the most frequent first, of equally frequent ones the one that was met first.
 struct Basins {
   std::vector<Attractor> attractors;
   std::vector<int> numbers;  ///< of the attractor that each start led to, from 1; 0: its run failed

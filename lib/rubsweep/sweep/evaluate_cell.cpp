@@ -32,7 +32,7 @@ bool beyond_hertz(const model::Machine& machine, double force_n) {
   });
 }
 
-/// What the size of a measured motion says about the model.
+/// Flags a motion that is too large for the model.
 void doubt(Row& row, const model::Machine& machine, double clearance_m) {
   if (!row.measures) return;
   row.peak_over_clearance = row.measures->contact.peak_displacement_m / clearance_m;

@@ -34,7 +34,7 @@ bool varies_machines(const Study& study) {
          });
 }
 
-/// What the flows of the machines of a study take in the cache of one thread, at most.
+/// Largest size of the flows of a study's machines in the cache of one thread.
 std::size_t flow_bytes(const Study& study, const structure::Assembly& assembly) {
   const bool by_speed = assembly.gyroscopic.size() > 0 || assembly.circulatory.size() > 0;
   const std::size_t bytes = integrate::exact::most_bytes_of_modes(

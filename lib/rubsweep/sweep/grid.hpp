@@ -14,7 +14,7 @@
 
 namespace rubsweep::sweep {
 
-/// What the second axis of the map holds.
+/// Quantity on the second axis of the map.
 enum class UnbalanceMeasure {
   whirl_ratio,    ///< largest normal excursion of the quiet motion / remaining clearance at the first stop
   eccentricity_m  ///< e of the disc, in metres
@@ -54,7 +54,7 @@ scene::Place place_of(const Grid& grid, std::size_t cell);
 /// Every key of every axis, in their order: the columns that a map has for them.
 std::vector<std::string> key_names(const Grid& grid);
 
-/// What these keys hold in a cell < cell_count(grid), in the same order.
+/// Values of these keys in a cell < cell_count(grid), in the same order.
 std::vector<KeyValue> key_values(const Grid& grid, std::size_t cell);
 
 /// An axis with more than one value.

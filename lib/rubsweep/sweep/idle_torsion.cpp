@@ -11,8 +11,8 @@
 namespace rubsweep::sweep {
 namespace {
 
-/// Of the speed, and radians of the unbalance's direction: a hundredth of the unbalance is no more than what
-/// is known of it.
+/// Negligible change, as a share of the speed and in radians of the unbalance's direction: the unbalance is
+/// not known better than to a hundredth.
 constexpr double negligible_share = 0.01;
 
 double polar_inertia_kg_m2(const scene::PreparedMachine& prepared) {

@@ -23,7 +23,7 @@ struct KeyAxis {
   std::optional<batch::Spacing> spacing{};  ///< how they are written; empty where they are listed
 };
 
-/// What the keys of an axis hold at one of its values.
+/// Values of all keys of an axis at one of its values.
 std::vector<KeyValue> keys_at(const KeyAxis& axis, double value);
 
 }  // namespace rubsweep::sweep

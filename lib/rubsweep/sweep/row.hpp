@@ -52,7 +52,7 @@ struct Row {
   double eccentricity_m = 0;
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
   std::optional<int> order;
-  /// Of the settled window; empty where nothing settled can be measured.
+  /// Measures of the settled window; empty where nothing settled can be measured.
   std::optional<response::motion::Measures> measures;
   std::optional<response::motion::Proof> proof;
   std::optional<bool> robust;                     ///< see is_robust; empty unless asked for
@@ -78,7 +78,7 @@ std::string motion_name(const Row& row);
 /// Adds a word to the status of a row, once.
 void add_status(Row& row, std::string_view word);
 
-/// What tells the attractor of a row apart: class, order, peak_displacement_m and the two lines at 1X.
+/// Signature of a row's attractor: class, order, peak_displacement_m and the two lines at 1X.
 SampledMotion sampled_motion(const Row& row);
 
 }  // namespace rubsweep::sweep

@@ -16,7 +16,7 @@ struct ThresholdScan {
   double tolerance = 1e-3;  ///< of a beginning or an end, relative to it; > 0
 };
 
-/// What one number led to.
+/// Result of one trial value.
 struct Probe {
   bool rubs = false;
   bool failed = false;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_speeds = 400, most_machines = 16;
 
-/// Of at most so many, spread evenly, the first and the last among them.
+/// Indices of at most `most` elements, spread evenly, the first and the last among them.
 std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
   const std::size_t taken = std::min(count, most);
   std::vector<std::size_t> places;

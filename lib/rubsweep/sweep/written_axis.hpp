@@ -23,7 +23,7 @@ struct WrittenAxis {
 /// was divided and multiplied: 3100 rpm do not come back as 3100.0000000000005.
 std::string in_units(const WrittenAxis& axis, double si);
 
-/// That text where a reader of it gets the same number in SI units again, else empty.
+/// The text of in_units where it reads back as the same number in SI units, else empty.
 std::optional<std::string> exactly_in_units(const WrittenAxis& axis, double si);
 
 }  // namespace rubsweep::sweep

@@ -20,7 +20,7 @@ struct Energy {
   double friction_w = 0;         ///< of friction on the coordinates: - friction times sliding speed
 };
 
-/// What a structure without its contacts has at displacements `q_m` and velocities, when the shaft has made
+/// Energy of a structure without its contacts at displacements `q_m` and velocities, when the shaft has made
 /// `turns` turns since t = 0. A scene with torsion has forces that go by the angle of the rotor: NaN.
 Energy structure_energy(const scene::Scene& scene, const Eigen::VectorXd& q_m,
                         const Eigen::VectorXd& rate_m_per_s, double turns);

@@ -24,12 +24,12 @@ std::optional<ProbePair> pair_of(const std::vector<double>& angle_deg, const std
 std::vector<std::complex<double>> displacement_of(const Eigen::MatrixXd& readings_m, const ProbePair& pair,
                                                   const std::vector<double>& angle_deg);
 
-/// What the readings of a pair at the end of a run say without a mark on the shaft and without its section.
+/// Period of a pair's readings at the end of a run, without a mark on the shaft and without its section.
 struct ProbePeriod {
   int readings = 0;
   /// Smallest n up to max_order for which lines at multiples of 1/n explain the readings; empty: none does.
   std::optional<int> period;
-  /// Of that n (where none does: of the best): share of the energy without 0X that these lines leave.
+  /// For that n (where none does: for the best): share of the energy without 0X that these lines leave.
   double unexplained_share = 0;
   double allowed_share = 0;  ///< by which they count as explained
 };

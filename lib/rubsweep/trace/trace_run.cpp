@@ -57,7 +57,7 @@ class Recorder {
     }
   }
 
-  /// What is only known at the end of a whole turn, after its samples.
+  /// Takes the values that exist only at the end of a whole turn, after its samples.
   void end_turn(const integrate::run::TurnReport& turn) {
     ++trace_.revolutions;
     if (probes_) probes_->add(turn);

@@ -11,7 +11,7 @@
 
 namespace rubsweep::trace {
 
-/// What one stop shows at one instant. Forces are those on the casing.
+/// State of one stop at one instant. Forces are those on the casing.
 struct StopState {
   Eigen::Vector2d casing_m{0, 0};  ///< displacement of the casing; 0 where it is rigid
   Eigen::Vector2d casing_m_per_s{0, 0};
@@ -20,7 +20,7 @@ struct StopState {
   double friction_force_n = 0;  ///< along the tangent (-n_y, n_x); also what holds a contact that sticks
 };
 
-/// What is traced of one state of a run.
+/// Traced quantities of one state of a run.
 struct TraceState {
   Eigen::Vector2d displacement_m{0, 0};  ///< of the observed point, the rotor
   Eigen::Vector2d velocity_m_per_s{0, 0};

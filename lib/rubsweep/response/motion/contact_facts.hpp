@@ -20,7 +20,7 @@ struct ContactFacts {
 /// Facts of one complete turn.
 ContactFacts facts_of(const integrate::run::TurnReport& turn);
 
-/// Of several turns together: hits added up, the mean share of time, the largest peaks.
+/// Facts of several turns: hits added up, the mean share of time, the largest peaks.
 ContactFacts together(std::span<const ContactFacts> turns);
 
 }  // namespace rubsweep::response::motion
