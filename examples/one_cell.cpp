@@ -45,8 +45,8 @@ model::Machine machine() {
   return machine;
 }
 
-// What the rotor ended up doing. The class says which kind of motion it is; the order of a periodic one,
-// after how many revolutions it repeats.
+// The motion that the rotor ended up in. The class says which kind of motion it is; the order of a periodic
+// one, after how many revolutions it repeats.
 std::string in_words(const response::motion::Motion& motion) {
   switch (motion.motion_class) {
     case response::motion::MotionClass::non_contact:
@@ -70,7 +70,7 @@ std::string in_words(const response::motion::Motion& motion) {
   return "nothing can be said";
 }
 
-// What that rests on.
+// The evidence for it.
 std::string_view in_words(response::motion::Proof proof) {
   switch (proof) {
     case response::motion::Proof::rest:

@@ -6,7 +6,7 @@ lib=${1:-$(dirname "${BASH_SOURCE[0]}")/../lib}
 
 [[ -d $lib/rubsweep ]] || { echo "no directory $lib/rubsweep"; exit 1; }
 
-# What each folder may include directly; what those may include comes with them. `.` is LIB/rubsweep itself.
+# Folders that each folder may include directly; with each come those that it may include. `.` is LIB/rubsweep itself.
 declare -A below=(
   [.]=''
   [basin]='.'

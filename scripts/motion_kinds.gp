@@ -1,4 +1,4 @@
-# What the kinds of analysis/domain_map.py are called in a legend, and their colours; loaded by the scripts that draw them.
+# Names of the kinds of analysis/domain_map.py in a legend, and their colours; loaded by the scripts that draw them.
 # Colours: Paul Tol's "muted" scheme, made for colour-blind readers, and some of their own for rare kinds. The last three
 # kinds are hatched.
 kinds = 19

@@ -65,5 +65,5 @@ if [[ ! $built ]]; then
   mapfile -t left_out < <(printf '%s\n' "${left_out[@]}" | grep -vx "$built")
 fi
 ((${#left_out[@]} == 0)) || echo "Left out, the time is up: ${left_out[*]}"
-# What is not compiled needs no sanitizer.
+# Tests that are not compiled need no sanitizer.
 ctest --preset sanitize -L unit -E '_NOT_BUILT$|^scripts[.]' --parallel "$(($(nproc) + 1))"

@@ -38,7 +38,7 @@ round_up(x) = x <= 1 ? 1 : x <= 2 ? 2 : x <= 5 ? 5 : 10
 power(x) = 10.0**floor(log10(x))
 step(range, count) = power(1.0 * range / count) * round_up(1.0 * range / count / power(1.0 * range / count))
 
-# What was before: rest, or the quiet whirl before the kick, continued from the state at its start; only known where
+# The motion before: rest, or the quiet whirl before the kick, continued from the state at its start; only known where
 # nothing shifts its mean.
 angle(row, t) = 2 * pi * speed_hz[row] * t
 before_kick(row, t) = t > 0 || from[row] > 0 ? NaN : at_rest[row] ? start_y_m[row] : gravity[row] != 0 ? NaN : \

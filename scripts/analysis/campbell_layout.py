@@ -11,7 +11,7 @@ from command import require_readable
 WHIRLS = ("forward", "backward", "mixed")
 MOST_SHAPES = 4
 SAME_SPEED = 0.015  # as a share: critical speeds with one label
-# Of the picture's width and height.
+# Distances as shares of the picture's width and height.
 CLOSE = 0.09
 BESIDE_AXIS = 0.1
 SAME_HEIGHT = 0.02

@@ -17,7 +17,7 @@ def main(arguments):
     marks = [kind for kind in branch_layout.MARKS if branches.mark_lines(kind)]
     files = {kind: branches.mark_lines(kind) for kind in marks}
     for order in branches.orders():
-        # What is empty would not be read: a line without numbers is.
+        # An empty file would not be read: a line without numbers is.
         files[f"stable_{order}"] = ["NaN NaN", *branches.line_lines(order, True)]
         files[f"unstable_{order}"] = ["NaN NaN", *branches.line_lines(order, False)]
     gnuplot.draw_files(

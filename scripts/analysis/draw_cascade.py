@@ -7,7 +7,7 @@ import line_layout
 import map_heading
 from command import Failure, run_program
 
-# Of the largest line, as a share of the whole line of cells.
+# Height of the largest line, as a share of the whole line of cells.
 HEIGHT = 0.16
 
 

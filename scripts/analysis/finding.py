@@ -5,8 +5,8 @@ from typing import Callable, Tuple
 
 HOLDS, PARTLY, NOT_REPRODUCED, NO_MAP = "holds", "partly", "not reproduced", "no map"
 
-# What is said of a domain without exception holds where nine cells in ten agree: its rims are about a cell wide, and take
-# up a tenth of a domain of the size found here. It is partly so where it is more often so than not.
+# A statement without exception about a domain holds where nine cells in ten agree: its rims are about a cell wide, and
+# take up a tenth of a domain of the size found here. It is partly so where it is more often so than not.
 MOST, HALF = 0.9, 0.5
 SHARES = "holds above 90 % (the rims of a domain are a tenth of it), partly above 50 % (more often so than not)"
 

@@ -84,7 +84,7 @@ class Terminal {
   std::FILE* stream_;
 };
 
-/// What `steps` steps of a progress of `total` write to a terminal.
+/// Output of `steps` steps of a progress of `total` on a terminal.
 std::string written_to_terminal(std::size_t total, std::size_t steps, std::chrono::milliseconds pause) {
   Terminal terminal;
   {
@@ -97,7 +97,7 @@ std::string written_to_terminal(std::size_t total, std::size_t steps, std::chron
   return terminal.text();
 }
 
-/// What `steps` steps of a progress of `total` write to a file.
+/// Output of `steps` steps of a progress of `total` in a file.
 std::string written_to_file(ProgressMode mode, std::size_t total, std::size_t steps,
                             std::chrono::milliseconds pause = {}) {
   std::FILE* file = std::tmpfile();

@@ -32,7 +32,7 @@ class TableFileTest : public testing::Test {
   std::filesystem::path path_ = directory_.path() / "table.csv";
 };
 
-/// What `sed '/^# sha256 /d' table.csv | sha256sum` says of it.
+/// The sum is that of `sed '/^# sha256 /d' table.csv | sha256sum`.
 TEST_F(TableFileTest, HasAHeadWithTheSumOfAllOtherLines) {
   write("# along x\na,b\n1,2\n", {"rubline 1.2.3", "abc", {"config.yaml", "table.csv"}});
   EXPECT_EQ(read_whole_file(path_),

@@ -43,7 +43,7 @@ expect_matches stderr '^broken\.yaml:[0-9]+:[0-9]+: not valid YAML'
 expect_problems 1 empty.yaml
 expect_matches stderr '^empty\.yaml:1:1: the configuration is empty'
 
-# What --set brings is reported under its own text.
+# Values of --set are reported under their own text.
 expect_problems 1 "$minimal" --set rotor.mas_kg=1
 expect_matches stderr "^--set rotor\.mas_kg=1: rotor\.mas_kg: unknown key \(did you mean 'mass_kg'\?\)"
 expect_problems 1 "$minimal" --set stops.1.clearance_m=1e-3

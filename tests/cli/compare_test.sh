@@ -81,7 +81,7 @@ if command -v gnuplot >/dev/null; then
   [[ $(<stderr) == 'rubsweep-compare: cannot write nowhere/difference.png: No such file or directory' ]] ||
     fail 'more than a message'
 
-  # What a user has set for gnuplot decides nothing.
+  # A user's settings of gnuplot decide nothing.
   mkdir -p home/.config/gnuplot
   echo 'set output "obeyed"; set title "obeyed"' | tee home/.gnuplot >home/.config/gnuplot/gnuplotrc
   HOME=$PWD/home XDG_CONFIG_HOME=$PWD/home/.config expect_compared 5 a/map.csv changed.csv --figure settings.svg

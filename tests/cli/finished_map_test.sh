@@ -19,7 +19,7 @@ expect_as_before() {
   expect_files map config.yaml map.csv
 }
 
-# Of another configuration.
+# A map of another configuration.
 for division in '' --merge '--shard 1/2'; do
   # shellcheck disable=SC2086  # several arguments
   expect_exit 2 "${cell[@]}" "${changed[@]}" --output map $division
@@ -43,7 +43,7 @@ expect_contains stderr 'which keys differ is not known: map/config.yaml is not t
 mv kept.yaml map/config.yaml
 expect_as_before
 
-# Of this one: said to be there, with the exit code that it deserves.
+# A map of this one: said to be there, with the exit code that it deserves.
 touch -d '2001-01-01' map/map.csv
 for division in '' --merge '--shard 1/2'; do
   # shellcheck disable=SC2086

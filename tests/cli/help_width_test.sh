@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What every program says fits a terminal: help_width_test.sh PROGRAM..., --help with no line above 100 columns.
+# The help of every program fits a terminal: help_width_test.sh PROGRAM..., --help with no line above 100 columns.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 (($# >= 8)) || { echo 'fewer programs than there are' >&2; exit 1; }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What cannot be read or written ends with 3, names the path, and never leaves half a file under a result's name.
+# Files that cannot be read or written end a program with 3 and their name; no half a file stands under a result's name.
 source "$(dirname "$0")/support.sh"
 one_cell 50 0.2
 
@@ -29,7 +29,7 @@ mkdir -p no_config/config.yaml
 expect_io_error no_config/config.yaml "$minimal" "${cell[@]}" --output no_config
 expect_files no_config config.yaml
 
-# What could never be written in the end is refused at once, and so is a pipe that nobody may ever read.
+# Files that could never be written in the end are refused at once, and so is a pipe that nobody may ever read.
 mkdir -p no_map/map.csv
 expect_io_error no_map/map.csv "$minimal" "${cell[@]}" --output no_map
 expect_contains stderr 'is not a regular file'
@@ -93,7 +93,7 @@ cp -r reused before
 expect_same reused/map.csv before/map.csv
 expect_same reused/config.yaml before/config.yaml
 
-# What a user wrote is not replaced by the configuration as programs write it; what they wrote is.
+# A user's own file is not replaced by the configuration as programs write it; a file that they wrote is.
 mkdir own
 printf '# mine\n' | cat - "$minimal" >own/config.yaml
 cp own/config.yaml mine.yaml

@@ -41,7 +41,7 @@ interrupt() {
 interrupt INT 130
 interrupt TERM 143
 
-# What is finished is final: the last cell alone gives the same row.
+# A finished cell is final: the last cell alone gives the same row.
 rows TERM/map.partial.csv | tail -n 1 >last
 IFS=, read -r speed_hz whirl_ratio _ <last
 one_cell "$speed_hz" "$whirl_ratio"

@@ -117,7 +117,7 @@ done
 expect_mpi 0 2 "${slow[@]}" --output term_slow
 expect_same term_slow/map.csv slow/map.csv
 
-# What it takes is said beforehand, and refused where it is too much, as by rubsweep.
+# Memory and disk space are said beforehand, and refused where they are too much, as by rubsweep.
 long=("${quick[@]}" --set sweep.speed_hz.count=125)
 expect_mpi 0 2 "${long[@]}" --output long --progress always
 expect_matches stderr $'(^|\r)1000 cells on 2 ranks of 1 threads: up to [0-9.]+ MB of memory each, 1.0 MB of disk *$'
@@ -129,7 +129,7 @@ threads=1024 expect_mpi 2 2 "$minimal" --output large \
 expect_matches stderr '^24 cells on 2 ranks of 1024 threads: .*, this machine has [0-9]+ MB for each, allowed: fewer ranks'
 expect_missing large
 
-# What the first rank finds is said once, and ends all of them.
+# Problems that the first rank finds are said once, and end all of them.
 expect_mpi 2 2 "${quick[@]}" --set rotor.mass_kg=-1
 [[ $(grep -c 'rotor.mass_kg: -1 is out of range' stderr) == 1 ]] || fail 'not said once'
 expect_mpi 3 2 missing.yaml

@@ -26,7 +26,7 @@ without() {
   [[ $code == 0 ]] || ((++faults))
 }
 
-# Of a sweep: whatever is finished stays, and the same command makes the same map.
+# A sweep: whatever is finished stays, and the same command makes the same map.
 expect_exit 0 "${small[@]}" --output whole --threads 1
 faults=0
 for number in $(numbers "$(count_of "$rubsweep" "${small[@]}" --output counted --threads 1)"); do
@@ -53,7 +53,7 @@ for number in 100 1000 5000; do
   expect_same map/map.csv whole/map.csv
 done
 
-# Of programs that keep nothing: no file that looks whole and is not.
+# Programs that keep nothing: no file that looks whole and is not.
 trace=("$rubtrace" "$minimal" --speed-hz 90 --whirl-ratio 0.6 --revolutions 40 --quiet)
 line=("$rubline" "$minimal" --along speed_hz --from 60 --to 90 --count 2 --whirl-ratio 0.4 --quiet --threads 1)
 for program in trace line; do

@@ -45,7 +45,7 @@ for program in "$rubtrace" "$rubline"; do
   rm -rf disk before
   mkdir disk
   "${call[@]}" || fail "${program##*/}"
-  # What a call that was killed was about to write goes with the next one, which has other files or not.
+  # Temporary files of a call that was killed go with the next one, which has other files or not.
   touch disk/results/{config.yaml,events.csv,line.csv}.tmp-elsewhere-7 disk/results/mine.tmp-elsewhere-7
   case ${program##*/} in
     rubtrace) own=(config.yaml events.csv motion.csv section.csv spectrum.csv trajectory.csv line.csv.tmp-elsewhere-7) ;;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What scripts/analysis reads from a printed configuration is what the program holds: every value that it finds, given
+# Values that scripts/analysis reads from a printed configuration are those of the program: every value that it finds, given
 # back by --set, leaves the configuration as it is, and each is found at its place.
 source "$(dirname "$0")/support.sh"
 

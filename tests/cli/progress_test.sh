@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the program prints when nobody sits at a terminal.
+# Output of the program when nobody sits at a terminal.
 source "$(dirname "$0")/support.sh"
 one_cell 50 0.2
 cell+=(--fresh) # the map is there after the first time
@@ -36,7 +36,7 @@ expect_exit 0 "${quick[@]}" --set sweep.speed_hz.count=125 --progress always --t
 expect_matches stderr '^about 0:0[0-9]:[0-9]{2} by 32 cells spread over the map *$'
 expect_exit 0 "${quick[@]}" --set sweep.speed_hz.count=125 --threads 1 --output long_too
 expect_same long/map.csv long_too/map.csv
-# What does not fit is refused before anything is written.
+# A sweep that does not fit is refused before anything is written.
 expect_exit 2 "$minimal" --threads 1024 --output large \
   --set 'response={window_revolutions: 4096, samples_per_revolution: 4096, max_revolutions: 10000}'
 expect_matches stderr '^24 cells on 1024 threads: up to [0-9.e+]+ GB of memory, 0.1 MB of disk, this machine has [0-9]+ MB, allowed: fewer'

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What would be refused in the end is refused before anything is computed, and directories of results leave nothing empty
+# A run that would be refused in the end is refused before anything is computed, and directories of results leave nothing empty
 # behind, whatever way a run ends. Called with rubtrace, rubline, rubreport, rubbench and rubsweep-compare besides rubsweep.
 source "$(dirname "$0")/support.sh"
 rubtrace=$4 rubline=$5 rubreport=$6 rubbench=$7 compare=$8

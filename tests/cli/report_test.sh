@@ -67,7 +67,7 @@ expect_contains stderr 'map/boundaries.csv: no column whirl_ratio or unbalance'
 expect_same map/report.html before.html
 rm map/boundaries.csv
 
-# What is no finished map.
+# No finished map.
 report_exit 3 nowhere
 expect_contains stderr 'cannot write nowhere/report.html'
 sed -i 's/mass_kg: 0.8/mass_kg: 0.9/' elsewhere/config.yaml

@@ -56,7 +56,7 @@ expect_exit 2 "${other[@]}" --output whole
 expect_contains stderr 'is a finished map of another configuration'
 expect_exit 0 "${other[@]}" --output whole --fresh --quiet
 expect_contains whole/slice.csv 'x_m,vy_m_per_s,attractor'
-# What a killed --fresh leaves is no slice of another plane.
+# The remains of a killed --fresh are no slice of another plane.
 killed_at 20 other "${slice[@]}"
 expect_missing other/slice.csv
 

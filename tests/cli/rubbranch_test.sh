@@ -56,7 +56,7 @@ expect_same <(grep -v '^#' held/branch.csv) <(grep -v '^#' written/branch.csv)
 expect_exit 2 "$figure06" --set "sweep={$speeds, $masses, y: {key: kick.force_n, values: [100, 200]}}" --cell 75,0.055
 expect_contains stderr '--cell: X,Y say the place on two axes of the sweep, and 3 of its axes have several values'
 
-# What it is along does not change an orbit: the same one by the speed of another configuration.
+# The parameter of a branch does not change an orbit: the same one by the speed of another configuration.
 expect_exit 0 "$figure06" --cell 75,0.4 --along kick.force_n --from 190 --to 210 --output kick
 [[ $(cells kick/branch.csv floquet_modulus | awk '{ printf "%.6f\n", $1 }' | sort -u | wc -l) == 1 ]] ||
   fail 'the kick changes an orbit that is there without it'

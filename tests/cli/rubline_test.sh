@@ -141,7 +141,7 @@ for text in 'Cascade of full spectra at whirl ratio 0.6' 'order (× shaft speed)
 done
 "$top/scripts/bifurcation.sh" drawn out 'Heading' 2>stderr || fail 'bifurcation.sh'
 [[ -s out.png ]] || fail 'there is no out.png'
-# What stands in the files becomes no command.
+# Text in the files becomes no command.
 sed -i 's/,subharmonic,/,"; system("touch pwned"); ",/' drawn/line.csv
 reseal drawn/line.csv
 "$top/scripts/cascade.sh" drawn evil Evil >/dev/null 2>&1 && fail 'cascade.sh drew a class that is none'

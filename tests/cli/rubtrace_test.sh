@@ -34,7 +34,7 @@ expect_usage_error '--output: allowed: the name of a directory' "$minimal" "${ru
 expect_usage_error "unrecognised option '--revolution' (did you mean '--revolutions'?)" "$minimal" "${rub[@]}" --revolution 3
 expect_usage_error 'too many positional options' "$minimal" "$minimal" "${rub[@]}"
 
-# What an axis over keys holds is that of the cell.
+# A value of an axis over keys is that of the cell.
 expect_exit 0 "$minimal" "${rub[@]}" --set 'sweep.x={key: rotor.mass_kg, values: [2]}' --output of_axis
 expect_exit 0 "$minimal" "${rub[@]}" --set rotor.mass_kg=2 --output of_key
 for file in config.yaml motion.csv; do expect_same <(grep -v '^output\|directory' of_axis/$file) <(grep -v '^output\|directory' of_key/$file); done

@@ -38,7 +38,7 @@ expect_matches part/map.shard-2-of-4.partial.csv '^59[.0-9]*,0.02,'
 expect_whole_rows part/map.shard-2-of-4.partial.csv
 expect_exit 3 "${quick[@]}" --output part --merge
 expect_contains stderr 'rubsweep: nothing to merge yet: 72 of 96 cells are not finished, those of shards 1/4, 3/4, 4/4, allowed: first'
-# What it says runs as it is printed, whatever the names are.
+# The printed command runs as it is, whatever the names are.
 cp "$minimal" "it's minimal.yaml"
 hinted=("it's minimal.yaml" "${quick[@]:1}" --output 'a b')
 expect_exit 0 "${hinted[@]}" --shard 1/3

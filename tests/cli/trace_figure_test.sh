@@ -41,7 +41,7 @@ draw 0 bare out/bare Heading 20
 expect_picture out/bare 1
 ! grep -q 'moving wall' out/bare.svg || fail 'a rigid wall does not move'
 
-# Of a trajectory that holds only the end of the run, the first revolutions that it has.
+# The first revolutions there are, of a trajectory that holds only the end of the run.
 trace late --speed-hz 90 --whirl-ratio 0.6 --last-revolutions 60
 draw 0 late out/late Heading
 expect_picture out/late 1

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a person wrote in rpm and g mm, by ends and on a logarithmic scale, comes back so; and what may be a slip is asked.
+# Speeds in rpm and unbalances in g mm, by ends and on a logarithmic scale, come back so; a likely slip is asked about.
 source "$(dirname "$0")/support.sh"
 rubtrace=$4 ringstab=$5
 

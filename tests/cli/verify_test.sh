@@ -72,7 +72,7 @@ expect_contains stdout config.yaml
 source=ring
 expect_fault 'onsets.csv: is not as it was written' sed -i '$s/,/;/' onsets.csv
 
-# What is not finished, and a refined map.
+# An unfinished map, and a refined one.
 killed_at 10 killed "${quick[@]}"
 expect_exit 7 --verify killed
 expect_contains stderr 'map.journal: the map is not finished'

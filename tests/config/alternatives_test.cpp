@@ -7,7 +7,7 @@
 namespace rubsweep::config {
 namespace {
 
-/// What is left of {stribeck, kinetic, from, other} after `written` is about to be written over it.
+/// Keys left of {stribeck, kinetic, from, other} after `written` is about to be written over them.
 std::string left_after(std::string_view written) {
   Node map{Node::Kind::map, Place{}};
   for (const char* key : {"stribeck", "kinetic", "from", "other"}) {

@@ -65,7 +65,7 @@ TEST(Merge, AKeyTakesBackWhatTheBaseSaysByOtherMeans) {
   EXPECT_EQ(merge("{from: 1, to: 2, count: 3}", "count: 5"), "{from: 1, to: 2, count: 5}");
   EXPECT_EQ(merge("{kick: 1}", "{kick: , start: 2}"), "{start: 2}");
   EXPECT_EQ(merge("{speed_hz: 1}", "{speed_rpm: 60, speed_hz: }"), "{speed_rpm: 60}");
-  // What one file says twice stays, to be refused.
+  // Repeated keys of one file stay, to be refused.
   EXPECT_EQ(merge("stribeck: [1]", "{coefficient: 1, static: 2}"), "{coefficient: 1, static: 2}");
 }
 

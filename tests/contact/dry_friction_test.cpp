@@ -113,7 +113,7 @@ Problem random_problem(std::mt19937& random, int count, int rank) {
   Problem p;
   p.mobility = tangents.transpose() * tangents;
   p.acceleration = StickVector::NullaryExpr(count, [&] { return normal(random); });
-  // Of a body's own acceleration, so that surfaces agree that can stick together.
+  // Accelerations of one body, so that surfaces agree that can stick together.
   if (even(random) < 0.5)
     p.acceleration = tangents.transpose() * StickVector::NullaryExpr(rank, [&] { return normal(random); });
   p.limit = StickVector::NullaryExpr(count, [&] { return std::abs(normal(random)); });

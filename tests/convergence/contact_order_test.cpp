@@ -1,4 +1,4 @@
-// What event location is for: through contact a located stepper keeps the order it has in flight, while
+// Purpose of event location: through contact a located stepper keeps the order it has in flight, while
 // smoothing leaves an error of its own that no tolerance removes.
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ struct Order {
   double loose = 1e-7, tight = 1e-11;  ///< tolerances between which it shows
 };
 
-/// What each stepper has in flight, less a little. Without a default: a new stepper says its order here.
+/// Order of each stepper in flight, less a little. Without a default: a new stepper says its order here.
 Order order_of(run::Stepper stepper) {
   switch (stepper) {
     case run::Stepper::automatic:

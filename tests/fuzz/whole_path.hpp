@@ -5,7 +5,7 @@
 
 namespace rubsweep::fuzz {
 
-/// What became of a configuration.
+/// Fate of a configuration.
 enum class Ending {
   refused,   ///< by the reader, with a place for every problem
   no_plan,   ///< by the prepared: numbers that are allowed each but cannot be computed together

@@ -94,7 +94,7 @@ TEST(EnergyBalance, ClosesOverARubbingRun) {
   const Balance fine = balance(run::ContactHandling::located, 1e-7, 16384);
   EXPECT_GT(fine.throughput, 0.1);  // joules: the run does rub
   EXPECT_LT(fine.defect, 1e-6 * fine.throughput);
-  // What is left is the trapezoidal rule's error, not the run's.
+  // The remaining error is that of the trapezoidal rule, not of the run.
   EXPECT_LT(fine.defect, coarse.defect / 4);
 }
 

@@ -144,7 +144,7 @@ TEST(Pulses, BothSolversAgreeInContact) {
   }
 }
 
-/// What another solver takes over in the middle of a pulse, or before one begins, goes on as it was.
+/// A run that another solver takes over in the middle of a pulse, or before one begins, goes on as it was.
 TEST(Pulses, GoOnWhereAnotherSolverTakesOver) {
   test::OneSideRotor rotor;
   rotor.contact_radius_m = 1e-3;

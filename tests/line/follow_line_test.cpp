@@ -35,7 +35,7 @@ model::Machine ring_machine() {
 /// Radius of the quiet circle over the clearance at W natural frequencies.
 double quiet_radius(double w) { return eccentricity * w * w / std::hypot(1 - w * w, 2 * damping * w); }
 
-/// What the radius r of a rubbing circle makes zero: [(1 - W^2 + b (1 - 1/r))^2 + (2 z W)^2] r^2 - (e W^2)^2.
+/// Equation of the radius r of a rubbing circle: [(1 - W^2 + b (1 - 1/r))^2 + (2 z W)^2] r^2 - (e W^2)^2 = 0.
 double circle_equation(double w, double r) {
   const double stiffness = 1 - w * w + stiffness_ratio * (1 - 1 / r);
   return (stiffness * stiffness + std::pow(2 * damping * w, 2)) * r * r - std::pow(eccentricity * w * w, 2);

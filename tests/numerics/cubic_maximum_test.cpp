@@ -26,7 +26,7 @@ TEST(CubicMaximum, AgreesWithFineSampling) {
   EXPECT_GT(inner, 100);
 }
 
-/// What is known spares the search only where the cubic stays below it.
+/// A known lower bound spares the search only where the cubic stays below it.
 TEST(CubicMaximum, IsTakenWhereItIsLargerThanWhatIsKnown) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;

@@ -7,7 +7,7 @@
 namespace rubsweep::numerics {
 namespace {
 
-/// Of every number of lanes side by side and every number of rows left over, not square either.
+/// Every number of lanes side by side and every number of rows left over, not square either.
 TEST(MatrixVector, HasTheBitsOfThePlainSum) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> entries(-1, 1);

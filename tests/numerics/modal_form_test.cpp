@@ -41,7 +41,7 @@ TEST(ModalForm, TurnsTheGeneratorIntoPairs) {
   expect_similar(k, Matrix2d::Zero());
 }
 
-/// What it is rounded from turns a generator whose stiffness a double does not hold into pairs, too.
+/// The unrounded basis turns a generator whose stiffness a double does not hold into pairs, too.
 TEST(ModalForm, KnowsMoreDigitsOfItsBasis) {
   LongMatrix k(2, 2), c(2, 2);
   k << 5e4L, -4e4L, -6e5L, 7e5L + 1e-14L;

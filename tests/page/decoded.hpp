@@ -28,7 +28,7 @@ inline std::string from_base64(std::string_view text) {
   return bytes;
 }
 
-/// What `compressed` was given, at most `most` bytes.
+/// Inverse of `compressed`, at most `most` bytes.
 inline std::string decompressed(std::string_view text, std::size_t most = 1 << 22) {
   const std::string packed = from_base64(text);
   std::string bytes(most, '\0');

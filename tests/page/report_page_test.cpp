@@ -43,7 +43,7 @@ std::string page_of(const MapTable& map, const std::filesystem::path& directory,
       .value();
 }
 
-/// What the element called `id` holds.
+/// Contents of the element called `id`.
 std::string element(const std::string& page, const std::string& id) {
   const std::string open = "<script type=\"text/plain\" id=\"" + id + "\">";
   const std::size_t begin = page.find(open);
@@ -100,7 +100,7 @@ TEST(ReportPage, AxesAreShownAsTheyWereWritten) {
 TEST(ReportPage, NothingOutsideIsAskedFor) {
   std::string page = page_of(map_of_study(), "/nowhere");
   EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
-  // What remains when the chart library, named by its own address in a comment, is left out.
+  // The page without the chart library, which a comment names by its own address.
   page.erase(page.find(library.text), library.text.size());
   for (const char* pattern :
        {R"(<script[^>]+src)", R"(<(link|iframe|object|embed|base)\b)", R"(@import|@font-face)",

@@ -51,7 +51,7 @@ model::Machine roomy_machine(double damping_ratio) {
 }
 
 TEST(RampRun, LargestOneXIsTheLargestRadiusOfACircularMotion) {
-  // Of the first one an independent solver says 0.01147795 m at 102.573 Hz.
+  // An independent solver says 0.01147795 m at 102.573 Hz for the first one.
   struct Case {
     double damping_ratio;
     SpeedRamp ramp;

@@ -146,7 +146,7 @@ TEST(ClassifyAperiodic, ChaosThatLosesContactIsNotChaos) {
   EXPECT_FALSE(found.exponent);
   EXPECT_TRUE(found.left_chaos);
   EXPECT_EQ(name(follow(henon, {0.1, 0.2}, 1280)), "chaotic");
-  // What was never chaotic has left nothing.
+  // A motion that was never chaotic has left nothing.
   EXPECT_FALSE(follow(circle(2 * std::numbers::pi / 14, 0), {1, 0}).left_chaos);
   EXPECT_FALSE(follow(modulated_period_two(0), {0.9, 0.05, 0, 0.1}, 300).left_chaos);
 }

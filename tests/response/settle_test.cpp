@@ -271,7 +271,7 @@ TEST(Settle, AnOrderAboveTheLargestIsUnsettledAndSaysSo) {
   EXPECT_EQ(name(settled), "unsettled");
   EXPECT_EQ(to_string(settled.motion.status), "order_above_max");
   EXPECT_FALSE(settled.proof);
-  // What decays last is the rotor's tangential motion or faster: see section_map_test.
+  // The slowest decay is that of the rotor's tangential motion or faster: see section_map_test.
   EXPECT_LT(settled.motion.exponent.value().per_revolution, -0.03);
 
   // A proof may name it nevertheless.

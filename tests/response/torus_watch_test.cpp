@@ -16,7 +16,7 @@ namespace {
 
 constexpr double golden_angle = 2.39996322972865332;  ///< returns as badly as an angle can
 
-/// What the watch makes of a made-up motion of four states: section and growth after each turn. The
+/// Verdict of the watch on a made-up motion of four states, given by section and growth after each turn: the
 /// revolutions at which it was called a torus, or those at which the watch ended.
 struct Watched {
   long revolutions = 0;

@@ -143,7 +143,7 @@ Equations from_energies(const Machine& m, double speed, Coordinate coordinate) {
   return e;
 }
 
-/// What both appendices print of the ring itself, with room for the loads.
+/// Equations that both appendices print for the ring itself, with room for the loads.
 Equations ring_alone(const System& system, double speed) {
   Equations e = zero(2 + static_cast<Eigen::Index>(system.loads.size()));
   const double n = system.ring.nodal_diameters, big = system.ring.modal_mass_kg * (n * n + 1);

@@ -14,7 +14,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 ANALYSIS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../scripts/analysis")
 
 
-# Of a letter, as shares of the size of its font.
+# Size of a letter, as shares of the size of its font.
 WIDTH, HEIGHT = 0.6, 0.72
 
 

@@ -19,7 +19,7 @@ inline std::size_t map_cell(const sweep::Grid& grid, double along_speed, double 
   return index(grid.unbalance.size(), along_unbalance) * speeds + index(speeds, along_speed);
 }
 
-/// What that cell simulates.
+/// The scene of that cell.
 inline scene::Cell build_map_cell(const sweep::Study& study, std::size_t cell) {
   const scene::Place place = sweep::place_of(study.grid, cell);
   return scene::build_cell(study.machine, place.speed_hz, place.unbalance);

@@ -47,7 +47,7 @@ TEST(WhyTorsionIsIdle, AsksEveryStop) {
   EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(machine), 50), "");
 }
 
-/// What it says is true: the row is nearly that of the rotor without torsion.
+/// The statement is true: the row is nearly that of the rotor without torsion.
 TEST(WhyTorsionIsIdle, TheMotionIsTheSameWithoutTorsion) {
   ASSERT_NE(why(model::StribeckFriction{{0, 0, 0, 0.005, 100, 0}}, 60), "");
   Study study;

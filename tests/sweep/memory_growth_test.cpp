@@ -17,7 +17,7 @@
 namespace rubsweep::sweep {
 namespace {
 
-/// What this process holds in memory.
+/// Memory that this process holds.
 std::size_t resident_bytes() {
   std::size_t total = 0, resident = 0;
   std::ifstream("/proc/self/statm") >> total >> resident;

@@ -57,7 +57,7 @@ TEST(Refinement, FindsASmoothBoundaryExactlyFromFewCells) {
   EXPECT_NEAR(*exponent, 1, 0.15);
 }
 
-/// What a kill, other threads or another order of cells leave behind changes nothing.
+/// The state after a kill, with other threads or another order of cells changes nothing.
 TEST(Refinement, WantsTheSameCellsInWhateverOrder) {
   const Grid grid = grid_of(70, 53, {3, 2});
   const std::vector<int> at_once = refined(grid, disc);

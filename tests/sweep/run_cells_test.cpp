@@ -39,7 +39,7 @@ Lines expected_lines(const Study& study, const std::vector<std::size_t>& cells) 
   return lines;
 }
 
-/// What run_cells hands on; a cell that comes twice is a failure.
+/// Lines that run_cells hands on; a cell that comes twice is a failure.
 Lines run(const Study& study, const std::vector<std::size_t>& cells, int threads) {
   Lines lines;
   const std::size_t finished = run_cells(

@@ -117,7 +117,7 @@ TEST(TraceRun, TakesAboutAsMuchMemoryAsItSays) {
     TraceOptions options = options_for(rotor, 30);
     options.trajectory_revolutions = kept;
     const Trace trace = run(rotor, options);
-    // What the lists hold; the tables made of them take about 1.5 times that again.
+    // Size of the lists; the tables made of them take about 1.5 times that again.
     const double list = (sizeof(TracedState) + sizeof(StopState) + 8 * sizeof(double)) *
                         static_cast<double>(trace.trajectory.size() + trace.section.size());
     EXPECT_GT(trace_bytes(options, 1, 4), 2 * list);

@@ -50,7 +50,7 @@ TEST(StateReader, GivesTheForcesThatTheEquationsOfMotionNeed) {
     const OneSideState<double> s = near_the_wall(random);
     OneSideState<double> rate;
     equations(s, rate, 1.0);
-    // What the casing feels beside its own spring and damper; the tangent is (-1, 0).
+    // Force on the casing beside its own spring and damper; the tangent is (-1, 0).
     const double normal_n = equations.mc * rate[7] + equations.kc * s[3] + equations.cc * s[7];
     const double friction_n = -(equations.mc * rate[6] + equations.kc * s[2] + equations.cc * s[6]);
 

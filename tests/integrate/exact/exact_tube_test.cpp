@@ -10,7 +10,7 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// Of one turn.
+/// Tube of one turn.
 std::optional<TurnTube> tube_of(const scene::Scene& scene, ModeCache& modes, std::vector<double>& section,
                                 const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& end_norm) {
   auto tubes = turn_tubes(scene, modes, section, {disturbances}, {end_norm});

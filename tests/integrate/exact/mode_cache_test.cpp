@@ -45,7 +45,7 @@ TEST(ModeCache, DropsWhatWasNotUsedForLongest) {
   EXPECT_NE(filled(2e5), second);
 }
 
-/// What a footprint counts: every mode of the machine, made.
+/// The size that a footprint counts: every mode of the machine, made.
 TEST(ModeCache, HoldsNoMoreThanTheModesOfItsMachinesTakeAtMost) {
   ModeCache cache;
   const auto modes = cache.modes_of<4>(scene_with(1e5));

@@ -89,7 +89,7 @@ TEST(SlipWatch, TheModeHasTheWayOfTheSlip) {
   EXPECT_EQ(forward.motion.joint(), in_joint_mode(Mode::sprung, 0));
   EXPECT_EQ(backward.motion.joint(), in_joint_mode(Mode::sprung, 0) + backward_in_joint_mode(0, 1));
   EXPECT_EQ(modes_of_joint_mode(backward.motion.joint(), 1), forward.motion.joint());
-  // What drives one of them by friction drives the other as much the other way.
+  // Friction that drives one of them drives the other as much the other way.
   const auto &there = forward.motion.mode().stiffness, &back = backward.motion.mode().stiffness;
   const auto& open = forward.machine->mode(0)->stiffness;
   const auto& c = forward.machine->system().contacts[0];

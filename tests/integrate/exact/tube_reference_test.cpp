@@ -7,7 +7,7 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// What a guard sees of the disturbances is its row on each of them, and its rate that of the row's motion.
+/// A guard sees of each disturbance the product with its row; its rate is that of the row's motion.
 TEST(TubeReference, AGuardSeesItsRowOnEveryDisturbance) {
   RubbingTurn turn;
   TubeReference<4> reference(turn.scene, turn.modes.modes_of<4>(turn.scene));
@@ -24,7 +24,7 @@ TEST(TubeReference, AGuardSeesItsRowOnEveryDisturbance) {
       EXPECT_NEAR(seen.rate[static_cast<std::size_t>(j)], unit * rate(j), 1e-9 * unit * rate.norm());
       EXPECT_GE(seen.curvature[static_cast<std::size_t>(j)], 0);
     }
-    // Of one Euclidean length: the norm of the values.
+    // For one Euclidean length: the norm of the values.
     const auto spread = reference.spread_of(seen.value);
     EXPECT_NEAR(spread.width.fast, Eigen::Map<const Eigen::VectorXd>(seen.value.data(), 8).norm(), 1e-12);
     EXPECT_TRUE(spread.kicks.empty());

@@ -98,7 +98,7 @@ TEST(TurnTube, NoOtherGuardComesToZeroInTheWindow) {
   EXPECT_LT(with([](auto& other) { other.own_kick = 100; }), 0.1 * free);
 }
 
-/// What the first change adds to the disturbance counts at the second, and in margins behind it.
+/// A kick of the first change to the disturbance counts at the second, and in margins behind it.
 TEST(TurnTube, KicksWidenTheTubeBehindThem) {
   TurnTube tube = one_change();
   tube.switches[0].margins_before = 0;
@@ -115,7 +115,7 @@ TEST(TurnTube, KicksWidenTheTubeBehindThem) {
   EXPECT_NEAR(tube.deviation({radius}).fast, 3 * kick + 1.05 * second * second / 2, 1e-15);
 }
 
-/// What holds for a radius holds for every smaller one.
+/// A tube that holds for a radius holds for every smaller one.
 TEST(TurnTube, SmallerTubesHoldToo) {
   TurnTube tube = one_change();
   tube.switches[0].curvature = 5;

@@ -18,7 +18,7 @@ const Eigen::Vector2d force{-0.7, 1.9};
 
 run::ScaledContact<4> annular() { return run::scale<4>(set_c_scene(80, 0.6)).contacts[0]; }
 
-/// What the contact sees of `moved` with the force, then `moved` as the force pushes it.
+/// Projection of `moved` with the force onto the contact, then `moved` as the force pushes it.
 struct Made {
   Eigen::Vector2d seen;
   Eigen::Vector4d pushed;

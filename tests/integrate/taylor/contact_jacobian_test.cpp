@@ -83,7 +83,7 @@ TEST(ContactJacobian, IsTheDerivativeOfTheForce) {
   }
 }
 
-/// What is asked for later is what would have been made at once.
+/// Terms asked for later are those that would have been made at once.
 TEST(ContactJacobian, GoesOnWhereItWasLeft) {
   ContactSeries series;
   const ContactLaw law = law_with(2);

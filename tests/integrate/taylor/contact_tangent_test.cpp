@@ -78,7 +78,7 @@ TEST(ContactTangents, IsTheDifferenceOfTwoMotions) {
       for (const bool varies : {false, true}) {
         const ContactLaw law = law_of(annular, varies);
         ContactSeries series;
-        // Of the sliding speed only the sign counts where friction does not vary.
+        // Only the sign of the sliding speed counts where friction does not vary.
         const double slip = varies ? 0.1 : 1;
         constexpr double small = 1e-5;
         const auto later = forces(series, law, mode, slip, small),

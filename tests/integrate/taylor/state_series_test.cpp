@@ -68,7 +68,7 @@ TEST(StateSeries, GivesTheSameBitsForStatesTogetherAndAlone) {
   }
 }
 
-/// Of cos(w t) the terms w^k t^k / k! of the last two orders are a few units of rounding there, one of them
+/// For cos(w t) the terms w^k t^k / k! of the last two orders are a few units of rounding there, one of them
 /// is more beyond, and all that are left out add up to less than one.
 TEST(StateSeries, ConvergesUpToWhereWhatIsLeftOutIsRounding) {
   const StateSeries<2> series = cosines<2>(2);
@@ -85,7 +85,7 @@ TEST(StateSeries, ConvergesUpToWhereWhatIsLeftOutIsRounding) {
   EXPECT_LT(2 * left_out, 0x1p-53);
 }
 
-/// Of 1 / (1 - t), whose terms fall no faster than its radius of convergence lets them, what is left out is
+/// For 1 / (1 - t), whose terms fall no faster than its radius of convergence lets them, the remainder is
 /// rounding, too.
 TEST(StateSeries, LeavesOutNoMoreThanRoundingOfASeriesThatEndsLate) {
   StateSeries<2> series(2, {.order = order});

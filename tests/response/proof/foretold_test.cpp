@@ -62,7 +62,7 @@ TEST(Foretold, BesideAFoldAGainThatLastsIsEnough) {
 struct Spiral {
   double contraction = 0.995, bend = 0.5, twist = 3;
 
-  /// Of `most` returns from |z| = `distance`; how many of them are told, and after how many the approach is.
+  /// Follows `most` returns from |z| = `distance`; how many are told, and after how many the approach is.
   std::pair<int, int> follow(double distance, int most) const {
     Foretold foretold(3);
     int told = 0;

@@ -92,7 +92,7 @@ TEST(RotatingProof, TheOvalIsWhatALongRunShows) {
   EXPECT_EQ(a.whirl, b.whirl);
   EXPECT_NEAR(a.dominant.value().order, b.dominant.value().order, 1e-8);
   EXPECT_NEAR(a.dominant->amplitude_m, b.dominant->amplitude_m, 1e-6 * b.dominant->amplitude_m);
-  // What the observed window's bins make of lines between them is worth a per cent.
+  // Lines between the bins of the observed window are known to a per cent.
   EXPECT_NEAR(a.amplitude_1x_forward_m, b.amplitude_1x_forward_m, 2e-2 * b.amplitude_1x_forward_m);
   EXPECT_NEAR(a.contact.contact_fraction, b.contact.contact_fraction, 1e-2);
   EXPECT_NEAR(a.contact.hits, b.contact.hits, 1);

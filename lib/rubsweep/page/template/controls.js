@@ -1,5 +1,5 @@
 "use strict";
-// What can be set besides the selected cell: the layer, the classes that are shown, and the address that remembers both.
+// Settings beside the selected cell: the layer, the classes that are shown, and the address that remembers both.
 const firstLayers = [...layerNames.keys()];
 
 function layersOf(data) {

@@ -38,7 +38,7 @@ const themed = (name) => getComputedStyle(document.documentElement).getPropertyV
 const kindColour = (kind) => (isDark() && kind.dark) || kind.colour;
 const emptyColour = () => (isDark() ? "#22252A" : "#FFFFFF");
 
-// What a row is drawn as: its class with the order of a subharmonic, and what parts the motions of an annular stop.
+// Kind that a row is drawn as: its class with the order of a subharmonic, and the motions of an annular stop apart.
 function kindOf(row) {
   const motion = row("class");
   if (motion === "subharmonic") return "subharmonic_" + Math.min(row("order"), 8);

@@ -1,5 +1,5 @@
 "use strict";
-// What the panels have in common: an SVG with two axes.
+// Common part of all panels: an SVG with two axes.
 function makePlot(id, { x, y, xLabel, yLabel, square = false, height = 240 }) {
   const figure = document.getElementById(id), width = Math.max(260, figure.clientWidth);
   const space = { left: 54, right: 12, top: 8, bottom: 40 };

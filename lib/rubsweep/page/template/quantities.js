@@ -8,7 +8,7 @@ const layerNames = new Map(Object.entries({
 }));
 const significant = d3.format(".4~g");
 
-// What a person wrote in other units: column -> [factor, unit, name].
+// Columns that a person wrote in other units: column -> [factor, unit, name].
 const writtenUnits = new Map();
 
 // The unit in which a column is shown, and the factor to it.
