@@ -16,12 +16,12 @@ namespace rubsweep::integrate {
 namespace {
 
 constexpr int longest_absence = 64;  ///< turns by other means before closed forms are tried again
-/// Closed forms do not take over nearer to the end of a turn than that: they would have to make it in no
-/// time.
+/// Latest phase at which closed forms take over again: nearer to the end of a turn they would have no time
+/// left for it.
 constexpr double last_join = 2 * std::numbers::pi - 1e-9;
-/// A stretch in which friction holds a contact ends that much before its turn does: a piece ends the turn.
+/// Distance from the end of its turn at which a sticking stretch ends: a piece ends the turn.
 constexpr double before_the_end = 1e-6;
-/// Pieces before the next look for such a stretch at most, where there was none.
+/// Largest number of pieces before the next search for such a stretch, where there was none.
 constexpr int longest_wait = 64;
 
 /// The scene as it stands at the start of revolution `revolution`, at `section`.
@@ -38,7 +38,7 @@ double most_work_of_a_turn(const run::SolverOptions& options) {
   return run::work_of_a_piece * static_cast<double>(run::most_pieces_of_a_turn(options));
 }
 
-/// The time after which no pulse acts any more, radians from the start of revolution 0.
+/// End of the last pulse, radians from the start of revolution 0.
 double end_of_pulses_rad(const scene::Scene& scene) {
   double end_s = 0;
   for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
@@ -94,8 +94,8 @@ class HybridRun {
   using TaylorRun = taylor::TaylorRun<N>;
   static constexpr double full_turn = 2 * std::numbers::pi;
 
-  /// A turn that friction leaves saturation in: pieces by Taylor's series until it is saturated again, and
-  /// closed forms in between. The run stands where the first of these pieces begins.
+  /// Makes a turn in which friction leaves saturation: Taylor pieces until it is saturated again, and closed
+  /// forms in between. The run stands where the first of these pieces begins.
   run::Outcome go_on_in_pieces(const run::TurnRequest& request, run::TurnReport& report) {
     if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
     pieces_to_wait_ = wait_ = 0;
@@ -139,7 +139,7 @@ class HybridRun {
     }
   }
 
-  /// To where closed forms take over again, or to the end of the turn; `before`: the work before the turn.
+  /// Makes pieces until closed forms take over, or to the end of the turn; `before`: work before the turn.
   taylor::TaylorEnding make_piece(const run::TurnRequest& request, run::TurnReport& report, double before) {
     for (;;) {
       const taylor::TaylorEnding ending = taylor_->go_on(report);
@@ -153,8 +153,8 @@ class HybridRun {
     }
   }
 
-  /// Closed forms as long as friction holds what touches. False, with nothing changed, where there is no such
-  /// stretch, or where so many short ones were met that pieces go on for a while.
+  /// Takes closed forms as long as friction holds the touching contacts. False, with nothing changed, where
+  /// there is no such stretch, or where so many short ones were met that pieces continue for a while.
   bool stick(const run::TurnRequest& request, run::TurnReport& report) {
     const double phase = taylor_->phase_rad();
     if (static_cast<double>(run_.revolution()) * full_turn + phase < end_of_pulses_rad_) return false;

@@ -29,7 +29,7 @@ run::Run start_restarting(const scene::Scene& scene, const run::SolverOptions& o
 }  // namespace
 
 Solver solver_of(const scene::Scene& scene, const run::SolverOptions& options) {
-  // Nothing but a stepper knows of torsion.
+  // Only the steppers know of torsion.
   if (scene.twist || options.method == run::Method::adaptive) return Solver::adaptive;
   if (options.method == run::Method::exact) return Solver::exact;
   return options.contact == run::ContactHandling::located && exact::exact_applies(scene) ? Solver::exact

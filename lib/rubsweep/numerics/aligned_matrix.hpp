@@ -23,7 +23,7 @@ class AlignedMatrix {
 
   Eigen::Index rows() const { return rows_; }
   Eigen::Index cols() const { return columns_; }
-  /// From a number to the one beside it in the next column.
+  /// Distance between numbers of one row in neighbouring columns.
   Eigen::Index stride() const { return lines_a_column() * per_line; }
   auto diagonal() const {
     return Eigen::Map<const Eigen::VectorXd, Eigen::Unaligned, Eigen::InnerStride<>>(

@@ -7,9 +7,9 @@
 
 namespace rubsweep::numerics {
 
-/// A step that no crossing can fall into: for a guard of value g <= 0 and rate g' whose second derivative
-/// stays within |g''| <= M, Taylor's formula gives g(t) <= g + g' t + M t^2 / 2, and this is the first root
-/// of the right-hand side for t >= 0. A value above zero counts as zero. Infinite where nothing moves.
+/// Step without a possible crossing: for a guard of value g <= 0 and rate g' whose second derivative stays
+/// within |g''| <= M, Taylor's formula gives g(t) <= g + g' t + M t^2 / 2, and this is the first root of the
+/// right-hand side for t >= 0. A value above zero counts as zero. Infinite where nothing moves.
 inline double safe_step(double value, double rate, double curvature_bound) {
   const double gap = std::max(0.0, -value);
   const double root = std::sqrt(rate * rate + 2 * curvature_bound * gap);

@@ -22,8 +22,8 @@ int imbalance(const MatrixXd& matrix, Eigen::Index i) {
   return row > 0 && column > 0 ? std::ilogb(row) - std::ilogb(column) : 0;
 }
 
-/// A similar matrix whose rows and columns are alike, by powers of two, which cost no rounding (Parlett and
-/// Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors, 1969). Others as they are.
+/// Balanced matrix, similar and with rows and columns of like size, by powers of two, which cost no rounding
+/// (Parlett and Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors, 1969).
 MatrixXd balanced(MatrixXd matrix) {
   bool needed = false;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
@@ -48,7 +48,7 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 Eigen::VectorXcd eigenvalues(const MatrixXd& matrix) {
   const Eigen::VectorXcd none = Eigen::VectorXcd::Constant(matrix.rows(), not_known);
-  // The iteration may say of a matrix that is not finite that it has converged.
+  // For a matrix that is not finite the iteration may claim convergence.
   if (!matrix.allFinite()) return none;
   const Eigen::EigenSolver<MatrixXd> solver(balanced(matrix), false);
   return solver.info() == Eigen::Success ? solver.eigenvalues() : none;

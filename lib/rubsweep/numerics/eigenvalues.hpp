@@ -25,8 +25,8 @@ struct GeneralModes {
 GeneralModes general_modes(const Eigen::MatrixXd& matrix, bool with_vectors,
                            Eigen::Index iterations_per_row = 40);
 
-/// Largest |eigenvalue|: of a monodromy matrix the modulus of the largest multiplier, of a generator its
-/// fastest rate. NaN where the eigenvalues are.
+/// Spectral radius, the largest |eigenvalue|: of a monodromy matrix the modulus of the largest multiplier, of
+/// a generator its fastest rate. NaN where the eigenvalues are.
 double spectral_radius(const Eigen::MatrixXd& matrix);
 
 }  // namespace rubsweep::numerics

@@ -4,7 +4,7 @@
 
 namespace rubsweep::numerics {
 
-/// As many numbers as fit into a register of `bytes` bytes: the processor works on them at once.
+/// SIMD register of `bytes` bytes: the processor works on all of its numbers at once.
 template <std::size_t bytes>
 struct Lanes {
   // NOLINTNEXTLINE(modernize-use-using): an attribute that depends on a parameter

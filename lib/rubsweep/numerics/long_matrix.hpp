@@ -4,7 +4,7 @@
 
 namespace rubsweep::numerics {
 
-/// For what is a small difference of large numbers.
+/// Matrices whose results are small differences of large numbers.
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 

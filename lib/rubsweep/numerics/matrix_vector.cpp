@@ -39,7 +39,7 @@ template <std::size_t bytes, std::size_t count>
 }
 
 /// All rows, at least as many as a lane has: lanes side by side, about as many at a time in every pass, and
-/// the very last one shifted back to end with the last row. What it makes again has the same bits.
+/// the very last one shifted back to end with the last row. Rows computed twice get the same bits.
 template <std::size_t bytes>
 [[gnu::always_inline]] inline void all_rows(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
                                             std::ptrdiff_t stride, const double* vector, double* product) {

@@ -9,8 +9,8 @@
 
 namespace rubsweep::numerics {
 
-/// w' = A w as n pairs that do not see each other: w = basis z, and (z_j, z_{n+j})' = pairs[j] (z_j,
-/// z_{n+j}).
+/// Modal form: w' = A w as n decoupled pairs, w = basis z, and (z_j, z_{n+j})' = pairs[j] (z_j, z_{n+j}) for
+/// each of them.
 struct ModalForm {
   Eigen::MatrixXd basis, inverse;  ///< 2n x 2n
   std::vector<Pair> pairs;         ///< n generators

@@ -9,8 +9,8 @@
 
 namespace rubsweep::numerics {
 
-/// Modal forms of the systems that were asked for last: the eigenvectors of a rotor kit take milliseconds in
-/// long double, and all cells of one speed ask for the same. Belongs to one thread.
+/// Least-recently-used cache of modal forms: the eigenvectors of a rotor kit take milliseconds in long
+/// double, and all cells of one speed ask for the same. Belongs to one thread.
 class ModalFormCache {
  public:
   /// Forms are dropped, longest unused first, until they take no more than this; the last one stays.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most = most_degree + 1;
 constexpr double resolution = 0x1p-44;
-/// The last terms of a power series are small: of a long polynomial the first ones say nearly all.
+/// Terms tried first: in a long power series the last ones are small, and the first decide nearly always.
 constexpr std::size_t first_terms = 13, worth_while = 20;
 
 /// Bernstein coefficients over an interval; the first `count` are in use.
@@ -85,7 +85,7 @@ double halley_step(const Parabola& at) {
   return -at.value * at.slope / (at.slope * at.slope - at.value * at.bend);
 }
 
-/// Near the one root between `low` and `high`: from where the chord between their values is zero by the first
+/// Start near the one root between `low` and `high`: zero of the chord between their values by the first
 /// terms, which cost half as much as all of them.
 double near_root(std::span<const double> c, double low, double high, double at_low, double at_high) {
   double x = low + (high - low) * (at_low / (at_low - at_high));
@@ -145,8 +145,8 @@ double sum_of_positive(std::span<const double> c) {
   return sum;
 }
 
-/// True when the polynomial is below zero by the Bernstein form of its first terms and what the others may
-/// add: a hull costs the square of the degree.
+/// Whether the polynomial is below zero by the Bernstein form of its first terms and a bound of the others: a
+/// hull costs the square of the degree.
 bool low_part_negative(std::span<const double> c) {
   if (c.size() < worth_while) return false;
   const double rest = sum_of_positive(c.subspan(first_terms));

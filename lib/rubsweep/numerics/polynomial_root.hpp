@@ -8,7 +8,7 @@ namespace rubsweep::numerics {
 /// Highest degree of a polynomial here.
 inline constexpr int most_degree = 31;
 
-/// True when sum c_k x^k < 0 on all of 0 <= x <= 1 for a reason that is found at once: c_0 and the positive
+/// True when sum c_k x^k < 0 on all of 0 <= x <= 1 by one of two cheap tests: c_0 and the positive
 /// coefficients together are below zero, or the hull of the cubic part and the positive rest are. False says
 /// nothing.
 bool clearly_negative(std::span<const double> coefficients);

@@ -7,9 +7,9 @@
 
 namespace rubsweep::numerics {
 
-/// The k-th root of x > 0, or up to a thousandth of it less: what the length of a step asks for, in a quarter
-/// of std::pow's time. Of x = 2^e (1 + f), polynomials stand for log2(1 + f) and for the power of two; low
-/// roots and numbers off the normal ones are left to std::pow.
+/// The k-th root of x > 0, or up to a thousandth of it less: enough for the length of a step, in a quarter of
+/// std::pow's time. With x = 2^e (1 + f), polynomials approximate log2(1 + f) and the power of two; low roots
+/// and subnormal numbers are left to std::pow.
 inline double root_below(double x, int k) {
   constexpr int least_root = 16, digits = 52, bias = 1023;
   using Limits = std::numeric_limits<double>;

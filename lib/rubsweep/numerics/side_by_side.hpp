@@ -6,7 +6,7 @@ namespace rubsweep::numerics {
 
 /// Vectors side by side: number j of vector i is data[j * stride + i], 0 <= i < count. The processor works on
 /// as many vectors at once as its registers are wide, and every vector gets the bits that it would get alone.
-/// Memory goes on to a multiple of eight vectors; what stands there besides is worked on with them.
+/// Storage is padded to a multiple of eight vectors, and the padding is computed along with them.
 struct SideBySide {
   double* data = nullptr;
   std::ptrdiff_t stride = 0, count = 0;

@@ -12,7 +12,7 @@ namespace rubsweep::numerics {
 /// Highest order of a power series here.
 inline constexpr int most_taylor_order = 24;
 
-/// 1 / k, each of them twice, as many as are needed: divisions are what such recurrences would wait for.
+/// Reciprocals 1 / k, each of them twice: divisions would be the critical path of such recurrences.
 inline constexpr auto taylor_reciprocals = [] {
   std::array<double, 2 * std::size_t{most_taylor_order + 3}> table{};
   for (std::size_t k = 1; 2 * k < table.size(); ++k)

@@ -27,7 +27,7 @@ bool chaotic(const motion::Exponent& exponent) {
   return exponent.per_revolution > std::max(exponent.error_bar, chaos_floor);
 }
 
-/// Chaotic in the first half of the turns that are not its last window.
+/// Whether it was chaotic in the first half of the turns that are not its last window.
 bool was_chaotic(const Followed& motion, int window) {
   constexpr std::size_t fewest = 80;
   const std::size_t turns = motion.turns() - std::min(motion.turns(), static_cast<std::size_t>(window));

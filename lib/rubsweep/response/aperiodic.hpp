@@ -26,7 +26,7 @@ struct Aperiodic {
       motion::MotionClass::unsettled;        ///< quasi_periodic, chaotic or unsettled
   std::optional<motion::Exponent> exponent;  ///< empty when a turn failed or contact ended
   std::optional<int> returns_after;  ///< turns after which the section returns; the class is then unsettled
-  /// It was chaotic at first, and then lost its contact or came to a period: chaos that was a transient.
+  /// True for transient chaos: it was chaotic at first, and then lost its contact or came to a period.
   bool left_chaos = false;
   Followed motion;  ///< all turns that it was followed for
 };

@@ -15,7 +15,7 @@ inline constexpr double significant_return = 1e-4;
 /// 2560 turns.
 inline constexpr double zero_rate = 2e-5;
 
-/// By how much the mean square of a torus's sections may differ from one half to the other, of 80 turns or
+/// Allowed relative difference of the mean square of a torus's sections between both halves, of 80 turns or
 /// more: 3 % on the maps of figures 6, 9 and 12.
 inline constexpr double steady_share = 0.1;
 

@@ -11,7 +11,7 @@
 
 namespace rubsweep::response {
 
-/// Relative error a step that a disturbance may have whose growth alone counts: no exponent is known as well.
+/// Relative error a step of a disturbance of which only the growth counts: no exponent is known as well.
 inline constexpr double growth_accuracy = 1e-6;
 
 /// One turn of a motion and of a small disturbance of it: moves the section and returns ln of the factor that

@@ -65,7 +65,7 @@ struct Verdict {
   std::optional<Survival> survival;  ///< of chaos
 };
 
-/// How long chaos lasts that `followed` is a stretch of.
+/// Measures how long chaos lasts that `followed` is a stretch of.
 void ask_how_long_it_lasts(proof::SceneMap& map, const motion::ResponseOptions& options,
                            const Followed& followed, Verdict& verdict) {
   verdict.survival =
@@ -93,12 +93,12 @@ void follow_on(const scene::Scene& scene, integrate::run::SolverOptions solver,
     ask_how_long_it_lasts(map, options, found.motion, verdict);
 }
 
-/// Neither a period nor rest: what the end of the run shows may have none.
+/// Whether the motion at the end of the run may have no period: the window shows neither a period nor rest.
 bool may_be_aperiodic(const motion::WindowVerdict& verdict) {
   return verdict.motion_class == motion::MotionClass::unsettled && !verdict.period;
 }
 
-/// Verdict at the end of the run; `section` is that of its last turn, `watch` what was seen on the way there.
+/// Verdict at the end of the run; `section` is that of its last turn, `watch` was kept on the way there.
 Verdict verdict_of(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                    const motion::ResponseOptions& options, const motion::Record& record,
                    std::span<const double> section, const TorusWatch& watch, motion::Workspace& workspace) {
@@ -171,8 +171,8 @@ void conclude(const Verdict& seen, const scene::Cell& cell, const proof::RestPro
   if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
 }
 
-/// Where turns are dear, which is at annular stops: between flat ones a run to its end costs less than the
-/// tangent vector of a watch.
+/// Only for annular stops, where a revolution costs enough for early torus detection to pay: between flat
+/// ones a run to its end costs less than the tangent vector of a watch.
 bool worth_watching(const scene::Scene& scene, const motion::ResponseOptions& options, double kick_turns) {
   const bool annular =
       std::ranges::any_of(scene.contacts, [](const scene::Contact& c) { return contact::annular(c.wall); });

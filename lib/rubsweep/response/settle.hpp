@@ -36,7 +36,7 @@ struct SettledRun {
 /// Runs `cell` turn by turn until its motion is known: at once when rest or a stable orbit (of up to twice
 /// max_order turns; in a rotationally symmetric scene a circle or an oval) is proven, once `TorusWatch` sees
 /// a torus, else after `max_revolutions`, whose last two windows decide. When both windows find neither a
-/// period nor rest, a rotationally symmetric scene is searched for a comb, and what is left undecided is
+/// period nor rest, a rotationally symmetric scene is searched for a comb; a motion still undecided is
 /// followed further by `classify_aperiodic`, at the run's tolerance or 1e-7, whichever is tighter.
 SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
                   const motion::ResponseOptions& options, motion::Workspace& workspace);

@@ -11,11 +11,11 @@
 
 namespace rubsweep::response {
 
-/// Looks now and then, while a run goes on, whether it has come to a torus: a motion that never has a period
-/// to be proven, and would else take every run to its end. From turn `settled_after` on a tangent vector is
-/// carried; looks come 200 turns later and then after a quarter as many again, as long as the window that is
-/// to show the torus ends before the run's last two begin. Chaos may be a transient and ends no run; but the
-/// growth of what was carried then counts at its end.
+/// Early detection of a torus: a motion that never has a period to be proven, and would take every run to its
+/// end. From turn `settled_after` on a tangent vector is carried; tests come 200 turns later and then after a
+/// quarter as many again, as long as the window that is to confirm the torus ends before the run's last two
+/// begin. Chaos may be a transient and ends no run; but the growth of the tangent vector then counts at the
+/// run's end.
 class TorusWatch {
  public:
   static constexpr long settled_after = 100;
@@ -25,12 +25,12 @@ class TorusWatch {
 
   /// The turn after `revolutions` turns is to carry this.
   void ask(long revolutions, integrate::run::TurnRequest& request) const;
-  /// Takes in what was answered. A solver that moves no tangent vectors ends the watch.
+  /// Takes in the answer. A solver that moves no tangent vectors ends the watch.
   void add(const integrate::run::TurnRequest& request, const integrate::run::TurnReport& turn);
 
   /// Revolutions after which it is time for a look; the run's most where none is left.
   long next_look() const { return look_; }
-  /// Sets the next look, or where it sees a torus the begin of the window that is to show it.
+  /// Runs the torus test; on success opens the confirmation window, else schedules the next test.
   void look(spectrum::SpectrumWorkspace& workspace);
 
   /// Revolutions after which the windows begin that a verdict is made from: two of them, or one where a torus

@@ -57,7 +57,7 @@ void refuse_what_is_not_finite(Row& row) {
   }
 }
 
-/// A run that ended sooner than its kick shows the kick, not what it leads to.
+/// Flags a run that ended sooner than its kick: it shows the kick, not the motion after it.
 void doubt_unfinished_kick(Row& row, const scene::Scene& scene) {
   const double run_s = static_cast<double>(row.revolutions) * scene.period_s();
   const bool over = std::ranges::all_of(scene.pulses, [&](const scene::Pulse& pulse) {
@@ -104,7 +104,7 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const s
   });
 }
 
-/// With what robustness asks for.
+/// The row of a place, with the runs that robustness needs.
 Row evaluate_place(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
                    response::motion::Workspace& workspace) {
   Row row = evaluate(study, prepared, place, workspace);

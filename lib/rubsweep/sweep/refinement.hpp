@@ -28,7 +28,7 @@ inline constexpr int unknown_label = -1;
 /// cells are computed in whatever order and after whatever break.
 std::vector<std::size_t> wanted_cells(const Grid& grid, std::span<const int> labels);
 
-/// After how many splits of its block a cell is met; 0 on the lattice and of probes.
+/// Refinement level at which a cell is first evaluated; 0 on the lattice and for probes.
 int refinement_level(const Grid& grid, std::size_t cell);
 
 /// Labels of all cells of a complete refined map: those of a block whose known labels are equal belong to

@@ -23,16 +23,16 @@ struct Probe {
   std::string motion;  ///< class and order, such as "subharmonic 1/2"
 };
 
-/// A stretch of numbers after all of which rub goes on, as far as the scan saw. Both ends were tried; where
-/// the stretch does not reach an end of the scan, the number next to it by the tolerance was tried as well,
-/// and rub did not go on.
+/// Interval of numbers at all of which rub goes on, as far as the scan saw. Both ends were tried; where the
+/// interval does not reach an end of the scan, the number next to it by the tolerance was tried as well, and
+/// rub did not go on.
 struct RubInterval {
   double from = 0, to = 0;
   std::vector<std::string> motions;  ///< in the order in which they come first
 };
 
-/// After which numbers rub goes on: any number of intervals, none where it never does. An interval that is
-/// narrower than a step of the scan may be missed.
+/// Intervals of numbers at which rub goes on: any number of them, none where it never does. An interval that
+/// is narrower than a step of the scan may be missed.
 struct Threshold {
   std::vector<RubInterval> intervals;  ///< ascending
   std::size_t probes = 0;              ///< numbers that were tried

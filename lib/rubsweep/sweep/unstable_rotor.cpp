@@ -42,7 +42,7 @@ struct Found {
   }
 };
 
-/// The machine whose axes hold what they do in a cell; empty where its numbers are not allowed together.
+/// Machine of a cell's values on the axes; empty where its numbers are not allowed together.
 std::optional<scene::PreparedMachine> machine_of(const Study& study, std::size_t cell) {
   try {
     return scene::prepare_machine(study.with_keys(key_values(study.grid, cell)).machine);

@@ -29,8 +29,8 @@ std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::P
   return std::nullopt;
 }
 
-/// No length of a mode can grow by more than its share of the whole impulse, however the pulse spreads it in
-/// time. The shares of several pulses do not simply add up; nothing is said then.
+/// No modal amplitude can grow by more than its share of the whole impulse, however the pulse spreads it in
+/// time. Not applicable to several pulses, whose shares do not simply add up.
 bool never_touches(const scene::Cell& cell) {
   const scene::Scene& scene = cell.scene;
   if (scene.pulses.size() > 1) return false;

@@ -21,7 +21,7 @@ struct Drive {
   double rate = 0;                            ///< rad/s
 };
 
-/// Where the phasors e^{i rate t} are, or by how much they turn: that of the unbalance and those of pulses.
+/// Values of the phasors e^{i rate t}, or the factors that turn them: of the unbalance and of the pulses.
 struct Phasors {
   std::complex<double> shaft{1};
   std::vector<std::complex<double>> pulses{};
@@ -38,16 +38,16 @@ class Drives {
   const std::vector<Drive>& pulses() const { return pulses_; }
   /// Indices of the pulses that act, ascending: their phasors are kept in this order.
   const std::vector<std::size_t>& acting() const { return acting_; }
-  /// The highest rate of what acts, or `other` where that is higher.
+  /// Highest angular frequency of the acting forces, or `other` where that is higher.
   double fastest_rad_per_s(double other) const {
     double fastest = std::max(other, unbalance_.rate);
     for (const std::size_t i : acting_) fastest = std::max(fastest, pulses_[i].rate);
     return fastest;
   }
 
-  /// At a phase of the shaft; no pulse acts from here on.
+  /// Sets the phasors for a phase of the shaft; no pulse acts from here on.
   void start(double phase_rad, Phasors& phasors);
-  /// The same, and those pulses act that do at `time_s` in the revolution of `times`, which counts seconds.
+  /// The same, with the pulses that act at `time_s` in the revolution of `times`, which counts seconds.
   void start(double phase_rad, const run::PulseTimes& times, double time_s, Phasors& phasors);
 
   void turn(Phasors& phasors, double duration_s) const {
@@ -55,16 +55,16 @@ class Drives {
     for (std::size_t k = 0; k < acting_.size(); ++k)
       phasors.pulses[k] = product(phasors.pulses[k], turn_of(pulses_[acting_[k]], duration_s));
   }
-  /// By how much all phasors turn, those of pulses that do not act among them.
+  /// Factors that turn all phasors by a duration, those of pulses that do not act among them.
   Phasors turns(double duration_s) const;
-  /// By such.
+  /// Turns the phasors by such factors.
   void turn(Phasors& phasors, const Phasors& by) const {
     phasors.shaft = product(phasors.shaft, by.shaft);
     for (std::size_t k = 0; k < acting_.size(); ++k)
       phasors.pulses[k] = product(phasors.pulses[k], by.pulses[acting_[k]]);
   }
 
-  /// Adds the acceleration of coordinate `j`; of what contact `i` sees along its normal.
+  /// Adds the acceleration of coordinate `j`; of contact `i` along its normal.
   void add_acceleration(Eigen::Index j, const Phasors& phasors, double& sum) const {
     sum += real_product(unbalance_.acceleration(j), phasors.shaft);
     for (std::size_t k = 0; k < acting_.size(); ++k)

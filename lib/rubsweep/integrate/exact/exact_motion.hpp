@@ -19,15 +19,15 @@
 
 namespace rubsweep::integrate::exact {
 
-/// State of an exact run: the free vibration in the present contact mode and the phases of what drives it.
-/// Propagation has no truncation error; it knows nothing of when a mode ends. Time in seconds, lengths
+/// State of an exact run: the free vibration in the present contact mode and the phasors of the forces.
+/// Propagation has no truncation error; the ends of modes are not its business. Time in seconds, lengths
 /// scaled.
 template <int N>
 class ExactMotion {
  public:
   using State = typename ExactTypes<N>::State;
 
-  /// A guard function (or what stands for it), its rate, and a bound on its second derivative within the
+  /// A guard function (or its smooth substitute), its rate, and a bound on its second derivative within the
   /// mode's longest step.
   struct GuardValue {
     double value = 0, rate = 0, curvature = 0;
@@ -38,10 +38,10 @@ class ExactMotion {
   /// Puts a state (u, u') into a joint mode. False where the mode has no closed form here: no equilibrium, or
   /// a harmonic force at an undamped resonance.
   bool enter(std::size_t joint, const State& physical);
-  /// Goes over into another joint mode where it stands, without a way over displacements where no pulse acts
-  /// and the compiler knows N (ModeChange). False as of `enter`.
+  /// Changes to another joint mode at the present state, without a detour over displacements where no pulse
+  /// acts and the compiler knows N (ModeChange). False as for `enter`.
   bool change(std::size_t joint);
-  /// Times that a mode was entered.
+  /// Number of times that a mode was entered.
   long visits() const { return visits_; }
 
   /// As Drives::start.
@@ -135,8 +135,8 @@ class ExactMotion {
   };
   CasingMotion casing(std::size_t c, const Instant& instant) const;
 
-  /// How fast the sliding speed of the touching contact `t` changes, scaled length per second squared, and a
-  /// bound of its second derivative within the mode's longest step.
+  /// Rate of the sliding speed of the touching contact `t`, scaled length per second squared, and a bound of
+  /// its second derivative within the mode's longest step.
   struct SlidingRate {
     double rate = 0, curvature = 0;
   };
@@ -153,20 +153,20 @@ class ExactMotion {
   double land(std::size_t e, double within_s);
 
   /// Bound on |d slip / dt| / length scale of a touching contact that has a `friction_rate`, within the
-  /// mode's longest step from `physical`, the present state; what friction adds is not in it.
+  /// mode's longest step from `physical`, the present state, without the contribution of friction.
   double sliding_rate_bound(const TouchWatch<N>& touch, const State& physical) const;
 
   void carry_no_tangents() { tangents_.clear(); }
   /// Carries tangent vectors of the state along from here on.
   void carry_tangents(const Eigen::MatrixXd& vectors) { tangents_.begin(*mode_, scale_, vectors); }
-  /// Where they are now: as many of the first ones as `vectors` has columns.
+  /// Puts out the tangent vectors where they are now: as many of the first ones as `vectors` has columns.
   void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, scale_, vectors); }
 
-  /// Carries one more, given as a change of (u, u').
+  /// Carries one more tangent vector, given as a change of (u, u').
   void carry_tangent_too(const State& vector) { tangents_.add(*mode_, vector); }
-  /// Where they are now, as `free()`.
+  /// Tangent vectors where they are now, in the coordinates of `free()`.
   std::vector<State> tangents() { return tangents_.now(*mode_); }
-  /// `unit` times what a linear function of the free vibration makes of each of them.
+  /// Products of each tangent vector with a linear function of the free vibration, times `unit`.
   void put_tangent_sums(const ModalTerms& terms, double unit, ModalSums& sums) {
     tangents_.put_sums(*mode_, terms, unit, sums);
   }

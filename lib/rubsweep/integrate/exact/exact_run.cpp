@@ -142,7 +142,7 @@ bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& r
   return !clock_.impulse_is_due() || apply_impulses(report);
 }
 
-/// Where the motion stands at the end of the last turn only its phase starts again, from exactly zero.
+/// At the start of a turn only the phase starts again, from exactly zero; the motion continues.
 template <int N>
 bool ExactRun<N>::start_motion(bool pulses_changed) {
   const bool stands = std::exchange(goes_on_, false);
@@ -174,7 +174,7 @@ ExactEnding ExactRun<N>::end_turn(run::TurnReport& report) {
   return ExactEnding::ok;
 }
 
-/// Steps as they follow each other, only one where something is watched, and what ends them.
+/// Steps one after the other, only one where something is watched, and the events that end them.
 template <int N>
 ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
   watch_.start_step(motion_, clock_.time_s(), report);
@@ -234,7 +234,7 @@ bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
   return !clock_.impulse_is_due() || apply_impulses(report);
 }
 
-/// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
+/// Applies all impulses of this instant. They shift the state by constants: tangent vectors do not change.
 template <int N>
 bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
   State here = motion_.physical();
@@ -284,7 +284,7 @@ void ExactRun<N>::note_switches(run::TurnReport& report, std::size_t from, std::
   }
 }
 
-/// In the mode that was entered at `here`; false as of `begin_slip`.
+/// Begins the motion in the mode that was entered at `here`; false as for `begin_slip`.
 template <int N>
 bool ExactRun<N>::begin_motion(const State& here) {
   if (!begin_slip(here)) return false;
@@ -292,7 +292,7 @@ bool ExactRun<N>::begin_motion(const State& here) {
   return true;
 }
 
-/// False where friction is not saturated, and the run ends at `here`.
+/// Begins the slip watch. False where friction is not saturated, and the run ends at `here`.
 template <int N>
 bool ExactRun<N>::begin_slip(const State& here) {
   if (slip_.begin(motion_, here)) return true;
@@ -301,7 +301,7 @@ bool ExactRun<N>::begin_slip(const State& here) {
   return false;
 }
 
-/// The bounds of the watch hold over one longest stretch.
+/// Renews the slip watch, whose bounds hold over one longest stretch.
 template <int N>
 bool ExactRun<N>::renew_slip_watch(StepChoice& choice) {
   if (motion_.joint() == 0 || slip_.duration_s() + choice.step_s <= slip_.longest_s()) return true;

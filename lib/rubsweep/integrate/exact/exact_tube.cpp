@@ -26,7 +26,7 @@ double largest_length(const Eigen::MatrixXd& matrix) {
   return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 
-/// Follows the reference by certified steps and takes down what the tube must keep away from.
+/// Follows the reference by certified steps and records the limits that the tube must keep away from.
 template <int N>
 class TubeBuilder {
  public:

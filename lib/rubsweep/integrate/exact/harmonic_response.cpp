@@ -8,8 +8,8 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// A forced amplitude beyond this many clearances comes from a resonance that nothing damps: the cancellation
-/// against the free part would cost digits.
+/// Largest forced amplitude, in clearances: a larger one comes from an undamped resonance, where the
+/// cancellation against the free part would cost digits.
 constexpr double largest_amplitude = 1e4;
 
 using Complex = std::complex<double>;

@@ -20,10 +20,10 @@ inline std::complex<double> product(const std::complex<double>& a, const std::co
   return {real_product(a, b), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-/// The response of one contact mode to one harmonic force (unbalance, or the half-sine of a kick):
-/// u = Re(amplitude e^{i rate t}). Whoever follows the motion keeps the phasor e^{i rate t}. The other
-/// members say what this response adds to the guards, forces and sliding speeds of the mode, so that none of
-/// it is computed from u in the time loop.
+/// Response of one contact mode to one harmonic force (unbalance, or the half-sine of a kick): u =
+/// Re(amplitude e^{i rate t}), with the phasor e^{i rate t} kept by the caller. The other members are its
+/// contributions to the guards, forces and sliding speeds of the mode, so that none of these is computed from
+/// u in the time loop.
 template <int N>
 struct HarmonicResponse {
   using Complex = std::complex<double>;
@@ -72,8 +72,8 @@ struct HarmonicResponse {
   }
 };
 
-/// HarmonicResponse of u'' = -K u - C u' + Re(force e^{i rate t}) in the mode. False at a resonance that
-/// nothing damps.
+/// HarmonicResponse of u'' = -K u - C u' + Re(force e^{i rate t}) in the mode. False at an undamped
+/// resonance.
 template <int N>
 bool make_harmonic_response(const LinearMode<N>& mode, const Eigen::VectorXcd& force, double rate_rad_per_s,
                             HarmonicResponse<N>& response);

@@ -15,7 +15,7 @@ constexpr std::size_t in_joint_mode(contact::Mode mode, std::size_t i) {
   return static_cast<std::size_t>(mode) << (2 * i);
 }
 
-/// The bit that says so of contact `i` of `contacts`.
+/// Bit of contact `i` of `contacts` for a backward slip.
 constexpr std::size_t backward_in_joint_mode(std::size_t i, std::size_t contacts) {
   return std::size_t{1} << (2 * contacts + i);
 }
@@ -27,7 +27,7 @@ inline std::size_t joint_mode_of(const std::vector<contact::Mode>& modes) {
   return joint;
 }
 
-/// The modes alone.
+/// The modes without the directions of slips.
 constexpr std::size_t modes_of_joint_mode(std::size_t joint, std::size_t contacts) {
   return joint & ((std::size_t{1} << 2 * contacts) - 1);
 }

@@ -21,7 +21,7 @@ namespace {
 using contact::Mode;
 using Matrix = Eigen::MatrixXd;
 
-/// The slowest oscillator's natural frequency, as if undamped.
+/// Natural frequency of the slowest oscillator, as if undamped.
 double slowest(const Matrix& stiffness) {
   return std::sqrt(numerics::eigenvalues(stiffness).cwiseAbs().minCoeff());
 }
@@ -29,7 +29,7 @@ double slowest(const Matrix& stiffness) {
 /// Builds the linear mode of one joint contact mode.
 template <int N>
 class ModeBuilder {
-  /// Large structures would take longer than what it gains for them.
+  /// For large structures long double takes longer than it gains.
   static constexpr bool unrounded = N != Eigen::Dynamic;
   using Number = std::conditional_t<unrounded, long double, double>;
   using LongOrDouble = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;

@@ -94,7 +94,7 @@ struct TouchWatch {
   std::vector<double> friction_rate, friction_swing;
 };
 
-/// How a casing moves with the free vibration, so that its place need not be taken from a whole state.
+/// Displacement of a casing as a linear function of the free vibration, so that no whole state is needed.
 template <int N>
 struct CasingView {
   Eigen::Matrix<double, 2, N> map;  ///< as of run::ScaledCasing
@@ -109,11 +109,11 @@ struct UnroundedMode {
   numerics::LongMatrix basis, inverse;
 };
 
-/// Everything that the exact solver knows beforehand about one joint contact mode, inside which the law is
-/// linear: (u, u') = particular solution + basis z with the free vibration z. Where the mode has a modal form
-/// (`paired`), z consists of pairs (z_j, z_{n+j}) that do not influence each other, and bounds go by the
-/// length of each pair. Else the basis is the identity, z moves by full matrix exponentials, and bounds go by
-/// the size of each component.
+/// Precomputed data of one joint contact mode, inside which the law is linear: (u, u') = particular
+/// solution + basis z with the free vibration z. Where the mode has a modal form (`paired`), z consists of
+/// pairs (z_j, z_{n+j}) that do not influence each other, and bounds go by the length of each pair. Else
+/// the basis is the identity, z moves by full matrix exponentials, and bounds go by the size of each
+/// component.
 template <int N>
 struct LinearMode {
   using Types = ExactTypes<N>;

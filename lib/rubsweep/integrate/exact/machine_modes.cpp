@@ -44,7 +44,7 @@ MachineModes<N>::MachineModes(const scene::Scene& scene)
   if (scene.contacts.size() > most_exact_contacts) throw SolverError("MachineModes: too many contacts");
   inverse_mass_ = scene.structure.mass.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
   for (const scene::Contact& c : scene.contacts) {
-    // Without a limit the contact is only ever planned as open.
+    // Friction without a limit is only ever planned for an open contact.
     common_.friction.push_back(
         contact::saturated_friction(c.friction).value_or(contact::SaturatedFriction{}));
   }

@@ -13,7 +13,7 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Everything about a structure and its stops that no speed, unbalance or kick changes: the exact flows of
+/// Quantities of a structure and its stops that no speed, unbalance or kick changes: the exact flows of
 /// its contact modes, with friction saturated. Modes are made when first met; one thread uses them at a
 /// time.
 template <int N>
@@ -24,12 +24,12 @@ class MachineModes {
   /// Whether these were made for the same structure, stops and constant forces.
   bool fits(const scene::Scene& scene) const;
 
-  /// About what the flows of all modes made so far take.
+  /// Approximate size of the flows of all modes made so far.
   std::size_t bytes() const;
 
   /// Linear mode of a joint contact mode, numbered as by `in_joint_mode`. Null where the mode has no
-  /// equilibrium, as in a structure without springs, and where as many modes with a slip that goes backward
-  /// are kept as there is room for.
+  /// equilibrium, as in a structure without springs, and once the largest number of modes with a backward
+  /// slip are kept.
   const LinearMode<N>* mode(std::size_t joint);
 
   /// The change between two of its modes.

@@ -19,11 +19,11 @@ inline numerics::Twin pair_size(numerics::Twin pair) {
 inline double pair_size(double u, double v) { return pair_size(numerics::Twin{u, v})[0]; }
 
 /// One term of a linear function of the free vibration z: a penetration, for example, is a fixed combination
-/// of all modal coordinates, and what one mode of vibration adds to it is a term. It depends on the pair
+/// of all modal coordinates, and the contribution of one mode of vibration is a term. It depends on the pair
 /// (z_u, z_v) of that mode; in a contact mode without a modal form, on a displacement and its velocity.
 struct ModalTerm {
   Eigen::Index u = 0, v = 0;
-  // Each by the number that z_u is multiplied by, and that for z_v.
+  // Factors of z_u and of z_v.
   numerics::Twin value{};  ///< the term is value . (z_u, z_v)
   numerics::Twin rate{};   ///< its time derivative is rate . (z_u, z_v)
   /// Bound of its second derivative over the mode's longest step from now: bound[0] |(z_u, z_v)| with a modal
@@ -48,8 +48,8 @@ struct ModalTerms {
   }
 };
 
-/// A sum of such terms: their value, their time derivative, and a bound of their second derivative. What
-/// comes from z_u and from z_v is summed apart: the processor adds both at once.
+/// A sum of such terms: their value, their time derivative, and a bound of their second derivative. Parts
+/// from z_u and from z_v are summed separately: the processor adds both at once.
 class ModalSum {
  public:
   /// `paired`: z has a modal form.

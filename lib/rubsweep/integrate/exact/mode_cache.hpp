@@ -14,9 +14,9 @@ namespace rubsweep::integrate::exact {
 /// Default capacity of a ModeCache.
 inline constexpr std::size_t most_bytes_of_a_mode_cache = std::size_t{256} << 20;
 
-/// The modes of the machines that were used last, so that runs of one machine at other unbalances need not
-/// factorise again: a rotor whose gyroscopic forces grow with the speed is another machine at each speed, and
-/// a map comes back to every speed once a row. Belongs to one thread.
+/// Least-recently-used cache of the modes of machines, so that runs of one machine at other unbalances need
+/// not factorise again: a rotor whose gyroscopic forces grow with the speed is another machine at each speed,
+/// and a map comes back to every speed once a row. Belongs to one thread.
 class ModeCache {
  public:
   /// Drops the machines unused for longest until the cache holds no more than this; the machine asked for

@@ -5,11 +5,11 @@
 
 namespace rubsweep::integrate::exact {
 
-/// How the free vibration goes over from one contact mode into another where the state does not change:
-/// z' = by z + constant, and what harmonic forces add. A contact is as stiff as thousands of shafts, so that
-/// the rounding of a displacement of one clearance is a force that counts; of z a contact sees little but its
-/// own fast pair, which is small. So the way from z to z' does not lead over displacements: what two modes
-/// differ by is taken in long double, and rounded only then.
+/// Transformation of the free vibration from one contact mode to another where the state does not change: z'
+/// = by z + constant, plus contributions of harmonic forces. A contact is as stiff as thousands of shafts, so
+/// that the rounding of a displacement of one clearance is a considerable force; a contact sees little of z
+/// but its own fast pair, which is small. So the transformation avoids displacements: the difference of the
+/// two modes is taken in long double, and rounded only then.
 template <int N>
 struct ModeChange {
   typename ExactTypes<N>::Factor by;

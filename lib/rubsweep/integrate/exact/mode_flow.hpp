@@ -54,7 +54,7 @@ double table_steps(const LinearMode<N>& mode, double fastest_rad_per_s, double d
   return duration_s;
 }
 
-/// The step of the mode's table that lasts just `duration_s`; exact_step_count where none does.
+/// Step of the mode's table with exactly the length `duration_s`; exact_step_count where there is none.
 template <int N>
 int table_step_of(const LinearMode<N>& mode, double duration_s) {
   if (!(duration_s > 0)) return numerics::exact_step_count;  // a landing may go back by rounding

@@ -9,7 +9,7 @@
 
 namespace rubsweep::integrate::exact {
 
-/// How the free vibration z of a mode moves, which says how fast a row on it changes and within what bounds.
+/// Motion of the free vibration z of a mode, which gives the rate and the bounds of a row on it.
 template <int N>
 struct FreeVibration {
   typename ExactTypes<N>::Flow basis;  ///< (u, u') of z
@@ -17,8 +17,8 @@ struct FreeVibration {
   std::optional<numerics::FlowBound> flow_bound;  ///< where there is no modal form
 };
 
-/// Adds to a mode whose flow is made what is seen of its motion: the guards of its contacts, the forces and
-/// sliding speeds of those that touch, the casings. `backward` as of make_linear_mode.
+/// Adds to a mode whose flow is made the linear functions of its motion: the guards of its contacts, the
+/// forces and sliding speeds of those that touch, the casings. `backward` as of make_linear_mode.
 template <int N>
 void add_views(const CommonToModes& common, const std::vector<bool>& backward,
                const FreeVibration<N>& vibration, LinearMode<N>& mode);

@@ -13,19 +13,19 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Between states no farther apart than this a cubic through values and rates has the maximum of a contact
-/// force. Its error is at most h^4 / 384 times the largest fourth derivative, which for a vibration of
-/// amplitude F at the angular frequency w is F w^4. No rate w of the motion is faster than 1 / reach_s(), so
-/// that h = reach_s() / 4 makes the error (1 / 4)^4 / 384 = 1e-5 of the amplitude.
+/// Spacing of states at which a cubic through values and rates has the maximum of a contact force. Its error
+/// is at most h^4 / 384 times the largest fourth derivative, which for a vibration of amplitude F at the
+/// angular frequency w is F w^4. No rate w of the motion is faster than 1 / reach_s(), so that h = reach_s()
+/// / 4 makes the error (1 / 4)^4 / 384 = 1e-5 of the amplitude.
 template <int N>
 double peak_reach_s(const ExactMotion<N>& motion) {
   return 0.25 * motion.reach_s();
 }
 
 /// Largest displacements and contact force of an exact run: of the rotor's displacement from values and rates
-/// at the ends of its steps, of a force by certified steps towards the instants where it may exceed what is
-/// known, of a casing's displacement by steps as short as its vibration asks for, where its energy does not
-/// show that it stays below what is known.
+/// at the ends of its steps, of a force by certified steps towards the instants where it may exceed the known
+/// peak, of a casing's displacement by steps as short as its vibration demands, where its energy does not
+/// show that it stays below the known peak.
 template <int N>
 class PeakWatch {
  public:
@@ -124,9 +124,9 @@ class PeakWatch {
     known_m = std::max(known_m, length_m_ * std::sqrt(square));
   }
 
-  /// From the step's start to its end `here`. Where the force may exceed what is known the steps are so short
-  /// that a cubic through values and rates of both ends has its maximum; in a mode without pairs the run's
-  /// own steps are.
+  /// From the step's start to its end `here`. Where the force may exceed the known peak the steps are so
+  /// short that a cubic through values and rates of both ends has its maximum; in a mode without pairs the
+  /// run's own steps are short enough.
   void raise_force(const ExactMotion<N>& motion, std::size_t t, const Instant& here, double left_s,
                    double& known_n) {
     const double reach_s = peak_reach_s(motion);

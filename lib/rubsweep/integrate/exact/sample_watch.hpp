@@ -8,9 +8,9 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Takes the samples of an exact run. In modes with a modal form samples do not cut the run's steps: a second
-/// copy of the state goes from sample to sample by the flow over one sampling interval. In other modes, where
-/// such a flow would be a full matrix, the run ends its steps at every sample.
+/// Sampling of an exact run. In modes with a modal form samples do not cut the run's steps: a second copy of
+/// the state goes from sample to sample by the flow over one sampling interval. In other modes, where such a
+/// flow would be a full matrix, the run ends its steps at every sample.
 template <int N>
 class SampleWatch {
  public:
@@ -24,7 +24,7 @@ class SampleWatch {
     if (count_ > 0) report.samples.resize(static_cast<std::size_t>(count_ * states));
   }
 
-  /// Goes on behind the samples that another solver has put into the report.
+  /// Continues after the samples that another solver has put into the report.
   void resume(const run::TurnReport& report) {
     next_ = report.sample_count;
     visit_ = -1;

@@ -15,11 +15,11 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Watches that friction stays saturated and keeps its way, so that its coefficient is the constant that the
-/// linear mode was made with, over stretches of contact no longer than the mode's longest step. What is left
-/// of a slip is a guard like any other: from its value, its rate and a bound of its second derivative follows
-/// a stretch over which it cannot come to zero. So what a stretch was begun for holds all along it, and a
-/// motion whose next stretch would be too short to be worth a step still stands where friction is saturated.
+/// Event function for friction that must stay saturated and keep its direction, so that its coefficient is
+/// the constant of the linear mode, over stretches of contact no longer than the mode's longest step. The
+/// slip margin is a guard like any other: its value, its rate and a bound of its second derivative give a
+/// stretch over which it cannot come to zero. So the premise of a stretch holds all along it, and a motion
+/// whose next stretch would be too short to be worth a step is still at a point of saturated friction.
 template <int N>
 class SlipWatch {
  public:
@@ -38,8 +38,8 @@ class SlipWatch {
     }
   }
 
-  /// The joint mode of these contact modes in which every slip goes the way it has at `physical`. Empty where
-  /// the friction of a touching contact is not saturated there.
+  /// Joint mode of these contact modes with the direction that every slip has at `physical`. Empty where the
+  /// friction of a touching contact is not saturated there.
   std::optional<std::size_t> saturated_mode(const MachineModes<N>& machine, std::size_t modes,
                                             const State& physical) const {
     const std::size_t joint = with_ways(machine, modes, physical);
@@ -50,7 +50,7 @@ class SlipWatch {
     return joint;
   }
 
-  /// The same whether or not it is saturated.
+  /// The same whether or not friction is saturated.
   std::size_t with_ways(const MachineModes<N>& machine, std::size_t modes, const State& physical) const {
     std::size_t joint = modes;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -60,7 +60,7 @@ class SlipWatch {
     return joint;
   }
 
-  /// Whether the slip of contact `i` does at `physical`, and its friction with it.
+  /// Whether the slip of contact `i`, and its friction with it, goes backward at `physical`.
   bool goes_backward(const MachineModes<N>& machine, std::size_t i, const State& physical) const {
     return !contacts_[i].always() && slip(machine, i, physical) < 0;
   }
@@ -131,7 +131,7 @@ class SlipWatch {
 
   void advance(double duration_s) { duration_s_ += duration_s; }
   double duration_s() const { return duration_s_; }
-  /// How long a stretch that began here may be.
+  /// Longest stretch from where the present one began.
   double longest_s() const { return longest_s_; }
 
   /// Shortest stretch that is worth a step, as a share of the mode's longest step.

@@ -24,8 +24,8 @@ struct StepChoice {
   double earliest_s = 0;        ///< before that it cannot be
   bool annular = false;         ///< an annular stop is about to be touched
 
-  /// No further than this. A crossing that was to be landed on later than that is no longer certain to be the
-  /// first: the step ends before it, too, unless all of this is one instant.
+  /// Limits the step. A crossing that was to be landed on later than the limit is no longer certain to be the
+  /// first: the step then ends before it, too, unless all of this is one instant.
   void keep_below(double other_step_s, double same_instant_s) {
     if (other_step_s >= step_s) return;
     const double safe_s = crossing == none ? other_step_s : std::min(other_step_s, earliest_s);
@@ -34,9 +34,9 @@ struct StepChoice {
     crossing = none;
   }
 
-  /// Guard `e` is crossed between these instants, the later one within reach. Of two crossings the first is
-  /// the one whose latest instant comes before the other's earliest. Where that tells nothing the step ends
-  /// before either: from there both intervals are smaller, by the square of their length.
+  /// Takes in that guard `e` is crossed between these instants, the later one within reach. Of two crossings
+  /// the first is the one whose latest instant comes before the other's earliest. Where neither does, the
+  /// step ends before both: from there both intervals are smaller, by the square of their length.
   void keep_first(std::size_t e, double from_s, double to_s, double same_instant_s) {
     if (crossing == none) {
       if (to_s >= step_s) return keep_below(from_s, same_instant_s);

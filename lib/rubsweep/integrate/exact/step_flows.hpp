@@ -11,9 +11,9 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Flows e^{A h} of a contact mode without pairs over the steps h of its table, as what a state is multiplied
-/// by. Made when first met, since most of a table is never asked for: in long double they are the dearest
-/// part of a mode. One thread uses them at a time.
+/// Flows e^{A h} of a contact mode without pairs over the steps h of its table, as matrices that a state is
+/// multiplied by. Made when first met, since most of a table is never used: in long double they are the most
+/// expensive part of a mode. One thread uses them at a time.
 template <class Factor>
 class StepFlows {
  public:

@@ -50,9 +50,9 @@ class StickingMode {
  public:
   using System = run::ScaledSystem<Eigen::Dynamic>;
 
-  /// Per contact its mode, and which of them stick; those that touch and do not stick must have no friction.
-  /// Empty where the mode has no closed form of this kind: contacts whose frictions are not told apart by the
-  /// motion, no equilibrium, a resonance that nothing damps, vibrations that are nearly dependent.
+  /// Mode of each contact, and which of them stick; those that touch and do not stick must have no friction.
+  /// Empty where the mode has no closed form of this kind: contacts whose frictions the motion does not
+  /// determine, no equilibrium, an undamped resonance, vibrations that are nearly dependent.
   static std::optional<StickingMode> make(const System& system, const std::vector<contact::Mode>& modes,
                                           const std::vector<bool>& sticks);
 

@@ -13,16 +13,16 @@ namespace rubsweep::integrate::exact {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
-/// Cubics between values and rates so many radians of a vibration apart miss its peaks by less than h^4 / 384
-/// of its amplitude: 2e-9 of what turns with the shaft, 1e-6 of what is faster and small beside it.
+/// Spacing of cubics in radians of a vibration: they miss its peaks by less than h^4 / 384 of its amplitude:
+/// 2e-9 for the unbalance's own vibration, 1e-6 for faster ones, which are small beside it.
 constexpr double peak_step = 0.03, fast_peak_step = 0.15;
-/// A piece of Taylor series goes so many radians of the fastest vibration at most: a step has to go further.
+/// Longest piece of Taylor series, in radians of the fastest vibration: a step has to go further.
 constexpr double piece = 8;
 /// A vibration below this share of a clearance adds less than that to any peak.
 constexpr double unseen = 1e-10;
 
-/// How far no guard that is made of the slow parts of `view` and, of its free vibration, the largest value or
-/// the present one, can come to zero; no further than `longest_rad`.
+/// Duration for which no guard, made of the slow parts of `view` and, for its free vibration, the largest
+/// value or the present one, can come to zero; `longest_rad` at most.
 double certified_by(const StickingView& view, const StickingMotion& motion, double growth,
                     double longest_rad) {
   const Eigen::Index k = motion.free.size() / 2;

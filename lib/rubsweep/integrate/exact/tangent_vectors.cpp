@@ -8,8 +8,8 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// From so many on they lie side by side: fewer do not fill a register, and a product by full matrices is
-/// then made several rows at once.
+/// Smallest number of vectors that lie side by side: fewer do not fill a register, and a product by full
+/// matrices is then made several rows at once.
 constexpr std::size_t fewest_side_by_side = 4;
 
 }  // namespace

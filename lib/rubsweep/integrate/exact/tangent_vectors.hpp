@@ -19,9 +19,9 @@ template <int N>
 class TangentVectors {
  public:
   void clear();
-  /// One per column, as TurnRequest::tangent_vectors of sections in this scale, in `mode` from here on.
+  /// Begins with one vector per column, as TurnRequest::tangent_vectors of sections in this scale, in `mode`.
   void begin(const LinearMode<N>& mode, const run::StateScale& scale, const Eigen::MatrixXd& vectors);
-  /// The run has gone on in its mode.
+  /// The run has spent `duration_s` more in its mode.
   void pass(double duration_s) { lag_s_ += duration_s; }
   /// The run leaves mode `from` for `to`. The force is continuous there, so that tangent vectors go on
   /// without a jump (the saltation matrix is the identity); only their coordinates change.
@@ -32,7 +32,7 @@ class TangentVectors {
   void add(const LinearMode<N>& mode, const typename ExactTypes<N>::State& physical);
   /// Where they are now in the coordinates of `mode`, the present one.
   std::vector<typename ExactTypes<N>::State> now(const LinearMode<N>& mode);
-  /// `unit` times what a linear function of the free vibration makes of each of them there.
+  /// Products of each with a linear function of the free vibration there, times `unit`.
   void put_sums(const LinearMode<N>& mode, const ModalTerms& terms, double unit, ModalSums& sums);
   /// Where the first ones are now, as many as `vectors` has columns.
   void put(const LinearMode<N>& mode, const run::StateScale& scale, Eigen::MatrixXd& vectors);

@@ -9,8 +9,8 @@
 
 namespace rubsweep::integrate::exact {
 
-/// The same as TangentsOneByOne, with the same bits, for many of many numbers: what is done to all of them is
-/// done to several at once.
+/// The same as TangentsOneByOne, with the same bits, for many long vectors: several of them are processed at
+/// once.
 class TangentsSideBySide {
  public:
   using Types = ExactTypes<Eigen::Dynamic>;

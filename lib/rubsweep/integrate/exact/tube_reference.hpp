@@ -13,8 +13,8 @@
 
 namespace rubsweep::integrate::exact {
 
-/// The reference motion of a tube, with the disturbances that it carries and what they make of its guards and
-/// slips.
+/// Reference motion of a tube, with the disturbances that it carries and their projections onto its guards
+/// and slips.
 template <int N>
 class TubeReference {
  public:
@@ -86,7 +86,7 @@ class TubeReference {
     return exact::spread_over(seen, base_, duration_s);
   }
 
-  /// How far the clamped contacts are from p = 0, which their guards do not watch and only entering the mode
+  /// Margins of the clamped contacts from p = 0, which their guards do not watch and only entering the mode
   /// makes positive: a turn that starts in it must be told.
   std::vector<TurnTube::Margin> clamped_margins() {
     const auto& contacts = motion_.machine().system().contacts;
@@ -116,7 +116,7 @@ class TubeReference {
   }
 
  private:
-  /// A linear function of the free vibration times `unit`.
+  /// Disturbances projected onto a linear function of the free vibration times `unit`.
   void see_by(const ModalTerms& terms, double unit, Seen& seen) {
     motion_.put_tangent_sums(terms, unit, seen);
   }

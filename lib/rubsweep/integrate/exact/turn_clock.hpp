@@ -10,7 +10,7 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Time within a revolution, and what happens there at instants that are known beforehand: its end, impulses,
+/// Time within a revolution, and its events at instants that are known beforehand: its end, impulses,
 /// beginnings and ends of pulses.
 class TurnClock {
  public:
@@ -40,9 +40,9 @@ class TurnClock {
   void go_to(double time_s) { time_s_ = time_s; }
   void go_to_phase(double phase_rad) { time_s_ = phase_rad / speed_; }
 
-  /// The soonest end of the turn, impulse, beginning or end of a pulse, in seconds as `time_s`.
+  /// Next end of the turn, impulse, beginning or end of a pulse, in seconds as `time_s`.
   double next_boundary_s() const { return std::min({period_s_, next_impulse_s(), pulses_.next_change()}); }
-  /// Pulses as they act from here on; true: others than did before.
+  /// Sets the acting pulses from here on; true: others than before.
   bool change_pulses() { return pulses_.go_to(time_s_); }
   const run::PulseTimes& pulses() const { return pulses_; }
 

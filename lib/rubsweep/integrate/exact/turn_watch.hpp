@@ -22,7 +22,7 @@ class TurnWatch {
     samples_.begin(request, report, period_s_, states);
     peaks_wanted_ = request.peaks;
   }
-  /// Goes on behind what another solver has put into the report.
+  /// Continues after the part of the report that another solver made.
   void resume(const run::TurnReport& report) { samples_.resume(report); }
 
   /// From here on, in the motion's present mode.
@@ -32,11 +32,11 @@ class TurnWatch {
 
   bool wanted() const { return peaks_wanted_ || samples_.wanted(); }
 
-  /// A step starts here, `time_s` into the turn; where nothing is wanted, the first of several.
+  /// Starts a step, `time_s` into the turn; where nothing is wanted, the first of several.
   void start_step(const ExactMotion<N>& motion, double time_s, run::TurnReport& report) {
     samples_.start(motion, time_s, report, scale_);
   }
-  /// Where the next step must end at the latest.
+  /// Latest end of the next step.
   double boundary_s(const ExactMotion<N>& motion) const { return samples_.boundary_s(motion); }
   /// Longest landing.
   double reach_s(const ExactMotion<N>& motion) const {
@@ -50,7 +50,7 @@ class TurnWatch {
     return longest_s;
   }
 
-  /// The step that started last has lasted `duration_s` and ends at `time_s`, still in its mode.
+  /// Ends the step that started last, which lasted `duration_s` and ends at `time_s`, still in its mode.
   void end_step(ExactMotion<N>& motion, double time_s, double duration_s, run::TurnReport& report) {
     if (!wanted()) return;
     const double rest_s =
@@ -63,7 +63,7 @@ class TurnWatch {
  private:
   static constexpr double steps_per_turn_when_watched = 64;
 
-  /// Peaks of a contact force or of a casing's displacement are to be looked for between the ends of short
+  /// Whether peaks of a contact force or of a casing's displacement are searched between the ends of short
   /// steps.
   bool peaks_by_steps(const ExactMotion<N>& motion) const {
     return peaks_wanted_ && !motion.mode().paired && (motion.mode().pushes || peaks_.watches_casings());

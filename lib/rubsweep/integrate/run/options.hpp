@@ -19,7 +19,7 @@ enum class Stepper {
   rosenbrock4,
 };
 
-/// How a stepper meets a change of contact mode.
+/// Treatment of a change of contact mode by a stepper.
 enum class ContactHandling {
   located,   ///< stops at every mode switch, found to rounding
   smoothed,  ///< integrates through, with a C1 blend of the law over `smoothing_m`

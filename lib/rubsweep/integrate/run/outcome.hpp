@@ -4,7 +4,7 @@
 
 namespace rubsweep::integrate::run {
 
-/// How a stretch of integration ended. A cell that cannot be integrated is a result like any other, so that
+/// Ending of a stretch of integration. A cell that cannot be integrated is a result like any other, so that
 /// this is a value and not an exception.
 enum class Outcome {
   ok,

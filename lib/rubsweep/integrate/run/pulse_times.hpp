@@ -9,7 +9,7 @@
 
 namespace rubsweep::integrate::run {
 
-/// When the half-sine pulses of a run act, revolution by revolution. Any number of them may overlap. Instants
+/// Times of the half-sine pulses of a run, revolution by revolution. Any number of them may overlap. Instants
 /// count from the start of the revolution, in the time of a StateScale; no memory is allocated once they are
 /// made.
 class PulseTimes {

@@ -16,8 +16,8 @@ numerics::Twin at_contact(const run::ScaledContact<N>& c, const Vector& of) {
   return numerics::Twin{c.first_row.dot(of), c.second_row.dot(of)};
 }
 
-/// How a contact's two directions lie to the coordinates of a structure that come two by two: what the
-/// contact sees of their motion, and what its force makes of them.
+/// Projection of a structure whose coordinates come in pairs onto a contact's two directions: the motion of
+/// the contact, and the accelerations by its force.
 template <int N>
 class AnyDirections {
  public:

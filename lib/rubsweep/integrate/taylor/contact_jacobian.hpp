@@ -27,7 +27,7 @@ class ContactJacobian {
     while (made_ <= k) make(made_++);
   }
 
-  /// This and the rest once a term is made.
+  /// Whether the contact is damped; this and the rest once a term is made.
   bool damped() const { return damper_ != 0; }
   /// Coefficients of the columns of A, and of B where damped.
   Twin first(int k) const { return first_[k]; }

@@ -26,19 +26,19 @@ class ContactSeries {
   const numerics::PlaneSeries& distance() const { return distance_; }
   const numerics::PlaneSeries& velocity() const { return velocity_; }
 
-  /// Starts an expansion in `mode` with the slip there, which says what of the friction is saturated. Dry
-  /// friction goes by `way` instead.
+  /// Starts an expansion in `mode` with the slip there, which decides what part of the friction is saturated.
+  /// Dry friction depends on `way` instead.
   void begin(const ContactLaw& law, contact::Mode mode, double slip_m_per_s, contact::Slip way);
-  /// The expansion that has begun keeps the slip that `creep` says, by a friction that the system as a whole
+  /// Makes the expansion that has begun keep the slip of `creep`, by a friction that the whole system
   /// decides: as a contact that sticks, whose slip is constant. `creep` outlives the expansion.
   void follow(const Creep& creep);
 
-  /// Coefficient k of the force on the casing, newtons, along the contact's two fixed directions;
-  /// coefficients are asked for in their order. The contact touches. Where it sticks, the holding friction's
-  /// coefficient k is not in it yet.
+  /// Coefficient k of the force on the casing, newtons, along the contact's two fixed directions; to be
+  /// called in their order, while the contact touches. Where it sticks, the holding friction's coefficient k
+  /// is not in it yet.
   numerics::Twin force_term(int k);
 
-  /// The contact sticks or creeps: its slip is given, by a friction that the system as a whole decides.
+  /// Whether the contact sticks or creeps: its slip is given, by a friction that the whole system decides.
   bool sticks() const { return sticks_; }
   /// Null where it does not creep.
   const Creep* creep() const { return creep_; }
@@ -61,7 +61,7 @@ class ContactSeries {
   contact::Mode mode() const { return mode_; }
   /// Angle per unit of time by which the normal turns where the expansion starts; zero at a flat stop.
   double turn_rate() const;
-  /// Slope of a tanh that is not saturated changes along the expansion, and so does viscous friction.
+  /// Whether friction varies along the expansion, as viscous friction does and a tanh that is not saturated.
   bool friction_varies() const { return varies_; }
 
   // Results of an expansion that is complete up to `order`.
@@ -120,7 +120,7 @@ class ContactSeries {
   std::array<bool, 3> active_{};
   std::array<numerics::TanhSeries, 3> tanh_;
   numerics::PlaneSeries distance_, velocity_, mu_, load_, holding_, acceleration_;
-  // Annular: the normal; r and its rate; 1 / r where the expansion starts; while open, what stands for the
+  // Annular: the normal; r and its rate; 1 / r where the expansion starts; while open, the substitute for the
   // penetration.
   numerics::PlaneSeries normal_, length_, length_rate_;
   numerics::Twin inverse_length_{};

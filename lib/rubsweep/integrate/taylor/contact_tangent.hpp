@@ -13,10 +13,10 @@ namespace rubsweep::integrate::taylor {
 /// those of more need more than its sixteen registers.
 inline constexpr int tangents_together = 4;
 
-/// Changes of a contact's force with `Count` small changes w of its relative displacement, as power series
-/// along an expanded motion: the derivatives of the very recurrences that ContactSeries goes by, or, of
-/// several around the rotor where friction does not vary, the Jacobian's product with each. The friction that
-/// holds a contact that sticks counts as given.
+/// Variations of a contact's force with `Count` small changes w of its relative displacement, as power series
+/// along an expanded motion: the derivatives of the recurrences of ContactSeries, or, for several around the
+/// rotor where friction does not vary, the Jacobian's product with each. The friction that holds a contact
+/// that sticks counts as given.
 template <int Count>
 class ContactTangents {
  public:
@@ -26,18 +26,18 @@ class ContactTangents {
   /// Up to `order` terms. The motion stays as it is until the last `force_term` has been asked for;
   /// `jacobian` is of it, too.
   void follow(const ContactSeries& contact, ContactJacobian& jacobian, int order);
-  /// Other changes of the same motion begin.
+  /// Begins other variations of the same motion.
   void begin(const Term& displacement);
 
-  /// Coefficient k of the forces' changes, from coefficient k of w'; asked for in their order. Writes
+  /// Coefficient k of the forces' variations, from coefficient k of w'; to be called in their order. Writes
   /// coefficient k + 1 of w.
   Term force_term(int k, const Term& rate);
 
   /// w, up to one more than the last term asked for; not kept where the Jacobian serves, nor is what follows.
   const Bundle& displacement() const { return displacement_; }
-  /// Coefficient k of the change of r of an annular stop, as far.
+  /// Coefficient k of the variation of r of an annular stop, up to the last term as well.
   double length_term(std::size_t which, int k) const { return length_.member(which)[k][0]; }
-  /// Coefficient k of the change of the spring force.
+  /// Coefficient k of the variation of the spring force.
   double load_term(std::size_t which, int k) const {
     return stiffness_ * (annular_ ? length_term(which, k) : displacement_.member(which)[k][0]);
   }
@@ -63,8 +63,8 @@ class ContactTangents {
   ContactJacobian* jacobian_ = nullptr;
   Bundle displacement_, rate_;
   Bundle along_first_, along_second_;  ///< of a linear one: either component of w, twice
-  /// Changes: of r, of r', of the normal, of the force that friction is multiplied by; of the sliding speed
-  /// and the friction coefficient. Then the friction coefficient's slope, which is the motion's.
+  /// Variations: of r, of r', of the normal, of the force that friction is proportional to; of the sliding
+  /// speed and the friction coefficient. Then the slope of the friction coefficient, which is the motion's.
   Bundle length_, length_rate_, normal_, load_, sliding_, coefficient_;
   numerics::PlaneSeries slope_;
 };

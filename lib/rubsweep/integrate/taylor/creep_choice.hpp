@@ -23,8 +23,8 @@ double friction_ratio(const Expansion<N>& motion, const adaptive::Dynamics<N, fa
   return largest;
 }
 
-/// Which pieces of a run are expanded with contacts that creep: those where friction is steep, nothing is
-/// left of a slip's own start, and a piece is worth its sweeps.
+/// Choice of the pieces of a run that are expanded with creeping contacts: those where friction is steep, the
+/// slip's own transient has died out, and a piece is worth its sweeps.
 template <int N>
 class CreepChoice {
  public:
@@ -34,7 +34,7 @@ class CreepChoice {
   void begin_turn() { pieces_to_wait_ = 0; }
   /// None of the next pieces creeps.
   void wait() { pieces_to_wait_ = pieces_until_creep; }
-  /// The next piece may creep, at this largest ratio of its contacts. Counts the pieces that wait.
+  /// Whether the next piece may creep, at this largest ratio of its contacts. Counts the pieces that wait.
   bool due(double ratio) {
     if (!(ratio > creep_above_)) return false;
     if (pieces_to_wait_ == 0) return true;
@@ -44,7 +44,7 @@ class CreepChoice {
 
   /// Expands anew, by `expand(state)`, with all contacts creeping that friction holds. False, and the
   /// expansion as it was, where that is not known to last. `longest_rad` is the longest piece without regard
-  /// to friction, `usual_rad` that of a piece without creep; `state` and `settled` are as of `settle_creep`.
+  /// to friction, `usual_rad` that of a piece without creep; `state` and `settled` as in `settle_creep`.
   template <class Expand>
   bool begin(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics, const Expand& expand,
              std::vector<double>& state, std::vector<double>& settled, double longest_rad, double usual_rad) {
@@ -56,9 +56,9 @@ class CreepChoice {
     expand(state);
     return false;
   }
-  /// How far the contacts that creep are known to.
+  /// Duration over which the creeping contacts are known.
   double known_rad() const { return known_rad_; }
-  /// From the next expansion on none does.
+  /// Ends creep from the next expansion on.
   void end(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics) {
     if (known_rad_ > 0) let_none_creep(motion, dynamics);
     known_rad_ = 0;

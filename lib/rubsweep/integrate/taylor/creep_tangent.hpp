@@ -8,17 +8,17 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Small change of the sliding speed of a contact that creeps, found by sweeps as the sliding speed itself.
+/// Variation of the sliding speed of a contact that creeps, found by sweeps as the sliding speed itself.
 class CreepTangent {
  public:
-  /// It stays what it is where the expansion starts.
+  /// The variation keeps the value that it has where the expansion starts.
   void begin(double sliding) {
     for (int k = 0; k <= numerics::most_taylor_order + 1; ++k) sliding_.set(k, k == 0 ? sliding : 0);
   }
 
-  /// The change with which the friction is, up to `order` terms, that which keeps the change so far.
-  /// `holding(k)` and `load(k)` are coefficients of the changes of that friction and of the spring force S:
-  /// friction = mu S and mu' sliding = the change of mu.
+  /// Sets the variation to that of the friction, up to `order` terms, which keeps the variation so far.
+  /// `holding(k)` and `load(k)` are coefficients of the variations of that friction and of the spring force
+  /// S: friction = mu S and mu' sliding = the variation of mu.
   template <class Holding, class Load>
   void sweep(const Creep& creep, int order, const Holding& holding, const Load& load) {
     for (int k = 0; k < order; ++k) {
@@ -39,7 +39,7 @@ class CreepTangent {
   }
 
   const numerics::Series& sliding() const { return sliding_; }
-  /// Largest term of what the last sweep changed, anywhere within `duration_rad`.
+  /// Largest term of the change by the last sweep, anywhere within `duration_rad`.
   double change(double duration_rad) const {
     double largest = 0, power = 1;
     for (int k = 0; k < order_; ++k, power *= duration_rad)

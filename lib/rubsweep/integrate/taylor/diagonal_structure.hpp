@@ -8,7 +8,7 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// A diagonal structure by its pairs of coordinates, and what drives it.
+/// A diagonal structure by its pairs of coordinates, and the forces on it.
 template <int N>
 struct DiagonalStructure {
   using Pairs = StatePairs<N>;

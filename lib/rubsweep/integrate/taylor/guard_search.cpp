@@ -14,15 +14,15 @@ namespace {
 using contact::Mode;
 using Coefficients = std::array<double, numerics::most_taylor_order + 1>;
 
-/// A guard that starts nearer to zero than this many clearances and falls starts at zero: 1e-13 where series
-/// end at rounding, since a landing leaves a few units of rounding of the states, which are of order one.
+/// Distance from zero, in clearances, below which a falling guard starts at zero: 1e-13 where series end at
+/// rounding, since a landing leaves a few units of rounding of the states, which are of order one.
 double noise_of(double accuracy) { return 1e-13 / rounding_of_series * accuracy; }
 
-/// A guard that an expansion begins with at zero, or past it by rounding, and that goes on rising: its root
-/// fell on the end of the piece before, where none looked for it.
+/// Whether a guard that is at zero at the start of an expansion, or past it by rounding, goes on rising: its
+/// root fell on the end of the piece before, where it was not searched.
 bool rises_at_once(double value, double rate) { return value >= 0 && rate > 0; }
 
-/// 1, 2, ...: what a derivative multiplies the coefficients by.
+/// 1, 2, ...: factors of the coefficients in a derivative.
 constexpr auto rate_factors = [] {
   Coefficients factors{};
   for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = static_cast<double>(k + 1);
@@ -48,8 +48,8 @@ double fastest_distance(const ContactSeries& contact, int order, double duration
   return contact.law().annular ? std::sqrt(bounds[0] * bounds[0] + bounds[1] * bounds[1]) : bounds[1];
 }
 
-/// Where the slip comes to zero, from the side it is on. It is measured in clearances a
-/// radian, and starts at zero where it is within rounding of the surface's own speed.
+/// Zero of the slip, from the side it is on. It is measured in clearances a radian, and starts at zero where
+/// it is within rounding of the surface's own speed.
 std::optional<double> first_stop(ContactSeries& contact, int order, double accuracy, double duration_rad,
                                  const SlipStart& start) {
   const ContactLaw& law = contact.law();
@@ -67,8 +67,8 @@ std::optional<double> first_stop(ContactSeries& contact, int order, double accur
                                  noise_of(accuracy) * unit);
 }
 
-/// Where the holding friction reaches `sign` times the largest one; in units of the stop's spring force at
-/// one clearance.
+/// Zero of the margin between the holding friction and `sign` times the largest one; in units of the stop's
+/// spring force at one clearance.
 std::optional<double> first_release(const ContactSeries& contact, int order, double duration_rad,
                                     double sign) {
   const double unit = contact.law().stiffness * contact.law().clearance;
@@ -91,7 +91,7 @@ Coefficients slip_polynomial(ContactSeries& contact, int order, double duration_
   return c;
 }
 
-/// Far inside an annular stop no |d| reaches the wall: cheaper than its square's polynomial.
+/// Far inside an annular stop |d| cannot reach the wall: cheaper to see than by its square's polynomial.
 bool far_from_wall(const ContactSeries& contact, int order, double duration_rad) {
   const numerics::Twin bounds = bounds_of(contact.distance(), order + 1, duration_rad);
   const double clearance = contact.law().clearance;

@@ -26,11 +26,11 @@ double guards_converged_rad(ContactSeries& contact, int order, double accuracy, 
 std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order, double accuracy,
                                          double duration_rad);
 
-/// An end of the way in which a contact with dry friction slips, or sticks.
+/// End of sliding in one direction, or of sticking, of a contact with dry friction.
 struct SlipEvent {
   double share = 1;  ///< of the duration that was searched
-  /// Sticking: the slip has come to zero, and what follows has to be settled. Else the way that a contact
-  /// goes which friction no longer holds.
+  /// Sticking: the slip has come to zero, and stick or slip has to be decided anew. Else the direction in
+  /// which a contact slides that friction no longer holds.
   contact::Slip next = contact::Slip::sticking;
 };
 

@@ -50,15 +50,15 @@ class StateSeries {
     }
   }
 
-  /// States after the durations at(0), ..., at(count - 1), one behind the other, each with the same bits
-  /// however many there are: in less time than one by one, because the sums of one need not wait for those of
+  /// Puts the states after the durations at(0), ..., at(count - 1), one behind the other, each with the same
+  /// bits however many there are: faster than one by one, because the sums of one need not wait for those of
   /// another.
   template <class At>
   void put_states(int count, const At& at, double* states) const {
     const Eigen::Index numbers = 2 * u_.rows();
     int i = 0;
     if constexpr (N != Eigen::Dynamic) {
-      // As many as sixteen registers hold the sums of.
+      // Number of states whose sums sixteen registers hold.
       constexpr std::size_t together = N <= 4 ? 3 : 2;
       for (; i + static_cast<int>(together) <= count; i += static_cast<int>(together)) {
         std::array<double, together> durations;

@@ -10,12 +10,12 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// A step times the fastest rate. Up to here a polynomial of order 24 moves what a mode that is not excited
-/// has of rounding as the motion does, within 8^25 / 25! = 2e-3.
+/// Largest product of a step and the fastest rate. Up to here a polynomial of order 24 moves the rounding in
+/// a mode that is not excited as the motion does, within 8^25 / 25! = 2e-3.
 inline constexpr double longest_times_fastest = 8;
 
-/// The same where tangent vectors are carried: they excite every mode, by as much as themselves, whatever the
-/// motion does. Of e^x what is left out of order 23 is x^24 / 24!: 3.3 for 4e-12.
+/// The same where tangent vectors are carried: they excite every mode, as strongly as themselves, whatever
+/// the motion does. The truncation error of e^x at order 23 is x^24 / 24!: 3.3 for 4e-12.
 inline double longest_times_fastest_of_tangents(double accuracy) {
   constexpr int next = TangentExpansion<2>::order + 1;
   return std::min(longest_times_fastest, std::pow(accuracy * std::tgamma(next + 1), 1.0 / next));
@@ -38,7 +38,7 @@ double fastest_rate(double structure_rate, const Expansion<N>& motion,
   return std::max(linear, std::sqrt(square));
 }
 
-/// How fast the normals of contacts that touch turn at most where the expansion begins; per radian. The
+/// Largest turning rate of the normals of contacts that touch where the expansion begins; per radian. The
 /// stiffness across a turning normal comes round twice a turn, and tangent vectors see it.
 template <int N>
 double fastest_normal(const Expansion<N>& motion, const std::vector<contact::Mode>& modes) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double piece_times_fastest = 0.25;  ///< cubics through values and rates have peaks to 2e-5
 constexpr int most_pieces = most_peak_states - 1;
 
-/// So many that a cubic through values and rates at the ends of a piece has its maximum.
+/// Number of pieces for which a cubic through values and rates at their ends has the maximum.
 int pieces_of(double fastest, double duration_rad) {
   return std::clamp(static_cast<int>(std::ceil(duration_rad * fastest / piece_times_fastest)), 1,
                     most_pieces);

@@ -11,17 +11,17 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Largest distances from where a point is unloaded, scaled.
+/// Largest distances of points from their unloaded places, scaled.
 struct LargestDisplacements {
   double observed = 0;  ///< of the observed point
   double casing = 0;    ///< of any casing
 };
 
-/// States that a step is looked at in, its ends among them, at most.
+/// Largest number of states that are looked at in a step, its ends among them.
 inline constexpr int most_peak_states = 65;
 
-/// Over the first `duration_rad` of an expanded motion. `fastest` is the fastest rate of the motion per
-/// radian; `states` is room to work in, which comes to hold most_peak_states of them.
+/// Peaks over the first `duration_rad` of an expanded motion. `fastest` is the fastest rate of the motion per
+/// radian; `states` is scratch, which grows to most_peak_states of them.
 template <int N>
 LargestDisplacements largest_displacements(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
                                            double fastest, double duration_rad, std::vector<double>& states);

@@ -19,7 +19,7 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// `Count` tangent vectors of a motion side by side: w'' = -stiffness w - damping w' + change of the
+/// `Count` tangent vectors of a motion side by side: w'' = -stiffness w - damping w' + variation of the
 /// contacts' forces. Where a contact sticks, they keep its slip, too.
 template <int N, int Count>
 class TangentBundle {
@@ -48,7 +48,7 @@ class TangentBundle {
     for (Eigen::Index i = 0; i < Count; ++i) sum_up(i, duration_rad, tangents.col(first + i));
   }
 
-  /// The same of one vector where contacts creep. False where its slips still have a start of their own.
+  /// The same for one vector where contacts creep. False where its slips still have a transient of their own.
   bool pass_creeping(Expansion<N>& motion, double duration_rad, double accuracy, Eigen::MatrixXd& tangents,
                      Eigen::Index column) requires(Count == 1) {
     if (!settle_creep(motion, begin(motion, tangents, column), duration_rad, accuracy)) return false;
@@ -76,7 +76,7 @@ class TangentBundle {
     return most;
   }
 
-  /// Sweeps as of `taylor::settle_creep`, of the vector that has begun.
+  /// Sweeps as of `taylor::settle_creep`, for the vector that has begun.
   bool settle_creep(Expansion<N>& motion, int most, double duration_rad, double accuracy) {
     const Vector start = rate(0, 0);
     const double size =
@@ -105,7 +105,7 @@ class TangentBundle {
     return false;
   }
 
-  /// One sweep of a contact that creeps; what it changed.
+  /// One sweep of a contact that creeps; returns its change.
   double swept(Expansion<N>& motion, Eigen::Index stuck, int most, double duration_rad) {
     const std::size_t i = motion.stuck(stuck);
     CreepTangent& creep = holding_[0].creep(i);
@@ -115,7 +115,7 @@ class TangentBundle {
     return creep.change(duration_rad);
   }
 
-  /// Change of the sliding speed of contact `stuck` with the vector where it starts.
+  /// Variation of the sliding speed of contact `stuck` with the vector where it starts.
   double sliding(Expansion<N>& motion, Eigen::Index stuck) {
     const std::size_t i = motion.stuck(stuck);
     const ContactSeries& contact = motion.contact(i);

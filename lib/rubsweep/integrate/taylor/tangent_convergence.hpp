@@ -8,8 +8,8 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Up to which order each of `Count` tangent vectors is to be summed: until two terms in a row are `accuracy`
-/// of its largest ones, in displacements and in rates.
+/// Order up to which each of `Count` tangent vectors is summed: until two terms in a row are `accuracy` of
+/// its largest ones, in displacements and in rates.
 template <int Count>
 class TangentConvergence {
  public:

@@ -22,8 +22,8 @@ class TangentExpansion {
   Eigen::Index count() const { return tangents_.cols(); }
 
   /// Moves them over `duration_rad` of the motion as it was expanded. Each is expanded until its last two
-  /// terms are `accuracy` of its largest ones, in displacements and in rates.
-  /// False, and nothing moved, where contacts creep and a vector still has a start of its own in their slips.
+  /// terms are `accuracy` of its largest ones, in displacements and in rates. False, and nothing moved, where
+  /// contacts creep and the slips of a vector still have a transient of their own.
   bool pass(Expansion<N>& motion, double duration_rad, double accuracy) {
     if (count() == 0) return true;
     if (motion.any_creeps()) return pass_creeping(motion, duration_rad, accuracy);
@@ -34,7 +34,7 @@ class TangentExpansion {
     return true;
   }
 
-  /// Where they are now, to be read or changed between two pieces.
+  /// The vectors where they are now, to be read or changed between two pieces.
   Eigen::MatrixXd& vectors() { return tangents_; }
   const Eigen::MatrixXd& vectors() const { return tangents_; }
 

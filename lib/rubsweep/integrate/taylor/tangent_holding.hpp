@@ -22,17 +22,17 @@ class TangentHolding {
   /// For so many contacts and terms; no terms where nothing can be held.
   TangentHolding(std::size_t contacts, std::size_t terms) : terms_(terms), creeps_(contacts) {}
 
-  /// Change of the sliding speed of a contact that creeps.
+  /// Variation of the sliding speed of a contact that creeps.
   CreepTangent& creep(std::size_t contact) { return creeps_[contact]; }
-  /// Coefficient k of the change of the friction at contact `Expansion::stuck(stuck)`.
+  /// Coefficient k of the variation of the friction at contact `Expansion::stuck(stuck)`.
   double term(int k, Eigen::Index stuck) const {
     return terms_[static_cast<std::size_t>(k)].force[static_cast<std::size_t>(stuck)];
   }
 
-  /// Coefficient k of what holds the contacts, which is added to that of the vector's `acceleration`; the
-  /// vector is number `which` of those whose changes `contacts` are. Of d1 d2'' - d2 d1'' = (s r)' (at a flat
-  /// stop d2'' = s') small changes obey the derivative, with the sliding speed s as it is where contacts
-  /// stick, and with its change where they creep.
+  /// Computes coefficient k of the holding forces' variations and adds their accelerations to that of the
+  /// vector; the vector is number `which` of those with the variations `contacts`. Small changes obey the
+  /// derivative of d1 d2'' - d2 d1'' = (s r)' (at a flat stop d2'' = s'), with the sliding speed s constant
+  /// where contacts stick, and with its variation where they creep.
   template <int N, int Count, class Column>
   void hold(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
             const std::vector<ContactTangents<Count>>& contacts, std::size_t which, int k,
@@ -69,7 +69,7 @@ class TangentHolding {
     std::array<numerics::Twin, contact::most_sticking> acceleration{};
   };
 
-  /// The change of the friction, as far as it is known, along the tangent as it turns.
+  /// Variation of the friction, as far as it is known, along the tangent as it turns.
   numerics::Twin turned_term(const ContactSeries& contact, Eigen::Index stuck, int k) const {
     numerics::Twin sum{};
     for (int j = 0; j < k; ++j) sum += numerics::both(term(j, stuck)) * contact.normal()[k - j];

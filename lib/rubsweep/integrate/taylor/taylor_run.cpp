@@ -135,7 +135,7 @@ void TaylorRun<N>::enter_by_state(double phase) {
   adaptive::enter_slips_by_state(dynamics_, state_, rate_, phase);
 }
 
-/// A change of the state that would let a contact slip that sticks is undone by friction at once.
+/// Projects tangent vectors onto the sticking constraint: friction undoes any slip at once.
 template <int N>
 void TaylorRun<N>::project_tangents() {
   if (tangents_.count() > 0 && sticks()) dynamics_.keep_sticking(state_, tangents_.vectors());
@@ -170,7 +170,7 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), motion_.accuracy(), wanted);
   if (!(wanted > 0)) return TaylorEnding::non_finite;
   if (standstill_ >= longest_standstill) {
-    // Landings that lead nowhere: an instant is passed without one.
+    // Without progress a landing is not repeated: its instant is stepped over.
     const double instant = std::min(same_instant, left);
     take(report, fastest, instant, instant < left ? phase_ + instant : boundary);
     switch_modes(report, {});
@@ -209,8 +209,8 @@ bool TaylorRun<N>::let_creep(double fastest, double ratio) {
       longest_step(fastest), longest_step(fastest * ratio));
 }
 
-/// Moves on by `duration` within the modes of the expansion, and looks at what was asked for. False, and
-/// nothing done, where contacts creep and tangent vectors do not yet.
+/// Moves on by `duration` within the modes of the expansion, and takes the peaks and samples asked for.
+/// False, and nothing done, where contacts creep and tangent vectors do not yet.
 template <int N>
 bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
   if (!tangents_.pass(motion_, duration, tangent_accuracy_)) return false;
@@ -297,7 +297,7 @@ bool TaylorRun<N>::leaves_zero(std::size_t i) const {
          !dynamics_.poised(i) && adaptive::stands(dynamics_, i, state_);
 }
 
-/// The slip of contact `i` is zero; `rate_` is that before it was.
+/// Handles the zero of the slip of contact `i`; `rate_` is that before it was.
 template <int N>
 void TaylorRun<N>::stop_slip(std::size_t i) {
   adaptive::settle_slips(dynamics_, state_, probe_, phase_, [i](std::size_t j) { return j == i; });
@@ -317,7 +317,7 @@ void TaylorRun<N>::settle_poised() {
   dynamics_(state_, rate_, phase_);
 }
 
-/// All impulses of this instant. They shift the state by what does not depend on it: its derivative stays.
+/// Applies all impulses of this instant. They shift the state by constants: tangent vectors do not change.
 template <int N>
 void TaylorRun<N>::apply_impulses(run::TurnReport& report) {
   impulses_.take_all(phase_, system_.scale, state_);

@@ -27,12 +27,12 @@ enum class TaylorEnding {
 };
 
 /// A run in pieces that are power series of the phase: within one joint contact mode every law is analytic,
-/// so that a step of order 24 goes as far as its last terms are rounding. Guards are polynomials over a step,
-/// whose first rise through zero is found by signs of Bernstein coefficients, so that none is passed over.
-/// Where friction is so steep that it holds the slip to what the rest of the motion asks for, pieces are as
-/// long as without it (`Creep`), once nothing is left of the slip's own start.
-/// With dry friction pieces end, too, where a slip comes to zero and where a contact that sticks is let go.
-/// Takes flat and annular stops, any friction, any number of coordinates.
+/// so that a step of order 24 is as long as its last terms are rounding. Guards are polynomials over a step,
+/// whose first rise through zero is found by signs of Bernstein coefficients, so that none is passed over. In
+/// friction so steep that the slip follows the rest of the motion, pieces are as long as without it
+/// (`Creep`), once the slip's own transient has died out. With dry friction pieces end, too, where a slip
+/// comes to zero and where a contact that sticks is let go. Takes flat and annular stops, any friction, any
+/// number of coordinates.
 template <int N>
 class TaylorRun {
  public:
@@ -51,12 +51,12 @@ class TaylorRun {
   /// The next revolution is number `revolution` and starts from `section` (as TurnReport::section).
   void resume(std::span<const double> section, long revolution);
 
-  /// Goes on inside revolution `revolution` of a scene without impulses, which another solver has made up to
-  /// `phase_rad`: at `state` (as TurnReport::section), with these modes of its contacts and these tangent
-  /// vectors (as TurnRequest::tangent_vectors).
+  /// Takes over a revolution of a scene without impulses, which another solver has made up to `phase_rad`: at
+  /// `state` (as TurnReport::section), with these modes of its contacts and these tangent vectors (as
+  /// TurnRequest::tangent_vectors).
   void join(const run::TurnRequest& request, long revolution, double phase_rad, std::span<const double> state,
             const std::vector<contact::Mode>& modes, const Eigen::MatrixXd& tangent_vectors);
-  /// One piece of the turn that was joined; `report` goes on. After `ok` the run is at `phase_rad()`.
+  /// Makes one more piece of the turn that was joined. After `ok` the run is at `phase_rad()`.
   TaylorEnding go_on(run::TurnReport& report) {
     const bool may_go_on = effort_.steps < step_limit_ && expansions_ < expansion_limit_;
     return may_go_on ? step(report) : TaylorEnding::step_limit;
@@ -67,7 +67,7 @@ class TaylorRun {
   void finish(run::TurnReport& report) { end(report, TaylorEnding::ok); }
 
   double phase_rad() const { return phase_; }
-  /// Dry friction holds a contact.
+  /// Whether dry friction holds a contact.
   bool sticks() const { return dynamics_.any_dry() && dynamics_.stuck_contacts().count > 0; }
   const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
   /// Slips of the contacts, valid for those that touch with dry friction.
@@ -115,11 +115,11 @@ class TaylorRun {
   double tangent_accuracy_ = 0;
   double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
   long max_steps_ = 0, step_limit_ = 0;
-  /// Where contacts creep a piece takes several, and a search for creep that fails takes them for nothing.
+  /// Expansions: where contacts creep a piece takes several, and a search for creep that fails wastes them.
   long expansions_ = 0, expansion_limit_ = 0;
   std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
-  /// Per contact with dry friction: so many of the slip's first coefficients are zero where it is now.
+  /// Per contact with dry friction: number of leading coefficients of the slip that are zero where it is now.
   std::vector<int> zero_terms_;
   double phase_ = 0, end_phase_ = full_turn;
   bool entered_ = false;

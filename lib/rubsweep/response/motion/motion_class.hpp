@@ -21,7 +21,7 @@ enum class MotionClass {
   failed,
 };
 
-/// All that is said about one class. Maps, summaries, comparisons and help texts read it here; the colours of
+/// Properties of one class. Maps, summaries, comparisons and help texts read them here; the colours of
 /// figures are in scripts/motion_kinds.gp.
 struct MotionClassRow {
   std::string_view word;         ///< its name in map.csv

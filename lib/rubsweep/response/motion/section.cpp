@@ -42,7 +42,7 @@ std::array<double, 3> returns_by_thirds(std::span<const double> rows, std::size_
   return means;
 }
 
-/// Where the returns shrink to, as if what shrinks did so by one factor per turn (Aitken's extrapolation).
+/// Limit of the returns, as if the decaying part shrank by one factor per turn (Aitken's extrapolation).
 ReturnLimit return_limit(std::span<const double> rows, std::size_t lag, std::size_t period) {
   constexpr double shrinks = 0.999;  ///< from the first third to the last
   constexpr double enough = 0.95;    ///< of a decay to be extrapolated to nothing

@@ -38,7 +38,7 @@ struct SectionPeriod {
 /// answer is empty.
 std::optional<SectionPeriod> period_of_section(std::span<const double> rows, int states, int max_order);
 
-/// The sections of the last turns of a run that settles on a known order, to see when it has.
+/// Sections of the last turns of a run that settles on a known order, to see when it has.
 class SectionReturns {
  public:
   /// `order` >= 1 turns.

@@ -19,12 +19,12 @@ struct Nearness {
 
 /// Follows a transient, which is at `section` where the orbit is at its first section, turn by turn until it
 /// is near the orbit. False when a turn fails, when it gets four times as far from the orbit as it was, and
-/// where it tries the patience.
+/// when it takes more turns than `patience` allows.
 bool comes_near(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
                 const AdaptedNorms& norms, const Nearness& wanted, const Patience& patience);
 
-/// The same until both parts that `norms` tell apart are within `radii`; how far is said by the norm that has
-/// these radii as its ball. False after `most_turns`, too.
+/// The same until both parts of `norms` are within `radii`, with the distance in the norm that has these
+/// radii as its ball. False after `most_turns`, too.
 bool comes_inside(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
                   const SplitNorms& norms, const integrate::exact::Parts& radii, double most_turns);
 

@@ -29,14 +29,14 @@ VectorXd vector_of(const std::vector<double>& x) {
 /// The tubes of an orbit's turns, in norms of one part or two.
 class OrbitTubes {
  public:
-  /// `defect`: how far the orbit's last section misses the first.
+  /// `defect`: distance of the orbit's last section from its first.
   OrbitTubes(std::vector<integrate::exact::TurnTube> tubes, const Parts& defect)
       : tubes_(std::move(tubes)), defect_(defect) {}
 
-  /// The largest of the radii 0.1 `shape`, 0.05 `shape`, ... that all motions come nearer from. What holds
-  /// for radii holds for smaller ones, but for the orbit's own defect, which only a large enough ball
-  /// forgives. `known`: so many halvings of 0.1 are known to be enough, and become those that are; none as
-  /// yet where it is more than are looked at.
+  /// Largest of the radii 0.1 `shape`, 0.05 `shape`, ... at which the ball contracts. A tube that holds for
+  /// radii holds for smaller ones, but the orbit's own defect needs a large enough ball. `known`: number of
+  /// halvings of 0.1 that are known to suffice, updated on return; more than `most_halvings`: none is known
+  /// yet.
   std::optional<Parts> largest(const Parts& shape, int& known) const {
     const auto halved = [&](int times) {
       const double size = std::ldexp(largest_radius, -times);
@@ -46,7 +46,7 @@ class OrbitTubes {
       if (!draws_together(halved(most_halvings))) return std::nullopt;
       known = most_halvings;
     }
-    // From what is known in steps that double, which is at once where nothing larger holds.
+    // Searches from the known number in steps that double, which ends at once where nothing larger holds.
     int too_large = known - 1;
     for (int step = 1; too_large >= 0 && draws_together(halved(too_large)); step *= 2) {
       known = too_large;
@@ -63,8 +63,8 @@ class OrbitTubes {
   }
 
  private:
-  /// By how much the linear map, not as the norms were made but as the tubes' own are, brings either part
-  /// below its radius.
+  /// Decrease of either part below its radius by the linear map, in the norms of the tubes, not as they were
+  /// made.
   Parts room_in(const Parts& radii) const {
     Parts room = radii;
     for (const integrate::exact::TurnTube& tube : tubes_) {
@@ -122,7 +122,7 @@ std::optional<Parts> split_ball_radii(const scene::Scene& scene, integrate::exac
   if (!turns) return std::nullopt;
   const OrbitTubes tubes(std::move(*turns), parts_of(norms, 0, vector_of(end) - vector_of(section)));
   std::optional<Parts> best;
-  // The slow part's radius goes down from one to the next, so that what is enough stays so.
+  // The radius of the slow part falls from one to the next, so that enough halvings stay enough.
   int halvings = unknown_halvings;
   for (const double ratio : {1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0}) {
     const auto radii = tubes.largest({1, ratio}, halvings);

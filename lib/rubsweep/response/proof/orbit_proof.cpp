@@ -81,7 +81,7 @@ std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> se
                               orbit->floquet_modulus, *proof};
 }
 
-/// Follows the transient as far as the word asks for that can be had.
+/// Follows the transient until it is inside a ball where there is one, else until it is observed to converge.
 std::optional<motion::Proof> OrbitProof::converges(std::span<const double> section,
                                                    const StableOrbit& orbit) {
   if (map_->exact() && enters_split_ball(section, orbit)) return motion::Proof::floquet;
@@ -98,8 +98,8 @@ std::optional<motion::Proof> OrbitProof::converges(std::span<const double> secti
   return radius ? motion::Proof::floquet : motion::Proof::floquet_observed;
 }
 
-/// Whether there is a ball that a free vibration along the walls, which only the structure damps, may fill
-/// without harm, and the transient comes into it. Most are inside when they are looked at first.
+/// Tries the split ball, in which weakly damped wall-parallel modes may stay large, and whether the transient
+/// enters it. Most are inside at the first look.
 bool OrbitProof::enters_split_ball(std::span<const double> section, const StableOrbit& orbit) {
   const auto norms = split_norms(orbit.transitions, seen_by_contacts(distinct_));
   if (!norms) return false;
@@ -111,7 +111,7 @@ bool OrbitProof::enters_split_ball(std::span<const double> section, const Stable
                       patience(orbit, map_->closed_forms()).turns(turns_to_enter(*norms, distance, *radii)));
 }
 
-/// Over exactly one period; empty when the orbit touches nothing.
+/// Measures over exactly one period; empty when the orbit touches nothing.
 std::optional<motion::Measures> OrbitProof::measure(const std::vector<double>& section, int order) {
   motion::ResponseOptions window = options_;
   window.window_revolutions = order;

@@ -16,17 +16,17 @@
 
 namespace rubsweep::response::proof {
 
-/// Looks for a stable orbit of up to twice max_order turns that a transient is on its way to: proven
-/// (`floquet`) once the transient, followed on, is inside a ball about the orbit from which every motion
-/// converges to it; where no such ball can be had, observed (`floquet_observed`) once it has come down to a
-/// ten-thousandth of its distance in the adapted norm, or to 1e-6 clearances.
+/// Search for a stable orbit of up to twice max_order turns that a transient converges to: proven (`floquet`)
+/// once the transient, followed on, is inside a ball about the orbit from which every motion converges to it;
+/// where there is no such ball, observed (`floquet_observed`) once it has come down to a ten-thousandth of
+/// its distance in the adapted norm, or to 1e-6 clearances.
 class OrbitProof {
  public:
   /// `options` and `workspace` must outlive the proof.
   OrbitProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
              const motion::ResponseOptions& options, motion::Workspace& workspace);
 
-  /// After one more turn. Empty most of the time; an orbit that touches nothing is not reported.
+  /// Takes one more turn. Empty most of the time; an orbit that touches nothing is not reported.
   std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn);
 
  private:

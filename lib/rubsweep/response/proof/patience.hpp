@@ -11,7 +11,7 @@ struct Patience {
   double start = 0;
   double most = 0;
 
-  /// Where the norm promises to get as near as it must in so many.
+  /// Limit where the norm promises to get as near as it must in `promised` turns.
   double turns(double promised) const { return std::min(most, start + times_promised * promised); }
   /// Up to `now`, from `first` away, in a norm that every turn multiplies by `contraction` or less: a
   /// transient that is not as near by then is on its way to somewhere else.

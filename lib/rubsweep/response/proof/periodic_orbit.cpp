@@ -13,8 +13,8 @@ constexpr int newton_iterations = 8;
 constexpr double closed = 1e-11;        ///< return error of an orbit found, in (clearance, clearance omega)
 constexpr double nearly_closed = 1e-5;  ///< from here on rough derivatives would cost a step more
 constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
-/// No orbit that was proven had a larger multiplier where the transient stood, nor one above 1 where Newton's
-/// iteration went from there; a refused one is tried again.
+/// Largest multiplier at the transient from which Newton's iteration is tried: no proven orbit had a larger
+/// one there, nor one above 1 at a later iterate; a refused orbit is tried again.
 constexpr double hopeless_from_afar = 1.2;
 
 double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }

@@ -9,7 +9,7 @@
 namespace rubsweep::response::proof {
 
 /// One revolution: replaces a scaled section by the next and, where given (not null), every column of
-/// `disturbances` by what the derivative of one section by the other makes of it. False when the turn cannot
+/// `disturbances` by its image under the derivative of the new section by the old. False when the turn cannot
 /// be made.
 using TurnMap = std::function<bool(std::span<double> section, Eigen::MatrixXd* disturbances)>;
 

@@ -24,9 +24,9 @@ class SceneMap {
   /// `section`: 2n numbers. False when the solver fails.
   bool operator()(std::span<double> section);
 
-  /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes what the turn makes
-  /// of it, by the derivative of the new section by the old: from the exact solver where the turn has closed
-  /// forms, of Taylor pieces to `accuracy`, else by central differences.
+  /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes its image under the
+  /// derivative of the new section by the old: from the exact solver where the turn has closed forms, of
+  /// Taylor pieces to `accuracy`, else by central differences.
   bool carry(std::span<double> section, Eigen::MatrixXd& disturbances,
              double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 

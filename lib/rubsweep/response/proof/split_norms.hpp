@@ -9,15 +9,15 @@
 
 namespace rubsweep::response::proof {
 
-/// Norms on the sections of an orbit as AdaptedNorms, but of two parts of a disturbance apart: the *slow*
-/// part is what no contact sees, a free vibration along flat walls that only the structure's own damping
+/// Norms on the sections of an orbit as AdaptedNorms, but separate for two parts of a disturbance: the *slow*
+/// part, which no contact sees, is a free vibration along flat walls that only the structure's own damping
 /// takes away, the *fast* one all the rest.
 struct SplitNorms {
   /// Per turn, on a section: the first `fast` rows give the fast part in its norm, the others the slow one.
   std::vector<Eigen::MatrixXd> norm;
   std::vector<Eigen::MatrixXd> unit;  ///< their inverses
   Eigen::Index fast = 0;
-  /// By which every turn draws either part together, < 1; besides, the fast part drives the slow one.
+  /// Contraction of either part by every turn, < 1; besides, the fast part drives the slow one.
   integrate::exact::Parts contraction;
 
   Eigen::Index slow() const { return norm.front().rows() - fast; }

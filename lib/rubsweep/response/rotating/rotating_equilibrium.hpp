@@ -6,7 +6,7 @@
 
 namespace rubsweep::response::rotating {
 
-/// d(state)/d(phase) of an autonomous system, 2n numbers, and its 2n x 2n derivative.
+/// Rate d(state)/d(phase) of an autonomous system, 2n numbers, and its 2n x 2n derivative.
 struct RotatingEquations {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> rate;
   std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> jacobian;

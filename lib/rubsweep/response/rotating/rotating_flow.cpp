@@ -17,8 +17,8 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// A flow that is asked for no better than this need know neither its derivative better nor its motion much
-/// better: fewer terms, longer steps. A thousandth is what Newton's iteration still gains by.
+/// Accuracy above which a flow is rough: neither its derivative nor its motion need be much better, so that
+/// fewer terms and longer steps do. Newton's iteration still gains by a thousandth.
 constexpr double rough_from = 1e-7, share_of_tolerance = 1e-3;
 
 double series_accuracy_for(double tolerance) {
@@ -123,8 +123,8 @@ std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate
 
 }  // namespace
 
-/// One run for all arcs of all tolerances: what it is made from does not depend on where they start. It is
-/// made when first needed. The usual scene, a rotor and one casing, gets a fixed size.
+/// One run for all arcs of all tolerances: its data do not depend on where they start. It is made when first
+/// needed. The usual scene, a rotor and one casing, gets a fixed size.
 struct RotatingFlow::Common {
   using Usual = integrate::taylor::TaylorRun<4>;
   using Other = integrate::taylor::TaylorRun<Eigen::Dynamic>;

@@ -40,8 +40,8 @@ class RotatingFlow {
   RotatingFlow(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                int samples_per_revolution);
 
-  /// The flow of the same scene to another tolerance and with other samples. What both need is made once, so
-  /// that they take turns.
+  /// Flow of the same scene to another tolerance and with other samples. Both share one run, so that they
+  /// cannot be used at the same time.
   RotatingFlow with(double relative_tolerance, int samples_per_revolution) const;
 
   /// Empty when the solver fails. `state`: 2n scaled numbers; `angle_rad` > 0.

@@ -18,10 +18,10 @@
 
 namespace rubsweep::response::rotating {
 
-/// Looks for the stable motion that a transient of a rotationally symmetric scene is on its way to, in the
-/// frame that turns with the shaft: a synchronous circle is a fixed point there, the quasi-periodic oval a
-/// closed orbit. (A section once per turn can prove no other: every shift along an orbit that moves in that
-/// frame is a multiplier of 1.)
+/// Search for the stable motion that a transient of a rotationally symmetric scene converges to, in the frame
+/// that turns with the shaft: a synchronous circle is a fixed point there, the quasi-periodic oval a closed
+/// orbit. (A section once per turn can prove no other: every shift along an orbit that moves in that frame is
+/// a multiplier of 1.)
 class RotatingProof {
  public:
   /// `options` and `workspace` must outlive the proof.
@@ -31,7 +31,7 @@ class RotatingProof {
   /// Samples that the next turn should have; 0 while the rotor has been free for long.
   int samples_wanted() const;
 
-  /// After one more turn. Empty most of the time; a motion that touches nothing is not reported.
+  /// Takes one more turn. Empty most of the time; a motion that touches nothing is not reported.
   std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn);
 
  private:

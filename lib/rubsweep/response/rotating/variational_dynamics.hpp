@@ -7,10 +7,10 @@
 
 namespace rubsweep::response::rotating {
 
-/// Dynamics with the derivative Phi of its state by the state it started from: u, u', then the 2n columns of
-/// Phi, Phi' = (d rate / d state) Phi from the identity. Nothing happens to Phi where a contact changes its
-/// mode, because the force, and with it the rate, is continuous there (a saltation matrix of one). Where a
-/// slip with dry friction comes to zero, the run takes `changes` across.
+/// Variational equations: u, u', then the 2n columns of the derivative Phi of the state by the initial one,
+/// Phi' = (d rate / d state) Phi from the identity. The saltation matrix of a change of contact mode is the
+/// identity, because the force, and with it the rate, is continuous there. Where a slip with dry friction
+/// comes to zero, the run takes `changes` across.
 template <int N, bool Smoothed>
 class VariationalDynamics : public integrate::adaptive::Dynamics<N, Smoothed> {
   static constexpr int states = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N;
