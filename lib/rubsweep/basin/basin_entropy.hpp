@@ -13,7 +13,7 @@ struct BasinEntropy {
   double boundary = 0;  ///< over those with more than one label; above log 2 the boundary is fractal
 };
 
-/// From boxes of `side` x `side` points, side by side; what is left at the far ends is no box. side >= 1.
+/// Entropy from boxes of `side` x `side` points (side >= 1), side by side, without remainders at far ends.
 BasinEntropy basin_entropy(const LabelGrid& grid, std::size_t side);
 
 }  // namespace rubsweep::basin

@@ -5,7 +5,7 @@
 
 namespace rubsweep::basin {
 
-/// Where the points of a rectangular grid of initial conditions lead: a number for each attractor.
+/// Attractors of a rectangular grid of initial conditions: a number for each attractor.
 struct LabelGrid {
   std::size_t columns = 0, rows = 0;
   std::vector<int> labels;  ///< columns * rows, row by row

@@ -41,7 +41,7 @@ inline std::vector<double> logarithmically_spaced(double from, double to, int co
   return values;
 }
 
-/// How an axis says its values, in the unit that it is written in.
+/// Form in which an axis gives its values, in the unit that it is written in.
 struct Spacing {
   double from = 0, to = 0;
   int count = 1;
@@ -50,8 +50,8 @@ struct Spacing {
   bool operator==(const Spacing&) const = default;
 };
 
-/// Its values in SI units, of which one is `units_per_si` of the written ones: the ends are divided before
-/// the values between them are placed. Throws ConfigError as evenly_spaced.
+/// Values in SI units, of which one is `units_per_si` of the written ones: the ends are divided before the
+/// values between them are placed. Throws ConfigError as evenly_spaced.
 inline std::vector<double> spaced(const Spacing& spacing, double units_per_si = 1) {
   const double first = spacing.from / units_per_si, last = spacing.to / units_per_si;
   return spacing.logarithmic ? logarithmically_spaced(first, last, spacing.count)

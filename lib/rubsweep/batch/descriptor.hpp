@@ -28,8 +28,8 @@ class Descriptor {
   int value_;
 };
 
-/// Opens with the flags of open(2); what is created may be read and written by all whom the mask allows.
-/// Throws IoError "cannot ACTION KNOWN_AS: ..."; with O_NOFOLLOW also for a symbolic link.
+/// Opens with the flags of open(2); a new file may be read and written by all whom the mask allows. Throws
+/// IoError "cannot ACTION KNOWN_AS: ..."; with O_NOFOLLOW also for a symbolic link.
 Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action,
                      const std::filesystem::path& known_as);
 inline Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action) {

@@ -28,8 +28,8 @@ bool has_no_such_locks(int error) {
   return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP || error == EINVAL;
 }
 
-/// The same for a file system that has no flock(2): locks of an open file by fcntl(2), which network file
-/// systems pass on to their server.
+/// Lock for a file system that has no flock(2): locks of an open file by fcntl(2), which network file systems
+/// pass on to their server.
 int lock_by_record(int descriptor, int operation) {
   struct flock whole {};
   whole.l_type = (operation & LOCK_EX) != 0 ? F_WRLCK : F_RDLCK;

@@ -10,8 +10,8 @@
 
 namespace rubsweep::batch {
 
-/// Which cells of a grid some journals hold, and where. Takes eight bytes for each cell of the grid: what the
-/// cells say stays in the files, which must not shrink meanwhile.
+/// Index of the cells of a grid that some journals hold. Takes eight bytes for each cell of the grid: the
+/// texts stay in the files, which must not shrink meanwhile.
 class FinishedCells {
  public:
   explicit FinishedCells(std::size_t cells) : places_(cells, nowhere) {}

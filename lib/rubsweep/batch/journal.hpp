@@ -38,9 +38,9 @@ struct JournalRecord {
   std::uint64_t offset;   ///< of the text in the file
 };
 
-/// Reads what stands before the records. Damaged lines are done without where the others tell what the
-/// records belong to: the first line, the study as long as its digest is good, the digest as long as the
-/// study is (it is empty then), the line before the records. Throws DamagedJournal where they do not, or
+/// Reads the header before the records. Damaged lines are ignored where the others suffice: the
+/// first line, the study as long as its digest is good, the digest as long as the study is (it
+/// is empty then), the line before the records. Throws DamagedJournal where they do not, or
 /// IoError.
 JournalHeader read_journal_header(const std::filesystem::path& path);
 
@@ -54,7 +54,7 @@ std::size_t read_journal(const std::filesystem::path& path,
 /// itself. The header is written whole or not at all.
 class Journal {
  public:
-  /// Goes on with the journal at `path`, whose header must have been found to fit, or begins one. Throws
+  /// Continues the journal at `path`, whose header must have been found to fit, or begins one. Throws
   /// IoError.
   Journal(const std::filesystem::path& path, const JournalHeader& header);
 

@@ -13,7 +13,7 @@
 namespace rubsweep::batch {
 namespace {
 
-/// 0 for a device. A size that cannot be told must never pass for an empty file, which would be cut to
+/// Size of a file, 0 for a device. An unknown size must never pass for an empty file, which would be cut to
 /// nothing.
 off_t size_of(int descriptor, const std::filesystem::path& path) {
   struct stat facts {};

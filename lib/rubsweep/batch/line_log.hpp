@@ -9,8 +9,8 @@
 namespace rubsweep::batch {
 
 /// A text file that grows by whole lines, each handed to the system at once, so that it can be watched and
-/// survives the end of the process, however that comes. A loss of power costs at most what was appended in
-/// the last `sync_interval`.
+/// survives the end of the process, however that comes. A loss of power costs at most the lines of the last
+/// `sync_interval`.
 class LineLog {
  public:
   static constexpr std::chrono::seconds sync_interval{5};

@@ -23,7 +23,7 @@
 namespace rubsweep::batch {
 namespace {
 
-/// How many cells threw, and what the one with the lowest index threw.
+/// Number of cells that threw, and the exception of the one with the lowest index.
 struct Failures {
   std::size_t count = 0;
   std::size_t first_cell = 0;
@@ -60,7 +60,7 @@ struct Failures {
 /// Two cells are not ordered, so that a race between them is still found.
 std::atomic<std::size_t> runs_begun{0}, cells_ended{0};
 
-/// At the end of a cell, and of a run, by whatever way they are left.
+/// Ends of a cell, and of a run, by whatever way they are left.
 struct CellEnd {
   ~CellEnd() { cells_ended.fetch_add(1, std::memory_order_release); }
 };

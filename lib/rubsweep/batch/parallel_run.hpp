@@ -11,8 +11,8 @@ namespace rubsweep::batch {
 int thread_count(int threads);
 
 /// Throws ConfigError when the system does not let this process run cells on as many threads as that, and
-/// have `beside` more for itself: asked for beforehand, because what runs the cells later has no other answer
-/// than to abort. One thread is always there, that of the caller, and nothing else is then asked for.
+/// have `beside` more for itself: tested beforehand, because the threads that run the cells later could only
+/// abort. One thread is always there, that of the caller, and nothing else is then tested.
 void require_threads(int threads, int beside = 0);
 
 /// Runs run_cell(0) ... run_cell(count - 1) on thread_count(threads) threads and returns how many finished.

@@ -90,8 +90,8 @@ void Progress::finish() {
 
 double Progress::elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-/// Since the first of the kept ends, with what has been waited for since the last: slow cells that are
-/// running count as soon as they are slow.
+/// Time per cell since the first of the kept ends, with the wait since the last: slow cells that are running
+/// count as soon as they are slow.
 double Progress::recent_s_per_cell() const {
   if (ends_.empty()) return 0;
   return std::chrono::duration<double>(Clock::now() - ends_.front()).count() /

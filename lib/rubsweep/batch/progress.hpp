@@ -32,7 +32,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// So many more cells are finished.
+  /// Counts so many more finished cells.
   void advance(std::size_t cells = 1);
 
   /// Draws the line anew, as time goes by while no cell is finished; on a terminal at most once a second.

@@ -8,7 +8,7 @@
 
 namespace rubsweep::batch {
 
-/// SHA-256 of a text that comes in pieces (FIPS 180-4): what `sha256sum` prints of a file.
+/// SHA-256 of a text that comes in pieces (FIPS 180-4): the number that `sha256sum` prints.
 class Sha256 {
  public:
   void add(std::string_view text);

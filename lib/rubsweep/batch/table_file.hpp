@@ -12,10 +12,10 @@
 
 namespace rubsweep::batch {
 
-/// How tables are laid out: what `# format` says. A new column at the end or a new comment leaves it.
+/// Layout of tables, the number after `# format`. A new column at the end or a new comment leaves it.
 inline constexpr int table_format = 1;
 
-/// Who wrote a table, and what its numbers belong to.
+/// Author program of a table, and the study that its numbers belong to.
 struct TableSource {
   std::string program;             ///< with its version: "rubsweep 1.0.0"
   std::string digest;              ///< of all that decides the numbers

@@ -9,10 +9,10 @@
 
 namespace rubsweep::batch {
 
-/// A file that appears under its name whole or not at all: what is written goes to a temporary beside it,
-/// which takes the name at the end; a symbolic link stays, a device or pipe is refused. What killed processes
-/// left of the same file goes when it is begun. Not for two threads and one path. Every function throws
-/// IoError with the path and the system's reason, and then an older file of that name is as it was.
+/// A file that appears under its name whole or not at all: the text goes to a temporary beside it, which
+/// takes the name at the end; a symbolic link stays, a device or pipe is refused. Temporaries that killed
+/// processes left of the same file are removed at the start. Not for two threads and one path. Every function
+/// throws IoError with the path and the system's reason, and then an older file of that name is as it was.
 class WholeFile {
  public:
   explicit WholeFile(std::filesystem::path path);
@@ -22,10 +22,10 @@ class WholeFile {
 
   void write(std::string_view text);
 
-  /// Where another process may write instead, as its standard output.
+  /// Descriptor for another process that writes instead, as its standard output.
   int descriptor() const { return descriptor_.get(); }
 
-  /// Writes over what was written before at `offset`.
+  /// Overwrites earlier text at `offset`.
   void write_at(std::size_t offset, std::string_view text);
 
   /// Waits until everything is on the disk, still under the name of the temporary. Nothing may be written

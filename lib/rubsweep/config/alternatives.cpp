@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 2> tied_keys{"keys", "factors"};
 constexpr std::array<std::string_view, 1> kick{"kick"}, start{"start"};
 constexpr std::array<std::string_view, 4> spaced{"from", "to", "count", "scale"};
 
-/// Ways to say the same, each by the keys that belong to it; at most four, the empty ones are no way.
+/// Alternative spellings, each by the keys that belong to it; at most four, the empty ones do not count.
 constexpr std::array<std::array<Keys, 4>, 10> alternatives{{
     {stribeck, curve, coefficient, one_way},
     {stiffness, hertz},

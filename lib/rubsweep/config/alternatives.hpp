@@ -6,8 +6,8 @@
 
 namespace rubsweep::config {
 
-/// Removes from a map the keys that say by other means what the key `written` says (stribeck and coefficient,
-/// values and from/to/count, ...): what is written over a map takes them back.
+/// Removes from a map the keys that are alternatives to the key `written` (stribeck and coefficient, values
+/// and from/to/count, ...): a value written over a map replaces them.
 void drop_alternatives(Node& map, std::string_view written);
 
 /// Removes one key of a map and its value.

@@ -30,7 +30,7 @@ struct AxisValues {
 /// Written values are in `range`, and are divided by `units_per_si` before it is spaced.
 AxisValues read_axis(const Value& value, const model::Range& range, double units_per_si = 1);
 
-/// The same of a section that has keys of its own beside them.
+/// The same for a section that has keys of its own beside them.
 AxisValues read_axis_values(Section& section, const model::Range& range, double units_per_si = 1);
 
 /// The entries of an axis as they were written, into a map that is open: from, to, count and scale where

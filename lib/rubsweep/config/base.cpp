@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view allowed_base = "a file to read, named relative to this one";
 
-/// The same for all names of one file.
+/// Identity of a file, the same for all of its names.
 fs::path identity(const fs::path& file) {
   std::error_code error;
   const fs::path absolute = fs::weakly_canonical(file, error);
@@ -103,7 +103,7 @@ class Resolver {
     } else if (chain.size() > static_cast<std::size_t>(max_base_generations)) {
       refuse(name, "too many bases of bases", fmt::format("at most {}", max_base_generations));
     } else if (++files_ > max_base_files) {
-      // Said once: the others are as many.
+      // Reported for the first base too many, not for each.
       if (files_ == max_base_files + 1)
         refuse(name, "too many bases", fmt::format("at most {} in all", max_base_files));
     } else {

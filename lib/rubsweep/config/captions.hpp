@@ -6,9 +6,9 @@
 
 namespace rubsweep::config {
 
-/// `title`, `author` and `note` of a root: texts that change no number. Refuses what would not be shown as it
-/// is written: control characters (of a note but its line ends), and those that turn the direction of
-/// writing.
+/// Reads `title`, `author` and `note` of a root: texts that change no number. Refuses characters that would
+/// not be shown as written: control characters (in a note all but its line ends), and those that turn the
+/// direction of writing.
 void read_captions(Section& root, batch::Captions& captions);
 
 /// Prints the captions that are not empty.

@@ -8,9 +8,9 @@
 
 namespace rubsweep::config {
 
-/// The configuration of cells that differ by speed and unbalance alone: what an axis over keys holds is
-/// written in its keys, and there are no such axes any more. An axis whose keys are all named by overrides or
-/// are among those `said_elsewhere` holds what these say. Throws ConfigError as read_run_config does, and
+/// Configuration of cells that differ by speed and unbalance alone: the values of axes over keys are written
+/// into their keys, and there are no such axes any more. An axis whose keys are all named by overrides or are
+/// among those `said_elsewhere` has the values given there. Throws ConfigError as read_run_config does, and
 /// with its place for every other axis of several values.
 RunConfig read_cell_config(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                            const std::vector<std::string>& said_elsewhere = {});

@@ -49,7 +49,7 @@ Place place_of(const YAML::Mark& mark, const Source& source) {
              : Place{source.override_index, 1, 1};
 }
 
-/// Builds the tree from yaml-cpp's events. YAML::Load is of no use here: it shares aliased nodes, so that an
+/// Builder of the tree from yaml-cpp's events. YAML::Load does not serve: it shares aliased nodes, so that an
 /// override of one would change the other, hides a second document and has no limits.
 class TreeBuilder : public YAML::EventHandler {
  public:

@@ -45,7 +45,7 @@ model::StribeckFriction read_curve(Section& section) {
   return {};
 }
 
-/// A curve that drives the slip somewhere is none, whichever way it is said.
+/// Refuses a curve that drives the slip somewhere, in either spelling.
 void refuse_driving(const Section& section, std::string_view key, const model::Friction& friction) {
   const contact::FrictionBounds bounds = contact::friction_bounds(friction);
   if (contact::brakes(bounds)) return;

@@ -37,7 +37,7 @@ void write_over(Node& base, Node::Key key, Node item, std::string_view path, Dia
   }
 }
 
-/// A key without a value takes that of the base back, before another way to say the same does.
+/// Lets a key without a value take back the base's own, before alternative keys do.
 void take_back(Node& base, Node& over) {
   for (std::size_t i = over.keys.size(); i-- > 0;) {
     const std::size_t index = index_of(base, over.keys[i].text);

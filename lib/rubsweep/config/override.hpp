@@ -16,7 +16,7 @@ namespace rubsweep::config {
 /// problem and changes no value.
 void apply_overrides(Node& root, const std::vector<std::string>& overrides, Diagnostics& diagnostics);
 
-/// Writes one number as an override does. `place` is that of what is written and of the problems.
+/// Writes one number as an override does. `place` is that of the number and of the problems.
 void write_number(Node& root, std::string_view path, double value, const Place& place,
                   Diagnostics& diagnostics);
 

@@ -21,7 +21,7 @@ double per_metre(const Value& value, double units) {
   return 1;
 }
 
-/// In Hz; 1 after a problem.
+/// Rated speed in Hz; 1 after a problem.
 double read_rated_speed(Section& sweep) {
   double rated_hz = 1;
   sweep.require_exactly_one({rated_hz_key, rated_rpm_key});

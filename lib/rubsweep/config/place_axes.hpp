@@ -29,8 +29,8 @@ void read_unbalance(Section& sweep, const model::Machine& machine, sweep::Grid& 
 sweep::WrittenAxis in_rpm();
 sweep::WrittenAxis in_g_mm(double units_per_metre);
 
-/// An axis of speeds or unbalances with its key, `si_key` where it was not written in another unit. What is
-/// printed reads back as the same numbers: where digits of the other unit do not say them, SI does.
+/// Prints an axis of speeds or unbalances with its key, `si_key` where it was not written in another unit.
+/// Printed values read back as the same numbers: where digits of the other unit do not suffice, SI is used.
 void print_place_axis(Printer& printer, std::string_view si_key, const sweep::WrittenAxis& written,
                       const std::vector<double>& values, AxisPrint how);
 

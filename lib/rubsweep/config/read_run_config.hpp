@@ -21,7 +21,7 @@ namespace rubsweep::config {
 /// read.
 RunConfig read_run_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// The same for a text; `name` stands for the file in messages, and bases are relative to it. Throws
+/// The same for a text; `name` replaces the file in messages, and bases are relative to it. Throws
 /// ConfigError.
 RunConfig read_run_config_text(std::string_view text, const std::string& name,
                                const std::vector<std::string>& overrides);

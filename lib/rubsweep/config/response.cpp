@@ -80,7 +80,7 @@ void print_response(Printer& printer, const sweep::Study& study) {
       printer.field(name, field, allowed);
     });
   }
-  // Only where it says something, for the same reason.
+  // Only where it is not the default, for the same reason.
   if (study.hertz_iterations > 0) printer.integer("hertz_iterations", study.hertz_iterations);
   printer.close();
 }

@@ -14,14 +14,14 @@
 
 namespace rubsweep::config {
 
-/// A map of the file. Remembers which keys were asked for, so that the others can be refused.
+/// A map of the file. Remembers which keys were looked for, so that the others can be refused.
 class Section {
  public:
   /// Refuses repeated keys, and a value that is not a map: such a section finds nothing and misses nothing.
   /// `allowed` describes what may stand there.
   explicit Section(const Value& value, std::string_view allowed = "a map");
 
-  /// False when the value is not a map; then nothing more need be said about what it holds.
+  /// False when the value is not a map; then no problem of its contents need be reported.
   bool is_map() const { return value_.node.kind == Node::Kind::map; }
 
   /// The first value under this key, empty without one. Makes the key a known one.
@@ -55,15 +55,15 @@ class Section {
   /// Index of the kind of something among those there are; the key must be given.
   std::optional<std::size_t> require_kind(std::string_view name, std::span<const std::string_view> kinds);
 
-  /// Refuses every key that was never asked for. Call it last.
+  /// Refuses every key that was never looked for. Call it last.
   void refuse_unknown_keys() const;
 
   /// Problem of several keys together: reported under `name`, at the last of the places of `involved`.
   void refuse_together(std::string_view name, std::initializer_list<std::string_view> involved,
                        std::string_view wrong, std::string_view allowed) const;
 
-  /// True as long as the value is a map of which nothing has been refused: what its fields say together may
-  /// be judged.
+  /// True as long as the value is a map of which nothing has been refused: only then can its fields be judged
+  /// together.
   bool is_sound() const { return is_map() && value_.diagnostics.count() == problems_before_; }
 
  private:

@@ -7,10 +7,10 @@
 
 namespace rubsweep::config {
 
-/// `study`: what is asked of every cell beside its motion.
-/// {kind: threshold, key: PATH, from, to, count, scale, tolerance}: after which numbers rub goes on.
-/// {kind: basin, samples, over: [{key: PATH, from, to, scale}, ...]}: where starts drawn from a box lead.
-/// {kind: map}: nothing.
+/// `study`: a question to every cell beside its motion. {kind: threshold, key: PATH, from, to,
+/// count, scale, tolerance}: the numbers at which rub goes on. {kind: basin, samples, over: [{key:
+/// PATH, from, to, scale}, ...]}: the attractors that starts drawn from a box lead to. {kind: map}:
+/// none.
 void read_study_kind(const Value& value, sweep::Study& study);
 
 /// Nothing for a study that asks no more than a map.

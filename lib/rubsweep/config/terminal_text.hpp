@@ -8,9 +8,9 @@ namespace rubsweep::config {
 
 enum class ControlCharacters { none, tabs_and_line_ends };
 
-/// Appends what `text` starts with, a character or a stray byte, as a terminal may be shown it, and returns
-/// its bytes. Control characters but the `kept` ones become `\xNN`, U+0080 to U+009F among them, which
-/// terminals obey as they do an escape sequence, and so do bytes that are no UTF-8. `text` is not empty.
+/// Appends the first character or stray byte of `text`, in a form safe for a terminal, and returns its bytes.
+/// Control characters but the `kept` ones become `\xNN`, U+0080 to U+009F among them, which terminals obey as
+/// they do an escape sequence, and so do bytes that are no UTF-8. `text` is not empty.
 std::size_t append_shown(std::string& result, std::string_view text, ControlCharacters kept);
 
 /// `text` of any number of lines fit for a terminal.

@@ -17,7 +17,7 @@ bool is_control(char byte);
 /// ASCII or Latin-1, a separator of lines or paragraphs, or one that turns the direction of writing.
 bool is_hidden(std::string_view character);
 
-/// Offset of the first character that looks like a blank, or like nothing, and is neither to YAML: a no-break
+/// Offset of the first character that looks like a blank, or is invisible, and is neither to YAML: a no-break
 /// space, those of a typesetter, a byte order mark inside. Empty when there is none.
 std::optional<std::size_t> find_foreign_blank(std::string_view text);
 
@@ -35,7 +35,7 @@ std::optional<std::size_t> first_unreadable_byte(std::string_view text);
 /// `longest` bytes.
 std::string shown(std::string_view text, std::size_t longest = 60);
 
-/// Dotted path of what is called `name` inside `path`, fit for a message.
+/// Dotted path of the child `name` of `path`, fit for a message.
 std::string child_path(std::string_view path, std::string_view name);
 
 }  // namespace rubsweep::config

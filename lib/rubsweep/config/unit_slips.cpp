@@ -23,7 +23,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// By what a number is measured.
+/// Scale that a number is compared with.
 enum class Scale {
   one,
   frequency_hz,     ///< the lowest natural frequency
@@ -92,8 +92,8 @@ constexpr std::array rules{
              "grams per cubic centimetre", 1e3},
 };
 
-/// Where numbers of a quantity stand; `*` is any index of a list, or any key of a map of casings. Of an axis
-/// all its values.
+/// Position of the numbers of a quantity; `*` is any index of a list, or any key of a map of casings. For an
+/// axis all its values.
 struct Standing {
   std::string_view pattern;
   Quantity quantity;
@@ -238,7 +238,7 @@ std::optional<Slip> slip_by(const SlipRule& rule, double value, const model::Mac
               rule.certain};
 }
 
-/// A number in the configuration, and what is to be said of it.
+/// A number in the configuration, and the question about it.
 struct Found {
   Value value;
   Slip slip;

@@ -40,8 +40,8 @@ struct Slip {
   bool certain = false;  ///< no machine has such a number: refused; else asked about
 };
 
-/// Empty where the number is plausible. `machine` (null: not known) gives what it is compared with, at stop
-/// `stop` where there are several; what is not known is not judged.
+/// Empty where the number is plausible. `machine` (null: not known) gives the scales of comparison, at stop
+/// `stop` where there are several; numbers without a known scale are not judged.
 std::optional<Slip> slip_of(Quantity quantity, double value, const model::Machine* machine,
                             std::size_t stop = 0);
 

@@ -25,7 +25,7 @@ namespace {
 constexpr std::string_view allowed_keys =
     "a number of rotor, stops, kick, start, gravity_m_per_s2, solver or response, as --print-config names it";
 
-/// The study as a document without what no key of an axis may name.
+/// The study as a document without the keys that no axis may name.
 Node document_of(const sweep::Study& study) {
   sweep::Study plain = study;
   plain.threshold.reset();

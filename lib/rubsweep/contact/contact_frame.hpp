@@ -11,8 +11,8 @@ struct RelativeMotion {
   double v1 = 0, v2 = 0;
 };
 
-/// The same seen from the wall, with the normal n = (cosine, sine) in the fixed directions and the tangent
-/// t = (-sine, cosine).
+/// Frame at the contact seen from the wall, with the normal n = (cosine, sine) in the fixed directions and
+/// the tangent t = (-sine, cosine).
 struct ContactFrame {
   double cosine = 1, sine = 0;
   /// 1 / |d|: how fast the normal turns with a tangential displacement; 0 for a flat wall.

@@ -59,7 +59,7 @@ constexpr NormalForce force_in_mode(Mode mode, double stiffness, double damping,
   return {law.friction * spring, law.spring * spring + law.damper * (damping * closing_speed)};
 }
 
-/// Its derivatives.
+/// Derivatives of the normal force in a mode.
 constexpr ForceSlopes slopes_in_mode(Mode mode, double stiffness, double damping) {
   const LinearLaw law = law_of(mode);
   return {law.friction * stiffness, law.spring * stiffness, law.damper * damping};
@@ -125,9 +125,9 @@ constexpr Guards guards_of(Mode mode, double stiffness, double damping, const Ki
   return guards;
 }
 
-/// Where a guard from `mode` towards `next` really leads. A sprung contact becomes clamped (at d v = K p)
-/// while its penetration rises, and released (at d v = -K p) while it falls. With little damping both happen
-/// within rounding of p = 0, and which of the two a solver meets first there is chance: the sign of v
+/// Mode that a guard from `mode` towards `next` really leads to. A sprung contact becomes clamped (at d v = K
+/// p) while its penetration rises, and released (at d v = -K p) while it falls. With little damping both
+/// happen within rounding of p = 0, and which of the two a solver meets first there is chance: the sign of v
 /// decides.
 constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) {
   if (mode != Mode::sprung || next == Mode::open) return next;

@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Index;
 
-/// A share of a surface's own mobility. Tangents at an angle of a ten-millionth are independent; what less
-/// than that leaves is rounding.
+/// Smallest independent mobility, as a share of a surface's own. Tangents at an angle of a ten-millionth are
+/// independent; a smaller remainder is rounding.
 constexpr double independent = 1e-14;
-// Shares of what an acceleration is the sum of.
+// Shares of the terms that an acceleration is the sum of.
 constexpr double still = 1e-13;   ///< none that would set a friction free
 constexpr double poised = 1e-12;  ///< none of a surface whose friction is at its limit
 constexpr double lawful = 1e-11;  ///< what the check lets pass
@@ -33,8 +33,8 @@ class FrictionBox {
     }
   }
 
-  /// At most so many steps: far more than there are ways to go, and few enough to end where rounding goes
-  /// round in a circle. The check then tells.
+  /// Active-set iteration with a bound on its steps: far more than there are active sets, and few enough to
+  /// end where rounding makes it cycle. The check then tells.
   void minimise() {
     const Index most = 32 * limit_.size();
     for (Index step = 0; step < most; ++step) {
@@ -49,7 +49,7 @@ class FrictionBox {
   const StickVector& force() const { return force_; }
   /// -1 and 1 at the sides of the box, 0 between them.
   int side(Index i) const { return side_[at(i)]; }
-  /// Acceleration of a slip with the friction of all, and the size of what it is the sum of.
+  /// Acceleration of a slip with the friction of all, and the size of its terms.
   double left(Index i) const { return acceleration_(i) - mobility_.row(i).dot(force_); }
   double size(Index i) const {
     return std::abs(acceleration_(i)) + mobility_.row(i).cwiseAbs().dot(force_.cwiseAbs());
@@ -86,7 +86,7 @@ class FrictionBox {
     }
   }
 
-  /// How often the way of the k-th free one fits into what is left of its box.
+  /// Multiple of the search direction that takes the k-th free friction to the end of its box.
   double room(const StickVector& way, Index k) const {
     if (way(k) == 0) return std::numeric_limits<double>::infinity();
     const Index i = free_[at(k)];
@@ -131,7 +131,7 @@ class FrictionBox {
     return true;
   }
 
-  /// One unit of number k, and of those before what takes its acceleration back.
+  /// Null vector of the mobility: one unit of number k, and of those before it, without any acceleration.
   void put_idle_way(const StickMobility& root, Index k, StickVector& way) const {
     way.setZero();
     way.head(k) = -root.row(k).head(k).transpose();

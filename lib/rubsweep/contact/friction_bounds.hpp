@@ -6,7 +6,7 @@
 
 namespace rubsweep::contact {
 
-/// The extremes of a friction coefficient over all slip speeds above zero, whichever way it is said.
+/// Extremes of a friction coefficient over all slip speeds above zero, in any of its forms.
 struct FrictionBounds {
   double smallest = 0;  ///< below 0: friction that drives the slip; -infinity: a falling viscous part
   double smallest_at_m_per_s = 0;

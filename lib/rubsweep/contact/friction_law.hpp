@@ -31,7 +31,7 @@ struct SaturatedFriction {
 std::optional<SaturatedFriction> saturated_friction(const model::Friction& friction);
 
 /// mu(slip) = sum over `count` terms of height tanh(steepness slip), plus constant, plus dry sign(slip), plus
-/// viscous slip: what a power series of it is made of.
+/// viscous slip: the terms that its power series is made of.
 struct FrictionTerms {
   struct Tanh {
     double height = 0, steepness_s_per_m = 0;

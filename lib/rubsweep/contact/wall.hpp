@@ -30,10 +30,10 @@ using Wall = std::variant<FlatWall, AnnularWall>;
 /// not couple x into y by rounding.
 Eigen::Vector2d direction(double angle_deg);
 
-/// In metres, as the configuration says it.
+/// Wall of a geometry, in metres as the configuration has it.
 Wall wall_of(const model::StopGeometry& geometry);
 
-/// With its lengths divided by `unit`.
+/// The wall with its lengths divided by `unit`.
 Wall in_units(const Wall& wall, double unit);
 
 bool same(const Wall& a, const Wall& b);
@@ -57,8 +57,8 @@ Eigen::Vector2d offset(const Wall& wall);
 /// else x. The second one is a quarter turn ahead of it.
 Eigen::Vector2d first_direction(const Wall& wall);
 
-/// From the rotor to the wall where the rotor is at `distance` = d. The centre of an annular stop has no such
-/// direction and touches nothing: +y there.
+/// Direction from the rotor to the wall where the rotor is at `distance` = d. The centre of an annular stop
+/// has no such direction and touches nothing: +y there.
 Eigen::Vector2d normal_at(const Wall& wall, const Eigen::Vector2d& distance);
 
 /// How a wall is drawn, seen from the rotor's rest position.
@@ -72,7 +72,7 @@ Outline outline(const Wall& wall);
 /// Map from the displacements q to rotor point - casing point.
 using RelativeMap = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 
-/// Rows on q whose lengths bound what moves the rotor against the wall.
+/// Rows on q whose lengths bound the motion of the rotor against the wall.
 Eigen::MatrixXd rows_against(const Wall& wall, const RelativeMap& relative);
 
 /// Penetration under the motion q = mean + Re(amplitude e^{i phase}): that of the mean position, and the most
@@ -111,8 +111,8 @@ inline Kinematics kinematics(const Wall& wall, const RelativeMotion& m, double a
       wall);
 }
 
-/// The same for a contact that is open. In an annular stop (|d|^2 - C^2) / (2 C) stands for the penetration:
-/// it rises through zero with |d| - C, and stays smooth through the centre.
+/// The same for a contact that is open. In an annular stop (|d|^2 - C^2) / (2 C) replaces the penetration: it
+/// rises through zero with |d| - C, and stays smooth through the centre.
 inline Kinematics open_kinematics(const Wall& wall, const RelativeMotion& m, double a1, double a2,
                                   double clearance) {
   return std::visit(overloaded{[&](const FlatWall&) -> Kinematics {

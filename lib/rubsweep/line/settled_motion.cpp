@@ -94,7 +94,7 @@ class Follower {
     return true;
   }
 
-  /// Until the section is that of `order` turns ago, for so many turns at most.
+  /// Passes turns until the section is that of `order` turns ago, `most` at most.
   bool pass_until_it_returns(int order, long most) {
     response::motion::SectionReturns returns(order);
     returns.returned(turn_.section);

@@ -12,11 +12,11 @@ double unbalanced_mass_kg(const Machine& machine);
 /// Mass of the rotor that a balance grade is for: of a rotor kit its shaft and its discs.
 double rotor_mass_kg(const Machine& machine);
 
-/// By how much an unbalance in g mm is divided to give the eccentricity of a cell in metres.
+/// Divisor of an unbalance in g mm that gives the eccentricity of a cell in metres.
 double g_mm_per_metre(const Machine& machine);
 
-/// The same of a balance quality grade G of ISO 21940-11 in mm/s: the unbalance that it permits is
-/// G rotor_mass_kg / w, w the angular speed of `rated_speed_hz`; of a Jeffcott rotor e = G / w.
+/// The same for a balance quality grade G of ISO 21940-11 in mm/s: the unbalance that it permits is G
+/// rotor_mass_kg / w, w the angular speed of `rated_speed_hz`; for a Jeffcott rotor e = G / w.
 double grade_per_metre(const Machine& machine, double rated_speed_hz);
 
 }  // namespace rubsweep::model

@@ -65,7 +65,7 @@ struct StribeckFriction {
   static constexpr std::string_view name = "Stribeck";
 
   std::array<double, 6> gamma{};
-  /// Where gamma came from (contact::stribeck_of); changes no force.
+  /// Curve that gamma was fitted to (contact::stribeck_of); changes no force.
   std::optional<StribeckCurve> curve = std::nullopt;
 
   static void visit_fields(auto& self, auto&& visit) {

@@ -30,7 +30,7 @@ struct ShaftSegment {
   }
 };
 
-/// Rigid disc on the shaft. Its unbalance is said per metre of the cell's eccentricity e: the centre of mass
+/// Rigid disc on the shaft. Its unbalance is given per metre of the cell's eccentricity e: the centre of mass
 /// stands eccentricity_ratio * e off the shaft's axis, the axis of inertia leans by skew_rad_per_m * e.
 /// Phases count from the mark on the shaft that every disc and the bow share, in the direction of rotation.
 struct Disc {
@@ -134,8 +134,8 @@ struct Coupling {
   }
 };
 
-/// Residual bow: what the shaft's axis is off a straight line without any load, turning with the shaft. The
-/// cell's unbalance is scaled, the bow is not.
+/// Residual bow: deviation of the shaft's axis from a straight line without any load, turning with the shaft.
+/// The cell's unbalance is scaled, the bow is not.
 struct BowPoints {  ///< the least bent line through these points
   std::vector<double> position_m;
   std::vector<double> deflection_m;
@@ -181,7 +181,7 @@ struct RotorKit {
   std::optional<Torsion> torsion;
   std::vector<Sensor> sensors;
   std::vector<double> damping_ratio{0};  ///< structural, of mode 1, 2, ...; the last one goes on
-  /// The same of the damping that turns with the shaft; without pedestals, which do not.
+  /// The same for the damping that turns with the shaft; without pedestals, which do not.
   std::vector<double> rotating_damping_ratio{0};
   std::optional<int> modes;      ///< bending modes kept in each plane; empty: as many as it takes
   double modes_up_to_hz = 2000;  ///< up to where the reduced rotor answers as the full one
@@ -204,7 +204,7 @@ bool has_rotating_damping(const RotorKit& kit);
 /// Whether some support has a housing with a mass of its own.
 bool has_pedestals(const RotorKit& kit);
 
-/// Where a coupling may stand: off both ends, so that there is shaft on either side of it.
+/// Allowed places of a coupling: off both ends, so that there is shaft on either side of it.
 Range coupling_places(const RotorKit& kit);
 
 /// Throws ConfigError naming the first number that is missing or out of range, or a part that is not on the

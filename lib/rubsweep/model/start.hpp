@@ -7,8 +7,8 @@
 
 namespace rubsweep::model {
 
-/// Where a body is and how fast it moves. What is not given stays as on the quiet whirl, or as at rest where
-/// that reaches a wall.
+/// Position and velocity of a body. A number that is not given stays as on the quiet whirl, or as at rest
+/// where that reaches a wall.
 struct BodyState {
   std::optional<double> x_m{}, y_m{};  ///< from the unloaded position
   std::optional<double> vx_m_per_s{}, vy_m_per_s{};

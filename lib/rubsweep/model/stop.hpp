@@ -25,7 +25,7 @@ struct AnnularGeometry {
 
 using StopGeometry = std::variant<OneSideGeometry, AnnularGeometry>;
 
-/// Where the damping constant of a contact comes from; exactly one is given.
+/// Sources of the damping constant of a contact; exactly one is given.
 struct NominalRestitution {
   double value = required;  ///< e of the unclamped oscillator; the clamp returns more (physics of ElastoGap)
 };

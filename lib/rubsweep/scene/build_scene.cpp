@@ -59,8 +59,8 @@ std::complex<double> phase_to_smallest_gap(const QuietMotion& unit, const struct
   return modulus > 0 && std::isfinite(modulus) ? std::conj(amplitude) / modulus : 1.0;
 }
 
-/// Says the unbalance the other way too. `remaining_m`: clearance that static forces leave at the first stop.
-/// Where they leave none, or the amplitude has no bound, no number says the other way: NaN.
+/// Sets the other measure of the unbalance too. `remaining_m`: clearance that static forces leave at the
+/// first stop. Where they leave none, or the amplitude has no bound, no number gives the other measure: NaN.
 void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, double amplitude_per_m) {
   const bool related = remaining_m > 0 && std::isfinite(amplitude_per_m);
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -128,7 +128,7 @@ bool touches_anywhere(const Cell& cell) {
   return false;
 }
 
-/// Structure, walls and constant force at a speed: what no unbalance and no kick changes.
+/// Structure, walls and constant force at a speed: the part that no unbalance and no kick changes.
 Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   const structure::Assembly& assembly = prepared.assembly;
   Scene scene;
@@ -156,7 +156,7 @@ void forget_what_overflows(Cell& cell) {
 /// The kick comes when the shaft has turned on from the smallest gap by this angle.
 std::complex<double> phase_of_kick(const model::Machine& machine) {
   const double phase_deg = machine.kick ? machine.kick->phase_deg.value_or(0) : 0;
-  // Without a phase not a bit of the motion may change.
+  // Without a phase the motion must keep every bit.
   return phase_deg == 0 ? 1.0 : std::polar(1.0, phase_deg * std::numbers::pi / 180);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double largest_miss = 1e-6;  ///< of what was asked for
 
-/// Rows of the structure's points, and what the state times them shall be.
+/// Rows of the structure's points, and the values that their products with the state must have.
 struct Wanted {
   std::vector<std::pair<Eigen::RowVectorXd, double>> rows;
 
@@ -21,7 +21,7 @@ struct Wanted {
   }
 };
 
-/// The state with what is wanted, changed as forces or impulses along the rows change it; `matrix` is the
+/// State with the wanted values, changed as forces or impulses along the rows change it; `matrix` is the
 /// stiffness or the mass, which turns a change into those.
 Eigen::VectorXd brought_to(const Wanted& wanted, const Eigen::VectorXd& state,
                            const Eigen::MatrixXd& matrix) {

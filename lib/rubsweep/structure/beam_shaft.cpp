@@ -147,7 +147,7 @@ void add_support(const model::Support& support, Eigen::Index pedestal, BeamShaft
 }  // namespace
 
 Eigen::Index BeamShaft::deflection(double position_m) const {
-  // A little more than what makes two stations one, whatever the rounding of either.
+  // Tolerance a little above the distance at which two stations are one, whatever the rounding of either.
   const double tolerance = (1 + 1e-3) * same_place * node_position_m.back();
   for (std::size_t node = 0; node < node_position_m.size(); ++node) {
     if (std::abs(node_position_m[node] - position_m) <= tolerance) return static_cast<Eigen::Index>(2 * node);

@@ -18,7 +18,7 @@ struct LateralSystem {
   std::array<Eigen::Index, 2> shapes{0, 0};  ///< m_x, m_y
 
   Eigen::Index coordinates() const { return shapes[0] + shapes[1]; }
-  /// Where shape `j` of a plane stands.
+  /// Index of the coordinate of shape `j` of a plane.
   Eigen::Index index(std::size_t plane, Eigen::Index j) const;
   /// A vector in one plane, given per shape, among all coordinates.
   Eigen::VectorXd scatter(std::size_t plane, const Eigen::VectorXd& per_shape) const;

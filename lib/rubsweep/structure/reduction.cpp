@@ -20,7 +20,7 @@ constexpr const char* too_extreme =
     "allowed: "
     "less extreme numbers";
 
-/// One plane before the reduction: all modes that may be kept, and what a static force at each stop does.
+/// One plane before the reduction: all modes that may be kept, and the deflection by a force at each stop.
 struct Plane {
   Eigen::MatrixXd stiffness;
   numerics::CholeskyFactors factor;

@@ -21,8 +21,8 @@ Eigen::VectorXcd rates_per_s(const Eigen::MatrixXd& inertia, const Eigen::Matrix
   generator.topRightCorner(n, n).setIdentity();
   generator.bottomLeftCorner(n, n) = -mass.solve(stiffness);
   generator.bottomRightCorner(n, n) = -mass.solve(damping);
-  // Displacements and velocities in units of time that make them alike, where the second is far from that:
-  // the eigenvalues would lose what rounding takes from the larger ones. A power of two costs no rounding.
+  // Power of two beyond which the time unit is changed so that displacements and velocities are alike:
+  // otherwise small eigenvalues would be lost in the rounding of large ones. It costs no rounding.
   constexpr int far_from_the_unit = 20;
   const double largest = generator.bottomLeftCorner(n, n).cwiseAbs().maxCoeff();
   const int order = largest > 0 ? std::ilogb(std::sqrt(largest)) : 0;
@@ -32,7 +32,7 @@ Eigen::VectorXcd rates_per_s(const Eigen::MatrixXd& inertia, const Eigen::Matrix
   }
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(generator, false);
   if (solver.info() == Eigen::Success) return solver.eigenvalues();
-  // Not known: nothing is said to grow.
+  // Eigenvalues unknown: no vibration is reported to grow.
   return Eigen::VectorXcd::Constant(2 * n, std::numeric_limits<double>::quiet_NaN());
 }
 

@@ -27,7 +27,7 @@ struct BasinSampling {
 /// The numbers of sample `index`, from 0.
 std::vector<KeyValue> draw(const BasinSampling& sampling, std::size_t index);
 
-/// Runs every sample and counts what they lead to.
+/// Runs every sample and counts the attractors.
 Basins sample_basins(const BasinSampling& sampling,
                      const std::function<SampledMotion(const std::vector<KeyValue>&)>& run);
 

@@ -15,7 +15,7 @@ struct Side {
   std::size_t count = 1, stride = 0;
 };
 
-/// Where blocks lie: the plane of the first two axes with several values, once for each place of the others.
+/// Planes of blocks: the first two axes with several values, once for each combination of the others.
 struct Planes {
   std::array<Side, 2> sides;
   std::vector<std::size_t> origins;

@@ -39,8 +39,8 @@ constexpr std::string_view to_string(RunStart start) {
 /// The secant of Hertz' line contacts that a cell was computed with in the end.
 struct HertzSecant {
   int iterations = 0;  ///< how often it was taken anew
-  /// At which it is taken, of the stop with hertz that has the smallest design force, and by which those of
-  /// the other stops follow.
+  /// Force at which the secant is taken, of the stop with hertz that has the smallest design force; those of
+  /// the other stops follow from it.
   double force_n = 0;
   double stiffness_n_per_m = 0;  ///< of that stop
 };

@@ -36,9 +36,9 @@ struct Study {
   int hertz_iterations = 0;
   std::optional<BasinSampling> basin{};      ///< each cell is also asked where these starts lead
   std::optional<ThresholdScan> threshold{};  ///< each cell is also asked after which of these numbers it rubs
-  /// This study with other numbers under some of its keys, and with a grid that says nothing. Throws
-  /// ConfigError where they are not allowed. Whoever reads the study fills it, and leaves it empty where
-  /// nothing varies keys. Threads may share it.
+  /// Makes this study with other numbers under some of its keys, and with an empty grid. Throws ConfigError
+  /// where they are not allowed. The reader of the study sets it, and leaves it empty where nothing varies
+  /// keys. Threads may share it.
   std::function<Study(std::span<const KeyValue>)> with_keys{};
 };
 

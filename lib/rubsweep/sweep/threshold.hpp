@@ -9,7 +9,7 @@
 
 namespace rubsweep::sweep {
 
-/// Which numbers a study of thresholds tries in every cell: those of the axis, ascending, then smaller and
+/// Numbers that a study of thresholds tries in every cell: those of the axis, ascending, then smaller and
 /// smaller steps wherever rub begins or ends between two of them.
 struct ThresholdScan {
   KeyAxis axis;

@@ -8,7 +8,7 @@
 
 namespace rubsweep::sweep {
 
-/// How a person wrote speeds or unbalances, for those who show them. No number of a map depends on it.
+/// Form in which a person wrote speeds or unbalances, for output. No number of a map depends on it.
 struct WrittenAxis {
   std::string key{};                        ///< such as speed_rpm; empty: in SI units
   std::string unit{};                       ///< such as "rpm" or "g mm"

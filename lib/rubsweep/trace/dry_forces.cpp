@@ -25,7 +25,7 @@ bool stands(const Law& law, std::size_t i, const State& state) {
   return std::abs(law.slip(i, state)) <= sticking_slip * std::max(1.0, std::abs(surface));
 }
 
-/// Mode of every contact by the state alone, and which way those slip that do.
+/// Initialises the mode of every contact from the state, ignoring history, and the directions of their slips.
 void enter(Law& law, const State& state) {
   for (std::size_t i = 0; i < law.modes().size(); ++i) {
     const auto& c = law.system().contacts[i];

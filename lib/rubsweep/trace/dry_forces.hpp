@@ -10,8 +10,8 @@
 namespace rubsweep::trace {
 
 /// Friction of the contacts whose friction is dry, at one instant of a run. A contact that slips has mu S;
-/// what holds one that sticks is no function of its own motion: it is the force that keeps the slip zero
-/// against all that acts on the structure at that instant, within mu S.
+/// the holding friction of one that sticks is no function of its own motion: it is the force that keeps the
+/// slip zero against all that acts on the structure at that instant, within mu S.
 class DryForces {
  public:
   explicit DryForces(const scene::Scene& scene);

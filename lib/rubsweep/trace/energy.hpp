@@ -25,8 +25,8 @@ struct Energy {
 Energy structure_energy(const scene::Scene& scene, const Eigen::VectorXd& q_m,
                         const Eigen::VectorXd& rate_m_per_s, double turns);
 
-/// Energy in the spring of a contact: the integral over the penetration of what contact::elastogap or,
-/// `smoothing_m` > 0, contact::smoothed_elastogap give for its spring.
+/// Energy in the spring of a contact: the integral over the penetration of the spring force of
+/// contact::elastogap or, `smoothing_m` > 0, contact::smoothed_elastogap.
 double spring_energy_j(double stiffness_n_per_m, double penetration_m, double smoothing_m);
 
 }  // namespace rubsweep::trace

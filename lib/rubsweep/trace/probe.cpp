@@ -34,7 +34,7 @@ void ProbeReader::add(const integrate::run::TurnReport& turn) {
   ++turn_;
 }
 
-/// By the cubic through values and rates of the samples on both sides, the last one being the section.
+/// Reading by the cubic through values and rates of the neighbouring samples, the last one the section.
 double ProbeReader::reading(const integrate::run::TurnReport& turn, double turns, Eigen::Index probe) const {
   const auto n = static_cast<Eigen::Index>(states_ / 2);
   const double place = turns * turn.sample_count;

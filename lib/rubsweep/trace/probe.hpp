@@ -20,9 +20,9 @@ struct Probes {
 /// Finest samples of a turn that readings are taken between.
 inline constexpr int probe_samples_per_revolution = 4096;
 
-/// How many times finer than `samples_per_revolution` a run is to be sampled for its probes: at most
-/// `probe_samples_per_revolution`. A cubic through values and rates so close together misses a vibration of
-/// order p by (2 pi p / 4096)^4 / 384 of its amplitude: 1e-7 at order 50.
+/// Refinement of `samples_per_revolution` for the probes of a run: at most `probe_samples_per_revolution`. A
+/// cubic through values and rates so close together misses a vibration of order p by (2 pi p / 4096)^4 / 384
+/// of its amplitude: 1e-7 at order 50.
 int probe_refinement(int samples_per_revolution);
 
 /// Takes readings at t = 0, sample_s, ... from a run that is sampled finely.

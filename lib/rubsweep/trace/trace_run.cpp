@@ -92,7 +92,7 @@ class Recorder {
     return static_cast<double>(sample) / (options_.samples_per_revolution * options_.speed_hz);
   }
 
-  /// The same in turns of the shaft, whose whole part is exact.
+  /// Time of sample k in turns of the shaft, whose whole part is exact.
   double turns_at(int k) const {
     return static_cast<double>(trace_.revolutions) + static_cast<double>(k) / options_.samples_per_revolution;
   }
@@ -112,8 +112,8 @@ class Recorder {
 }  // namespace
 
 double trace_bytes(const TraceOptions& options, std::size_t stops, Eigen::Index coordinates) {
-  // A state, and its line of a table: numbers of all digits and their commas. A list or a text that grows may
-  // take twice what it holds.
+  // Size of a number in a table, with all digits and its comma. A list or a text that grows may take twice
+  // its contents.
   constexpr double number_bytes = 21, copies = 2;
   const double of_coordinates = 2 * static_cast<double>(coordinates);
   const double state_bytes = sizeof(TracedState) + sizeof(StopState) * static_cast<double>(stops) +

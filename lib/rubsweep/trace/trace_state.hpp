@@ -42,10 +42,10 @@ class StateReader {
   std::size_t size() const { return 2 * static_cast<std::size_t>(scene_.structure.coordinates()); }
   std::size_t stops() const { return scene_.contacts.size(); }
 
-  /// `turns`: of the shaft since t = 0, which what turns with it and a kick go by. Throws SolverError when
-  /// `scaled` has another size.
+  /// `turns`: of the shaft since t = 0, for the forces that turn with it and the kick. Throws SolverError
+  /// when `scaled` has another size.
   TraceState read(std::span<const double> scaled, double turns) const;
-  /// Where everything is and how fast it moves, without forces and energies, which take longer.
+  /// Positions and velocities, without forces and energies, which take longer.
   TraceState read_motion(std::span<const double> scaled) const;
 
  private:
@@ -55,7 +55,7 @@ class StateReader {
   };
 
   StopMotion stop_motion(std::size_t index, const TraceState& state) const;
-  /// Forces of a stop and what they do to the energy. `dry_n`: its friction where that is dry.
+  /// Adds the forces of a stop and their powers. `dry_n`: its friction where that is dry.
   void add_forces(std::size_t index, double dry_n, TraceState& state) const;
   double friction_n(const scene::Contact& contact, double slip_m_per_s, double spring_n, double dry_n) const;
 
