@@ -20,7 +20,7 @@ struct StudyArguments {
   bool quiet = false;
 };
 
-/// Prints what --help and --version ask for; false where something else is asked for.
+/// Prints the answer to --help and --version; false for any other action.
 bool answered(std::string_view program, Action action, const std::function<std::string()>& help);
 
 /// Functions of a program for each action on a configuration that was read.
@@ -29,7 +29,7 @@ struct StudyActions {
   std::function<int()> run;
 };
 
-/// Does what is asked for and returns an exit code.
+/// Carries out the action and returns an exit code.
 int act(const StudyArguments& arguments, const StudyActions& actions);
 
 }  // namespace rubsweep::apps

@@ -18,7 +18,7 @@ struct CellValues {
 /// Reads X,Y or SPEEDrpm,Y; a speed becomes one in Hz. Throws UsageError.
 CellValues read_cell_values(const std::string& text);
 
-/// The same as speed and unbalance. Throws UsageError where they are none.
+/// The cell as speed and unbalance. Throws UsageError where the values are none.
 CellArgument cell_of(const CellValues& values);
 
 /// Reads SPEED_HZ,UNBALANCE or SPEEDrpm,UNBALANCE. Throws UsageError.

@@ -14,7 +14,7 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Axes over keys that the command line leaves open, and those that hold one value.
+/// Axes over keys that the command line leaves open, and those with one value.
 struct KeyAxes {
   std::vector<const sweep::KeyAxis*> open, held;
 };

@@ -7,7 +7,7 @@
 
 namespace rubsweep::apps {
 
-/// Where a command is found among the directories of PATH; empty where there is none.
+/// Path of a command among the directories of PATH; empty where there is none.
 std::optional<std::filesystem::path> find_command(const std::string& name);
 
 /// Descriptors that a child gets as its standard input and output; empty: those of this process.

@@ -40,7 +40,7 @@ constexpr int steady_speeds = 121;
 /// Samples of a turn at the fastest speed.
 constexpr int ramp_samples = 128;
 
-/// The files of an experiment but its configuration, and what it found, for a terminal.
+/// Files of an experiment but its configuration, and its result for a terminal.
 struct Outcome {
   ResultFiles files;
   std::string summary;
@@ -121,7 +121,7 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   return outcome_of(report::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
 }
 
-/// The script that draws it, and what stands above the picture.
+/// Script that draws it, and the heading of the picture.
 std::pair<const char*, std::string> drawing_of(const RubtraceArguments& arguments) {
   if (arguments.campbell) return {"draw_campbell.py", "Campbell diagram"};
   const ramp::SpeedRamp& ramp = arguments.run_up.value();

@@ -5,7 +5,7 @@
 
 namespace rubsweep::apps {
 
-/// Runs the experiment of the arguments, writes its files into `directory` and says what it found. Returns an
+/// Runs the experiment of the arguments, writes its files into `directory` and prints the result. Returns an
 /// exit code.
 int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& config,
                    const std::filesystem::path& directory);

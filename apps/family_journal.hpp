@@ -12,13 +12,13 @@
 
 namespace rubsweep::apps {
 
-/// The directory in which families of a map are followed, while a process is at work there: families.journal
-/// holds what is found as it is found, until the result files have it, and families.lock says who is at work.
+/// Directory in which families of a map are followed, while a process is at work there: families.journal
+/// holds the results so far, until the result files have them, and families.lock names the process.
 class FamilyJournal {
  public:
-  /// Begins, or goes on with what an interrupted call left; `fresh`: after forgetting that. Throws
-  /// LockedError when another process is at work there, ConfigError when the journal belongs to another study
-  /// or program, IoError.
+  /// Begins, or continues an interrupted call; `fresh`: after removing its results. Throws LockedError when
+  /// another process is at work there, ConfigError when the journal belongs to another study or program,
+  /// IoError.
   FamilyJournal(const std::filesystem::path& directory, const sweep::Study& study, bool fresh);
 
   branch::FamilyRecords& records() { return records_; }
@@ -26,7 +26,7 @@ class FamilyJournal {
   /// Number of records read that an earlier call wrote.
   std::size_t found_before() const { return found_before_; }
 
-  /// The results are written: nothing is left to go on from.
+  /// Removes the journal once the results are written.
   void remove();
 
   /// Frees the directory, for a process that ends at once; waits for a line that is being written, and no

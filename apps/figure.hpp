@@ -11,7 +11,7 @@ namespace rubsweep::apps {
 
 void add_figure(po::options_description& options, const char* meaning);
 
-/// A picture that a program draws of what it wrote, with the scripts that come with it: those of an installed
+/// Picture that a program draws of its results, with the scripts that come with it: those of an installed
 /// copy in share/rubsweep/scripts, else those of the sources it was built from.
 class Figure {
  public:

@@ -20,17 +20,17 @@ struct FinishedMap {
   report::MapSummary summary;  ///< of known columns
 };
 
-/// Throws DamagedTable where the table at `path` is not as it was written, IoError; says on stderr as
-/// `program` where it has no checksum to tell by.
+/// Throws DamagedTable where the table at `path` is not as it was written, IoError; warns on stderr as
+/// `program` where it has no checksum to compare.
 void require_whole_table(std::string_view program, const std::filesystem::path& path);
 
-/// Reads the map of `study` a row at a time; its summary warns above so many clearances. Of a map of another
-/// study only the digest is read. Throws IoError, also where a row is no cell of the study or is there twice,
+/// Reads the map of `study` a row at a time; its summary warns above so many clearances. For a map of another
+/// study only the digest is read. Throws IoError, also where a row is no cell of the study or occurs twice,
 /// and as require_whole_table.
 FinishedMap read_finished_map(std::string_view program, const std::filesystem::path& map,
                               const sweep::Study& study, double warn_over_clearances);
 
-/// Says on stderr what makes the numbers of a whole map doubtful, where something does.
+/// Warns on stderr of conditions that make the numbers of a whole map doubtful.
 void warn(std::string_view program, const report::MapSummary& summary);
 
 /// Message of `program` on stderr where it finds the whole map of its study.

@@ -13,7 +13,7 @@ std::size_t width_of(std::string_view text) {
 
 std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
-/// Where the meaning begins in a row of a table, else where the line does.
+/// Column where the meaning begins in a row of a table, else where the line does.
 std::size_t hanging_indent(std::string_view line) {
   const std::size_t begin = indent_of(line), gap = line.find("  ", begin);
   if (begin == 0 || gap == std::string_view::npos) return begin;
@@ -30,7 +30,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Where the first word ends; blanks between single quotes part none.
+/// End of the first word; blanks between single quotes do not end it.
 std::size_t end_of_word(std::string_view text) {
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {

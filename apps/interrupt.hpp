@@ -8,9 +8,9 @@
 
 namespace rubsweep::apps {
 
-/// From now on SIGINT and SIGTERM end the program at once with 128 + signal, after "PROGRAM: interrupted;
-/// WORDS" on stderr, or "PROGRAM: interrupted" without words; empty directories that were made for results
-/// go. `words` is a literal.
+/// Makes SIGINT and SIGTERM end the program at once with 128 + signal, after "PROGRAM: interrupted; WORDS" on
+/// stderr, or "PROGRAM: interrupted" without words; empty directories that were made for results are removed.
+/// `words` is a literal.
 void end_on_interrupts(const char* words);
 
 /// While it lives, these signals wait: a set of files is written whole, and temporaries are removed. For
@@ -26,8 +26,8 @@ class InterruptsWait {
   sigset_t before_;
 };
 
-/// From now on SIGINT and SIGTERM only set the returned flag, so that running cells can finish and be kept.
-/// One that was ignored when the program started (nohup and its like) stays ignored.
+/// Makes SIGINT and SIGTERM only set the returned flag, so that running cells can finish and be kept. A
+/// signal that was ignored when the program started (nohup and its like) stays ignored.
 const std::atomic<bool>& catch_interrupts();
 
 /// The signal that set the flag, 0 if none did.

@@ -84,7 +84,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   written_.written_unbalance = config.study.grid.written_unbalance;
   allow_as_many_files_as_there_may_be();
   make_directory(directory_);
-  // One begins at a time: what one of them reads here, no other removes meanwhile.
+  // Programs begin one at a time: no file that one of them reads here is removed meanwhile.
   const batch::FileLock beginning(directory_ / "map.begin.lock", batch::LockMode::exclusive, program,
                                   batch::Patience::wait);
   lock(program);
@@ -233,7 +233,7 @@ void MapDirectory::refuse_journals_of_others() const {
 void MapDirectory::read_journals() {
   batch::FinishedCells finished(header_.cells);
   for (const fs::path& journal : journals()) {
-    // No part needs what the other parts of the same division hold, but that of a refined map.
+    // A part needs no cells of the other parts of the same division, unless the map is refined.
     const std::string name = journal.filename();
     if (part_ && !refined_ && name.starts_with("map.shard-") && name != name_ + ".journal" &&
         name.ends_with(fmt::format("-of-{}.journal", part_->count))) {
@@ -263,7 +263,7 @@ std::string MapDirectory::in_map(const std::string& line) const {
   return line + report::unit_cells(line, written_);
 }
 
-/// With what was there to look at, when everything is in map.csv.
+/// Removes the journals and the partial map once everything is in map.csv.
 void MapDirectory::remove_journals() const {
   for (const fs::path& other : files(directory_, ".partial.csv")) fs::remove(other);
   for (const fs::path& journal : journals()) fs::remove(journal);

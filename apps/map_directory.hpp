@@ -33,10 +33,10 @@ struct Share {
 /// NAME is `map`, or `map.shard-I-of-N` for a part, or `map.rank-R`.
 class MapDirectory {
  public:
-  /// Begins work on a share, or goes on with it; `fresh`: after forgetting what was finished, a finished map
-  /// and what belongs to other configurations included. `program` is who the lock names. Throws LockedError
-  /// when another process is at work there, ConfigError when what is finished there belongs to another
-  /// configuration or program, IoError; then everything there is as it was.
+  /// Begins work on a share, or continues it; `fresh`: after removing finished cells, a finished map and
+  /// results of other configurations included. `program` is the name in the lock. Throws LockedError when
+  /// another process is at work there, ConfigError when the finished cells belong to another configuration or
+  /// program, IoError; then everything there is as it was.
   MapDirectory(std::filesystem::path directory, const config::RunConfig& config, std::optional<Share> part,
                bool fresh, const std::string& program);
 
@@ -47,7 +47,7 @@ class MapDirectory {
   /// Whether the cell is one of the share.
   bool has_in_share(std::size_t cell) const { return share_of(cell) == part_.value_or(Share{}).index; }
 
-  /// The same of a division into `count` shards: which of them has the cell, from 0.
+  /// The shard, from 0, that has the cell in a division into `count` of them.
   std::size_t share_in(std::size_t cell, std::size_t count) const;
 
   /// How many shards the division has of which one was begun here, the finest of several; 0 where none was.
@@ -63,7 +63,7 @@ class MapDirectory {
   /// Opens the journal of this process to add finished cells. Throws IoError.
   batch::Journal journal() const { return {path(".journal"), header_}; }
 
-  /// Where finished cells can be watched: holds those that were finished when the work began.
+  /// File in which finished cells can be watched: holds those that were finished when the work began.
   std::filesystem::path partial() const { return path(".partial.csv"); }
 
   /// Every finished cell with its line, ascending. Throws IoError.

@@ -16,7 +16,8 @@ namespace rubsweep::apps {
 int report_map(std::string_view program, const RubsweepArguments& arguments,
                const report::MapSummary& summary, const config::RunConfig& config, MapDirectory& directory);
 
-/// Throws ConfigError before anything is computed where a picture is to fade by what the map will not have.
+/// Throws ConfigError, before anything is computed, where the map will lack the column that a picture fades
+/// by.
 void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study);
 
 /// Throws before anything is computed where the page or the picture that is asked for would be refused in the

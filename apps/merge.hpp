@@ -6,12 +6,12 @@
 
 namespace rubsweep::apps {
 
-/// Throws IoError where cells are missing that a whole map has, with the shards whose they are and the
-/// commands that compute them. A refined map knows what it still wants only by what it has.
+/// Throws IoError where cells of a whole map are missing, with the shards that have them and the commands
+/// that compute them. A refined map knows only from its cells which others it needs.
 void refuse_to_merge_too_early(const RubsweepArguments& arguments, const config::RunConfig& config,
                                const MapDirectory& directory);
 
-/// `rubsweep CONFIG.yaml` with the options that say which map it is, as a shell takes it, then `more`.
+/// Command `rubsweep CONFIG.yaml` with the options that select the map, quoted for a shell, then `more`.
 std::string command_of(const RubsweepArguments& arguments, std::string_view more);
 
 }  // namespace rubsweep::apps

@@ -48,8 +48,8 @@ MissingCells::MissingCells(const SweepRun& how, const sweep::Study& study, MapDi
       progress_(directory.cells(), how.quiet ? batch::ProgressMode::never : how.progress, stderr,
                 directory.finished()) {}
 
-/// Round after round of the cells that those before them ask for. Shards at work at the same time wait for
-/// each other's.
+/// Computes round after round of the cells that the refinement of those before needs. Shards at work at the
+/// same time wait for each other's.
 bool MissingCells::run_refined() {
   RefinedCells known(study_.grid);
   std::optional<Watch> watch(

@@ -61,7 +61,7 @@ class MissingCells {
   std::size_t left_to_others_ = 0;
 };
 
-/// Says how many cells were finished before, and computes the others. Empty when a signal came, else
+/// Prints how many cells were finished before, and computes the others. Empty when a signal came, else
 /// MissingCells::left_to_others.
 std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const sweep::Study& study,
                                                  MapDirectory& directory);

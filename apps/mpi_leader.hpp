@@ -31,8 +31,8 @@ struct MapJob {
 /// Message of a run that ended early, `finished` being the cells that it finished itself.
 std::string interrupted_map(const MapDirectory& directory, std::size_t finished);
 
-/// The first rank: deals out chunks to all ranks, itself included, and shows what is finished. A refined map
-/// is computed in rounds: what it wants next is known when all that was dealt out is finished.
+/// The first rank: deals out chunks to all ranks, itself included, and shows progress. A refined map is
+/// computed in rounds: the cells of the next are known when all of the present one are finished.
 class MpiLeader {
  public:
   MpiLeader(MapJob& job, int ranks);
@@ -74,7 +74,7 @@ class MpiLeader {
 
   void compute();
 
-  /// With the mutex held.
+  /// To be called with the mutex held.
   void keep(std::size_t cell, const std::string& line);
 
   MapJob& job_;

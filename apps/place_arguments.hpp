@@ -10,7 +10,7 @@
 
 namespace rubsweep::apps {
 
-/// Where a cell or a line of cells lies, as far as the command line says it.
+/// Place of a cell or a line of cells, as far as the command line gives it.
 struct PlaceArguments {
   std::optional<double> speed_hz = {};
   std::optional<scene::Unbalance> unbalance = {};
@@ -38,10 +38,10 @@ scene::Unbalance unbalance_of(const PlaceArguments& place, const model::Machine&
 /// Keeps the units of the command line, so that results are shown in them as well.
 void keep_units(const PlaceArguments& place, sweep::Study& study);
 
-/// Throws UsageError where a configuration of this machine could not have this speed; `option` said it.
+/// Throws UsageError where a configuration of this machine could not have this speed, which `option` gave.
 void require_speed(std::string_view option, double speed_hz, const model::Machine& machine);
 
-/// Asks what was meant by an unbalance of the command line that is hardly one.
+/// Asks about an unlikely unbalance on the command line.
 void ask_about(std::string_view program, const scene::Unbalance& unbalance, const model::Machine& machine,
                bool quiet);
 

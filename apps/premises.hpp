@@ -7,7 +7,7 @@
 
 namespace rubsweep::apps {
 
-/// Says on the standard error where a premise of the study does not hold, before anything is run: a rotor
+/// Warns on the standard error where a premise of the study does not hold, before anything is run: a rotor
 /// that is unstable without its stops. `prepared` is that of study.machine.
 void warn_of_premises(std::string_view program, const sweep::Study& study,
                       const scene::PreparedMachine& prepared);

@@ -36,7 +36,7 @@ void end_after_abort(int) {
   ::_exit(software_fault);
 }
 
-/// Before anything else is set up, which needs memory as well.
+/// Runs before all other initialisation, which needs memory as well.
 [[gnu::constructor(101)]] void expect_aborts() { std::signal(SIGABRT, end_after_abort); }
 
 /// Printed text may still be on its way to a full disk or a closed pipe.

@@ -22,8 +22,8 @@ class UsageError : public std::runtime_error {
 /// end_on_interrupts says.
 int run_program(std::string_view name, const std::function<int()>& body);
 
-/// Prints on stderr, control characters as \xNN: what comes from files and names moves no cursor. A message
-/// that cannot be delivered changes nothing else.
+/// Prints on stderr, control characters as \xNN: text from files and names moves no cursor. A message that
+/// cannot be delivered changes nothing else.
 void say(const std::string& text);
 
 /// The same on stdout.
@@ -33,11 +33,11 @@ void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   print_text(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
-/// Prints what should be asked about numbers that are taken as they are, a line each; nothing with `quiet`.
+/// Prints questions about numbers that are accepted as they are, a line each; nothing with `quiet`.
 void ask(std::string_view program, const std::vector<std::string>& questions, bool quiet);
 
-/// Puts /dev/null where standard input, output or error were closed, so that no data file gets their numbers
-/// and with them what is printed. Such an output still says that it cannot be written. The first thing a
+/// Opens /dev/null where standard input, output or error were closed, so that no data file gets their numbers
+/// and with them the printed text. Such an output still reports that it cannot be written. The first thing a
 /// program does; run_program does it as well.
 void open_standard_descriptors();
 

@@ -19,7 +19,7 @@ class ResultDirectory {
   ResultDirectory& operator=(const ResultDirectory&) = delete;
 };
 
-/// Removes those that were made and are still empty. May be called by a signal handler.
+/// Removes the directories that were made and are still empty. May be called by a signal handler.
 void remove_empty_result_directories();
 
 }  // namespace rubsweep::apps

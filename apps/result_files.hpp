@@ -8,24 +8,24 @@
 
 namespace rubsweep::apps {
 
-/// Texts by file name; those of tables without the head that all tables have.
+/// Texts by file name; tables without the head that all tables have.
 using ResultFiles = std::map<std::string_view, std::string>;
 
-/// Who wrote some results, and what they belong to.
+/// Program that wrote some results, and the study that they belong to.
 struct ResultSource {
   std::string program;  ///< without its version
   std::string digest;
   std::string captions{};  ///< as batch::caption_lines gives them
 };
 
-/// Replaces the files `names` of a directory, all that a run may leave there, by those of a new run: of
-/// `names`, what there is no text for goes. A directory never mixes two runs, wherever the process or the
-/// power ends: all new files are on the disk before the first of the old ones goes, and all old ones are gone
-/// before the first new one has its name. Then those that are there are of one run. Throws IoError.
+/// Replaces the files `names` of a directory, all that a run may leave there, by those of a new run: a file
+/// of `names` without a text is removed. A directory never mixes two runs, wherever the process or the power
+/// ends: all new files are on the disk before the first of the old ones goes, and all old ones are gone
+/// before the first new one has its name. Throws IoError.
 void write_result_files(const ResultFiles& files, std::span<const std::string_view> names,
                         const std::filesystem::path& directory, const ResultSource& source);
 
-/// Removes what there is of `names`, on the disk as well, and what killed processes were about to write under
+/// Removes the existing files of `names`, on the disk as well, and temporaries that killed processes left for
 /// these names. Throws IoError.
 void remove_result_files(std::span<const std::string_view> names, const std::filesystem::path& directory);
 

@@ -128,7 +128,7 @@ void say(const RubbenchArguments& arguments, const std::string& text) {
   std::fflush(stdout);
 }
 
-/// The cells that were asked for, or the one in the middle of the rub.
+/// The cells of the command line, or the one in the middle of the rub.
 std::vector<scene::Place> places_to_time(const RubbenchArguments& arguments, const sweep::Grid& grid,
                                          const std::vector<scene::Place>& to_label,
                                          const std::vector<bench::LabelledCell>& labelled) {
@@ -140,7 +140,7 @@ std::vector<scene::Place> places_to_time(const RubbenchArguments& arguments, con
   return places;
 }
 
-/// Times every variant on one cell. Returns the sentence that says what the errors are measured against.
+/// Times every variant on one cell. Returns the sentence on the reference of the errors.
 std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study& study,
                          const scene::Place& place, std::vector<report::WorkPrecisionLine>& lines) {
   const std::string name = report::cell_name(place);
@@ -152,7 +152,7 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
                                            arguments.relative_tolerances);
   for (bench::Measurement& measurement :
        bench::measure(scene, study.solver, variants, reference.section, arguments.work)) {
-    // Without long double they are the reference themselves: what they are away from the other routes.
+    // Without long double they are the reference: their error is the distance of the others.
     if (!reference.long_double && !measurement.variant.stepper && measurement.state_error)
       measurement.state_error = bench::uncertainty(reference);
     lines.push_back({.cell = name, .measurement = measurement, .reference = reference});

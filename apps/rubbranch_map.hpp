@@ -4,8 +4,8 @@
 
 namespace rubsweep::apps {
 
-/// Follows the families of a finished map to their boundaries, writes its files beside the map and says what
-/// there is. Returns an exit code.
+/// Follows the families of a finished map to their boundaries, writes its files beside the map and prints a
+/// summary. Returns an exit code.
 int run_on_map(const RubbranchArguments& arguments);
 
 }  // namespace rubsweep::apps

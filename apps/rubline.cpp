@@ -42,7 +42,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 4> file_names{"config.yaml", "line.csv", "bifurcation.csv",
                                                      "cascade.csv"};
 
-/// The one value that an axis of the sweep has where the command line says none.
+/// The one value of an axis of the sweep where the command line gives none.
 double only_value(const std::vector<double>& axis, std::string_view option) {
   if (axis.size() == 1) return axis.front();
   throw UsageError(fmt::format("the sweep has {} values for it: the place of the line is needed, {}",
@@ -137,7 +137,7 @@ std::vector<line::LineCell> cells_of(const RublineArguments& arguments, const co
   return cells;
 }
 
-/// A line while it is computed: what there is of it can be written at any time.
+/// A line while it is computed: its finished cells can be written at any time.
 class LineRun {
  public:
   LineRun(const RublineArguments& arguments, const config::RunConfig& config)

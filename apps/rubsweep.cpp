@@ -29,7 +29,7 @@
 namespace rubsweep::apps {
 namespace {
 
-/// "rubsweep" or "rubsweep --shard 2/8": who others are told is at work.
+/// Name of this process for others: "rubsweep" or "rubsweep --shard 2/8".
 std::string own_name(const RubsweepArguments& arguments) {
   if (!arguments.shard) return "rubsweep";
   return fmt::format("rubsweep --shard {}/{}", arguments.shard->index + 1, arguments.shard->count);

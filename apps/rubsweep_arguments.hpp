@@ -20,7 +20,7 @@ struct RubsweepArguments : StudyArguments {
   std::optional<Figure> figure = {};  ///< also draw the finished map
   bool fade = false;                  ///< its cells by their robust_share
   bool report = false;                ///< also make report.html of the finished map
-  /// Only say whether the results in this directory are whole.
+  /// Directory whose results are only to be checked for completeness.
   std::optional<std::filesystem::path> verified = {};
   std::optional<std::filesystem::path> status = {};  ///< only say how far the map in this directory is
 };

@@ -89,7 +89,7 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
   std::vector<mpi::FinishedCell> finished;
   std::mutex mutex;  // guards the journal
   // A rank in the middle of a long cell cannot report any more. One that ends like this ends the job, and the
-  // others are told by a signal.
+  // others learn it by a signal.
   std::optional<Watch> watch(
       std::in_place, [] {},
       [&] {

@@ -98,7 +98,7 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
   return places;
 }
 
-/// Adds what the probes read, and says what they show beside the section.
+/// Adds the readings of the probes, and returns their verdict beside that of the section.
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
                            const sweep::Study& study, response::motion::Workspace& workspace,
                            ResultFiles& files) {
@@ -146,8 +146,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
                          "\n" + report::map_line(row, study) + report::unit_cells(row, study.grid) + "\n"}};
   std::string summary = report::motion_summary(row);
 
-  // A second run of the cell: the first one, which classifies, ends where the motion is proven and asks the
-  // solver for other samples, so that its steps are not those of a trace of all revolutions.
+  // A second run of the cell: the first one, which classifies, ends where the motion is proven and takes
+  // other samples, so that its steps are not those of a trace of all revolutions.
   const std::optional<double> secant_n = row.hertz ? std::optional(row.hertz->force_n) : std::nullopt;
   const scene::Cell cell =
       scene::build_cell(sweep::with_secant_of_row(prepared, secant_n), place.speed_hz, place.unbalance);

@@ -31,8 +31,8 @@ struct StartRange {
   double from = 0, to = 0;
 };
 
-/// Where the slice goes to if the command line does not say: twice the clearance of the first stop to both
-/// sides, at velocities times the speed of rotation. Throws UsageError for a key, which has no such range.
+/// Default range of a slice: twice the clearance of the first stop to both sides, at velocities times the
+/// speed of rotation. Throws UsageError for a key, which has no such range.
 StartRange usual_range(const StartNumber& number, const config::RunConfig& config, double speed_hz);
 
 /// Throws UsageError where the machine has no such casing, or one that does not move.

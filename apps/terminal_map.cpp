@@ -25,14 +25,14 @@ std::size_t terminal_width() {
   return std::min<std::size_t>(size.ws_col, widest);
 }
 
-/// As https://no-color.org has it, and only where the terminal says that it knows 24-bit colours.
+/// Whether colours are used: as https://no-color.org has it, and only on a terminal with 24-bit colours.
 bool shows_colours() {
   const char *none = std::getenv("NO_COLOR"), *colours = std::getenv("COLORTERM");
   const std::string_view named = colours == nullptr ? "" : colours;
   return (none == nullptr || *none == '\0') && (named == "truecolor" || named == "24bit");
 }
 
-/// In the unit of the person where that names the same cell to the last bit.
+/// Option in the unit of the person where that names the same cell to the last bit.
 std::string speed_option(const sweep::Grid& grid, double speed_hz) {
   const auto rpm = sweep::exactly_in_units(grid.written_speed, speed_hz);
   return rpm && grid.written_speed.unit == "rpm" ? fmt::format("--speed-rpm {}", *rpm)

@@ -44,13 +44,13 @@ class WrittenCell {
 
 /// Whether it is the key of a number.
 bool is_key(const std::string& parameter);
-/// Whether it says the unbalance.
+/// Whether the parameter is an unbalance.
 bool is_unbalance(const std::string& parameter);
 
 /// Throws ConfigError, which names `option`, where `parameter` is a key of no number of the machine.
 void require_number(std::string_view option, const std::string& parameter, const config::RunConfig& config);
 
-/// Ends of a range as the command line says them, if it does.
+/// Ends of a range on the command line, where given.
 struct AskedRange {
   std::optional<double> low, high;
 };

@@ -22,7 +22,7 @@ constexpr double rounding = 1e-6;  ///< of the section: what no time stepping re
 constexpr double undecided = 0.1;  ///< clearances: steps that do not converge to that decide nothing
 constexpr int finer = 8;           ///< times the steps, before anything is called wrong
 
-/// So many steps that the stiffest contact turns by little in one.
+/// Number of steps in each of which the phase of the stiffest contact changes little.
 long steps_of_turn(const scene::Scene& scene) {
   constexpr double little_rad = 0.1;
   const double mass = scene.structure.mass.diagonal().minCoeff();
@@ -39,7 +39,7 @@ double size_of(const std::vector<double>& section) {
   return largest;
 }
 
-/// How far a section is from the finest of three time steppings, and how far those are apart.
+/// Distance of a section from the finest of three time steppings, and the distances between those.
 struct Comparison {
   double error = 0, spread = 0;
   bool stuck = false, together = false;

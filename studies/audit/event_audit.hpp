@@ -25,7 +25,7 @@ struct EventAudit {
   /// The two saw different changes of mode and still agree: a graze below the other's tolerance.
   long grazes = 0;
   /// Farther apart than the tolerance with the same changes of mode, in a turn that the exact solver handed
-  /// to dopri5: what that tolerance makes of a strongly diverging motion.
+  /// to dopri5: the effect of that tolerance on a strongly diverging motion.
   long parted = 0;
   /// Made again by time stepping: with a contact that dry friction holds, and with two slips at zero at once.
   long stuck = 0, stuck_together = 0;

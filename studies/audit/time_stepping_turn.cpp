@@ -27,8 +27,8 @@ struct Friction {
   Few start, limit, force;
   int stuck = 0, at_zero = 0;
 
-  /// By how much the contacts do what is no friction law where those of digit 1 of `code` stick, and those of
-  /// 0 and 2 slip backward and forward.
+  /// Largest violation of the friction law where the contacts of digit 1 of `code` stick, and those of 0 and
+  /// 2 slip backward and forward.
   double try_code(int code) {
     std::array<Eigen::Index, most_contacts> free{};
     Eigen::Index count = 0;

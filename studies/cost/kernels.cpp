@@ -30,7 +30,7 @@ void turn(benchmark::State& state, integrate::run::Method method, double toleran
   for ([[maybe_unused]] auto _ : state) run.advance({}, turn);
   state.counters["steps"] =
       benchmark::Counter(static_cast<double>(turn.effort.steps - before), benchmark::Counter::kAvgIterations);
-  // The share of one step, whatever a turn holds besides.
+  // Time of one step, whatever else a turn contains.
   state.counters["time_per_step"] =
       benchmark::Counter(static_cast<double>(turn.effort.steps - before),
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);

@@ -83,7 +83,7 @@ void per_revolution(const char* name, const test::OneSideRotor& rotor, int refer
               static_cast<double>(effort.steps) / turns, static_cast<double>(effort.switches) / turns);
 }
 
-/// Where the time of the map goes: processor time by class, one cell after the other.
+/// Prints the processor time of the map by class, one cell after the other.
 void time_by_class(const sweep::Study& study) {
   struct Share {
     double time_s = 0;

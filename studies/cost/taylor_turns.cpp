@@ -48,7 +48,7 @@ constexpr int early = 6, settling = 300, turns = 300, repeats = 5;
 
 const integrate::run::SolverOptions by_taylor, by_dopri5{.stepper = integrate::run::Stepper::dopri5};
 
-/// How turns are made, and what is asked of each.
+/// A solver for the turns, and the request to each turn.
 struct Way {
   integrate::run::SolverOptions solver;
   integrate::run::TurnRequest request;

@@ -41,7 +41,7 @@ Real friction_coefficient(const model::Friction& friction, Real slip) {
   return mu;
 }
 
-/// For the next step, from how far the error of one of order 7 was below what is allowed.
+/// Factor of the next step's length, for a method of order 7.
 Real length_factor(Real allowed_over_error) {
   return std::clamp(Real(0.9) * std::pow(allowed_over_error, Real(0.125)), Real(0.2), Real(2));
 }
@@ -114,7 +114,7 @@ Vector LongDoubleRun::force_n(const Contact& c, const State& state) const {
   return -(c.relative.transpose() * (m.normal * total + tangent * friction));
 }
 
-/// `middle`: a phase inside the step, which says of every pulse whether it acts.
+/// `middle`: a phase inside the step, which decides for every pulse whether it acts.
 void LongDoubleRun::derivative(const State& state, State& slope, Real phase, Real middle) const {
   const auto q = displacements(state), v = velocities(state);
   Vector acceleration = constant_ + harmonic_cosine_ * std::cos(phase) - harmonic_sine_ * std::sin(phase) -

@@ -24,8 +24,8 @@ class LongDoubleRun {
   /// False beside dry friction, torsion and impulse trains.
   static bool applies(const scene::Scene& scene);
 
-  /// Throws std::invalid_argument where it does not apply. `tolerance`: what the stepper's estimate of one
-  /// step's error is held below, in sections.
+  /// Throws std::invalid_argument where it does not apply. `tolerance`: bound on the stepper's estimate of
+  /// one step's error, in sections.
   LongDoubleRun(const scene::Scene& scene, Real tolerance);
 
   const State& section() const { return state_; }
@@ -63,7 +63,7 @@ class LongDoubleRun {
   Real guard(const Contact& contact, const contact::GuardForm& form, const State& state) const;
   Real guard_rate(const Contact& contact, const contact::GuardForm& form, const State& state,
                   Real phase) const;
-  /// Length within (0, length] at which the guard comes to zero from below, where it does.
+  /// Length within (0, length] at which the guard rises to zero, where it does.
   std::optional<Real> length_to_zero(const Contact& contact, const contact::GuardForm& form, Real length,
                                      const State& end) const;
   void choose_modes();

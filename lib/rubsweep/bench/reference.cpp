@@ -65,7 +65,7 @@ integrate::run::SolverOptions reference_options(integrate::run::SolverOptions ba
   base.stepper = integrate::run::Stepper::rkf78;
   base.contact = integrate::run::ContactHandling::located;
   base.relative_tolerance = relative_tolerance;
-  // A limit that is there to stop the variants is none for what they are measured against.
+  // The limit of steps that stops the variants does not hold for the reference.
   base.max_steps_per_revolution =
       std::max(base.max_steps_per_revolution, integrate::run::SolverOptions{}.max_steps_per_revolution);
   return base;

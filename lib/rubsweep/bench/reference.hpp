@@ -9,9 +9,9 @@
 
 namespace rubsweep::bench {
 
-/// The section that errors are measured against. It is made in long double where LongDoubleRun applies and
-/// the structure is small enough to wait for; else it is that of the exact solver, and what is known of its
-/// error is how far two other routes in double are away.
+/// Section that errors are measured against. It is made in long double where LongDoubleRun applies and the
+/// structure is small enough to wait for; else it is that of the exact solver, with the distances of two
+/// other routes in double as the estimate of its error.
 struct Reference {
   std::vector<double> section;  ///< scaled, as TurnReport::section
   bool long_double = false;

@@ -25,7 +25,7 @@ std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::run
                                  int turns, std::span<const integrate::run::Stepper> steppers,
                                  std::span<const double> relative_tolerances);
 
-/// `base` with what the variant says.
+/// Options `base` with those of the variant.
 integrate::run::SolverOptions options_of(const Variant& variant, integrate::run::SolverOptions base);
 
 }  // namespace rubsweep::bench

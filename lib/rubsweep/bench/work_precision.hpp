@@ -28,9 +28,9 @@ struct Measurement {
   integrate::run::Effort effort;  ///< of one run of `turns` revolutions, or up to its failure
 };
 
-/// Runs every variant on `scene`, all of them once, then all of them again, so that what slows the machine
-/// down for a while slows all of them. Processor time counts; that of a run includes its start, but no
-/// factorisation that an earlier run left behind. `reference`: the section after `error_turns`.
+/// Runs every variant on `scene`, all of them once, then all of them again, so that a slow spell of the
+/// machine slows all of them. Processor time counts; that of a run includes its start, but no factorisation
+/// that an earlier run left behind. `reference`: the section after `error_turns`.
 std::vector<Measurement> measure(const scene::Scene& scene, const integrate::run::SolverOptions& base,
                                  std::span<const Variant> variants, std::span<const double> reference,
                                  const WorkPrecisionOptions& options);

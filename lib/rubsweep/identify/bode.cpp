@@ -35,7 +35,7 @@ double lag_deg(Complex phasor, double sensor_angle_deg) {
   return phase <= -350 ? phase + 360 : phase;
 }
 
-/// Middle of a window, and what the window leaves of the noise.
+/// Middle of a window, and the noise that it leaves.
 struct Window {
   std::size_t middle = 0;
   Complex noise_m;

@@ -35,7 +35,7 @@ struct OneX {
 };
 
 /// The phasor is taken at the instant and not as the mean of a window, in which a resonance that is passed
-/// through loses its top. What the window does to noise, by least squares of offset + Re(A e^{i phi}), is
+/// through loses its top. The noise that a window leaves, by least squares of offset + Re(A e^{i phi}), is
 /// added to it. A window with fewer than eight samples gives no point.
 OneX one_x(const OneXSignal& signal, int revolutions);
 

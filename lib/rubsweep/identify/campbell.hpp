@@ -22,7 +22,7 @@ struct CampbellMode {
   std::vector<CampbellPoint> points;  ///< ends where the mode becomes overdamped
 };
 
-/// Where a whirl frequency is the shaft speed: what turns with the shaft is in resonance there.
+/// Critical speed: a whirl frequency equals the shaft speed, so that the unbalance is in resonance.
 struct CriticalSpeed {
   int mode = 0;
   double speed_hz = 0;

@@ -33,7 +33,7 @@ int samples_in(double duration_s, double sample_s) {
   return static_cast<int>(std::floor(duration_s / sample_s)) + 1;
 }
 
-/// A sensor across the motion sees rounding only, or what the noise hides.
+/// Whether each sensor sees a signal: one across the motion sees rounding only, or less than the noise.
 std::vector<bool> sees_something(const Eigen::MatrixXd& signal, double noise_m) {
   const double floor_m = std::max(noise_m, 1e-9 * signal.cwiseAbs().maxCoeff());
   std::vector<bool> sees;

@@ -127,7 +127,7 @@ class ImpulsesOnARamp {
     return next;
   }
 
-  /// Adds to the velocities the impulses that are due up to `t_s`, and says whether there were any.
+  /// Adds to the velocities the impulses that are due up to `t_s`; returns whether there were any.
   bool apply(double t_s, State& state) {
     bool any = false;
     for (Train& train : trains_) {

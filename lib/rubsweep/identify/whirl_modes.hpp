@@ -30,7 +30,7 @@ class WhirlProblem {
  public:
   explicit WhirlProblem(const FreeRotor& rotor);
 
-  /// All whirl modes at a speed, slowest first; what is overdamped has no whirl and is left out. Where roots
+  /// All whirl modes at a speed, slowest first; overdamped modes have no whirl and are left out. Where roots
   /// coincide (forward and backward whirl of an isotropic rotor at rest), the modes are those that whirl most
   /// forward and most backward. Throws SolverError when the iteration does not converge.
   std::vector<WhirlMode> at(double speed_hz) const;

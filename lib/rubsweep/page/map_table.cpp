@@ -42,7 +42,7 @@ void require_class(const batch::CsvReader& file, std::size_t column) {
 }
 
 /// For each column, whether its cells are numbers or empty, and some of them numbers. Throws IoError where a
-/// column that every map has holds something else.
+/// column that every map has contains something else.
 std::vector<bool> columns_of_numbers(const std::filesystem::path& path) {
   batch::CsvReader file(path);
   const auto& names = file.header();

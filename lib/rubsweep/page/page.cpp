@@ -41,7 +41,7 @@ std::string html_text(std::string_view text) {
   return escaped;
 }
 
-/// "sha256-..." as a content security policy names what may run.
+/// Hash "sha256-..." by which a content security policy allows a script.
 std::string policy_hash(const Asset& asset) {
   std::string bytes;
   for (std::size_t i = 0; i < asset.sha256.size(); i += 2)
@@ -174,7 +174,7 @@ std::string list(const std::vector<std::string>& sentences) {
   return text;
 }
 
-/// The document with each {{name}} replaced by its value. What the values hold is not looked at again.
+/// The document with each {{name}} replaced by its value. Values are not searched for names again.
 std::string filled(std::string_view form, const std::map<std::string_view, std::string>& values) {
   std::string text;
   while (true) {

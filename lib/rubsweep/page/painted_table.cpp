@@ -15,7 +15,7 @@
 namespace rubsweep::page {
 namespace {
 
-/// A column that an axis of the grid writes, and what it holds at each place of the axis.
+/// A column of an axis of the grid, and its text at each value of the axis.
 struct AxisColumn {
   std::string name;
   std::vector<double> values;

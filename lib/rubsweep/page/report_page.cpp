@@ -41,7 +41,7 @@ sweep::WrittenAxis written_axis(const sweep::Grid& grid, const std::string& colu
   return axis;
 }
 
-/// So many of `cells`, or all, evenly over them.
+/// `count` of the `cells`, or all, evenly over them.
 std::vector<std::size_t> some_of(const std::vector<std::size_t>& cells, std::size_t most) {
   if (cells.size() <= most) return cells;
   std::vector<std::size_t> some;

@@ -14,7 +14,7 @@
 
 namespace rubsweep::page {
 
-/// Cells whose motions a page holds unless asked for others: about 5 MB.
+/// Default number of cells whose motions a page holds: about 5 MB.
 inline constexpr std::size_t usual_orbits = 4000;
 
 /// How a page is made.

@@ -84,7 +84,7 @@ class Recorder {
   std::vector<std::complex<double>> displacement_m_;
 };
 
-/// The quiet whirl of a rotor that touches nothing, which is what is left when the kick has died away.
+/// Quiet whirl of a rotor that touches nothing, which remains when the kick has died away.
 SettledOrbit quiet_orbit(const scene::Cell& cell, const sweep::Study& study, long revolutions,
                          response::motion::Workspace& workspace) {
   Recorder recorder(cell.scene, study, {}, revolutions);

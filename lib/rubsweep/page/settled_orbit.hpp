@@ -36,7 +36,7 @@ struct SettledOrbit {
 /// Most turns of a motion without a period that are drawn.
 inline constexpr int longest_aperiodic_history = 6;
 
-/// Fewest samples of a turn before those that a drawing can do without are left out.
+/// Fewest samples of a turn before redundant ones are left out of a drawing.
 inline constexpr int fewest_steps_per_turn = 256;
 
 /// Runs a cell of `study` again until its motion has settled and records it: a periodic motion for one

@@ -27,7 +27,7 @@ struct Walls {
   std::vector<std::size_t> list_of_keys;
 };
 
-/// Where keys hold what is not allowed there are no walls, as there is no motion.
+/// Walls of the study; where keys have values that are not allowed there are none, as there is no motion.
 Walls walls_of(const sweep::Study& study);
 
 }  // namespace rubsweep::page

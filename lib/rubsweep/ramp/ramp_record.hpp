@@ -55,7 +55,7 @@ class RampRecord {
   const std::vector<EnvelopePoint>& envelope() const { return envelope_; }
   const std::vector<RampOrbit>& orbits() const { return orbits_; }
   const std::vector<OrderSpectrum>& spectra() const { return spectra_; }
-  /// Up to the last stretch that was added.
+  /// Rubbing spans up to the last stretch that was added.
   std::vector<RubbingSpan> rubbing_spans() const { return spans_; }
 
  private:

@@ -19,7 +19,7 @@ using integrate::run::Outcome;
 using integrate::run::StateScale;
 using std::numbers::pi;
 
-/// Where the ramp begins: displacements and velocities in SI.
+/// Sets the start of the ramp: displacements and velocities in SI.
 void set_start(const scene::PreparedMachine& machine, const SpeedRamp& ramp, scene::Scene& scene) {
   const scene::Cell cell = scene::build_cell(machine, ramp.from_hz, scene::Eccentricity{ramp.eccentricity_m});
   if (!scene::can_run(cell.start)) {
@@ -73,7 +73,7 @@ RampForces forces_of(const scene::PreparedMachine& machine, const SpeedRamp& ram
   return forces;
 }
 
-/// Turns what a run reports of a stretch into SI.
+/// Converts a run's report of a stretch to SI.
 class StretchReader {
  public:
   StretchReader(const scene::Scene& scene, int samples)

@@ -19,7 +19,7 @@ struct SpeedRamp {
   double angle_rad(double t_s) const {
     return 2 * std::numbers::pi * (from_hz * t_s + rate_hz_per_s * t_s * t_s / 2);
   }
-  /// When the shaft has made so many turns, at most as many as the ramp has.
+  /// Time at which the shaft has made so many turns, at most as many as the ramp has.
   double time_s(double turns) const {
     return 2 * turns / (from_hz + std::sqrt(std::max(0.0, from_hz * from_hz + 2 * rate_hz_per_s * turns)));
   }

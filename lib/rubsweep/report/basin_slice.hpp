@@ -27,7 +27,7 @@ struct BasinSlice {
   basin::LabelGrid grid() const { return {plane.values[0].size(), plane.values[1].size(), basins.numbers}; }
 };
 
-/// Boxes of so many starts a side, for the basin entropy.
+/// Side of the boxes for the basin entropy, in starts.
 inline constexpr std::size_t entropy_box = 5;
 
 /// Tells the attractors apart to which the rows of a map lead. The cells of its grid are the starts of the

@@ -7,7 +7,7 @@
 
 namespace rubsweep::report {
 
-/// `#` lines of both files: what the parameter is, and how each branch ends.
+/// `#` lines of both files: the meaning of the parameter, and the ending of each branch.
 std::string branch_comments(const std::string& parameter, const std::vector<branch::Branch>& branches);
 
 /// Header and a row for every point, branch by branch, by ascending arclength.
@@ -16,7 +16,7 @@ std::string branch_csv(const std::vector<branch::Branch>& branches);
 /// Header and a row for every event, the same way.
 std::string branch_events_csv(const std::vector<branch::Branch>& branches);
 
-/// For a terminal: what each branch comes to, and its events.
+/// Summary for a terminal: the extent of each branch, and its events.
 std::string branch_summary(const std::string& parameter, const std::vector<branch::Branch>& branches);
 
 }  // namespace rubsweep::report

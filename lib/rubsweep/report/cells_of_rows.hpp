@@ -11,15 +11,15 @@
 
 namespace rubsweep::report {
 
-/// "speed_hz 60, whirl_ratio 0.4, kick.force_n 200": what the columns of a map say of a cell <
-/// cell_count(grid).
+/// Name of a cell < cell_count(grid) by the columns of a map: "speed_hz 60, whirl_ratio 0.4, kick.force_n
+/// 200".
 std::string name_of_cell(const sweep::Grid& grid, std::size_t cell);
 
-/// Finds out which cell of a grid each row of its map is: by what the row says, never by where it stands.
-/// Takes a bit for each cell of the grid, which must outlive it.
+/// Finds out which cell of a grid each row of its map is: by its columns, never by its position. Takes a bit
+/// for each cell of the grid, which must outlive it.
 class CellsOfRows {
  public:
-  /// Throws IoError where a column that says which cell a row is is missing.
+  /// Throws IoError where a column that identifies the cell of a row is missing.
   CellsOfRows(const batch::CsvReader& map, const sweep::Grid& grid);
 
   /// The cell of the row that was read last. Throws IoError with file:line where that is no cell of the grid,

@@ -45,7 +45,7 @@ bool repeats(const CsvReader& row) {
   return motion_class && row_of(*motion_class).repeats;
 }
 
-/// A pair of rows for one cell, and what their columns say.
+/// A pair of rows for one cell, and the texts of their columns.
 struct Pair {
   const CsvReader &a, &b;
 

@@ -53,7 +53,7 @@ std::array<Axis, 2> plane_of(const MapComparison& comparison) {
   return {axes[0], axes[1]};
 }
 
-/// Where the cell of a value ends on both sides: half way to its neighbours.
+/// Edges of the cell of a value: half way to its neighbours.
 std::array<double, 2> edges(const std::vector<double>& values, double value) {
   const auto at = static_cast<std::size_t>(std::ranges::lower_bound(values, value) - values.begin());
   if (values.size() == 1) return {value - 0.5, value + 0.5};

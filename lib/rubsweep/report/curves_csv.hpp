@@ -25,7 +25,7 @@ std::string curves_csv(const std::vector<CurveFrom>& curves);
 /// Header and a row for every meeting, the same way.
 std::string meetings_csv(const std::vector<CurveFrom>& curves);
 
-/// For a terminal: what each curve comes to, and its meetings.
+/// Summary for a terminal: the extent of each curve, and its meetings.
 std::string curves_summary(const std::string& parameter, const std::string& curve_parameter,
                            const std::vector<CurveFrom>& curves);
 

@@ -92,7 +92,7 @@ ExperimentTables tables_of(const identify::RunUp& run_up) {
   for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
     const std::optional<double> critical_hz = run_up.critical_speed_hz[i];
     const double largest_m = run_up.largest_amplitude_m[i];
-    // The older name stays beside the one that says what it is.
+    // The older name stays beside the more precise one.
     if (critical_hz) add(tables.identification_csv, "critical_speed_hz", i, *critical_hz);
     if (critical_hz) add(tables.identification_csv, "speed_of_largest_1x_hz", i, *critical_hz);
     if (run_up.sees[i] && !run_up.bode[i].empty())

@@ -6,7 +6,7 @@
 
 namespace rubsweep::report {
 
-/// The preliminary experiments on a rotor as texts: what the sensors read, and what follows from it.
+/// Preliminary experiments on a rotor as texts: sensor readings, and parameters identified from them.
 struct ExperimentTables {
   std::string sensors_csv;         ///< t_s, speed_hz, shaft_angle_rad, then sensor_i_m
   std::string bode_csv;            ///< run-up only: speed_hz, then sensor_i_amplitude_m, sensor_i_phase_deg

@@ -38,7 +38,7 @@ std::string explain_automatic(const sweep::Study& study) {
       integrate::run::stiff_friction_ratio(study.solver.relative_tolerance));
 }
 
-/// Where the exact solver has no closed form.
+/// Explains the turns for which the exact solver has no closed form.
 std::string explain_beyond(const model::Machine& machine) {
   bool annular = false, unsaturated = false;
   for (const model::Stop& stop : machine.stops) {

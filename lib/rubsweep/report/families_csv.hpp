@@ -23,11 +23,11 @@ std::string families_csv(const sweep::Grid& grid, const std::vector<branch::Fami
 std::string edges_csv(const sweep::Grid& grid, std::span<const std::string> labels,
                       const std::vector<branch::MapEdge>& edges);
 
-/// A row for every label that was looked at, but for those that the kick leads to.
+/// A row for every label that was checked, but for those that the kick leads to.
 std::string contradictions_csv(const sweep::Grid& grid, std::span<const std::string> labels,
                                const std::vector<branch::LabelCheck>& checks);
 
-/// How many labels agree with the domains of the families, by what was found, for a terminal.
+/// Number of labels that agree with the domains of the families, by finding, for a terminal.
 std::string contradictions_summary(const std::vector<branch::LabelCheck>& checks);
 
 /// Shares of the attributions, of the kinds of what ceases, and the cells that were not followed, for a

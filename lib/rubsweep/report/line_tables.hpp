@@ -19,7 +19,7 @@ struct LineTables {
   std::string cascade_csv;  ///< pass, value, speed_hz, order, frequency_hz, amplitude_m: significant lines
 };
 
-/// `points` of `cells`, ordered as they shall stand; `along` names what changes.
+/// Tables of `points` of `cells`, in the order given; `along` names the parameter.
 LineTables tables_of(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells,
                      std::string_view along);
 

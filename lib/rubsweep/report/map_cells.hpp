@@ -15,7 +15,7 @@ namespace rubsweep::report {
 /// keys of the configuration.
 using CellKey = std::vector<double>;
 
-/// Where the row of a cell is.
+/// A cell and the position of its row.
 struct CellPlace {
   CellKey key;
   batch::CsvReader::Place row;
@@ -32,7 +32,7 @@ std::string second_axis(const std::filesystem::path& a, const std::filesystem::p
 /// The columns of the axes over keys, which hold no comma.
 std::vector<std::string> keys_of(const batch::CsvReader& map);
 
-/// The columns that say which cell a row is. Throws IoError where one is missing.
+/// Columns that identify the cell of a row. Throws IoError where one is missing.
 std::vector<std::size_t> key_columns(const batch::CsvReader& map, const std::string& axis,
                                      const std::vector<std::string>& keys);
 
@@ -43,7 +43,7 @@ CellKey key_of(const batch::CsvReader& row, const std::vector<std::size_t>& colu
 std::vector<CellPlace> rows_by_cell(const std::filesystem::path& map, const std::string& axis,
                                     const std::vector<std::string>& keys);
 
-/// Place of a cell in what `rows_by_cell` gave; none where there is no such cell.
+/// Place of a cell in the list of `rows_by_cell`; none where there is no such cell.
 std::optional<std::size_t> find_cell(const std::vector<CellPlace>& places, const CellKey& key);
 
 }  // namespace rubsweep::report

@@ -19,7 +19,7 @@ enum class Comparison {
            ///< peak
 };
 
-/// All that is said about one column of map.csv.
+/// Definition of one column of map.csv.
 struct MapColumn {
   std::string_view name;  ///< ends with the unit where there is one
   std::string_view unit;  ///< SI, such as "m"; empty: a pure number or a word

@@ -11,8 +11,8 @@ namespace rubsweep::report {
 /// has beside them.
 std::string map_header(const sweep::Study& study = {});
 
-/// One row of the map of `study`, without its end. Numbers read back to the same double; what does not apply
-/// is empty.
+/// One row of the map of `study`, without its end. Numbers read back to the same double; an entry that does
+/// not apply is empty.
 std::string map_line(const sweep::Row& row, const sweep::Study& study = {});
 
 /// Comment lines above the header of a map, after the head that every table has: a `#` line on the units and,

@@ -16,7 +16,7 @@ namespace {
 
 using response::motion::MotionClass;
 
-/// No cell of the columns asked for is ever quoted.
+/// Text of a column; none of the columns used here is ever quoted.
 std::string_view cell(std::string_view line, std::size_t column) {
   for (; column > 0; --column) line.remove_prefix(line.find(',') + 1);
   return line.substr(0, line.find(','));

@@ -20,7 +20,7 @@ std::string label_of(std::string_view map_line);
 /// map.
 class MapSummary {
  public:
-  /// Cells whose rotor moves farther than so many clearances of the first stop are counted.
+  /// `warn_over_clearances`: cells whose rotor moves farther, in clearances of the first stop, are counted.
   explicit MapSummary(double warn_over_clearances = 10) : warn_over_clearances_(warn_over_clearances) {}
 
   void add(std::string_view map_line);

@@ -10,10 +10,10 @@
 
 namespace rubsweep::report {
 
-/// For a terminal: stable where, unstable how, the onsets, the speeds known in closed form.
+/// Summary for a terminal: ranges of stability, kinds of instability, onsets, speeds in closed form.
 std::string ring_summary(const ring::Study& study, const ring::Analysis& analysis);
 
-/// At which speeds the model's assumption of steady contact and slip fails, by the static state.
+/// Speeds at which the model's assumption of steady contact and slip fails, by the static state.
 std::string validity_summary(const ring::Study& study, const std::vector<ring::StaticLoad>& loads);
 
 /// Lines of the chart that failed, and the shares of its points; empty without a chart.

@@ -160,7 +160,7 @@ std::optional<std::size_t> TerminalMap::typical_rub() const {
     return static_cast<double>(sum) / static_cast<double>(count.cells);
   };
   const auto distance = [&](std::size_t cell) {
-    // In shares of the map, so that a long axis does not decide alone.
+    // Distance in shares of the map, so that a long axis does not decide alone.
     return std::hypot(
         (static_cast<double>(cell % speeds) - mean(count.column)) / static_cast<double>(speeds),
         (static_cast<double>(cell / speeds) - mean(count.row)) / static_cast<double>(grid_.unbalance.size()));

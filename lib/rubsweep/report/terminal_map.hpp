@@ -21,12 +21,12 @@ class TerminalMap {
   /// A line of map.csv; all of them in the order of the file.
   void add(std::string_view map_line);
 
-  /// At most `width` characters wide and 20 rows high, unbalance upward, with the ends of both axes and what
-  /// each character means. `coloured`: with 24-bit colours, those of the figures.
+  /// Map as text, at most `width` characters wide and 20 rows high, unbalance upward, with the ends of both
+  /// axes and the meaning of each character. `coloured`: with 24-bit colours, those of the figures.
   std::string text(std::size_t width, bool coloured) const;
 
-  /// The cell that is nearest to the middle of all that move as most of those that rub; empty where none
-  /// rubs in a motion that has settled.
+  /// Cell nearest to the middle of all those with the most frequent rub; empty where none rubs in a motion
+  /// that has settled.
   std::optional<std::size_t> typical_rub() const;
 
   /// Name of the motion of a cell.

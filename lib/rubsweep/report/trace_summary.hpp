@@ -10,8 +10,8 @@
 
 namespace rubsweep::report {
 
-/// The cell and its motion, one line each, from the row that the map holds of it: class, order, orbit, whirl
-/// and what they rest on.
+/// The cell and its motion, one line each, from the cell's row of the map: class, order, orbit, whirl and the
+/// evidence.
 std::string motion_summary(const sweep::Row& row);
 
 /// Summary of a trace for a terminal: peaks, hits, the largest lines and the effort. `clearance_m` is that of

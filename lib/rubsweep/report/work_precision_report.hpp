@@ -28,10 +28,10 @@ std::string variant_name(const bench::Variant& variant);
 /// One sentence on the reference of a cell, what is known of its error, and how far other routes are away.
 std::string reference_sentence(const std::string& cell, const bench::Reference& reference);
 
-/// `#` lines that say what the columns mean, one per line with its end.
+/// `#` lines that explain the columns, one per line with its end.
 std::string work_precision_comments(const bench::WorkPrecisionOptions& options);
 
-/// Header and rows. steps, switches and rhs_calls are those of one timed run; what does not apply is empty.
+/// Header and rows. steps, switches and rhs_calls are those of one timed run; empty: does not apply.
 std::string work_precision_csv(const std::vector<WorkPrecisionLine>& lines);
 
 /// The same for a terminal: per revolution, and then every variant whose status is not `ok` by its name.

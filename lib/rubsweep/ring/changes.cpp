@@ -59,8 +59,8 @@ Complex flattest_pair(const Values& values, bool grows, double zero) {
   return best;
 }
 
-/// Where a complex root crosses the imaginary axis, guessed from its values on both sides: the closest ones
-/// of which only one grows.
+/// First guess of where a complex root crosses the imaginary axis, from its values on both sides: the closest
+/// ones of which only one grows.
 Complex crossing_pair(const Values& low, const Values& high, double zero) {
   Complex best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -136,7 +136,7 @@ class Search {
   }
   Signature signature_at(double speed) { return signature(form_, values_at(speed)); }
 
-  /// Where the root that changes is, seen from the end that tells it best.
+  /// Place of the root that changes, seen from the end that shows it best.
   Complex place_of(Kind kind, const End& low, const End& high) {
     if (kind == Kind::zero_crossing) return 0;
     if (kind == Kind::axis_crossing || kind == Kind::neutral_merger) {

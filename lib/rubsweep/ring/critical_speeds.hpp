@@ -9,7 +9,7 @@
 
 namespace rubsweep::ring {
 
-/// A speed known in closed form beside what the eigenvalues say.
+/// A speed known in closed form, beside those from the eigenvalues.
 struct CriticalSpeed {
   std::string name;
   double closed_form_rad_per_s = 0;

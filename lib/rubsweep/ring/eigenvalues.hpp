@@ -10,7 +10,7 @@ namespace rubsweep::ring {
 /// Throws SolverError when the iteration does not converge.
 Eigen::VectorXcd eigenvalues(const NormalForm& form, double speed_rad_per_s);
 
-/// Eigenvalues with what tells one mode from another.
+/// Eigenvalues with the quantities that distinguish modes.
 struct Spectrum {
   Eigen::VectorXcd values;  ///< 1/s
   /// d lambda / d Omega, by left and right eigenvectors; 0 where they are defective.

@@ -21,8 +21,8 @@ std::vector<int> first_modes(const Spectrum& spectrum);
 std::string shape_name(const std::vector<std::string>& names, int nodal_diameters, double speed_rad_per_s,
                        std::complex<double> value, const Eigen::VectorXcd& vector);
 
-/// Makes both eigenvalues of every conjugate pair belong to one mode, each mode having two. Where two real
-/// roots of different modes became a pair, the pair keeps one and what is left of both takes the other.
+/// Makes both eigenvalues of every conjugate pair belong to one mode, each mode having two. A pair made of
+/// real roots of two modes keeps one of these, and the two remaining roots take the other.
 void pair_up(const Eigen::VectorXcd& values, std::vector<int>& mode);
 
 }  // namespace rubsweep::ring

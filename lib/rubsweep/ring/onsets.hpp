@@ -20,7 +20,7 @@ struct Onset {
   std::string note;
 };
 
-/// The onsets that a change of the signature stands for, with the modes they concern (none without a track).
+/// Onsets of a change of the signature, with the modes they concern (none without a track).
 std::vector<Onset> describe_change(const Change& change, const Track& track, bool has_friction);
 
 /// Closest approaches of neighbouring frequencies within a quarter of their mean, of a track without

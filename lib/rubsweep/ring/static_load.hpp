@@ -11,7 +11,7 @@ struct StaticLoad {
   std::vector<double> normal_n;  ///< force of the load on the ring in the steady state; positive: it presses
   std::vector<double> slip_m_per_s;  ///< speed of the tip over the ring's surface in the steady state
 
-  /// Every load presses and slips forward: contact and direction of friction are as the model says.
+  /// Whether every load presses and slips forward, as the model assumes of contact and friction.
   bool valid() const;
 };
 

@@ -14,8 +14,8 @@ using Eigen::MatrixXd;
 
 constexpr int most_halvings = 8;
 
-/// Cost of taking eigenvalue k of `to` as the continuation of eigenvalue i of `from`: distance from where its
-/// derivative leads, plus what it moves times the change of shape.
+/// Cost of taking eigenvalue k of `to` as the continuation of eigenvalue i of `from`: distance from the
+/// prediction by its derivative, plus the size of its step times the change of shape.
 MatrixXd continuation_costs(const TrackPoint& from, const TrackPoint& to, double size) {
   const double step = to.speed_rad_per_s - from.speed_rad_per_s;
   const Index count = from.spectrum.values.size();

@@ -32,8 +32,8 @@ struct Track {
 /// (Omega_c + Omega).
 Track track_modes(const System& system, const NormalForm& form, std::span<const double> speeds_rad_per_s);
 
-/// Name of the curve that eigenvalue `index` of a point lies on, and what it looks like there where that is
-/// not the same (two modes exchange their shapes where their curves veer): "ring backward (moves as load 0
+/// Name of the curve that eigenvalue `index` of a point lies on, and of its shape there where that
+/// differs (two modes exchange their shapes where their curves veer): "ring backward (moves as load 0
 /// flexural)".
 std::string describe_mode(const Track& track, const TrackPoint& point, std::size_t index);
 
