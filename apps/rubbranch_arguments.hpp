@@ -13,7 +13,7 @@ struct RubbranchArguments : StudyArguments {
   int threads = 0;                 ///< for a map
   bool fresh = false;              ///< for a map: what an interrupted call found is forgotten
   CellValues cell_values = {};     ///< as --cell says them
-  CellArgument cell = {};          ///< what they mean on the axes of the configuration
+  CellArgument cell = {};          ///< their meaning on the axes of the configuration
   std::string along = {};          ///< speed_hz, whirl_ratio, eccentricity_m or a key as --set names it
   std::optional<double> from = {}, to = {};
   std::string curve = {};  ///< as `along`; empty: no curves in two parameters

@@ -9,7 +9,7 @@ namespace rubsweep::apps {
 /// Verdict on a directory of results that no program is at work in.
 struct DirectoryVerdict {
   std::vector<std::string> faults;   ///< why it is not whole; none: it is
-  std::vector<std::string> remarks;  ///< what cannot be told, or does no harm
+  std::vector<std::string> remarks;  ///< on facts that are uncertain or do no harm
   std::vector<std::string> files;    ///< names of those that were checked
 };
 

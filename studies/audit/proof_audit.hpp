@@ -13,7 +13,7 @@ struct ProofAudit {
   bool simulated = false;  ///< the kick decided, the run did not fail
   std::optional<response::motion::Proof> proof;
   bool followed = false;   ///< its proof is about an orbit, and the run went on
-  bool confirmed = false;  ///< what the proof names is where the run went
+  bool confirmed = false;  ///< the run went to the motion that the proof names
   bool undecided = false;  ///< neither confirmed nor left within the turns given
   long turns = 0;          ///< that the run took after the proof
   std::string finding;     ///< where it went instead

@@ -131,7 +131,7 @@ void measure_messages(const std::string& line, Costs& costs) {
 
 struct Outcome {
   double computed_s = 0;  ///< when the last rank was done
-  double leader_s = 0;    ///< what the first rank spent on others
+  double leader_s = 0;    ///< time of the first rank for others
 };
 
 /// Ranks of one thread. The first one serves the others while another thread of it computes.

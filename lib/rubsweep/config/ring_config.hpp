@@ -14,7 +14,7 @@ struct RingConfig {
   ring::Study study;
   std::filesystem::path output_directory;
   batch::Captions captions{};
-  std::vector<std::string> questions{};  ///< what may be slips of units, to be asked (see unit_slips.hpp)
+  std::vector<std::string> questions{};  ///< questions about likely slips of units (see unit_slips.hpp)
 };
 
 }  // namespace rubsweep::config

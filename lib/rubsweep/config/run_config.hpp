@@ -15,7 +15,7 @@ struct RunConfig {
   std::filesystem::path output_directory;
   double warn_over_clearances = 10;  ///< cells whose rotor moves farther are counted and warned of
   batch::Captions captions{};
-  std::vector<std::string> questions{};  ///< what may be slips of units, to be asked (see unit_slips.hpp)
+  std::vector<std::string> questions{};  ///< questions about likely slips of units (see unit_slips.hpp)
 };
 
 }  // namespace rubsweep::config

@@ -16,7 +16,7 @@ constexpr double independent = 1e-14;
 // Shares of the terms that an acceleration is the sum of.
 constexpr double still = 1e-13;   ///< none that would set a friction free
 constexpr double poised = 1e-12;  ///< none of a surface whose friction is at its limit
-constexpr double lawful = 1e-11;  ///< what the check lets pass
+constexpr double lawful = 1e-11;  ///< allowed by the check
 
 /// Minimum over the box by a primal active set method (Stark & Parker, Bounded-variable least-squares,
 /// Computational Statistics 10 (1995) 129-141). A surface's friction is free, or at one side of its box. One

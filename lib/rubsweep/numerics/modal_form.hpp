@@ -16,7 +16,7 @@ struct ModalForm {
   std::vector<Pair> pairs;         ///< n generators
   /// Largest growth rate. The length of a pair (z_j, z_{n+j}) grows by at most e^{growth t}.
   double growth = 0;
-  LongMatrix unrounded_basis{}, unrounded_inverse{};  ///< those above before they were rounded
+  LongMatrix unrounded_basis{}, unrounded_inverse{};  ///< the same before rounding
 };
 
 /// Modal form of u'' = -stiffness u - damping u' with w = (u, u'). Diagonal matrices with positive stiffness

@@ -10,8 +10,8 @@ namespace rubsweep::page {
 
 /// A line across the map, such as the edge of a domain.
 struct Boundary {
-  std::string family;  ///< what it belongs to
-  std::string kind;    ///< what happens there; may be empty
+  std::string family;  ///< name of its family
+  std::string kind;    ///< of the event there; may be empty
   std::vector<std::array<double, 2>>
       points;  ///< speed in Hz and unbalance in the unit of the map's second axis
 };

@@ -19,9 +19,9 @@ namespace rubsweep::page {
 struct PageContents {
   std::string version;                          ///< of the program that makes the page
   std::vector<std::string> findings;            ///< sentences
-  std::string model;                            ///< what is simulated, in words
+  std::string model;                            ///< the simulation, in words
   std::string configuration;                    ///< YAML
-  std::array<sweep::SweptAxis, 2> plane;        ///< what the map is drawn over: across, up
+  std::array<sweep::SweptAxis, 2> plane;        ///< axes of the drawn map: across, up
   std::array<sweep::WrittenAxis, 2> written{};  ///< how a person wrote these two axes
   batch::Captions captions{};
   std::string unbalance_measure;  ///< the column that says the unbalance of a cell to rubtrace

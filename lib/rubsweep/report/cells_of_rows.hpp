@@ -40,7 +40,7 @@ class CellsOfRows {
     std::vector<std::size_t> columns;
     std::vector<double> factors;          ///< a column holds the value times its factor
     std::size_t leading = 0;              ///< a column that changes along the axis
-    std::vector<double> leading_numbers;  ///< what it holds, ascending
+    std::vector<double> leading_numbers;  ///< its values, ascending
     std::vector<std::size_t> places;      ///< of these in `values`
   };
 

@@ -15,7 +15,7 @@ namespace rubsweep::report {
 struct StudyColumn {
   std::string_view name;
   std::string_view description;                      ///< for --help
-  std::string (*text)(const sweep::Row&) = nullptr;  ///< what stands in the cell; empty: does not apply
+  std::string (*text)(const sweep::Row&) = nullptr;  ///< text of the cell; empty: does not apply
 };
 
 /// Columns of torsion, of iterated secants, of a study of thresholds, of basins, of a refined map, and of

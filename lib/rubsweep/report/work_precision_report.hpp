@@ -16,7 +16,7 @@ struct WorkPrecisionLine {
   bench::Measurement measurement;
   std::optional<bench::LabelAgreement> labels{};  ///< over the whole map; empty: not asked or too slow
   bool labels_too_slow = false;
-  bench::Reference reference{};  ///< what the state error was measured against
+  bench::Reference reference{};  ///< reference of the state error
 };
 
 /// "75 Hz whirl 0.4" or "75 Hz e 3e-05 m".

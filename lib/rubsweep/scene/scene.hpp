@@ -45,7 +45,7 @@ struct Twist {
   Eigen::VectorXcd bow_n;                ///< n or empty: forces Re(bow e^{i phi})
   Eigen::MatrixXd gyroscopic;            ///< n x n or empty: part of structure.damping per rad/s of the shaft
   Eigen::MatrixXd circulatory;           ///< n x n or empty: the same of structure.stiffness
-  double unbalance_inertia_kg_m2 = 0;    ///< what the eccentric masses add to the polar inertia
+  double unbalance_inertia_kg_m2 = 0;    ///< contribution of the eccentric masses to the polar inertia
   std::vector<double> contact_radius_m;  ///< of each contact: lever of its friction about the shaft's axis
 };
 

@@ -200,7 +200,7 @@ class TubeBuilder {
   std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
   double time_s_ = 0;
   std::vector<GuardValue> guards_;  ///< of the present mode, at the start of a step
-  std::vector<ModalSums> seen_;     ///< what these make of the disturbances
+  std::vector<ModalSums> seen_;     ///< projections of the disturbances onto these
   TurnTube tube_;
 };
 

@@ -58,7 +58,7 @@ struct LinearGuard {
   /// Taylor coefficients in time of the sum of the terms, time in units of 1 / fastest_rad_per_s of the mode:
   /// column j is what a unit of z_j adds to them.
   numerics::SeriesTable<ExactTypes<N>::states> taylor;
-  std::vector<Eigen::Index> columns;  ///< those that are not zero
+  std::vector<Eigen::Index> columns;  ///< the nonzero ones
 };
 
 /// An annular stop that is not touched: the guard is reached when the offset d = row . z + centre + forced

@@ -78,7 +78,7 @@ struct ScaledSystem {
   std::vector<ScaledPulse<N>> pulses;    ///< as those of the scene; PulseTimes says when they act
   Eigen::Matrix<double, 2, N> observed;  ///< (x, y) of the observed point in units of L
   std::vector<ScaledContact<N>> contacts;
-  std::vector<ScaledCasing<N>> casings;  ///< those that move
+  std::vector<ScaledCasing<N>> casings;  ///< the moving ones
   StateScale scale;
 
   Eigen::Index coordinates() const { return stiffness_diagonal.size(); }

@@ -35,7 +35,7 @@ struct Window {
 struct WindowVerdict {
   MotionClass motion_class = MotionClass::unsettled;  ///< of no contact, of a period, or unsettled
   std::optional<int> order;                           ///< confirmed by section and spectrum
-  std::optional<SectionPeriod> period;                ///< what the section alone says; empty without contact
+  std::optional<SectionPeriod> period;                ///< by the section alone; empty without contact
   bool spectrum_agrees = true;                        ///< false: `period` exists and the spectrum denies it
   std::optional<double> off_order_energy_fraction;    ///< energy off the multiples of 1/n / energy without 0X
   Measures measures;

@@ -12,7 +12,7 @@ enum class Proof {
   /// in the frame that turns with the shaft) with all its multipliers inside the unit circle, and the run has
   /// been followed towards it over orders of magnitude; no ball about it is known.
   floquet_observed,
-  observed,  ///< what the end of the run shows: windows that agree, a comb that closes, an exponent
+  observed,  ///< by the end of the run: windows that agree, a comb that closes, an exponent
 };
 
 constexpr std::string_view to_string(Proof proof) {

@@ -25,7 +25,7 @@ bool advance(const TurnMap& turn, VectorXd& x, MatrixXd* disturbances) {
 
 struct Return {
   int order = 0;
-  VectorXd defect;  ///< what the section misses itself by after so many turns
+  VectorXd defect;  ///< distance of the section from itself after so many turns
   MatrixXd monodromy;
 };
 
