@@ -18,9 +18,9 @@ enum class StopKind {
   offset_annular,  ///< the rotor rests off its centre
   thin_flats,      ///< one to four flat stops with friction around a shaft so thin that slips reverse
   parallel_flats,  ///< two or three with dry friction whose tangents are parallel, or nearly
-  ring_and_flats,  ///< a ring beside one or two flat stops, dry, of equal or nearly equal radii and
+  ring_and_flats,  ///< an annular stop beside one or two flat ones, dry, of equal or nearly equal radii and
                    ///< clearances
-  rings            ///< two rings with dry friction, concentric or nearly
+  rings            ///< two annular stops with dry friction, concentric or nearly
 };
 /// Kinds with several dry contacts at once, which time stepping makes again.
 constexpr bool several_dry(StopKind kind) { return kind >= StopKind::parallel_flats; }

@@ -11,7 +11,7 @@ namespace rubsweep::machine_search {
 /// mm, a clearance of 1 mm, brass, and the stiffness that Hertz' line contact gives for them.
 struct Candidate {
   double rotor_damping_ratio = 0;
-  double contact_length_m = 0;  ///< of the line contact, so the width of screw and ring
+  double contact_length_m = 0;  ///< of the line contact, so the width of screw and annular stop
   double restitution_delivered = 0;
   double casing_mass_kg = 0;
   double casing_frequency_hz = 0;
