@@ -189,6 +189,9 @@ class LineRun {
     at_speeds.grid.axes.clear();
     at_speeds.grid.speed_hz.clear();
     for (const line::LineCell& cell : cells_) at_speeds.grid.speed_hz.push_back(cell.place.speed_hz);
+    // A line along a key stays at one speed.
+    std::vector<double>& speeds = at_speeds.grid.speed_hz;
+    speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
     warn_of_premises("rubline", at_speeds, *cells_.front().machine);
     if (cells_.back().machine != cells_.front().machine)
       warn_of_premises("rubline", at_speeds, *cells_.back().machine);
