@@ -121,11 +121,11 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   return outcome_of(report::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
 }
 
-/// Script that draws it, and the heading of the picture.
+/// Picture that rubplot draws of it, and its heading.
 std::pair<const char*, std::string> drawing_of(const RubtraceArguments& arguments) {
-  if (arguments.campbell) return {"draw_campbell.py", "Campbell diagram"};
+  if (arguments.campbell) return {"campbell", "Campbell diagram"};
   const ramp::SpeedRamp& ramp = arguments.run_up.value();
-  return {arguments.with_stops ? "draw_run_up.py" : "draw_bode.py",
+  return {arguments.with_stops ? "run-up" : "bode",
           fmt::format("Run-{} {}, {:.4g} to {:.4g} Hz at {:.4g} Hz/s, eccentricity {:.4g} mm",
                       ramp.to_hz > ramp.from_hz ? "up" : "down",
                       arguments.with_stops ? "through rub" : "without stops", ramp.from_hz, ramp.to_hz,
@@ -150,8 +150,8 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
   }
   if (!arguments.quiet) print("{}{}", summary, files_line(files, directory));
   if (arguments.figure) {
-    const auto [script, heading] = drawing_of(arguments);
-    arguments.figure->draw(script, directory, heading);
+    const auto [picture, heading] = drawing_of(arguments);
+    arguments.figure->draw(picture, directory, heading);
     if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
   }
   if (run == integrate::run::Outcome::ok) return done;

@@ -42,16 +42,15 @@ class TemporaryDirectory {
   fs::path path_;
 };
 
-/// RUBSWEEP_SCRIPTS_FROM_BIN leads from the directory of an installed program to its scripts,
-/// RUBSWEEP_SCRIPTS_SOURCE is where they were when it was built.
-fs::path scripts_directory(const std::string& option) {
+/// Package that draws. RUBPLOT_FROM_BIN leads to it from the directory of an installed program,
+/// RUBPLOT_SOURCE is where it was when that was built.
+fs::path rubplot_package(const std::string& option) {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  const fs::path installed = program.parent_path() / RUBSWEEP_SCRIPTS_FROM_BIN,
-                 source = RUBSWEEP_SCRIPTS_SOURCE;
-  for (const fs::path& directory : {installed, source})
-    if (fs::is_directory(directory / "analysis", none)) return fs::weakly_canonical(directory, none);
-  throw IoError(fmt::format("--{}: the scripts that draw are neither in {} nor in {}", option,
+  const fs::path installed = program.parent_path() / RUBPLOT_FROM_BIN, source = RUBPLOT_SOURCE;
+  for (const fs::path& package : {installed, source})
+    if (fs::exists(package / "__main__.py", none)) return fs::weakly_canonical(package, none);
+  throw IoError(fmt::format("--{}: rubplot, which draws, is neither in {} nor in {}", option,
                             installed.lexically_normal().string(), source.string()));
 }
 
@@ -63,8 +62,8 @@ void add_figure(po::options_description& options, const char* meaning) {
 
 Figure::Figure(fs::path file, const std::string& option) : file_(std::move(file)) {
   const std::string kind = file_.extension();
-  if (kind != ".png" && kind != ".svg")
-    throw UsageError(fmt::format("--{}: allowed: a name that ends with .png or .svg", option));
+  if (kind != ".png" && kind != ".svg" && kind != ".pdf")
+    throw UsageError(fmt::format("--{}: allowed: a name that ends with .png, .svg or .pdf", option));
   for (const auto& [command, package] :
        {std::pair("gnuplot", "gnuplot-nox"), std::pair("python3", "python3")}) {
     if (!find_command(command)) {
@@ -72,23 +71,23 @@ Figure::Figure(fs::path file, const std::string& option) : file_(std::move(file)
                                 command, package));
     }
   }
-  scripts_ = scripts_directory(option);
+  rubplot_ = rubplot_package(option);
   require_writable(file_, true);
 }
 
-void Figure::draw(const std::string& script, const fs::path& input, const std::string& heading,
-                  const std::vector<std::string>& more) const {
+void Figure::draw(const std::string& picture, const fs::path& input, const std::string& heading,
+                  const std::vector<std::string>& options) const {
   const InterruptsWait until_the_directory_is_gone;
   const TemporaryDirectory work;
-  const fs::path output = work.path() / "picture";
-  ::setenv("LC_ALL", "C.UTF-8", 1);
-  // Pictures are the same whatever the user has set for Python and gnuplot.
+  const fs::path output = (work.path() / "picture") += file_.extension();
+  // Pictures are the same whatever the user has set for Python.
   std::vector<std::string> command{
-      "python3", "-E", "-s", "-B", scripts_ / "analysis" / script, input.string(), output.string(), heading};
-  command.insert(command.end(), more.begin(), more.end());
+      "python3", "-E", "-s", "-B", rubplot_, picture, "--output", output, "--heading=" + heading};
+  command.insert(command.end(), options.begin(), options.end());
+  command.insert(command.end(), {"--", input});
   if (!run_child(std::move(command))) throw IoError(fmt::format("{}: could not be drawn", file_.string()));
   if (file_.has_parent_path()) make_directory(file_.parent_path());
-  batch::write_whole_file(file_, batch::read_input(fs::path(output) += file_.extension()));
+  batch::write_whole_file(file_, batch::read_input(output));
 }
 
 std::optional<Figure> figure_of(const po::variables_map& given, const std::string& option) {

@@ -44,9 +44,9 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
   }
   if (!arguments.quiet) warn(program, summary);
   if (arguments.figure) {
-    arguments.figure->draw("draw_domain_map.py", directory.map(),
+    arguments.figure->draw("map", directory.map(),
                            study.machine.kick ? "Rub domains after a kick" : "Rub domains",
-                           arguments.fade ? std::vector<std::string>{"fade"} : std::vector<std::string>{});
+                           arguments.fade ? std::vector<std::string>{"--fade"} : std::vector<std::string>{});
     if (!arguments.quiet) print("figure: {}\n", arguments.figure->file().string());
   }
   if (arguments.report) {

@@ -89,7 +89,7 @@ int write_slice(const RubbasinArguments& arguments, const Plane& plane, const co
   if (arguments.figure) {
     const bool by_ratio = config.study.grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
     const double unbalance = arguments.cell.unbalance;
-    arguments.figure->draw("draw_basin.py", directory,
+    arguments.figure->draw("basin", directory,
                            fmt::format("Basins at {:.6g} Hz, {}", arguments.cell.speed_hz,
                                        by_ratio ? fmt::format("whirl ratio {:.6g}", unbalance)
                                                 : fmt::format("eccentricity {:.6g} mm", 1e3 * unbalance)));

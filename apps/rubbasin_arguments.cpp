@@ -30,7 +30,7 @@ po::options_description visible_options() {
       "smallest values, in m, m/s or the unit of the key; default: minus two clearances of the first stop, "
       "at velocities times the speed of rotation")("to", po::value<std::string>()->value_name("C,D"),
                                                    "largest values, likewise");
-  add_figure(options, "also draw the slice as FILE.png or FILE.svg");
+  add_figure(options, "also draw the slice as FILE.png, .svg or .pdf");
   options.add_options()("fresh", "forget what earlier runs finished, and start over");
   add_output(options, "write there instead of output.directory + _basin");
   add_threads(options, "threads; 0: one per processor");

@@ -174,8 +174,8 @@ class LineRun {
     if (points_.size() < cells_.size() * arguments_.passes.size()) return interrupted();
     if (!arguments_.quiet)
       print("{}{}", report::line_summary(points_, cells_), files_line(files_, directory_));
-    draw("draw_bifurcation.py", "Bifurcation diagram", arguments_.figure);
-    draw("draw_cascade.py", "Cascade of full spectra", arguments_.cascade_figure);
+    draw("line", "Bifurcation diagram", arguments_.figure);
+    draw("cascade", "Cascade of full spectra", arguments_.cascade_figure);
     const bool failed = std::ranges::any_of(points_, [](const line::LinePoint& point) {
       return point.row.motion_class == response::motion::MotionClass::failed;
     });
@@ -229,9 +229,9 @@ class LineRun {
     std::_Exit(interrupted());
   }
 
-  void draw(const std::string& script, std::string_view what, const std::optional<Figure>& figure) const {
+  void draw(const std::string& picture, std::string_view what, const std::optional<Figure>& figure) const {
     if (!figure) return;
-    figure->draw(script, directory_, fmt::format("{}{}", what, where()));
+    figure->draw(picture, directory_, fmt::format("{}{}", what, where()));
     if (!arguments_.quiet) print("figure    {}\n", figure->file().string());
   }
 

@@ -27,9 +27,9 @@ po::options_description visible_options() {
   add_place(options);
   options.add_options()("kick", "every cell from its kick, as in a map (the default)")(
       "up", "upward, each cell from what the one before it does")("down", "downward, likewise");
-  add_figure(options, "draw the bifurcation diagram as FILE.png or FILE.svg");
+  add_figure(options, "draw the bifurcation diagram as FILE.png, .svg or .pdf");
   options.add_options()("cascade-figure", po::value<std::string>()->value_name("FILE"),
-                        "draw the cascade of full spectra as FILE.png or FILE.svg");
+                        "draw the cascade of full spectra as FILE.png, .svg or .pdf");
   add_output(options, "write there instead of output.directory + _line");
   add_threads(options, "threads; 0: one per processor");
   add_set(options);

@@ -17,7 +17,7 @@ constexpr std::size_t most_shards = 10000;
 po::options_description visible_options() {
   po::options_description options("Options");
   add_output(options, "write there instead of output.directory");
-  add_figure(options, "also draw the map as FILE.png or FILE.svg");
+  add_figure(options, "also draw the map as FILE.png, .svg or .pdf");
   options.add_options()("fade",
                         "of --figure: cells fade by robust_share, of response.robustness probability");
   add_threads(options, "threads; 0: one per processor");

@@ -172,7 +172,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   }
   if (!arguments.quiet) print("{}{}", summary, files_line(files, directory));
   if (arguments.figure && trace.revolutions > 0) {
-    arguments.figure->draw("draw_traces.py", directory, "One cell under the lens");
+    arguments.figure->draw("trace", directory, "One cell under the lens");
     if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
   }
   if (!scene::can_run(cell.start)) return cannot_start(cell.start);

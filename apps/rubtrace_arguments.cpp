@@ -41,7 +41,7 @@ po::options_description visible_options() {
                    "standard deviation of the sensors' noise; likewise");
   add_figure(
       options,
-      "draw a trace, a Campbell diagram, a run-up (Bode plot) or one with stops as FILE.png or FILE.svg");
+      "draw a trace, a Campbell diagram, a run-up (Bode plot) or one with stops as FILE.png, .svg or .pdf");
   add_output(options, "write there instead of output.directory + _trace");
   add_set(options);
   add_last(options);

@@ -8,5 +8,5 @@
 #   turns     a program gives the label of the other one when it may take more turns
 #   program   neither: what the programs do is the reason
 set -euo pipefail
-export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
+export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$(dirname "${BASH_SOURCE[0]}")
 exec python3 "$(dirname "${BASH_SOURCE[0]}")/analysis/changed_labels.py" "$@"

@@ -10,5 +10,5 @@
 # that in FILE, a table as printed here (results/findings.txt). Measures may differ: cells on the edge of a domain do.
 # With --brief a line for each finding, of the machine of DIR alone.
 set -euo pipefail
-export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
+export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$(dirname "${BASH_SOURCE[0]}")
 exec python3 "$(dirname "${BASH_SOURCE[0]}")/analysis/check_findings.py" "$@"

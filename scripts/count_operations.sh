@@ -4,7 +4,7 @@
 # turns take more than 1000. Packed instructions count twice; those of libm count as instructions only. Needs valgrind,
 # binutils and the release build.
 set -euo pipefail
-export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
+export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$(dirname "${BASH_SOURCE[0]}")
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(dirname "$here")
 program=$top/build/release/studies/cost/exact_turns

@@ -3,7 +3,7 @@
 # one thread, three times each, alternating: medians on the wall clock and of processor time, and the efficiency, which
 # means something on an idle machine only. Default: the map of figure 9, twelve times as fine.
 set -euo pipefail
-export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
+export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$(dirname "${BASH_SOURCE[0]}")
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(dirname "$here")
 ranks=${1:-2}

@@ -3,7 +3,7 @@
 # which keep rubbing: peak memory, processor time and cells per processor second of each, as a table. Takes about three
 # minutes of processor time and 1 GB of disk for 1e6 cells. THREADS (2) and RUBSWEEP (the program) come from outside.
 set -euo pipefail
-export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
+export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$(dirname "${BASH_SOURCE[0]}")
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(dirname "$here")
 program=${RUBSWEEP:-$top/build/release/apps/rubsweep}

@@ -2,8 +2,8 @@
 
 import os
 
-import csv_table
 from command import run_program
+from rubplot import csv_table
 
 CLASSES = ("quasi_periodic", "chaotic", "unsettled")
 COLUMNS = ("speed_hz", "whirl_ratio", "class", "lyapunov_per_revolution", "status", "comb_spacing")

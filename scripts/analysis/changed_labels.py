@@ -5,9 +5,10 @@ import os
 import subprocess
 import tempfile
 
-import csv_table
-from command import Failure, run_program
-from configuration import number, read_configuration
+from command import run_program
+from rubplot import csv_table
+from rubplot.configuration import number, read_configuration
+from rubplot.failure import Failure
 
 KICK, TURNS = "kick.force_n", "response.max_revolutions"
 KICK_CHANGES = (0.0, *(sign * size for size in (1e-10, 3e-10, 1e-9, 3e-9, 1e-8) for sign in (1, -1)))

@@ -9,8 +9,9 @@ import textwrap
 import findings_annulus
 import findings_both_sides
 import findings_one_side
-from command import Failure, run_program
+from command import run_program
 from finding import HOLDS, NO_MAP, NOT_REPRODUCED, PARTLY
+from rubplot.failure import Failure
 from studied_machine import ROLES, StudiedMachine
 
 FINDINGS = findings_one_side.FINDINGS + findings_both_sides.FINDINGS + findings_annulus.FINDINGS

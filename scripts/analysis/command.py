@@ -3,12 +3,9 @@
 import os
 import sys
 
-from configuration import ConfigurationError
-from csv_table import TableError
-
-
-class Failure(Exception):
-    """Ends the program with this message."""
+from rubplot.configuration import ConfigurationError
+from rubplot.csv_table import TableError
+from rubplot.failure import Failure
 
 
 def run_program(main, usage, least=0, most=None):
@@ -28,13 +25,6 @@ def run_program(main, usage, least=0, most=None):
         sys.exit(_say(3, f"{name}: cannot use {error.filename}: {error.strerror}"))
     except (Failure, TableError, ConfigurationError) as error:
         sys.exit(_say(3, f"{name}: {error}"))
-
-
-def require_readable(*paths):
-    """Raises Failure for the first of the files that cannot be read."""
-    for path in paths:
-        if not os.access(path, os.R_OK) or os.path.isdir(path):
-            raise Failure(f"cannot read {path}")
 
 
 def _say(code, message):

@@ -1,8 +1,8 @@
 """csv_columns.py FILE.csv NAME...: the cells of these columns, one row of the table per line, parted by commas."""
 
 
-import csv_table
 from command import run_program
+from rubplot import csv_table
 
 
 def main(arguments):

@@ -97,10 +97,3 @@ def hits_per_whirl(cell):
     own = 1 - cell.comb_spacing
     near = abs(cell.dominant_order - 1) < 1 / 64 or abs(cell.dominant_order - own) < 1 / 64
     return cell.hits / abs(own if near else cell.dominant_order)
-
-
-def spread(items, count):
-    """At most `count` of the items, evenly spread over their list."""
-    if len(items) <= count:
-        return list(items)
-    return [items[int((i + 0.5) * len(items) / count)] for i in range(count)]

@@ -9,10 +9,10 @@ from domain_measures import (
     lowest_speed,
     row_tops,
     rows_reaching_higher,
-    spread,
 )
 from finding import HOLDS, NOT_REPRODUCED, PARTLY, SHARES, Finding, Outcome, figure, of_share, percent, share
 from oval_shape import ellipse
+from rubplot.evenly_spread import spread
 
 SAMPLED_OVALS = 24
 

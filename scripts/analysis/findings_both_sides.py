@@ -2,8 +2,9 @@
 
 from collections import Counter
 
-from domain_measures import highest_speed, slope, spread, widths
+from domain_measures import highest_speed, slope, widths
 from finding import HOLDS, NOT_REPRODUCED, PARTLY, SHARES, Finding, Outcome, figure, of_share, percent, share
+from rubplot.evenly_spread import spread
 
 SAMPLED_CELLS = 24
 TENTH = 0.1

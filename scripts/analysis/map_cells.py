@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Optional
 
-import csv_table
+from rubplot import csv_table
 
 COLUMNS = (
     "speed_hz",

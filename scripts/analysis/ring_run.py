@@ -5,8 +5,8 @@ import re
 import subprocess
 import tempfile
 
-import csv_table
-from command import Failure
+from rubplot import csv_table
+from rubplot.failure import Failure
 
 # The decaying roots that merge, and not those at rest.
 DECAYING = r"decaying.*-[0-9][0-9]"

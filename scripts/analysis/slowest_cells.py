@@ -5,9 +5,9 @@ import resource
 import subprocess
 import tempfile
 
-import csv_table
 from command import run_program
 from random_cells import random_cell, text_of
+from rubplot import csv_table
 
 HEADER = "cell,processor_s,class,proof,revolutions,status"
 

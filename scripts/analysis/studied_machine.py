@@ -6,10 +6,9 @@ import subprocess
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
-import configuration
-import csv_table
-from command import Failure
 from map_cells import read_map
+from rubplot import configuration, csv_table
+from rubplot.failure import Failure
 
 ROLES = ("one_side", "both_sides", "both_sides_unequal", "annulus", "annulus_offset")
 

@@ -6,8 +6,9 @@ sweep_scale.py row TIME MAP.csv: a row of the table; TIME holds "PEAK_KB USER_S 
 
 import math
 
-import csv_table
-from command import Failure, run_program
+from command import run_program
+from rubplot import csv_table
+from rubplot.failure import Failure
 
 
 def grid(cells):

@@ -31,7 +31,7 @@ expect_same parts/map.csv whole/map.csv
 "$4" whole/map.csv parts/map.csv >stdout || fail 'the maps compare as different'
 expect_contains stdout '16 cells: 16 equal'
 if command -v gnuplot >/dev/null; then
-  "$top/scripts/domain_map.sh" whole/map.csv "$PWD/picture" 'Kick against damping'
+  rubplot map whole --output picture
   expect_contains picture.svg 'kick.force'
 fi
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Values that scripts/analysis reads from a printed configuration are those of the program: every value that it finds, given
+# Values that rubplot reads from a printed configuration are those of the program: every value that it finds, given
 # back by --set, leaves the configuration as it is, and each is found at its place.
 source "$(dirname "$0")/support.sh"
 
 # values FILE: lines PATH=VALUE.
 values() {
-  PYTHONPATH=$top/scripts/analysis python3 -B -c 'import configuration, sys
+  PYTHONPATH=$top/scripts python3 -B -c 'import sys
+from rubplot import configuration
 for path, value in configuration.read_configuration(sys.argv[1]).items(): print(f"{path}={value}")' "$1"
 }
 

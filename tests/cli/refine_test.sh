@@ -19,8 +19,8 @@ computed=$(rows whole/map.csv | wc -l)
 rows whole/map.csv | cut -d, -f1-28 | grep -vxF -f <(rows full/map.csv) && fail 'a computed cell is another one'
 [[ $(cells whole/map.csv level | sort -u | tr '\n' ' ') == '0 1 2 3 ' ]] || fail 'not the levels'
 
-PYTHONPATH=$top/scripts/analysis python3 -B - <<'END' || fail 'painted cells differ from the full map'
-import csv_table, refined_map
+PYTHONPATH=$top/scripts python3 -B - <<'END' || fail 'painted cells differ from the full map'
+from rubplot import csv_table, refined_map
 def labels(path):
     return {(float(r["speed_hz"]), float(r["whirl_ratio"])): (r["class"], r["order"]) for r in csv_table.read_table(path)}
 full, known = labels("full/map.csv"), labels("whole/map.csv")
@@ -68,6 +68,6 @@ expect_contains whole/report.html "<li>Refined: $computed of 1353 cells computed
 expect_contains whole/report.html '<li>Boundaries: uncertainty exponent'
 expect_contains whole/report.html "\"recorded\":$computed,"
 if command -v gnuplot >/dev/null; then
-  "$top/scripts/domain_map.sh" whole/map.csv "$PWD/picture" 'Refined'
+  rubplot map whole --output picture.png
   [[ -s picture.png ]] || fail 'there is no picture.png'
 fi

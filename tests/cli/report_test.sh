@@ -42,7 +42,7 @@ TEXT
 ! grep -qiE '<(link|iframe|object|embed|base|img)\b|<script[^>]+src|@import|@font-face|srcset=' map/report.html ||
   fail 'the page loads something'
 # Colours are those of the figures.
-grep -oE '^array colour.*|^  "#.*' "$top/scripts/motion_kinds.gp" | grep -oE '#[0-9A-F]{6}' >figure_colours
+grep -oE '^array colour.*|^  "#.*' "$top/scripts/rubplot/templates/motion_kinds.gp" | grep -oE '#[0-9A-F]{6}' >figure_colours
 sed -n '/^const kinds/,/^];/p' "$top/lib/rubsweep/page/template/palette.js" | grep -oE ' colour: "#[0-9A-F]{6}' |
   grep -oE '#.*' >page_colours
 (($(wc -l <page_colours) == 19)) || fail 'not every kind has a colour'

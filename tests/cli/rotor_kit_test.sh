@@ -88,7 +88,7 @@ done
 refused '--eccentricity-m belongs to a trace or a run-up' --campbell 10:20 --eccentricity-m 1e-5
 refused '--duration-s belongs to --free-response' --campbell 10:20 --duration-s 3
 refused '--figure belongs to a trace, to --campbell or to --run-up' --free-response --figure x.png
-refused '--figure: allowed: a name that ends with .png or .svg' --campbell 10:20 --figure x.gif
+refused '--figure: allowed: a name that ends with .png, .svg or .pdf' --campbell 10:20 --figure x.gif
 refused '--speed-hz belongs to a trace' --free-response --speed-hz 3
 refused '--duration-s belongs to --free-response' --speed-hz 3 --whirl-ratio 0.1 --duration-s 1
 refused 'the unbalance of the run-up is needed' --run-up 10:20:1

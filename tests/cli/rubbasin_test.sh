@@ -16,8 +16,9 @@ expect_matches stdout '^uncertainty exponent'
 expect_contains whole/slice.csv 'y_m,vy_m_per_s,attractor,label,status'
 [[ $(count_rows whole/slice.csv 'status == "ok"') == 143 ]] || fail 'not a row for each start'
 # Shares are what the rows count to, the most frequent first.
-PYTHONPATH=$top/scripts/analysis python3 -B - <<'END' || fail 'shares are not those of the rows'
-import collections, csv_table
+PYTHONPATH=$top/scripts python3 -B - <<'END' || fail 'shares are not those of the rows'
+import collections
+from rubplot import csv_table
 rows = list(csv_table.read_table("whole/slice.csv"))
 found = list(csv_table.read_table("whole/attractors.csv"))
 counts = collections.Counter(row["attractor"] for row in rows)
@@ -96,7 +97,7 @@ expect_contains stderr 'kick.mass'
 
 command -v gnuplot >/dev/null || { echo 'no gnuplot: pictures are not looked at'; exit 0; }
 expect_exit 0 "${slice[@]}" --output drawn --figure picture.png --quiet
-"$top/scripts/basin_figure.sh" drawn "$PWD/again" 'Basins' 2>stderr
+rubplot basin drawn --output again 2>stderr
 expect_empty stderr
 expect_contains again.svg 'displacement y of the rotor (mm)'
 expect_contains again.svg 'wall at rest'

@@ -48,7 +48,7 @@ expect_matches stdout '^adaptive rkf78 smoothed 1e-08 '
 
 # Its picture, where there is gnuplot.
 if command -v gnuplot >/dev/null; then
-  "$top/scripts/work_precision.sh" $table out/picture Heading >stdout 2>stderr || fail 'work_precision.sh failed'
+  rubplot work-precision $table --output out/picture >stdout 2>stderr || fail 'no picture'
   expect_empty stdout
   expect_empty stderr
   [[ $(od -An -tu1 -j16 -N8 out/picture.png | awk '{ print $3 * 256 + $4, $7 * 256 + $8 }') == '1800 880' ]] ||

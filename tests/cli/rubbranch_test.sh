@@ -73,16 +73,16 @@ near() { echo "abs($1 - $2) < 1e-7"; }
   "arclength == 0 and $(near 1/period_turns "$spacing") and $(near floquet_modulus "$modulus")") == 1 ]] ||
   fail "not the oval with comb spacing $spacing and modulus $modulus"
 
-# expect_figure SCRIPT DATA NAME TEXT...: the script draws out/NAME of it with these texts, where there is gnuplot.
+# expect_figure PICTURE DATA NAME TEXT...: rubplot draws out/NAME of it with these texts, where there is gnuplot.
 expect_figure() {
   command -v gnuplot >/dev/null || return 0
-  "$top/scripts/$1" "$2" "out/$3" Heading >stdout 2>stderr || fail "$1 failed"
+  rubplot "$1" "$2" --output "out/$3" >stdout 2>stderr || fail "$1 failed"
   expect_empty stdout
   expect_empty stderr
   local text
   for text in "${@:4}"; do expect_contains "out/$3.svg" "$text"; done
 }
-expect_figure branch_figure.sh doubled picture 'order 4, unstable' 'period-doubling'
+expect_figure branch doubled picture 'order 4, unstable' 'period-doubling'
 
 # A curve in two parameters: folds that stay folds, and the plane that must be one.
 expect_usage_error '--curve-from and --curve-to belong to --curve' "$figure06" --cell 75,0.4 --curve-to 0.5
@@ -96,7 +96,7 @@ expect_files plane branch.csv config.yaml curves.csv events.csv meetings.csv
 expect_matches stdout '^curve 0   fold of order 2, speed_hz .* ends left_range and left_range$'
 [[ $(count_rows plane/curves.csv "kind != 'fold' or abs(multiplier_1_re - 1) > 1e-8 or error > 1e-10") == 0 ]] ||
   fail 'no fold'
-expect_figure curve_figure.sh plane plane 'fold'
+expect_figure curves plane plane 'fold'
 
 # All families of a map: beside it, and the edges between its cells.
 expect_usage_error '--map takes the configuration of the map' "$minimal" --map results
@@ -122,7 +122,7 @@ grep -q "^0,fold,${upper%?}" map/boundaries.csv || fail "no fold at $upper in ma
 [[ $(count_rows map/edges.csv "attribution not in ('ceases', 'basin', 'unresolved')") == 0 ]] || fail 'another attribution'
 [[ $(count_rows map/edges.csv "label_1 == label_2") == 0 ]] || fail 'an edge between equal labels'
 expect_contains stdout '0 labels contradict the domains of the families'
-expect_figure domain_map.sh map/map.csv map 'orbit ends in a fold'
+expect_figure map map/map.csv map 'orbit ends in a fold'
 expect_same_families() {
   for file in boundaries.csv contradictions.csv edges.csv families.csv; do expect_same "$1/$file" "$2/$file"; done
 }

@@ -139,11 +139,11 @@ done
 for text in 'Cascade of full spectra at whirl ratio 0.6' 'order (× shaft speed)' backward 'from the kick' downward; do
   expect_contains pictures/cascade.svg "$text"
 done
-"$top/scripts/bifurcation.sh" drawn out 'Heading' 2>stderr || fail 'bifurcation.sh'
+rubplot line drawn --output out 2>stderr || fail 'rubplot line'
 [[ -s out.png ]] || fail 'there is no out.png'
 # Text in the files becomes no command.
 sed -i 's/,subharmonic,/,"; system("touch pwned"); ",/' drawn/line.csv
 reseal drawn/line.csv
-"$top/scripts/cascade.sh" drawn evil Evil >/dev/null 2>&1 && fail 'cascade.sh drew a class that is none'
-"$top/scripts/bifurcation.sh" drawn evil Evil >/dev/null 2>&1 && fail 'bifurcation.sh drew a class that is none'
+rubplot cascade drawn --output evil >/dev/null 2>&1 && fail 'rubplot cascade drew a class that is none'
+rubplot line drawn --output evil >/dev/null 2>&1 && fail 'rubplot line drew a class that is none'
 expect_missing pwned

@@ -15,32 +15,32 @@ names=('|touch pwned-bar; ' '<touch pwned-less; ' 'a=b' "q'\"\`touch pwned-quote
 expect_exit 0 "$minimal" --set sweep.speed_hz.count=3 --output map
 for name in "${names[@]}"; do
   cp -r map "$name"
-  "$top/scripts/domain_map.sh" "$name/map.csv" "$name" "$name" >stdout 2>stderr || fail "domain_map.sh $name"
+  rubplot map "$name/map.csv" --output "$name.png" --heading "$name" >stdout 2>stderr || fail "rubplot map $name"
   png "./$name.png"
   "$top/scripts/aperiodic_cells.sh" "$name/map.csv" >stdout 2>stderr </dev/null || fail "aperiodic_cells.sh $name"
   rm -r "./$name"
 done
 sed -i 's/non_contact/"; system("touch pwned-by-class"); "/' map/map.csv
 reseal map/map.csv
-"$top/scripts/domain_map.sh" map/map.csv evil_map Map >stdout 2>stderr || true
+rubplot map map/map.csv --output evil_map >stdout 2>stderr || true
 expect_no_commands
 
 # A trace, and cells of it that would be code in the shell's arithmetic and in gnuplot.
 "$rubtrace" "$minimal" --speed-hz 50 --whirl-ratio 0.2 --revolutions 80 --output trace --quiet
 for name in "${names[@]}"; do
   cp -r trace "$name"
-  "$top/scripts/trace.sh" "$name" "$name" "$name" >stdout 2>stderr || fail "trace.sh $name"
+  rubplot trace "$name" --output "$name.png" --heading "$name" >stdout 2>stderr || fail "rubplot trace $name"
   png "./$name.png"
   rm -r "./$name"
 done
-# spoil FILE SED_COMMAND: trace.sh refuses the trace with this change.
+# spoil FILE SED_COMMAND: rubplot refuses the trace with this change.
 spoil() {
   cp -r trace spoiled
   sed -i "$2" "spoiled/$1"
   reseal "spoiled/$1"
   code=0
-  "$top/scripts/trace.sh" spoiled spoiled_picture Spoiled >stdout 2>stderr || code=$?
-  [[ $code != 0 ]] || fail "trace.sh drew $1 after $2"
+  rubplot trace spoiled --output spoiled_picture >stdout 2>stderr || code=$?
+  [[ $code != 0 ]] || fail "rubplot trace drew $1 after $2"
   expect_no_commands
   rm -r spoiled
 }
@@ -59,13 +59,13 @@ spoil config.yaml 's/duration_s: .*/duration_s: system("touch pwned-kick")/'
 table=$(find bench -name '*.csv' | head -n 1)
 for name in "${names[@]}"; do
   cp "$table" "$name"
-  "$top/scripts/work_precision.sh" "$name" "$name" "$name" >stdout 2>stderr || fail "work_precision.sh $name"
+  rubplot work-precision "$name" --output "$name.png" --heading "$name" >stdout 2>stderr || fail "rubplot work-precision $name"
   png "./$name.png"
   rm "./$name"
 done
 # The first column is the title of its panels.
 sed -E '/^(#|cell,)/!s/^[^,]*/"; system("touch pwned-title"); "`touch pwned-title-2`'"'"'; system("touch pwned-title-3") #/' "$table" >evil.csv
 reseal evil.csv
-"$top/scripts/work_precision.sh" evil.csv evil Evil >stdout 2>stderr || fail 'work_precision.sh evil.csv'
+rubplot work-precision evil.csv --output evil >stdout 2>stderr || fail 'rubplot work-precision evil.csv'
 png evil.png
 expect_no_commands

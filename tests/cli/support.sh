@@ -105,7 +105,10 @@ reseal() {
 rows() { grep -v -e '^#' -e '^speed_hz,' "$1" || true; }
 
 # cells FILE.csv NAME...: the cells of these columns, a line per row, parted by commas.
-cells() { python3 -B "$top/scripts/analysis/csv_columns.py" "$@"; }
+cells() { PYTHONPATH=$top/scripts python3 -B "$top/scripts/analysis/csv_columns.py" "$@"; }
+
+# rubplot ARGUMENT...: draws, from the sources.
+rubplot() { python3 "$top/scripts/rubplot" "$@"; }
 
 # count_rows FILE.csv CONDITION: how many rows make the condition true, see count_rows.py.
 count_rows() { python3 -B "$top/tests/cli/count_rows.py" "$@"; }

@@ -18,7 +18,7 @@ expect_exit 0 "${scan[@]}" "${cell[@]}" --output contact
 expect_matches contact/map.csv ',contact,[0-9.e-]+,[0-9.]+,,,,,,,$'
 
 # Single runs on both sides of the smallest threshold.
-python3 -B "$top/scripts/analysis/csv_columns.py" whole/map.csv speed_hz whirl_ratio threshold threshold_motion >found
+cells whole/map.csv speed_hz whirl_ratio threshold threshold_motion >found
 IFS=, read -r speed_hz whirl_ratio threshold motion < <(grep -m 1 ',subharmonic' found)
 one_cell "$speed_hz" "$whirl_ratio"
 expect_exit 0 "$minimal" "${cell[@]}" --output above --set "kick.force_n=$threshold"
@@ -39,12 +39,12 @@ expect_exit 0 "$minimal" "${cell[@]}" --output phase \
 expect_matches phase/map.csv ',[0-9.]+,subharmonic 1/[0-9]+,[0-9.]+\.\.[0-9.]+ '
 
 command -v gnuplot >/dev/null || { echo 'no gnuplot: pictures are not looked at'; exit 0; }
-"$top/scripts/threshold_map.sh" whole/map.csv "$PWD/picture" 'Thresholds' 2>stderr
+rubplot threshold whole --output picture 2>stderr
 expect_empty stderr
 expect_contains picture.svg 'smallest after which rub goes on'
 expect_contains picture.svg 'contours at'
 [[ -s picture.png ]] || fail 'there is no picture.png'
 code=0
-"$top/scripts/threshold_map.sh" plain/map.csv "$PWD/none" Heading 2>stderr || code=$?
+rubplot threshold plain --output none 2>stderr || code=$?
 [[ $code == 3 ]] || fail "exit code $code"
 expect_contains stderr "no column 'threshold'"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# scripts/trace.sh draws what rubtrace wrote. Skipped without gnuplot.
+# rubplot draws what rubtrace wrote. Skipped without gnuplot.
 source "$(dirname "$0")/support.sh"
 command -v gnuplot >/dev/null || { echo 'skipped: there is no gnuplot'; exit 77; }
 touch stdout stderr
@@ -13,8 +13,8 @@ trace bare --speed-hz 54 --whirl-ratio 0.2 --set stops.0.casing=rigid --set stop
 # draw EXPECTED_EXIT_CODE ARGUMENT...
 draw() {
   local code=0
-  "$top/scripts/trace.sh" "${@:2}" >stdout 2>stderr || code=$?
-  [[ $code == "$1" ]] || fail "trace.sh ${*:2}: exit code $code, expected $1"
+  rubplot trace "${@:2}" >stdout 2>stderr || code=$?
+  [[ $code == "$1" ]] || fail "rubplot trace ${*:2}: exit code $code, expected $1"
 }
 
 # expect_picture BASENAME ROWS: both files, 590 pixels per row, and gnuplot had nothing to say.
@@ -26,47 +26,47 @@ expect_picture() {
   expect_matches "$1.svg" '</svg>'
 }
 
-draw 0 rub out/first Heading
+draw 0 rub --output out/first --heading Heading
 expect_picture out/first 1
 for text in Heading 'subharmonic 1/2: 90 Hz = 3 × natural frequency, whirl ratio 0.6' 'time (ms)' 'moving wall' kick 1/2X; do
   expect_contains out/first.svg "$text"
 done
-draw 0 rub out/last Heading -12
+draw 0 rub --output out/last --revolutions -12
 expect_picture out/last 1
 expect_contains out/last.svg 'time after revolution 88 (ms)'
-draw 0 rub out/rows Heading 20 quiet bare
+draw 0 rub quiet bare --output out/rows --revolutions 20
 expect_picture out/rows 3
 expect_contains out/rows.svg 'no contact: 54 Hz'
-draw 0 bare out/bare Heading 20
+draw 0 bare --output out/bare --revolutions 20
 expect_picture out/bare 1
 ! grep -q 'moving wall' out/bare.svg || fail 'a rigid wall does not move'
 
 # The first revolutions there are, of a trajectory that holds only the end of the run.
 trace late --speed-hz 90 --whirl-ratio 0.6 --last-revolutions 60
-draw 0 late out/late Heading
+draw 0 late --output out/late
 expect_picture out/late 1
 expect_contains out/late.svg 'time after revolution 40 (ms)'
-draw 0 late out/late_end Heading -12
+draw 0 late --output out/late_end --revolutions -12
 expect_contains out/late_end.svg 'time after revolution 88 (ms)'
 
 # Above a whirl ratio of 1 there is no kick to be drawn.
 trace above --speed-hz 90 --whirl-ratio 1.2
-draw 0 above out/above Heading
+draw 0 above --output out/above
 expect_picture out/above 1
 ! grep -q '>kick<' out/above.svg || fail 'a kick is drawn where there was none'
 grep -q '>kick<' out/first.svg || fail 'the kick is missing'
 
-draw 1 rub out/nothing
-expect_contains stderr 'usage: trace.sh'
-draw 3 nowhere out/nothing Heading
-expect_matches stderr '^trace.sh: cannot read .*/nowhere/trajectory.csv$'
+draw 2 --output out/nothing
+expect_contains stderr 'the following arguments are required: DIR'
+draw 3 nowhere --output out/nothing
+expect_matches stderr '^rubplot: cannot read nowhere/trajectory.csv$'
 expect_missing out/nothing.png
 
-# The programs draw it themselves, with the same script, and say so before they run when they cannot.
+# The programs draw it themselves, with rubplot, and say so before they run when they cannot.
 expect_exit 0 "$minimal" --speed-hz 90 --whirl-ratio 0.6 --revolutions 100 --output own --figure pictures/own.png
 expect_contains stdout 'figure    pictures/own.png'
 expect_files pictures own.png
-draw 0 own out/own 'One cell under the lens'
+draw 0 own --output out/own.png
 cmp out/own.png pictures/own.png || fail 'another picture'
 expect_exit 0 "$top/configs/rotor_kit.yaml" --campbell 0:200:11 --output campbell --figure pictures/campbell.svg --quiet
 expect_empty stdout

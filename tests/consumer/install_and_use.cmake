@@ -48,13 +48,14 @@ if(place EQUAL -1)
   message(FATAL_ERROR "rubsweep --version does not name ${VERSION}:\n${output}")
 endif()
 
-# An installed program draws with the scripts that are installed beside it.
+# An installed program draws with the package that is installed beside it, and rubplot is a program, too.
 find_program(gnuplot gnuplot)
 if(gnuplot)
   set(draw ${work}/prefix/bin/rubtrace ${EXAMPLES}/../configs/minimal.yaml --campbell 0:100 --output ${work}/campbell
     --figure ${work}/campbell.png)
   run(${draw})
-  file(GLOB_RECURSE script ${work}/prefix/*/rubsweep/scripts/campbell.gp)
+  run(${work}/prefix/bin/rubplot campbell ${work}/campbell --output ${work}/again.pdf)
+  file(GLOB_RECURSE script ${work}/prefix/*/rubsweep/rubplot/templates/campbell.gp)
   file(REMOVE ${script} ${work}/campbell.png)
   execute_process(COMMAND ${draw} RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
   if(status EQUAL 0 OR NOT script OR EXISTS ${work}/campbell.png)

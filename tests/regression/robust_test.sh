@@ -9,7 +9,7 @@ cd "$work"
 
 "$rubsweep" "$config" --output . --quiet --set response.robustness=on \
   --set 'sweep={speed_hz: {values: [111, 141]}, whirl_ratio: {values: [0.17, 0.97]}}'
-cells() { python3 -B "$top/scripts/analysis/csv_columns.py" "$@"; }
+cells() { PYTHONPATH=$top/scripts python3 -B "$top/scripts/analysis/csv_columns.py" "$@"; }
 cells map.csv speed_hz whirl_ratio robust | sort >found
 cells "$sensitive" speed_hz whirl_ratio | grep -E '^[0-9]{3}.*,0\.97$' | sed 's/$/,no/' | sort >known
 [[ $(wc -l <known) == 2 ]] || { echo 'other cells are listed: choose neighbours anew'; exit 1; }

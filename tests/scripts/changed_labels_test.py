@@ -1,6 +1,6 @@
 import changed_labels
-from command import Failure
 from files import FileTest
+from rubplot.failure import Failure
 
 HEADER = "speed_hz,whirl_ratio,class,order,orbit\n"
 

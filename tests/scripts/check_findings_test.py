@@ -1,9 +1,9 @@
 import unittest
 
 import check_findings
-from command import Failure
 from files import FileTest
 from finding import HOLDS, NO_MAP, NOT_REPRODUCED
+from rubplot.failure import Failure
 from sample_machine import SampleMachine, circle
 
 

@@ -5,7 +5,7 @@ import unittest
 from unittest import mock
 
 import command
-from csv_table import TableError
+from rubplot.csv_table import TableError
 
 
 class RunProgram(unittest.TestCase):
@@ -38,7 +38,3 @@ class RunProgram(unittest.TestCase):
         with mock.patch.object(sys, "argv", ["program", "a", "b"]):
             command.run_program(found.extend, usage="name.sh FILE...")
         self.assertEqual(found, ["a", "b"])
-
-    def test_a_directory_is_no_readable_file(self):
-        with self.assertRaisesRegex(command.Failure, "cannot read /$"):
-            command.require_readable("/")

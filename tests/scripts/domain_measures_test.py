@@ -78,9 +78,3 @@ class HitsPerWhirl(unittest.TestCase):
     def test_a_backward_line(self):
         backward = cell(7, 0.3, "quasi_periodic", comb=0.65, hits=0.7, dominant=-0.35)
         self.assertAlmostEqual(domain_measures.hits_per_whirl(backward), 2)
-
-
-class Spread(unittest.TestCase):
-    def test_evenly_over_the_list(self):
-        self.assertEqual(domain_measures.spread(list(range(10)), 5), [1, 3, 5, 7, 9])
-        self.assertEqual(domain_measures.spread([1, 2], 5), [1, 2])

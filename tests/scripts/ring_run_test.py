@@ -1,9 +1,9 @@
 import os
 import stat
 
-from command import Failure
 from files import FileTest
 from ring_run import DECAYING, RingRun, join
+from rubplot.failure import Failure
 
 # A ringstab that says what it was asked and writes known files.
 PROGRAM = """#!/bin/sh

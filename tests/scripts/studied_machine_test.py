@@ -1,10 +1,10 @@
 import os
 import stat
 
-from command import Failure
-from configuration import ConfigurationError
 from files import FileTest
 from map_cells import COLUMNS
+from rubplot.configuration import ConfigurationError
+from rubplot.failure import Failure
 from sample_machine import cell
 from studied_machine import StudiedMachine
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_rows = 20, label_width = 14;
 
 /// How the motions whose name begins so are shown; the first that fits. Colours as in
-/// scripts/motion_kinds.gp.
+/// scripts/rubplot/templates/motion_kinds.gp.
 struct Sign {
   std::string_view name;
   char character;

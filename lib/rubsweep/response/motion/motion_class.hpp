@@ -22,7 +22,7 @@ enum class MotionClass {
 };
 
 /// Properties of one class. Maps, summaries, comparisons and help texts read them here; the colours of
-/// figures are in scripts/motion_kinds.gp.
+/// figures are in scripts/rubplot/templates/motion_kinds.gp.
 struct MotionClassRow {
   std::string_view word;         ///< its name in map.csv
   std::string_view description;  ///< for help texts

@@ -1,0 +1,1 @@
+"""Pictures of everything that the programs write, by gnuplot."""

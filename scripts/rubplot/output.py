@@ -1,0 +1,54 @@
+"""The files that a picture is written to, by --output and --formats."""
+
+import os
+import shutil
+import tempfile
+
+from rubplot.failure import WrongCall
+
+FORMATS = ("png", "svg", "pdf")
+DEFAULT_FORMATS = ("png", "svg")
+# Endings that a person takes for a format; any other one is a part of the name.
+_OTHER_FORMATS = ("bmp", "eps", "gif", "jpeg", "jpg", "ps", "tif", "tiff", "webp")
+
+
+def read_formats(text):
+    """The formats of a list like "png,pdf". Raises WrongCall."""
+    formats = [word.strip().lower() for word in text.split(",")]
+    for word in formats:
+        if word not in FORMATS:
+            raise WrongCall(f"--formats: '{word}' is not allowed, allowed: {', '.join(FORMATS)}")
+    return tuple(dict.fromkeys(formats))
+
+
+def targets(output, formats=None):
+    """A dict from each format to the absolute name of its file: the one that the ending of `output` names, else all of
+    `formats` with their endings behind the name. Raises WrongCall."""
+    ending = os.path.splitext(output)[1][1:].lower()
+    if ending in _OTHER_FORMATS:
+        raise WrongCall(f"--output {output}: allowed: a name that ends with .png, .svg or .pdf, or one without ending")
+    if not os.path.basename(output) or os.path.isdir(output):
+        raise WrongCall(f"--output {output}: is a directory, allowed: the name of a file")
+    path = os.path.abspath(output)
+    if ending in FORMATS:
+        if formats is not None and tuple(formats) != (ending,):
+            raise WrongCall(f"--formats: belongs to an --output without ending, {output} is a {ending} file")
+        return {ending: path}
+    return {name: f"{path}.{name}" for name in formats or DEFAULT_FORMATS}
+
+
+def place(drawn, path):
+    """Copies a picture to its name, whole or not at all; its directory is made."""
+    directory = os.path.dirname(path)
+    os.makedirs(directory, exist_ok=True)
+    handle, partial = tempfile.mkstemp(prefix=".rubplot-", dir=directory)
+    os.close(handle)
+    try:
+        shutil.copyfile(drawn, partial)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(partial, 0o666 & ~mask)
+        os.replace(partial, path)
+    except OSError:
+        os.unlink(partial)
+        raise

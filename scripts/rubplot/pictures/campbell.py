@@ -1,0 +1,175 @@
+"""A Campbell diagram: curves by direction, critical speeds, the shaft and its mode shapes."""
+
+import os
+from itertools import groupby
+
+from rubplot import captions, configuration, csv_table, shown_units
+from rubplot.failure import require_readable
+from rubplot.gnuplot import Picture
+from rubplot.subcommand import Subcommand
+
+WHIRLS = ("forward", "backward", "mixed")
+MOST_SHAPES = 4
+SAME_SPEED = 0.015  # as a share: critical speeds with one label
+# Distances as shares of the picture's width and height.
+CLOSE = 0.09
+BESIDE_AXIS = 0.1
+SAME_HEIGHT = 0.02
+
+
+def picture(given):
+    directory = given.source
+    names = ("campbell.csv", "critical_speeds.csv", "mode_shapes.csv", "config.yaml")
+    files = {name: os.path.join(directory, name) for name in names}
+    require_readable(*files.values())
+    curves = _numbers(files["campbell.csv"], "mode", "speed_hz", "frequency_hz")
+    critical = _numbers(files["critical_speeds.csv"], "mode", "speed_hz")
+    shapes = _numbers(files["mode_shapes.csv"], "mode", "frequency_hz", "position_m", "x_real", "y_real", "x_imag", "y_imag")
+    config = configuration.read_configuration(files["config.yaml"])
+    per_hz = shown_units.axis(config, "speed_hz").factor
+    fastest = max((row["speed_hz"] for row in curves), default=0)
+    # As high as shows where the modes meet the shaft speed, and the slowest mode in any case.
+    top = max(1.5 * fastest, 1.3 * min((row["frequency_hz"] for row in curves), default=0))
+    sizes = [
+        f"fastest = {fastest:.17g}",
+        f"name_of_1x = {place_of_1x(critical, fastest):.17g}",
+        f"top = {top:.17g}",
+        f"per_hz = {per_hz:.17g}",  # of the unit in which shaft speeds are shown
+        f"any_critical = {len(critical) > 0:d}",
+        f"any_mixed = {any(row['whirl'] == 'mixed' for row in curves):d}",
+    ]
+    shown = shown_shapes(shapes)
+    return Picture(
+        "campbell.gp",
+        (captions.headed(given.heading, config), str(len(shown)), captions.byline(config)),
+        {
+            "curves": curve_lines(curves, per_hz),
+            "critical": ("%.17g" % row["speed_hz"] for row in critical),
+            "labels.gp": [*sizes, *name_lines(curves, top, per_hz), *label_lines(critical, fastest, per_hz)],
+            "shapes": shape_lines(shown),
+            "shaft": shaft_lines(config),
+        },
+    )
+
+
+def curve_lines(rows, per_hz=1):
+    """Speed, frequency and direction (0 forward, 1 backward, 2 mixed); a block for each stretch of one direction."""
+    for _, mode in groupby(rows, key=lambda row: row["mode"]):
+        last = None
+        for row in mode:
+            direction = WHIRLS.index(row["whirl"])
+            point = "%.17g %.17g" % (per_hz * row["speed_hz"], row["frequency_hz"])
+            if last is not None and last[1] != direction:
+                # The stretches meet.
+                yield f"{point} {last[1]}"
+                yield ""
+            yield f"{point} {direction}"
+            last = (point, direction)
+        yield ""
+
+
+def name_lines(rows, top, per_hz=1):
+    """The number of each mode at its end, as gnuplot's labels; modes that end at one height share one."""
+    ends = [list(mode)[-1] for _, mode in groupby(rows, key=lambda row: row["mode"])]
+    shown = sorted((row for row in ends if row["frequency_hz"] < top), key=lambda row: row["frequency_hz"])
+    for cluster in _clusters(shown, "frequency_hz", SAME_HEIGHT * top):
+        place = sum(row["frequency_hz"] for row in cluster) / len(cluster)
+        text = ",".join("%d" % row["mode"] for row in cluster)
+        yield _label(per_hz * cluster[0]["speed_hz"], place, text, "left offset 0.6, 0")
+
+
+def label_lines(rows, fastest, per_hz=1):
+    """Critical speeds as gnuplot's labels; speeds that lie together get one, at their middle. It stands above to the left
+    of the line, below to the right where the next one is close, above to the right beside the axis."""
+    clusters = list(_clusters(sorted(rows, key=lambda row: row["speed_hz"]), "speed_hz", 0, SAME_SPEED))
+    middles = [sum(row["speed_hz"] for row in cluster) / len(cluster) for cluster in clusters]
+    for middle, following in zip(middles, [*middles[1:], float("inf")]):
+        place = "right offset -0.8, 0.8"
+        if middle < BESIDE_AXIS * fastest:
+            place = "left offset 0.3, 0.9"
+        elif following < middle + CLOSE * fastest:
+            place = "left offset 0.8, -0.8"
+        yield _label(per_hz * middle, middle, "%.4g" % (per_hz * middle), place)
+
+
+def place_of_1x(critical, fastest):
+    """The speed at which the line of the shaft speed is named: near its end, but not where a critical speed is."""
+    places = [share * fastest for share in (0.94, 0.85, 0.76, 0.67, 0.58, 0.49, 0.4)]
+
+    def room(place):
+        return min((abs(row["speed_hz"] - place) for row in critical), default=fastest)
+
+    return next((place for place in places if room(place) > BESIDE_AXIS * fastest), max(places, key=room))
+
+
+def _label(x, y, text, place):
+    return f"set label '{text}' at first {x:.17g}, first {y:.17g} {place} front font ',16'"
+
+
+def _clusters(rows, name, distance, share=0.0):
+    """Splits rows in ascending order of a column where one lies further from the one before than a distance, or a share
+    of its value."""
+    cluster = []
+    for row in rows:
+        if cluster and row[name] > cluster[-1][name] * (1 + share) + distance:
+            yield cluster
+            cluster = []
+        cluster.append(row)
+    if cluster:
+        yield cluster
+
+
+def shown_shapes(rows):
+    """The first modes that whirl forward, or in no clear direction: a backward one bends the shaft as its partner does.
+    None where there is no shaft to bend."""
+    modes = [(number, list(points)) for number, points in groupby(rows, key=lambda row: row["mode"])]
+    shown = [mode for mode in modes if mode[1][0]["whirl"] != "backward" and len(mode[1]) > 1]
+    return shown[:MOST_SHAPES]
+
+
+def shape_lines(shown):
+    """A data set for each mode, its number and frequency as the title: position in mm, and the deflection in the plane in
+    which it is larger, at the instant at which it is largest there."""
+    for number, points in shown:
+        across = max(abs(complex(row["x_real"], row["x_imag"])) for row in points)
+        up = max(abs(complex(row["y_real"], row["y_imag"])) for row in points)
+        name = "x_real" if across >= (1 - 1e-6) * up else "y_real"
+        yield '"mode %d, %.4g Hz"' % (number, points[0]["frequency_hz"])
+        for row in points:
+            yield "%.17g %.17g" % (1e3 * row["position_m"], row[name])
+        yield ""
+        yield ""
+
+
+def shaft_lines(config):
+    """Place in mm and kind of what stands on the shaft: 0 disc, 1 support, 2 stop."""
+    for kind, path in enumerate(("rotor.discs", "rotor.supports", "stops")):
+        count = 0
+        while f"{path}.{count}.position_m" in config:
+            yield "%.17g %d" % (1e3 * configuration.number(config[f"{path}.{count}.position_m"]), kind)
+            count += 1
+
+
+def _numbers(path, *names):
+    """The rows of a table, these columns as numbers and the column whirl as the word that it is."""
+    rows = []
+    for row in csv_table.read_table(path, "whirl", *names):
+        if row["whirl"] not in WHIRLS:
+            raise csv_table.TableError(f"{path}: '{row['whirl']}' is no direction of whirl")
+        numbers = {name: csv_table.number(row, name) for name in names}
+        if None in numbers.values():
+            raise csv_table.TableError(f"{path}: a row without numbers")
+        rows.append({"whirl": row["whirl"], **numbers})
+    return rows
+
+
+SUBCOMMAND = Subcommand(
+    name="campbell",
+    summary="Campbell diagram and mode shapes (rubtrace --campbell)",
+    description="""Draws what rubtrace --campbell wrote into DIR: whirl frequencies over the shaft speed, critical speeds,
+and of a rotor kit the mode shapes along the shaft.""",
+    source="DIR",
+    heading="Campbell diagram",
+    picture=picture,
+    examples=("results/my_campbell", "results/my_campbell --output campbell.svg"),
+)

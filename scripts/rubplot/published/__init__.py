@@ -1,0 +1,1 @@
+"""The published figures: configurations, cells and headings, computed by the programs and then drawn."""

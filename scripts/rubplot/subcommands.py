@@ -1,0 +1,26 @@
+"""All subcommands, in the order of the help."""
+
+from rubplot.pictures import (
+    basin,
+    bode,
+    branch,
+    campbell,
+    cascade,
+    curves,
+    identification,
+    line,
+    map,
+    ring,
+    ring_chart,
+    run_up,
+    threshold,
+    trace,
+    work_precision,
+)
+from rubplot.published import figure
+
+ALL = tuple(
+    module.SUBCOMMAND
+    for module in (map, threshold, trace, line, cascade, branch, curves, basin, run_up, bode, campbell, identification,
+                   ring, ring_chart, work_precision, figure)
+)

@@ -1,0 +1,33 @@
+import unittest
+
+from rubplot import shown_units
+
+
+class Axes(unittest.TestCase):
+    def test_si_units_stay(self):
+        config = {"sweep.speed_hz.values": "[10, 20]", "sweep.whirl_ratio.from": "0.1", "sweep.whirl_ratio.scale": "log"}
+        self.assertEqual(shown_units.axis(config, "speed_hz", 20), shown_units.Axis("shaft speed (Hz)"))
+        self.assertEqual(shown_units.axis(config, "whirl_ratio"),
+                         shown_units.Axis("whirl ratio (quiet whirl / clearance)", 1, True))
+        self.assertEqual(shown_units.speed_text(config, 12.5), "12.5 Hz")
+
+    def test_what_was_written_in_other_units_comes_back_so(self):
+        config = {"sweep.speed_rpm.from": "3000", "sweep.speed_rpm.to": "12000", "sweep.speed_rpm.scale": "log",
+                  "sweep.unbalance_g_mm.values": "[0, 50, 200]"}
+        self.assertEqual(shown_units.axis(config, "speed_hz"), shown_units.Axis("shaft speed (rpm)", 60, True))
+        self.assertEqual(shown_units.axis(config, "eccentricity_m", 1e-4), shown_units.Axis("unbalance (g mm)", 2e6))
+        # Without a map to compare with it stays a length, but where one disc is all the mass.
+        self.assertEqual(shown_units.axis(config, "eccentricity_m").label, "eccentricity (m)")
+        self.assertEqual(shown_units.axis(config | {"rotor.mass_kg": "0.8"}, "eccentricity_m"),
+                         shown_units.Axis("unbalance (g mm)", 8e5))
+        self.assertEqual(shown_units.speed_text(config, 50), "3000 rpm")
+
+    def test_a_grade_and_an_axis_over_keys(self):
+        config = {"sweep.balance_grade_mm_per_s.from": "1", "sweep.balance_grade_mm_per_s.to": "6.3",
+                  "sweep.x.key": "kick.force_n", "sweep.x.scale": "log"}
+        self.assertAlmostEqual(shown_units.axis(config, "eccentricity_m", 2e-5).factor, 315000)
+        self.assertEqual(shown_units.axis(config, "kick.force_n"), shown_units.Axis("kick.force_n", 1, True))
+
+
+if __name__ == "__main__":
+    unittest.main()
