@@ -12,6 +12,7 @@
 
 #include "exit_code.hpp"
 #include "interrupt.hpp"
+#include "premises.hpp"
 #include "program.hpp"
 #include "result_directory.hpp"
 #include "result_files.hpp"
@@ -101,10 +102,18 @@ Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study) {
           run};
 }
 
+/// At the steady speeds that stand for a ramp.
+void warn_of_ramp(const ramp::SpeedRamp& ramp, const sweep::Study& study,
+                  const scene::PreparedMachine& machine) {
+  warn_of_premises_at("rubtrace", batch::evenly_spaced(ramp.from_hz, ramp.to_hz, steady_speeds), study,
+                      machine);
+}
+
 Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
-  if (arguments.with_stops) return run_up_with_stops(*arguments.run_up, study);
   const model::Machine& described = study.machine;
   const scene::PreparedMachine machine = scene::prepare_machine(described);
+  if (arguments.run_up && !arguments.quiet) warn_of_ramp(*arguments.run_up, study, machine);
+  if (arguments.with_stops) return run_up_with_stops(*arguments.run_up, study);
   if (arguments.campbell) return campbell_diagram(*arguments.campbell, described);
   const identify::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
   if (const auto& ramp = arguments.run_up) {

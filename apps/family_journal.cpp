@@ -47,8 +47,14 @@ void FamilyJournal::remove() {
   fs::remove(path_);
 }
 
+void FamilyJournal::refresh() {
+  const std::lock_guard lock(mutex_);
+  if (journal_) journal_->refresh();
+}
+
 void FamilyJournal::leave() {
   mutex_.lock();  // for good: whoever waits for it ends with the process
+  if (journal_) journal_->sync();
   lock_.reset();
 }
 

@@ -29,6 +29,9 @@ class FamilyJournal {
   /// Removes the journal once the results are written.
   void remove();
 
+  /// As LineLog::refresh.
+  void refresh();
+
   /// Frees the directory, for a process that ends at once; waits for a line that is being written, and no
   /// other one comes after it.
   void leave();

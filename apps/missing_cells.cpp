@@ -144,6 +144,7 @@ bool MissingCells::say_progress(const std::string& text) {
 void MissingCells::refresh() {
   const std::lock_guard lock(mutex_);
   progress_.refresh();
+  journal_.refresh();
 }
 
 /// Nothing can get into the journal any more once the mutex is held.
@@ -156,6 +157,7 @@ void MissingCells::leave() {
 }
 
 void MissingCells::say_interrupted() {
+  journal_.sync();
   progress_.finish();
   say(fmt::format("{}: interrupted; {} of {} cells are finished, the same command computes the others\n",
                   how_.program, directory_.finished() + finished_, directory_.cells()));

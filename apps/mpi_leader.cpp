@@ -28,6 +28,7 @@ MpiLeader::MpiLeader(MapJob& job, int ranks)
     : job_(job),
       chunks_(job.directory->missing(), static_cast<std::size_t>(ranks)),
       complete_(!job.config.study.grid.refinement),
+      journal_(job.directory->journal()),
       partial_(job.directory->partial()),
       progress_(job.directory->cells(),
                 job.arguments.quiet ? batch::ProgressMode::never : job.arguments.progress, stderr,
@@ -66,6 +67,7 @@ std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
       if (ended_ && ChunkClock::now() - *ended_ >= grace) leave();
       const std::lock_guard lock(mutex_);
       progress_.refresh();
+      journal_.refresh();
     }
   } catch (...) {
     give_up();  // or the destructor would wait for all cells
@@ -131,6 +133,7 @@ batch::Chunk MpiLeader::own_chunk() {
 void MpiLeader::leave() {
   const std::lock_guard lock(mutex_);
   progress_.finish();
+  journal_.sync();
   say(interrupted_map(*job_.directory, finished_));
   job_.directory->leave();
   mpi::abort(128 + signal_);
@@ -150,14 +153,13 @@ bool MpiLeader::serve() {
 }
 
 void MpiLeader::compute() {
-  batch::Journal journal = job_.directory->journal();
   for (batch::Chunk chunk = own_chunk(); !chunk.empty(); chunk = own_chunk()) {
     sweep::run_cells(
         job_.config.study, chunk, job_.arguments.threads,
         [&](std::size_t cell, const sweep::Row& row) {
           const std::string line = report::map_line(row, job_.config.study);
           const std::lock_guard lock(mutex_);
-          journal.append(cell, line);
+          journal_.append(cell, line);
           keep(cell, line);
         },
         ending_);

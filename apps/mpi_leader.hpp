@@ -12,6 +12,7 @@
 #include "map_directory.hpp"
 #include "refined_cells.hpp"
 #include "rubsweep/batch/chunk_queue.hpp"
+#include "rubsweep/batch/journal.hpp"
 #include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/config/run_config.hpp"
@@ -89,6 +90,7 @@ class MpiLeader {
   std::optional<RefinedCells> refined_;
   bool own_waits_ = false;    ///< this rank has nothing to do before the next round
   std::vector<int> waiting_;  ///< nor have these
+  batch::Journal journal_;
   batch::LineLog partial_;
   batch::Progress progress_;
   std::size_t finished_ = 0;

@@ -13,4 +13,11 @@ void warn_of_premises(std::string_view program, const sweep::Study& study,
   if (!where.empty()) say(fmt::format("{}: warning: {}", program, where));
 }
 
+void warn_of_premises_at(std::string_view program, const std::vector<double>& speeds_hz, sweep::Study study,
+                         const scene::PreparedMachine& prepared) {
+  study.grid.axes.clear();
+  study.grid.speed_hz = speeds_hz;
+  warn_of_premises(program, study, prepared);
+}
+
 }  // namespace rubsweep::apps

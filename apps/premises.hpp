@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/study.hpp"
@@ -11,5 +12,9 @@ namespace rubsweep::apps {
 /// that is unstable without its stops. `prepared` is that of study.machine.
 void warn_of_premises(std::string_view program, const sweep::Study& study,
                       const scene::PreparedMachine& prepared);
+
+/// The same at these speeds alone, whatever the grid of the study.
+void warn_of_premises_at(std::string_view program, const std::vector<double>& speeds_hz, sweep::Study study,
+                         const scene::PreparedMachine& prepared);
 
 }  // namespace rubsweep::apps

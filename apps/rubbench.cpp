@@ -14,6 +14,7 @@
 #include "interrupt.hpp"
 #include "kept_files.hpp"
 #include "place_arguments.hpp"
+#include "premises.hpp"
 #include "program.hpp"
 #include "result_directory.hpp"
 #include "result_files.hpp"
@@ -160,10 +161,19 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
   return sentence;
 }
 
+void warn(const RubbenchArguments& arguments, const sweep::Study& study) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  if (arguments.cells.empty()) return warn_of_premises("rubbench", study, prepared);
+  std::vector<double> speeds_hz;
+  for (const CellArgument& cell : arguments.cells) speeds_hz.push_back(cell.speed_hz);
+  warn_of_premises_at("rubbench", speeds_hz, study, prepared);
+}
+
 int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
   ask("rubbench", config.questions, arguments.quiet);
   for (const CellArgument& cell : arguments.cells) require_speed("--cell", cell.speed_hz, study.machine);
+  if (!arguments.quiet) warn(arguments, study);
   const fs::path directory = results_directory(arguments, config.output_directory, "_bench");
   const ResultDirectory made(directory, file_names);
   end_on_interrupts("nothing was written");

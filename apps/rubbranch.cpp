@@ -16,6 +16,7 @@
 #include "interrupt.hpp"
 #include "kept_files.hpp"
 #include "place_arguments.hpp"
+#include "premises.hpp"
 #include "program.hpp"
 #include "result_directory.hpp"
 #include "result_files.hpp"
@@ -89,7 +90,9 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const ResultDirectory made(directory, file_names);
   end_on_interrupts("nothing was written");
 
-  const scene::Cell cell = scene::build_cell(study.machine, arguments.cell.speed_hz,
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  if (!arguments.quiet) warn_of_premises_at("rubbranch", {arguments.cell.speed_hz}, study, prepared);
+  const scene::Cell cell = scene::build_cell(prepared, arguments.cell.speed_hz,
                                              sweep::unbalance_of(study.grid, arguments.cell.unbalance));
   if (!scene::can_run(cell.start)) return nothing_to_follow("the cell has no motion that could be run");
   response::motion::Workspace workspace;

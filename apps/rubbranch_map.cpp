@@ -98,7 +98,7 @@ int run_on_map(const RubbranchArguments& arguments) {
                     journal.found_before()));
   }
   std::optional<Watch> watch(
-      std::in_place, [] {},
+      std::in_place, [&] { journal.refresh(); },
       [&] {
         journal.leave();
         say(interrupted);

@@ -185,16 +185,14 @@ class LineRun {
  private:
   /// Warns for the machines at the two ends of the line, at the speeds of all cells.
   void warn() const {
-    sweep::Study at_speeds = *cells_.front().study;
-    at_speeds.grid.axes.clear();
-    at_speeds.grid.speed_hz.clear();
-    for (const line::LineCell& cell : cells_) at_speeds.grid.speed_hz.push_back(cell.place.speed_hz);
+    std::vector<double> speeds_hz;
+    for (const line::LineCell& cell : cells_) speeds_hz.push_back(cell.place.speed_hz);
     // A line along a key stays at one speed.
-    std::vector<double>& speeds = at_speeds.grid.speed_hz;
-    speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
-    warn_of_premises("rubline", at_speeds, *cells_.front().machine);
+    speeds_hz.erase(std::unique(speeds_hz.begin(), speeds_hz.end()), speeds_hz.end());
+    const sweep::Study& study = *cells_.front().study;
+    warn_of_premises_at("rubline", speeds_hz, study, *cells_.front().machine);
     if (cells_.back().machine != cells_.front().machine)
-      warn_of_premises("rubline", at_speeds, *cells_.back().machine);
+      warn_of_premises_at("rubline", speeds_hz, study, *cells_.back().machine);
   }
 
   void write() {

@@ -91,9 +91,14 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
   // A rank in the middle of a long cell cannot report any more. One that ends like this ends the job, and the
   // others learn it by a signal.
   std::optional<Watch> watch(
-      std::in_place, [] {},
+      std::in_place,
       [&] {
         const std::lock_guard lock(mutex);
+        if (journal) journal->refresh();
+      },
+      [&] {
+        const std::lock_guard lock(mutex);
+        if (journal) journal->sync();
         std::_Exit(128 + caught_signal());
       });
   while (true) {
@@ -102,7 +107,7 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
     if (signal != 0) break;
     const batch::Chunk chunk = mpi::receive_chunk();
     if (chunk.empty()) break;
-    if (!journal) journal.emplace(rank_journal(config, rank));
+    if (const std::lock_guard lock(mutex); !journal) journal.emplace(rank_journal(config, rank));
     sweep::run_cells(
         config.study, chunk, threads,
         [&](std::size_t cell, const sweep::Row& row) {

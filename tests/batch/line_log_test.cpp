@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "batch/failing_stat.hpp"
+#include "batch/failing_sync.hpp"
 #include "batch/file_size_limit.hpp"
 #include "batch/message_of.hpp"
 #include "batch/read_whole_file.hpp"
@@ -26,6 +29,36 @@ TEST(LineLog, EachLineIsThereAtOnce) {
   log.append("");
   log.append("1,2");
   EXPECT_EQ(read_whole_file(path), "a,b\n\n1,2\n");
+}
+
+/// The last line is asked for once its time is over, whether or not another one comes, and only then.
+TEST(LineLog, RefreshSyncsWhatWasAppendedOnceItsTimeIsOver) {
+  const TemporaryDirectory directory;
+  LineLog log(directory.path() / "map.partial.csv", std::chrono::milliseconds(50));
+  const FailingSync syncs;
+  log.append("1,2");
+  log.refresh();
+  EXPECT_EQ(syncs.calls(), 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  log.refresh();
+  EXPECT_EQ(syncs.calls(), 1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  log.refresh();
+  EXPECT_EQ(syncs.calls(), 1) << "nothing was appended since";
+}
+
+TEST(LineLog, AFailureToSyncIsWhatTheNextLineThrows) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "map.partial.csv";
+  LineLog log(path);
+  log.append("1,2");
+  {
+    const FailingSync syncs;
+    log.sync();
+  }
+  EXPECT_EQ(message_of<IoError>([&] { log.append("3,4"); }),
+            "cannot write " + path.string() + ": Input/output error");
+  log.append("5,6");
 }
 
 TEST(LineLog, GoesOnAfterTheLastWholeLine) {

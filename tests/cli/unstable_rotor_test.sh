@@ -25,3 +25,17 @@ expect_contains stderr 'warning: unstable rotor: at 1 of 2 speeds looked at'
 # A stable rotor is no news.
 expect_exit 0 "$minimal" --check
 expect_empty stderr
+
+# The sister programs look at the speeds that they are asked for.
+spun=("$minimal" --set rotor.rotating_damping_ratio=0.05 --output sister)
+expect_warning_of() {
+  local program=$1
+  shift
+  "$(dirname "$rubsweep")/$program" "${spun[@]}" "$@" >stdout 2>stderr </dev/null || true
+  expect_contains stderr "$program: warning: unstable rotor: at"
+}
+expect_warning_of rubtrace --speed-hz 90 --whirl-ratio 0.4 --revolutions 200
+expect_warning_of rubtrace --run-up 80:90:100 --eccentricity-m 1e-5
+expect_warning_of rubtrace --run-up 80:90:100 --eccentricity-m 1e-5 --with-stops
+expect_warning_of rubbench --cell 90,0.4 --turns 6 --repeats 1 --labels 0x0 --tolerances 1e-4 --steppers dopri5
+expect_warning_of rubbranch --cell 90,0.4

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -51,6 +52,46 @@ TEST(Settle, BothSolversProveTheSameOrbit) {
   EXPECT_EQ(b.motion.order, 2);
   EXPECT_NEAR(a.floquet_modulus.value(), b.floquet_modulus.value(), 1e-4);
   EXPECT_NEAR(a.motion.measures.amplitude_1x_forward_m, b.motion.measures.amplitude_1x_forward_m, 1e-12);
+}
+
+/// The rotor measured in other units of time, length and mass.
+test::OneSideRotor in_units(test::OneSideRotor rotor, double time, double length, double mass) {
+  const double stiffness = mass / (time * time), force = stiffness * length;
+  for (double* x : {&rotor.mass_kg, &rotor.casing_mass_kg}) *x *= mass;
+  for (double* x : {&rotor.stiffness_n_per_m, &rotor.casing_stiffness_n_per_m}) *x *= stiffness;
+  for (double* x : {&rotor.clearance_m, &rotor.contact_radius_m}) *x *= length;
+  for (double* x : {&rotor.natural_frequency_hz, &rotor.speed_hz}) *x /= time;
+  rotor.friction_steepness_s_per_m *= time / length;
+  rotor.kick_n *= force;
+  rotor.kick_s *= time;
+  return rotor;
+}
+
+/// Powers of two round as one does: nothing in a solver is a number of seconds, metres or kilograms.
+TEST(Settle, UnitsOfTimeLengthAndMassAreNoMatter) {
+  for (const double speed_hz : {50.0, 75.0, 110.0}) {
+    for (const double whirl_ratio : {0.2, 0.6}) {
+      test::OneSideRotor rotor;
+      rotor.speed_hz = speed_hz;
+      rotor.whirl_ratio = whirl_ratio;
+      const auto a = run(rotor, {});
+      for (const auto& [time, length, mass] :
+           {std::array{0x1p-20, 1.0, 1.0}, std::array{0x1p12, 0x1p-20, 0x1p10},
+            std::array{0x1p-8, 0x1p9, 0x1p-30}}) {
+        const auto b = run(in_units(rotor, time, length, mass), {});
+        EXPECT_EQ(b.motion.motion_class, a.motion.motion_class);
+        EXPECT_EQ(b.motion.order, a.motion.order);
+        EXPECT_EQ(b.proof, a.proof);
+        EXPECT_EQ(b.revolutions, a.revolutions);
+        EXPECT_EQ(b.last_contact_revolution, a.last_contact_revolution);
+        const double peak_m = a.motion.measures.contact.peak_displacement_m,
+                     peak_n = a.motion.measures.contact.peak_contact_force_n,
+                     force = mass * length / (time * time);
+        EXPECT_NEAR(b.motion.measures.contact.peak_displacement_m, length * peak_m, 1e-11 * length * peak_m);
+        EXPECT_NEAR(b.motion.measures.contact.peak_contact_force_n, force * peak_n, 1e-9 * force * peak_n);
+      }
+    }
+  }
 }
 
 SettledRun run_struck(double multiple, const motion::ResponseOptions& options) {

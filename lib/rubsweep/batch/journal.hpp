@@ -61,6 +61,10 @@ class Journal {
   /// Keeps a finished cell, `text` being one line. Throws IoError; SolverError when `text` has a line end.
   void append(std::size_t cell, std::string_view text);
 
+  // As those of LineLog.
+  void refresh() { log_.refresh(); }
+  void sync() { log_.sync(); }
+
  private:
   LineLog log_;
 };

@@ -39,9 +39,10 @@ off_t whole_lines(int descriptor, const std::filesystem::path& path) {
 
 }  // namespace
 
-LineLog::LineLog(std::filesystem::path path)
+LineLog::LineLog(std::filesystem::path path, std::chrono::milliseconds interval)
     : path_(std::move(path)),
-      descriptor_(open_file(path_, O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW, "write")) {
+      descriptor_(open_file(path_, O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW, "write")),
+      interval_(interval) {
   const off_t whole = whole_lines(descriptor_.get(), path_);
   if (whole != size_of(descriptor_.get(), path_) && ::ftruncate(descriptor_.get(), whole) != 0) {
     throw_io_error("shorten", path_, errno);
@@ -53,13 +54,22 @@ void LineLog::append(std::string_view line) {
   int error = write_all(descriptor_.get(), std::string(line) + '\n');
   // Best effort: the next one who opens the log cuts an unfinished line as well.
   if (error != 0) (void)!::ftruncate(descriptor_.get(), before);
-  const auto now = std::chrono::steady_clock::now();
-  if (error == 0 && now - synced_ >= sync_interval) {
-    synced_ = now;
-    // EINVAL: a device that has no disk behind it.
-    if (::fdatasync(descriptor_.get()) != 0 && errno != EINVAL) error = errno;
-  }
   if (error != 0) throw_io_error("write", path_, error);
+  appended_ = true;
+  refresh();
+  error = std::exchange(sync_error_, 0);
+  if (error != 0) throw_io_error("write", path_, error);
+}
+
+void LineLog::refresh() {
+  if (appended_ && std::chrono::steady_clock::now() - synced_ >= interval_) sync();
+}
+
+void LineLog::sync() {
+  synced_ = std::chrono::steady_clock::now();
+  appended_ = false;
+  // EINVAL: a device that has no disk behind it.
+  if (::fdatasync(descriptor_.get()) != 0 && errno != EINVAL) sync_error_ = errno;
 }
 
 }  // namespace rubsweep::batch

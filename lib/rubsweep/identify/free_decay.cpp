@@ -1,5 +1,7 @@
 #include "rubsweep/identify/free_decay.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
@@ -66,7 +68,8 @@ double strongest_frequency(const Samples& x) {
 /// moves the last digits that identification.csv prints; ours keeps them.
 Parameters refine(const Samples& x, Parameters p) {
   double error = residual(x, p, nullptr).squaredNorm(), damping = 1e-3;
-  for (int iteration = 0; iteration < 200; ++iteration) {
+  constexpr int most_iterations = 200;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
     Eigen::Matrix<double, Eigen::Dynamic, 5> jacobian;
     const Eigen::VectorXd r = residual(x, p, &jacobian);
     Eigen::Matrix<double, 5, 5> normal = jacobian.transpose() * jacobian;
@@ -79,12 +82,12 @@ Parameters refine(const Samples& x, Parameters p) {
       p = trial;
       error = trial_error;
       damping /= 10;
-      if (settled) break;
+      if (settled) return p;
     } else if ((damping *= 10) > 1e12) {
-      break;
+      return p;
     }
   }
-  return p;
+  throw SolverError(fmt::format("free response: the fit has not settled after {} steps", most_iterations));
 }
 
 }  // namespace

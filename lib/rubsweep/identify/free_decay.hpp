@@ -14,7 +14,7 @@ struct FreeDecay {
 
 /// Least-squares fit over equidistant samples, at least 16; starts from the largest line of the spectrum, so
 /// that the strongest mode is the one that is found. Throws ConfigError for fewer samples or a signal that
-/// does not move.
+/// does not move, SolverError where the fit does not settle.
 FreeDecay fit_free_decay(std::span<const double> displacement_m, double sample_s);
 
 }  // namespace rubsweep::identify

@@ -35,7 +35,7 @@ scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long 
 
 /// Work of a turn that several methods make together.
 double most_work_of_a_turn(const run::SolverOptions& options) {
-  return run::work_of_a_piece * static_cast<double>(run::most_pieces_of_a_turn(options));
+  return run::work_of_an_expansion * static_cast<double>(run::most_pieces_of_a_turn(options));
 }
 
 /// End of the last pulse, radians from the start of revolution 0.
@@ -178,7 +178,10 @@ class HybridRun {
   double work_so_far() const {
     run::Effort effort = run_.effort();
     if (taylor_) effort = sum(effort, taylor_->effort());
-    if (taylor_) effort.taylor_pieces = taylor_->effort().steps;
+    if (taylor_) {
+      effort.taylor_pieces = taylor_->effort().steps;
+      effort.taylor_expansions = taylor_->effort().taylor_expansions;
+    }
     return run::work(effort) +
            run::work_of_a_step * (sticking_ ? static_cast<double>(sticking_->steps()) : 0);
   }
@@ -259,6 +262,7 @@ class HybridRun {
       report.effort = sum(report.effort, taylor_->effort());
       report.effort.taylor_pieces = taylor_->effort().steps;
       report.effort.creep_pieces = taylor_->effort().creep_pieces;
+      report.effort.taylor_expansions = taylor_->effort().taylor_expansions;
     }
     if (sticking_) report.effort.steps += sticking_->steps();
     report.effort.taylor_turns = taylor_turns_;

@@ -76,16 +76,17 @@ void ask_how_long_it_lasts(proof::SceneMap& map, const motion::ResponseOptions& 
 
 void follow_on(const scene::Scene& scene, integrate::run::SolverOptions solver,
                const motion::ResponseOptions& options, std::span<const double> section,
-               motion::Workspace& workspace, Verdict& verdict) {
+               motion::Workspace& workspace, integrate::run::WorkBudget& budget, Verdict& verdict) {
   motion::Motion& motion = verdict.motion;
   solver.relative_tolerance = std::min(solver.relative_tolerance, largest_tolerance_of_an_exponent);
-  proof::SceneMap map(scene, solver, workspace.modes);
+  proof::SceneMap map(scene, solver, workspace.modes, &budget);
   const Aperiodic found = classify_aperiodic(
       tangent_growth(map), [&map] { return map.touched(); }, {section.begin(), section.end()},
       static_cast<std::size_t>(options.max_revolutions), observed(scene), options.window_revolutions,
       workspace.spectrum);
   motion.motion_class = found.motion_class;
   motion.exponent = found.exponent;
+  if (budget.used_up()) motion.status = motion::MotionStatus::step_limit;
   if (found.left_chaos) motion.status = motion::MotionStatus::transient_chaos;
   if (found.returns_after.value_or(0) > options.max_order)
     motion.status = motion::MotionStatus::order_above_max;
@@ -112,13 +113,14 @@ Verdict verdict_of(const scene::Scene& scene, const integrate::run::SolverOption
   if (!options.exponent || motion.motion_class != motion::MotionClass::unsettled ||
       !integrate::run::same_every_turn(scene.impulses))
     return verdict;
+  integrate::run::WorkBudget budget(integrate::run::most_work_of_a_run(solver));
   if (const auto chaos = watch.chaos()) {
     motion.motion_class = motion::MotionClass::chaotic;
     motion.exponent = chaos;
-    proof::SceneMap map(scene, solver, workspace.modes);
+    proof::SceneMap map(scene, solver, workspace.modes, &budget);
     ask_how_long_it_lasts(map, options, watch.motion(), verdict);
   } else {
-    follow_on(scene, solver, options, section, workspace, verdict);
+    follow_on(scene, solver, options, section, workspace, budget, verdict);
   }
   return verdict;
 }
@@ -128,12 +130,13 @@ Verdict verdict_of(const scene::Scene& scene, const integrate::run::SolverOption
 class MotionProof {
  public:
   MotionProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-              const motion::ResponseOptions& options, motion::Workspace& workspace) {
+              const motion::ResponseOptions& options, motion::Workspace& workspace)
+      : budget_(share_for_proofs * integrate::run::most_work_of_a_run(solver)) {
     if (!options.floquet_proof || !integrate::run::same_every_turn(scene.impulses)) return;
     if (rotating::rotationally_symmetric(scene)) {
-      proof_.emplace<rotating::RotatingProof>(scene, solver, options, workspace);
+      proof_.emplace<rotating::RotatingProof>(scene, solver, options, workspace, budget_);
     } else {
-      proof_.emplace<proof::OrbitProof>(scene, solver, options, workspace);
+      proof_.emplace<proof::OrbitProof>(scene, solver, options, workspace, budget_);
     }
   }
 
@@ -149,6 +152,10 @@ class MotionProof {
   }
 
  private:
+  /// Of the work of a run: proofs are there to make it shorter.
+  static constexpr double share_for_proofs = 0.5;
+
+  integrate::run::WorkBudget budget_;
   std::variant<std::monostate, proof::OrbitProof, rotating::RotatingProof> proof_;
 };
 

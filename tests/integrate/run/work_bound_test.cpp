@@ -8,8 +8,8 @@ namespace {
 TEST(WorkBound, PiecesAreStepsThatCostMore) {
   const Effort closed{.steps = 70};
   EXPECT_EQ(work(closed), 140);
-  const Effort with_pieces{.steps = 70, .taylor_pieces = 30};
-  EXPECT_EQ(work(with_pieces), 2 * 40 + 100 * 30);
+  const Effort with_pieces{.steps = 70, .taylor_pieces = 30, .taylor_expansions = 45};
+  EXPECT_EQ(work(with_pieces), 2 * 40 + 100 * 45);
   const Effort adaptive{.rhs_calls = 600, .steps = 90, .refused = 10};
   EXPECT_EQ(work(adaptive), 600 + 2 * 100);
 }
@@ -28,11 +28,20 @@ TEST(WorkBound, ALargerLimitOfATurnRaisesAllOthersAndASmallerOneShortensNoRun) {
 
 TEST(WorkBound, NoTurnAloneReachesTheBoundOfItsRun) {
   const SolverOptions usual;
-  const Effort pieces{.steps = most_pieces_of_a_turn(usual), .taylor_pieces = most_pieces_of_a_turn(usual)};
+  const long most = most_pieces_of_a_turn(usual);
+  const Effort pieces{.steps = most, .taylor_pieces = most, .taylor_expansions = most};
   EXPECT_LT(work(pieces), most_work_of_a_run(usual));
   const Effort adaptive{.rhs_calls = most_evaluations_of_a_turn(usual),
                         .steps = usual.max_steps_per_revolution};
   EXPECT_LE(work(adaptive), most_work_of_a_run(usual));
+}
+
+TEST(WorkBudget, IsUsedUpByWhatWasSpent) {
+  WorkBudget budget(10);
+  budget.spend(9);
+  EXPECT_FALSE(budget.used_up());
+  budget.spend(1);
+  EXPECT_TRUE(budget.used_up());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/integrate/run/work_bound.hpp"
 #include "rubsweep/response/closest_return.hpp"
 #include "rubsweep/response/exponent.hpp"
 #include "support/set_a_cell.hpp"
@@ -24,6 +25,28 @@ std::vector<double> section_after(const scene::Scene& scene, int turns,
   integrate::run::TurnReport turn;
   for (int k = 0; k < turns; ++k) EXPECT_EQ(cursor({}, turn), integrate::run::Outcome::ok);
   return turn.section;
+}
+
+/// Every turn is paid, by solvers that count from the start and by such that count from a restart.
+TEST(SceneMap, EndsWithItsBudget) {
+  const auto cell = test::cell_of({});
+  integrate::exact::ModeCache modes;
+  for (const auto method : {integrate::run::Method::exact, integrate::run::Method::adaptive}) {
+    integrate::run::SolverOptions solver;
+    solver.method = method;
+    integrate::run::WorkBudget endless(1e12), of_six_turns(0);
+    SceneMap map(cell.scene, solver, modes, &endless);
+    std::vector<double> section = section_after(cell.scene, 3, {});
+    const std::vector<double> start = section;
+    for (int turn = 0; turn < 6; ++turn) ASSERT_TRUE(map(section));
+    const double spent = 1e12 - endless.left();
+    EXPECT_GT(spent, 0);
+    of_six_turns = integrate::run::WorkBudget(spent);
+    SceneMap limited(cell.scene, solver, modes, &of_six_turns);
+    section = start;
+    for (int turn = 0; turn < 6; ++turn) EXPECT_TRUE(limited(section)) << turn;
+    EXPECT_FALSE(limited(section));
+  }
 }
 
 TEST(SceneMap, RepeatsTheTurnsOfARun) {

@@ -10,15 +10,15 @@ namespace rubsweep::integrate::run {
 // Work is counted in evaluations of the right-hand side, about 0.1 microseconds each for a rotor with one
 // casing. A count and not a time, so that a run ends at the same place on every host.
 
-/// A step of closed forms, and a piece of Taylor series with its tangent vectors, each takes about as long as
-/// so many evaluations.
-inline constexpr double work_of_a_step = 2, work_of_a_piece = 100;
+/// A step of closed forms, and an expansion into a Taylor series, each takes about as long as so many
+/// evaluations.
+inline constexpr double work_of_a_step = 2, work_of_an_expansion = 100;
 
 /// Work of a run since its start.
 inline double work(const Effort& effort) {
   const long other_steps = effort.steps + effort.refused - effort.taylor_pieces;
   return static_cast<double>(effort.rhs_calls) + work_of_a_step * static_cast<double>(other_steps) +
-         work_of_a_piece * static_cast<double>(effort.taylor_pieces);
+         work_of_an_expansion * static_cast<double>(effort.taylor_expansions);
 }
 
 /// Evaluations of the right-hand side that an adaptive turn may ask for, for its steps and to look inside
@@ -40,5 +40,17 @@ inline double most_work_of_a_run(const SolverOptions& options) {
   return 100 * static_cast<double>(
                    std::max(options.max_steps_per_revolution, SolverOptions{}.max_steps_per_revolution));
 }
+
+/// Work that is left to those who share it. Counts down as `spend` tells, and stays used up.
+class WorkBudget {
+ public:
+  explicit WorkBudget(double work) : left_(work) {}
+  void spend(double work) { left_ -= work; }
+  double left() const { return left_; }
+  bool used_up() const { return left_ <= 0; }
+
+ private:
+  double left_;
+};
 
 }  // namespace rubsweep::integrate::run

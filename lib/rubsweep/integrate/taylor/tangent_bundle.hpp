@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -56,6 +57,9 @@ class TangentBundle {
     return true;
   }
 
+  /// Expansions that `pass_creeping` has made since the last call.
+  long take_sweeps() { return std::exchange(sweeps_, 0); }
+
  private:
   using Vector = Eigen::Matrix<double, N, 1>;
   using Terms = Eigen::Matrix<double, N, Eigen::Dynamic>;
@@ -88,6 +92,7 @@ class TangentBundle {
     }
     for (int sweep = 0; sweep < most_creep_sweeps; ++sweep) {
       expand(motion, most, duration_rad, 0);
+      ++sweeps_;
       double change = 0;
       for (Eigen::Index j = 0; j < by.size(); ++j) {
         by(j) = 0;
@@ -238,6 +243,7 @@ class TangentBundle {
   std::vector<TangentHolding> holding_;            ///< per vector
   static constexpr double share_of_sweeps = 0.01;  ///< of the accuracy asked for
   Eigen::VectorXd change_;
+  long sweeps_ = 0;
 };
 
 }  // namespace rubsweep::integrate::taylor

@@ -34,7 +34,10 @@ class TangentExpansion {
     return true;
   }
 
-  /// The vectors where they are now, to be read or changed between two pieces.
+  /// Sweeps for creep since the last call.
+  long take_sweeps() { return alone_.take_sweeps(); }
+
+  /// Where they are now, to be read or changed between two pieces.
   Eigen::MatrixXd& vectors() { return tangents_; }
   const Eigen::MatrixXd& vectors() const { return tangents_; }
 

@@ -78,7 +78,7 @@ void TaylorRun<N>::ask(const run::TurnRequest& request) {
   standstill_ = 0;
   creep_.begin_turn();
   step_limit_ = effort_.steps + max_steps_;
-  expansion_limit_ = expansions_ + most_expansions * max_steps_;
+  expansion_limit_ = effort_.taylor_expansions + most_expansions * max_steps_;
 }
 
 template <int N>
@@ -196,7 +196,7 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
 
 template <int N>
 void TaylorRun<N>::expand(const std::vector<double>& state) {
-  ++expansions_;
+  ++effort_.taylor_expansions;
   motion_.expand(state.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
 }
 
@@ -213,7 +213,9 @@ bool TaylorRun<N>::let_creep(double fastest, double ratio) {
 /// False, and nothing done, where contacts creep and tangent vectors do not yet.
 template <int N>
 bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
-  if (!tangents_.pass(motion_, duration, tangent_accuracy_)) return false;
+  const bool moved = tangents_.pass(motion_, duration, tangent_accuracy_);
+  effort_.taylor_expansions += tangents_.take_sweeps();
+  if (!moved) return false;
   put_samples(report, end_phase);
   watch(report, fastest, duration);
   motion_.series().put_state(duration, state_.data());

@@ -58,7 +58,7 @@ class TaylorRun {
             const std::vector<contact::Mode>& modes, const Eigen::MatrixXd& tangent_vectors);
   /// Makes one more piece of the turn that was joined. After `ok` the run is at `phase_rad()`.
   TaylorEnding go_on(run::TurnReport& report) {
-    const bool may_go_on = effort_.steps < step_limit_ && expansions_ < expansion_limit_;
+    const bool may_go_on = effort_.steps < step_limit_ && effort_.taylor_expansions < expansion_limit_;
     return may_go_on ? step(report) : TaylorEnding::step_limit;
   }
   /// Whether the last piece reached the end of the turn.
@@ -115,8 +115,8 @@ class TaylorRun {
   double tangent_accuracy_ = 0;
   double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
   long max_steps_ = 0, step_limit_ = 0;
-  /// Expansions: where contacts creep a piece takes several, and a search for creep that fails wastes them.
-  long expansions_ = 0, expansion_limit_ = 0;
+  /// Where contacts creep a piece takes several, and a search for creep that fails takes them for nothing.
+  long expansion_limit_ = 0;
   std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
   /// Per contact with dry friction: number of leading coefficients of the slip that are zero where it is now.

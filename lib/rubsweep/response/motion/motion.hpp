@@ -20,6 +20,7 @@ enum class MotionStatus {
                     ///< turns
   transient_chaos,  ///< chaotic, and it or a companion from a nearby state left the chaos within the turns
                     ///< that they were followed for
+  step_limit,       ///< unsettled: to decide would have taken more work than is allowed
 };
 
 constexpr std::string_view to_string(MotionStatus status) {
@@ -32,6 +33,8 @@ constexpr std::string_view to_string(MotionStatus status) {
       return "order_above_max";
     case MotionStatus::transient_chaos:
       return "transient_chaos";
+    case MotionStatus::step_limit:
+      return "step_limit";
   }
   throw SolverError("motion status without a name");
 }

@@ -37,18 +37,21 @@ std::vector<double> start_of(const StableOrbit& orbit) {
 }  // namespace
 
 OrbitProof::OrbitProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-                       const motion::ResponseOptions& options, motion::Workspace& workspace)
+                       const motion::ResponseOptions& options, motion::Workspace& workspace,
+                       integrate::run::WorkBudget& budget)
     : scene_(after_the_kick(scene)),
       distinct_(with_equal_stops_as_one(scene_)),
       run_solver_(solver),
       solver_(solver),
       options_(options),
       workspace_(workspace),
+      budget_(budget),
       search_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 2 * options.max_order) {
   solver_.relative_tolerance = std::min(solver.relative_tolerance, tolerance_of_a_proof);
 }
 
 std::optional<motion::ProvenMotion> OrbitProof::look(const integrate::run::TurnReport& turn) {
+  if (budget_.used_up()) return std::nullopt;
   search_.add(turn.section, turn.touched);
   const auto order = search_.candidate();
   if (!order) return std::nullopt;
@@ -59,12 +62,12 @@ std::optional<motion::ProvenMotion> OrbitProof::look(const integrate::run::TurnR
 
 /// Turns at the run's own tolerance.
 TurnMap OrbitProof::as_it_runs() {
-  if (!run_map_) run_map_.emplace(scene_, run_solver_, workspace_.modes);
+  if (!run_map_) run_map_.emplace(scene_, run_solver_, workspace_.modes, &budget_);
   return [this](std::span<double> state, Eigen::MatrixXd*) { return (*run_map_)(state); };
 }
 
 TurnMap OrbitProof::at_tight_tolerance(double tangent_accuracy) {
-  if (!map_) map_.emplace(scene_, solver_, workspace_.modes);
+  if (!map_) map_.emplace(scene_, solver_, workspace_.modes, &budget_);
   return [this, tangent_accuracy](std::span<double> state, Eigen::MatrixXd* disturbances) {
     return disturbances ? map_->carry(state, *disturbances, tangent_accuracy) : (*map_)(state);
   };

@@ -6,6 +6,7 @@
 
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/integrate/run/work_bound.hpp"
 #include "rubsweep/response/motion/options.hpp"
 #include "rubsweep/response/motion/proven_motion.hpp"
 #include "rubsweep/response/motion/workspace.hpp"
@@ -22,9 +23,11 @@ namespace rubsweep::response::proof {
 /// its distance in the adapted norm, or to 1e-6 clearances.
 class OrbitProof {
  public:
-  /// `options` and `workspace` must outlive the proof.
+  /// All looks together take no more work than `budget`, which as `options` and `workspace` must outlive the
+  /// proof.
   OrbitProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-             const motion::ResponseOptions& options, motion::Workspace& workspace);
+             const motion::ResponseOptions& options, motion::Workspace& workspace,
+             integrate::run::WorkBudget& budget);
 
   /// Takes one more turn. Empty most of the time; an orbit that touches nothing is not reported.
   std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn);
@@ -42,6 +45,7 @@ class OrbitProof {
   integrate::run::SolverOptions run_solver_, solver_;
   const motion::ResponseOptions& options_;
   motion::Workspace& workspace_;
+  integrate::run::WorkBudget& budget_;
   PeriodSearch search_;
   std::optional<SceneMap> map_, run_map_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
@@ -21,20 +22,30 @@ scene::Scene after_the_kick(scene::Scene scene) {
 }
 
 SceneMap::SceneMap(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-                   integrate::exact::ModeCache& modes)
+                   integrate::exact::ModeCache& modes, integrate::run::WorkBudget* budget)
     : states_(2 * static_cast<std::size_t>(scene.structure.coordinates())),
       exact_(integrate::solver_of(scene, solver) == integrate::Solver::exact),
-      run_(integrate::start(after_the_kick(scene), solver, modes)) {}
+      run_(integrate::start(after_the_kick(scene), solver, modes)),
+      budget_(budget) {}
 
 bool SceneMap::advance(std::span<double> section) {
   if (section.size() != states_) {
     throw SolverError(fmt::format("a section of {} coordinates has {} numbers, got {}", states_ / 2, states_,
                                   section.size()));
   }
+  if (budget_ && budget_->used_up()) return false;
   run_.restart(section);
-  if (run_.advance(request_, report_) != integrate::run::Outcome::ok) return false;
+  const integrate::run::Outcome outcome = run_.advance(request_, report_);
+  if (budget_) spend();
+  if (outcome != integrate::run::Outcome::ok) return false;
   std::ranges::copy(report_.section, section.begin());
   return true;
+}
+
+/// The exact solver goes on counting after a restart, a stepper begins anew.
+void SceneMap::spend() {
+  const double before = std::exchange(work_, integrate::run::work(report_.effort));
+  budget_->spend(exact_ ? work_ - before : work_);
 }
 
 bool SceneMap::operator()(std::span<double> section) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "rubsweep/integrate/run/work_bound.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/scene/scene.hpp"
 
@@ -18,8 +19,10 @@ using SectionMap = std::function<bool(std::span<double> state)>;
 /// sections to the last bit, near ones go through nearly the same steps.
 class SceneMap {
  public:
+  /// Where there is a `budget`, revolutions are paid from it and fail once it is used up. It outlives the
+  /// map.
   SceneMap(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-           integrate::exact::ModeCache& modes);
+           integrate::exact::ModeCache& modes, integrate::run::WorkBudget* budget = nullptr);
 
   /// `section`: 2n numbers. False when the solver fails.
   bool operator()(std::span<double> section);
@@ -48,10 +51,13 @@ class SceneMap {
 
  private:
   bool advance(std::span<double> section);
+  void spend();
 
   std::size_t states_;
   bool exact_;
   integrate::run::Run run_;
+  integrate::run::WorkBudget* budget_;
+  double work_ = 0;  ///< of the run so far
   integrate::run::TurnRequest request_;
   integrate::run::TurnReport report_;
   std::vector<double> before_;

@@ -42,11 +42,13 @@ constexpr double turns_for_cycles = 32, share_for_cycles = 0.15;
 }  // namespace
 
 RotatingProof::RotatingProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-                             const motion::ResponseOptions& options, motion::Workspace& workspace)
+                             const motion::ResponseOptions& options, motion::Workspace& workspace,
+                             integrate::run::WorkBudget& budget)
     : scene_(proof::after_the_kick(scene)),
       solver_(solver),
       options_(options),
       workspace_(workspace),
+      budget_(budget),
       field_(scene_, solver),
       flows_(scene_, solver, finer * options.samples_per_revolution),
       turns_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 1) {}
@@ -87,7 +89,7 @@ bool RotatingProof::comes_near_to(const RotatingEquilibrium& circle, std::span<c
   const proof::StableOrbit orbit{1, {circle.state}, {circle.transition}, circle.floquet_modulus};
   const auto norms = proof::adapted_norms(orbit.transitions);
   if (!norms) return false;
-  if (!turn_map_) turn_map_.emplace(scene_, solver_, workspace_.modes);
+  if (!turn_map_) turn_map_.emplace(scene_, solver_, workspace_.modes, &budget_);
   const proof::Nearness wanted{followed_down * proof::adapted_distance(section, orbit, *norms),
                                proof::on_the_orbit, true};
   return proof::comes_near([this](std::span<double> state, Eigen::MatrixXd*) { return (*turn_map_)(state); },

@@ -24,9 +24,11 @@ namespace rubsweep::response::rotating {
 /// a multiplier of 1.)
 class RotatingProof {
  public:
-  /// `options` and `workspace` must outlive the proof.
+  /// Turns that a transient is followed for take no more work than `budget`, which as `options` and
+  /// `workspace` must outlive the proof.
   RotatingProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-                const motion::ResponseOptions& options, motion::Workspace& workspace);
+                const motion::ResponseOptions& options, motion::Workspace& workspace,
+                integrate::run::WorkBudget& budget);
 
   /// Samples that the next turn should have; 0 while the rotor has been free for long.
   int samples_wanted() const;
@@ -47,6 +49,7 @@ class RotatingProof {
   integrate::run::SolverOptions solver_;
   const motion::ResponseOptions& options_;
   motion::Workspace& workspace_;
+  integrate::run::WorkBudget& budget_;
   RotatingField field_;
   CycleFlows flows_;
   proof::PeriodSearch turns_;
