@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "rubsweep/branch/approaches.hpp"
-#include "rubsweep/branch/recent.hpp"
 #include "rubsweep/branch/whole_turns.hpp"
+#include "rubsweep/numerics/recently_used.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/response/rotating/rotating_flow.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
@@ -186,13 +186,16 @@ class OvalOrbits {
       return at;
     const auto scene = family_(parameter);
     if (!scene || !response::rotating::rotationally_symmetric(*scene)) return nullptr;
-    return recent_.keep(std::make_unique<OvalScene>(parameter, *scene, solver_));
+    OvalScene& made = recent_.emplace(parameter, *scene, solver_);
+    recent_.trim();
+    return &made;
   }
 
   SceneFamily family_;
   int loops_;
   integrate::run::SolverOptions solver_;
-  Recent<OvalScene> recent_{3};  ///< an orbit and its neighbours for the derivative by the parameter
+  numerics::RecentlyUsed<OvalScene> recent_{
+      3};  ///< an orbit and its neighbours for the derivative by the parameter
 };
 
 }  // namespace

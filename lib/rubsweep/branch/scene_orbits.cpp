@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "rubsweep/branch/approaches.hpp"
-#include "rubsweep/branch/recent.hpp"
 #include "rubsweep/branch/whole_turns.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/start.hpp"
+#include "rubsweep/numerics/recently_used.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 
 namespace rubsweep::branch {
@@ -144,14 +144,17 @@ class SceneOrbits {
     if (!scene) return nullptr;
     if (!integrate::run::same_every_turn(scene->impulses))
       throw ConfigError("impulses that are not the same in every revolution have no orbits to follow");
-    return recent_.keep(std::make_unique<SceneAt>(parameter, *scene, solver_, modes_));
+    SceneAt& made = recent_.emplace(parameter, *scene, solver_, modes_);
+    recent_.trim();
+    return &made;
   }
 
   SceneFamily family_;
   int order_;
   integrate::run::SolverOptions solver_;
   integrate::exact::ModeCache& modes_;
-  Recent<SceneAt> recent_{2};  ///< an orbit and a neighbour for the derivative by the parameter
+  numerics::RecentlyUsed<SceneAt> recent_{
+      2};  ///< an orbit and a neighbour for the derivative by the parameter
 };
 
 }  // namespace

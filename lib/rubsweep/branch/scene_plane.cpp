@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "rubsweep/branch/guard_motion.hpp"
-#include "rubsweep/branch/recent.hpp"
 #include "rubsweep/branch/scene_orbits.hpp"
 #include "rubsweep/integrate/start.hpp"
+#include "rubsweep/numerics/recently_used.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 
 namespace rubsweep::branch {
@@ -83,10 +83,10 @@ class ScenePlaneOrbits {
       if (!scene || phase == 0) return scene;
       return begun_at_phase(std::move(*scene), phase);
     };
-    return recent_
-        .keep(std::make_unique<Line>(
-            Line{place.second, place.phase_rad, scene_orbits(family, order_, solver_, modes_)}))
-        ->orbits;
+    Line& line =
+        recent_.emplace(Line{place.second, place.phase_rad, scene_orbits(family, order_, solver_, modes_)});
+    recent_.trim();
+    return line.orbits;
   }
 
   std::optional<scene::Scene> scene_at(const Place& place) const {
@@ -99,7 +99,7 @@ class ScenePlaneOrbits {
   int order_;
   integrate::run::SolverOptions solver_;
   integrate::exact::ModeCache& modes_;
-  Recent<Line> recent_{3};  ///< a line and its neighbours for derivatives
+  numerics::RecentlyUsed<Line> recent_{3};  ///< a line and its neighbours for derivatives
   std::unique_ptr<SectionGuards> guards_;
   Place guards_at_;
 };

@@ -1,7 +1,5 @@
 #include "rubsweep/numerics/modal_form_cache.hpp"
 
-#include <algorithm>
-
 namespace rubsweep::numerics {
 
 std::size_t ModalFormCache::Kept::bytes() const {
@@ -15,21 +13,13 @@ std::size_t ModalFormCache::Kept::bytes() const {
 
 const std::optional<ModalForm>& ModalFormCache::form_of(const Eigen::MatrixXd& stiffness,
                                                         const Eigen::MatrixXd& damping) {
-  auto found = std::ranges::find_if(recent_, [&](const Kept& kept) {
+  const auto is = [&](const Kept& kept) {
     return kept.stiffness.rows() == stiffness.rows() && kept.stiffness == stiffness &&
            kept.damping == damping;
-  });
-  if (found == recent_.end())
-    found = recent_.insert(found, {stiffness, damping, modal_form(stiffness, damping)});
-  std::rotate(recent_.begin(), found, found + 1);
-  std::size_t bytes = 0, kept = 0;
-  for (const Kept& one : recent_) {
-    bytes += one.bytes();
-    if (kept > 0 && bytes > most_bytes_) break;
-    ++kept;
-  }
-  recent_.erase(recent_.begin() + static_cast<std::ptrdiff_t>(kept), recent_.end());
-  return recent_.front().form;
+  };
+  if (!recent_.find(is)) recent_.emplace(Kept{stiffness, damping, modal_form(stiffness, damping)});
+  recent_.trim([](const Kept& one) { return one.bytes(); });
+  return recent_.newest()->form;
 }
 
 }  // namespace rubsweep::numerics

@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "rubsweep/numerics/modal_form.hpp"
+#include "rubsweep/numerics/recently_used.hpp"
 
 namespace rubsweep::numerics {
 
@@ -14,7 +14,7 @@ namespace rubsweep::numerics {
 class ModalFormCache {
  public:
   /// Forms are dropped, longest unused first, until they take no more than this; the last one stays.
-  explicit ModalFormCache(std::size_t most_bytes = std::size_t{16} << 20) : most_bytes_(most_bytes) {}
+  explicit ModalFormCache(std::size_t most_bytes = std::size_t{16} << 20) : recent_(most_bytes) {}
 
   /// As of modal_form; the reference holds until the next call.
   const std::optional<ModalForm>& form_of(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping);
@@ -29,8 +29,7 @@ class ModalFormCache {
     std::size_t bytes() const;
   };
 
-  std::size_t most_bytes_;
-  std::vector<Kept> recent_;  ///< the one used last comes first
+  RecentlyUsed<Kept> recent_;
 };
 
 }  // namespace rubsweep::numerics
