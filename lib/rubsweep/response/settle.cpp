@@ -31,6 +31,16 @@ using Complex = std::complex<double>;
 /// A hundredth of `separation`: the solver's noise must not part the states.
 constexpr double largest_tolerance_of_an_exponent = 1e-7;
 
+/// What decides how a scene is looked at, computed once a run.
+struct SceneFacts {
+  bool rotationally_symmetric = false;
+  bool same_every_turn = false;  ///< the impulses
+
+  explicit SceneFacts(const scene::Scene& scene)
+      : rotationally_symmetric(rotating::rotationally_symmetric(scene)),
+        same_every_turn(integrate::run::same_every_turn(scene.impulses)) {}
+};
+
 /// End of the last pulse.
 double pulses_end_s(const scene::Scene& scene) {
   double end_s = 0;
@@ -99,19 +109,19 @@ bool may_be_aperiodic(const motion::WindowVerdict& verdict) {
   return verdict.motion_class == motion::MotionClass::unsettled && !verdict.period;
 }
 
-/// Verdict at the end of the run; `section` is that of its last turn, `watch` was kept on the way there.
-Verdict verdict_of(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-                   const motion::ResponseOptions& options, const motion::Record& record,
-                   std::span<const double> section, const TorusWatch& watch, motion::Workspace& workspace) {
+/// Verdict at the end of the run; `section` is that of its last turn, `watch` what was seen on the way there.
+Verdict verdict_of(const scene::Scene& scene, const SceneFacts& facts,
+                   const integrate::run::SolverOptions& solver, const motion::ResponseOptions& options,
+                   const motion::Record& record, std::span<const double> section, const TorusWatch& watch,
+                   motion::Workspace& workspace) {
   const motion::WindowVerdict previous =
       motion::classify_window(record.window(0), options, workspace.spectrum);
   const motion::WindowVerdict last = motion::classify_window(record.window(1), options, workspace.spectrum);
   Verdict verdict{motion::settle_verdict(previous, last), {}};
   motion::Motion& motion = verdict.motion;
   if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return verdict;
-  if (rotating::rotationally_symmetric(scene)) look_for_comb(record, options, workspace, motion);
-  if (!options.exponent || motion.motion_class != motion::MotionClass::unsettled ||
-      !integrate::run::same_every_turn(scene.impulses))
+  if (facts.rotationally_symmetric) look_for_comb(record, options, workspace, motion);
+  if (!options.exponent || motion.motion_class != motion::MotionClass::unsettled || !facts.same_every_turn)
     return verdict;
   integrate::run::WorkBudget budget(integrate::run::most_work_of_a_run(solver));
   if (const auto chaos = watch.chaos()) {
@@ -129,11 +139,11 @@ Verdict verdict_of(const scene::Scene& scene, const integrate::run::SolverOption
 /// turns with the shaft.
 class MotionProof {
  public:
-  MotionProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+  MotionProof(const scene::Scene& scene, const SceneFacts& facts, const integrate::run::SolverOptions& solver,
               const motion::ResponseOptions& options, motion::Workspace& workspace)
       : budget_(share_for_proofs * integrate::run::most_work_of_a_run(solver)) {
-    if (!options.floquet_proof || !integrate::run::same_every_turn(scene.impulses)) return;
-    if (rotating::rotationally_symmetric(scene)) {
+    if (!options.floquet_proof || !facts.same_every_turn) return;
+    if (facts.rotationally_symmetric) {
       proof_.emplace<rotating::RotatingProof>(scene, solver, options, workspace, budget_);
     } else {
       proof_.emplace<proof::OrbitProof>(scene, solver, options, workspace, budget_);
@@ -178,13 +188,14 @@ void conclude(const Verdict& seen, const scene::Cell& cell, const proof::RestPro
   if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
 }
 
-/// Only for annular stops, where a revolution costs enough for early torus detection to pay: between flat
-/// ones a run to its end costs less than the tangent vector of a watch.
-bool worth_watching(const scene::Scene& scene, const motion::ResponseOptions& options, double kick_turns) {
+/// Where turns are dear, which is at annular stops: between flat ones a run to its end costs less than the
+/// tangent vector of a watch.
+bool worth_watching(const scene::Scene& scene, const SceneFacts& facts,
+                    const motion::ResponseOptions& options, double kick_turns) {
   const bool annular =
       std::ranges::any_of(scene.contacts, [](const scene::Contact& c) { return contact::annular(c.wall); });
   return annular && options.floquet_proof && kick_turns <= TorusWatch::settled_after &&
-         integrate::run::same_every_turn(scene.impulses) && !rotating::rotationally_symmetric(scene);
+         facts.same_every_turn && !facts.rotationally_symmetric;
 }
 
 /// Whether the window since the watch saw a torus shows neither period nor rest.
@@ -218,10 +229,11 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   const integrate::run::Run motion = integrate::start(cell.scene, solver, workspace.modes);
   proof::RestProof rest(cell, workspace.forms);
   run.rotor_unstable = rest.vibration_grows();
-  MotionProof proof(cell.scene, solver, options, workspace);
+  const SceneFacts facts(cell.scene);
+  MotionProof proof(cell.scene, facts, solver, options, workspace);
   const double most_work = integrate::run::most_work_of_a_run(solver);
   const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
-  TorusWatch torus(cell.scene, options, worth_watching(cell.scene, options, kick_turns));
+  TorusWatch torus(cell.scene, options, worth_watching(cell.scene, facts, options, kick_turns));
   motion::Record record(cell.scene, options);
   integrate::run::TurnRequest request;
   integrate::run::TurnReport turn;
@@ -264,7 +276,8 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
         conclude_on_torus(torus, record, options, workspace, run))
       return run;
   }
-  conclude(verdict_of(cell.scene, solver, options, record, turn.section, torus, workspace), cell, rest, run);
+  conclude(verdict_of(cell.scene, facts, solver, options, record, turn.section, torus, workspace), cell, rest,
+           run);
   return run;
 }
 
