@@ -14,7 +14,7 @@
 namespace {
 
 using namespace rubsweep;
-using integrate::exact::ExactEnding;
+using integrate::run::Outcome;
 
 constexpr int settling = 300, turns = 3000, repeats = 5;
 
@@ -32,7 +32,7 @@ double turn_us(const scene::Scene& scene, const integrate::run::TurnRequest& req
   integrate::run::TurnReport report;
   const auto advance = [&](int count) {
     for (int k = 0; k < count; ++k) {
-      if (run.advance(request, report) != ExactEnding::ok) std::printf("a turn without closed form\n");
+      if (run.advance(request, report) != Outcome::ok) std::printf("a turn without closed form\n");
     }
   };
   advance(settling);

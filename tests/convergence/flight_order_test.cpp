@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/adaptive/steppers.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::integrate {
@@ -47,7 +47,7 @@ template <class StepMethod>
 struct Fixed {
   using State = typename StepMethod::State;
   run::ScaledSystem<2> system = run::scale<2>(forced_scene());
-  adaptive::Dynamics<2, false> dynamics{system, 0};
+  law::Dynamics<2, false> dynamics{system, 0};
   StepMethod method{run::SolverOptions{.relative_tolerance =
                                            1e30}};  // accepts every step: the size stays what the test says
   adaptive::Step<State> step;

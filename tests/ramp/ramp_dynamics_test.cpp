@@ -24,7 +24,7 @@ TEST(RampDynamics, AtTheReferenceSpeedIsThatOfASteadyShaft) {
                      prepared.assembly.system.unbalance_kg.cwiseQuotient(
                          prepared.assembly.system.mass.diagonal().cast<std::complex<double>>());
   const auto scaled = integrate::run::scale<4>(steady), without = integrate::run::scale<4>(bare);
-  integrate::adaptive::Dynamics<4, false> expected(scaled, 0);
+  integrate::law::Dynamics<4, false> expected(scaled, 0);
   RampDynamics<4> found(without, 0, forces);
   // Pressed into the wall and sliding: the friction depends on the speed of the surface.
   const std::array<double, 8> state{0.1, 1.4, 0.02, 0.3, 0.5, 0.2, -0.1, 0.1};

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
 #include "rubsweep/numerics/cubic_maximum.hpp"
 
 namespace rubsweep::branch {
@@ -105,7 +105,7 @@ class ApproachSearch {
   }
 
   integrate::run::ScaledSystem<Eigen::Dynamic> system_;
-  integrate::adaptive::Dynamics<Eigen::Dynamic, false> dynamics_;
+  integrate::law::Dynamics<Eigen::Dynamic, false> dynamics_;
   const Eigen::MatrixXd& samples_;
   double step_rad_;
   bool closes_;

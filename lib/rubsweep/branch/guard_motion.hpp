@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/branch/plane_orbits.hpp"
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
 #include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::branch {
@@ -28,7 +28,7 @@ class SectionGuards {
   void enter_modes(const State& state, const ArmedGuard& guard);
 
   integrate::run::ScaledSystem<Eigen::Dynamic> system_;
-  integrate::adaptive::Dynamics<Eigen::Dynamic, false> dynamics_;
+  integrate::law::Dynamics<Eigen::Dynamic, false> dynamics_;
 };
 
 /// The scene with its time counted from an instant at which its shaft has turned by `phase_rad`. Its pulses

@@ -67,19 +67,11 @@ class HybridRun {
 
   run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
     if (!away_) {
-      switch (run_.advance(request, report)) {
-        case exact::ExactEnding::ok:
-          return finish(report, run::Outcome::ok);
-        case exact::ExactEnding::step_limit:
-          return finish(report, run::Outcome::step_limit);
-        case exact::ExactEnding::non_finite:
-          return finish(report, run::Outcome::non_finite);
-        case exact::ExactEnding::unsaturated:
-          if (in_pieces_) return go_on_in_pieces(request, report);
-          [[fallthrough]];
-        case exact::ExactEnding::beyond:
-          leave();
-      }
+      const run::Outcome outcome = run_.advance(request, report);
+      const bool unsaturated = outcome == run::Outcome::unsaturated;
+      if (unsaturated && in_pieces_) return go_on_in_pieces(request, report);
+      if (!unsaturated && outcome != run::Outcome::no_closed_form) return finish(report, outcome);
+      leave();
     }
     return adaptive_ ? advance_adaptively(request, report) : advance_by_series(request, report);
   }
@@ -106,47 +98,32 @@ class HybridRun {
       const auto& place = run_.place();
       taylor_->join(request, run_.revolution(), place.phase_rad, place.state, place.modes,
                     place.tangent_vectors);
-      switch (make_piece(request, report, before)) {
-        case taylor::TaylorEnding::ok:
-          break;
-        case taylor::TaylorEnding::step_limit:
-          return finish(report, run::Outcome::step_limit);
-        case taylor::TaylorEnding::non_finite:
-          return finish(report, run::Outcome::non_finite);
-        case taylor::TaylorEnding::friction_unsettled:
-          return finish(report, run::Outcome::friction_unsettled);
-      }
+      const run::Outcome piece = make_piece(request, report, before);
+      if (piece != run::Outcome::ok) return finish(report, piece);
       if (taylor_->at_end_of_turn()) {
         taylor_->finish(report);
         run_.resume(report.section);
         ++taylor_turns_;
         return finish(report, run::Outcome::ok);
       }
-      switch (run_.go_to_end(taylor_->tangents(), report)) {
-        case exact::ExactEnding::ok:
-          ++taylor_turns_;
-          return finish(report, run::Outcome::ok);
-        case exact::ExactEnding::step_limit:
-          return finish(report, run::Outcome::step_limit);
-        case exact::ExactEnding::non_finite:
-          return finish(report, run::Outcome::non_finite);
-        case exact::ExactEnding::unsaturated:
-          break;
-        case exact::ExactEnding::beyond:
-          leave();
-          return advance_by_series(request, report);
+      const run::Outcome rest = run_.go_to_end(taylor_->tangents(), report);
+      if (rest == run::Outcome::no_closed_form) {
+        leave();
+        return advance_by_series(request, report);
       }
+      if (rest == run::Outcome::ok) ++taylor_turns_;
+      if (rest != run::Outcome::unsaturated) return finish(report, rest);
     }
   }
 
-  /// Makes pieces until closed forms take over, or to the end of the turn; `before`: work before the turn.
-  taylor::TaylorEnding make_piece(const run::TurnRequest& request, run::TurnReport& report, double before) {
+  /// To where closed forms take over again, or to the end of the turn; `before`: the work before the turn.
+  run::Outcome make_piece(const run::TurnRequest& request, run::TurnReport& report, double before) {
     for (;;) {
-      const taylor::TaylorEnding ending = taylor_->go_on(report);
-      if (ending != taylor::TaylorEnding::ok || taylor_->at_end_of_turn()) return ending;
+      const run::Outcome ending = taylor_->go_on(report);
+      if (ending != run::Outcome::ok || taylor_->at_end_of_turn()) return ending;
       if (taylor_->sticks() && stick(request, report) &&
           work_so_far() - before > most_work_of_a_turn(options_))
-        return taylor::TaylorEnding::step_limit;
+        return run::Outcome::step_limit;
       const bool may_join = !taylor_->sticks() && taylor_->phase_rad() < last_join;
       if (may_join && run_.join(taylor_->phase_rad(), taylor_->section(), taylor_->modes(), report))
         return ending;
@@ -207,16 +184,8 @@ class HybridRun {
   }
 
   run::Outcome advance_by_series(const run::TurnRequest& request, run::TurnReport& report) {
-    switch (taylor_->advance(request, report)) {
-      case taylor::TaylorEnding::ok:
-        break;
-      case taylor::TaylorEnding::step_limit:
-        return finish(report, run::Outcome::step_limit);
-      case taylor::TaylorEnding::non_finite:
-        return finish(report, run::Outcome::non_finite);
-      case taylor::TaylorEnding::friction_unsettled:
-        return finish(report, run::Outcome::friction_unsettled);
-    }
+    const run::Outcome outcome = taylor_->advance(request, report);
+    if (outcome != run::Outcome::ok) return finish(report, outcome);
     ++taylor_turns_;
     finish(report, run::Outcome::ok);
     return made_away(report);

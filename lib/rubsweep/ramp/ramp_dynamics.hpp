@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
-#include "rubsweep/integrate/adaptive/own_system.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
+#include "rubsweep/integrate/law/own_system.hpp"
 
 namespace rubsweep::ramp {
 
@@ -24,10 +24,9 @@ struct RampForces {
 /// shaft's angle phi and its speed W in units of the reference speed. The surfaces that rub have the speed
 /// that belongs to W.
 template <int N>
-class RampDynamics : private integrate::adaptive::OwnSystem<N>,
-                     public integrate::adaptive::Dynamics<N, false> {
-  using Base = integrate::adaptive::Dynamics<N, false>;
-  using OwnSystem = integrate::adaptive::OwnSystem<N>;
+class RampDynamics : private integrate::law::OwnSystem<N>, public integrate::law::Dynamics<N, false> {
+  using Base = integrate::law::Dynamics<N, false>;
+  using OwnSystem = integrate::law::OwnSystem<N>;
 
  public:
   RampDynamics(const integrate::run::ScaledSystem<N>& system, double smoothing_width,

@@ -5,14 +5,14 @@
 #include <numbers>
 
 #include "rubsweep/contact/friction_law.hpp"
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
-#include "rubsweep/integrate/adaptive/settle_slips.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
+#include "rubsweep/integrate/law/settle_slips.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 
 namespace rubsweep::trace {
 namespace {
 
-using Law = integrate::adaptive::Dynamics<Eigen::Dynamic, false>;
+using Law = integrate::law::Dynamics<Eigen::Dynamic, false>;
 using State = std::vector<double>;
 
 /// A contact that sticks keeps a slip of rounding, which grows with the steps since it came to stick: more
@@ -58,12 +58,12 @@ std::vector<double> DryForces::forces_n(const scene::Scene& scene, std::span<con
   Law law(system_, 0);
   law.follow(pulses);
   enter(law, state);
-  integrate::adaptive::settle_slips(law, state, rate, phase,
-                                    [&](std::size_t i) { return stands(law, i, state); });
-  law(state, rate, phase);
+  integrate::law::settle_slips(law, state, rate, phase, [&](std::size_t i) { return stands(law, i, state); });
+  law.loose(state, rate, phase);
+  const Law::Holding holding = law.hold(state, rate);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     if (!law.touches_dry(i)) continue;
-    forces[i] = law.slips()[i] == contact::Slip::sticking ? law.holding_force_n(i) : law.friction_n(i, state);
+    forces[i] = law.slips()[i] == contact::Slip::sticking ? holding.force_n(i) : law.friction_n(i, state);
   }
   return forces;
 }

@@ -38,7 +38,7 @@ struct Rolling {
 
   scene::Scene scene;
   run::ScaledSystem<2> system;
-  adaptive::Dynamics<2, false> dynamics;
+  law::Dynamics<2, false> dynamics;
   Expansion<2> motion;
   run::PulseTimes pulses;
   std::vector<double> state, settled;

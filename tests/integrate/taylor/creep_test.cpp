@@ -94,8 +94,8 @@ TEST(Creep, IsTheMotionOfShortPieces) {
         const run::TurnRequest& asked = k % 2 == 0 ? plain : with_tangents;
         const std::vector<double> before = creeping.section();
         alone.resume(before, k);
-        ASSERT_EQ(creeping.advance(asked, a), TaylorEnding::ok) << name;
-        ASSERT_EQ(alone.advance(asked, b), TaylorEnding::ok) << name;
+        ASSERT_EQ(creeping.advance(asked, a), run::Outcome::ok) << name;
+        ASSERT_EQ(alone.advance(asked, b), run::Outcome::ok) << name;
         EXPECT_LT(largest_difference(a.section, b.section), 1e-12) << name << ' ' << steepness << ' ' << k;
         EXPECT_EQ(a.hits, b.hits);
         EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 1e-12);
@@ -127,7 +127,7 @@ TEST(Creep, IsTheMotionOfASmallTolerance) {
     TaylorRun<2> creeping(scene, {});
     run::TurnReport a, b;
     for (int k = 0; k < 6; ++k) {
-      ASSERT_EQ(creeping.advance({}, a), TaylorEnding::ok) << name;
+      ASSERT_EQ(creeping.advance({}, a), run::Outcome::ok) << name;
       ASSERT_EQ(other({}, b), run::Outcome::ok) << name;
       EXPECT_LT(largest_difference(a.section, b.section), 1e-10) << name << ' ' << k;
     }
@@ -141,14 +141,14 @@ TEST(Creep, ApproachesDryFriction) {
   dry.contacts[0].friction = model::ConstantFriction{0.25};
   TaylorRun<2> limit(dry, {});
   run::TurnReport b;
-  for (int k = 0; k < 3; ++k) ASSERT_EQ(limit.advance({}, b), TaylorEnding::ok);
+  for (int k = 0; k < 3; ++k) ASSERT_EQ(limit.advance({}, b), run::Outcome::ok);
   double last = 1;
   for (const double steepness : {1e3, 1e4, 1e5}) {
     scene::Scene steep = belt(1);
     steep.contacts[0].friction = model::StribeckFriction{{0, 0, 0, 0.25, steepness, 0}};
     TaylorRun<2> run(steep, {});
     run::TurnReport a;
-    for (int k = 0; k < 3; ++k) ASSERT_EQ(run.advance({}, a), TaylorEnding::ok);
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(run.advance({}, a), run::Outcome::ok);
     const double difference = largest_difference(a.section, b.section);
     EXPECT_LT(difference, 0.2 * last) << steepness;
     last = difference;

@@ -17,7 +17,7 @@ using contact::Mode;
 struct Flight {
   scene::Scene scene = two_walls();
   run::ScaledSystem<2> system = run::scale<2>(scene);
-  adaptive::Dynamics<2, false> dynamics{system, 0};
+  law::Dynamics<2, false> dynamics{system, 0};
   Expansion<2> motion{system};
   run::PulseTimes pulses{scene, run::state_scale(scene), 2 * std::numbers::pi};
 

@@ -48,14 +48,14 @@ TEST(TangentExpansion, MovesAsTheVariationalEquations) {
     const Eigen::MatrixXd expected = transition_by_dopri5(scene);
     TaylorRun<4> run(scene, {});
     run::TurnReport turn;
-    ASSERT_EQ(run.advance({.tangent_vectors = Eigen::MatrixXd::Identity(8, 8)}, turn), TaylorEnding::ok);
+    ASSERT_EQ(run.advance({.tangent_vectors = Eigen::MatrixXd::Identity(8, 8)}, turn), run::Outcome::ok);
     EXPECT_GT(turn.contact_fraction, 0.04);
     ASSERT_TRUE(turn.tangent_vectors.get());
     const Eigen::MatrixXd all = *turn.tangent_vectors.get();
     EXPECT_LT((all - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
     // One direction alone goes by the recurrences themselves, several by the Jacobian that they share.
     TaylorRun<4> again(scene, {});
-    ASSERT_EQ(again.advance({.tangent_vectors = Eigen::VectorXd::Unit(8, 5)}, turn), TaylorEnding::ok);
+    ASSERT_EQ(again.advance({.tangent_vectors = Eigen::VectorXd::Unit(8, 5)}, turn), run::Outcome::ok);
     ASSERT_TRUE(turn.tangent_vectors.get());
     EXPECT_LT((*turn.tangent_vectors.get() - all.col(5)).cwiseAbs().maxCoeff(),
               1e-12 * all.cwiseAbs().maxCoeff());
@@ -64,7 +64,7 @@ TEST(TangentExpansion, MovesAsTheVariationalEquations) {
   TaylorRun<4> run(flat, {});
   run::TurnReport a, b;
   const run::TurnRequest asked{.tangent_vectors = Eigen::MatrixXd::Identity(8, 8)};
-  ASSERT_EQ(run.advance(asked, a), TaylorEnding::ok);
+  ASSERT_EQ(run.advance(asked, a), run::Outcome::ok);
   ASSERT_EQ(exact.advance(asked, b), run::Outcome::ok);
   ASSERT_TRUE(a.tangent_vectors.get() && b.tangent_vectors.get());
   EXPECT_LT((*a.tangent_vectors.get() - *b.tangent_vectors.get()).cwiseAbs().maxCoeff(), 1e-11);
@@ -80,7 +80,7 @@ TEST(TangentExpansion, FollowsWhatTheMotionDoesNotExcite) {
     const Eigen::MatrixXd expected = transition_by_dopri5(scene, 1e-11);
     TaylorRun<2> run(scene, {});
     run::TurnReport turn;
-    ASSERT_EQ(run.advance({.tangent_vectors = Eigen::MatrixXd::Identity(4, 4)}, turn), TaylorEnding::ok);
+    ASSERT_EQ(run.advance({.tangent_vectors = Eigen::MatrixXd::Identity(4, 4)}, turn), run::Outcome::ok);
     ASSERT_TRUE(turn.tangent_vectors.get());
     EXPECT_LT((*turn.tangent_vectors.get() - expected).cwiseAbs().maxCoeff(),
               1e-8 * expected.cwiseAbs().maxCoeff())

@@ -55,7 +55,7 @@ Agreement compare(scene::Scene scene, const run::Run& other, int turns) {
   Agreement all;
   for (int k = 0; k < turns; ++k) {
     const std::vector<double> before = run.section();
-    EXPECT_EQ(run.advance(asked, a), TaylorEnding::ok);
+    EXPECT_EQ(run.advance(asked, a), run::Outcome::ok);
     other.restart(before);
     EXPECT_EQ(other.advance(asked, b), run::Outcome::ok);
     EXPECT_EQ(a.hits, b.hits) << "turn " << k;
@@ -108,7 +108,7 @@ TEST(TaylorRun, AgreesWithTheExactSolverBetweenFlatStops) {
     const auto exact_kicked = start_hybrid(scene, {}, modes);
     run::TurnReport a, b;
     for (int k = 0; k < 4; ++k) {
-      ASSERT_EQ(kicked.advance({}, a), TaylorEnding::ok);
+      ASSERT_EQ(kicked.advance({}, a), run::Outcome::ok);
       ASSERT_EQ(exact_kicked.advance({}, b), run::Outcome::ok);
       EXPECT_LT(distance(a.section, b.section), 1e-13);
     }
@@ -217,7 +217,7 @@ TEST(TaylorRun, StaysOnTheClosedFormsOfFullRubAndDryWhip) {
   TaylorRun<2> full(rub.scene(), {});
   run::TurnReport turn;
   for (int k = 0; k < 20; ++k) {
-    ASSERT_EQ(full.advance({.samples_per_revolution = 16, .peaks = true}, turn), TaylorEnding::ok);
+    ASSERT_EQ(full.advance({.samples_per_revolution = 16, .peaks = true}, turn), run::Outcome::ok);
     EXPECT_DOUBLE_EQ(turn.contact_fraction, 1);
     for (std::size_t j = 0; j < 16; ++j)
       EXPECT_NEAR(std::hypot(turn.samples[4 * j], turn.samples[4 * j + 1]), rub.radius, 1e-13);
@@ -232,7 +232,7 @@ TEST(TaylorRun, StaysOnTheClosedFormsOfFullRubAndDryWhip) {
   test::start_at(whip, radius, -i * w * radius);
   TaylorRun<2> run(whip, {});
   for (int k = 1; k <= 5; ++k) {
-    ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok);
+    ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
     const Complex z(turn.section[0], turn.section[1]);
     EXPECT_LT(std::abs(z - radius * std::exp(-i * (2 * pi * w * k))), 1e-10);
   }
@@ -244,7 +244,7 @@ TEST(TaylorRun, RollsBackwardOnItsClosedForm) {
     TaylorRun<2> run(rolling.scene, {});
     run::TurnReport turn;
     for (int k = 1; k <= 3; ++k) {
-      ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok) << steepness;
+      ASSERT_EQ(run.advance({}, turn), run::Outcome::ok) << steepness;
       const Complex z(turn.section[0], turn.section[1]);
       EXPECT_LT(std::abs(z - rolling.displacement(k)), 1e-11) << steepness;
     }
@@ -283,7 +283,7 @@ TEST(TaylorRun, KeepsTheEnergyOfAConservativeScene) {
   run::TurnReport turn;
   int hits = 0;
   for (int k = 0; k < 100; ++k) {
-    ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok);
+    ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
     hits += turn.hits;
     EXPECT_NEAR(energy(turn.section) / start, 1, 1e-12) << k;
   }
@@ -295,12 +295,12 @@ TEST(TaylorRun, NeedsFewerStepsAtHigherOrderForTheSameMotion) {
   TaylorRun<4> best(scene, {});
   std::vector<double> reference;
   run::TurnReport turn;
-  for (int k = 0; k < 6; ++k) ASSERT_EQ(best.advance({}, turn), TaylorEnding::ok);
+  for (int k = 0; k < 6; ++k) ASSERT_EQ(best.advance({}, turn), run::Outcome::ok);
   reference = turn.section;
   long last = 1'000'000;
   for (const int order : {10, 14, 18, 22}) {
     TaylorRun<4> run(scene, {}, {.order = order});
-    for (int k = 0; k < 6; ++k) ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok);
+    for (int k = 0; k < 6; ++k) ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
     EXPECT_LT(distance(turn.section, reference), 1e-12) << order;
     EXPECT_LT(run.effort().steps, last);
     last = run.effort().steps;
@@ -320,7 +320,7 @@ TEST(TaylorRun, SeesAGrazeAsShallowAsRounding) {
         scene.velocity_m_per_s << 1 + sign * excess, 0;
         TaylorRun<2> run(scene, {});
         run::TurnReport turn;
-        ASSERT_EQ(run.advance({}, turn), TaylorEnding::ok);
+        ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
         EXPECT_EQ(turn.hits, sign < 0 ? 0 : annular ? 2 : 1) << annular << " " << sign * excess;
       }
     }
@@ -332,7 +332,7 @@ TEST(TaylorRun, SeesAGrazeAsShallowAsRounding) {
 double worst_guard(const scene::Scene& scene, const std::vector<Mode>& modes_at_start,
                    const run::TurnReport& turn) {
   const auto system = run::scale<Eigen::Dynamic>(scene);
-  adaptive::Dynamics<Eigen::Dynamic, false> dynamics(system, 0);
+  law::Dynamics<Eigen::Dynamic, false> dynamics(system, 0);
   dynamics.modes() = modes_at_start;
   const std::size_t states = 2 * std::size_t(system.coordinates());
   double worst = -1;
@@ -378,7 +378,7 @@ TEST(TaylorRun, PassesOverNoGuardThatFiveThousandPointsATurnSee) {
     const run::TurnRequest asked{.samples_per_revolution = 5000, .switches = true};
     std::vector<Mode> modes(2, Mode::open);
     for (int k = 0; k < 20; ++k) {
-      ASSERT_EQ(run.advance(asked, turn), TaylorEnding::ok);
+      ASSERT_EQ(run.advance(asked, turn), run::Outcome::ok);
       EXPECT_LT(worst_guard(scene, modes, turn), 1e-12) << speed_hz << " Hz, turn " << k;
       for (const run::ModeSwitch& change : turn.switches) modes[std::size_t(change.contact)] = change.to;
       hits += turn.hits;
@@ -400,7 +400,7 @@ TEST(TaylorRun, StopsAtImpulsesAndWherePulsesBeginAndEnd) {
   TaylorRun<4> run(scene, {});
   run::TurnReport a, b;
   for (int k = 0; k < 5; ++k) {
-    ASSERT_EQ(run.advance({}, a), TaylorEnding::ok);
+    ASSERT_EQ(run.advance({}, a), run::Outcome::ok);
     ASSERT_EQ(exact.advance({}, b), run::Outcome::ok);
     EXPECT_LT(distance(a.section, b.section), 1e-12);
     EXPECT_EQ(a.hits, b.hits);
@@ -411,10 +411,10 @@ TEST(TaylorRun, SaysWhatFailed) {
   run::SolverOptions few;
   few.max_steps_per_revolution = 3;
   run::TurnReport turn;
-  EXPECT_EQ(TaylorRun<4>(test::cell_of({}).scene, few).advance({}, turn), TaylorEnding::step_limit);
+  EXPECT_EQ(TaylorRun<4>(test::cell_of({}).scene, few).advance({}, turn), run::Outcome::step_limit);
   scene::Scene lost = test::cell_of({}).scene;
   lost.displacement_m(0) = std::nan("");
-  EXPECT_EQ(TaylorRun<4>(lost, {}).advance({}, turn), TaylorEnding::non_finite);
+  EXPECT_EQ(TaylorRun<4>(lost, {}).advance({}, turn), run::Outcome::non_finite);
 }
 
 }  // namespace

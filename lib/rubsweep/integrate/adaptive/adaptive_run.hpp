@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "rubsweep/integrate/adaptive/crossing_search.hpp"
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
-#include "rubsweep/integrate/adaptive/settle_slips.hpp"
 #include "rubsweep/integrate/adaptive/step_observer.hpp"
 #include "rubsweep/integrate/adaptive/steppers.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
+#include "rubsweep/integrate/law/settle_slips.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
@@ -23,7 +23,7 @@ namespace rubsweep::integrate::adaptive {
 /// there and the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper
 /// keeps its order. Dry friction's slips that come to zero, and contacts that no longer stick, end a step in
 /// the same way. `Law` is the right-hand side: Dynamics, or what adds further numbers behind its state.
-template <class StepMethod, int N, bool Smoothed, class Law = Dynamics<N, Smoothed>>
+template <class StepMethod, int N, bool Smoothed, class Law = law::Dynamics<N, Smoothed>>
 class AdaptiveRun {
  public:
   using State = typename StepMethod::State;
@@ -101,9 +101,9 @@ class AdaptiveRun {
   }
 
   void enter_slips(double phase) {
-    enter_slips_by_state(dynamics_, step_.start, step_.start_rate, phase);
+    law::enter_slips_by_state(dynamics_, step_.start, step_.start_rate, phase);
     for (std::size_t i = 0; i < just_moved_.size(); ++i)
-      just_moved_[i] = leaves_zero(i) && stands(dynamics_, i, step_.start);
+      just_moved_[i] = leaves_zero(i) && law::stands(dynamics_, i, step_.start);
   }
 
   /// Contact `i`, if its slip is zero, begins to slip.
@@ -224,7 +224,8 @@ class AdaptiveRun {
       ++switches_;
       observer.mode_switch({step_.end_phase, static_cast<int>(i), from, mode});
       if (mode == contact::Mode::open && dynamics_.any_poised())
-        settle_slips(dynamics_, step_.end, probe_rate_, step_.end_phase, [](std::size_t) { return false; });
+        law::settle_slips(dynamics_, step_.end, probe_rate_, step_.end_phase,
+                          [](std::size_t) { return false; });
       if (from == contact::Mode::open && dynamics_.touches_dry(i)) touch_down(i);
     }
     if (!switched) return;
@@ -236,7 +237,7 @@ class AdaptiveRun {
 
   /// The friction of a contact that begins rises from zero.
   void touch_down(std::size_t i) {
-    take_slip_of_state(dynamics_, i, step_.end);
+    law::take_slip_of_state(dynamics_, i, step_.end);
     if (dynamics_.slips()[i] == contact::Slip::sticking) stop_slip(i);
   }
 
@@ -244,9 +245,9 @@ class AdaptiveRun {
     ++switches_;
     if (crossing.event == Crossing::Event::release) {
       const std::size_t i = crossing.contact;
-      const bool others = let_go(dynamics_, i, crossing.slip, step_.end, probe_rate_, step_.end_phase);
+      const bool others = law::let_go(dynamics_, i, crossing.slip, step_.end, probe_rate_, step_.end_phase);
       for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
-        if (j == i || (others && stands(dynamics_, j, step_.end))) just_moved_[j] = leaves_zero(j);
+        if (j == i || (others && law::stands(dynamics_, j, step_.end))) just_moved_[j] = leaves_zero(j);
       }
     } else {
       stop_slip(crossing.contact);
@@ -256,15 +257,15 @@ class AdaptiveRun {
   /// The slip of contact `i` is zero: with its friction the rate jumps.
   void stop_slip(std::size_t i) {
     probe_rate_ = step_.end_rate;
-    settle_slips(dynamics_, step_.end, step_.end_rate, step_.end_phase,
-                 [&](std::size_t j) { return j == i; });
+    law::settle_slips(dynamics_, step_.end, step_.end_rate, step_.end_phase,
+                      [&](std::size_t j) { return j == i; });
     for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
-      if (dynamics_.touches_dry(j) && (j == i || stands(dynamics_, j, step_.end)))
+      if (dynamics_.touches_dry(j) && (j == i || law::stands(dynamics_, j, step_.end)))
         just_moved_[j] = leaves_zero(j);
     }
     dynamics_(step_.end, step_.end_rate, step_.end_phase);
     if constexpr (requires { dynamics_.changes(step_.end); }) {
-      cross_slip(dynamics_, i, step_.end, probe_rate_, step_.end_rate, dynamics_.changes(step_.end));
+      law::cross_slip(dynamics_, i, step_.end, probe_rate_, step_.end_rate, dynamics_.changes(step_.end));
       dynamics_(step_.end, step_.end_rate, step_.end_phase);
     }
     for (std::size_t j = 0; j < system_.contacts.size(); ++j)

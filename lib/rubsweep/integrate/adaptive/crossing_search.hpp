@@ -11,8 +11,8 @@
 
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/dry_friction.hpp"
-#include "rubsweep/integrate/adaptive/settle_slips.hpp"
 #include "rubsweep/integrate/adaptive/step.hpp"
+#include "rubsweep/integrate/law/settle_slips.hpp"
 #include "rubsweep/numerics/bernstein_root.hpp"
 
 namespace rubsweep::integrate::adaptive {
@@ -119,7 +119,7 @@ struct CrossingSearch {
 
   double poised_edge(std::size_t i) const {
     const auto& c = dynamics.system().contacts[i];
-    return poised_slip * std::max(1.0, std::abs(c.surface_speed_m_per_s / c.slip_scale_m_per_s));
+    return law::poised_slip * std::max(1.0, std::abs(c.surface_speed_m_per_s / c.slip_scale_m_per_s));
   }
 
   /// Where a function rose that is at or above zero at the end of the step, and not at its start but for a
@@ -165,8 +165,8 @@ struct CrossingSearch {
     const auto friction_at = [&](double x) {
       const double phase = step.start_phase + x * h;
       const State& state = state_inside(phase);
-      dynamics(state, probe_rate, phase);
-      return Friction{dynamics.holding_force_n(i), dynamics.largest_friction_n(i, state)};
+      dynamics.loose(state, probe_rate, phase);
+      return Friction{dynamics.hold(state, probe_rate).force_n(i), dynamics.largest_friction_n(i, state)};
     };
     const Friction first = friction_at(0), middle = friction_at(0.5), last = friction_at(1);
     std::optional<Crossing> earliest;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
-#include "rubsweep/integrate/adaptive/own_system.hpp"
 #include "rubsweep/integrate/adaptive/twist_law.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
+#include "rubsweep/integrate/law/own_system.hpp"
 
 namespace rubsweep::integrate::adaptive {
 
@@ -28,8 +28,8 @@ struct TwistState {
 /// rubbing surfaces, gyroscopic moments and damping that turns with the shaft go by phi'. The torque of that
 /// damping on the shaft, which is of second order in the deflection, is left out.
 template <bool Smoothed>
-class TwistDynamics : private OwnSystem<Eigen::Dynamic>, public Dynamics<Eigen::Dynamic, Smoothed> {
-  using Base = Dynamics<Eigen::Dynamic, Smoothed>;
+class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynamics<Eigen::Dynamic, Smoothed> {
+  using Base = law::Dynamics<Eigen::Dynamic, Smoothed>;
 
  public:
   TwistDynamics(const run::ScaledSystem<Eigen::Dynamic>& system, double smoothing_width, const TwistLaw& law)

@@ -73,21 +73,21 @@ void ExactRun<N>::resume(std::span<const double> section) {
 }
 
 template <int N>
-ExactEnding ExactRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report) {
+run::Outcome ExactRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report) {
   if (!begin_turn(request, report)) return without_closed_form();
   return run_to_end(report);
 }
 
 template <int N>
-ExactEnding ExactRun<N>::run_to_end(run::TurnReport& report) {
+run::Outcome ExactRun<N>::run_to_end(run::TurnReport& report) {
   step_limit_ = effort_.steps + std::min(max_steps_, most_steps);
-  ExactEnding ending = ExactEnding::ok;
-  while (ending == ExactEnding::ok && !clock_.turn_is_over()) {
+  run::Outcome ending = run::Outcome::ok;
+  while (ending == run::Outcome::ok && !clock_.turn_is_over()) {
     ending = effort_.steps < step_limit_ ? go_on(report)
-             : max_steps_ > most_steps   ? ExactEnding::beyond
-                                         : ExactEnding::step_limit;
+             : max_steps_ > most_steps   ? run::Outcome::no_closed_form
+                                         : run::Outcome::step_limit;
   }
-  if (ending == ExactEnding::ok) ending = end_turn(report);
+  if (ending == run::Outcome::ok) ending = end_turn(report);
   report.effort = effort_;
   return ending;
 }
@@ -121,7 +121,7 @@ bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const st
 }
 
 template <int N>
-ExactEnding ExactRun<N>::go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report) {
+run::Outcome ExactRun<N>::go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report) {
   motion_.carry_tangents(tangent_vectors);
   return run_to_end(report);
 }
@@ -160,9 +160,9 @@ bool ExactRun<N>::enter_by_state(const State& physical) {
 }
 
 template <int N>
-ExactEnding ExactRun<N>::end_turn(run::TurnReport& report) {
+run::Outcome ExactRun<N>::end_turn(run::TurnReport& report) {
   const State end = motion_.physical();
-  if (!end.allFinite()) return ExactEnding::non_finite;
+  if (!end.allFinite()) return run::Outcome::non_finite;
   turn_start_ = end;
   ++revolution_;
   goes_on_ = true;
@@ -171,12 +171,12 @@ ExactEnding ExactRun<N>::end_turn(run::TurnReport& report) {
   report.contact_fraction = std::clamp(report.contact_fraction, 0.0, 1.0);
   report.touching_at_end = motion_.joint() != 0;
   if (tangents_ > 0) motion_.put_tangents(report.tangent_vectors.fill(turn_start_.size(), tangents_));
-  return ExactEnding::ok;
+  return run::Outcome::ok;
 }
 
 /// Steps one after the other, only one where something is watched, and the events that end them.
 template <int N>
-ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
+run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
   watch_.start_step(motion_, clock_.time_s(), report);
   const bool watched = watch_.wanted();
   const double boundary = std::min(clock_.next_boundary_s(), watch_.boundary_s(motion_)),
@@ -189,11 +189,11 @@ ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
                               .shortest_to_annular_s = shortest_to_annular * clock_.period_s(),
                               .same_instant_s = same_instant * clock_.period_s()});
     ++effort_.steps;
-    if (choice.annular) return ExactEnding::beyond;
-    if (!renew_slip_watch(choice)) return ExactEnding::unsaturated;
+    if (choice.annular) return run::Outcome::no_closed_form;
+    if (!renew_slip_watch(choice)) return run::Outcome::unsaturated;
     if (choice.crossing != StepChoice::none && standstill_ < longest_standstill) {
       land(report, choice.crossing, choice.step_s);
-      return switch_mode(report, choice.crossing) ? ExactEnding::ok : without_closed_form();
+      return switch_mode(report, choice.crossing) ? run::Outcome::ok : without_closed_form();
     }
     const double step = std::max(std::min(choice.step_s, longest_step), shortest_step * clock_.period_s());
     if (!(step < until)) return reach_boundary(report, boundary);
@@ -206,19 +206,19 @@ ExactEnding ExactRun<N>::go_on(run::TurnReport& report) {
       passed(report, step);
     }
     standstill_ = 0;
-    if (!std::isfinite(motion_.free()(0))) return ExactEnding::non_finite;
-    if (watched || effort_.steps >= step_limit_ || !(clock_.time_s() < boundary)) return ExactEnding::ok;
+    if (!std::isfinite(motion_.free()(0))) return run::Outcome::non_finite;
+    if (watched || effort_.steps >= step_limit_ || !(clock_.time_s() < boundary)) return run::Outcome::ok;
   }
 }
 
 template <int N>
-ExactEnding ExactRun<N>::reach_boundary(run::TurnReport& report, double boundary_s) {
+run::Outcome ExactRun<N>::reach_boundary(run::TurnReport& report, double boundary_s) {
   const double until = boundary_s - clock_.time_s();
   motion_.step_by(until);
   passed(report, until);
   clock_.go_to(boundary_s);
   if (!clock_.turn_is_over() && !pass_boundary(report)) return without_closed_form();
-  return std::isfinite(motion_.free()(0)) ? ExactEnding::ok : ExactEnding::non_finite;
+  return std::isfinite(motion_.free()(0)) ? run::Outcome::ok : run::Outcome::non_finite;
 }
 
 /// Instants that a turn steers for: pulses begin or end, impulses act. A pulse is zero at both ends, so that

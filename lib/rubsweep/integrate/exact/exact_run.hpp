@@ -9,18 +9,10 @@
 #include "rubsweep/integrate/exact/step_choice.hpp"
 #include "rubsweep/integrate/exact/turn_clock.hpp"
 #include "rubsweep/integrate/exact/turn_watch.hpp"
+#include "rubsweep/integrate/run/outcome.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 
 namespace rubsweep::integrate::exact {
-
-/// How a turn of an exact run ended.
-enum class ExactEnding {
-  ok,
-  beyond,       ///< this turn has no closed form: touching an annular stop, an undamped resonance
-  unsaturated,  ///< nor has what follows in it: the friction of a touching contact leaves saturation
-  step_limit,
-  non_finite,
-};
 
 /// A run between flat stops with saturated friction, without truncation error: inside a contact mode the
 /// state follows the mode's exact flow, and mode switches are found by certified steps: a bound M on the
@@ -33,9 +25,10 @@ class ExactRun {
   /// `modes` must fit the scene.
   ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps_per_revolution);
 
-  /// Integrates the next revolution. After `beyond` the run stands where the revolution began, and the
-  /// report means nothing. After `unsaturated` the turn is made up to `place()`, and so is the report.
-  ExactEnding advance(const run::TurnRequest& request, run::TurnReport& report);
+  /// Integrates the next revolution. After `no_closed_form` the run stands where the revolution
+  /// began, and the report means nothing. After `unsaturated` the turn is made up to `place()`, and so is the
+  /// report.
+  run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report);
 
   /// Where a turn goes on that another solver has to make a piece of.
   struct Place {
@@ -52,7 +45,7 @@ class ExactRun {
   bool join(double phase_rad, std::span<const double> state, const std::vector<contact::Mode>& modes,
             const run::TurnReport& report);
   /// The rest of the turn, behind `join`, as `advance`.
-  ExactEnding go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report);
+  run::Outcome go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report);
 
   /// The next revolution starts from `section` (as TurnReport::section): another solver made the turns before
   /// it.
@@ -78,12 +71,12 @@ class ExactRun {
   void put_scaled(const State& physical, std::vector<double>& scaled) const;
   State physical_of(std::span<const double> scaled) const;
   bool begin_turn(const run::TurnRequest& request, run::TurnReport& report);
-  ExactEnding run_to_end(run::TurnReport& report);
+  run::Outcome run_to_end(run::TurnReport& report);
   bool start_motion(bool pulses_changed);
-  ExactEnding end_turn(run::TurnReport& report);
+  run::Outcome end_turn(run::TurnReport& report);
   bool enter_by_state(const State& physical);
-  ExactEnding go_on(run::TurnReport& report);
-  ExactEnding reach_boundary(run::TurnReport& report, double boundary_s);
+  run::Outcome go_on(run::TurnReport& report);
+  run::Outcome reach_boundary(run::TurnReport& report, double boundary_s);
   bool pass_boundary(run::TurnReport& report);
   bool apply_impulses(run::TurnReport& report);
   void passed(run::TurnReport& report, double duration_s);
@@ -94,8 +87,8 @@ class ExactRun {
   bool begin_motion(const State& here);
   bool begin_slip(const State& here);
   bool renew_slip_watch(StepChoice& choice);
-  ExactEnding without_closed_form() const {
-    return unsaturated_ ? ExactEnding::unsaturated : ExactEnding::beyond;
+  run::Outcome without_closed_form() const {
+    return unsaturated_ ? run::Outcome::unsaturated : run::Outcome::no_closed_form;
   }
 
   Motion motion_;

@@ -5,7 +5,7 @@
 
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/dry_friction.hpp"
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
 #include "rubsweep/integrate/taylor/creep_sweeps.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 
@@ -13,7 +13,7 @@ namespace rubsweep::integrate::taylor {
 
 /// Largest `Dynamics::friction_ratio` of the contacts that touch and neither creep nor stick.
 template <int N>
-double friction_ratio(const Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics,
+double friction_ratio(const Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
                       const std::vector<double>& state) {
   double largest = 0;
   for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
@@ -46,7 +46,7 @@ class CreepChoice {
   /// expansion as it was, where that is not known to last. `longest_rad` is the longest piece without regard
   /// to friction, `usual_rad` that of a piece without creep; `state` and `settled` as in `settle_creep`.
   template <class Expand>
-  bool begin(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics, const Expand& expand,
+  bool begin(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics, const Expand& expand,
              std::vector<double>& state, std::vector<double>& settled, double longest_rad, double usual_rad) {
     let_creep(motion, dynamics, state);
     known_rad_ = settle_creep(motion, expand, state, settled, longest_rad, least_gain * usual_rad);
@@ -58,8 +58,8 @@ class CreepChoice {
   }
   /// Duration over which the creeping contacts are known.
   double known_rad() const { return known_rad_; }
-  /// Ends creep from the next expansion on.
-  void end(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics) {
+  /// From the next expansion on none does.
+  void end(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics) {
     if (known_rad_ > 0) let_none_creep(motion, dynamics);
     known_rad_ = 0;
   }
@@ -69,7 +69,7 @@ class CreepChoice {
   static constexpr int pieces_until_creep = 6;
   static constexpr double least_gain = 12;  ///< usual pieces that one of creep has to be worth
 
-  void let_creep(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics,
+  void let_creep(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
                  const std::vector<double>& state) const {
     std::size_t held = motion.sticking();
     for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
@@ -79,7 +79,7 @@ class CreepChoice {
       if (creeps) ++held;
     }
   }
-  static void let_none_creep(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics) {
+  static void let_none_creep(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics) {
     for (std::size_t i = 0; i < dynamics.modes().size(); ++i) motion.let_creep(i, false);
   }
 

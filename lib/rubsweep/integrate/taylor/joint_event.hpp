@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
-#include "rubsweep/integrate/adaptive/settle_slips.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
+#include "rubsweep/integrate/law/settle_slips.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 #include "rubsweep/integrate/taylor/guard_search.hpp"
 
@@ -23,7 +23,7 @@ struct JointEvent {
 /// The first event within `duration_rad` of an expansion; a share of one and no contact where there is none.
 /// `zero_terms` per contact, as of `SlipStart`.
 template <int N>
-JointEvent first_event(Expansion<N>& motion, const adaptive::Dynamics<N, false>& dynamics,
+JointEvent first_event(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
                        const std::vector<int>& zero_terms, double duration_rad) {
   JointEvent first;
   for (std::size_t i = 0; i < zero_terms.size(); ++i) {
@@ -32,7 +32,7 @@ JointEvent first_event(Expansion<N>& motion, const adaptive::Dynamics<N, false>&
     if (crossing) first = {first.share * crossing->share, i, crossing->next};
     if (dynamics.modes()[i] == contact::Mode::open) continue;
     if (dynamics.touches_dry(i)) {
-      const SlipStart start{zero_terms[i], dynamics.poised(i) ? adaptive::poised_slip : 0};
+      const SlipStart start{zero_terms[i], dynamics.poised(i) ? law::poised_slip : 0};
       const auto event = first_slip_event(motion.contact(i), motion.order(), motion.accuracy(),
                                           first.share * duration_rad, start);
       if (event) first = {first.share * event->share, i, contact::Mode::open, event->next};

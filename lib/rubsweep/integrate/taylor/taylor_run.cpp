@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/integrate/adaptive/settle_slips.hpp"
+#include "rubsweep/integrate/law/settle_slips.hpp"
 #include "rubsweep/integrate/run/work_bound.hpp"
 #include "rubsweep/integrate/taylor/joint_event.hpp"
 #include "rubsweep/integrate/taylor/step_length.hpp"
@@ -50,7 +50,7 @@ void TaylorRun<N>::resume(std::span<const double> section, long revolution) {
 }
 
 template <int N>
-TaylorEnding TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report,
+run::Outcome TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report,
                                    double end_phase) {
   report.clear();
   ask(request);
@@ -62,8 +62,8 @@ TaylorEnding TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnRep
   if (!entered_) enter_by_state(0);
   entered_ = true;
   begin_tangents(request.tangent_vectors, request.tangent_accuracy);
-  TaylorEnding ending = TaylorEnding::ok;
-  while (ending == TaylorEnding::ok && phase_ < end_phase_) {
+  run::Outcome ending = run::Outcome::ok;
+  while (ending == run::Outcome::ok && phase_ < end_phase_) {
     if (phase_ >= impulses_.next_phase_rad()) apply_impulses(report);
     ending = go_on(report);
   }
@@ -103,15 +103,15 @@ void TaylorRun<N>::join(const run::TurnRequest& request, long revolution, double
   std::copy(state.begin(), state.end(), state_.begin());
   dynamics_.modes() = modes;
   std::ranges::fill(zero_terms_, 0);
-  adaptive::enter_slips_by_state(dynamics_, state_, rate_, phase_);
+  law::enter_slips_by_state(dynamics_, state_, rate_, phase_);
   entered_ = true;
   begin_tangents(tangent_vectors, request.tangent_accuracy);
 }
 
 template <int N>
-TaylorEnding TaylorRun<N>::end(run::TurnReport& report, TaylorEnding ending) {
+run::Outcome TaylorRun<N>::end(run::TurnReport& report, run::Outcome ending) {
   report.effort = effort_;
-  if (ending != TaylorEnding::ok) return ending;
+  if (ending != run::Outcome::ok) return ending;
   ++revolution_;
   report.section = state_;
   // The steps of a turn add up to it but for rounding.
@@ -132,7 +132,7 @@ void TaylorRun<N>::enter_by_state(double phase) {
   std::ranges::fill(zero_terms_, 0);
   dynamics_(state_, rate_, phase);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) dynamics_.enter_by_state(i, state_, rate_);
-  adaptive::enter_slips_by_state(dynamics_, state_, rate_, phase);
+  law::enter_slips_by_state(dynamics_, state_, rate_, phase);
 }
 
 /// Projects tangent vectors onto the sticking constraint: friction undoes any slip at once.
@@ -153,8 +153,8 @@ double TaylorRun<N>::longest_step(double fastest) const {
 }
 
 template <int N>
-TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
-  if (dynamics_.unsettled()) return TaylorEnding::friction_unsettled;
+run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
+  if (dynamics_.unsettled()) return run::Outcome::friction_unsettled;
   pulses_.go_to(phase_);
   creep_.end(motion_, dynamics_);
   expand(state_);
@@ -168,14 +168,14 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
   if (creeps) wanted = std::min(wanted, creep_.known_rad());
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), motion_.accuracy(), wanted);
-  if (!(wanted > 0)) return TaylorEnding::non_finite;
+  if (!(wanted > 0)) return run::Outcome::non_finite;
   if (standstill_ >= longest_standstill) {
     // Without progress a landing is not repeated: its instant is stepped over.
     const double instant = std::min(same_instant, left);
     take(report, fastest, instant, instant < left ? phase_ + instant : boundary);
     switch_modes(report, {});
     standstill_ = 0;
-    return TaylorEnding::ok;
+    return run::Outcome::ok;
   }
   const bool limited = wanted >= left;
   double duration = limited ? left : wanted;
@@ -188,10 +188,10 @@ TaylorEnding TaylorRun<N>::step(run::TurnReport& report) {
     return step(report);
   }
   if (creeps) ++effort_.creep_pieces;
-  if (!std::isfinite(state_[0])) return TaylorEnding::non_finite;
+  if (!std::isfinite(state_[0])) return run::Outcome::non_finite;
   standstill_ = duration > same_instant ? 0 : standstill_ + 1;
   if (event.contact) switch_modes(report, event);
-  return TaylorEnding::ok;
+  return run::Outcome::ok;
 }
 
 template <int N>
@@ -277,7 +277,7 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
     note_switch(report, i, from);
     if (mode == Mode::open && dynamics_.any_poised()) settle_poised();
     if (from != Mode::open || !dynamics_.touches_dry(i)) continue;
-    adaptive::take_slip_of_state(dynamics_, i, state_);
+    law::take_slip_of_state(dynamics_, i, state_);
     if (dynamics_.slips()[i] == contact::Slip::sticking) stop_slip(i);
   }
 }
@@ -286,7 +286,7 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
 template <int N>
 void TaylorRun<N>::switch_slip(std::size_t i, contact::Slip slip) {
   if (slip == contact::Slip::sticking) return stop_slip(i);
-  const bool others = adaptive::let_go(dynamics_, i, slip, state_, probe_, phase_);
+  const bool others = law::let_go(dynamics_, i, slip, state_, probe_, phase_);
   for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
     if (j == i || (others && leaves_zero(j))) zero_terms_[j] = dynamics_.poised(j) ? 0 : 2;
   }
@@ -296,26 +296,26 @@ void TaylorRun<N>::switch_slip(std::size_t i, contact::Slip slip) {
 template <int N>
 bool TaylorRun<N>::leaves_zero(std::size_t i) const {
   return dynamics_.touches_dry(i) && dynamics_.slips()[i] != contact::Slip::sticking &&
-         !dynamics_.poised(i) && adaptive::stands(dynamics_, i, state_);
+         !dynamics_.poised(i) && law::stands(dynamics_, i, state_);
 }
 
 /// Handles the zero of the slip of contact `i`; `rate_` is that before it was.
 template <int N>
 void TaylorRun<N>::stop_slip(std::size_t i) {
-  adaptive::settle_slips(dynamics_, state_, probe_, phase_, [i](std::size_t j) { return j == i; });
+  law::settle_slips(dynamics_, state_, probe_, phase_, [i](std::size_t j) { return j == i; });
   for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
-    if (!dynamics_.touches_dry(j) || (j != i && !adaptive::stands(dynamics_, j, state_))) continue;
+    if (!dynamics_.touches_dry(j) || (j != i && !law::stands(dynamics_, j, state_))) continue;
     zero_terms_[j] = dynamics_.slips()[j] == contact::Slip::sticking || dynamics_.poised(j) ? 0 : 1;
   }
   dynamics_(state_, probe_, phase_);
-  if (tangents_.count() > 0) adaptive::cross_slip(dynamics_, i, state_, rate_, probe_, tangents_.vectors());
+  if (tangents_.count() > 0) law::cross_slip(dynamics_, i, state_, rate_, probe_, tangents_.vectors());
   std::swap(rate_, probe_);
 }
 
 /// A contact that may have kept others standing is open.
 template <int N>
 void TaylorRun<N>::settle_poised() {
-  adaptive::settle_slips(dynamics_, state_, probe_, phase_, [](std::size_t) { return false; });
+  law::settle_slips(dynamics_, state_, probe_, phase_, [](std::size_t) { return false; });
   dynamics_(state_, rate_, phase_);
 }
 

@@ -5,9 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/integrate/run/outcome.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
@@ -17,14 +18,6 @@
 #include "rubsweep/integrate/taylor/tangent_expansion.hpp"
 
 namespace rubsweep::integrate::taylor {
-
-/// How a turn by Taylor's series ended.
-enum class TaylorEnding {
-  ok,
-  step_limit,
-  non_finite,
-  friction_unsettled,
-};
 
 /// A run in pieces that are power series of the phase: within one joint contact mode every law is analytic,
 /// so that a step of order 24 is as long as its last terms are rounding. Guards are polynomials over a step,
@@ -42,7 +35,7 @@ class TaylorRun {
   TaylorRun& operator=(const TaylorRun&) = delete;
 
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
-  TaylorEnding advance(const run::TurnRequest& request, run::TurnReport& report,
+  run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = full_turn);
 
   /// As SeriesOptions::accuracy, from the next piece on.
@@ -56,15 +49,15 @@ class TaylorRun {
   /// TurnRequest::tangent_vectors).
   void join(const run::TurnRequest& request, long revolution, double phase_rad, std::span<const double> state,
             const std::vector<contact::Mode>& modes, const Eigen::MatrixXd& tangent_vectors);
-  /// Makes one more piece of the turn that was joined. After `ok` the run is at `phase_rad()`.
-  TaylorEnding go_on(run::TurnReport& report) {
+  /// One piece of the turn that was joined; `report` goes on. After `ok` the run is at `phase_rad()`.
+  run::Outcome go_on(run::TurnReport& report) {
     const bool may_go_on = effort_.steps < step_limit_ && effort_.taylor_expansions < expansion_limit_;
-    return may_go_on ? step(report) : TaylorEnding::step_limit;
+    return may_go_on ? step(report) : run::Outcome::step_limit;
   }
   /// Whether the last piece reached the end of the turn.
   bool at_end_of_turn() const { return phase_ >= end_phase_; }
   /// Completes the report of a turn that was joined and is at its end.
-  void finish(run::TurnReport& report) { end(report, TaylorEnding::ok); }
+  void finish(run::TurnReport& report) { end(report, run::Outcome::ok); }
 
   double phase_rad() const { return phase_; }
   /// Whether dry friction holds a contact.
@@ -87,7 +80,7 @@ class TaylorRun {
   void begin_tangents(const Eigen::MatrixXd& vectors, double accuracy);
   void enter_by_state(double phase);
   double next_boundary() const;
-  TaylorEnding step(run::TurnReport& report);
+  run::Outcome step(run::TurnReport& report);
   double longest_step(double fastest) const;
   void expand(const std::vector<double>& state);
   bool let_creep(double fastest, double ratio);
@@ -102,10 +95,10 @@ class TaylorRun {
   void project_tangents();
   void apply_impulses(run::TurnReport& report);
   void note_switch(run::TurnReport& report, std::size_t i, contact::Mode from);
-  TaylorEnding end(run::TurnReport& report, TaylorEnding ending);
+  run::Outcome end(run::TurnReport& report, run::Outcome ending);
 
   run::ScaledSystem<N> system_;
-  adaptive::Dynamics<N, false> dynamics_;
+  law::Dynamics<N, false> dynamics_;
   Expansion<N> motion_;
   TangentExpansion<N> tangents_;
   run::PulseTimes pulses_;

@@ -65,8 +65,8 @@ HowFollowed follow_by_series(integrate::taylor::TaylorRun<N>& run, const Eigen::
   run.set_series_accuracy(series_accuracy_for(tolerance));
   run.resume({state.data(), static_cast<std::size_t>(states)}, 0);
   for (double left = arc.angle_rad; left > 0; left -= full_turn) {
-    const integrate::taylor::TaylorEnding ending = run.advance(request, turn, std::min(left, full_turn));
-    if (ending != integrate::taylor::TaylorEnding::ok) return HowFollowed::failed;
+    const integrate::run::Outcome ending = run.advance(request, turn, std::min(left, full_turn));
+    if (ending != integrate::run::Outcome::ok) return HowFollowed::failed;
     if (transition) request.tangent_vectors = *turn.tangent_vectors.get();
     if (samples_per_revolution > 0) append_samples(turn, states, states, arc);
     add_measures(turn, left, arc);

@@ -52,7 +52,7 @@ MatrixXd RotatingField::jacobian(const VectorXd& state) const {
   return at(state, [&](const auto& law) -> MatrixXd {
     const Eigen::Index n = system_.coordinates();
     MatrixXd by_u, by_v, all = MatrixXd::Zero(2 * n, 2 * n);
-    law.slopes(state, by_u, by_v);
+    law.slopes(state, {}, by_u, by_v);  // slips, if there are any, go one way
     all.topRightCorner(n, n).setIdentity();
     all.bottomLeftCorner(n, n) = by_u;
     all.bottomRightCorner(n, n) = by_v;

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/scene/scene.hpp"
@@ -50,8 +50,8 @@ class RotatingField {
 
   integrate::run::ScaledSystem<Eigen::Dynamic> system_;
   bool smoothed_;
-  mutable integrate::adaptive::Dynamics<Eigen::Dynamic, false> located_law_;
-  mutable integrate::adaptive::Dynamics<Eigen::Dynamic, true> smoothed_law_;
+  mutable integrate::law::Dynamics<Eigen::Dynamic, false> located_law_;
+  mutable integrate::law::Dynamics<Eigen::Dynamic, true> smoothed_law_;
 };
 
 }  // namespace rubsweep::response::rotating

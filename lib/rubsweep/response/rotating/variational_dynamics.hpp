@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
 
 namespace rubsweep::response::rotating {
 
@@ -12,9 +12,9 @@ namespace rubsweep::response::rotating {
 /// identity, because the force, and with it the rate, is continuous there. Where a slip with dry friction
 /// comes to zero, the run takes `changes` across.
 template <int N, bool Smoothed>
-class VariationalDynamics : public integrate::adaptive::Dynamics<N, Smoothed> {
+class VariationalDynamics : public integrate::law::Dynamics<N, Smoothed> {
   static constexpr int states = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N;
-  using Base = integrate::adaptive::Dynamics<N, Smoothed>;
+  using Base = integrate::law::Dynamics<N, Smoothed>;
   using Transition = Eigen::Matrix<double, states, states>;
 
  public:
@@ -22,10 +22,11 @@ class VariationalDynamics : public integrate::adaptive::Dynamics<N, Smoothed> {
 
   template <class State>
   void operator()(const State& state, State& rate, double phase) const {
-    Base::operator()(state, rate, phase);
+    this->loose(state, rate, phase);
+    const typename Base::Holding holding = this->hold(state, rate);
     const Eigen::Index n = this->system().coordinates();
     typename Base::Matrix by_u, by_v;
-    this->slopes(state, by_u, by_v);
+    this->slopes(state, holding, by_u, by_v);
     const Eigen::Map<const Transition> phi(&state[0] + 2 * n, 2 * n, 2 * n);
     Eigen::Map<Transition> phi_rate(&rate[0] + 2 * n, 2 * n, 2 * n);
     phi_rate.template topRows<N>(n) = phi.template bottomRows<N>(n);

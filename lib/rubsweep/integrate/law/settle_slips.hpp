@@ -7,9 +7,9 @@
 #include <cstddef>
 
 #include "rubsweep/contact/dry_friction.hpp"
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
 
-namespace rubsweep::integrate::adaptive {
+namespace rubsweep::integrate::law {
 
 /// A slip nearer to zero than this share of the surface's own speed (or of one clearance a radian) is zero:
 /// rounding leaves less, and what it leaves friction would stop within as many radians.
@@ -140,4 +140,4 @@ void cross_slip(const Law& law, std::size_t i, const State& state, const State& 
   }
 }
 
-}  // namespace rubsweep::integrate::adaptive
+}  // namespace rubsweep::integrate::law

@@ -9,11 +9,11 @@
 #include "rubsweep/contact/dry_friction.hpp"
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/contact/friction_law.hpp"
-#include "rubsweep/integrate/adaptive/contact_states.hpp"
+#include "rubsweep/integrate/law/contact_states.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 
-namespace rubsweep::integrate::adaptive {
+namespace rubsweep::integrate::law {
 
 /// Right-hand side of a scaled system as Odeint wants it, u then u' in one state. Located: every contact
 /// obeys the law of its current mode, continued smoothly past the mode's end. Smoothed: the blended law,
@@ -26,6 +26,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
  public:
   static constexpr bool smoothed = Smoothed;
   using typename States::ConstMap;
+  using typename States::Holding;
   using typename States::Map;
   using typename States::Matrix;
   using typename States::Vector;
@@ -37,7 +38,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
   template <class State>
   void operator()(const State& state, State& rate, double phase) const {
     loose(state, rate, phase);
-    this->hold(state, rate);
+    if (this->any_dry()) this->hold(state, rate);
   }
 
   /// The same without what holds the contacts that stick.
@@ -113,7 +114,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
 
   template <class State>
   double slip_m_per_s(std::size_t i, const State& state) const {
-    return adaptive::slip_m_per_s(system_.contacts[i], this->frame_at(i, state));
+    return law::slip_m_per_s(system_.contacts[i], this->frame_at(i, state));
   }
 
   /// Friction force of contact `i` on the casing, in newtons along the tangent.
@@ -150,16 +151,17 @@ class Dynamics : public ContactStates<N, Smoothed> {
     return largest;
   }
 
-  /// Derivatives of the acceleration by u and by u', n x n, by the law in force. Where a contact sticks, the
-  /// rate has been asked for at this state before.
+  /// Derivatives of the acceleration by u and by u', n x n, by the law in force; `holding` is what `hold`
+  /// returned at this state.
   template <class State>
-  void slopes(const State& state, Matrix& by_u, Matrix& by_v) const {
+  void slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
     const Eigen::Index n = system_.coordinates();
     const ConstMap u(&state[0], n), v(&state[0] + n, n);
     by_u = -system_.stiffness;
     by_v = -system_.damping;
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact_slopes(i, u, v, by_u, by_v);
-    if (this->any_dry()) this->hold_slopes(state, by_u, by_v);
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+      add_contact_slopes(i, holding, u, v, by_u, by_v);
+    this->hold_slopes(state, holding, by_u, by_v);
   }
 
   /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to
@@ -168,8 +170,12 @@ class Dynamics : public ContactStates<N, Smoothed> {
   void jacobian(const State& state, Jacobian&& j, double phase, State& phase_rate) const {
     const Eigen::Index n = system_.coordinates();
     Matrix by_u, by_v;
-    if (this->any_dry()) (*this)(state, phase_rate, phase);
-    slopes(state, by_u, by_v);
+    Holding holding;
+    if (this->any_dry()) {
+      loose(state, phase_rate, phase);
+      holding = this->hold(state, phase_rate);
+    }
+    slopes(state, holding, by_u, by_v);
     for (Eigen::Index r = 0; r < n; ++r) {
       for (Eigen::Index c = 0; c < n; ++c) {
         const auto row = static_cast<std::size_t>(r), column = static_cast<std::size_t>(c);
@@ -200,7 +206,6 @@ class Dynamics : public ContactStates<N, Smoothed> {
 
  private:
   using States::dry_;
-  using States::held_;
   using States::modes_;
   using States::slips_;
   using States::system_;
@@ -217,17 +222,17 @@ class Dynamics : public ContactStates<N, Smoothed> {
   /// radian.
   double coefficient(std::size_t i, const contact::ContactFrame& f) const {
     const Contact& c = system_.contacts[i];
-    if (dry_[i] == 0) return contact::friction_coefficient(c.friction, adaptive::slip_m_per_s(c, f));
+    if (dry_[i] == 0) return contact::friction_coefficient(c.friction, law::slip_m_per_s(c, f));
     if constexpr (Smoothed)
-      return dry_[i] * std::tanh(adaptive::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
+      return dry_[i] * std::tanh(law::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
     return dry_[i] * contact::sign_of(slips_[i]);
   }
   double coefficient_slope(std::size_t i, const contact::ContactFrame& f) const {
     const Contact& c = system_.contacts[i];
     if (dry_[i] == 0)
-      return contact::friction_slope(c.friction, adaptive::slip_m_per_s(c, f)) * c.slip_scale_m_per_s;
+      return contact::friction_slope(c.friction, law::slip_m_per_s(c, f)) * c.slip_scale_m_per_s;
     if constexpr (!Smoothed) return 0;
-    const double share = std::tanh(adaptive::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
+    const double share = std::tanh(law::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
     return dry_[i] * (1 - share * share) / smoothing_width_;
   }
 
@@ -260,8 +265,8 @@ class Dynamics : public ContactStates<N, Smoothed> {
   }
 
   /// f = F(p, v) n + mu(s) S(p) t with n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
-  void add_contact_slopes(std::size_t i, const ConstMap& u, const ConstMap& v, Matrix& by_u,
-                          Matrix& by_v) const {
+  void add_contact_slopes(std::size_t i, const Holding& holding, const ConstMap& u, const ConstMap& v,
+                          Matrix& by_u, Matrix& by_v) const {
     const Contact& c = system_.contacts[i];
     const contact::ContactFrame f = contact_frame(c, u, v);
     const contact::ForceSlopes slopes = force_slopes(i, f.penetration, f.closing_speed);
@@ -269,7 +274,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
     const contact::NormalForce force = normal_force(i, f.penetration, f.closing_speed);
     const double mu = coefficient(i, f), mu_by_v = coefficient_slope(i, f);
     const bool sticks = this->touches_dry(i) && slips_[i] == contact::Slip::sticking;
-    const double friction_n = sticks ? held_[i].force_n : mu * force.spring_n;
+    const double friction_n = sticks ? holding.force_n(i) : mu * force.spring_n;
     const Eigen::Vector2d n(f.cosine, f.sine), t(-f.sine, f.cosine);
     Eigen::Matrix2d by_d =
         n * (slopes.total_by_p * n + slopes.total_by_v * f.sliding_speed * f.curvature * t).transpose();
@@ -292,4 +297,4 @@ class Dynamics : public ContactStates<N, Smoothed> {
   mutable long rhs_calls_ = 0;
 };
 
-}  // namespace rubsweep::integrate::adaptive
+}  // namespace rubsweep::integrate::law

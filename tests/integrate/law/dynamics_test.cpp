@@ -1,4 +1,4 @@
-#include "rubsweep/integrate/adaptive/dynamics.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "support/set_a_cell.hpp"
 #include "support/simple_scenes.hpp"
 
-namespace rubsweep::integrate::adaptive {
+namespace rubsweep::integrate::law {
 namespace {
 
 using test::OneSideEquations;
@@ -166,4 +166,4 @@ TEST(ScaledSystem, RefusesTheWrongSize) {
 }
 
 }  // namespace
-}  // namespace rubsweep::integrate::adaptive
+}  // namespace rubsweep::integrate::law

@@ -5,7 +5,7 @@
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 
-namespace rubsweep::integrate::adaptive {
+namespace rubsweep::integrate::law {
 
 /// The motion of the rotor against the casing at one contact, from the coordinates `u` and their rates `v`.
 template <int N>
@@ -41,4 +41,4 @@ Eigen::Matrix<double, N, 1> tangential_push(const run::ScaledContact<N>& c, cons
   return f.cosine * c.second_push - f.sine * c.first_push;
 }
 
-}  // namespace rubsweep::integrate::adaptive
+}  // namespace rubsweep::integrate::law

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -9,10 +8,11 @@
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/dry_friction.hpp"
 #include "rubsweep/contact/friction_law.hpp"
-#include "rubsweep/integrate/adaptive/contact_motion.hpp"
+#include "rubsweep/integrate/law/contact_motion.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/numerics/orthogonal.hpp"
 
-namespace rubsweep::integrate::adaptive {
+namespace rubsweep::integrate::law {
 
 /// Discrete states of a system's contacts: the mode of each, and with dry friction, which jumps where the
 /// slip reverses, its slip: one way, the other, or sticking at the slip that it has, with the holding forces
@@ -29,8 +29,7 @@ class ContactStates {
       : system_(system),
         modes_(system.contacts.size(), contact::Mode::open),
         slips_(system.contacts.size(), contact::Slip::forward),
-        poised_(system.contacts.size(), false),
-        held_(system.contacts.size()) {
+        poised_(system.contacts.size(), false) {
     for (const Contact& c : system.contacts) {
       dry_.push_back(contact::dry_coefficient(c.friction));
       any_dry_ = any_dry_ || dry_.back() > 0;
@@ -74,32 +73,51 @@ class ContactStates {
   void leave_unsettled(bool so) { unsettled_ = so; }
   bool unsettled() const { return unsettled_; }
 
+  /// Holding friction of a contact that sticks, newtons along its tangent, and the second derivative of its
+  /// distance along the normal.
+  struct Held {
+    double force_n = 0, normal_acceleration = 0;
+  };
+
+  /// Those of the contacts that stick, in the order of `stuck`.
+  struct Holding {
+    Stuck stuck;
+    std::array<Held, contact::most_sticking> held{};
+
+    /// Zero for a contact that does not stick.
+    double force_n(std::size_t contact) const {
+      for (std::size_t k = 0; k < stuck.count; ++k)
+        if (stuck.list[k] == contact) return held[k].force_n;
+      return 0;
+    }
+  };
+
   /// Adds the friction that holds the contacts that stick to a rate without it.
   template <class State>
-  void hold(const State& state, State& rate) const {
-    if (Smoothed || !any_dry_) return;
-    const Stuck stuck = stuck_contacts();
-    if (stuck.count == 0) return;
+  Holding hold(const State& state, State& rate) const {
+    Holding holding;
+    if (Smoothed || !any_dry_) return holding;
+    holding.stuck = stuck_contacts();
+    const Stuck& stuck = holding.stuck;
+    if (stuck.count == 0) return holding;
     const Eigen::Index n = system_.coordinates();
     const contact::StickVector force =
         contact::holding_forces(mobility(stuck, state), accelerations(stuck, state, rate));
     Map acceleration(&rate[0] + n, n);
     for (std::size_t k = 0; k < stuck.count; ++k) {
       const std::size_t i = stuck.list[k];
-      held_[i].force_n = force(static_cast<Eigen::Index>(k));
-      acceleration += held_[i].force_n * tangential_push(system_.contacts[i], frame_at(i, state));
+      holding.held[k].force_n = force(static_cast<Eigen::Index>(k));
+      acceleration += holding.held[k].force_n * tangential_push(system_.contacts[i], frame_at(i, state));
     }
     for (std::size_t k = 0; k < stuck.count; ++k) {
       const std::size_t i = stuck.list[k];
       const contact::ContactFrame f = frame_at(i, state);
-      held_[i].normal_acceleration = f.cosine * system_.contacts[i].first_row.dot(acceleration.transpose()) +
-                                     f.sine * system_.contacts[i].second_row.dot(acceleration.transpose());
+      holding.held[k].normal_acceleration =
+          f.cosine * system_.contacts[i].first_row.dot(acceleration.transpose()) +
+          f.sine * system_.contacts[i].second_row.dot(acceleration.transpose());
     }
+    return holding;
   }
-
-  /// Friction that held contact `i`, which sticks, where the rate was last asked for; newtons along its
-  /// tangent.
-  double holding_force_n(std::size_t i) const { return held_[i].force_n; }
 
   /// Slip of contact `i` in scaled units, and how fast it changes at a rate of the state.
   template <class State>
@@ -174,11 +192,6 @@ class ContactStates {
  protected:
   using Contact = run::ScaledContact<N>;
 
-  /// Holding friction of a contact that sticks, and the second derivative of its distance along the normal.
-  struct Held {
-    double force_n = 0, normal_acceleration = 0;
-  };
-
   template <class State>
   contact::ContactFrame frame_at(std::size_t i, const State& state) const {
     const Eigen::Index n = system_.coordinates();
@@ -188,28 +201,28 @@ class ContactStates {
   /// With t the tangent and s = t . d' the sliding speed, a contact that sticks has t . d'' = s r' / r. Small
   /// changes obey the derivative of that, by the forces that it takes.
   template <class State>
-  void hold_slopes(const State& state, Matrix& by_u, Matrix& by_v) const {
-    const Stuck stuck = stuck_contacts();
+  void hold_slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
+    const Stuck& stuck = holding.stuck;
     if (stuck.count == 0) return;
     const auto count = static_cast<Eigen::Index>(stuck.count);
     Eigen::MatrixXd need_u(count, by_u.cols()), need_v(count, by_u.cols()), push(by_u.rows(), count);
     for (Eigen::Index k = 0; k < count; ++k) {
       const std::size_t i = stuck.list[static_cast<std::size_t>(k)];
+      const double normal_acceleration = holding.held[static_cast<std::size_t>(k)].normal_acceleration;
       const Contact& c = system_.contacts[i];
       const contact::ContactFrame f = frame_at(i, state);
       const auto along = tangential_row(system_.contacts[i], f);
       const Eigen::Matrix<double, 1, N> across = f.cosine * c.first_row + f.sine * c.second_row;
       const double q = f.curvature, s = f.sliding_speed, v = f.closing_speed;
-      // Gradient of s: t . w' - v q t . w; of r': n . w' + s q t . w; of the tangent: -q (t . w) n.
-      need_u.row(k) = along * by_u - (held_[i].normal_acceleration * q + (s * s - v * v) * q * q) * along +
-                      s * v * q * q * across;
+      // Of s: t . w' - v q t . w. Of r': n . w' + s q t . w. Of the tangent: -q (t . w) n.
+      need_u.row(k) =
+          along * by_u - (normal_acceleration * q + (s * s - v * v) * q * q) * along + s * v * q * q * across;
       need_v.row(k) = along * by_v - v * q * along - s * q * across;
       push.col(k) = tangential_push(system_.contacts[i], f);
     }
     const Eigen::MatrixXd mobility_of_all = mobility(stuck, state);
-    const auto solver = mobility_of_all.completeOrthogonalDecomposition();
-    by_u += push * solver.solve(need_u);
-    by_v += push * solver.solve(need_v);
+    by_u += push * numerics::least_norm_solution(mobility_of_all, need_u);
+    by_v += push * numerics::least_norm_solution(mobility_of_all, need_v);
   }
 
   const run::ScaledSystem<N>& system_;
@@ -217,7 +230,6 @@ class ContactStates {
   std::vector<contact::Slip> slips_;
   std::vector<double> dry_;  ///< coefficients
   std::vector<bool> poised_;
-  mutable std::vector<Held> held_;
   /// Rate of the surface speeds over these themselves; zero at a steady speed.
   double surface_growth_ = 0;
 
@@ -225,4 +237,4 @@ class ContactStates {
   bool any_dry_ = false, unsettled_ = false;
 };
 
-}  // namespace rubsweep::integrate::adaptive
+}  // namespace rubsweep::integrate::law

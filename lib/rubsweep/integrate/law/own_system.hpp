@@ -2,7 +2,7 @@
 
 #include "rubsweep/integrate/run/scaled_system.hpp"
 
-namespace rubsweep::integrate::adaptive {
+namespace rubsweep::integrate::law {
 
 /// A copy that a right-hand side may change as it goes, for a base of it that refers to one: it must be there
 /// before that base is.
@@ -12,4 +12,4 @@ struct OwnSystem {
   run::ScaledSystem<N> own;
 };
 
-}  // namespace rubsweep::integrate::adaptive
+}  // namespace rubsweep::integrate::law

@@ -1,4 +1,4 @@
-#include "rubsweep/integrate/adaptive/settle_slips.hpp"
+#include "rubsweep/integrate/law/settle_slips.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "support/simple_scenes.hpp"
 
-namespace rubsweep::integrate::adaptive {
+namespace rubsweep::integrate::law {
 namespace {
 
 using contact::Mode;
@@ -50,9 +50,10 @@ TEST(SettleSlips, WhatStandsSticksUntilTheSpringIsStronger) {
   // Friction up to 0.5 x 100 x 0.02 = 1 against a spring of 1.
   Pressed near(0.9, -0.3);
   EXPECT_EQ(near.entered(), Slip::sticking);
-  near.law(near.state, near.rate, 0);
+  near.law.loose(near.state, near.rate, 0);
+  const auto holding = near.law.hold(near.state, near.rate);
   EXPECT_NEAR(near.rate[3], 0, 1e-15);
-  EXPECT_NEAR(near.law.holding_force_n(0), -0.9, 1e-15);
+  EXPECT_NEAR(holding.force_n(0), -0.9, 1e-15);
   // The spring pulls the rotor, and its surface with it, towards -y.
   EXPECT_EQ(Pressed(1.1, -0.3).entered(), Slip::backward);
   EXPECT_EQ(Pressed(-1.1, -0.3).entered(), Slip::forward);
@@ -75,4 +76,4 @@ TEST(SettleSlips, ChangesLoseTheirSlipWhereAContactBeginsToStick) {
 }
 
 }  // namespace
-}  // namespace rubsweep::integrate::adaptive
+}  // namespace rubsweep::integrate::law
