@@ -21,6 +21,7 @@
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/explain_study.hpp"
+#include "rubsweep/report/motion_kinds_csv.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep_arguments.hpp"
@@ -92,6 +93,10 @@ int verify(const RubsweepArguments& arguments) {
 int perform(const RubsweepArguments& arguments) {
   if (arguments.verified) return verify(arguments);
   if (answered("rubsweep", arguments.action, rubsweep_help)) return done;
+  if (arguments.motion_kinds) {
+    print("{}", report::motion_kinds_csv());
+    return done;
+  }
   if (arguments.status) {
     print("{}", map_status(*arguments.status));
     return done;

@@ -22,7 +22,9 @@ po::options_description visible_options() {
                         "of --figure: cells fade by robust_share, of response.robustness probability");
   add_threads(options, "threads; 0: one per processor");
   add_set(options);
-  options.add_options()("status", po::value<std::string>()->value_name("DIR"),
+  options.add_options()("motion-kinds",
+                        "instead: print the kinds of motion, their colours and signs, as CSV")(
+      "status", po::value<std::string>()->value_name("DIR"),
                         "instead: say how far the map in DIR is, of which shards, and who is at work");
   options.add_options()("fresh",
                         "forget what earlier runs finished, a finished map included, and start over")(
@@ -70,12 +72,18 @@ void read_division(const po::variables_map& given, RubsweepArguments& arguments)
   if (arguments.action == Action::run) arguments.figure = figure_of(given);
 }
 
-/// It looks at a directory as it is, and needs nothing else.
-RubsweepArguments verify_arguments(const po::variables_map& given) {
-  for (const auto& [name, value] : given) {
-    if (!value.defaulted() && name != "verify" && name != "quiet")
-      throw UsageError("--verify DIR goes alone, or with --quiet");
+/// Of options that ask for no sweep: `name` is given, and goes alone or with --quiet.
+bool asks_for(const char* name, const po::variables_map& given) {
+  if (given.count(name) == 0 || given.count("help") != 0 || given.count("version") != 0) return false;
+  for (const auto& [other, value] : given) {
+    if (!value.defaulted() && other != name && other != "quiet")
+      throw UsageError(fmt::format("--{}: is asked for alone, allowed: without {}", name,
+                                   other == "config" ? "CONFIG.yaml" : "--" + other));
   }
+  return true;
+}
+
+RubsweepArguments verify_arguments(const po::variables_map& given) {
   RubsweepArguments arguments;
   arguments.verified = given["verify"].as<std::string>();
   arguments.quiet = given.count("quiet") != 0;
@@ -86,18 +94,16 @@ RubsweepArguments verify_arguments(const po::variables_map& given) {
 
 RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
   const po::variables_map given = read_study_command_line(argc, argv, visible_options());
-  if (given.count("verify") != 0 && given.count("help") == 0 && given.count("version") == 0)
-    return verify_arguments(given);
-  if (given.count("status") != 0 && given.count("help") == 0 && given.count("version") == 0) {
-    for (const auto& [name, value] : given) {
-      if (name != "status" && name != "quiet" && !value.defaulted())
-        throw UsageError(
-            fmt::format("--status: is asked for alone, allowed: rubsweep --status DIR, without {}",
-                        name == "config" ? "CONFIG.yaml" : "--" + name));
-    }
+  if (asks_for("verify", given)) return verify_arguments(given);
+  if (asks_for("status", given)) {
     RubsweepArguments status;
     status.status = given["status"].as<std::string>();
     return status;
+  }
+  if (asks_for("motion-kinds", given)) {
+    RubsweepArguments kinds;
+    kinds.motion_kinds = true;
+    return kinds;
   }
   RubsweepArguments arguments{study_arguments(given, "rubsweep")};
   if (arguments.action == Action::help || arguments.action == Action::version) return arguments;

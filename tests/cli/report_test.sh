@@ -41,15 +41,14 @@ https://www.debian.org
 TEXT
 ! grep -qiE '<(link|iframe|object|embed|base|img)\b|<script[^>]+src|@import|@font-face|srcset=' map/report.html ||
   fail 'the page loads something'
-# Colours are those of the figures.
+# Kinds and colours are those of the figures and of the terminal.
+expect_exit 0 --motion-kinds
+(($(wc -l <stdout) == 20)) || fail 'not every kind has a row'
 grep -oE '^array colour.*|^  "#.*' "$top/scripts/rubplot/templates/motion_kinds.gp" | grep -oE '#[0-9A-F]{6}' >figure_colours
-sed -n '/^const kinds/,/^];/p' "$top/lib/rubsweep/page/template/palette.js" | grep -oE ' colour: "#[0-9A-F]{6}' |
-  grep -oE '#.*' >page_colours
-(($(wc -l <page_colours) == 19)) || fail 'not every kind has a colour'
-grep -vxF -f page_colours figure_colours >other_colours || true
-expect_empty other_colours
-diff <(grep -oE '0x[0-9A-F]{6}' "$top/lib/rubsweep/report/terminal_map.cpp" | sed 's/0x/#/' | sort -u) \
-  <(sort -u figure_colours) >&2 || fail 'other colours on a terminal'
+diff <(tail -n +2 stdout | cut -d, -f3) figure_colours >&2 || fail 'figures have other colours'
+expect_contains map/report.html '"motion_kinds":[{"name":"non_contact","label":"no contact","colour":"#F4F4F4"'
+expect_exit 1 --motion-kinds "$minimal"
+expect_contains stderr '--motion-kinds: is asked for alone, allowed: without CONFIG.yaml'
 
 # Fewer motions than cells: the index says so.
 report_exit 0 map --orbits 2 --output few.html --quiet

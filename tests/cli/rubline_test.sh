@@ -62,7 +62,7 @@ expect_exit 0 "${heavier[@]}" --speed-hz 90 --unbalance-g-mm 240 --output by_opt
 expect_exit 0 "${heavier[@]}" --set 'sweep={speed_hz: {values: [90]}, unbalance_g_mm: {values: [240]}}' --output by_sweep
 [[ $(count_rows by_option/line.csv 'abs(eccentricity_m * value - 240e-6) < 1e-18') == 2 ]] || fail 'another unbalance'
 # Behind the columns of a map the sweep's own unit has one.
-diff <(grep '^kick,' by_option/line.csv | cut -d, -f3-30) <(grep '^kick,' by_sweep/line.csv | cut -d, -f3-30) ||
+diff <(grep '^kick,' by_option/line.csv | cut -d, -f3-31) <(grep '^kick,' by_sweep/line.csv | cut -d, -f3-31) ||
   fail 'the unbalance of the sweep is another'
 
 # Along the unbalance and along any number.
@@ -99,14 +99,14 @@ expect_exit 2 axes.yaml --along kick.force_n
 expect_contains stderr 'axes.yaml:6:6: sweep.y: stops.0.casing.mass_kg has 2 values'
 expect_exit 0 axes.yaml --along kick.force_n --set sweep.y.values=[0.06] --output along_x --quiet
 rubsweep=$sweep expect_exit 0 axes.yaml --output axes_map --quiet
-[[ $(grep '^kick,' along_x/line.csv | cut -d, -f2-) == "$(rows axes_map/map.csv | tail -n 3 | awk -F, -v OFS=, '{v = $29; NF = 28; print v, $0}')" ]] ||
+[[ $(grep '^kick,' along_x/line.csv | cut -d, -f2-) == "$(rows axes_map/map.csv | tail -n 3 | awk -F, -v OFS=, '{v = $30; NF = 29; print v, $0}')" ]] ||
   fail 'the rows along x are not those of the map'
 # Along either of two tied keys both change; an axis whose keys are set is left to them.
 expect_exit 0 axes.yaml --along rotor.damping_ratio --set kick.force_n=400 --output along_y --quiet
-[[ $(grep '^kick,' along_y/line.csv | cut -d, -f2-) == "$(rows axes_map/map.csv | sed -n '3p;6p' | awk -F, -v OFS=, '{v = $31; NF = 28; print v, $0}')" ]] ||
+[[ $(grep '^kick,' along_y/line.csv | cut -d, -f2-) == "$(rows axes_map/map.csv | sed -n '3p;6p' | awk -F, -v OFS=, '{v = $32; NF = 29; print v, $0}')" ]] ||
   fail 'the rows along y are not those of the map'
 expect_exit 0 axes.yaml --along speed_hz --set kick.force_n=400 --set sweep.y.values=[0.06] --output held --quiet
-[[ $(grep '^kick,' held/line.csv | cut -d, -f3-) == "$(rows axes_map/map.csv | tail -n 1 | cut -d, -f1-28)" ]] || fail 'other keys are held'
+[[ $(grep '^kick,' held/line.csv | cut -d, -f3-) == "$(rows axes_map/map.csv | tail -n 1 | cut -d, -f1-29)" ]] || fail 'other keys are held'
 
 # A cell that fails is a row.
 expect_exit 4 "$minimal" --along speed_hz --from 29 --to 31 --count 3 --whirl-ratio 0.2 --set rotor.damping_ratio=0 --up --output failed

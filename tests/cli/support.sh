@@ -17,7 +17,7 @@ cd "$work"
 header=speed_hz,whirl_ratio,eccentricity_m,class,order,orbit,whirl,proof,robust,comb_spacing,hits_per_revolution\
 ,contact_fraction,peak_displacement_m,peak_contact_force_n,amplitude_1x_forward_m,amplitude_1x_backward_m\
 ,dominant_order,dominant_amplitude_m,floquet_modulus,lyapunov_per_revolution,last_contact_revolution,revolutions,status,start\
-,peak_casing_displacement_m,peak_over_clearance,chaos_life_revolutions,chaos_escapes
+,peak_casing_displacement_m,peak_over_clearance,chaos_life_revolutions,chaos_escapes,kind
 
 # fail MESSAGE: ends the test, with the line that failed and what the program printed last.
 fail() {

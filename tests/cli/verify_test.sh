@@ -19,7 +19,7 @@ expect_empty stderr
 expect_exit 0 --verify map --quiet
 expect_empty stdout
 expect_exit 1 --verify map --threads 2
-expect_contains stderr '--verify DIR goes alone, or with --quiet'
+expect_contains stderr '--verify: is asked for alone, allowed: without --threads'
 expect_exit 1 "$minimal" --verify map
 expect_exit 3 --verify nowhere
 mkdir empty

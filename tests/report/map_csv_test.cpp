@@ -78,7 +78,7 @@ constexpr const char* contract =
     "m,"
     "dominant_order,dominant_amplitude_m,floquet_modulus,lyapunov_per_revolution,last_contact_revolution,"
     "revolutions,"
-    "status,start,peak_casing_displacement_m,peak_over_clearance,chaos_life_revolutions,chaos_escapes";
+    "status,start,peak_casing_displacement_m,peak_over_clearance,chaos_life_revolutions,chaos_escapes,kind";
 
 TEST(MapHeader, IsTheContract) { EXPECT_EQ(map_header(), contract); }
 
@@ -86,7 +86,7 @@ TEST(MapLine, OfARowWithEverything) {
   EXPECT_EQ(
       map_line(full_row()),
       "75,0.4,0.000336,subharmonic,2,oval,backward,observed,yes,,1.5,0.125,0.0025,1234.5,0.000456,2e-05,"
-      "-0.5,0.0015,,,600,600,ok,kick,3e-04,2.5,,");
+      "-0.5,0.0015,,,600,600,ok,kick,3e-04,2.5,,,subharmonic_2");
 }
 
 TEST(MapLine, HowTheRunStarted) {
@@ -98,7 +98,7 @@ TEST(MapLine, HowTheRunStarted) {
   EXPECT_EQ(by_column(map_line(row)).at("start"), "state");
   row.start = sweep::RunStart::contact;
   EXPECT_EQ(by_column(map_line(row)).at("start"), "contact");
-  EXPECT_TRUE(map_line(row).ends_with(",ok,contact,3e-04,2.5,,"));
+  EXPECT_TRUE(map_line(row).ends_with(",ok,contact,3e-04,2.5,,,subharmonic_2"));
 }
 
 TEST(MapLine, OfChaosHowLongItLasts) {

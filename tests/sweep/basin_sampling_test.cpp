@@ -55,7 +55,7 @@ TEST(BasinSampling, OfACellCountsItsOwnRuns) {
   for (std::size_t i = 0; i < 24; ++i) {
     Study own = one_side_study({75}, {0.4});
     own.machine.kick->force_n = draw(*study.basin, i).front().value;
-    ++counts[motion_name(evaluate_cell(own, 0, workspace))];
+    ++counts[class_and_order(evaluate_cell(own, 0, workspace))];
   }
   for (const Attractor& attractor : row.basins->attractors)
     counted[attractor.motion.name] += attractor.samples;

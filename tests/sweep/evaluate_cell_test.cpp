@@ -165,7 +165,7 @@ TEST(EvaluateCell, AGivenVelocityIsAKickOfNoLength) {
     started.machine.start = {.rotor = {.vy_m_per_s = quiet_m_per_s + impulse_ns / 0.8}};
     const Row by_kick = evaluate(kicked), by_start = evaluate(started);
     EXPECT_EQ(by_start.start, RunStart::state);
-    EXPECT_EQ(motion_name(by_start), motion_name(by_kick));
+    EXPECT_EQ(class_and_order(by_start), class_and_order(by_kick));
     ASSERT_TRUE(by_start.measures && by_kick.measures);
     EXPECT_NEAR(by_start.measures->contact.peak_displacement_m, by_kick.measures->contact.peak_displacement_m,
                 1e-8);

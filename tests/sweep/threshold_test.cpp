@@ -93,7 +93,7 @@ TEST(Threshold, OfACellIsWhereItsOwnRunChanges) {
     Study own = one_side_study({75}, {0.4});
     own.response.max_revolutions = 400;
     own.machine.kick->force_n = force_n;
-    return motion_name(evaluate_cell(own, 0, workspace));
+    return class_and_order(evaluate_cell(own, 0, workspace));
   };
   EXPECT_EQ(motion_after(first.from), first.motions.front());
   EXPECT_EQ(motion_after(first.from * (1 - 1e-3)), "non_contact");
@@ -157,7 +157,7 @@ TEST(Threshold, OfANumberOfTheRotorIsWhereItsOwnRunChanges) {
     Study own = with_force_and_frequency(one_side_study({75}, {0.4}),
                                          std::vector{KeyValue{"rotor.natural_frequency_hz", interval.from}});
     own.response.max_revolutions = 200;
-    EXPECT_EQ(motion_name(evaluate_cell(own, 0, workspace)), interval.motions.front());
+    EXPECT_EQ(class_and_order(evaluate_cell(own, 0, workspace)), interval.motions.front());
   }
 }
 

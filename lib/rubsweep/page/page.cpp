@@ -12,6 +12,7 @@
 #include "rubsweep/page/compressed.hpp"
 #include "rubsweep/page/encode_column.hpp"
 #include "rubsweep/page/json_text.hpp"
+#include "rubsweep/response/motion/motion_kind.hpp"
 
 namespace rubsweep::page {
 namespace {
@@ -125,7 +126,21 @@ std::string byline(const batch::Captions& captions) {
   return captions.author + (both ? ": " : "") + captions.note;
 }
 
-/// Index that the script needs to read the data after it.
+/// As response::motion::motion_kinds has them.
+json::array motion_kinds() {
+  json::array kinds;
+  const auto css = [](std::uint32_t colour) { return fmt::format("#{:06X}", colour); };
+  for (const response::motion::MotionKind& kind : response::motion::motion_kinds)
+    kinds.push_back(json::object{{"name", kind.name},
+                                 {"label", kind.label},
+                                 {"colour", css(kind.colour)},
+                                 {"dark", css(kind.dark_colour)},
+                                 {"hatched", kind.hatched},
+                                 {"settled_rub", kind.settled_rub}});
+  return kinds;
+}
+
+/// What the script must know to read the data that follow.
 json::object index(const PageContents& contents, const std::vector<EncodedColumn>& columns) {
   const ThinnedGrid& kept = contents.kept;
   json::object orbits{{"recorded", contents.orbits.recorded},
@@ -139,6 +154,7 @@ json::object index(const PageContents& contents, const std::vector<EncodedColumn
     names.push_back(json::object{{"name", contents.map.columns[i].name}, {"words", words(columns[i].words)}});
   return {{"version", contents.version},
           {"digest", contents.map.digest},
+          {"motion_kinds", motion_kinds()},
           {"across", contents.plane[0].name},
           {"speed_hz", numbers(contents.plane[0].values)},
           {"measure", contents.plane[1].name},

@@ -45,6 +45,8 @@ std::string measured(const Row& row) {
   return row.measures ? text_of(std::invoke(get, *row.measures)) : std::string();
 }
 
+std::string kind_name(const Row& row) { return std::string(sweep::kind_of(row).name); }
+
 double hits_per_revolution(const Measures& m) { return static_cast<double>(m.contact.hits) / m.turns; }
 double contact_fraction(const Measures& m) { return m.contact.contact_fraction; }
 double peak_displacement_m(const Measures& m) { return m.contact.peak_displacement_m; }
@@ -116,6 +118,7 @@ constexpr std::array columns{
               of_row<least_mean_life>},
     MapColumn{"chaos_escapes", "", ignored, "chaotic: how often it or a companion left it while followed",
               of_row<escapes>},
+    MapColumn{"kind", "", ignored, "what figures part the motions by: class, order, shape", kind_name},
 };
 
 }  // namespace

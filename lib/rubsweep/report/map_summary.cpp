@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "rubsweep/error.hpp"
 #include "rubsweep/report/map_columns.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
 
@@ -45,6 +46,12 @@ std::string motion_name(std::string_view map_line) {
     name += whirl == "backward" ? " dry whip, backward" : fmt::format(" oval, {}", whirl);
   }
   return name;
+}
+
+const response::motion::MotionKind& kind_in(std::string_view map_line) {
+  static const std::size_t column = place_of_column("kind");
+  if (const auto* kind = response::motion::motion_kind_of(cell(map_line, column))) return *kind;
+  throw IoError(fmt::format("map.csv: '{}' is no kind of motion", cell(map_line, column)));
 }
 
 std::string label_of(std::string_view map_line) {

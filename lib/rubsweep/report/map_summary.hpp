@@ -5,12 +5,17 @@
 #include <string>
 #include <string_view>
 
+#include "rubsweep/response/motion/motion_kind.hpp"
+
 namespace rubsweep::report {
 
 /// Name of the motion of a row on a terminal: class and order, and the distinction between motions of one
 /// class that are not alike: a whip that rolls backward on its own force from an oval that the unbalance
 /// drives, a circle forward from one backward.
 std::string motion_name(std::string_view map_line);
+
+/// Its kind; throws IoError where the line has none.
+const response::motion::MotionKind& kind_in(std::string_view map_line);
 
 /// Class and order of a line of map.csv: equal for cells that a refined map takes for equal.
 std::string label_of(std::string_view map_line);

@@ -14,52 +14,37 @@ namespace {
 
 constexpr std::size_t most_rows = 20, label_width = 14;
 
-/// How the motions whose name begins so are shown; the first that fits. Colours as in
-/// scripts/rubplot/templates/motion_kinds.gp.
+/// A character of the map, and its kind.
 struct Sign {
-  std::string_view name;
   char character;
-  std::uint32_t rgb;
-  bool settled_rub = true;
+  const response::motion::MotionKind* kind;
 };
-constexpr std::array signs{
-    Sign{"non_contact", '.', 0xF4F4F4, false},  Sign{"synchronous circle, backward", '1', 0xF4A6B8},
-    Sign{"synchronous circle", '1', 0x4F9BD0},  Sign{"synchronous", '1', 0x88CCEE},
-    Sign{"quasi_periodic oval", 'o', 0xEE8866}, Sign{"quasi_periodic dry whip", 'w', 0x7A4F20},
-    Sign{"quasi_periodic", 'q', 0xAA4499},      Sign{"chaotic", '*', 0x000000},
-    Sign{"unsettled", '?', 0x555555, false},    Sign{"initial_contact", '#', 0x999999, false},
-    Sign{"failed", '!', 0xCC0000, false},       Sign{"resting_contact", 'r', 0xA8C686}};
-/// Colours of 1/2 to 1/7, and of longer periods.
-constexpr std::array<std::uint32_t, 7> subharmonic_rgb{0xCC6677, 0x332288, 0xDDCC77, 0x117733,
-                                                       0x882255, 0x44AA99, 0x999933};
 
-Sign sign_of(std::string_view name) {
+/// Subharmonic motions of up to nine turns show their order.
+Sign sign_of(std::string_view name, const response::motion::MotionKind& kind) {
   constexpr std::string_view subharmonic = "subharmonic 1/";
-  if (name.starts_with(subharmonic)) {
-    const std::string_view digits = name.substr(subharmonic.size());
-    const char digit = digits.size() == 1 ? digits.front() : '+';
-    const std::size_t order = digit == '+' ? 8 : static_cast<std::size_t>(digit - '0');
-    return {name, digit, subharmonic_rgb[std::clamp<std::size_t>(order, 2, 8) - 2]};
-  }
-  for (const Sign& sign : signs)
-    if (name.starts_with(sign.name)) return sign;
-  return {name, '?', 0x555555, false};
+  if (!name.starts_with(subharmonic)) return {kind.sign, &kind};
+  const std::string_view digits = name.substr(subharmonic.size());
+  return {digits.size() == 1 ? digits.front() : '+', &kind};
 }
 
 /// A character on the colour of its kind, black or white, whichever can be read on it.
 std::string shown(const Sign& sign, bool coloured) {
   if (!coloured) return std::string(1, sign.character);
-  const auto red = sign.rgb >> 16U & 0xFFU, green = sign.rgb >> 8U & 0xFFU, blue = sign.rgb & 0xFFU;
+  const std::uint32_t rgb = sign.kind->colour;
+  const auto red = rgb >> 16U & 0xFFU, green = rgb >> 8U & 0xFFU, blue = rgb & 0xFFU;
   const bool light = 299 * red + 587 * green + 114 * blue > 140'000;
   return fmt::format("\x1b[48;2;{};{};{}m\x1b[38;5;{}m{}\x1b[0m", red, green, blue, light ? 16 : 231,
                      sign.character);
 }
 
-/// Legend of the signs, by their characters; long periods share one entry.
-std::vector<std::pair<std::string, Sign>> legend_of(const std::vector<std::string>& names) {
+/// What each sign means, by its character; those of long periods together.
+std::vector<std::pair<std::string, Sign>> legend_of(
+    const std::vector<std::string>& names, const std::vector<const response::motion::MotionKind*>& kinds) {
   std::vector<std::pair<std::string, Sign>> legend;
-  for (const std::string& name : names) {
-    const Sign sign = sign_of(name);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string& name = names[i];
+    const Sign sign = sign_of(name, *kinds[i]);
     const std::string meaning = sign.character == '+' ? "subharmonic of more than 9 turns" : name;
     const bool known = std::ranges::any_of(legend, [&](const auto& entry) { return entry.first == meaning; });
     if (!known) legend.emplace_back(meaning, sign);
@@ -100,7 +85,9 @@ void TerminalMap::add(std::string_view map_line) {
   const std::string name = motion_name(map_line);
   const auto known = std::ranges::find(names_, name);
   cells_.push_back(static_cast<std::uint16_t>(known - names_.begin()));
-  if (known == names_.end()) names_.push_back(name);
+  if (known != names_.end()) return;
+  names_.push_back(name);
+  kinds_.push_back(&kind_in(map_line));
 }
 
 std::string TerminalMap::text(std::size_t width, bool coloured) const {
@@ -109,13 +96,16 @@ std::string TerminalMap::text(std::size_t width, bool coloured) const {
   const std::size_t room = std::max<std::size_t>(width, label_width + 20) - label_width - 1;
   const std::size_t columns = std::min(speeds, room), rows = std::min(unbalances, most_rows);
   std::string text, legend;
+  const auto sign_at = [this](std::size_t cell) {
+    return sign_of(names_[cells_[cell]], *kinds_[cells_[cell]]);
+  };
   for (std::size_t i = 0; i < rows; ++i) {
     const std::size_t row = middle_of(rows - 1 - i, rows, unbalances);
     const bool at_end = i == 0 || i == rows - 1;
     text += fmt::format("{:>{}} ", at_end ? label_of(grid_.written_unbalance, grid_.unbalance[row]) : "",
                         label_width);
     for (std::size_t k = 0; k < columns; ++k)
-      text += shown(sign_of(name(row * speeds + middle_of(k, columns, speeds))), coloured);
+      text += shown(sign_at(row * speeds + middle_of(k, columns, speeds)), coloured);
     text += '\n';
   }
   const std::string unit = grid_.written_speed.is_si() ? "Hz" : grid_.written_speed.unit,
@@ -125,7 +115,7 @@ std::string TerminalMap::text(std::size_t width, bool coloured) const {
   text += fmt::format("{:>{}} {}{:{}}{}\n", name_of_unbalance(grid_), label_width, from, "", between, to);
   text += scales_of(grid_);
   std::size_t used = 0;
-  for (const auto& [name, sign] : legend_of(names_)) {
+  for (const auto& [name, sign] : legend_of(names_, kinds_)) {
     const std::size_t size = name.size() + 4;
     if (used + size > width && used > 0) {
       legend += '\n';
@@ -151,7 +141,7 @@ std::optional<std::size_t> TerminalMap::typical_rub() const {
   }
   std::optional<std::size_t> most;
   for (std::size_t k = 0; k < names_.size(); ++k) {
-    if (!sign_of(names_[k]).settled_rub) continue;
+    if (!kinds_[k]->settled_rub) continue;
     if (!most || counts[k].cells > counts[*most].cells) most = k;
   }
   if (!most) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/response/motion/motion_kind.hpp"
 #include "rubsweep/sweep/grid.hpp"
 
 namespace rubsweep::report {
@@ -35,7 +36,8 @@ class TerminalMap {
  private:
   const sweep::Grid& grid_;
   std::vector<std::string> names_;
-  std::vector<std::uint16_t> cells_;  ///< number of its name
+  std::vector<const response::motion::MotionKind*> kinds_;  ///< of the names
+  std::vector<std::uint16_t> cells_;                        ///< number of its name
 };
 
 }  // namespace rubsweep::report

@@ -173,7 +173,7 @@ std::vector<KeyValue> with(std::vector<KeyValue> keys, std::vector<KeyValue> oth
 
 Probe probe_of(const Row& row) {
   return {response::motion::row_of(row.motion_class).rubs,
-          row.motion_class == response::motion::MotionClass::failed, motion_name(row)};
+          row.motion_class == response::motion::MotionClass::failed, class_and_order(row)};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/response/motion/motion_kind.hpp"
 #include "rubsweep/response/settle.hpp"
 #include "rubsweep/sweep/basin_sampling.hpp"
 #include "rubsweep/sweep/threshold.hpp"
@@ -73,7 +74,9 @@ struct Row {
 };
 
 /// Class and order of a motion, such as "subharmonic 1/2" or "chaotic".
-std::string motion_name(const Row& row);
+std::string class_and_order(const Row& row);
+
+const response::motion::MotionKind& kind_of(const Row& row);
 
 /// Adds a word to the status of a row, once.
 void add_status(Row& row, std::string_view word);

@@ -8,7 +8,7 @@ let view = null, present = [];
 function typicalCell() {
   const groups = new Map();
   data.kinds.forEach((kind, cell) => {
-    if (["non_contact", "initial_contact", "failed", "unsettled"].includes(kinds[kind].name)) return;
+    if (!kinds[kind].settled_rub) return;
     groups.set(kind, [...(groups.get(kind) || []), cell]);
   });
   const largest = [...groups.values()].sort((a, b) => b.length - a.length)[0];

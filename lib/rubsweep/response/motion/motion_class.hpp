@@ -21,8 +21,8 @@ enum class MotionClass {
   failed,
 };
 
-/// Properties of one class. Maps, summaries, comparisons and help texts read them here; the colours of
-/// figures are in scripts/rubplot/templates/motion_kinds.gp.
+/// All that is said about one class. Maps, summaries, comparisons and help texts read it here; colours are
+/// those of MotionKind.
 struct MotionClassRow {
   std::string_view word;         ///< its name in map.csv
   std::string_view description;  ///< for help texts
