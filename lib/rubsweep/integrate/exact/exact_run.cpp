@@ -32,9 +32,9 @@ template <int N>
 ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps)
     : motion_(scene, modes),
       scale_(run::state_scale(scene)),
-      clock_(scene, scale_.in_seconds()),
+      clock_(run::TurnClock::in_seconds(scene, scale_)),
       slip_(scene, modes->friction()),
-      watch_(*modes, scene, clock_.period_s()),
+      watch_(*modes, scene, clock_.period()),
       max_steps_(max_steps) {
   const std::vector<double> start = scale_.in_seconds().state(scene.displacement_m, scene.velocity_m_per_s);
   turn_start_ = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
@@ -111,7 +111,7 @@ bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const st
   clock_.go_to_phase(phase_rad);
   clock_.change_pulses();
   motion_.carry_no_tangents();
-  motion_.set_phases(phase_rad, clock_.pulses(), clock_.time_s());
+  motion_.set_phases(phase_rad, clock_.pulses(), clock_.time());
   if (!motion_.enter(*saturated, physical) || !slip_.begin(motion_, physical, stretch_to_join)) return false;
   unsaturated_ = false;
   standstill_ = 0;
@@ -177,17 +177,16 @@ run::Outcome ExactRun<N>::end_turn(run::TurnReport& report) {
 /// Steps one after the other, only one where something is watched, and the events that end them.
 template <int N>
 run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
-  watch_.start_step(motion_, clock_.time_s(), report);
+  watch_.start_step(motion_, clock_.time(), report);
   const bool watched = watch_.wanted();
-  const double boundary = std::min(clock_.next_boundary_s(), watch_.boundary_s(motion_)),
+  const double boundary = std::min(clock_.next_boundary(), watch_.boundary_s(motion_)),
                reach = watch_.reach_s(motion_), longest_step = watch_.longest_step_s(motion_);
   for (;;) {
-    const double until = boundary - clock_.time_s();
-    StepChoice choice =
-        choose_step(motion_, {.until_s = until,
-                              .reach_s = reach,
-                              .shortest_to_annular_s = shortest_to_annular * clock_.period_s(),
-                              .same_instant_s = same_instant * clock_.period_s()});
+    const double until = boundary - clock_.time();
+    StepChoice choice = choose_step(motion_, {.until_s = until,
+                                              .reach_s = reach,
+                                              .shortest_to_annular_s = shortest_to_annular * clock_.period(),
+                                              .same_instant_s = same_instant * clock_.period()});
     ++effort_.steps;
     if (choice.annular) return run::Outcome::no_closed_form;
     if (!renew_slip_watch(choice)) return run::Outcome::unsaturated;
@@ -195,7 +194,7 @@ run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
       land(report, choice.crossing, choice.step_s);
       return switch_mode(report, choice.crossing) ? run::Outcome::ok : without_closed_form();
     }
-    const double step = std::max(std::min(choice.step_s, longest_step), shortest_step * clock_.period_s());
+    const double step = std::max(std::min(choice.step_s, longest_step), shortest_step * clock_.period());
     if (!(step < until)) return reach_boundary(report, boundary);
     const int k = numerics::exact_step_below(step * motion_.mode().longest_steps_per_s);
     if (k < numerics::exact_step_count) {
@@ -207,13 +206,13 @@ run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
     }
     standstill_ = 0;
     if (!std::isfinite(motion_.free()(0))) return run::Outcome::non_finite;
-    if (watched || effort_.steps >= step_limit_ || !(clock_.time_s() < boundary)) return run::Outcome::ok;
+    if (watched || effort_.steps >= step_limit_ || !(clock_.time() < boundary)) return run::Outcome::ok;
   }
 }
 
 template <int N>
 run::Outcome ExactRun<N>::reach_boundary(run::TurnReport& report, double boundary_s) {
-  const double until = boundary_s - clock_.time_s();
+  const double until = boundary_s - clock_.time();
   motion_.step_by(until);
   passed(report, until);
   clock_.go_to(boundary_s);
@@ -228,7 +227,7 @@ template <int N>
 bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
   if (clock_.change_pulses()) {
     const State here = motion_.physical();
-    motion_.set_phases(clock_.phase_rad(), clock_.pulses(), clock_.time_s());
+    motion_.set_phases(clock_.phase_rad(), clock_.pulses(), clock_.time());
     if (!motion_.enter(motion_.joint(), here) || !begin_motion(here)) return false;
   }
   return !clock_.impulse_is_due() || apply_impulses(report);
@@ -256,14 +255,14 @@ void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
       report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
     report.contact_fraction += clock_.turns(duration_s);
   }
-  watch_.end_step(motion_, clock_.time_s(), duration_s, report);
+  watch_.end_step(motion_, clock_.time(), duration_s, report);
 }
 
 template <int N>
 void ExactRun<N>::land(run::TurnReport& report, std::size_t e, double latest_s) {
   const double duration_s = motion_.land(e, latest_s);
   passed(report, duration_s);
-  standstill_ = duration_s > shortest_step * clock_.period_s() ? 0 : standstill_ + 1;
+  standstill_ = duration_s > shortest_step * clock_.period() ? 0 : standstill_ + 1;
 }
 
 template <int N>

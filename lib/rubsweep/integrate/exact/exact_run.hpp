@@ -7,10 +7,10 @@
 #include "rubsweep/integrate/exact/exact_motion.hpp"
 #include "rubsweep/integrate/exact/slip_watch.hpp"
 #include "rubsweep/integrate/exact/step_choice.hpp"
-#include "rubsweep/integrate/exact/turn_clock.hpp"
 #include "rubsweep/integrate/exact/turn_watch.hpp"
 #include "rubsweep/integrate/run/outcome.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/integrate/run/turn_clock.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -93,7 +93,7 @@ class ExactRun {
 
   Motion motion_;
   run::StateScale scale_;  ///< of sections
-  TurnClock clock_;
+  run::TurnClock clock_;   ///< in seconds
   SlipWatch<N> slip_;
   TurnWatch<N> watch_;
   long max_steps_ = 0;   ///< of a turn

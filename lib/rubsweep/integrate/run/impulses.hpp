@@ -9,6 +9,14 @@
 
 namespace rubsweep::integrate::run {
 
+/// Adds an impulse to the velocities of a state of `scale`, u then u', with whatever stands behind them.
+template <class State>
+void add_impulse(const Eigen::VectorXd& jump_m_per_s, const StateScale& scale, State& state) {
+  const auto n = static_cast<std::size_t>(jump_m_per_s.size());
+  for (std::size_t j = 0; j < n; ++j)
+    state[n + j] += jump_m_per_s(static_cast<Eigen::Index>(j)) / scale.unit_velocity_m_per_s();
+}
+
 /// The impulses of a scene, turn by turn. Instants repeat to the last bit where a whole number of impulses
 /// fits into a turn.
 class Impulses {
@@ -28,16 +36,10 @@ class Impulses {
   /// Velocity jump of the next impulse, an increment of q' in m/s; advances to the impulse after it.
   const Eigen::VectorXd& take() { return trains_[instants_[next_++].train].jump_m_per_s; }
 
-  /// Takes every impulse up to `phase_rad` and adds it to the velocities of a state of `scale`, u then u',
-  /// with whatever stands behind them.
+  /// Takes every impulse up to `phase_rad` and adds it to a state of `scale`.
   template <class State>
   void take_all(double phase_rad, const StateScale& scale, State& state) {
-    while (phase_rad >= next_phase_rad()) {
-      const Eigen::VectorXd& jump_m_per_s = take();
-      const auto n = static_cast<std::size_t>(jump_m_per_s.size());
-      for (std::size_t j = 0; j < n; ++j)
-        state[n + j] += jump_m_per_s(static_cast<Eigen::Index>(j)) / scale.unit_velocity_m_per_s();
-    }
+    while (phase_rad >= next_phase_rad()) add_impulse(take(), scale, state);
   }
 
  private:

@@ -29,8 +29,7 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       dynamics_(system_, 0),
       motion_(system_, series),
       tangents_(system_),
-      pulses_(scene, system_.scale, full_turn),
-      impulses_(scene),
+      clock_(run::TurnClock::in_radians(scene, system_.scale)),
       structure_rate_(numerics::spectral_radius(numerics::generator_of(system_.stiffness, system_.damping))),
       creep_(series.creep_above),
       max_steps_(run::most_pieces_of_a_turn(options)),
@@ -39,7 +38,7 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       probe_(state_.size()),
       states_(static_cast<std::size_t>(most_peak_states) * state_.size()),
       zero_terms_(system_.contacts.size(), 0) {
-  dynamics_.follow(pulses_);
+  dynamics_.follow(clock_.pulses());
 }
 
 template <int N>
@@ -54,17 +53,14 @@ run::Outcome TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnRep
                                    double end_phase) {
   report.clear();
   ask(request);
-  phase_ = 0;
-  end_phase_ = end_phase;
   if (samples_wanted_ > 0) report.samples.resize(static_cast<std::size_t>(samples_wanted_) * state_.size());
-  pulses_.begin_turn(revolution_);
-  if (!impulses_.none()) impulses_.begin_turn(revolution_);
-  if (!entered_) enter_by_state(0);
+  clock_.begin_turn(revolution_, end_phase);
+  if (!entered_) enter_by_state();
   entered_ = true;
   begin_tangents(request.tangent_vectors, request.tangent_accuracy);
   run::Outcome ending = run::Outcome::ok;
-  while (ending == run::Outcome::ok && phase_ < end_phase_) {
-    if (phase_ >= impulses_.next_phase_rad()) apply_impulses(report);
+  while (ending == run::Outcome::ok && !clock_.turn_is_over()) {
+    if (clock_.impulse_is_due()) apply_impulses(report);
     ending = go_on(report);
   }
   return end(report, ending);
@@ -95,15 +91,14 @@ void TaylorRun<N>::join(const run::TurnRequest& request, long revolution, double
                         std::span<const double> state, const std::vector<contact::Mode>& modes,
                         const Eigen::MatrixXd& tangent_vectors) {
   ask(request);
-  phase_ = phase_rad;
-  end_phase_ = full_turn;
   revolution_ = revolution;
-  pulses_.begin_turn(revolution_);
-  pulses_.go_to(phase_);
+  clock_.begin_turn(revolution_);
+  clock_.go_to(phase_rad);
+  clock_.change_pulses();
   std::copy(state.begin(), state.end(), state_.begin());
   dynamics_.modes() = modes;
   std::ranges::fill(zero_terms_, 0);
-  law::enter_slips_by_state(dynamics_, state_, rate_, phase_);
+  law::enter_slips_by_state(dynamics_, state_, rate_, clock_.time());
   entered_ = true;
   begin_tangents(tangent_vectors, request.tangent_accuracy);
 }
@@ -126,8 +121,9 @@ run::Outcome TaylorRun<N>::end(run::TurnReport& report, run::Outcome ending) {
 
 /// Modes by the state alone.
 template <int N>
-void TaylorRun<N>::enter_by_state(double phase) {
-  pulses_.go_to(phase);
+void TaylorRun<N>::enter_by_state() {
+  clock_.change_pulses();
+  const double phase = clock_.time();
   std::ranges::fill(dynamics_.modes(), Mode::open);
   std::ranges::fill(zero_terms_, 0);
   dynamics_(state_, rate_, phase);
@@ -142,11 +138,6 @@ void TaylorRun<N>::project_tangents() {
 }
 
 template <int N>
-double TaylorRun<N>::next_boundary() const {
-  return std::min({end_phase_, impulses_.next_phase_rad(), pulses_.next_change()});
-}
-
-template <int N>
 double TaylorRun<N>::longest_step(double fastest) const {
   if (tangents_.count() == 0) return longest_times_fastest / fastest;
   return longest_of_tangents_ / (fastest + 2 * fastest_normal(motion_, dynamics_.modes()));
@@ -155,12 +146,12 @@ double TaylorRun<N>::longest_step(double fastest) const {
 template <int N>
 run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
   if (dynamics_.unsettled()) return run::Outcome::friction_unsettled;
-  pulses_.go_to(phase_);
+  clock_.change_pulses();
   creep_.end(motion_, dynamics_);
   expand(state_);
   ++effort_.steps;
   const double fastest = fastest_rate(structure_rate_, motion_, dynamics_.modes());
-  const double boundary = next_boundary(), left = boundary - phase_;
+  const double boundary = clock_.next_boundary(), left = boundary - clock_.time();
   double ratio = friction_ratio(motion_, dynamics_, state_);
   const bool creeps = let_creep(fastest, ratio);
   if (creeps) ratio = friction_ratio(motion_, dynamics_, state_);
@@ -172,7 +163,7 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
   if (standstill_ >= longest_standstill) {
     // Without progress a landing is not repeated: its instant is stepped over.
     const double instant = std::min(same_instant, left);
-    take(report, fastest, instant, instant < left ? phase_ + instant : boundary);
+    take(report, fastest, instant, instant < left ? clock_.time() + instant : boundary);
     switch_modes(report, {});
     standstill_ = 0;
     return run::Outcome::ok;
@@ -182,7 +173,10 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
   const JointEvent event = first_event(motion_, dynamics_, zero_terms_, duration);
   const bool cut = event.share < 1 || event.contact;
   duration *= event.share;
-  if (!take(report, fastest, duration, cut ? phase_ + duration : limited ? boundary : phase_ + duration)) {
+  if (!take(report, fastest, duration,
+            cut       ? clock_.time() + duration
+            : limited ? boundary
+                      : clock_.time() + duration)) {
     creep_.wait();
     --effort_.steps;
     return step(report);
@@ -197,7 +191,7 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
 template <int N>
 void TaylorRun<N>::expand(const std::vector<double>& state) {
   ++effort_.taylor_expansions;
-  motion_.expand(state.data(), phase_, pulses_, dynamics_.modes(), dynamics_.slips());
+  motion_.expand(state.data(), clock_.time(), clock_.pulses(), dynamics_.modes(), dynamics_.slips());
 }
 
 /// Expands anew with contacts that creep, or leaves the expansion as it is.
@@ -219,7 +213,7 @@ bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration
   put_samples(report, end_phase);
   watch(report, fastest, duration);
   motion_.series().put_state(duration, state_.data());
-  phase_ = end_phase;
+  clock_.go_to(end_phase);
   std::ranges::fill(zero_terms_, 0);
   return true;
 }
@@ -231,7 +225,7 @@ void TaylorRun<N>::put_samples(run::TurnReport& report, double end_phase) {
   int& next = report.sample_count;
   while (next < samples_wanted_ && due(next) < end_phase) ++next;
   motion_.series().put_states(
-      next - first, [&](int i) { return due(first + i) - phase_; },
+      next - first, [&](int i) { return due(first + i) - clock_.time(); },
       report.samples.data() + static_cast<std::size_t>(first) * state_.size());
 }
 
@@ -254,14 +248,14 @@ void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duratio
 template <int N>
 void TaylorRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from) {
   ++effort_.switches;
-  report.add({phase_, static_cast<int>(i), from, dynamics_.modes()[i]}, switches_wanted_);
+  report.add({clock_.time(), static_cast<int>(i), from, dynamics_.modes()[i]}, switches_wanted_);
 }
 
 /// The force is continuous across the switch of a mode: one rate holds on both sides of it.
 template <int N>
 void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event) {
-  pulses_.go_to(phase_);
-  dynamics_(state_, rate_, phase_);
+  clock_.change_pulses();
+  dynamics_(state_, rate_, clock_.time());
   if (event.slip) {
     ++effort_.switches;
     switch_slip(*event.contact, *event.slip);
@@ -286,7 +280,7 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
 template <int N>
 void TaylorRun<N>::switch_slip(std::size_t i, contact::Slip slip) {
   if (slip == contact::Slip::sticking) return stop_slip(i);
-  const bool others = law::let_go(dynamics_, i, slip, state_, probe_, phase_);
+  const bool others = law::let_go(dynamics_, i, slip, state_, probe_, clock_.time());
   for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
     if (j == i || (others && leaves_zero(j))) zero_terms_[j] = dynamics_.poised(j) ? 0 : 2;
   }
@@ -302,12 +296,12 @@ bool TaylorRun<N>::leaves_zero(std::size_t i) const {
 /// Handles the zero of the slip of contact `i`; `rate_` is that before it was.
 template <int N>
 void TaylorRun<N>::stop_slip(std::size_t i) {
-  law::settle_slips(dynamics_, state_, probe_, phase_, [i](std::size_t j) { return j == i; });
+  law::settle_slips(dynamics_, state_, probe_, clock_.time(), [i](std::size_t j) { return j == i; });
   for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
     if (!dynamics_.touches_dry(j) || (j != i && !law::stands(dynamics_, j, state_))) continue;
     zero_terms_[j] = dynamics_.slips()[j] == contact::Slip::sticking || dynamics_.poised(j) ? 0 : 1;
   }
-  dynamics_(state_, probe_, phase_);
+  dynamics_(state_, probe_, clock_.time());
   if (tangents_.count() > 0) law::cross_slip(dynamics_, i, state_, rate_, probe_, tangents_.vectors());
   std::swap(rate_, probe_);
 }
@@ -315,16 +309,16 @@ void TaylorRun<N>::stop_slip(std::size_t i) {
 /// A contact that may have kept others standing is open.
 template <int N>
 void TaylorRun<N>::settle_poised() {
-  law::settle_slips(dynamics_, state_, probe_, phase_, [](std::size_t) { return false; });
-  dynamics_(state_, rate_, phase_);
+  law::settle_slips(dynamics_, state_, probe_, clock_.time(), [](std::size_t) { return false; });
+  dynamics_(state_, rate_, clock_.time());
 }
 
 /// Applies all impulses of this instant. They shift the state by constants: tangent vectors do not change.
 template <int N>
 void TaylorRun<N>::apply_impulses(run::TurnReport& report) {
-  impulses_.take_all(phase_, system_.scale, state_);
+  while (clock_.impulse_is_due()) run::add_impulse(clock_.take_impulse(), system_.scale, state_);
   modes_before_ = dynamics_.modes();
-  enter_by_state(phase_);
+  enter_by_state();
   project_tangents();
   for (std::size_t i = 0; i < modes_before_.size(); ++i) {
     if (dynamics_.modes()[i] != modes_before_[i]) note_switch(report, i, modes_before_[i]);

@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "rubsweep/integrate/law/dynamics.hpp"
-#include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/integrate/run/outcome.hpp"
-#include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/integrate/run/turn_clock.hpp"
 #include "rubsweep/integrate/taylor/creep_choice.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 #include "rubsweep/integrate/taylor/joint_event.hpp"
@@ -54,13 +53,13 @@ class TaylorRun {
     const bool may_go_on = effort_.steps < step_limit_ && effort_.taylor_expansions < expansion_limit_;
     return may_go_on ? step(report) : run::Outcome::step_limit;
   }
-  /// Whether the last piece reached the end of the turn.
-  bool at_end_of_turn() const { return phase_ >= end_phase_; }
+  /// That piece reached the end of the turn.
+  bool at_end_of_turn() const { return clock_.turn_is_over(); }
   /// Completes the report of a turn that was joined and is at its end.
   void finish(run::TurnReport& report) { end(report, run::Outcome::ok); }
 
-  double phase_rad() const { return phase_; }
-  /// Whether dry friction holds a contact.
+  double phase_rad() const { return clock_.time(); }
+  /// Dry friction holds a contact.
   bool sticks() const { return dynamics_.any_dry() && dynamics_.stuck_contacts().count > 0; }
   const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
   /// Slips of the contacts, valid for those that touch with dry friction.
@@ -78,8 +77,7 @@ class TaylorRun {
 
   void ask(const run::TurnRequest& request);
   void begin_tangents(const Eigen::MatrixXd& vectors, double accuracy);
-  void enter_by_state(double phase);
-  double next_boundary() const;
+  void enter_by_state();
   run::Outcome step(run::TurnReport& report);
   double longest_step(double fastest) const;
   void expand(const std::vector<double>& state);
@@ -101,8 +99,7 @@ class TaylorRun {
   law::Dynamics<N, false> dynamics_;
   Expansion<N> motion_;
   TangentExpansion<N> tangents_;
-  run::PulseTimes pulses_;
-  run::Impulses impulses_;
+  run::TurnClock clock_;       ///< in radians
   double structure_rate_ = 0;  ///< fastest of the structure without contacts, per radian
   CreepChoice<N> creep_;
   double tangent_accuracy_ = 0;
@@ -114,7 +111,6 @@ class TaylorRun {
   std::vector<contact::Mode> modes_before_;
   /// Per contact with dry friction: number of leading coefficients of the slip that are zero where it is now.
   std::vector<int> zero_terms_;
-  double phase_ = 0, end_phase_ = full_turn;
   bool entered_ = false;
   int standstill_ = 0;
   int samples_wanted_ = 0;  ///< as asked for in this turn

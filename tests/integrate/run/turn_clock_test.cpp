@@ -1,4 +1,4 @@
-#include "rubsweep/integrate/exact/turn_clock.hpp"
+#include "rubsweep/integrate/run/turn_clock.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,15 +7,13 @@
 
 #include "support/simple_scenes.hpp"
 
-namespace rubsweep::integrate::exact {
+namespace rubsweep::integrate::run {
 namespace {
 
 /// A revolution takes 1 s.
 scene::Scene one_second_a_turn() { return test::one_mass_scene(1, 1, 0, 1, 1e-3); }
 
-TurnClock clock_of(const scene::Scene& scene) {
-  return TurnClock(scene, run::state_scale(scene).in_seconds());
-}
+TurnClock clock_of(const scene::Scene& scene) { return TurnClock::in_seconds(scene, state_scale(scene)); }
 
 /// Instants at which a turn has to stop, as an exact run passes them.
 std::vector<double> boundaries(TurnClock& clock, long revolution) {
@@ -23,9 +21,9 @@ std::vector<double> boundaries(TurnClock& clock, long revolution) {
   clock.begin_turn(revolution);
   while (!clock.turn_is_over()) {
     while (clock.impulse_is_due()) clock.take_impulse();
-    clock.go_to(clock.next_boundary_s());
+    clock.go_to(clock.next_boundary());
     clock.change_pulses();
-    instants.push_back(clock.time_s());
+    instants.push_back(clock.time());
   }
   return instants;
 }
@@ -33,8 +31,8 @@ std::vector<double> boundaries(TurnClock& clock, long revolution) {
 TEST(TurnClock, StopsAtImpulsesPulsesAndTheEndOfTheTurn) {
   scene::Scene scene = one_second_a_turn();
   TurnClock quiet = clock_of(scene);
-  EXPECT_EQ(boundaries(quiet, 3), std::vector{quiet.period_s()});
-  EXPECT_DOUBLE_EQ(quiet.period_s(), 1);
+  EXPECT_EQ(boundaries(quiet, 3), std::vector{quiet.period()});
+  EXPECT_DOUBLE_EQ(quiet.period(), 1);
 
   // Two impulses a turn; a kick that begins in the first turn and ends in the second.
   scene.impulses.push_back({Eigen::Vector2d(0.5, 0), 2, 0.25});
@@ -66,14 +64,28 @@ TEST(TurnClock, SaysWhetherOtherPulsesActThanBefore) {
 TEST(TurnClock, CountsTimePhaseAndTurns) {
   TurnClock clock = clock_of(test::one_mass_scene(1, 1, 0, 0.5, 1e-3));
   clock.go_to_phase(std::numbers::pi);
-  EXPECT_DOUBLE_EQ(clock.time_s(), 0.25);
+  EXPECT_DOUBLE_EQ(clock.time(), 0.25);
   clock.go_on(0.125);
   EXPECT_DOUBLE_EQ(clock.phase_rad(), 1.5 * std::numbers::pi);
   EXPECT_DOUBLE_EQ(clock.turns(0.125), 0.25);
   EXPECT_FALSE(clock.turn_is_over());
   clock.begin_turn(1);
-  EXPECT_EQ(clock.time_s(), 0);
+  EXPECT_EQ(clock.time(), 0);
+}
+
+TEST(TurnClock, InRadiansATurnMayEndEarlier) {
+  scene::Scene scene = one_second_a_turn();
+  scene.impulses.push_back({Eigen::Vector2d(0.5, 0), 2, 0.25});
+  TurnClock clock = TurnClock::in_radians(scene, state_scale(scene));
+  EXPECT_DOUBLE_EQ(clock.period(), 2 * std::numbers::pi);
+  clock.begin_turn(0, 1);
+  EXPECT_NEAR(clock.next_boundary(), std::numbers::pi / 4, 1e-15);
+  clock.take_impulse();
+  EXPECT_EQ(clock.next_boundary(), 1);
+  clock.go_to(1);
+  EXPECT_TRUE(clock.turn_is_over());
+  EXPECT_EQ(clock.phase_rad(), 1);
 }
 
 }  // namespace
-}  // namespace rubsweep::integrate::exact
+}  // namespace rubsweep::integrate::run
