@@ -157,7 +157,7 @@ class HybridRun {
     if (taylor_) effort = sum(effort, taylor_->effort());
     if (taylor_) {
       effort.taylor_pieces = taylor_->effort().steps;
-      effort.taylor_expansions = taylor_->effort().taylor_expansions;
+      effort.taylor_work = taylor_->effort().taylor_work;
     }
     return run::work(effort) +
            run::work_of_a_step * (sticking_ ? static_cast<double>(sticking_->steps()) : 0);
@@ -231,7 +231,7 @@ class HybridRun {
       report.effort = sum(report.effort, taylor_->effort());
       report.effort.taylor_pieces = taylor_->effort().steps;
       report.effort.creep_pieces = taylor_->effort().creep_pieces;
-      report.effort.taylor_expansions = taylor_->effort().taylor_expansions;
+      report.effort.taylor_work = taylor_->effort().taylor_work;
     }
     if (sticking_) report.effort.steps += sticking_->steps();
     report.effort.taylor_turns = taylor_turns_;

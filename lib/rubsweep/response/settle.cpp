@@ -123,7 +123,8 @@ Verdict verdict_of(const scene::Scene& scene, const SceneFacts& facts,
   if (facts.rotationally_symmetric) look_for_comb(record, options, workspace, motion);
   if (!options.exponent || motion.motion_class != motion::MotionClass::unsettled || !facts.same_every_turn)
     return verdict;
-  integrate::run::WorkBudget budget(integrate::run::most_work_of_a_run(solver));
+  integrate::run::WorkBudget budget(
+      integrate::run::most_work_of_a_run(solver, scene.structure.coordinates()));
   if (const auto chaos = watch.chaos()) {
     motion.motion_class = motion::MotionClass::chaotic;
     motion.exponent = chaos;
@@ -141,7 +142,8 @@ class MotionProof {
  public:
   MotionProof(const scene::Scene& scene, const SceneFacts& facts, const integrate::run::SolverOptions& solver,
               const motion::ResponseOptions& options, motion::Workspace& workspace)
-      : budget_(share_for_proofs * integrate::run::most_work_of_a_run(solver)) {
+      : budget_(share_for_proofs *
+                integrate::run::most_work_of_a_run(solver, scene.structure.coordinates())) {
     if (!options.floquet_proof || !facts.same_every_turn) return;
     if (facts.rotationally_symmetric) {
       proof_.emplace<rotating::RotatingProof>(scene, solver, options, workspace, budget_);
@@ -231,7 +233,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   run.rotor_unstable = rest.vibration_grows();
   const SceneFacts facts(cell.scene);
   MotionProof proof(cell.scene, facts, solver, options, workspace);
-  const double most_work = integrate::run::most_work_of_a_run(solver);
+  const double most_work = integrate::run::most_work_of_a_run(solver, cell.scene.structure.coordinates());
   const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
   TorusWatch torus(cell.scene, options, worth_watching(cell.scene, facts, options, kick_turns));
   motion::Record record(cell.scene, options);

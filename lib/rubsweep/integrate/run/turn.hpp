@@ -29,9 +29,9 @@ struct Effort {
   long taylor_turns = 0;    ///< revolutions with pieces of Taylor series, where there is no closed form
   long taylor_pieces = 0;   ///< such pieces, part of the steps
   long creep_pieces = 0;    ///< of these, such in which steep friction holds a slip
-  /// Expansions made for the pieces: one each, and the sweeps that find a slip held by steep friction, those
-  /// of tangent vectors among them.
-  long taylor_expansions = 0;
+  /// Work of these pieces in expansions of the motion: one each, sweeps that find a slip held by steep
+  /// friction, and a third of one for each expansion of a tangent vector.
+  double taylor_work = 0;
   long adaptive_turns = 0;  ///< revolutions without a closed form, by a stepper
 };
 

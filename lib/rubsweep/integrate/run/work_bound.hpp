@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 
 #include "rubsweep/integrate/run/options.hpp"
@@ -11,14 +12,14 @@ namespace rubsweep::integrate::run {
 // casing. A count and not a time, so that a run ends at the same place on every host.
 
 /// A step of closed forms, and an expansion into a Taylor series, each takes about as long as so many
-/// evaluations.
-inline constexpr double work_of_a_step = 2, work_of_an_expansion = 100;
+/// evaluations; that of a tangent vector is a share of the motion's.
+inline constexpr double work_of_a_step = 2, work_of_an_expansion = 50, share_of_a_tangent = 1.0 / 3;
 
 /// Work of a run since its start.
 inline double work(const Effort& effort) {
   const long other_steps = effort.steps + effort.refused - effort.taylor_pieces;
   return static_cast<double>(effort.rhs_calls) + work_of_a_step * static_cast<double>(other_steps) +
-         work_of_an_expansion * static_cast<double>(effort.taylor_expansions);
+         work_of_an_expansion * effort.taylor_work;
 }
 
 /// Evaluations of the right-hand side that an adaptive turn may ask for, for its steps and to look inside
@@ -35,10 +36,13 @@ inline long most_pieces_of_a_turn(const SolverOptions& options) {
 }
 
 /// Work of a whole run, whatever the solver: that of ten of the dearest turns. A smaller limit of a turn does
-/// not shorten runs whose turns are cheap.
-inline double most_work_of_a_run(const SolverOptions& options) {
-  return 100 * static_cast<double>(
-                   std::max(options.max_steps_per_revolution, SolverOptions{}.max_steps_per_revolution));
+/// not shorten runs whose turns are cheap. With more than four coordinates, those of a rotor with one casing,
+/// each evaluation takes longer, in proportion, and there are fewer.
+inline double most_work_of_a_run(const SolverOptions& options, Eigen::Index coordinates) {
+  constexpr double usual_coordinates = 4;
+  const long steps = std::max(options.max_steps_per_revolution, SolverOptions{}.max_steps_per_revolution);
+  return 100 * static_cast<double>(steps) *
+         std::min(1.0, usual_coordinates / static_cast<double>(coordinates));
 }
 
 /// Work that is left to those who share it. Counts down as `spend` tells, and stays used up.

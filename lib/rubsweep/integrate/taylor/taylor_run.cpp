@@ -74,7 +74,7 @@ void TaylorRun<N>::ask(const run::TurnRequest& request) {
   standstill_ = 0;
   creep_.begin_turn();
   step_limit_ = effort_.steps + max_steps_;
-  expansion_limit_ = effort_.taylor_expansions + most_expansions * max_steps_;
+  expansion_limit_ = expansions_ + most_expansions * max_steps_;
 }
 
 template <int N>
@@ -190,7 +190,8 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
 
 template <int N>
 void TaylorRun<N>::expand(const std::vector<double>& state) {
-  ++effort_.taylor_expansions;
+  ++expansions_;
+  ++effort_.taylor_work;
   motion_.expand(state.data(), clock_.time(), clock_.pulses(), dynamics_.modes(), dynamics_.slips());
 }
 
@@ -208,7 +209,8 @@ bool TaylorRun<N>::let_creep(double fastest, double ratio) {
 template <int N>
 bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
   const bool moved = tangents_.pass(motion_, duration, tangent_accuracy_);
-  effort_.taylor_expansions += tangents_.take_sweeps();
+  effort_.taylor_work +=
+      run::share_of_a_tangent * static_cast<double>(tangents_.count() + tangents_.take_sweeps());
   if (!moved) return false;
   put_samples(report, end_phase);
   watch(report, fastest, duration);

@@ -50,7 +50,7 @@ class TaylorRun {
             const std::vector<contact::Mode>& modes, const Eigen::MatrixXd& tangent_vectors);
   /// One piece of the turn that was joined; `report` goes on. After `ok` the run is at `phase_rad()`.
   run::Outcome go_on(run::TurnReport& report) {
-    const bool may_go_on = effort_.steps < step_limit_ && effort_.taylor_expansions < expansion_limit_;
+    const bool may_go_on = effort_.steps < step_limit_ && expansions_ < expansion_limit_;
     return may_go_on ? step(report) : run::Outcome::step_limit;
   }
   /// That piece reached the end of the turn.
@@ -106,7 +106,7 @@ class TaylorRun {
   double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
   long max_steps_ = 0, step_limit_ = 0;
   /// Where contacts creep a piece takes several, and a search for creep that fails takes them for nothing.
-  long expansion_limit_ = 0;
+  long expansions_ = 0, expansion_limit_ = 0;
   std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
   /// Per contact with dry friction: number of leading coefficients of the slip that are zero where it is now.
