@@ -140,7 +140,7 @@ json::array motion_kinds() {
   return kinds;
 }
 
-/// What the script must know to read the data that follow.
+/// Index that the script needs to read the data after it.
 json::object index(const PageContents& contents, const std::vector<EncodedColumn>& columns) {
   const ThinnedGrid& kept = contents.kept;
   json::object orbits{{"recorded", contents.orbits.recorded},

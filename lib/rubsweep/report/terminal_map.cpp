@@ -38,7 +38,7 @@ std::string shown(const Sign& sign, bool coloured) {
                      sign.character);
 }
 
-/// What each sign means, by its character; those of long periods together.
+/// Meaning of each sign, by its character; long periods together.
 std::vector<std::pair<std::string, Sign>> legend_of(
     const std::vector<std::string>& names, const std::vector<const response::motion::MotionKind*>& kinds) {
   std::vector<std::pair<std::string, Sign>> legend;

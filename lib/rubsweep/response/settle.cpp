@@ -31,7 +31,7 @@ using Complex = std::complex<double>;
 /// A hundredth of `separation`: the solver's noise must not part the states.
 constexpr double largest_tolerance_of_an_exponent = 1e-7;
 
-/// What decides how a scene is looked at, computed once a run.
+/// Properties of a scene that decide how it is looked at, computed once a run.
 struct SceneFacts {
   bool rotationally_symmetric = false;
   bool same_every_turn = false;  ///< the impulses
@@ -164,7 +164,7 @@ class MotionProof {
   }
 
  private:
-  /// Of the work of a run: proofs are there to make it shorter.
+  /// Share of the work of a run: proofs are there to make it shorter.
   static constexpr double share_for_proofs = 0.5;
 
   integrate::run::WorkBudget budget_;

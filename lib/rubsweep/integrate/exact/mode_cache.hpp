@@ -18,8 +18,8 @@ inline constexpr std::size_t most_bytes_of_a_mode_cache = std::size_t{256} << 20
 /// and a map comes back to every speed once a row. Belongs to one thread.
 class ModeCache {
  public:
-  /// What the cache holds is dropped, longest unused first, until it is no more than this; the machine asked
-  /// for stays. A kit of 24 states takes about 1 MB a speed, one of 200 states 100.
+  /// Drops the machines unused for longest until the cache holds no more than this; the machine asked for
+  /// stays. A kit of 24 states takes about 1 MB a speed, one of 200 states 100.
   explicit ModeCache(std::size_t most_bytes = most_bytes_of_a_mode_cache)
       : recent_(most_bytes, most_bytes, most_bytes, most_bytes) {}
 

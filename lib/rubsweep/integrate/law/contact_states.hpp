@@ -79,7 +79,7 @@ class ContactStates {
     double force_n = 0, normal_acceleration = 0;
   };
 
-  /// Those of the contacts that stick, in the order of `stuck`.
+  /// Holding frictions of the contacts that stick, in the order of `stuck`.
   struct Holding {
     Stuck stuck;
     std::array<Held, contact::most_sticking> held{};

@@ -12,7 +12,7 @@ enum class Outcome {
   step_too_small,      ///< the step control asked for a step below rounding of the phase
   non_finite,          ///< the state left the finite numbers
   friction_unsettled,  ///< no friction was found that obeys the law at all contacts with slip zero
-  // Of closed forms alone, which leave the revolution to another solver: no run ends with one of these.
+  // Endings of closed forms alone, which leave the revolution to another solver: no run ends with them.
   no_closed_form,  ///< touching an annular stop, an undamped resonance
   unsaturated,     ///< up to here there was one: the friction of a touching contact leaves saturation
 };

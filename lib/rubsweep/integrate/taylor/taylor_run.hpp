@@ -53,7 +53,7 @@ class TaylorRun {
     const bool may_go_on = effort_.steps < step_limit_ && expansions_ < expansion_limit_;
     return may_go_on ? step(report) : run::Outcome::step_limit;
   }
-  /// That piece reached the end of the turn.
+  /// Whether the last piece reached the end of the turn.
   bool at_end_of_turn() const { return clock_.turn_is_over(); }
   /// Completes the report of a turn that was joined and is at its end.
   void finish(run::TurnReport& report) { end(report, run::Outcome::ok); }

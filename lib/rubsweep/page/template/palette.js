@@ -17,7 +17,7 @@ const themed = (name) => getComputedStyle(document.documentElement).getPropertyV
 const kindColour = (kind) => (isDark() && kind.dark) || kind.colour;
 const emptyColour = () => (isDark() ? "#22252A" : "#FFFFFF");
 
-// What a row is drawn as. Maps of older programs have no such column, and show the class alone.
+// Name of the kind that a row is drawn as. Maps of older programs have no such column, and show the class alone.
 const kindOf = (row) => row("kind") || row("class");
 
 // Colours of a layer of words: one for each word that occurs.
