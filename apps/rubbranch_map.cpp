@@ -52,10 +52,12 @@ bool is_followed(const page::MapTable& map, std::size_t cell) {
   return closes && map.word("proof", cell).starts_with("floquet");
 }
 
-/// Study of a map with every cell of a grid over speed and unbalance; throws ConfigError for any other.
-sweep::Study study_of_map(const fs::path& directory) {
+/// Configuration of a map with every cell of a grid over speed and unbalance; throws ConfigError for any
+/// other.
+config::RunConfig config_of_map(const fs::path& directory) {
   const fs::path file = directory / "config.yaml";
-  sweep::Study study = config::read_run_config(file, {}).study;
+  config::RunConfig config = config::read_run_config(file, {});
+  const sweep::Study& study = config.study;
   if (!study.grid.axes.empty()) {
     throw ConfigError(fmt::format(
         "{}: sweep: has axes over keys, allowed with --map: speed and unbalance only", file.string()));
@@ -72,7 +74,7 @@ sweep::Study study_of_map(const fs::path& directory) {
                     "rise, or fall, all along",
                     file.string(), *axis));
   }
-  return study;
+  return config;
 }
 
 }  // namespace
@@ -80,7 +82,8 @@ sweep::Study study_of_map(const fs::path& directory) {
 int run_on_map(const RubbranchArguments& arguments) {
   batch::require_threads(arguments.threads, 1);
   const fs::path directory = arguments.map;
-  const sweep::Study study = study_of_map(directory);
+  const config::RunConfig config = config_of_map(directory);
+  const sweep::Study& study = config.study;
   const page::MapTable map = read_map_of(study, directory / "map.csv", "rubbranch");
   std::vector<std::string> labels;
   std::vector<std::size_t> proven;
@@ -119,7 +122,7 @@ int run_on_map(const RubbranchArguments& arguments) {
                       {"edges.csv", report::edges_csv(study.grid, labels, edges)},
                       {"boundaries.csv", report::boundaries_csv(study.grid, families.list)},
                       {"contradictions.csv", report::contradictions_csv(study.grid, labels, checks)}},
-                     family_files, output, {"rubbranch", map.digest});
+                     family_files, output, {"rubbranch", map.digest, batch::caption_lines(config.captions)});
   journal.remove();
   if (!arguments.quiet) {
     print("{}{}files     {}: boundaries.csv contradictions.csv edges.csv families.csv\n",
