@@ -72,7 +72,7 @@ void read_division(const po::variables_map& given, RubsweepArguments& arguments)
   if (arguments.action == Action::run) arguments.figure = figure_of(given);
 }
 
-/// Of options that ask for no sweep: `name` is given, and goes alone or with --quiet.
+/// Whether `name` is given, an option that asks for no sweep and goes alone or with --quiet.
 bool asks_for(const char* name, const po::variables_map& given) {
   if (given.count(name) == 0 || given.count("help") != 0 || given.count("version") != 0) return false;
   for (const auto& [other, value] : given) {

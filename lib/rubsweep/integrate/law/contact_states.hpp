@@ -214,7 +214,7 @@ class ContactStates {
       const auto along = tangential_row(system_.contacts[i], f);
       const Eigen::Matrix<double, 1, N> across = f.cosine * c.first_row + f.sine * c.second_row;
       const double q = f.curvature, s = f.sliding_speed, v = f.closing_speed;
-      // Of s: t . w' - v q t . w. Of r': n . w' + s q t . w. Of the tangent: -q (t . w) n.
+      // Derivative of s: t . w' - v q t . w; of r': n . w' + s q t . w; of the tangent: -q (t . w) n.
       need_u.row(k) =
           along * by_u - (normal_acceleration * q + (s * s - v * v) * q * q) * along + s * v * q * q * across;
       need_v.row(k) = along * by_v - v * q * along - s * q * across;
