@@ -25,7 +25,7 @@ po::options_description visible_options() {
   options.add_options()("motion-kinds",
                         "instead: print the kinds of motion, their colours and signs, as CSV")(
       "status", po::value<std::string>()->value_name("DIR"),
-                        "instead: say how far the map in DIR is, of which shards, and who is at work");
+      "instead: say how far the map in DIR is, of which shards, and who is at work");
   options.add_options()("fresh",
                         "forget what earlier runs finished, a finished map included, and start over")(
       "shard", po::value<std::string>()->value_name("I/N"),
