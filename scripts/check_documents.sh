@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # check_documents.sh [TOP]: every relative link of the documents in TOP names a file that is there and, behind a #, a heading
-# of it; no line but those of tables and links is wider than 120 characters. Lists what is not so; exits 1 if there is any.
+# of it; no line but those of tables and links is wider than 120 characters; no sentence of docs/method.md has more than 30
+# words. Lists what is not so; exits 1 if there is any.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
@@ -27,6 +28,26 @@ check_link() {
   fi
 }
 
+# long_sentences FILE: line of its paragraph and number of words of every sentence of more than 30. Code, tables and headings
+# are none, an item of a list ends at the next. A formula counts its terms that have a letter or a digit.
+long_sentences() {
+  awk '
+    function finish(   i, n, words, word) {
+      n = split(paragraph, words, " ")
+      for (i = 1; i <= n; ++i) {
+        if (words[i] ~ /[[:alnum:]]/) ++word
+        if (i < n && !(words[i] ~ /[.?!][])"*`]*$/ && words[i + 1] ~ /^[[:upper:]`*"([]/)) continue
+        if (word > 30) print start, word
+        word = 0
+      }
+      paragraph = ""
+    }
+    /^(    |[|#!]|[[:space:]]*$)/ { finish(); next }
+    /^ *([-*]|[0-9]+\.) / { finish() }
+    { if (paragraph == "") start = FNR; paragraph = paragraph " " $0 }
+    END { finish() }' "$1"
+}
+
 for file in *.md docs/*.md results/*.md; do
   while IFS= read -r link; do
     [[ $link == *://* ]] || check_link "$file" "$link"
@@ -35,5 +56,9 @@ for file in *.md docs/*.md results/*.md; do
     complain "$file:$line" 'wider than 120 characters'
   done < <(awk 'length > 120 && !/^\|/ { print FNR }' "$file")
 done
+
+[[ ! -e docs/method.md ]] || while read -r line words; do
+  complain "docs/method.md:$line" "a sentence of $words words, allowed: 30"
+done < <(long_sentences docs/method.md)
 
 exit "$broken"

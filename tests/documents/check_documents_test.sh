@@ -27,3 +27,19 @@ wide=$(printf 'x%.0s' {1..121})
 printf '[file](missing.md)\n[heading](../README.md#another)\n%s\n| %s |\n' "$wide" "$wide" >>"$top/docs/guide.md"
 expect 'bad links' 1 'docs/guide.md: there is no missing.md' 'docs/guide.md: there is no heading ../README.md#another' \
   'docs/guide.md:8: wider than 120 characters'
+
+printf '# Guide\n\n## The ball behind `floquet`\n' >"$top/docs/guide.md"
+words=$(printf 'a %.0s' {1..29})
+method() { printf '# Method\n\n    %s\n\n%s\n' "$words and more" "$1" >"$top/docs/method.md"; }
+method "Some ${words% }.
+Others ${words% }.
+- An ${words}item
+- that ${words}ends. "
+expect 'sentences of 30 words and an item of 31' 1 'docs/method.md:7: a sentence of 31 words, allowed: 30' \
+  'docs/method.md:8: a sentence of 31 words, allowed: 30'
+method "Some ${words% }
+more.
+Others ${words% }."
+expect 'a sentence over two lines' 1 'docs/method.md:5: a sentence of 31 words, allowed: 30'
+method "Some ${words% }."
+expect 'no long sentence' 0
