@@ -1,17 +1,15 @@
 """Lays out a map.csv for map.gp: where each cell lies, of which kind it is, and where 1/n can be written.
 
-A cell reaches half way to its neighbours. Its kind is the class, with the order behind a subharmonic (8: 8 and more),
-and with what parts the motions of an annulus: synchronous_circle and synchronous_circle_backward, and of closed combs
-quasi_periodic_oval and, whirling backward, quasi_periodic_whip.
+A cell reaches half way to its neighbours.
 """
 
 import math
 import os
 from dataclasses import dataclass, replace
 
-from rubplot import csv_table
+from rubplot import csv_table, motion_kinds
+from rubplot.motion_kinds import kind_of
 
-LARGEST_NAMED_ORDER = 8
 # Share of an axis that a label hides on either side of its middle.
 LABEL_REACH = 0.02
 
@@ -34,23 +32,11 @@ class Label:
     text: str
 
 
-def kind_of(row):
-    """The kind of a row, as the legend of the picture parts them."""
-    name, backward = row["class"], row["whirl"] == "backward"
-    if name == "subharmonic":
-        return f"subharmonic_{min(int(csv_table.number(row, 'order') or 0), LARGEST_NAMED_ORDER)}"
-    if name == "synchronous" and row["orbit"] == "circle":
-        return "synchronous_circle_backward" if backward else "synchronous_circle"
-    if name == "quasi_periodic" and row["comb_spacing"]:
-        return "quasi_periodic_whip" if backward else "quasi_periodic_oval"
-    return name
-
-
 def read_cells(path, measure, natural_frequency_hz=None, across="speed_hz", strength=None):
     """The cells of a map over two columns: `across`, the speed where it is not another, and `measure`. `strength` is a
     column of shares; a cell without one is shown in full."""
     cells = []
-    columns = [across, "class", "order", "orbit", "whirl", "comb_spacing", measure] + ([strength] if strength else [])
+    columns = [across, "class", "order", measure] + ([strength] if strength else [])
     for row in csv_table.read_table(path, *columns):
         if not row[measure]:
             continue
@@ -140,7 +126,7 @@ def labels(cells):
     width = max(columns) - min(columns) + 1e-9
     height = max(rows) - min(rows) + 1e-9
     found = []
-    for n in range(2, LARGEST_NAMED_ORDER):
+    for n in range(2, motion_kinds.LARGEST_NAMED_ORDER):
         alike = [cell for cell in cells if cell.kind == f"subharmonic_{n}"]
         room = [cell for cell in alike if fits(cell)]
         if not room:

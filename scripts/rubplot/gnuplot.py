@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Dict, Iterable, Tuple
 
+from rubplot import motion_kinds
 from rubplot.failure import Failure
 
 TEMPLATES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "templates")
@@ -35,6 +36,8 @@ def draw(picture, formats, work):
     with open(script, "w", encoding="utf-8") as file:
         file.write(f'formats = "{" ".join(formats)}"\n')
         for name in ("canvas.gp", *picture.shared, picture.template):
+            if name == "motion_kinds.gp":
+                file.write(motion_kinds.gnuplot_arrays())
             with open(os.path.join(TEMPLATES, name), encoding="utf-8") as template:
                 file.write(template.read())
     # The picture is the same whatever the user has set for gnuplot.

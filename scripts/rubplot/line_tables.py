@@ -2,14 +2,12 @@
 
 import math
 import os
-import re
 
 from rubplot import configuration, csv_table, shown_units
-from rubplot.domain_map import kind_of
+from rubplot.motion_kinds import kind_of, may_be_drawn
 from rubplot.failure import Failure, require_readable
 
 PASSES = ("kick", "up", "down")
-_KIND = re.compile(r"[a-z_0-9]+")
 
 
 class Line:
@@ -23,7 +21,7 @@ class Line:
         self.along = csv_table.head(self.files["line.csv"]).get("along")
         if not self.along:
             raise Failure(f"{self.files['line.csv']}: it does not say along what")
-        needed = ("pass", "value", "class", "order", "orbit", "whirl", "comb_spacing", "peak_displacement_m")
+        needed = ("pass", "value", "class", "order", "peak_displacement_m")
         self.cells = list(csv_table.read_table(self.files["line.csv"], *needed))
         if not self.cells:
             raise Failure(f"{self.files['line.csv']}: no row")
@@ -32,8 +30,7 @@ class Line:
                 raise Failure(f"{self.files['line.csv']}: '{row['pass']}' is no pass")
         self._kinds = {(row["pass"], row["value"]): kind_of(row) for row in self.cells}
         for kind in self._kinds.values():
-            # It becomes part of gnuplot's commands.
-            if not _KIND.fullmatch(kind):
+            if not may_be_drawn(kind):
                 raise Failure(f"{self.files['line.csv']}: '{kind}' is no kind of motion")
         self.passes = [name for name in PASSES if any(row["pass"] == name for row in self.cells)]
 

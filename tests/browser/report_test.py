@@ -22,7 +22,7 @@ rubsweep, rubtrace, top = (pathlib.Path(argument).resolve() for argument in sys.
 screenshots = pathlib.Path(sys.argv[4]).resolve() if len(sys.argv) > 4 else None
 chromium, chromedriver = shutil.which("chromium"), shutil.which("chromedriver")
 
-# Colours of the figures, see scripts/rubplot/templates/motion_kinds.gp.
+# Colours of the figures, see scripts/rubplot/motion_kinds.csv.
 COLOURS = {"non_contact": "#F4F4F4", "2": "#CC6677", "3": "#332288", "4": "#DDCC77", "5": "#117733"}
 RIGHT, LEFT, UP, DOWN, SHIFT, ESCAPE = "\ue014", "\ue012", "\ue013", "\ue015", "\ue008", "\ue00c"
 

@@ -7,12 +7,12 @@ import re
 from rubplot import configuration, csv_table, domain_map, heading
 from rubplot.failure import Failure, require_readable
 from rubplot.gnuplot import Picture
+from rubplot.motion_kinds import class_and_order, may_be_drawn
 from rubplot.subcommand import Subcommand
 
 # A legend has no room for more; the others share its last entry.
 MOST_NAMED = 10
 _STATE = re.compile(r"(?:casing([0-9]+)_)?(v?[xy])_m(_per_s)?")
-_KIND = re.compile(r"[a-z_0-9]+")
 
 
 class Attractor:
@@ -43,7 +43,7 @@ class Slice:
         self.attractors = []
         for row in csv_table.read_table(files["attractors.csv"], "attractor", "label", "share", "peak_displacement_m"):
             kind = kind_of(row["label"])
-            if not _KIND.fullmatch(kind):  # it becomes part of gnuplot's commands
+            if not may_be_drawn(kind):
                 raise Failure(f"{files['attractors.csv']}: '{kind}' is no kind of motion")
             rank = sum(known.kind == kind for known in self.attractors)
             self.attractors.append(Attractor(row, rank))
@@ -66,9 +66,9 @@ class Slice:
 
 
 def kind_of(label):
-    """subharmonic 1/2 -> subharmonic_2, as domain_map.kind_of names a row."""
+    """subharmonic 1/2 -> subharmonic_2."""
     name, slash, _ = label.partition(" 1/")
-    return f"{name}_{min(_order(label), domain_map.LARGEST_NAMED_ORDER)}" if slash else name
+    return class_and_order(name, _order(label)) if slash else name
 
 
 def axis_label(column):

@@ -35,7 +35,7 @@ inline constexpr std::array motion_kinds{
     MotionKind{"subharmonic_5", "subharmonic 1/5", 0x117733, 0x117733, '5'},
     MotionKind{"subharmonic_6", "subharmonic 1/6", 0x882255, 0x882255, '6'},
     MotionKind{"subharmonic_7", "subharmonic 1/7", 0x44AA99, 0x44AA99, '7'},
-    MotionKind{"subharmonic_8", "subharmonic 1/8 and smaller", 0x999933, 0x999933, '8'},
+    MotionKind{"subharmonic_8", "subharmonic ≤ 1/8", 0x999933, 0x999933, '8'},
     MotionKind{"quasi_periodic_oval", "quasi-periodic oval", 0xEE8866, 0xEE8866, 'o'},
     MotionKind{"quasi_periodic_whip", "backward dry whip", 0x7A4F20, 0x7A4F20, 'w'},
     MotionKind{"quasi_periodic", "quasi-periodic", 0xAA4499, 0xAA4499, 'q'},
