@@ -4,7 +4,7 @@ import os
 import re
 from dataclasses import dataclass
 
-from rubplot import captions, csv_table
+from rubplot import captions, csv_table, heading
 from rubplot.failure import Failure
 from rubplot.gnuplot import Picture
 from rubplot.gnuplot_text import quoted
@@ -55,8 +55,8 @@ def _read_onsets(path, from_rpm):
             for row in csv_table.between(drawn, "speed_rpm", from_rpm)]
 
 
-def picture_of(panels, heading, byline=""):
-    """Panels beside and below each other under a heading."""
+def picture_of(panels, title, byline=""):
+    """Panels beside and below each other under a title."""
     others = sorted({mode for panel in panels for mode in panel.curves} - set(MODES))
     modes = [*MODES, *others]
     lines = [f"array mode_name[{len(modes)}]"]
@@ -74,7 +74,7 @@ def picture_of(panels, heading, byline=""):
             f"drawn[{p}] = '{' '.join(map(str, numbers))}'",
             f"onsets[{p}] = '{' '.join(f'{rpm} {kind}' for rpm, kind in panel.onsets)}'",
         ]
-    return Picture("ring.gp", (heading, str(len(panels)), str(len(modes)), byline), files)
+    return Picture("ring.gp", (title, str(len(panels)), str(len(modes)), byline), files)
 
 
 def options(parser):
@@ -90,7 +90,7 @@ def picture(given):
     panels = []
     for directory, head in zip(given.source, heads):
         name = (several and head.get("title")) or os.path.basename(os.path.abspath(directory))
-        panels.append(read_panel(directory, name, given.from_rpm, given.to_rpm, given.real_limit))
+        panels.append(read_panel(directory, heading.plain(name), given.from_rpm, given.to_rpm, given.real_limit))
     own = captions.of_table(heads[0])
     return picture_of(panels, given.heading if several else captions.headed(given.heading, own), captions.byline(own))
 

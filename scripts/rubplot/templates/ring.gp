@@ -25,6 +25,7 @@ title_px = 120
 row_px = 830
 height = title_px + rows * row_px
 left(c) = (real(c) + (columns == 1 ? 0.095 : 0.14)) / columns
+label_at(c) = left(c) - (columns == 1 ? 0.08 : 0.058)
 right(c) = (real(c) + 0.965) / columns
 above(r, px) = 1 - real(title_px + r * row_px + px) / height
 round_up(x) = x <= 1 ? 1 : x <= 2 ? 2 : x <= 5 ? 5 : 10
@@ -103,7 +104,8 @@ do for [format in formats] {
     set format x ""
     unset xlabel
     set label 2 title[p] at graph 0, 1.06 left font ":Bold"
-    set ylabel "real part (1/s)" offset 1
+    # Not as labels of the axes: beside a fixed margin these may come over the numbers.
+    set label 4 "real part (1/s)" at screen label_at(c), above(r, 205) center rotate by 90
     set arrow from graph 0, first 0 to graph 1, first 0 nohead back linecolor rgb "black" linewidth 0.8
     plot for [i = 1:words(list)] file(p, int(word(list, i))) using 1:2 with points pointtype 7 pointsize 0.25 \
       linecolor rgb colour(int(word(list, i))) notitle
@@ -115,7 +117,7 @@ do for [format in formats] {
     set ytics step(1.05 * highest, 6)
     set format x "%g"
     set xlabel "speed (rpm)" offset 0, 0.4
-    set ylabel "frequency (rad/s)" offset 1
+    set label 4 "frequency (rad/s)" at screen label_at(c), above(r, 570) center rotate by 90
     plot for [i = 1:words(list)] file(p, int(word(list, i))) using 1:3 with points pointtype 7 pointsize 0.25 \
       linecolor rgb colour(int(word(list, i))) notitle
   }
