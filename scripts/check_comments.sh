@@ -9,8 +9,7 @@ folders=()
 for folder in apps configs examples lib scripts studies tests; do [[ ! -d $folder ]] || folders+=("$folder"); done
 ((${#folders[@]})) || { echo "no sources in $PWD"; exit 1; }
 
-# Not yet in branch/.
-find "${folders[@]}" -path '*/branch' -prune -o -type f -regex '.*\.\(cpp\|hpp\|js\|css\|sh\|py\|gp\|cmake\|yaml\)\|.*/CMakeLists\.txt' -print0 |
+find "${folders[@]}" -type f -regex '.*\.\(cpp\|hpp\|js\|css\|sh\|py\|gp\|cmake\|yaml\)\|.*/CMakeLists\.txt' -print0 |
   sort -z | xargs -0 awk '
     FNR == 1 { inside = 0 }
     {

@@ -61,7 +61,7 @@ TEST(Approaches, InContact) {
   EXPECT_NEAR(found[0].phase_rad, 1.5 * std::numbers::pi, 1e-4);
 }
 
-/// What leads to a change of mode is no approach: of two humps one is a hit.
+/// A hump that leads to a change of mode is no approach: of two humps one is a hit.
 TEST(Approaches, NotWhereTheContactHits) {
   const auto motion = sampled([](double t) { return 0.8 * std::cos(2 * t) + 0.4 * std::cos(t); },
                               [](double t) { return -1.6 * std::sin(2 * t) - 0.4 * std::sin(t); });

@@ -45,7 +45,7 @@ TEST(Attribution, BasinCeasesAndUnresolved) {
   EXPECT_EQ(ceases[0].kind, "fold");
 }
 
-/// Of two orbits side by side one goes on into the other's cell: what the map shows there ceases all the
+/// One of two orbits side by side goes on into the other's cell: what the map shows there ceases all the
 /// same.
 TEST(Attribution, WhatCeasesOnOneSideIsStronger) {
   const sweep::Grid grid = row_of(2);

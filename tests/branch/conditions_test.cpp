@@ -12,7 +12,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Of a monodromy matrix that is a function of state and one parameter, at state 0.
+/// Jet of a monodromy matrix that is a function of state and one parameter, at state 0.
 template <class Monodromy>
 MonodromyJet jet_of(const Monodromy& monodromy, Eigen::Index states, double parameter) {
   constexpr double step = 1e-4;

@@ -66,7 +66,7 @@ TEST(Contradictions, TheMachineStaysWhereItsOrbitIsStable) {
   }
 }
 
-/// What is no orbit of the machine is left at once: here the state at rest in the quiet motion's stead.
+/// A state on no orbit of the machine is left at once: here the state at rest in the quiet motion's stead.
 TEST(Contradictions, TheMachineLeavesWhatIsNoOrbit) {
   Families families = half_orbit();
   families.list[0].orbits.at(1).state.setZero();

@@ -81,7 +81,7 @@ TEST(Locate, ThreePeriodDoublingsInOneStep) {
   EXPECT_NEAR(found[2], 0.9, 1e-11);
 }
 
-/// What turns back before it passes -1 is no event.
+/// A multiplier that turns back before it passes -1 is no event.
 TEST(Locate, NoneWhereTheMultiplierTurnsBack) {
   const auto problem = with_multiplier([](double p) { return -1 + (p - 0.5) * (p - 0.5) + 0.001; });
   EXPECT_TRUE(found_in_one_step(problem, EventKind::period_doubling, 0, 1, number(0)).empty());

@@ -13,7 +13,7 @@
 namespace rubsweep::branch {
 namespace {
 
-/// What happens on the one step from the orbit at `first` to that at `last`, angular frequencies of a family
+/// Events on the one step from the orbit at `first` to that at `last`, angular frequencies of a family
 /// of scenes. Both ends go through the same contact modes, so that nothing but margins leads to it.
 std::vector<BranchEvent> on_one_step(const SceneFamily& family, double first, double last) {
   integrate::exact::ModeCache modes;
@@ -113,7 +113,7 @@ TEST(Margins, AHitThatGoesAndComesBackInOneStep) {
   for (const BranchEvent& event : events) EXPECT_NEAR(amplitude(event.point.parameter), 1, 1e-10);
 }
 
-/// Of the orbit in flight, 1 less the amplitude, and its slope by the frequency, all in closed form.
+/// Margin of the orbit in flight, 1 less the amplitude, and its slope by the frequency, all in closed form.
 TEST(Margins, ValueAndSlopeOfAnApproach) {
   integrate::exact::ModeCache modes;
   OrbitProblem problem = scene_orbits(before_a_wall(0.3), 1, {}, modes);
@@ -129,7 +129,7 @@ TEST(Margins, ValueAndSlopeOfAnApproach) {
   EXPECT_EQ(margins[0].kind, Margin::Kind::approach);
 }
 
-/// Of the same kind the nearest in phase belong together, over the end of the period.
+/// Margins of the same kind nearest in phase belong together, over the end of the period.
 TEST(Margins, AreMatchedByTheirPhases) {
   const auto margin = [](int contact, double phase_rad, double value, double slope) {
     return Margin{

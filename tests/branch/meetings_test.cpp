@@ -26,7 +26,7 @@ TEST(Meetings, ACuspOnAStepOverIt) {
   EXPECT_FALSE(meetings_between(folds.system, *behind, *before)) << "the tangent leads the other way";
 }
 
-/// What happens to the contacts at q = 0.12 is found to the same width, and called after the curve.
+/// A change of the contacts at q = 0.12 is found to the same width, and called after the curve.
 TEST(Meetings, AGrazeOnACurveOfFolds) {
   test::FoldsOfACusp folds;
   folds.orbits.facts = [](const Place& at, const Eigen::VectorXd&) {

@@ -53,7 +53,7 @@ TEST(Outline, AroundOneCell) {
   EXPECT_EQ(lines.front().points.front(), lines.back().points.back());
 }
 
-/// What lies at the end of the map has no boundary there: one open line.
+/// A family at the end of the map has no boundary there: one open line.
 TEST(Outline, EndsWhereTheMapDoes) {
   const auto lines = outline_of(grid(), family_in({0, 1, 4, 5, 8, 9}));
   ASSERT_EQ(lines.size(), 1u);

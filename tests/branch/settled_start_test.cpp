@@ -42,7 +42,7 @@ TEST(SettledStart, AHalfOrbitAndItsClosedBranch) {
   }
 }
 
-/// Of the two ways in which an orbit closes.
+/// Both ways in which an orbit closes.
 TEST(SettledStart, ACircleAndAnOvalInAnAnnulus) {
   response::motion::Workspace workspace;
   const SettledStart circle = settle_on_orbit(response::testing::annular_cell(80, 0.6), {}, {}, workspace);

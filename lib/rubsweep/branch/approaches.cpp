@@ -48,7 +48,7 @@ class ApproachSearch {
   }
 
  private:
-  /// Those that contacts which change theirs have before the first change; of the others by the state.
+  /// First modes: of contacts that change theirs those before the first change, of the others by the state.
   void enter_first_modes() {
     changed_.assign(guards_.size(), false);
     auto& modes = dynamics_.modes();
@@ -110,7 +110,7 @@ class ApproachSearch {
   double step_rad_;
   bool closes_;
   std::span<const ModeSwitch> switches_;
-  std::size_t next_ = 0;  ///< of the switches
+  std::size_t next_ = 0;  ///< index of the next switch
   std::vector<Sampled> guards_, before_;
   std::vector<bool> changed_;  ///< whose mode has changed since the sample before
   std::vector<Approach> approaches_;

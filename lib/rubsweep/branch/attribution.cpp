@@ -8,7 +8,7 @@
 namespace rubsweep::branch {
 namespace {
 
-/// What the family that the kick of `cell` leads to says about the way to a neighbour.
+/// Attribution by the family that the kick of `cell` leads to, on the way to a neighbour.
 MapEdge seen_from(std::size_t cell, std::size_t neighbour, const Family& family) {
   MapEdge edge{cell, neighbour, Attribution::unresolved, {}};
   if (const FamilyEnd* end = family.end_between(cell, neighbour)) {
@@ -20,7 +20,7 @@ MapEdge seen_from(std::size_t cell, std::size_t neighbour, const Family& family)
   return edge;
 }
 
-/// The same of the quiet motion: it exists in a cell or not, whatever lies between.
+/// Attribution by the quiet motion: it exists in a cell or not, whatever lies between.
 MapEdge quiet_seen_from(std::size_t cell, std::size_t neighbour, std::span<const Quiet> quiet) {
   MapEdge edge{cell, neighbour, Attribution::unresolved, {}};
   if (quiet[cell] != Quiet::stable) return edge;

@@ -34,8 +34,8 @@ constexpr std::string_view to_string(Attribution attribution) {
 struct MapEdge {
   std::size_t first = 0, second = 0;
   Attribution attribution = Attribution::unresolved;
-  /// Of what ceases; of what is unresolved why, or empty; of a basin empty where both motions are there on
-  /// both sides, `one_motion` where that is known of one of them, and the other one may cease as well.
+  /// Kind of event where a motion ceases; where unresolved why, or empty; of a basin empty where both motions
+  /// are on both sides, `one_motion` where that is known of one of them, and the other one may cease as well.
   std::string_view kind;
 };
 

@@ -21,12 +21,12 @@ struct MultiplierTests {
 /// the orbit.
 struct Margin {
   enum class Kind {
-    approach,  ///< of Approach: its distance
+    approach,  ///< distance of an Approach
     stretch,   ///< squared duration, in shaft rotation, of a stretch between two changes at one contact
   };
   Kind kind = Kind::approach;
   int contact = 0;
-  contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< of the change that begins it
+  contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< change that begins it
   double phase_rad = 0;
   double value = 0;  ///< >= 0
   double slope = 0;  ///< per unit of arclength
@@ -36,8 +36,8 @@ struct Margin {
   }
 };
 
-/// Of central differences by the parameter, in its coordinate: the noise of a turn, 1e-13, and the error of
-/// the formula both stay near 1e-7. Beside a graze, which they must not lead over, they are finer.
+/// Step of central differences by the parameter, in its coordinate: the noise of a turn, 1e-13, and the error
+/// of the formula both stay near 1e-7. Beside a graze, which they must not lead over, they are finer.
 inline constexpr double usual_difference_step = 1e-6;
 
 /// An orbit on a branch. Continuation measures lengths in the coordinates (state / sqrt(states),
@@ -52,7 +52,7 @@ struct BranchPoint {
   int unstable = 0;              ///< multipliers outside the unit circle
   double branching = 0;  ///< determinant of the bordered derivative, which changes sign at branch points
   double slope_difference = 0;  ///< relative, of the derivatives by the parameter at two step sizes
-  double difference_step = usual_difference_step;  ///< of that derivative
+  double difference_step = usual_difference_step;  ///< step of that derivative
   std::optional<MultiplierTests> slopes;           ///< per unit of arclength, where they were needed
   std::optional<std::vector<Margin>> margins;      ///< where they were needed
   OrbitFacts facts;
@@ -60,7 +60,7 @@ struct BranchPoint {
   bool stable() const { return unstable == 0; }
 };
 
-/// What happens at a point of a branch.
+/// Kind of codimension-one point on a branch.
 enum class EventKind {
   fold,             ///< the branch turns back in the parameter: a multiplier passes +1
   period_doubling,  ///< a multiplier passes -1
@@ -99,8 +99,8 @@ struct BranchEvent {
   BranchPoint point;
   double parameter_error =
       0;               ///< half-width of the interval in which the root was enclosed, in the parameter
-  std::string detail;  ///< of a graze: contact, and what appears or disappears as the arclength grows
-  std::optional<SequenceChange> change = {};  ///< of a graze
+  std::string detail;  ///< graze: contact, and what appears or disappears as the arclength grows
+  std::optional<SequenceChange> change = {};  ///< change at a graze
 };
 
 /// Why a branch ends.
@@ -114,8 +114,8 @@ enum class Ending {
   step_too_small,  ///< Newton's iteration finds no orbit however near the last one
   singular,        ///< no direction of the branch can be told
   point_limit,
-  resonance,     ///< of a curve of tori: beyond a 1:1 or 1:2 resonance its two multipliers are real
-  unfolds,       ///< of a curve of branch points: branches cross no longer when the second parameter changes
+  resonance,     ///< curve of tori: beyond a 1:1 or 1:2 resonance its two multipliers are real
+  unfolds,       ///< curve of branch points: branches cross no longer when the second parameter changes
   first_change,  ///< stability was lost or regained, where following was to stop there
   target,        ///< the wanted parameter is reached
 };

@@ -26,7 +26,7 @@ struct MonodromyJet {
   std::function<std::optional<MonodromyPair>(const Eigen::VectorXd& direction)> along;
 };
 
-/// A condition on the monodromy matrix of an orbit.
+/// Bifurcation condition on the monodromy matrix of an orbit.
 struct Condition {
   double value = 0;
   Eigen::RowVectorXd by_state, by_parameter;
@@ -37,8 +37,8 @@ struct Condition {
 /// right vectors, a smooth function up to its sign. Empty where `along` is.
 std::optional<Condition> singular_condition(const MonodromyJet& jet, double sign);
 
-/// Of all pairs of multipliers the one whose product is nearest to 1 has the product 1. Smooth where the
-/// pair changes from complex to real. Empty where `along` is.
+/// Condition of a torus: the pair of multipliers whose product is nearest to 1 has the product 1. Smooth
+/// where the pair changes from complex to real. Empty where `along` is.
 std::optional<Condition> pair_condition(const MonodromyJet& jet);
 
 }  // namespace rubsweep::branch

@@ -60,7 +60,7 @@ std::size_t agreeing(const std::vector<ModeSwitch>& a, std::size_t i, const std:
   return count;
 }
 
-/// What the stretches that differ say; empty where nothing that is known.
+/// Kind of change by the stretches that differ; empty if it is no known pattern.
 std::optional<SequenceChange> change_of(const std::vector<ModeSwitch>& rich,
                                         const std::vector<ModeSwitch>& poor, int contact) {
   using Kind = SequenceChange::Kind;

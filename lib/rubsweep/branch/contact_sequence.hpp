@@ -29,11 +29,11 @@ struct SequenceChange {
   Kind kind = Kind::hit;
   int contact = 0;
   contact::Mode from = contact::Mode::open;  ///< the mode that is interrupted, or that the flight begins in
-  contact::Mode to = contact::Mode::open;    ///< what the stretch begins with
-  /// Of the stretch, in shaft rotation: zero at the graze, and grows as the square root of the distance to
-  /// it.
+  contact::Mode to = contact::Mode::open;    ///< first mode of the stretch
+  /// Duration of the stretch, in shaft rotation: zero at the graze, and grows as the square root of the
+  /// distance to it.
   double duration_rad = 0;
-  double middle_rad = 0;  ///< of the stretch, as the phases of the richer orbit
+  double middle_rad = 0;  ///< middle of the stretch, in phases of the richer orbit
 };
 
 /// The shortest such stretch; empty where the sequences differ otherwise. `period_rad`: of the orbits.

@@ -15,7 +15,7 @@
 
 namespace rubsweep::branch {
 
-/// What a label of a map says beside the domain of a family.
+/// Verdict on the label of a cell beside the domain of a family.
 enum class Finding {
   reached,        ///< inside: the kick leads to the family's orbit
   stays,          ///< inside: the machine that starts on the family's orbit, without a kick, settles on it
@@ -41,7 +41,7 @@ constexpr bool contradicts(Finding finding) { return finding >= Finding::leaves;
 struct LabelCheck {
   std::size_t cell = 0;
   std::optional<std::size_t> family;  ///< number in the list; empty: of a cell that no family has
-  bool inside = true;                 ///< of the family's domain; else just outside
+  bool inside = true;                 ///< inside the family's domain; else just outside
   Finding finding = Finding::reached;
   std::string_view end;                     ///< outside: what ends the family on the way there
   std::optional<std::size_t> other_family;  ///< outside: that which the kick leads to

@@ -6,7 +6,7 @@
 
 namespace rubsweep::branch {
 
-/// What Newton's iteration on an extended system came to.
+/// Outcome of Newton's iteration on an extended system.
 struct CurveCorrection {
   Evaluation evaluation = Evaluation::ok;
   bool converged = false;

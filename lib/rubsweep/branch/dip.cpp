@@ -7,7 +7,7 @@
 namespace rubsweep::branch {
 namespace {
 
-constexpr double near_zero = 0.5;  ///< of the end that is nearer to zero
+constexpr double near_zero = 0.5;  ///< share of the end that is nearer to zero
 
 /// a + b t + c t^2 + d t^3 for 0 <= t <= 1.
 struct Cubic {
@@ -36,7 +36,7 @@ Extrema extrema_of(const Cubic& f) {
   return found;
 }
 
-/// Of a function that is positive where it begins.
+/// Dip of a function that is positive where it begins.
 std::optional<double> dip_of(const Cubic& f) {
   const Extrema extrema = extrema_of(f);
   if (!extrema.lowest) return std::nullopt;

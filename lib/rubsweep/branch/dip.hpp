@@ -15,7 +15,7 @@ struct StepEnds {
 /// half of the nearer end, or beyond it. Empty where it does not. `length` > 0: of the step.
 std::optional<double> dip_of_cubic(const StepEnds& ends, double length);
 
-/// The same of a function with these values at the ends and this mean in between, by a quadratic.
+/// The same share for a function with these values at the ends and this mean in between, by a quadratic.
 std::optional<double> dip_of_quadratic(double begin, double end, double mean);
 
 }  // namespace rubsweep::branch

@@ -13,13 +13,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Of central differences, in the coordinates: by parameters and phase, as along a branch; along the state,
-/// where third derivatives are made as well.
+/// Steps of central differences, in the coordinates: by parameters and phase, as along a branch; along the
+/// state, where third derivatives are made as well.
 constexpr double usual_parameter_step = 1e-6, usual_state_step = 1e-5;
 /// A graze is an orbit that misses the guard by so much of the length scale: on the other side its
 /// derivative would have a square root of what rounding leaves.
 constexpr double miss = 4e-12;
-/// Of what Newton's iteration divides by at a branch point.
+/// Least divisor of Newton's iteration at a branch point.
 constexpr double least_cubic = 1e-3;
 
 double root_of(Index states) { return std::sqrt(static_cast<double>(states)); }

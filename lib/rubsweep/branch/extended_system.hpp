@@ -9,24 +9,22 @@
 
 namespace rubsweep::branch {
 
-/// Orbits of a plane on which something happens: as many equations as say that the orbit closes, and one
-/// condition more, so that the solutions are curves. Their coordinates (Position) are state / sqrt(states),
-/// of a graze then the phase at which it touches, and both parameters, each divided by the width of its
-/// range.
+/// Extended system of a codimension-one point of periodic orbits: the fixed-point equations and one
+/// bifurcation condition more, so that its solutions are curves in the plane of two parameters. Their
+/// coordinates (Position) are state / sqrt(states), of a graze then the phase at which it touches, and both
+/// parameters, each divided by the width of its range.
 ///
 /// | kind | condition |
 /// |---|---|
 /// | fold, period doubling | smallest singular value of M - 1, of M + 1 |
 /// | torus | product of the two multipliers whose product is nearest to 1, less 1 |
-/// | branch point | as a fold, and the second derivative of the image along the critical direction, seen by
-/// the
-///   left one, in place of the one equation that says nothing there |
+/// | branch point | as a fold, and a second derivative in place of the equation that says nothing there |
 /// | graze | at the start of the turn the guard is as good as zero, and so is its rate |
 struct ExtendedSystem {
   const PlaneOrbits* orbits = nullptr;  ///< never null
   EventKind kind = EventKind::fold;     ///< one that has_curve()
   Eigen::Index states = 0;
-  ArmedGuard guard = {};  ///< of a graze
+  ArmedGuard guard = {};  ///< guard that is grazed
 
   Eigen::Index unknowns() const { return states + (kind == EventKind::graze ? 3 : 2); }
 };
@@ -38,14 +36,14 @@ Position position_of(const ExtendedSystem& system, const Place& place, const Eig
 Place place_of(const ExtendedSystem& system, const Position& at);
 Eigen::VectorXd state_of(const ExtendedSystem& system, const Position& at);
 
-/// What is known at a place of what becomes critical there, for tests of meetings with other events.
+/// Null vectors and normal form coefficients at a codimension-one point, for tests of meetings.
 struct Critical {
-  Eigen::VectorXd left, right;  ///< unit vectors of the multiplier +-1; their signs mean nothing
+  Eigen::VectorXd left, right;  ///< null vectors of the multiplier +-1; their signs mean nothing
   double quadratic = 0;    ///< left . second derivative along right; zero at a cusp. Its sign is that of left
   double cubic = 0;        ///< coefficient of the normal form behind it; its sign is that of left times right
-  double pair_sum = 0;     ///< of a torus: 2 cos of the angle of its multipliers
-  double curvature = 0;    ///< of a grazing guard
-  double open_defect = 0;  ///< of a branch point: how far the orbit is from closing along `left`
+  double pair_sum = 0;     ///< torus: 2 cos of the angle of its multipliers
+  double curvature = 0;    ///< curvature of a grazing guard
+  double open_defect = 0;  ///< branch point: how far the orbit is from closing along `left`
 };
 
 /// The equations at `at`.

@@ -39,7 +39,7 @@ struct Family {
 /// Neighbours of a cell on the grid: up to four.
 std::vector<std::size_t> neighbours_of(const sweep::Grid& grid, std::size_t cell);
 
-/// What the cells of a map settle on.
+/// Families of the orbits that the cells of a map settle on.
 struct Families {
   std::vector<Family> list;               ///< by ascending seed
   std::vector<std::size_t> not_followed;  ///< cells whose proven orbit is not found again as a stable one

@@ -12,7 +12,7 @@
 
 namespace rubsweep::branch {
 
-/// What following families has found so far, cell by cell, so that a second run need not find it again. Every
+/// Results of following families so far, cell by cell, so that a second run need not find them again. Every
 /// number is kept to its last bit, and what is found depends on the study alone: families that are followed
 /// with records are those that are followed without.
 class FamilyRecords {
@@ -30,7 +30,7 @@ class FamilyRecords {
   const std::optional<CellOrbit>* settled(std::size_t cell) const;
   void keep_settled(std::size_t cell, const std::optional<CellOrbit>& orbit);
 
-  /// What became of the orbit of the family of `seed` on the way between two cells; null: not known yet.
+  /// Passage of the orbit of the family of `seed` on the way between two cells; null: not known yet.
   const Passage* passage(std::size_t seed, std::size_t from, std::size_t to) const;
   void keep_passage(std::size_t seed, std::size_t from, std::size_t to, const Passage& passage);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int easy_iterations = 5;
 constexpr double same_place = 1e-7;    ///< between positions
-constexpr double still_closed = 1e-8;  ///< of an orbit at a branch point, per unit of its size
+constexpr double still_closed = 1e-8;  ///< defect of an orbit at a branch point, per unit of its size
 
 bool holds(const PlaneOrbits& orbits, const Place& place) {
   return orbits.first.holds(place.first) && orbits.second.holds(place.second);

@@ -7,8 +7,8 @@
 namespace rubsweep::branch {
 namespace {
 
-/// Of the shaft's rotation, for the guard's second derivative: the error of the central difference and its
-/// rounding both stay near 1e-10.
+/// Step of the shaft's rotation for the guard's second derivative: the error of the central difference and
+/// its rounding both stay near 1e-10.
 constexpr double difference_step_rad = 1e-5;
 
 }  // namespace

@@ -127,7 +127,7 @@ std::vector<NamedTest> tests_of(EventKind kind, const Critical& reference) {
   }
 }
 
-/// What it is that an orbit grazes where its curve is of `kind`.
+/// Meeting with a graze on a curve of `kind`.
 MeetingKind graze_on(EventKind kind) {
   switch (kind) {
     case EventKind::graze:

@@ -17,7 +17,7 @@ constexpr int newton_iterations = 10;
 constexpr double closed = 1e-12;        ///< return error of an orbit found, per unit of the state's size
 constexpr double nearly_closed = 1e-9;  ///< the same where rounding or the solver's tolerance lets no better
 constexpr double finest_difference_step = 1e-9;
-constexpr double agreement = 1e-4;  ///< of differences at two step sizes, relative
+constexpr double agreement = 1e-4;  ///< relative difference of derivatives at two step sizes
 
 double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 

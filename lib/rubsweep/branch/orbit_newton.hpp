@@ -19,7 +19,7 @@ inline Position position_of(const OrbitProblem& problem, const BranchPoint& poin
 double parameter_of(const OrbitProblem& problem, const Position& position);
 Eigen::VectorXd state_of(const Position& position);
 
-/// What Newton's iteration came to.
+/// Outcome of Newton's iteration.
 struct Correction {
   Evaluation evaluation = Evaluation::ok;
   bool converged = false;

@@ -10,18 +10,18 @@
 
 namespace rubsweep::branch {
 
-/// What one evaluation of an orbit's map came to.
+/// Outcome of one evaluation of an orbit's map.
 enum class Evaluation {
   ok,
   infeasible,  ///< there is no such machine or scene at this parameter
   failed,      ///< the solver could not make a turn
 };
 
-/// What an orbit does over its period.
+/// Facts of an orbit over its period.
 struct OrbitFacts {
-  double period_turns = 0;      ///< of the shaft
+  double period_turns = 0;      ///< turns of the shaft
   int hits = 0;                 ///< over the whole period
-  double contact_fraction = 0;  ///< of the period
+  double contact_fraction = 0;  ///< share of the period
   double amplitude_m = 0;       ///< largest distance of the rotor from its mean position
   double peak_displacement_m = 0;
   double peak_contact_force_n = 0;
@@ -44,7 +44,7 @@ struct Approach {
   double distance = 0;  ///< >= 0, in the unit of the guard; smooth along a branch, and zero at the graze
 };
 
-/// What an orbit does at its contacts, and what it nearly does.
+/// Changes of contact mode on an orbit, and those that nearly happen.
 struct ContactPassages {
   std::vector<integrate::run::ModeSwitch> switches;
   std::vector<Approach> approaches;
@@ -63,7 +63,8 @@ struct OrbitProblem {
   /// Facts of the orbit from `state`; empty where it cannot be followed. May be left out, and then nothing is
   /// known of contacts, nor of shorter periods.
   std::function<std::optional<OrbitFacts>(double parameter, const Eigen::VectorXd& state)> facts;
-  /// The same of approaches. Without these a hit that comes and goes between two orbits is not looked for.
+  /// Changes and approaches at its contacts. Without these a hit that comes and goes between two orbits is
+  /// not looked for.
   std::function<std::optional<ContactPassages>(double parameter, const Eigen::VectorXd& state)> passages;
   int order = 1;               ///< turns of the period
   double low = 0, high = 0;    ///< range of the parameter that is looked at

@@ -27,7 +27,7 @@ using response::rotating::RotatingFlow;
 constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double tolerance_of_orbits = 1e-11;
 constexpr int samples_per_turn = 128;
-constexpr double nearest_maximum = 0.2;  ///< of a loop: farther off it is not the one that was expected
+constexpr double nearest_maximum = 0.2;  ///< share of a loop: farther off it is not the one that was expected
 constexpr double landed_rad = 1e-9;      ///< the rest is one small step along the motion
 constexpr int most_steps = 12;
 

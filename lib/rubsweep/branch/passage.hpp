@@ -21,7 +21,7 @@ struct CellOrbit {
   Closing closing = Closing::with_the_shaft;
 };
 
-/// What becomes of a stable orbit on the straight way from its cell to a neighbour.
+/// Outcome of following a stable orbit on the straight way from its cell to a neighbour.
 struct Passage {
   std::optional<CellOrbit> arrived;  ///< the orbit there, where it exists and is stable all the way
   std::string_view kind;             ///< else what ends it: the word of an EventKind or an Ending

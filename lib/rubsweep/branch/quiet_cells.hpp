@@ -6,7 +6,7 @@
 
 namespace rubsweep::branch {
 
-/// What the quiet motion of a cell is, which is there in closed form.
+/// Kind of quiet motion of a cell, which is there in closed form.
 enum class Quiet {
   stable,    ///< it touches nothing, and free vibration about it decays
   unstable,  ///< it touches nothing, but free vibration grows

@@ -12,10 +12,10 @@
 
 namespace rubsweep::branch {
 
-/// What a cell settles on when it is run from its kick.
+/// Motion that a cell settles on when it is run from its kick.
 struct SettledStart {
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
-  std::optional<int> order;  ///< of the closed orbit, in contact; empty: there is none to follow
+  std::optional<int> order;  ///< order of the closed orbit, in contact; empty: there is none to follow
   Closing closing = Closing::with_the_shaft;
   Eigen::VectorXd state;  ///< near the orbit, as its closed_orbits() have it
 };
