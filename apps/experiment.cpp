@@ -20,12 +20,12 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/identify/campbell.hpp"
+#include "rubsweep/identify/campbell_tables.hpp"
 #include "rubsweep/identify/experiment.hpp"
+#include "rubsweep/identify/experiment_tables.hpp"
 #include "rubsweep/line/follow_line.hpp"
 #include "rubsweep/ramp/ramp_record.hpp"
-#include "rubsweep/report/campbell_tables.hpp"
-#include "rubsweep/report/experiment_tables.hpp"
-#include "rubsweep/report/ramp_tables.hpp"
+#include "rubsweep/ramp/ramp_tables.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -48,7 +48,7 @@ struct Outcome {
   integrate::run::Outcome run = integrate::run::Outcome::ok;  ///< of a run-up with stops
 };
 
-Outcome outcome_of(report::ExperimentTables tables) {
+Outcome outcome_of(identify::ExperimentTables tables) {
   return {{{"sensors.csv", std::move(tables.sensors_csv)},
            {"bode.csv", std::move(tables.bode_csv)},
            {"identification.csv", std::move(tables.identification_csv)}},
@@ -57,8 +57,8 @@ Outcome outcome_of(report::ExperimentTables tables) {
 
 Outcome campbell_diagram(const CampbellSpeeds& asked, const model::Machine& machine) {
   const std::vector<double> speeds_hz = batch::evenly_spaced(asked.from_hz, asked.to_hz, asked.count);
-  report::CampbellTables tables =
-      report::tables_of(identify::campbell(identify::free_rotor(machine), speeds_hz, 2 * asked.to_hz));
+  identify::CampbellTables tables =
+      identify::tables_of(identify::campbell(identify::free_rotor(machine), speeds_hz, 2 * asked.to_hz));
   return {{{"campbell.csv", std::move(tables.campbell_csv)},
            {"critical_speeds.csv", std::move(tables.critical_speeds_csv)},
            {"mode_shapes.csv", std::move(tables.mode_shapes_csv)}},
@@ -92,7 +92,7 @@ Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study) {
   const integrate::run::Outcome run =
       ramp::run_ramp(machine, ramp, study.solver, ramp_samples,
                      [&](const ramp::RampStretch& stretch) { record.add(stretch); });
-  report::RampTables tables = report::tables_of(record, steady_motions(ramp, study, machine));
+  ramp::RampTables tables = ramp::tables_of(record, steady_motions(ramp, study, machine));
   return {{{"envelope.csv", std::move(tables.envelope_csv)},
            {"orbits.csv", std::move(tables.orbits_csv)},
            {"spectrogram.csv", std::move(tables.spectrogram_csv)},
@@ -117,7 +117,7 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   if (arguments.campbell) return campbell_diagram(*arguments.campbell, described);
   const identify::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
   if (const auto& ramp = arguments.run_up) {
-    return outcome_of(report::tables_of(identify::run_up(
+    return outcome_of(identify::tables_of(identify::run_up(
         machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s, ramp->eccentricity_m, sampling)));
   }
   if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
@@ -127,7 +127,7 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
         fmt::format("--sample-s: {} s are too long to see {:.4g} Hz, allowed: less than {:.4g} s",
                     sampling.sample_s, slowest_hz, 1 / (2 * slowest_hz)));
   }
-  return outcome_of(report::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
+  return outcome_of(identify::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
 }
 
 /// Picture that rubplot draws of it, and its heading.

@@ -17,9 +17,9 @@
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/config/print_ring_config.hpp"
 #include "rubsweep/config/read_ring_config.hpp"
-#include "rubsweep/report/ring_chart_csv.hpp"
-#include "rubsweep/report/ring_csv.hpp"
-#include "rubsweep/report/ring_summary.hpp"
+#include "rubsweep/ring/ring_chart_csv.hpp"
+#include "rubsweep/ring/ring_csv.hpp"
+#include "rubsweep/ring/ring_summary.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -36,18 +36,18 @@ constexpr std::array<std::string_view, 7> file_names{"config.yaml",         "eig
 /// Computes the chart and adds its files; false when a signal came first.
 bool chart(const RingstabArguments& arguments, const ring::Study& study, const ResultSource& source,
            const fs::path& directory, ResultFiles& files, Lines& lines) {
-  const std::string comments = report::ring_comments();
+  const std::string comments = ring::ring_comments();
   const fs::path partial = directory / "chart.partial.csv";
   fs::remove(partial);
   batch::LineLog finished(partial);
-  finished.append(growing_table_head(source) + comments + report::chart_header(*study.chart));
+  finished.append(growing_table_head(source) + comments + ring::chart_header(*study.chart));
   const batch::ProgressMode mode = arguments.quiet ? batch::ProgressMode::never : arguments.progress;
   batch::Progress progress(study.chart->values.size(), mode);
   const std::atomic<bool>& stop = catch_interrupts();
   lines = ring::run_chart(
       study.system, *study.chart, ring::speeds_rad_per_s(study), arguments.threads,
       [&](const ring::ChartLine& line) {
-        finished.append(report::chart_rows(study, line));
+        finished.append(ring::chart_rows(study, line));
         progress.advance();
       },
       stop);
@@ -56,8 +56,8 @@ bool chart(const RingstabArguments& arguments, const ring::Study& study, const R
     say(fmt::format("ringstab: interrupted; finished lines are in {}\n", partial.string()));
     return false;
   }
-  files["chart.csv"] = comments + report::chart_csv(study, lines);
-  files["chart_onsets.csv"] = comments + report::chart_onsets_csv(study, lines);
+  files["chart.csv"] = comments + ring::chart_csv(study, lines);
+  files["chart_onsets.csv"] = comments + ring::chart_onsets_csv(study, lines);
   return true;
 }
 
@@ -71,25 +71,24 @@ int run(const RingstabArguments& arguments, const config::RingConfig& config) {
   end_on_interrupts("nothing was written");
   const ResultSource source{"ringstab", config::ring_study_digest(study),
                             batch::caption_lines(config.captions)};
-  const std::string comments = report::ring_comments();
+  const std::string comments = ring::ring_comments();
   const ring::Analysis analysis = ring::analyse(study.system, ring::speeds_rad_per_s(study));
-  ResultFiles files{
-      {"config.yaml", config::print_ring_config(config)},
-      {"eigenvalues.csv", comments + report::eigenvalues_csv(analysis.track)},
-      {"onsets.csv", comments + report::onsets_csv(analysis.onsets)},
-      {"critical_speeds.csv", comments + report::critical_speeds_csv(analysis.critical_speeds)}};
-  std::string summary = report::ring_summary(study, analysis);
+  ResultFiles files{{"config.yaml", config::print_ring_config(config)},
+                    {"eigenvalues.csv", comments + ring::eigenvalues_csv(analysis.track)},
+                    {"onsets.csv", comments + ring::onsets_csv(analysis.onsets)},
+                    {"critical_speeds.csv", comments + ring::critical_speeds_csv(analysis.critical_speeds)}};
+  std::string summary = ring::ring_summary(study, analysis);
   if (study.system.ring.radius_m) {
-    const auto loads = report::static_loads(study);
-    files["static_load.csv"] = comments + report::static_load_csv(study, loads);
-    summary += report::validity_summary(study, loads);
+    const auto loads = ring::static_loads(study);
+    files["static_load.csv"] = comments + ring::static_load_csv(study, loads);
+    summary += ring::validity_summary(study, loads);
   }
   Lines lines;
   if (study.chart && !chart(arguments, study, source, directory, files, lines)) return 128 + caught_signal();
   write_result_files(files, file_names, directory, source);
   fs::remove(directory / "chart.partial.csv");
   if (!arguments.quiet) {
-    print("{}{}{}", summary, report::chart_summary(lines), files_line(files, directory));
+    print("{}{}{}", summary, ring::chart_summary(lines), files_line(files, directory));
   }
   const bool all_ok =
       std::all_of(lines.begin(), lines.end(), [](const auto& line) { return line->status == "ok"; });
@@ -107,7 +106,7 @@ int perform(const RingstabArguments& arguments) {
   const config::RingConfig config = config::read_ring_config(arguments.config, arguments.overrides);
   ask("ringstab", config.questions, arguments.quiet);
   return act(arguments, {.size = [&] { return size_of(config.study); },
-                         .explanation = [&] { return report::explain_ring(config.study); },
+                         .explanation = [&] { return ring::explain_ring(config.study); },
                          .configuration = [&] { return config::print_ring_config(config); },
                          .run = [&] { return run(arguments, config); }});
 }

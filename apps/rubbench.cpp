@@ -21,10 +21,10 @@
 #include "rubbench_arguments.hpp"
 #include "rubsweep/bench/label_agreement.hpp"
 #include "rubsweep/bench/reference.hpp"
+#include "rubsweep/bench/work_precision_report.hpp"
 #include "rubsweep/config/cell_config.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
-#include "rubsweep/report/work_precision_report.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -68,7 +68,7 @@ scene::Place central_rub(const std::vector<scene::Place>& places,
 scene::Scene scene_of(const sweep::Study& study, const scene::Place& place) {
   scene::Cell cell = scene::build_cell(study.machine, place.speed_hz, place.unbalance);
   if (!scene::can_run(cell.start)) {
-    throw ConfigError(fmt::format("the cell {} cannot be timed: {}", report::cell_name(place),
+    throw ConfigError(fmt::format("the cell {} cannot be timed: {}", bench::cell_name(place),
                                   cell.start == scene::Start::initial_contact
                                       ? "static forces press the rotor on the wall"
                                       : "no quiet motion has this unbalance"));
@@ -80,11 +80,10 @@ scene::Scene scene_of(const sweep::Study& study, const scene::Place& place) {
 constexpr int turns_of_a_proof = 100;
 
 /// Time of a revolution by the same stepper at its tightest tolerance, on the same cell.
-double tightest_us(const std::vector<report::WorkPrecisionLine>& lines,
-                   const report::WorkPrecisionLine& line) {
+double tightest_us(const std::vector<bench::WorkPrecisionLine>& lines, const bench::WorkPrecisionLine& line) {
   double time_us = *line.measurement.microseconds_per_revolution;
   double tolerance = line.measurement.variant.relative_tolerance.value_or(0);
-  for (const report::WorkPrecisionLine& other : lines) {
+  for (const bench::WorkPrecisionLine& other : lines) {
     const bench::Variant &a = line.measurement.variant, &b = other.measurement.variant;
     const bool same = other.cell == line.cell && a.method == b.method && a.stepper == b.stepper &&
                       a.contact == b.contact && other.measurement.microseconds_per_revolution;
@@ -101,11 +100,11 @@ class Labels {
   Labels(const sweep::Study& study, const std::vector<bench::LabelledCell>& cells, double seconds)
       : study_(study), cells_(cells), seconds_(seconds) {}
 
-  void fill(const std::vector<report::WorkPrecisionLine>& lines, report::WorkPrecisionLine& line) {
+  void fill(const std::vector<bench::WorkPrecisionLine>& lines, bench::WorkPrecisionLine& line) {
     const auto& time = line.measurement.microseconds_per_revolution;
     if (cells_.empty() || !time) return;
     const bench::Variant& variant = line.measurement.variant;
-    const std::string name = report::variant_name(variant);
+    const std::string name = bench::variant_name(variant);
     line.labels_too_slow = *time * study_.response.max_revolutions > 1e6 * seconds_ ||
                            tightest_us(lines, line) * turns_of_a_proof > 1e6 * seconds_;
     if (line.labels_too_slow) return;
@@ -143,11 +142,11 @@ std::vector<scene::Place> places_to_time(const RubbenchArguments& arguments, con
 
 /// Times every variant on one cell. Returns the sentence on the reference of the errors.
 std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study& study,
-                         const scene::Place& place, std::vector<report::WorkPrecisionLine>& lines) {
-  const std::string name = report::cell_name(place);
+                         const scene::Place& place, std::vector<bench::WorkPrecisionLine>& lines) {
+  const std::string name = bench::cell_name(place);
   const scene::Scene scene = scene_of(study, place);
   const auto reference = bench::reference_section(scene, arguments.work.error_turns, study.solver);
-  std::string sentence = report::reference_sentence(name, reference);
+  std::string sentence = bench::reference_sentence(name, reference);
   say(arguments, sentence);
   const auto variants = bench::variants_of(scene, study.solver, arguments.work.turns, arguments.steppers,
                                            arguments.relative_tolerances);
@@ -185,19 +184,19 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   if (!to_label.empty())
     say(arguments, fmt::format("labels: {} of {} cells can be kicked\n", labelled.size(), to_label.size()));
 
-  std::string comments = report::work_precision_comments(arguments.work);
-  std::vector<report::WorkPrecisionLine> lines;
+  std::string comments = bench::work_precision_comments(arguments.work);
+  std::vector<bench::WorkPrecisionLine> lines;
   for (const scene::Place& place : places) comments += "# " + measure_cell(arguments, study, place, lines);
   Labels labels(study, labelled, arguments.label_seconds);
-  for (report::WorkPrecisionLine& line : lines) labels.fill(lines, line);
+  for (bench::WorkPrecisionLine& line : lines) labels.fill(lines, line);
 
   const InterruptsWait whole_set;
   write_result_files({{file_names[0], config::print_config(config)},
-                      {file_names[1], comments + report::work_precision_csv(lines)}},
+                      {file_names[1], comments + bench::work_precision_csv(lines)}},
                      file_names, directory,
                      {"rubbench", config::study_digest(study), batch::caption_lines(config.captions)});
   say(arguments, fmt::format("{}\nfiles: {}: config.yaml work_precision.csv\n",
-                             report::work_precision_table(lines, arguments.work.turns), directory.string()));
+                             bench::work_precision_table(lines, arguments.work.turns), directory.string()));
   const bool all_ran = std::all_of(lines.begin(), lines.end(), [](const auto& line) {
     return line.measurement.outcome == integrate::run::Outcome::ok;
   });

@@ -23,6 +23,7 @@
 #include "rubbranch_arguments.hpp"
 #include "rubbranch_curves.hpp"
 #include "rubbranch_map.hpp"
+#include "rubsweep/branch/branch_csv.hpp"
 #include "rubsweep/branch/closed_orbits.hpp"
 #include "rubsweep/branch/doubling.hpp"
 #include "rubsweep/branch/follow.hpp"
@@ -31,7 +32,6 @@
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
-#include "rubsweep/report/branch_csv.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -113,25 +113,25 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   std::vector<branch::Branch> branches{branch::follow_both_ways(problem, *start, options)};
   if (arguments.switch_at_doublings) add_doubled(family, closing, options, study, workspace, branches);
 
-  std::vector<report::CurveFrom> curves;
+  std::vector<branch::CurveFrom> curves;
   if (plane)
     curves = curves_of(branches, *plane, {family.low, family.high}, study, arguments.most_points, workspace);
 
-  const std::string comments = report::branch_comments(arguments.along, branches);
+  const std::string comments = branch::branch_comments(arguments.along, branches);
   ResultFiles files{{"config.yaml", config::print_config(config)},
-                    {"branch.csv", comments + report::branch_csv(branches)},
-                    {"events.csv", comments + report::branch_events_csv(branches)}};
+                    {"branch.csv", comments + branch::branch_csv(branches)},
+                    {"events.csv", comments + branch::branch_events_csv(branches)}};
   if (plane) {
-    const std::string curve_comments = report::curve_comments(arguments.along, arguments.curve, curves);
-    files["curves.csv"] = curve_comments + report::curves_csv(curves);
-    files["meetings.csv"] = curve_comments + report::meetings_csv(curves);
+    const std::string curve_comments = branch::curve_comments(arguments.along, arguments.curve, curves);
+    files["curves.csv"] = curve_comments + branch::curves_csv(curves);
+    files["meetings.csv"] = curve_comments + branch::meetings_csv(curves);
   }
   const InterruptsWait whole_set;
   write_result_files(files, file_names, directory,
                      {"rubbranch", config::study_digest(study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) {
-    print("{}{}{}", report::branch_summary(arguments.along, branches),
-          report::curves_summary(arguments.along, arguments.curve, curves), files_line(files, directory));
+    print("{}{}{}", branch::branch_summary(arguments.along, branches),
+          branch::curves_summary(arguments.along, arguments.curve, curves), files_line(files, directory));
   }
   return done;
 }

@@ -24,11 +24,11 @@ branch::BranchEvent with_its_own_period(branch::BranchEvent event, int& order) {
 
 }  // namespace
 
-std::vector<report::CurveFrom> curves_of(const std::vector<branch::Branch>& branches,
+std::vector<branch::CurveFrom> curves_of(const std::vector<branch::Branch>& branches,
                                          const BranchPlane& plane, const branch::ParameterRange& first,
                                          const sweep::Study& study, int most_points,
                                          response::motion::Workspace& workspace) {
-  std::vector<report::CurveFrom> curves;
+  std::vector<branch::CurveFrom> curves;
   branch::CurveOptions options;
   options.most_points = most_points;
   std::size_t row = 0;
@@ -49,7 +49,7 @@ std::vector<report::CurveFrom> curves_of(const std::vector<branch::Branch>& bran
                         parameter));
         continue;
       }
-      const bool known = std::ranges::any_of(curves, [&](const report::CurveFrom& other) {
+      const bool known = std::ranges::any_of(curves, [&](const branch::CurveFrom& other) {
         return other.curve.kind == event.kind && other.curve.order == order &&
                branch::lies_on(start->system, other.curve, start->point);
       });

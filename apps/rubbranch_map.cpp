@@ -20,11 +20,11 @@
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/branch/attribution.hpp"
 #include "rubsweep/branch/contradiction.hpp"
+#include "rubsweep/branch/families_csv.hpp"
 #include "rubsweep/branch/family.hpp"
 #include "rubsweep/branch/quiet_cells.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
-#include "rubsweep/report/families_csv.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
 #include "writable.hpp"
 
@@ -118,16 +118,16 @@ int run_on_map(const RubbranchArguments& arguments) {
   }
   const auto edges =
       branch::attribute(study.grid, labels, families.list, branch::quiet_cells(study), quiet_label);
-  write_result_files({{"families.csv", report::families_csv(study.grid, families.list)},
-                      {"edges.csv", report::edges_csv(study.grid, labels, edges)},
-                      {"boundaries.csv", report::boundaries_csv(study.grid, families.list)},
-                      {"contradictions.csv", report::contradictions_csv(study.grid, labels, checks)}},
+  write_result_files({{"families.csv", branch::families_csv(study.grid, families.list)},
+                      {"edges.csv", branch::edges_csv(study.grid, labels, edges)},
+                      {"boundaries.csv", branch::boundaries_csv(study.grid, families.list)},
+                      {"contradictions.csv", branch::contradictions_csv(study.grid, labels, checks)}},
                      family_files, output, {"rubbranch", map.digest, batch::caption_lines(config.captions)});
   journal.remove();
   if (!arguments.quiet) {
     print("{}{}files     {}: boundaries.csv contradictions.csv edges.csv families.csv\n",
-          report::families_summary(study.grid, families, proven.size(), edges),
-          report::contradictions_summary(checks), output.string());
+          branch::families_summary(study.grid, families, proven.size(), edges),
+          branch::contradictions_summary(checks), output.string());
   }
   return families.not_followed.empty() ? done : some_cells_failed;
 }

@@ -30,8 +30,8 @@
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/line/follow_line.hpp"
+#include "rubsweep/line/line_tables.hpp"
 #include "rubsweep/overloaded.hpp"
-#include "rubsweep/report/line_tables.hpp"
 #include "rubsweep/report/map_csv.hpp"
 
 namespace rubsweep::apps {
@@ -172,8 +172,7 @@ class LineRun {
     progress_.finish();
     write();
     if (points_.size() < cells_.size() * arguments_.passes.size()) return interrupted();
-    if (!arguments_.quiet)
-      print("{}{}", report::line_summary(points_, cells_), files_line(files_, directory_));
+    if (!arguments_.quiet) print("{}{}", line::line_summary(points_, cells_), files_line(files_, directory_));
     draw("line", "Bifurcation diagram", arguments_.figure);
     draw("cascade", "Cascade of full spectra", arguments_.cascade_figure);
     const bool failed = std::ranges::any_of(points_, [](const line::LinePoint& point) {
@@ -198,7 +197,7 @@ class LineRun {
   void write() {
     std::ranges::sort(points_, {},
                       [](const line::LinePoint& point) { return std::pair(point.pass, point.cell); });
-    report::LineTables tables = report::tables_of(points_, cells_, arguments_.along);
+    line::LineTables tables = line::tables_of(points_, cells_, arguments_.along);
     files_ = {{"config.yaml", config::print_config(config_)},
               {"line.csv", std::move(tables.line_csv)},
               {"bifurcation.csv", std::move(tables.bifurcation_csv)},

@@ -23,17 +23,17 @@
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/identify/experiment.hpp"
+#include "rubsweep/identify/experiment_tables.hpp"
 #include "rubsweep/identify/linear_run.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/report/experiment_tables.hpp"
 #include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/report/trace_csv.hpp"
-#include "rubsweep/report/trace_summary.hpp"
 #include "rubsweep/report/unit_columns.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "rubsweep/sweep/hertz_secant.hpp"
 #include "rubsweep/trace/probe_period.hpp"
+#include "rubsweep/trace/trace_csv.hpp"
 #include "rubsweep/trace/trace_run.hpp"
+#include "rubsweep/trace/trace_summary.hpp"
 #include "rubtrace_arguments.hpp"
 
 namespace rubsweep::apps {
@@ -102,10 +102,10 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
                            const sweep::Study& study, response::motion::Workspace& workspace,
                            ResultFiles& files) {
-  files["sensors.csv"] = report::sensors_csv({.from_hz = speed_hz,
-                                              .sample_s = probes.sample_s,
-                                              .samples = static_cast<int>(trace.readings_m.rows())},
-                                             trace.readings_m);
+  files["sensors.csv"] = identify::sensors_csv({.from_hz = speed_hz,
+                                                .sample_s = probes.sample_s,
+                                                .samples = static_cast<int>(trace.readings_m.rows())},
+                                               trace.readings_m);
   const auto pair = trace::pair_of(probes.angle_deg, places_of_sensors(study.machine));
   if (!pair) return "probes    no two of them see one place from two directions\n";
   const auto z = trace::displacement_of(trace.readings_m, *pair, probes.angle_deg);
@@ -114,8 +114,8 @@ std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probe
       trace::find_period(z, probes.sample_s, speed_hz, probes.noise_m, turns, study.response.max_order);
   const auto spectrum = trace::probe_spectrum(z, probes.sample_s, speed_hz, turns, period.period.value_or(1),
                                               workspace.spectrum);
-  files["probe_spectrum.csv"] = report::spectrum_csv(spectrum, speed_hz);
-  return report::probe_summary(period, *pair, probes);
+  files["probe_spectrum.csv"] = trace::spectrum_csv(spectrum, speed_hz);
+  return trace::probe_summary(period, *pair, probes);
 }
 
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
@@ -156,11 +156,11 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
     trace = trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,
                              study.solver, options);
     const trace::TraceWindow window = trace::last_window(trace, options, row.order, workspace.spectrum);
-    files["trajectory.csv"] = report::trajectory_csv(trace);
-    files["section.csv"] = report::section_csv(trace);
-    files["events.csv"] = report::events_csv(trace);
-    files["spectrum.csv"] = report::spectrum_csv(window.spectrum, place.speed_hz);
-    summary += report::trace_summary(trace, window, cell.scene.length_scale_m);
+    files["trajectory.csv"] = trace::trajectory_csv(trace);
+    files["section.csv"] = trace::section_csv(trace);
+    files["events.csv"] = trace::events_csv(trace);
+    files["spectrum.csv"] = trace::spectrum_csv(window.spectrum, place.speed_hz);
+    summary += trace::trace_summary(trace, window, cell.scene.length_scale_m);
     if (options.probes)
       summary += look_by_probes(trace, *options.probes, place.speed_hz, study, workspace, files);
   }

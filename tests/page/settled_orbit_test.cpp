@@ -8,8 +8,8 @@
 #include "batch/read_csv.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/report/trace_csv.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/trace/trace_csv.hpp"
 #include "rubsweep/trace/trace_run.hpp"
 #include "sweep/one_side_study.hpp"
 
@@ -46,7 +46,7 @@ batch::CsvTable trajectory(const sweep::Study& study, const SettledOrbit& orbit)
       integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene, study.solver, options);
   const TemporaryDirectory directory;
   const auto path = directory.path() / "trajectory.csv";
-  std::ofstream(path, std::ios::binary) << report::trajectory_csv(trace);
+  std::ofstream(path, std::ios::binary) << trace::trajectory_csv(trace);
   return batch::read_csv(path);
 }
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "rubsweep/identify/campbell.hpp"
+
+namespace rubsweep::identify {
+
+/// A Campbell diagram as texts. Speeds and frequencies in Hz.
+struct CampbellTables {
+  std::string campbell_csv;         ///< speed_hz, mode, whirl, forward_share, frequency_hz, damping_ratio
+  std::string critical_speeds_csv;  ///< mode, whirl, speed_hz, damping_ratio
+  /// mode, whirl, speed_hz, frequency_hz, position_m, then x_real, x_imag, y_real, y_imag: see ModeShape
+  std::string mode_shapes_csv;
+  std::string summary;  ///< for a terminal
+};
+
+CampbellTables tables_of(const Campbell& diagram);
+
+}  // namespace rubsweep::identify

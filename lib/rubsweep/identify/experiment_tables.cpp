@@ -1,0 +1,109 @@
+#include "rubsweep/identify/experiment_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "rubsweep/batch/csv_table.hpp"
+
+namespace rubsweep::identify {
+namespace {
+
+using batch::csv_number;
+
+std::string bode_csv(const std::vector<std::vector<BodePoint>>& plots) {
+  std::string text = "speed_hz";
+  for (std::size_t i = 0; i < plots.size(); ++i)
+    text += fmt::format(",sensor_{0}_amplitude_m,sensor_{0}_phase_deg", i);
+  text += '\n';
+  for (std::size_t k = 0; k < plots.front().size(); ++k) {
+    text += csv_number(plots.front()[k].speed_hz);
+    for (const auto& plot : plots) {
+      text.append(",").append(csv_number(plot[k].amplitude_m));
+      text.append(",").append(csv_number(plot[k].phase_deg));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+void add(std::string& identification, const char* quantity, std::size_t sensor, double value) {
+  identification += fmt::format("{},{},{}\n", quantity, sensor, csv_number(value));
+}
+
+ExperimentTables begun(const LinearRun& run, const Eigen::MatrixXd& signal_m) {
+  return {.sensors_csv = sensors_csv(run, signal_m),
+          .bode_csv = {},
+          .identification_csv = "quantity,sensor,value\n",
+          .summary = {}};
+}
+
+std::string why_none(const RunUp& run_up, std::size_t sensor) {
+  if (!run_up.sees[sensor]) return "does not see the unbalance";
+  const auto& plot = run_up.bode[sensor];
+  if (plot.empty()) {
+    return fmt::format("no largest 1X: no {} revolutions with enough samples, run up more slowly",
+                       bode_revolutions);
+  }
+  return fmt::format(
+      "no largest 1X inside: of what was measured, {:.5g} to {:.5g} Hz, 1X is largest at an end, {:.4g} m",
+      plot.front().speed_hz, plot.back().speed_hz, run_up.largest_amplitude_m[sensor]);
+}
+
+}  // namespace
+
+std::string sensors_csv(const LinearRun& run, const Eigen::MatrixXd& signal_m) {
+  std::string text = "t_s,speed_hz,shaft_angle_rad";
+  for (Eigen::Index i = 0; i < signal_m.cols(); ++i) text += fmt::format(",sensor_{}_m", i);
+  text += '\n';
+  for (Eigen::Index k = 0; k < signal_m.rows(); ++k) {
+    const double t = static_cast<double>(k) * run.sample_s;
+    text += csv_number(t);
+    for (const double value : {shaft_speed_hz(run, t), shaft_angle_rad(run, t)}) {
+      text.append(",").append(csv_number(value));
+    }
+    for (Eigen::Index i = 0; i < signal_m.cols(); ++i) text.append(",").append(csv_number(signal_m(k, i)));
+    text += '\n';
+  }
+  return text;
+}
+
+ExperimentTables tables_of(const FreeResponse& response) {
+  ExperimentTables tables = begun(response.run, response.signal_m);
+  for (std::size_t i = 0; i < response.decay.size(); ++i) {
+    const double angle_deg = response.angle_deg[i];
+    if (!response.decay[i]) {
+      tables.summary += fmt::format("sensor {} ({} deg)  does not see the kick\n", i, angle_deg);
+      continue;
+    }
+    const FreeDecay& fit = *response.decay[i];
+    add(tables.identification_csv, "natural_frequency_hz", i, fit.natural_frequency_hz);
+    add(tables.identification_csv, "damping_ratio", i, fit.damping_ratio);
+    add(tables.identification_csv, "misfit", i, fit.misfit);
+    tables.summary +=
+        fmt::format("sensor {} ({} deg)  natural frequency {:.5g} Hz, damping ratio {:.4g}, misfit {:.2g}\n",
+                    i, angle_deg, fit.natural_frequency_hz, fit.damping_ratio, fit.misfit);
+  }
+  return tables;
+}
+
+ExperimentTables tables_of(const RunUp& run_up) {
+  ExperimentTables tables = begun(run_up.run, run_up.signal_m);
+  for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
+    const std::optional<double> critical_hz = run_up.critical_speed_hz[i];
+    const double largest_m = run_up.largest_amplitude_m[i];
+    // The older name stays beside the more precise one.
+    if (critical_hz) add(tables.identification_csv, "critical_speed_hz", i, *critical_hz);
+    if (critical_hz) add(tables.identification_csv, "speed_of_largest_1x_hz", i, *critical_hz);
+    if (run_up.sees[i] && !run_up.bode[i].empty())
+      add(tables.identification_csv, "largest_amplitude_m", i, largest_m);
+    tables.summary += fmt::format(
+        "sensor {} ({} deg)  {}\n", i, run_up.angle_deg[i],
+        critical_hz ? fmt::format("1X largest at {:.5g} Hz of this ramp, {:.4g} m", *critical_hz, largest_m)
+                    : why_none(run_up, i));
+  }
+  tables.bode_csv = bode_csv(run_up.bode);
+  return tables;
+}
+
+}  // namespace rubsweep::identify

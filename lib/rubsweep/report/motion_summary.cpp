@@ -1,0 +1,36 @@
+#include "rubsweep/report/motion_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rubsweep::report {
+namespace {
+
+std::string number(double value) { return std::isnan(value) ? "none" : fmt::format("{:.6g}", value); }
+
+std::string motion_text(const sweep::Row& row) {
+  std::string text(to_string(row.motion_class));
+  if (row.order && *row.order > 1) text += fmt::format(" 1/{}", *row.order);
+  if (row.measures && row.measures->orbit) text += fmt::format(", {} orbit", to_string(*row.measures->orbit));
+  if (row.measures && row.measures->whirl) text += fmt::format(", {} whirl", to_string(*row.measures->whirl));
+  if (row.proof == response::motion::Proof::rest)
+    text += fmt::format(", rest proven after {} revolutions", row.revolutions);
+  if (row.proof == response::motion::Proof::observed)
+    text += fmt::format(", observed after {} revolutions", row.revolutions);
+  if (row.survival) {
+    text += fmt::format(", lasts {:.3g} revolutions or more in the mean (95 %, {} of its companions escaped)",
+                        row.survival->least_mean_life(), row.survival->escapes);
+  }
+  if (row.status != "ok") text += ", status " + row.status;
+  return text;
+}
+
+}  // namespace
+
+std::string motion_summary(const sweep::Row& row) {
+  return fmt::format("cell      {:.6g} Hz, whirl ratio {}, eccentricity {} m\nmotion    {}\n", row.speed_hz,
+                     number(row.whirl_ratio), number(row.eccentricity_m), motion_text(row));
+}
+
+}  // namespace rubsweep::report

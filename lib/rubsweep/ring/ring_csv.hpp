@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rubsweep/ring/analysis.hpp"
+#include "rubsweep/ring/static_load.hpp"
+#include "rubsweep/ring/study.hpp"
+
+namespace rubsweep::ring {
+
+/// A `#` line on units and signs, with its end.
+std::string ring_comments();
+
+/// speed_rpm, mode, real_per_s, imaginary_rad_per_s: at every asked speed every mode; of a conjugate pair the
+/// root with the positive frequency, of a mode with two real roots both.
+std::string eigenvalues_csv(const Track& track);
+
+/// kind, speed_rpm, modes (joined by " + "), note.
+std::string onsets_csv(const std::vector<Onset>& onsets);
+
+/// name, closed_form_rpm, numeric_rpm (empty: not found within the range of speeds).
+std::string critical_speeds_csv(const std::vector<CriticalSpeed>& speeds);
+
+/// Steady state at every speed of the study.
+std::vector<StaticLoad> static_loads(const Study& study);
+
+/// speed_rpm, load, normal_force_n, slip_m_per_s, valid (yes or no: at this speed every load presses and
+/// slips forward).
+std::string static_load_csv(const Study& study, const std::vector<StaticLoad>& loads);
+
+}  // namespace rubsweep::ring
