@@ -30,15 +30,33 @@ std::optional<std::filesystem::path> find_command(const std::string& name) {
   return std::nullopt;
 }
 
+namespace {
+
+/// What exec and its kind take; the texts stay where they are.
+std::vector<char*> as_argv(std::vector<std::string>& command) {
+  std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
+  for (std::string& argument : command) arguments.push_back(argument.data());
+  arguments.push_back(nullptr);
+  return arguments;
+}
+
+}  // namespace
+
+void become_sibling(const std::string& name, std::vector<std::string> arguments) {
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
+  arguments.insert(arguments.begin(), program.string());
+  ::execv(program.c_str(), as_argv(arguments).data());
+  if (errno == ENOMEM) throw std::bad_alloc();
+  throw IoError(fmt::format("{} cannot be started: {}", program.string(), std::strerror(errno)));
+}
+
 bool run_child(std::vector<std::string> command, const ChildStreams& streams) {
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   if (streams.input) ::posix_spawn_file_actions_adddup2(&actions, *streams.input, STDIN_FILENO);
   if (streams.output) ::posix_spawn_file_actions_adddup2(&actions, *streams.output, STDOUT_FILENO);
-  std::vector<char*> arguments;
-  arguments.reserve(command.size() + 1);
-  for (std::string& argument : command) arguments.push_back(argument.data());
-  arguments.push_back(nullptr);
+  const std::vector<char*> arguments = as_argv(command);
   // Signals that wait here do not wait there.
   posix_spawnattr_t attributes;
   sigset_t nothing;

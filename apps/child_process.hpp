@@ -19,4 +19,8 @@ struct ChildStreams {
 /// 0. Throws IoError where it cannot be started.
 bool run_child(std::vector<std::string> command, const ChildStreams& streams = {});
 
+/// Goes on as the program of this name that lies beside this one, with these arguments. Throws IoError where
+/// there is none.
+[[noreturn]] void become_sibling(const std::string& name, std::vector<std::string> arguments);
+
 }  // namespace rubsweep::apps

@@ -60,6 +60,10 @@ void add_progress(po::options_description& options) {
                         "auto (only on a terminal), always or never");
 }
 
+void add_verify(po::options_description& options, const char* meaning) {
+  options.add_options()("verify", po::value<std::string>()->value_name("DIR"), meaning);
+}
+
 void add_last(po::options_description& options) {
   options.add_options()("quiet", "print errors only")("help", "print this and exit")(
       "version", "print the version and exit");
@@ -145,6 +149,21 @@ std::optional<double> not_negative_number(const po::variables_map& given, const 
   if (!model::contains(model::not_negative, value))
     throw UsageError(fmt::format("--{}: allowed: {}", name, model::describe(model::not_negative, value)));
   return value;
+}
+
+bool asks_for(const char* name, const po::variables_map& given) {
+  if (!is_given(given, name) || is_given(given, "help") || is_given(given, "version")) return false;
+  for (const auto& [other, value] : given) {
+    if (!value.defaulted() && other != name && other != "quiet")
+      throw UsageError(fmt::format("--{}: is asked for alone, allowed: without {}", name,
+                                   other == "config" ? "CONFIG.yaml" : "--" + other));
+  }
+  return true;
+}
+
+std::optional<std::filesystem::path> verified_directory_of(const po::variables_map& given) {
+  if (!asks_for("verify", given)) return std::nullopt;
+  return given["verify"].as<std::string>();
 }
 
 int threads_of(const po::variables_map& given) {

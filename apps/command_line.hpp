@@ -3,6 +3,7 @@
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/positional_options.hpp>
 #include <boost/program_options/variables_map.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@ void add_threads(po::options_description& options, const char* meaning);
 void add_set(po::options_description& options);
 void add_actions(po::options_description& options, const char* meaning_of_explain);
 void add_progress(po::options_description& options);
+void add_verify(po::options_description& options, const char* meaning);
 /// --quiet, --help and --version, of every program.
 void add_last(po::options_description& options);
 
@@ -43,6 +45,12 @@ StudyArguments study_arguments(const po::variables_map& given, std::string_view 
 /// The number of an option that is finite and > 0, or >= 0; empty where it is not given.
 std::optional<double> positive_number(const po::variables_map& given, const char* name);
 std::optional<double> not_negative_number(const po::variables_map& given, const char* name);
+
+/// Whether `name` is given, an option that asks for no run and goes alone or with --quiet. Throws UsageError.
+bool asks_for(const char* name, const po::variables_map& given);
+
+/// The directory of --verify.
+std::optional<std::filesystem::path> verified_directory_of(const po::variables_map& given);
 
 int threads_of(const po::variables_map& given);
 batch::ProgressMode progress_of(const po::variables_map& given);

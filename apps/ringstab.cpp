@@ -15,11 +15,12 @@
 #include "ringstab_arguments.hpp"
 #include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/progress.hpp"
-#include "rubsweep/config/print_ring_config.hpp"
-#include "rubsweep/config/read_ring_config.hpp"
+#include "rubsweep/config/ring/print_ring_config.hpp"
+#include "rubsweep/config/ring/read_ring_config.hpp"
 #include "rubsweep/ring/ring_chart_csv.hpp"
 #include "rubsweep/ring/ring_csv.hpp"
 #include "rubsweep/ring/ring_summary.hpp"
+#include "verified_directory.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -61,19 +62,19 @@ bool chart(const RingstabArguments& arguments, const ring::Study& study, const R
   return true;
 }
 
-int run(const RingstabArguments& arguments, const config::RingConfig& config) {
+int run(const RingstabArguments& arguments, const config::ring::RingConfig& config) {
   const ring::Study& study = config.study;
   const fs::path directory = arguments.output.value_or(config.output_directory);
   keep_configuration(arguments.config, directory, [&] {
-    return config::print_ring_config(config::read_ring_config(arguments.config, {}));
+    return config::ring::print_ring_config(config::ring::read_ring_config(arguments.config, {}));
   });
   const ResultDirectory made(directory, file_names);
   end_on_interrupts("nothing was written");
-  const ResultSource source{"ringstab", config::ring_study_digest(study),
+  const ResultSource source{"ringstab", config::ring::ring_study_digest(study),
                             batch::caption_lines(config.captions)};
   const std::string comments = ring::ring_comments();
   const ring::Analysis analysis = ring::analyse(study.system, ring::speeds_rad_per_s(study));
-  ResultFiles files{{"config.yaml", config::print_ring_config(config)},
+  ResultFiles files{{"config.yaml", config::ring::print_ring_config(config)},
                     {"eigenvalues.csv", comments + ring::eigenvalues_csv(analysis.track)},
                     {"onsets.csv", comments + ring::onsets_csv(analysis.onsets)},
                     {"critical_speeds.csv", comments + ring::critical_speeds_csv(analysis.critical_speeds)}};
@@ -101,13 +102,22 @@ std::string size_of(const ring::Study& study) {
                      lines > 0 ? fmt::format(", chart of {} lines", lines) : "");
 }
 
+int verify(const fs::path& directory, bool quiet) {
+  const auto read = [](const fs::path& file) -> VerifiedConfiguration {
+    return {config::ring::ring_study_digest(config::ring::read_ring_config(file, {}).study)};
+  };
+  return report_verdict("ringstab", directory, verify_directory(directory, read), quiet);
+}
+
 int perform(const RingstabArguments& arguments) {
+  if (arguments.verified) return verify(*arguments.verified, arguments.quiet);
   if (answered("ringstab", arguments.action, ringstab_help)) return done;
-  const config::RingConfig config = config::read_ring_config(arguments.config, arguments.overrides);
+  const config::ring::RingConfig config =
+      config::ring::read_ring_config(arguments.config, arguments.overrides);
   ask("ringstab", config.questions, arguments.quiet);
   return act(arguments, {.size = [&] { return size_of(config.study); },
                          .explanation = [&] { return ring::explain_ring(config.study); },
-                         .configuration = [&] { return config::print_ring_config(config); },
+                         .configuration = [&] { return config::ring::print_ring_config(config); },
                          .run = [&] { return run(arguments, config); }});
 }
 

@@ -12,6 +12,7 @@ po::options_description visible_options() {
   add_output(options, "write there instead of output.directory");
   add_threads(options, "threads of a chart; 0: one per processor");
   add_set(options);
+  add_verify(options, "run nothing, say whether the results in a directory are whole and belong together");
   add_actions(options, "say what is modelled and how it is solved, run nothing");
   add_progress(options);
   add_last(options);
@@ -22,6 +23,12 @@ po::options_description visible_options() {
 
 RingstabArguments parse_ringstab_arguments(int argc, const char* const* argv) {
   const po::variables_map given = read_study_command_line(argc, argv, visible_options());
+  if (auto directory = verified_directory_of(given)) {
+    RingstabArguments verification;
+    verification.verified = std::move(directory);
+    verification.quiet = given.count("quiet") != 0;
+    return verification;
+  }
   RingstabArguments arguments{study_arguments(given, "ringstab")};
   if (arguments.action == Action::help || arguments.action == Action::version) return arguments;
   arguments.threads = threads_of(given);
@@ -51,7 +58,7 @@ std::string ringstab_help() {
       "  config.yaml          the complete configuration\n\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 done, but some lines of the chart "
       "failed;\n"
-      "128+signal when interrupted: finished lines stay in chart.partial.csv.\n",
+      "7 --verify: not whole; 128+signal when interrupted: finished lines stay in chart.partial.csv.\n",
       text_of(visible_options()));
 }
 

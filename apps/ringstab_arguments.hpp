@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "action.hpp"
@@ -10,6 +12,8 @@ namespace rubsweep::apps {
 struct RingstabArguments : StudyArguments {
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;
+  /// Only say whether the results in this directory are whole.
+  std::optional<std::filesystem::path> verified = {};
 };
 
 /// Throws UsageError (program.hpp).

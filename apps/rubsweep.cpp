@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "child_process.hpp"
 #include "exit_code.hpp"
 #include "forecast.hpp"
 #include "interrupt.hpp"
@@ -19,6 +20,7 @@
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/report/motion_kinds_csv.hpp"
@@ -77,17 +79,22 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   return report_map("rubsweep", arguments, directory.write_map(), config, directory);
 }
 
+VerifiedConfiguration read_rub_configuration(const std::filesystem::path& file) {
+  sweep::Study study = config::read_run_config(file, {}).study;
+  std::string digest = config::study_digest(study);
+  return {std::move(digest), std::move(study)};
+}
+
 int verify(const RubsweepArguments& arguments) {
-  const DirectoryVerdict verdict = verify_directory(*arguments.verified);
-  const auto list = [&](const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences) say(fmt::format("rubsweep: {}\n", sentence));
-  };
-  list(verdict.faults);
-  if (!arguments.quiet) list(verdict.remarks);
-  if (!arguments.quiet && verdict.faults.empty()) {
-    apps::print("{}: whole: {}\n", arguments.verified->string(), fmt::join(verdict.files, " "));
+  const std::filesystem::path& directory = *arguments.verified;
+  // Only ringstab reads the configurations of rings.
+  if (was_written_by("ringstab", directory)) {
+    std::vector<std::string> command{"--verify", directory.string()};
+    if (arguments.quiet) command.emplace_back("--quiet");
+    become_sibling("ringstab", std::move(command));
   }
-  return verdict.faults.empty() ? done : not_whole;
+  return report_verdict("rubsweep", directory, verify_directory(directory, read_rub_configuration),
+                        arguments.quiet);
 }
 
 int perform(const RubsweepArguments& arguments) {

@@ -30,9 +30,11 @@ po::options_description visible_options() {
                         "forget what earlier runs finished, a finished map included, and start over")(
       "shard", po::value<std::string>()->value_name("I/N"),
       "compute the I-th of N parts of the map alone; others may run at the same time, on any machine")(
-      "merge", "run nothing, put the finished shards of a map together")(
-      "verify", po::value<std::string>()->value_name("DIR"),
-      "run nothing, say whether the results in a directory, of any program, are whole and belong together")(
+      "merge", "run nothing, put the finished shards of a map together");
+  add_verify(
+      options,
+      "run nothing, say whether the results in a directory, of any program, are whole and belong together");
+  options.add_options()(
       "report",
       "also write DIR/report.html, a page that shows the map and the motion of each cell at a click");
   add_actions(options, "say what is simulated, what is left out and why, run nothing");
@@ -72,29 +74,16 @@ void read_division(const po::variables_map& given, RubsweepArguments& arguments)
   if (arguments.action == Action::run) arguments.figure = figure_of(given);
 }
 
-/// Whether `name` is given, an option that asks for no sweep and goes alone or with --quiet.
-bool asks_for(const char* name, const po::variables_map& given) {
-  if (given.count(name) == 0 || given.count("help") != 0 || given.count("version") != 0) return false;
-  for (const auto& [other, value] : given) {
-    if (!value.defaulted() && other != name && other != "quiet")
-      throw UsageError(fmt::format("--{}: is asked for alone, allowed: without {}", name,
-                                   other == "config" ? "CONFIG.yaml" : "--" + other));
-  }
-  return true;
-}
-
-RubsweepArguments verify_arguments(const po::variables_map& given) {
-  RubsweepArguments arguments;
-  arguments.verified = given["verify"].as<std::string>();
-  arguments.quiet = given.count("quiet") != 0;
-  return arguments;
-}
-
 }  // namespace
 
 RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
   const po::variables_map given = read_study_command_line(argc, argv, visible_options());
-  if (asks_for("verify", given)) return verify_arguments(given);
+  if (auto directory = verified_directory_of(given)) {
+    RubsweepArguments verification;
+    verification.verified = std::move(directory);
+    verification.quiet = given.count("quiet") != 0;
+    return verification;
+  }
   if (asks_for("status", given)) {
     RubsweepArguments status;
     status.status = given["status"].as<std::string>();

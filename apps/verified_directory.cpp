@@ -3,21 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
-#include <optional>
 #include <sstream>
 #include <string_view>
 
 #include "derived_files.hpp"
+#include "exit_code.hpp"
+#include "program.hpp"
 #include "refined_cells.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/file_lock.hpp"
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/table_file.hpp"
-#include "rubsweep/config/print_ring_config.hpp"
-#include "rubsweep/config/read_ring_config.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/report/map_cells.hpp"
@@ -34,15 +32,10 @@ struct TableHead {
   std::vector<std::string> files;  ///< that were written with it
 };
 
-/// Facts from config.yaml.
-struct Configuration {
-  std::string digest;
-  std::optional<sweep::Study> study;  ///< of a rotor
-};
-
 class Verification {
  public:
-  explicit Verification(fs::path directory) : directory_(std::move(directory)) {
+  Verification(fs::path directory, const ReadConfiguration& read)
+      : directory_(std::move(directory)), read_(read) {
     for (const auto& entry : fs::directory_iterator(directory_)) names_.push_back(entry.path().filename());
     std::ranges::sort(names_);
   }
@@ -112,20 +105,11 @@ class Verification {
 
   void read_configuration() {
     const fs::path file = directory_ / "config.yaml";
-    std::string why;
     try {
-      configuration_.study = config::read_run_config(file, {}).study;
-      configuration_.digest = config::study_digest(*configuration_.study);
+      configuration_ = read_(file);
     } catch (const std::runtime_error& error) {
-      why = error.what();
-    }
-    if (!configuration_.study) {
-      try {
-        configuration_.digest = config::ring_study_digest(config::read_ring_config(file, {}).study);
-      } catch (const std::runtime_error&) {
-        fault(why);
-        return;
-      }
+      fault(error.what());
+      return;
     }
     verdict_.files.emplace_back("config.yaml");
   }
@@ -204,18 +188,41 @@ class Verification {
   }
 
   fs::path directory_;
+  const ReadConfiguration& read_;
   std::vector<std::string> names_;  ///< ascending
   std::map<std::string, TableHead> heads_;
-  Configuration configuration_;
+  VerifiedConfiguration configuration_;
   std::string digest_;  ///< of all that belongs together
   DirectoryVerdict verdict_;
 };
 
 }  // namespace
 
-DirectoryVerdict verify_directory(const fs::path& directory) {
+DirectoryVerdict verify_directory(const fs::path& directory, const ReadConfiguration& read) {
   if (!fs::is_directory(directory)) throw IoError(fmt::format("{}: is no directory", directory.string()));
-  return Verification(directory).verdict();
+  return Verification(directory, read).verdict();
+}
+
+int report_verdict(std::string_view program, const fs::path& directory, const DirectoryVerdict& verdict,
+                   bool quiet) {
+  const auto list = [&](const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) say(fmt::format("{}: {}\n", program, sentence));
+  };
+  list(verdict.faults);
+  if (!quiet) list(verdict.remarks);
+  if (!quiet && verdict.faults.empty())
+    print("{}: whole: {}\n", directory.string(), fmt::join(verdict.files, " "));
+  return verdict.faults.empty() ? done : not_whole;
+}
+
+bool was_written_by(std::string_view program, const fs::path& directory) {
+  if (!fs::is_directory(directory)) return false;
+  const std::string begin = fmt::format("# {} ", program);
+  return std::ranges::any_of(fs::directory_iterator(directory), [&](const fs::directory_entry& entry) {
+    std::string line;
+    return entry.path().extension() == ".csv" && std::getline(std::ifstream(entry.path()), line) &&
+           line.starts_with(begin);
+  });
 }
 
 }  // namespace rubsweep::apps

@@ -1,10 +1,22 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "rubsweep/sweep/study.hpp"
+
 namespace rubsweep::apps {
+
+/// Facts from config.yaml, as the program that wrote it reads it.
+struct VerifiedConfiguration {
+  std::string digest;
+  std::optional<sweep::Study> study = {};  ///< of a rotor
+};
+using ReadConfiguration = std::function<VerifiedConfiguration(const std::filesystem::path& file)>;
 
 /// Verdict on a directory of results that no program is at work in.
 struct DirectoryVerdict {
@@ -16,7 +28,14 @@ struct DirectoryVerdict {
 /// Checks whether the results in a directory, of whichever program, are whole and belong together: every
 /// table by its checksum, by its digest and by the files that it was written with, the map by its cells, the
 /// configuration and the report by the digest of the map. Throws LockedError where a program is at work
-/// there, IoError where the directory cannot be read.
-DirectoryVerdict verify_directory(const std::filesystem::path& directory);
+/// there, IoError where the directory cannot be read. `read` throws where the configuration is none.
+DirectoryVerdict verify_directory(const std::filesystem::path& directory, const ReadConfiguration& read);
+
+/// Says the verdict as `program` and returns its exit code; faults alone with `quiet`.
+int report_verdict(std::string_view program, const std::filesystem::path& directory,
+                   const DirectoryVerdict& verdict, bool quiet);
+
+/// Whether a table in the directory says that this program wrote it.
+bool was_written_by(std::string_view program, const std::filesystem::path& directory);
 
 }  // namespace rubsweep::apps

@@ -35,7 +35,8 @@ declare -A below=(
   [ramp]='integrate line response/spectrum'
   [bench]='batch response'
   [ring]='batch numerics'
-  [config]='sweep bench ring'
+  [config]='sweep'
+  [config/ring]='config ring'
   [report]='sweep'
   [page]='report trace'
 )

@@ -71,6 +71,11 @@ expect_exit 0 --verify ring
 expect_contains stdout config.yaml
 source=ring
 expect_fault 'onsets.csv: is not as it was written' sed -i '$s/,/;/' onsets.csv
+expect_fault 'config.yaml: is not the one of' sed -i 's/^friction_coefficient: .*/friction_coefficient: 0.01/' config.yaml
+"$ringstab" --verify ring >stdout || fail 'the ring is not whole'
+expect_contains stdout 'ring: whole: '
+"$ringstab" --verify map 2>stderr && fail 'a map is no ring'
+expect_contains stderr 'config.yaml'
 
 # An unfinished map, and a refined one.
 killed_at 10 killed "${quick[@]}"

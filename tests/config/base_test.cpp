@@ -7,8 +7,8 @@
 
 #include "config/support.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/print_ring_config.hpp"
-#include "rubsweep/config/read_ring_config.hpp"
+#include "rubsweep/config/ring/print_ring_config.hpp"
+#include "rubsweep/config/ring/read_ring_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 
 namespace rubsweep::config {
@@ -240,12 +240,13 @@ TEST_F(Base, ServesRingConfigurationsAsWell) {
   write("mine.yaml",
         "base: ring.yaml\nfriction_coefficient: 0.2\nspeed_rpm: {values: [5]}\n"
         "ring: {modal_stiffness_n_per_m: 8.0e5}\n");
-  const RingConfig merged = read_ring_config(directory / "mine.yaml", {});
+  const ring::RingConfig merged = ring::read_ring_config(directory / "mine.yaml", {});
   EXPECT_EQ(merged.study.system.friction_coefficient, 0.2);
   EXPECT_EQ(merged.study.speeds_rpm, std::vector<double>{5});
   EXPECT_EQ(merged.study.system.ring.modal_stiffness_n_per_m, 8.0e5);
-  const RingConfig single = read_ring_config_text(print_ring_config(merged), "printed.yaml", {});
-  EXPECT_EQ(ring_study_digest(single.study), ring_study_digest(merged.study));
+  const ring::RingConfig single =
+      ring::read_ring_config_text(ring::print_ring_config(merged), "printed.yaml", {});
+  EXPECT_EQ(ring::ring_study_digest(single.study), ring::ring_study_digest(merged.study));
 }
 
 TEST_F(Base, AnswersAnyPairOfFilesWithAConfigurationOrAMessage) {

@@ -2,8 +2,8 @@
 
 #include "config/support.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/print_ring_config.hpp"
-#include "rubsweep/config/read_ring_config.hpp"
+#include "rubsweep/config/ring/print_ring_config.hpp"
+#include "rubsweep/config/ring/read_ring_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 
 namespace rubsweep::config {
@@ -51,14 +51,14 @@ TEST(Captions, AreOfRingsAsWell) {
       "1e6}]\n"
       "friction_coefficient: 0.1\nspeed_rpm: {from: 0, to: 6000, count: 3001}\noutput: {directory: "
       "results}\n";
-  const RingConfig config = read_ring_config_text(ring, "ring.yaml", {});
+  const ring::RingConfig config = ring::read_ring_config_text(ring, "ring.yaml", {});
   EXPECT_EQ(config.captions.title, "Ring");
-  const std::string printed = print_ring_config(config);
+  const std::string printed = ring::print_ring_config(config);
   EXPECT_NE(printed.find("speed_rpm:\n  from: 0\n  to: 6000\n  count: 3001\n"), std::string::npos) << printed;
-  const RingConfig again = read_ring_config_text(printed, "printed.yaml", {});
+  const ring::RingConfig again = ring::read_ring_config_text(printed, "printed.yaml", {});
   EXPECT_EQ(again.captions, config.captions);
   EXPECT_EQ(again.study.speeds_rpm, config.study.speeds_rpm);
-  EXPECT_EQ(ring_study_digest(again.study), ring_study_digest(config.study));
+  EXPECT_EQ(ring::ring_study_digest(again.study), ring::ring_study_digest(config.study));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "rubsweep/config/unit_slips.hpp"
 
 #include "config/support.hpp"
-#include "rubsweep/config/read_ring_config.hpp"
+#include "rubsweep/config/ring/read_ring_config.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -124,7 +124,7 @@ TEST(UnitSlips, AreAskedOfRingsAsWell) {
       "1e6}]\n"
       "friction_coefficient: 0.1\nspeed_rpm: 100\noutput: {directory: results}\n";
   EXPECT_EQ(
-      read_ring_config_text(ring, "ring.yaml", {}).questions,
+      ring::read_ring_config_text(ring, "ring.yaml", {}).questions,
       (std::vector<std::string>{
           "ring.yaml:2:22: ring.geometry.density_kg_per_m3: 7.8 kg/m3 is lighter than cork (grams per cubic "
           "centimetre?)",

@@ -1,4 +1,4 @@
-#include "rubsweep/config/read_ring_config.hpp"
+#include "rubsweep/config/ring/read_ring_config.hpp"
 
 #include <fmt/format.h>
 
@@ -10,24 +10,24 @@
 #include "rubsweep/config/captions.hpp"
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/output.hpp"
-#include "rubsweep/config/ring.hpp"
-#include "rubsweep/config/ring_chart.hpp"
-#include "rubsweep/config/ring_load.hpp"
+#include "rubsweep/config/ring/ring.hpp"
+#include "rubsweep/config/ring/ring_chart.hpp"
+#include "rubsweep/config/ring/ring_load.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/config/sweep.hpp"
 #include "rubsweep/config/unit_slips.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/ring/normal_form.hpp"
 
-namespace rubsweep::config {
+namespace rubsweep::config::ring {
 namespace {
 
 constexpr std::string_view root_form = "a map with ring, loads, friction_coefficient, speed_rpm, output";
 
 /// Checks of the system as a whole.
-void check_system(const ring::System& system, const Section& section) {
+void check_system(const rubsweep::ring::System& system, const Section& section) {
   try {
-    ring::normal_form(system);
+    rubsweep::ring::normal_form(system);
   } catch (const ConfigError& error) {
     section.refuse_together("loads", {"loads", "friction_coefficient"}, error.what(),
                             "masses and a friction coefficient with regular inertia");
@@ -41,7 +41,7 @@ RingConfig read_sections(const Value& root) {
   Section section(root, root_form);
   section.find(base_key);  // resolved before; still a name that a misspelt key may mean
   RingConfig config;
-  ring::Study& study = config.study;
+  rubsweep::ring::Study& study = config.study;
   study.system.friction_coefficient = model::required;
   if (const auto value = section.require("ring", "a map")) study.system.ring = read_ring(*value);
   if (const auto value = section.require("loads", "a list of maps")) {
@@ -88,4 +88,4 @@ RingConfig read_ring_config_text(std::string_view text, const std::string& name,
   return config;
 }
 
-}  // namespace rubsweep::config
+}  // namespace rubsweep::config::ring

@@ -1,15 +1,15 @@
-#include "rubsweep/config/ring_load.hpp"
+#include "rubsweep/config/ring/ring_load.hpp"
 
 #include <array>
 
 #include "rubsweep/config/section.hpp"
 
-namespace rubsweep::config {
+namespace rubsweep::config::ring {
 namespace {
 
-using ring::Load;
-using ring::LoadKind;
-using ring::Motion;
+using rubsweep::ring::Load;
+using rubsweep::ring::LoadKind;
+using rubsweep::ring::Motion;
 
 constexpr std::array<std::string_view, 2> kinds{"spring_mass", "beam"};
 constexpr Words<Motion, 3> motions{{"both", "radial", "tangential"},
@@ -22,12 +22,12 @@ Load read_spring_mass(Section& section, Motion motion) {
   if (motion == Motion::radial) tangential = 0;
   if (motion != Motion::tangential) section.field("radial_stiffness_n_per_m", radial, model::not_negative);
   if (motion != Motion::radial) section.field("tangential_stiffness_n_per_m", tangential, model::positive);
-  return ring::spring_mass(mass, radial, tangential);
+  return rubsweep::ring::spring_mass(mass, radial, tangential);
 }
 
 Load read_beam_geometry(const Value& value, const std::optional<double>& ring_radius_m) {
   Section section(value);
-  ring::BeamGeometry geometry{model::required, model::required, model::required, model::required};
+  rubsweep::ring::BeamGeometry geometry{model::required, model::required, model::required, model::required};
   section.field("density_kg_per_m3", geometry.density_kg_per_m3, model::positive);
   section.field("section_area_m2", geometry.section_area_m2, model::positive);
   section.field("second_moment_m4", geometry.second_moment_m4, model::positive);
@@ -35,7 +35,7 @@ Load read_beam_geometry(const Value& value, const std::optional<double>& ring_ra
   section.refuse_unknown_keys();
   if (!ring_radius_m) refuse(value, "needs the length of the beam", "beside ring.radius_m");
   if (!section.is_sound()) return {};
-  return ring::beam(geometry, *ring_radius_m);
+  return rubsweep::ring::beam(geometry, *ring_radius_m);
 }
 
 Load read_beam(Section& section, const std::optional<double>& ring_radius_m) {
@@ -49,7 +49,7 @@ Load read_beam(Section& section, const std::optional<double>& ring_radius_m) {
   section.field("radial_stiffness_n_per_m", radial, model::not_negative);
   section.field("tangential_stiffness_n_per_m", tangential, model::positive);
   if (!section.is_sound()) return {};
-  Load load = ring::beam(radial_mass, flexural_mass, radial, tangential);
+  Load load = rubsweep::ring::beam(radial_mass, flexural_mass, radial, tangential);
   if (rotary_mass) load.rotary_mass_kg = *rotary_mass;
   if (!(load.rotary_mass_kg >= 0 && load.rotary_mass_kg < flexural_mass)) {
     section.refuse_together("rotary_mass_kg", {"rotary_mass_kg", "radial_mass_kg", "flexural_mass_kg"},
@@ -122,4 +122,4 @@ void print_ring_loads(Printer& printer, const std::vector<Load>& loads) {
   printer.close();
 }
 
-}  // namespace rubsweep::config
+}  // namespace rubsweep::config::ring

@@ -1,16 +1,16 @@
-#include "rubsweep/config/ring_chart.hpp"
+#include "rubsweep/config/ring/ring_chart.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "rubsweep/config/axis.hpp"
-#include "rubsweep/config/ring_load.hpp"
+#include "rubsweep/config/ring/ring_load.hpp"
 #include "rubsweep/config/section.hpp"
 
-namespace rubsweep::config {
+namespace rubsweep::config::ring {
 namespace {
 
-using ring::Parameter;
+using rubsweep::ring::Parameter;
 
 constexpr Words<Parameter, 5> parameters{
     {"friction_coefficient", "angle_deg", "inclination_deg", "radial_stiffness_n_per_m",
@@ -34,18 +34,21 @@ model::Range range_of(Parameter parameter) {
 }
 
 /// A parameter that a load's motion does not know would change nothing.
-bool knows(const ring::Load& load, Parameter parameter) {
-  if (parameter == Parameter::inclination_deg) return load.motion == ring::Motion::both;
-  if (parameter == Parameter::radial_stiffness_n_per_m) return load.motion != ring::Motion::tangential;
-  if (parameter == Parameter::tangential_stiffness_n_per_m) return load.motion != ring::Motion::radial;
+bool knows(const rubsweep::ring::Load& load, Parameter parameter) {
+  if (parameter == Parameter::inclination_deg) return load.motion == rubsweep::ring::Motion::both;
+  if (parameter == Parameter::radial_stiffness_n_per_m)
+    return load.motion != rubsweep::ring::Motion::tangential;
+  if (parameter == Parameter::tangential_stiffness_n_per_m)
+    return load.motion != rubsweep::ring::Motion::radial;
   return true;
 }
 
 }  // namespace
 
-ring::ChartAxis read_ring_chart(const Value& value, const std::vector<ring::Load>& loads) {
+rubsweep::ring::ChartAxis read_ring_chart(const Value& value,
+                                          const std::vector<rubsweep::ring::Load>& loads) {
   Section section(value, "a map with parameter, load, over");
-  ring::ChartAxis axis;
+  rubsweep::ring::ChartAxis axis;
   if (section.require("parameter", describe(parameters.texts))) {
     section.field("parameter", axis.parameter, parameters);
   }
@@ -74,7 +77,7 @@ ring::ChartAxis read_ring_chart(const Value& value, const std::vector<ring::Load
   return axis;
 }
 
-void print_ring_chart(Printer& printer, const ring::ChartAxis& axis, AxisPrint how) {
+void print_ring_chart(Printer& printer, const rubsweep::ring::ChartAxis& axis, AxisPrint how) {
   printer.open("chart");
   printer.field("parameter", axis.parameter, parameters);
   if (axis.load) printer.integer("load", static_cast<long>(*axis.load));
@@ -84,4 +87,4 @@ void print_ring_chart(Printer& printer, const ring::ChartAxis& axis, AxisPrint h
   printer.close();
 }
 
-}  // namespace rubsweep::config
+}  // namespace rubsweep::config::ring

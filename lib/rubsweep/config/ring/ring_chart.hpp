@@ -7,11 +7,11 @@
 #include "rubsweep/config/value.hpp"
 #include "rubsweep/ring/chart.hpp"
 
-namespace rubsweep::config {
+namespace rubsweep::config::ring {
 
 /// `chart`: {parameter, load, over}. `load` counts from 0, without it every load; `over` is an axis (see
 /// axis.hpp).
-ring::ChartAxis read_ring_chart(const Value& value, const std::vector<ring::Load>& loads);
-void print_ring_chart(Printer& printer, const ring::ChartAxis& axis, AxisPrint how);
+rubsweep::ring::ChartAxis read_ring_chart(const Value& value, const std::vector<rubsweep::ring::Load>& loads);
+void print_ring_chart(Printer& printer, const rubsweep::ring::ChartAxis& axis, AxisPrint how);
 
-}  // namespace rubsweep::config
+}  // namespace rubsweep::config::ring

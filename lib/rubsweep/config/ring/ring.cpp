@@ -1,19 +1,19 @@
-#include "rubsweep/config/ring.hpp"
+#include "rubsweep/config/ring/ring.hpp"
 
 #include <numbers>
 
 #include "rubsweep/config/section.hpp"
 
-namespace rubsweep::config {
+namespace rubsweep::config::ring {
 namespace {
 
 constexpr IntegerRange nodal_diameters{2, 100};
 constexpr model::Range thickness_ratios{.low = 0, .high = 1, .high_open = true};
 
-ring::Ring read_geometry(const Value& value, int diameters) {
+rubsweep::ring::Ring read_geometry(const Value& value, int diameters) {
   Section section(value);
-  ring::RingGeometry geometry{model::required, model::required, model::required, model::required,
-                              model::required};
+  rubsweep::ring::RingGeometry geometry{model::required, model::required, model::required, model::required,
+                                        model::required};
   section.field("radius_m", geometry.radius_m, model::positive);
   section.field("thickness_m", geometry.thickness_m, model::positive);
   section.field("width_m", geometry.width_m, model::positive);
@@ -25,11 +25,11 @@ ring::Ring read_geometry(const Value& value, int diameters) {
     section.refuse_together("thickness_m", {"thickness_m", "radius_m"}, "is not below radius_m",
                             "a thin ring");
   }
-  return ring::ring(geometry, diameters);
+  return rubsweep::ring::ring(geometry, diameters);
 }
 
-ring::Ring read_modal(Section& section, int diameters) {
-  ring::Ring ring{diameters, model::required, 0, model::required, {}};
+rubsweep::ring::Ring read_modal(Section& section, int diameters) {
+  rubsweep::ring::Ring ring{diameters, model::required, 0, model::required, {}};
   section.field("modal_mass_kg", ring.modal_mass_kg, model::positive);
   section.field("thickness_ratio", ring.thickness_ratio, thickness_ratios);
   section.field("radius_m", ring.radius_m, model::positive);
@@ -42,19 +42,20 @@ ring::Ring read_modal(Section& section, int diameters) {
   if (!section.is_sound()) return {};
   if (hertz) radians = 2 * std::numbers::pi * *hertz;
   ring.modal_stiffness_n_per_m =
-      stiffness ? *stiffness : ring::stiffness_of_frequency(*radians, ring.modal_mass_kg, diameters);
+      stiffness ? *stiffness
+                : rubsweep::ring::stiffness_of_frequency(*radians, ring.modal_mass_kg, diameters);
   return ring;
 }
 
 }  // namespace
 
-ring::Ring read_ring(const Value& value) {
+rubsweep::ring::Ring read_ring(const Value& value) {
   Section section(value);
   int diameters = 2;
   if (section.require("nodal_diameters", describe(nodal_diameters))) {
     section.field("nodal_diameters", diameters, nodal_diameters);
   }
-  ring::Ring ring;
+  rubsweep::ring::Ring ring;
   if (const auto geometry = section.find("geometry")) {
     ring = read_geometry(*geometry, diameters);
   } else {
@@ -64,7 +65,7 @@ ring::Ring read_ring(const Value& value) {
   return ring;
 }
 
-void print_ring(Printer& printer, const ring::Ring& ring) {
+void print_ring(Printer& printer, const rubsweep::ring::Ring& ring) {
   printer.open("ring");
   printer.integer("nodal_diameters", ring.nodal_diameters);
   printer.number("modal_mass_kg", ring.modal_mass_kg);
@@ -74,4 +75,4 @@ void print_ring(Printer& printer, const ring::Ring& ring) {
   printer.close();
 }
 
-}  // namespace rubsweep::config
+}  // namespace rubsweep::config::ring

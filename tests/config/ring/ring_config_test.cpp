@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "config/support.hpp"
-#include "rubsweep/config/print_ring_config.hpp"
-#include "rubsweep/config/read_ring_config.hpp"
+#include "rubsweep/config/ring/print_ring_config.hpp"
+#include "rubsweep/config/ring/read_ring_config.hpp"
 
-namespace rubsweep::config {
+namespace rubsweep::config::ring {
 namespace {
 
 constexpr const char* text =
@@ -35,13 +35,13 @@ std::string problems_of(const std::string& changed, const std::vector<std::strin
 
 TEST(RingConfig, ReadsEveryKindOfLoad) {
   const RingConfig config = read_ring_config_text(text, "ring.yaml", {});
-  const ring::System& system = config.study.system;
-  EXPECT_NEAR(3 * ring::critical_speed(system.ring), 34.4, 1e-12);
+  const rubsweep::ring::System& system = config.study.system;
+  EXPECT_NEAR(3 * rubsweep::ring::critical_speed(system.ring), 34.4, 1e-12);
   ASSERT_EQ(system.loads.size(), 4U);
   EXPECT_EQ(system.loads[0].gyroscopic_mass_kg, 100);
-  EXPECT_EQ(system.loads[1].motion, ring::Motion::radial);
+  EXPECT_EQ(system.loads[1].motion, rubsweep::ring::Motion::radial);
   EXPECT_EQ(system.loads[2].flexural_mass_kg, 5);
-  EXPECT_EQ(system.loads[3].kind, ring::LoadKind::beam);
+  EXPECT_EQ(system.loads[3].kind, rubsweep::ring::LoadKind::beam);
   EXPECT_NEAR(system.loads[3].rotary_mass_kg, 15.8, 0.01);
   EXPECT_EQ(config.study.speeds_rpm, (std::vector<double>{100, 200, 300}));
   EXPECT_EQ(config.study.chart->load, 3U);
@@ -66,7 +66,7 @@ friction_coefficient: 0
 speed_rpm: {from: 0, to: 10, count: 2}
 output: {directory: x}
 )";
-  const ring::System system = read_ring_config_text(geometry, "ring.yaml", {}).study.system;
+  const rubsweep::ring::System system = read_ring_config_text(geometry, "ring.yaml", {}).study.system;
   EXPECT_NEAR(system.ring.modal_mass_kg, 7800 * 0.3 * 0.05 * 1.2 * 3.14159265358979, 1e-8);
   EXPECT_NEAR(system.loads[0].radial_mass_kg, 7800 * 0.02 * 1.2 / 2, 1e-10);
   const std::string printed = print_ring_config(read_ring_config_text(geometry, "ring.yaml", {}));
@@ -131,4 +131,4 @@ INSTANTIATE_TEST_SUITE_P(
             "ring.yaml:10:65: chart.over.values.1: 95 is out of range, allowed: a number >= -90 and <= 90"}));
 
 }  // namespace
-}  // namespace rubsweep::config
+}  // namespace rubsweep::config::ring

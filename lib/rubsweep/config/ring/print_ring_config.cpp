@@ -1,18 +1,18 @@
-#include "rubsweep/config/print_ring_config.hpp"
+#include "rubsweep/config/ring/print_ring_config.hpp"
 
 #include "rubsweep/config/axis.hpp"
 #include "rubsweep/config/captions.hpp"
 #include "rubsweep/config/output.hpp"
 #include "rubsweep/config/printer.hpp"
-#include "rubsweep/config/ring.hpp"
-#include "rubsweep/config/ring_chart.hpp"
-#include "rubsweep/config/ring_load.hpp"
+#include "rubsweep/config/ring/ring.hpp"
+#include "rubsweep/config/ring/ring_chart.hpp"
+#include "rubsweep/config/ring/ring_load.hpp"
 #include "rubsweep/config/study_digest.hpp"
 
-namespace rubsweep::config {
+namespace rubsweep::config::ring {
 namespace {
 
-void print(Printer& printer, const ring::Study& study, AxisPrint how) {
+void print(Printer& printer, const rubsweep::ring::Study& study, AxisPrint how) {
   print_ring(printer, study.system.ring);
   print_ring_loads(printer, study.system.loads);
   printer.number("friction_coefficient", study.system.friction_coefficient);
@@ -33,10 +33,10 @@ std::string print_ring_config(const RingConfig& config) {
   return printer.yaml();
 }
 
-std::string ring_study_digest(const ring::Study& study) {
+std::string ring_study_digest(const rubsweep::ring::Study& study) {
   Printer printer;
   print(printer, study, AxisPrint::by_value);
   return digest_of(printer.yaml());
 }
 
-}  // namespace rubsweep::config
+}  // namespace rubsweep::config::ring
