@@ -23,7 +23,7 @@ FamilyJournal::FamilyJournal(const fs::path& directory, const sweep::Study& stud
     say(fmt::format("rubbranch: {}: this file system has no locks: nothing keeps a second run away from it\n",
                     directory.string()));
   }
-  const batch::JournalHeader header = journal_header(study);
+  const batch::JournalHeader header = journal_header(study, family_digest);
   read(header, fresh);
   journal_.emplace(path_, header);
 }

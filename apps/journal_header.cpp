@@ -5,7 +5,6 @@
 #include <string>
 
 #include "program.hpp"
-#include "program_digest.hpp"
 #include "rubsweep/config/differing_keys.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
@@ -28,7 +27,7 @@ std::string describe_difference(const batch::JournalHeader& there, const batch::
 
 }  // namespace
 
-batch::JournalHeader journal_header(const sweep::Study& study) {
+batch::JournalHeader journal_header(const sweep::Study& study, const char* program_digest) {
   return {config::study_digest(study), program_digest, sweep::cell_count(study.grid),
           config::print_study(study)};
 }

@@ -2,13 +2,14 @@
 
 #include <filesystem>
 
+#include "program_digest.hpp"
 #include "rubsweep/batch/journal.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::apps {
 
 /// Header for the results that this build of the program computes of a study.
-batch::JournalHeader journal_header(const sweep::Study& study);
+batch::JournalHeader journal_header(const sweep::Study& study, const char* program_digest = map_digest);
 
 /// Throws ConfigError, with every key that differs, where the records of the journal at `path` are not
 /// results under `here`, DamagedJournal where that cannot be told, or IoError. Says on stderr what was

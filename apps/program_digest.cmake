@@ -1,4 +1,4 @@
-# cmake -DLIBRARIES=A,B,... -DOUTPUT=FILE.cpp -P program_digest.cmake: writes the definition of program_digest.
+# cmake -DNAME=NAME -DLIBRARIES=A,B,... -DOUTPUT=FILE.cpp -P program_digest.cmake: writes the definition of NAME.
 string(REPLACE "," ";" libraries "${LIBRARIES}")
 set(digests "")
 foreach(library IN LISTS libraries)
@@ -7,4 +7,4 @@ foreach(library IN LISTS libraries)
 endforeach()
 string(SHA1 digest "${digests}")
 file(WRITE "${OUTPUT}" "#include \"program_digest.hpp\"\n\n\
-const char* const rubsweep::apps::program_digest = \"${digest}\";\n")
+const char* const rubsweep::apps::${NAME} = \"${digest}\";\n")
