@@ -11,7 +11,6 @@
 namespace rubsweep::branch {
 namespace {
 
-using CurvePoint;
 using batch::csv_number;
 
 std::string place_cells(const Place& place) {
