@@ -1,6 +1,7 @@
 #include "verified_directory.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -211,7 +212,7 @@ int report_verdict(std::string_view program, const fs::path& directory, const Di
   list(verdict.faults);
   if (!quiet) list(verdict.remarks);
   if (!quiet && verdict.faults.empty())
-    print("{}: whole: {}\n", directory.string(), fmt::join(verdict.files, " "));
+    apps::print("{}: whole: {}\n", directory.string(), fmt::join(verdict.files, " "));
   return verdict.faults.empty() ? done : not_whole;
 }
 
