@@ -105,7 +105,7 @@ Case stick_slip() {
   return {"stick-slip, dry friction", scene};
 }
 
-scene::Scene ring(double mu, double surface_m_per_s, double unbalance) {
+scene::Scene annulus(double mu, double surface_m_per_s, double unbalance) {
   auto scene = test::annular_scene(1, 0.05, 1.2, unbalance, 0, 40, 0);
   scene.contacts[0].friction = model::ConstantFriction{mu};
   scene.contacts[0].surface_speed_m_per_s = surface_m_per_s;
@@ -116,19 +116,19 @@ scene::Scene ring(double mu, double surface_m_per_s, double unbalance) {
 Case dry_whip_onset() {
   const double b = 40, zeta = 0.05, least = 2 * zeta * std::sqrt(1 + b) / b, mu = 1.01 * least;
   const double whirl = zeta / mu + std::sqrt(zeta * zeta / (mu * mu) + 1);
-  scene::Scene scene = ring(mu, 30, 0);
+  scene::Scene scene = annulus(mu, 30, 0);
   test::start_at(scene, {1.02, 0}, {0, -whirl * 1.02});
   return {"dry whip onset, dry friction", scene};
 }
 
 /// The same surfaces so slow that the whirl comes to roll.
 Case whip_that_rolls() {
-  scene::Scene scene = ring(0.3, 1.2, 0.1);
+  scene::Scene scene = annulus(0.3, 1.2, 0.1);
   test::start_at(scene, {1.05, 0}, {0, -1});
   return {"whip that comes to roll", scene};
 }
 
-/// A circle that presses on the ring by a millionth of the clearance.
+/// A circle that presses on the annulus by a millionth of the clearance.
 Case graze_along_ring() {
   test::FullRub rub;
   rub.radius = 1 + 1e-6;
@@ -143,7 +143,7 @@ Case graze_along_ring() {
 
 /// Straight through the centre, where the normal turns round at once.
 Case centre_of_ring() {
-  scene::Scene scene = ring(0.1, 5, 0);
+  scene::Scene scene = annulus(0.1, 5, 0);
   test::start_at(scene, {-0.9, 0}, {2, 0});
   return {"through the centre of a ring", scene};
 }

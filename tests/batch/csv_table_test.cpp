@@ -162,7 +162,7 @@ TEST(CsvReader, FindsItsRowsAgain) {
   write_whole_file(path, "# first\na,b\n1,one\n\n# second\r\n2,\"two\n\"\"lines\"\"\"\r\n3,three");
   CsvReader reader(path);
   EXPECT_EQ(reader.header(), (std::vector<std::string>{"a", "b"}));
-  std::vector<CsvReader::Place> places;
+  std::vector<CsvReader::RowPosition> places;
   std::vector<std::vector<std::string>> rows;
   while (reader.next()) {
     places.push_back(reader.place());

@@ -183,7 +183,7 @@ bool CsvReader::next() {
   return true;
 }
 
-void CsvReader::read_at(const Place& place) {
+void CsvReader::read_at(const RowPosition& place) {
   // Maps are read in order: what is buffered already stays.
   if (place.offset != next_.offset && ::fseeko(file_.get(), static_cast<off_t>(place.offset), SEEK_SET) != 0)
     throw_io_error("read", path_, errno);

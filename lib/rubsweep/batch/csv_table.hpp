@@ -35,7 +35,7 @@ class CsvReader {
   const std::vector<std::string>& header() const { return header_; }
 
   /// Where a row starts.
-  struct Place {
+  struct RowPosition {
     std::uint64_t offset = 0;
     std::size_t line = 0;  ///< from 1
   };
@@ -44,10 +44,10 @@ class CsvReader {
   bool next();
 
   /// Reads the row at `place`, which was the place of a row; `next` goes on behind it.
-  void read_at(const Place& place);
+  void read_at(const RowPosition& place);
 
   const std::vector<std::string>& cells() const { return cells_; }  ///< of the row
-  const Place& place() const { return place_; }                     ///< of the row
+  const RowPosition& place() const { return place_; }               ///< of the row
 
   /// Place of the column called `name`. Throws IoError naming the file and its columns when there is none.
   std::size_t column(std::string_view name) const;
@@ -69,8 +69,8 @@ class CsvReader {
     Line& operator=(const Line&) = delete;
     ~Line() { std::free(text); }
   } line_;
-  Place next_{0, 1};  ///< where the next line starts
-  Place place_;
+  RowPosition next_{0, 1};  ///< where the next line starts
+  RowPosition place_;
   std::string record_;  ///< one line, or more where a quoted cell goes on
   std::vector<std::string> comments_, header_, cells_;
 };

@@ -95,7 +95,7 @@ class HybridRun {
     for (;;) {
       if (work_so_far() - before > most_work_of_a_turn(options_))
         return finish(report, run::Outcome::step_limit);
-      const auto& place = run_.place();
+      const auto& place = run_.handover();
       taylor_->join(request, run_.revolution(), place.phase_rad, place.state, place.modes,
                     place.tangent_vectors);
       const run::Outcome piece = make_piece(request, report, before);
@@ -163,14 +163,14 @@ class HybridRun {
            run::work_of_a_step * (sticking_ ? static_cast<double>(sticking_->steps()) : 0);
   }
 
-  void be_away() {
+  void begin_absence() {
     away_ = true;
     absent_ = 0;
     absence_ = std::min(2 * absence_, longest_absence);
   }
 
   void leave() {
-    be_away();
+    begin_absence();
     if (options_.stepper != run::Stepper::automatic || options_.contact != run::ContactHandling::located)
       return start_stepper();
     if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
@@ -245,7 +245,7 @@ class HybridRun {
   bool in_pieces_ = false;                            ///< turns whose friction leaves saturation are
   std::unique_ptr<TaylorRun> taylor_;                 ///< made when first needed
   std::unique_ptr<exact::StickingStretch> sticking_;  ///< made when first needed
-  exact::StickingStretch::Place held_;
+  exact::StickingStretch::StretchState held_;
   double end_of_pulses_rad_ = 0;
   int pieces_to_wait_ = 0, wait_ = 0;  ///< before the next look for a stretch that sticks
   run::Cursor adaptive_;               ///< empty while no stepper is at work

@@ -18,7 +18,7 @@ using CellKey = std::vector<double>;
 /// A cell and the position of its row.
 struct CellPlace {
   CellKey key;
-  batch::CsvReader::Place row;
+  batch::CsvReader::RowPosition row;
 };
 
 /// Text after `mark` in the comments of a map; empty where there is none.

@@ -25,7 +25,7 @@ namespace rubsweep::sweep {
 namespace {
 
 /// Whether a force is too large for the stiffness of some stop that has it from a line contact. Where stops
-/// differ the narrowest counts, whichever the force acts at: the word is a doubt.
+/// differ the narrowest counts, whichever the force acts at: the word marks a doubt.
 bool beyond_hertz(const model::Machine& machine, double force_n) {
   return std::ranges::any_of(machine.stops, [force_n](const model::Stop& stop) {
     return stop.hertz && force_n > contact::hertz_force_limit_n(*stop.hertz);
@@ -33,7 +33,7 @@ bool beyond_hertz(const model::Machine& machine, double force_n) {
 }
 
 /// Flags a motion that is too large for the model.
-void doubt(Row& row, const model::Machine& machine, double clearance_m) {
+void flag_model_limits(Row& row, const model::Machine& machine, double clearance_m) {
   if (!row.measures) return;
   row.peak_over_clearance = row.measures->contact.peak_displacement_m / clearance_m;
   if (beyond_hertz(machine, row.measures->contact.peak_contact_force_n)) add_status(row, "beyond_hertz");
@@ -198,7 +198,7 @@ Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machi
                                                     : RunStart::quiet;
   if (run == nullptr) return row;
   fill(row, *run);
-  doubt(row, machine, cell.scene.length_scale_m);
+  flag_model_limits(row, machine, cell.scene.length_scale_m);
   doubt_unfinished_kick(row, cell.scene);
   refuse_what_is_not_finite(row);
   return row;

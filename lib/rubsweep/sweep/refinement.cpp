@@ -11,13 +11,13 @@ namespace rubsweep::sweep {
 namespace {
 
 /// An axis of the plane: how many cells, and how far apart they are numbered.
-struct Side {
+struct PlaneAxis {
   std::size_t count = 1, stride = 0;
 };
 
 /// Planes of blocks: the first two axes with several values, once for each combination of the others.
 struct Planes {
-  std::array<Side, 2> sides;
+  std::array<PlaneAxis, 2> sides;
   std::vector<std::size_t> origins;
 };
 
@@ -42,33 +42,33 @@ Planes planes_of(const Grid& grid) {
 }
 
 /// Both ends included; equal where the axis has one value.
-struct Stretch {
+struct Interval {
   std::size_t first = 0, last = 0;
 
   std::size_t middle() const { return first + (last - first) / 2; }
   bool splits() const { return last - first > 1; }
 };
 
-/// The one stretch, or both halves.
-std::vector<Stretch> halves(const Stretch& whole) {
+/// The interval itself, or both halves.
+std::vector<Interval> halves(const Interval& whole) {
   if (!whole.splits()) return {whole};
   return {{whole.first, whole.middle()}, {whole.middle(), whole.last}};
 }
 
-std::vector<Stretch> lattice(std::size_t count, int levels) {
+std::vector<Interval> lattice(std::size_t count, int levels) {
   if (count == 1) return {{0, 0}};
   const std::size_t step = std::size_t{1} << levels;
-  std::vector<Stretch> stretches;
+  std::vector<Interval> intervals;
   for (std::size_t first = 0; first + 1 < count; first += step)
-    stretches.push_back({first, std::min(first + step, count - 1)});
-  return stretches;
+    intervals.push_back({first, std::min(first + step, count - 1)});
+  return intervals;
 }
 
 struct Block {
   std::size_t origin = 0;
-  std::array<Stretch, 2> stretches;
+  std::array<Interval, 2> intervals;
 
-  bool splits() const { return stretches[0].splits() || stretches[1].splits(); }
+  bool splits() const { return intervals[0].splits() || intervals[1].splits(); }
 };
 
 std::size_t cell_at(const Planes& planes, std::size_t origin, std::size_t i, std::size_t j) {
@@ -80,16 +80,16 @@ template <class Visit>
 void visit_lattice(const Planes& planes, int levels, const Visit& visit) {
   const auto across = lattice(planes.sides[0].count, levels), up = lattice(planes.sides[1].count, levels);
   for (const std::size_t origin : planes.origins) {
-    for (const Stretch& j : up) {
-      for (const Stretch& i : across) visit(Block{origin, {i, j}});
+    for (const Interval& j : up) {
+      for (const Interval& i : across) visit(Block{origin, {i, j}});
     }
   }
 }
 
 std::vector<std::size_t> corners(const Planes& planes, const Block& block) {
   std::vector<std::size_t> cells;
-  for (const std::size_t j : {block.stretches[1].first, block.stretches[1].last}) {
-    for (const std::size_t i : {block.stretches[0].first, block.stretches[0].last})
+  for (const std::size_t j : {block.intervals[1].first, block.intervals[1].last}) {
+    for (const std::size_t i : {block.intervals[0].first, block.intervals[0].last})
       cells.push_back(cell_at(planes, block.origin, i, j));
   }
   return cells;
@@ -101,12 +101,12 @@ std::vector<std::size_t> probes(const Planes& planes, const Block& block, int co
   std::vector<std::size_t> cells;
   for (int k = 0; k < count; ++k) {
     std::array<std::size_t, 2> place;
-    for (std::size_t side = 0; side < 2; ++side) {
-      const Stretch& stretch = block.stretches[side];
-      const std::size_t inner = stretch.splits() ? stretch.last - stretch.first - 1 : 0;
-      const double share = std::fmod(0.5 + k * steps[side], 1.0);
-      place[side] =
-          stretch.first + (inner == 0 ? 0 : 1 + static_cast<std::size_t>(share * static_cast<double>(inner)));
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const Interval& interval = block.intervals[axis];
+      const std::size_t inner = interval.splits() ? interval.last - interval.first - 1 : 0;
+      const double share = std::fmod(0.5 + k * steps[axis], 1.0);
+      place[axis] = interval.first +
+                    (inner == 0 ? 0 : 1 + static_cast<std::size_t>(share * static_cast<double>(inner)));
     }
     cells.push_back(cell_at(planes, block.origin, place[0], place[1]));
   }
@@ -116,8 +116,8 @@ std::vector<std::size_t> probes(const Planes& planes, const Block& block, int co
 /// Calls `visit` with every cell of a block until it returns false.
 template <class Visit>
 void visit_cells(const Planes& planes, const Block& block, const Visit& visit) {
-  for (std::size_t j = block.stretches[1].first; j <= block.stretches[1].last; ++j) {
-    for (std::size_t i = block.stretches[0].first; i <= block.stretches[0].last; ++i) {
+  for (std::size_t j = block.intervals[1].first; j <= block.intervals[1].last; ++j) {
+    for (std::size_t i = block.intervals[0].first; i <= block.intervals[0].last; ++i) {
       if (!visit(cell_at(planes, block.origin, i, j))) return;
     }
   }
@@ -137,8 +137,8 @@ bool uniform(const Planes& planes, const Block& block, std::span<const int> labe
 
 template <class Visit>
 void visit_children(const Block& block, const Visit& visit) {
-  for (const Stretch& j : halves(block.stretches[1])) {
-    for (const Stretch& i : halves(block.stretches[0])) visit(Block{block.origin, {i, j}});
+  for (const Interval& j : halves(block.intervals[1])) {
+    for (const Interval& i : halves(block.intervals[0])) visit(Block{block.origin, {i, j}});
   }
 }
 
@@ -165,30 +165,30 @@ void visit_blocks(const Planes& planes, const Block& block, std::span<const int>
                  [&](const Block& child) { visit_blocks(planes, child, labels, level + 1, leaf, split); });
 }
 
-/// The stretch of the lattice that holds an index; of two that meet there the first.
-Stretch stretch_of(std::size_t index, std::size_t count, int levels) {
-  const std::vector<Stretch> stretches = lattice(count, levels);
-  return *std::ranges::find_if(stretches, [&](const Stretch& stretch) { return index <= stretch.last; });
+/// The interval of the lattice that holds an index; of two that meet there the first.
+Interval interval_of(std::size_t index, std::size_t count, int levels) {
+  const std::vector<Interval> intervals = lattice(count, levels);
+  return *std::ranges::find_if(intervals, [&](const Interval& interval) { return index <= interval.last; });
 }
 
 /// Probes lie inside their block.
 bool is_probe(const Planes& planes, const Refinement& refinement, std::size_t cell) {
   Block block;
   block.origin = cell;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const auto [count, stride] = planes.sides[side];
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto [count, stride] = planes.sides[axis];
     const std::size_t index = stride == 0 ? 0 : cell / stride % count;
     block.origin -= index * stride;
-    block.stretches[side] = stretch_of(index, count, refinement.levels);
+    block.intervals[axis] = interval_of(index, count, refinement.levels);
   }
   return std::ranges::count(probes(planes, block, refinement.probes), cell) > 0;
 }
 
-/// How often the stretch of an index on the lattice is halved before it ends there.
+/// How often the interval of an index on the lattice is halved before it ends there.
 int level_on_axis(std::size_t index, std::size_t count, int levels) {
   int level = 0;
-  for (Stretch at = stretch_of(index, count, levels); index != at.first && index != at.last; ++level)
-    at = index <= at.middle() ? Stretch{at.first, at.middle()} : Stretch{at.middle(), at.last};
+  for (Interval at = interval_of(index, count, levels); index != at.first && index != at.last; ++level)
+    at = index <= at.middle() ? Interval{at.first, at.middle()} : Interval{at.middle(), at.last};
   return level;
 }
 
@@ -212,10 +212,10 @@ int refinement_level(const Grid& grid, std::size_t cell) {
   const Planes planes = planes_of(grid);
   if (is_probe(planes, *grid.refinement, cell)) return 0;
   int level = 0;
-  for (const Side& side : planes.sides) {
-    if (side.count == 1) continue;
-    const std::size_t index = cell / side.stride % side.count;
-    level = std::max(level, level_on_axis(index, side.count, grid.refinement->levels));
+  for (const PlaneAxis& axis : planes.sides) {
+    if (axis.count == 1) continue;
+    const std::size_t index = cell / axis.stride % axis.count;
+    level = std::max(level, level_on_axis(index, axis.count, grid.refinement->levels));
   }
   return level;
 }
@@ -245,7 +245,7 @@ std::size_t island_bound(const Grid& grid) {
     for (const std::size_t cell : corners(planes, block)) met[cell] = true;
     for (const std::size_t cell : probes(planes, block, grid.refinement->probes)) met[cell] = true;
   });
-  // Side of the largest square without a met cell that ends in each cell of a row, from those of the row
+  // PlaneAxis of the largest square without a met cell that ends in each cell of a row, from those of the row
   // before; along a single axis as many cells one after the other.
   std::size_t largest = 0;
   std::vector<std::size_t> before(across.count, 0), sides(across.count, 0);
@@ -272,8 +272,8 @@ std::optional<double> boundary_exponent(const Grid& grid, std::span<const int> l
         planes, lattice_block, labels, 0, [](const Block&) {},
         [&](const Block& block, int level) {
           double cells = 1;
-          for (const Stretch& stretch : block.stretches)
-            cells *= static_cast<double>(std::max<std::size_t>(stretch.last - stretch.first, 1));
+          for (const Interval& interval : block.intervals)
+            cells *= static_cast<double>(std::max<std::size_t>(interval.last - interval.first, 1));
           split_cells[level] += cells;
         });
   });

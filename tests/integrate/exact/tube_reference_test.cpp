@@ -27,7 +27,7 @@ TEST(TubeReference, AGuardSeesItsRowOnEveryDisturbance) {
     // For one Euclidean length: the norm of the values.
     const auto spread = reference.spread_of(seen.value);
     EXPECT_NEAR(spread.width.fast, Eigen::Map<const Eigen::VectorXd>(seen.value.data(), 8).norm(), 1e-12);
-    EXPECT_TRUE(spread.kicks.empty());
+    EXPECT_TRUE(spread.deflections.empty());
   }
 }
 

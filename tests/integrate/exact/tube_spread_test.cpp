@@ -7,10 +7,10 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-TEST(SpreadOf, UnitDisturbancesAreOneLengthKicksAreAlone) {
+TEST(SpreadOf, UnitDisturbancesAreOneLengthDeflectionsAreAlone) {
   const auto spread = spread_of({3, -4, 5, -6}, {2, 0});
   EXPECT_EQ(spread.width.fast, 5);
-  EXPECT_EQ(spread.kicks, (std::vector<double>{5, 6}));
+  EXPECT_EQ(spread.deflections, (std::vector<double>{5, 6}));
 }
 
 /// sin and cos of t, whose second derivatives are at most 1: the length is 1 all along.
@@ -19,8 +19,8 @@ TEST(SpreadOver, BoundsWhatTheValuesDoInTheStep) {
     const auto spread = spread_over({{0, 1, 0}, {1, 0, 1}, {1, 1, 1}}, {2, 0}, duration);
     EXPECT_GE(spread.width.fast, 1);
     EXPECT_LE(spread.width.fast, std::hypot(1, duration) + std::sqrt(2) / 2 * duration * duration);
-    EXPECT_GE(spread.kicks[0], std::sin(duration));
-    EXPECT_LE(spread.kicks[0], duration + duration * duration / 2);
+    EXPECT_GE(spread.deflections[0], std::sin(duration));
+    EXPECT_LE(spread.deflections[0], duration + duration * duration / 2);
   }
 }
 
@@ -29,7 +29,7 @@ TEST(Raise, TakesTheLargerOfWhatBothHave) {
   raise(spread, {{4, 6}, {1, 5, 9}});
   EXPECT_EQ(spread.width.fast, 4);
   EXPECT_EQ(spread.width.slow, 7);
-  EXPECT_EQ(spread.kicks, (std::vector<double>{2, 5}));
+  EXPECT_EQ(spread.deflections, (std::vector<double>{2, 5}));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(TubeSwitch, TheLawsDifferByAVectorTimesTheGuard) {
   const Eigen::MatrixXd difference = motion.mode().generator - open;
   const Eigen::VectorXd b = difference * row.transpose() / row.squaredNorm();
   EXPECT_LE((difference - b * row).norm(), 1e-9 * difference.norm());
-  EXPECT_NEAR(made->own_kick, std::abs(row.dot(b.transpose())), 1e-9 * made->own_kick);
+  EXPECT_NEAR(made->own_deflection, std::abs(row.dot(b.transpose())), 1e-9 * made->own_deflection);
   // b and what the new law makes of it are carried from here on.
   EXPECT_EQ(motion.tangents().size(), 10u);
 }

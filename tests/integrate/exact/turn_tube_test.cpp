@@ -17,7 +17,7 @@ TurnTube one_change() {
   change.spread.width.fast = 1;
   change.longest_window_s = 1;
   tube.switches.push_back(change);
-  tube.kicks.push_back({{3}, {}});
+  tube.deflections.push_back({{3}, {}});
   return tube;
 }
 
@@ -59,7 +59,7 @@ TEST(TurnTube, WindowsMustNotOverlap) {
   TurnTube tube = one_change();
   tube.switches.push_back(tube.switches[0]);
   tube.switches[1].time_s = 0.52;
-  tube.kicks.push_back({{0}, {}});
+  tube.deflections.push_back({{0}, {}});
   EXPECT_NEAR(largest_radius(tube), 0.02 / 2 * 0.45, 1e-4);
 }
 
@@ -74,7 +74,7 @@ TEST(TurnTube, TheGuardMustRiseForTheWholeTube) {
   EXPECT_NEAR(with([](auto& at) { at.rate_spread.width.fast = 10; }), 0.1, 1e-3);
   EXPECT_LT(with([](auto& at) { at.curvature = 100; }), 0.1 * free);
   EXPECT_LT(with([](auto& at) { at.curvature_spread.width.fast = 1000; }), free / 3);
-  EXPECT_LT(with([](auto& at) { at.own_kick = 50; }), 0.1 * free);
+  EXPECT_LT(with([](auto& at) { at.own_deflection = 50; }), 0.1 * free);
   EXPECT_LT(with([](auto& at) { at.longest_window_s = 0.01; }), 0.1 * free);
   EXPECT_LT(with([](auto& at) { at.lowest_rate = 0.49; }), 1e-8);
 }
@@ -95,11 +95,11 @@ TEST(TurnTube, NoOtherGuardComesToZeroInTheWindow) {
   EXPECT_LT(with([](auto& other) { other.curvature = 100; }), 0.1 * free);
   EXPECT_LT(with([](auto& other) { other.rate_spread.width.fast = 100; }), 0.1 * free);
   EXPECT_LT(with([](auto& other) { other.curvature_spread.width.fast = 1e5; }), 0.1 * free);
-  EXPECT_LT(with([](auto& other) { other.own_kick = 100; }), 0.1 * free);
+  EXPECT_LT(with([](auto& other) { other.own_deflection = 100; }), 0.1 * free);
 }
 
-/// A kick of the first change to the disturbance counts at the second, and in margins behind it.
-TEST(TurnTube, KicksWidenTheTubeBehindThem) {
+/// A deflection of the first change to the disturbance counts at the second, and in margins behind it.
+TEST(TurnTube, DeflectionsWidenTheTubeBehindThem) {
   TurnTube tube = one_change();
   tube.switches[0].margins_before = 0;
   tube.margins.push_back({0.01, {{}, {100, 0}}});
@@ -109,10 +109,10 @@ TEST(TurnTube, KicksWidenTheTubeBehindThem) {
   tube.switches.push_back(tube.switches[0]);
   tube.switches[1].time_s = 0.9;
   tube.switches[1].spread = {{1}, {1000, 0}};
-  tube.kicks.push_back({{1}, {}});
-  const double radius = 1e-3, first = radius / 0.9, kick = 1.05 * first * first / 2;
-  const double second = (radius + 1000 * kick) / 0.9;
-  EXPECT_NEAR(tube.deviation({radius}).fast, 3 * kick + 1.05 * second * second / 2, 1e-15);
+  tube.deflections.push_back({{1}, {}});
+  const double radius = 1e-3, first = radius / 0.9, deflection = 1.05 * first * first / 2;
+  const double second = (radius + 1000 * deflection) / 0.9;
+  EXPECT_NEAR(tube.deviation({radius}).fast, 3 * deflection + 1.05 * second * second / 2, 1e-15);
 }
 
 /// A tube that holds for a radius holds for every smaller one.

@@ -50,7 +50,7 @@ bool ExactMotion<N>::change(std::size_t joint) {
       cell_ = &cells_[mode_->index];
     }
     if (drives_.acting().empty() && prepare(*next, cells_[next->index])) {
-      const Passage& way = passage(*next);
+      const Transition& way = transition(*next);
       tangents_.change(*mode_, way.change->by);
       State z;
       numerics::put_product(way.change->by, now_.free, z);
@@ -67,11 +67,11 @@ bool ExactMotion<N>::change(std::size_t joint) {
 }
 
 template <int N>
-const typename ExactMotion<N>::Passage& ExactMotion<N>::passage(const LinearMode<N>& to) {
+const typename ExactMotion<N>::Transition& ExactMotion<N>::transition(const LinearMode<N>& to) {
   const std::size_t from = mode_->index;
-  if (passages_.size() <= from) passages_.resize(from + 1);
-  if (passages_[from].size() <= to.index) passages_[from].resize(to.index + 1);
-  Passage& way = passages_[from][to.index];
+  if (transitions_.size() <= from) transitions_.resize(from + 1);
+  if (transitions_[from].size() <= to.index) transitions_[from].resize(to.index + 1);
+  Transition& way = transitions_[from][to.index];
   if (way.change == nullptr)
     way = {&machine_->change(*mode_, to),
            make_harmonic_change(to, cells_[from].shaft.response, cells_[to.index].shaft.response)};
@@ -118,7 +118,7 @@ void ExactMotion<N>::ahead_by_table(Instant& instant, int k) const {
 
 template <int N>
 void ExactMotion<N>::ahead_by_interval(Instant& instant, double interval_s) {
-  Stretch& interval = cell_->interval;
+  PairFlow& interval = cell_->interval;
   if (interval.duration_s != interval_s)
     interval = {interval_s, flow_of_pairs(*mode_, interval_s), drives_.turns(interval_s)};
   move_pairs(interval.pairs, instant.free);

@@ -180,7 +180,7 @@ class ExactMotion {
   using Complex = std::complex<double>;
 
   /// Flow of a mode of pairs over some duration, and how far the phasors turn.
-  struct Stretch {
+  struct PairFlow {
     double duration_s = -1;
     typename ExactTypes<N>::Pairs pairs;
     Phasors turns;
@@ -192,7 +192,7 @@ class ExactMotion {
   };
 
   /// Precomputed transition from one mode to another.
-  struct Passage {
+  struct Transition {
     const ModeChange<N>* change = nullptr;  ///< null: not yet made
     HarmonicChange<N> unbalance;
   };
@@ -200,14 +200,14 @@ class ExactMotion {
   struct ModeCell {
     ModeResponse shaft;
     std::vector<ModeResponse> pulses{};  ///< each made where it meets the mode
-    Stretch interval;
+    PairFlow interval;
   };
 
   /// Highest angular frequency of the free vibration and of the forces that act now.
   double fastest_rad_per_s() const { return drives_.fastest_rad_per_s(mode_->fastest_rad_per_s); }
   bool prepare(const LinearMode<N>& mode, ModeCell& cell) const;
   /// From the present mode to one whose cell is prepared.
-  const Passage& passage(const LinearMode<N>& to);
+  const Transition& transition(const LinearMode<N>& to);
   /// Visits the response of `cell` to every force that acts, and its phasor.
   template <class Visit>
   void for_each_response(const ModeCell& cell, const Instant& instant, const Visit& visit) const {
@@ -224,7 +224,7 @@ class ExactMotion {
   run::StateScale scale_;  ///< of sections
   Drives drives_;
   std::vector<ModeCell> cells_;
-  std::vector<std::vector<Passage>> passages_;  ///< by the indices of both modes
+  std::vector<std::vector<Transition>> transitions_;  ///< by the indices of both modes
   const LinearMode<N>* mode_ = nullptr;
   ModeCell* cell_ = nullptr;
   std::size_t joint_ = 0;

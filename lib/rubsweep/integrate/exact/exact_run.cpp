@@ -93,13 +93,13 @@ run::Outcome ExactRun<N>::run_to_end(run::TurnReport& report) {
 }
 
 template <int N>
-const typename ExactRun<N>::Place& ExactRun<N>::place() {
-  place_.phase_rad = clock_.phase_rad();
-  put_scaled(here_, place_.state);
-  place_.modes = motion_.mode().modes;
-  place_.tangent_vectors.resize(here_.size(), tangents_);
-  motion_.put_tangents(place_.tangent_vectors);
-  return place_;
+const typename ExactRun<N>::Handover& ExactRun<N>::handover() {
+  handover_.phase_rad = clock_.phase_rad();
+  put_scaled(here_, handover_.state);
+  handover_.modes = motion_.mode().modes;
+  handover_.tangent_vectors.resize(here_.size(), tangents_);
+  motion_.put_tangents(handover_.tangent_vectors);
+  return handover_;
 }
 
 template <int N>

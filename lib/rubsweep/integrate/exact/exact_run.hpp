@@ -26,19 +26,19 @@ class ExactRun {
   ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps_per_revolution);
 
   /// Integrates the next revolution. After `no_closed_form` the run stands where the revolution
-  /// began, and the report means nothing. After `unsaturated` the turn is made up to `place()`, and so is the
-  /// report.
+  /// began, and the report means nothing. After `unsaturated` the turn is made up to `handover()`, and so is
+  /// the report.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report);
 
   /// Where a turn goes on that another solver has to make a piece of.
-  struct Place {
+  struct Handover {
     double phase_rad = 0;
     std::vector<double> state;         ///< as TurnReport::section
     std::vector<contact::Mode> modes;  ///< per contact
     Eigen::MatrixXd tangent_vectors;   ///< as TurnRequest::tangent_vectors
   };
   /// After `unsaturated`. Its memory is kept from piece to piece.
-  const Place& place();
+  const Handover& handover();
 
   /// Goes on in the turn where it stands now after a piece by another solver, up to which `report` is made.
   /// False, with nothing changed, where friction is not saturated there, or only for a moment.
@@ -107,7 +107,7 @@ class ExactRun {
   int standstill_ = 0;
   bool unsaturated_ = false;  ///< the turn has come to where friction leaves saturation
   State here_;                ///< physical, where it did
-  Place place_;
+  Handover handover_;
   run::Effort effort_;
 };
 

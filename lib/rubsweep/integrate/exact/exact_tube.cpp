@@ -17,7 +17,7 @@ namespace rubsweep::integrate::exact {
 namespace {
 
 /// Spectral norm of a matrix; infinite where the matrix is not finite.
-double largest_length(const Eigen::MatrixXd& matrix) {
+double spectral_norm(const Eigen::MatrixXd& matrix) {
   if (matrix.size() == 0) return 0;
   const Eigen::MatrixXd square = matrix.transpose() * matrix;
   if (!square.allFinite()) return std::numeric_limits<double>::infinity();
@@ -37,12 +37,17 @@ class TubeBuilder {
 
   std::optional<TurnTube> build(std::vector<double>& section, const Eigen::MatrixXd& disturbances,
                                 const Eigen::MatrixXd& end_norm, Eigen::Index slow) {
-    tube_ = {.period_s = period_s_, .margins = {}, .switches = {}, .kicks = {}, .to_fast = {}, .to_slow = {}};
+    tube_ = {.period_s = period_s_,
+             .margins = {},
+             .switches = {},
+             .deflections = {},
+             .to_fast = {},
+             .to_slow = {}};
     time_s_ = 0;
     behind_ = none;
     if (!reference_.start(section, disturbances, static_cast<std::size_t>(slow))) return std::nullopt;
     tube_.margins = reference_.clamped_margins();
-    if (!std::ranges::all_of(tube_.margins, [](const TurnTube::Margin& m) { return m.margin > 0; }))
+    if (!std::ranges::all_of(tube_.margins, [](const TurnTube::LimitMargin& m) { return m.margin > 0; }))
       return std::nullopt;
     for (int steps = 0; time_s_ < tube_.period_s; ++steps) {
       if (steps > most_steps || !go_on()) return std::nullopt;
@@ -182,15 +187,15 @@ class TubeBuilder {
     };
     Eigen::MatrixXd linear(end_norm.rows(), fast + slow);
     for (std::size_t i = 0; i < base; ++i) linear.col(static_cast<Eigen::Index>(i)) = at_end(i);
-    tube_.to_fast = {largest_length(linear.topLeftCorner(fast, fast)),
-                     largest_length(linear.topRightCorner(fast, slow))};
-    tube_.to_slow = {largest_length(linear.bottomLeftCorner(slow, fast)),
-                     largest_length(linear.bottomRightCorner(slow, slow))};
+    tube_.to_fast = {spectral_norm(linear.topLeftCorner(fast, fast)),
+                     spectral_norm(linear.topRightCorner(fast, slow))};
+    tube_.to_slow = {spectral_norm(linear.bottomLeftCorner(slow, fast)),
+                     spectral_norm(linear.bottomRightCorner(slow, slow))};
     const auto lengths = [&](const Eigen::VectorXd& x) -> Parts {
       return {x.head(fast).norm(), x.tail(slow).norm()};
     };
     for (std::size_t i = base; i + 1 < list.size(); i += 2)
-      tube_.kicks.push_back({lengths(at_end(i)), lengths(at_end(i + 1))});
+      tube_.deflections.push_back({lengths(at_end(i)), lengths(at_end(i + 1))});
     const Eigen::VectorXd end = scaled(motion().physical());
     section.assign(end.data(), end.data() + end.size());
   }

@@ -46,8 +46,8 @@ contact::Kinematics kinematics_of(const Contact& contact, const State& physical,
           contact.first_row.dot(physical.tail(n).transpose()), closing_acceleration};
 }
 
-/// Joint mode by the state alone, rings open, with `rate` by the open law: a start exactly at a wall and
-/// moving into it is in contact from the first instant.
+/// Joint mode from the state alone, annular stops open, `rate` being that of flight: a start exactly at a
+/// wall and moving into it is in contact from the first instant.
 template <class Contact, class State>
 std::size_t joint_mode_of(const std::vector<Contact>& contacts, const State& physical, const State& rate) {
   std::size_t joint = 0;

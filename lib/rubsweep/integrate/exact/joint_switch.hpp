@@ -11,8 +11,8 @@
 namespace rubsweep::integrate::exact {
 
 /// The joint mode behind the crossing of guard `e` of the motion's mode, at its state `here`. Other contacts
-/// change their modes with it where the state says so; rings are open. As long as a contact touches, its slip
-/// keeps its way.
+/// change their modes with it where the state says so; annular stops are open. As long as a contact touches,
+/// its slip keeps its way.
 template <int N>
 std::size_t joint_mode_behind(const ExactMotion<N>& motion, const SlipWatch<N>& slip, std::size_t e,
                               const typename ExactMotion<N>::State& here) {

@@ -83,7 +83,7 @@ double StickingStretch::certified_rad(double longest_rad) const {
 
 bool StickingStretch::go_on(const run::TurnRequest& request, const std::vector<contact::Mode>& modes,
                             const std::vector<contact::Slip>& slips, double end_phase_rad, long most_steps,
-                            Place& place, run::TurnReport& report) {
+                            StretchState& place, run::TurnReport& report) {
   mode_ = mode_of(modes, slips);
   if (mode_ == nullptr) return false;
   state_ =
@@ -107,7 +107,7 @@ bool StickingStretch::go_on(const run::TurnRequest& request, const std::vector<c
   return true;
 }
 
-void StickingStretch::pass(const run::TurnRequest& request, double duration_rad, Place& place,
+void StickingStretch::pass(const run::TurnRequest& request, double duration_rad, StretchState& place,
                            run::TurnReport& report) {
   ++steps_;
   if (request.samples_per_revolution > 0) put_samples(request, duration_rad, report);

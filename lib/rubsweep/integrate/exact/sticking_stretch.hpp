@@ -22,7 +22,7 @@ class StickingStretch {
   explicit StickingStretch(const scene::Scene& scene);
 
   /// Where a stretch begins, and after `go_on` where it has ended.
-  struct Place {
+  struct StretchState {
     double phase_rad = 0;
     std::vector<double> state;        ///< as TurnReport::section
     Eigen::MatrixXd tangent_vectors;  ///< as TurnRequest::tangent_vectors
@@ -32,8 +32,8 @@ class StickingStretch {
   /// certain, at most by `most_steps`. False, with nothing changed, where a piece of Taylor series would go
   /// as far, or where the modes are of no such kind.
   bool go_on(const run::TurnRequest& request, const std::vector<contact::Mode>& modes,
-             const std::vector<contact::Slip>& slips, double end_phase_rad, long most_steps, Place& place,
-             run::TurnReport& report);
+             const std::vector<contact::Slip>& slips, double end_phase_rad, long most_steps,
+             StretchState& place, run::TurnReport& report);
 
   /// Steps taken since the run began.
   long steps() const { return steps_; }
@@ -42,7 +42,8 @@ class StickingStretch {
   const StickingMode* mode_of(const std::vector<contact::Mode>& modes,
                               const std::vector<contact::Slip>& slips);
   double certified_rad(double longest_rad) const;
-  void pass(const run::TurnRequest& request, double duration_rad, Place& place, run::TurnReport& report);
+  void pass(const run::TurnRequest& request, double duration_rad, StretchState& place,
+            run::TurnReport& report);
   void put_samples(const run::TurnRequest& request, double duration_rad, run::TurnReport& report);
   void raise_peaks(double duration_rad, run::TurnReport& report);
   double peak_step_rad() const;

@@ -47,7 +47,7 @@ class TubeReference {
   ExactMotion<N>& motion() { return motion_; }
   const ExactMotion<N>& motion() const { return motion_; }
   const run::StateScale& scale() const { return scale_; }  ///< of sections
-  const PartSizes& base() const { return base_; }          ///< disturbances that are not kicks
+  const PartSizes& base() const { return base_; }          ///< disturbances that are not deflections
 
   /// Disturbances projected onto guard `e` of the present mode.
   Seen seen(std::size_t e) {
@@ -88,10 +88,10 @@ class TubeReference {
 
   /// Margins of the clamped contacts from p = 0, which their guards do not watch and only entering the mode
   /// makes positive: a turn that starts in it must be told.
-  std::vector<TurnTube::Margin> clamped_margins() {
+  std::vector<TurnTube::LimitMargin> clamped_margins() {
     const auto& contacts = motion_.machine().system().contacts;
     const State here = motion_.physical();
-    std::vector<TurnTube::Margin> margins;
+    std::vector<TurnTube::LimitMargin> margins;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (motion_.mode().modes[i] != contact::Mode::clamped) continue;
       std::vector<double> widths;

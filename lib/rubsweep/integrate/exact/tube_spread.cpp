@@ -13,8 +13,8 @@ TurnTube::Spread spread_of(const std::vector<double>& values, const PartSizes& b
   };
   TurnTube::Spread spread;
   spread.width = {length(0, base.fast), length(base.fast, base.all())};
-  spread.kicks.reserve(values.size() - base.all());
-  for (std::size_t i = base.all(); i < values.size(); ++i) spread.kicks.push_back(std::abs(values[i]));
+  spread.deflections.reserve(values.size() - base.all());
+  for (std::size_t i = base.all(); i < values.size(); ++i) spread.deflections.push_back(std::abs(values[i]));
   return spread;
 }
 
@@ -32,18 +32,18 @@ TurnTube::Spread spread_over(const ModalSums& seen, const PartSizes& base, doubl
   };
   TurnTube::Spread spread;
   spread.width = {width(0, base.fast), width(base.fast, base.all())};
-  spread.kicks.reserve(seen.value.size() - base.all());
+  spread.deflections.reserve(seen.value.size() - base.all());
   for (std::size_t i = base.all(); i < seen.value.size(); ++i)
-    spread.kicks.push_back(std::max(std::abs(seen.value[i]), std::abs(end(i))) +
-                           half_square * std::abs(seen.curvature[i]));
+    spread.deflections.push_back(std::max(std::abs(seen.value[i]), std::abs(end(i))) +
+                                 half_square * std::abs(seen.curvature[i]));
   return spread;
 }
 
 void raise(TurnTube::Spread& spread, const TurnTube::Spread& other) {
   spread.width.fast = std::max(spread.width.fast, other.width.fast);
   spread.width.slow = std::max(spread.width.slow, other.width.slow);
-  for (std::size_t i = 0; i < spread.kicks.size() && i < other.kicks.size(); ++i)
-    spread.kicks[i] = std::max(spread.kicks[i], other.kicks[i]);
+  for (std::size_t i = 0; i < spread.deflections.size() && i < other.deflections.size(); ++i)
+    spread.deflections[i] = std::max(spread.deflections[i], other.deflections[i]);
 }
 
 }  // namespace rubsweep::integrate::exact

@@ -9,7 +9,7 @@
 namespace rubsweep::integrate::exact {
 
 /// How many of the disturbances that are carried span the fast part of a tube, and how many after them the
-/// slow one. The rest are kicks at changes of mode.
+/// slow one. The rest are deflections at changes of mode.
 struct PartSizes {
   std::size_t fast = 0, slow = 0;
 
@@ -17,7 +17,7 @@ struct PartSizes {
 };
 
 /// The spread that these values mean: those of the unit disturbances of either part count as one Euclidean
-/// length, those of kicks as one number each.
+/// length, those of deflections as one number each.
 TurnTube::Spread spread_of(const std::vector<double>& values, const PartSizes& base);
 
 /// The largest over a step of `duration_s`: a length is convex, so that along a straight line it is largest

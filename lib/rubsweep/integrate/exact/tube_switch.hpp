@@ -61,7 +61,7 @@ class TubeSwitch {
     change.longest_window_s =
         window_by_rate / std::max(TubeReference<N>::norm_of(from) * from.fastest_rad_per_s,
                                   TubeReference<N>::norm_of(to) * to.fastest_rad_per_s);
-    if (!add_kick(from, to, guard, change)) return std::nullopt;
+    if (!add_deflection(from, to, guard, change)) return std::nullopt;
     return change;
   }
 
@@ -97,15 +97,15 @@ class TubeSwitch {
   }
 
   /// b of the lemma, from the two generators, whose difference is b times the guard's row.
-  bool add_kick(const LinearMode<N>& from, const LinearMode<N>& to, const LinearGuard<N>& guard,
-                TurnTube::Switch& change) {
+  bool add_deflection(const LinearMode<N>& from, const LinearMode<N>& to, const LinearGuard<N>& guard,
+                      TurnTube::Switch& change) {
     const typename ExactTypes<N>::Flow difference = to.generator - from.generator;
     using Column = Eigen::Matrix<double, ExactTypes<N>::states, 1>;
     const Column row = guard.physical.transpose(), b = difference * row / row.squaredNorm();
     if (!((difference - b * row.transpose()).norm() <= 1e-9 * difference.norm())) return false;
-    change.own_kick = std::abs(row.dot(b));
+    change.own_deflection = std::abs(row.dot(b));
     for (std::size_t k = 0; k < change.others.size(); ++k)
-      change.others[k].own_kick = std::abs(other_rows_[k].dot(b.transpose()));
+      change.others[k].own_deflection = std::abs(other_rows_[k].dot(b.transpose()));
     motion_.carry_tangent_too(State(b));
     motion_.carry_tangent_too(State(to.generator * b));
     return true;

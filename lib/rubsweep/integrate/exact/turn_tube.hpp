@@ -31,15 +31,15 @@ struct Parts {
 /// limit by more than the tube's width there; windows neither overlap nor reach the ends of the turn.
 struct TurnTube {
   /// How far something linear in the state can be from its value on the reference: `width` per unit of
-  /// either radius, and two numbers for each change of mode before: per unit of the kick that it gave the
-  /// disturbance, and per unit of that kick and second of its window.
+  /// either radius, and two numbers for each change of mode before: per unit of the deflection that it gave
+  /// the disturbance, and per unit of that deflection and second of its window.
   struct Spread {
     Parts width;
-    std::vector<double> kicks{};
+    std::vector<double> deflections{};
   };
 
   /// A quantity that must keep `margin` > 0 from its limit.
-  struct Margin {
+  struct LimitMargin {
     double margin = 0;
     Spread spread;
   };
@@ -49,7 +49,7 @@ struct TurnTube {
     double value = 0;  ///< < 0 at the change
     double rate = 0, curvature = 0;
     Spread spread, rate_spread, curvature_spread;
-    double own_kick = 0;  ///< what a unit of the change's own kick does to it
+    double own_deflection = 0;  ///< what a unit of the change's own deflection does to it
   };
 
   struct Switch {
@@ -57,21 +57,22 @@ struct TurnTube {
     double rate = 0, curvature = 0;
     double lowest_rate = 0;  ///< over the landing step
     Spread spread, rate_spread, curvature_spread;
-    double own_kick = 0;
+    double own_deflection = 0;
     double longest_window_s = 0;  ///< for which the bounds hold
     std::vector<Other> others;
     std::size_t margins_before = 0;  ///< how many of `margins` lie before it
   };
 
-  /// A kick at the end of the turn: the lengths of both parts of end_norm b, and the same of the rate of b.
-  struct Kick {
+  /// A deflection at the end of the turn: the lengths of both parts of end_norm b, and the same of the rate
+  /// of b.
+  struct EndDeflection {
     Parts at_end, rate_at_end;
   };
 
   double period_s = 0;
-  std::vector<Margin> margins;  ///< in the order of time
+  std::vector<LimitMargin> margins;  ///< in the order of time
   std::vector<Switch> switches;
-  std::vector<Kick> kicks;  ///< of each switch
+  std::vector<EndDeflection> deflections;  ///< of each switch
   /// Largest length of the fast (slow) part of end_norm DF W y, per unit of each part of y.
   Parts to_fast, to_slow;
 
@@ -86,7 +87,7 @@ struct TurnTube {
  private:
   /// About one change of mode, for given radii.
   struct Window {
-    double distance = 0, window_s = 0, kick = 0;
+    double distance = 0, window_s = 0, deflection = 0;
   };
   std::optional<std::vector<Window>> windows(const Parts& radii) const;
   static std::optional<Window> window_of(const Switch& change, const Parts& radii,

@@ -16,7 +16,7 @@ const double last_phase = std::nextafter(full_turn, 0.0);
 
 /// Number of the first impulse not before the start of a revolution: no rounding can make one fall between
 /// two revolutions, or into both.
-Impulses::Place Impulses::place(const Train& train, long revolution) {
+Impulses::TrainPosition Impulses::position(const Train& train, long revolution) {
   const double periods = static_cast<double>(revolution) * train.multiple, whole = std::floor(periods);
   const double rest = periods - whole;
   return {whole, rest, train.phase_periods >= rest ? whole : whole + 1};
@@ -38,8 +38,8 @@ void Impulses::begin_turn(long revolution) {
   next_ = 0;
   for (std::size_t i = 0; i < trains_.size(); ++i) {
     const Train& train = trains_[i];
-    const Place begin = place(train, elapsed_revolutions_ + revolution),
-                end = place(train, elapsed_revolutions_ + revolution + 1);
+    const TrainPosition begin = position(train, elapsed_revolutions_ + revolution),
+                        end = position(train, elapsed_revolutions_ + revolution + 1);
     for (double k = begin.next; k < end.next; ++k) {
       const double periods = k - begin.whole + train.phase_periods - begin.rest;
       instants_.push_back({std::clamp(full_turn * (periods / train.multiple), 0.0, last_phase), i});

@@ -48,7 +48,7 @@ class Impulses {
     double multiple = 0, phase_periods = 0;
   };
   /// Where a train stands at the start of a revolution, in periods, and its next impulse there.
-  struct Place {
+  struct TrainPosition {
     double whole = 0, rest = 0, next = 0;
   };
   struct Instant {
@@ -56,7 +56,7 @@ class Impulses {
     std::size_t train = 0;
   };
 
-  static Place place(const Train& train, long revolution);
+  static TrainPosition position(const Train& train, long revolution);
 
   std::vector<Train> trains_;
   long elapsed_revolutions_ = 0;

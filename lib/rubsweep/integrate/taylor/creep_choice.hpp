@@ -48,11 +48,11 @@ class CreepChoice {
   template <class Expand>
   bool begin(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics, const Expand& expand,
              std::vector<double>& state, std::vector<double>& settled, double longest_rad, double usual_rad) {
-    let_creep(motion, dynamics, state);
+    start_creep(motion, dynamics, state);
     known_rad_ = settle_creep(motion, expand, state, settled, longest_rad, least_gain * usual_rad);
     if (known_rad_ > 0) return true;
     wait();
-    let_none_creep(motion, dynamics);
+    stop_creep(motion, dynamics);
     expand(state);
     return false;
   }
@@ -60,7 +60,7 @@ class CreepChoice {
   double known_rad() const { return known_rad_; }
   /// From the next expansion on none does.
   void end(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics) {
-    if (known_rad_ > 0) let_none_creep(motion, dynamics);
+    if (known_rad_ > 0) stop_creep(motion, dynamics);
     known_rad_ = 0;
   }
 
@@ -69,18 +69,18 @@ class CreepChoice {
   static constexpr int pieces_until_creep = 6;
   static constexpr double least_gain = 12;  ///< usual pieces that one of creep has to be worth
 
-  void let_creep(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
-                 const std::vector<double>& state) const {
+  void start_creep(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
+                   const std::vector<double>& state) const {
     std::size_t held = motion.sticking();
     for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
       if (dynamics.modes()[i] == contact::Mode::open || !motion.contact(i).friction_varies()) continue;
       const bool creeps = held < contact::most_sticking && dynamics.friction_ratio(i, state) > creep_above_;
-      motion.let_creep(i, creeps);
+      motion.set_creeping(i, creeps);
       if (creeps) ++held;
     }
   }
-  static void let_none_creep(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics) {
-    for (std::size_t i = 0; i < dynamics.modes().size(); ++i) motion.let_creep(i, false);
+  static void stop_creep(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics) {
+    for (std::size_t i = 0; i < dynamics.modes().size(); ++i) motion.set_creeping(i, false);
   }
 
   double creep_above_;

@@ -22,7 +22,7 @@ inline double unchanged_rad(const Creep& creep, int order, double smallest) {
   return longest;
 }
 
-/// Expands a motion whose contacts as `Expansion::let_creep` has it creep, by `expand(state)`,
+/// Expands a motion whose contacts as `Expansion::set_creeping` has it creep, by `expand(state)`,
 /// until the sweeps change nothing but rounding. Of `state` the slips become what they are without anything
 /// of their own start left, where that moves them by no more than rounding. Returns the duration over which
 /// all that holds, at most `longest_rad`; zero, and `state` as it was, where it is less than `worth_rad`.

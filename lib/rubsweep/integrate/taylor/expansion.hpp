@@ -64,7 +64,7 @@ class Expansion {
 
   /// From the next expansion on contact `i` creeps, or no longer does; it starts with the slip that it has
   /// where the expansion is now.
-  void let_creep(std::size_t i, bool creeps) {
+  void set_creeping(std::size_t i, bool creeps) {
     creeping_[i] = creeps;
     if (creeps) creeps_[i].begin(laws_[i], slip(i));
   }

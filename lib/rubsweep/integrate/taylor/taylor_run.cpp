@@ -153,7 +153,7 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
   const double fastest = fastest_rate(structure_rate_, motion_, dynamics_.modes());
   const double boundary = clock_.next_boundary(), left = boundary - clock_.time();
   double ratio = friction_ratio(motion_, dynamics_, state_);
-  const bool creeps = let_creep(fastest, ratio);
+  const bool creeps = try_creep(fastest, ratio);
   if (creeps) ratio = friction_ratio(motion_, dynamics_, state_);
   double wanted = motion_.series().converged_rad(longest_step(fastest * std::max(1.0, ratio)));
   if (creeps) wanted = std::min(wanted, creep_.known_rad());
@@ -197,7 +197,7 @@ void TaylorRun<N>::expand(const std::vector<double>& state) {
 
 /// Expands anew with contacts that creep, or leaves the expansion as it is.
 template <int N>
-bool TaylorRun<N>::let_creep(double fastest, double ratio) {
+bool TaylorRun<N>::try_creep(double fastest, double ratio) {
   if (standstill_ > 0 || !creep_.due(ratio)) return false;
   return creep_.begin(
       motion_, dynamics_, [this](const std::vector<double>& state) { expand(state); }, state_, probe_,

@@ -81,7 +81,7 @@ class TaylorRun {
   run::Outcome step(run::TurnReport& report);
   double longest_step(double fastest) const;
   void expand(const std::vector<double>& state);
-  bool let_creep(double fastest, double ratio);
+  bool try_creep(double fastest, double ratio);
   bool take(run::TurnReport& report, double fastest, double duration, double end_phase);
   void put_samples(run::TurnReport& report, double end_phase);
   void watch(run::TurnReport& report, double fastest, double duration);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "rubsweep/response/proof/foretold.hpp"
+#include "rubsweep/response/proof/linear_convergence.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double farther = 4;
-constexpr int periods_foretold = 3;
+constexpr int predicted_periods = 3;
 
 VectorXd off(std::span<const double> section, const StableOrbit& orbit, std::size_t turn) {
   return Eigen::Map<const VectorXd>(section.data(), static_cast<Eigen::Index>(section.size())) -
@@ -49,23 +49,23 @@ bool comes_near(const TurnMap& turn, std::span<const double> section, const Stab
   const auto size_of = [&norms](const VectorXd& offset, std::size_t at) {
     return (norms.norm[at] * offset).norm();
   };
-  Foretold foretold(periods_foretold * orbit.order);
+  LinearConvergenceTest convergence(predicted_periods * orbit.order);
   const double of_a_period = std::pow(norms.contraction, orbit.order);
-  VectorXd told;
+  VectorXd predicted;
   double first = 0, last = 0, a_period_ago = 0;
   const auto near = [&](std::size_t at, const VectorXd& offset, double size) {
     if (size <= wanted.adapted || offset.cwiseAbs().maxCoeff() <= wanted.largest) return true;
-    if (!wanted.foretold) return false;
-    if (told.size() == 0) {
+    if (!wanted.converges) return false;
+    if (predicted.size() == 0) {
       first = size;
     } else {
-      foretold.add_told(size_of(offset - told, at), last, norms.contraction);
-      if (at == 0) foretold.add_gain(a_period_ago, size, of_a_period);
+      convergence.add_prediction(size_of(offset - predicted, at), last, norms.contraction);
+      if (at == 0) convergence.add_contraction(a_period_ago, size, of_a_period);
     }
-    told = orbit.transitions[at] * offset;
+    predicted = orbit.transitions[at] * offset;
     last = size;
     if (at == 0) a_period_ago = size;
-    return foretold.holds(size, first);
+    return convergence.passed(size, first);
   };
   return follow(turn, section, orbit, size_of, near,
                 [&](double from, double size) { return patience.turns(norms.contraction, from, size); });

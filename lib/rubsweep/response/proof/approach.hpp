@@ -13,8 +13,8 @@ namespace rubsweep::response::proof {
 struct Nearness {
   double adapted = 0;  ///< distance in the adapted norm of the turn
   double largest = 0;  ///< or this largest component of it, in (clearance, clearance omega)
-  /// Or half of what it was in the adapted norm, as `Foretold` asks, by the turns of three periods.
-  bool foretold = false;
+  /// Or half of the first distance, by LinearConvergenceTest with the turns of three periods.
+  bool converges = false;
 };
 
 /// Follows a transient, which is at `section` where the orbit is at its first section, turn by turn until it

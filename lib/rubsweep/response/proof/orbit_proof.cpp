@@ -21,7 +21,7 @@ constexpr double tolerance_of_a_proof = 1e-11;
 constexpr double rough_accuracy = 1e-6;
 
 /// Where no ball about the orbit is known, the transient is followed until this share of its distance is
-/// left, unless its way is foretold.
+/// left, unless its convergence is predicted.
 constexpr double followed_down = 1e-4;
 
 /// Some periods at the start. Turns without closed forms cost a hundred times more.

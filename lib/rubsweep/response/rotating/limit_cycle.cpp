@@ -7,7 +7,7 @@
 #include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/numerics/lu.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
-#include "rubsweep/response/proof/foretold.hpp"
+#include "rubsweep/response/proof/linear_convergence.hpp"
 #include "rubsweep/response/proof/patience.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 
@@ -30,8 +30,8 @@ constexpr double followed_down = 1e-3;    ///< share of its distance that a tran
 constexpr double near_by = 1e-5;          ///< or this distance: what it does next is the rough flow's noise
 constexpr proof::Patience patience{.start = 64, .most = 3000};  ///< periods
 
-/// Or half, if so many returns were foretold.
-constexpr int foretold_in_a_row = 3;
+/// Or half, if so many returns were convergence.
+constexpr int predicted_in_a_row = 3;
 
 /// In (clearance, clearance omega).
 struct Accuracy {
@@ -136,7 +136,7 @@ std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_w
 }
 
 /// Follows the transient period by period until a thousandth of its distance from the cycle is left, in the
-/// adapted norm of the return map across the cycle, or `near_by`, or half of it as foretold.
+/// adapted norm of the return map across the cycle, or `near_by`, or half of it as convergence.
 /// Being early or late is no distance: each period is cut or prolonged by as much as the one before was off
 /// along the motion.
 bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Closed& cycle) {
@@ -146,22 +146,22 @@ bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Close
   const auto norms = proof::adapted_norms({across * cycle.once.transition * across});
   if (!norms) return false;
   const MatrixXd& norm = norms->norm.front();
-  VectorXd image = start, told;
+  VectorXd image = start, predicted;
   double first = 0, last = 0;
-  proof::Foretold foretold(foretold_in_a_row);
+  proof::LinearConvergenceTest convergence(predicted_in_a_row);
   for (int k = 0;; ++k) {
     const VectorXd off = across * (image - cycle.x);
     const double distance = (norm * off).norm();
     if (k == 0) {
       first = distance;
     } else {
-      foretold.add_told((norm * (off - told)).norm(), last, norms->contraction);
-      foretold.add_gain(last, distance, norms->contraction);
+      convergence.add_prediction((norm * (off - predicted)).norm(), last, norms->contraction);
+      convergence.add_contraction(last, distance, norms->contraction);
     }
-    if (largest(off) < near_by || distance < followed_down * first || foretold.holds(distance, first))
+    if (largest(off) < near_by || distance < followed_down * first || convergence.passed(distance, first))
       return true;
     if (!(distance < 4 * first) || k >= patience.turns(norms->contraction, first, distance)) return false;
-    told = across * (cycle.once.transition * off);
+    predicted = across * (cycle.once.transition * off);
     last = distance;
     const double late_rad = along.dot(image - cycle.x) / rate.norm();
     const auto end = motion.end(image, cycle.period_rad - late_rad);

@@ -33,7 +33,7 @@ struct LimitCycle {
 /// orbit; one multiplier of its monodromy matrix is 1, as every shift along the orbit makes it, to how well
 /// it is known, and all others lie inside `largest_floquet_modulus`; and the transient, followed on, comes
 /// down to a thousandth of its distance from the orbit in the adapted norm of the return map, or to 1e-5, or
-/// to half of it as `proof::Foretold` asks, by three returns in a row.
+/// to half of it by `proof::LinearConvergenceTest`, by three returns in a row.
 /// Observed, not proven: nothing is known of a ball about the orbit. Empty when none closes and is stable, or
 /// when the transient does not come near the first that is.
 std::optional<LimitCycle> prove_limit_cycle(const RotatingMotion& motion, const Eigen::VectorXd& start,

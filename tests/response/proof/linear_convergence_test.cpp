@@ -1,4 +1,4 @@
-#include "rubsweep/response/proof/foretold.hpp"
+#include "rubsweep/response/proof/linear_convergence.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,42 +9,42 @@
 namespace rubsweep::response::proof {
 namespace {
 
-TEST(Foretold, AsksForReturnsInARowAndForHalfTheDistance) {
-  Foretold foretold(3);
-  foretold.add_told(0, 1, 0.9);
-  foretold.add_told(0.009, 1, 0.9);
-  EXPECT_FALSE(foretold.holds(0.1, 1));
-  foretold.add_told(0.011, 1, 0.9);  // more than a tenth of the tenth that a return gains
-  foretold.add_told(0, 1, 0.9);
-  foretold.add_told(0, 1, 0.9);
-  EXPECT_FALSE(foretold.holds(0.1, 1));
-  foretold.add_told(0, 1, 0.9);
-  EXPECT_TRUE(foretold.holds(0.49, 1));
-  EXPECT_FALSE(foretold.holds(0.51, 1));
+TEST(LinearConvergence, AsksForReturnsInARowAndForHalfTheDistance) {
+  LinearConvergenceTest convergence(3);
+  convergence.add_prediction(0, 1, 0.9);
+  convergence.add_prediction(0.009, 1, 0.9);
+  EXPECT_FALSE(convergence.passed(0.1, 1));
+  convergence.add_prediction(0.011, 1, 0.9);  // more than a tenth of the tenth that a return gains
+  convergence.add_prediction(0, 1, 0.9);
+  convergence.add_prediction(0, 1, 0.9);
+  EXPECT_FALSE(convergence.passed(0.1, 1));
+  convergence.add_prediction(0, 1, 0.9);
+  EXPECT_TRUE(convergence.passed(0.49, 1));
+  EXPECT_FALSE(convergence.passed(0.51, 1));
 }
 
 /// The slow direction of an orbit beside a fold, x' = c x - a x^2: the unstable orbit is at -(1 - c) / a.
-/// Follows it from `x`; after how many returns, of `most`, the approach is foretold, and what is left then.
+/// Follows it from `x`; after how many returns, of `most`, the test is passed, and what is left then.
 struct Fold {
   double contraction = 0.995, bend = 1;
 
   std::pair<int, double> follow(double x, int most) const {
-    Foretold foretold(3);
+    LinearConvergenceTest convergence(3);
     const double first = std::abs(x);
     for (int k = 1; k <= most; ++k) {
       const double next = contraction * x - bend * x * x;
-      foretold.add_told(std::abs(next - contraction * x), std::abs(x), contraction);
-      foretold.add_gain(std::abs(x), std::abs(next), contraction);
+      convergence.add_prediction(std::abs(next - contraction * x), std::abs(x), contraction);
+      convergence.add_contraction(std::abs(x), std::abs(next), contraction);
       x = next;
-      if (foretold.holds(std::abs(x), first)) return {k, std::abs(x)};
+      if (convergence.passed(std::abs(x), first)) return {k, std::abs(x)};
     }
     return {most, std::abs(x)};
   }
 };
 
-TEST(Foretold, BesideAFoldAGainThatLastsIsEnough) {
+TEST(LinearConvergence, BesideAFoldAGainThatLastsIsEnough) {
   const Fold fold;
-  // From the side that the orbit draws from, long before a tenth of the gain is told (below 5e-4).
+  // From the side that the orbit draws from, long before a tenth of the gain is predicted (below 5e-4).
   const auto [returns, left] = fold.follow(0.1, 2000);
   EXPECT_GT(left, 1e-3);
   EXPECT_GE(returns, 138);  // ln 2 / 0.005
@@ -62,29 +62,30 @@ TEST(Foretold, BesideAFoldAGainThatLastsIsEnough) {
 struct Spiral {
   double contraction = 0.995, bend = 0.5, twist = 3;
 
-  /// Follows `most` returns from |z| = `distance`; how many are told, and after how many the approach is.
+  /// Follows `most` returns from |z| = `distance`; how many are predicted, and after how many the approach
+  /// is.
   std::pair<int, int> follow(double distance, int most) const {
-    Foretold foretold(3);
-    int told = 0;
+    LinearConvergenceTest convergence(3);
+    int predicted = 0;
     std::complex<double> z = distance;
     for (int k = 1; k <= most; ++k) {
       const double square = std::norm(z);
       const auto says = contraction * std::polar(1.0, 1.3) * z;
       const auto next = z * (contraction + bend * square) * std::polar(1.0, 1.3 + twist * square);
       const double error = std::abs(next - says);
-      if (error <= 0.1 * (1 - contraction) * std::abs(z)) ++told;
-      foretold.add_told(error, std::abs(z), contraction);
-      foretold.add_gain(std::abs(z), std::abs(next), contraction);
+      if (error <= 0.1 * (1 - contraction) * std::abs(z)) ++predicted;
+      convergence.add_prediction(error, std::abs(z), contraction);
+      convergence.add_contraction(std::abs(z), std::abs(next), contraction);
       z = next;
-      if (foretold.holds(std::abs(z), distance)) return {told, k};
+      if (convergence.passed(std::abs(z), distance)) return {predicted, k};
     }
-    return {told, most};
+    return {predicted, most};
   }
 };
 
-TEST(Foretold, BesideATorusBifurcationATurnedApproachIsOne) {
-  const auto [told, returns] = Spiral{}.follow(0.06, 2000);
-  EXPECT_EQ(told, 0);
+TEST(LinearConvergence, BesideATorusBifurcationATurnedApproachIsOne) {
+  const auto [predicted, returns] = Spiral{}.follow(0.06, 2000);
+  EXPECT_EQ(predicted, 0);
   EXPECT_GT(returns, 138);
   EXPECT_LT(returns, 500);
   // The torus is at 0.1: nothing comes from behind it.
