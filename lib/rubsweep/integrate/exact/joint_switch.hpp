@@ -10,9 +10,9 @@
 
 namespace rubsweep::integrate::exact {
 
-/// The joint mode behind the crossing of guard `e` of the motion's mode, at its state `here`. Other contacts
-/// change their modes with it where the state says so; annular stops are open. As long as a contact touches,
-/// its slip keeps its way.
+/// Joint mode after the crossing of guard `e` of the motion's mode, at its state `here`. Other contacts
+/// change their modes with it where the state demands it; annular stops are open. The slip of a contact keeps
+/// its direction as long as it touches.
 template <int N>
 std::size_t joint_mode_behind(const ExactMotion<N>& motion, const SlipWatch<N>& slip, std::size_t e,
                               const typename ExactMotion<N>::State& here) {

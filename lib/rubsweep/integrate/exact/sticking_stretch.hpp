@@ -15,22 +15,22 @@
 namespace rubsweep::integrate::exact {
 
 /// Stretches of a turn between flat stops in which dry friction holds every contact that touches and has any:
-/// closed forms and certified steps, so that a rotor held by friction costs what a rotor at rest does. A
-/// stretch goes only as far as no guard can be reached: whatever ends the mode is left to who asked.
+/// closed forms and certified steps, so that a rotor held by friction costs as much as a rotor at rest. A
+/// stretch ends before any guard can be reached: the event that ends the mode is left to the caller.
 class StickingStretch {
  public:
   explicit StickingStretch(const scene::Scene& scene);
 
-  /// Where a stretch begins, and after `go_on` where it has ended.
+  /// State at the start of a stretch, and after `go_on` at its end.
   struct StretchState {
     double phase_rad = 0;
     std::vector<double> state;        ///< as TurnReport::section
     Eigen::MatrixXd tangent_vectors;  ///< as TurnRequest::tangent_vectors
   };
 
-  /// Goes on in the turn of `report` towards `end_phase_rad`, without pulses or impulses, as far as is
-  /// certain, at most by `most_steps`. False, with nothing changed, where a piece of Taylor series would go
-  /// as far, or where the modes are of no such kind.
+  /// Advances the turn of `report` towards `end_phase_rad`, without pulses or impulses, as far as is certain,
+  /// by `most_steps` at most. False, with nothing changed, where a piece of Taylor series would go as far, or
+  /// where the modes are not of this kind.
   bool go_on(const run::TurnRequest& request, const std::vector<contact::Mode>& modes,
              const std::vector<contact::Slip>& slips, double end_phase_rad, long most_steps,
              StretchState& place, run::TurnReport& report);

@@ -8,16 +8,16 @@
 
 namespace rubsweep::integrate::exact {
 
-/// How many of the disturbances that are carried span the fast part of a tube, and how many after them the
-/// slow one. The rest are deflections at changes of mode.
+/// Numbers of the carried disturbances that span the fast part of a tube, and after them the slow one. The
+/// rest are deflections at changes of mode.
 struct PartSizes {
   std::size_t fast = 0, slow = 0;
 
   std::size_t all() const { return fast + slow; }
 };
 
-/// The spread that these values mean: those of the unit disturbances of either part count as one Euclidean
-/// length, those of deflections as one number each.
+/// Spread from the values of these disturbances: those of the unit disturbances of either part count as one
+/// Euclidean length, those of deflections as one number each.
 TurnTube::Spread spread_of(const std::vector<double>& values, const PartSizes& base);
 
 /// The largest over a step of `duration_s`: a length is convex, so that along a straight line it is largest

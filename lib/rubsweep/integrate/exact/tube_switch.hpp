@@ -11,8 +11,8 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Takes a tube's reference through a change of contact mode and takes down what the lemma of TurnTube asks
-/// for there.
+/// Takes a tube's reference through a change of contact mode and records the quantities that the lemma of
+/// TurnTube needs there.
 template <int N>
 class TubeSwitch {
  public:
@@ -22,8 +22,8 @@ class TubeSwitch {
 
   explicit TubeSwitch(TubeReference<N>& reference) : reference_(reference), motion_(reference.motion()) {}
 
-  /// The reference stands where guard `e` is zero, after a landing of `landing_s` from where it was `before`,
-  /// over which the disturbances spread it by `spread`. Empty where the lemma does not hold.
+  /// Passes a change: the reference is where guard `e` is zero, after a landing of `landing_s` from its value
+  /// `before`, over which the disturbances spread it by `spread`. Empty where the lemma does not hold.
   std::optional<TurnTube::Switch> through(std::size_t e, const GuardValue& before,
                                           const TurnTube::Spread& spread, double landing_s) {
     const LinearMode<N>& from = motion_.mode();
@@ -65,7 +65,7 @@ class TubeSwitch {
     return change;
   }
 
-  /// The guard of the present mode that has just left zero; none where no guard is the old one backwards.
+  /// Guard of the present mode that has just left zero; none where no guard is the old one reversed.
   std::size_t behind() const { return behind_; }
 
  private:
@@ -79,7 +79,7 @@ class TubeSwitch {
     return true;
   }
 
-  /// The guards of the present mode but one, as they stand at a change of mode.
+  /// Adds the guards of the present mode but one, with their values at a change of mode.
   bool add_others(TurnTube::Switch& change, std::size_t but) {
     for (std::size_t k = 0; k < motion_.mode().guards.size(); ++k) {
       if (k == but) continue;
@@ -96,7 +96,7 @@ class TubeSwitch {
     return true;
   }
 
-  /// b of the lemma, from the two generators, whose difference is b times the guard's row.
+  /// Vector b of the lemma, from the two generators, whose difference is b times the guard's row.
   bool add_deflection(const LinearMode<N>& from, const LinearMode<N>& to, const LinearGuard<N>& guard,
                       TurnTube::Switch& change) {
     const typename ExactTypes<N>::Flow difference = to.generator - from.generator;

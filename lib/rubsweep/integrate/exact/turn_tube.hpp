@@ -7,8 +7,8 @@
 
 namespace rubsweep::integrate::exact {
 
-/// One number for each of the two parts that disturbances of a turn are told apart in: those that contacts
-/// soon damp, and those that decay slowly. Where they are not told apart, all are fast.
+/// One number for each of the two parts of a turn's disturbances: those that contacts soon damp, and those
+/// that decay slowly. Where they are not told apart, all are fast.
 struct Parts {
   double fast = 0, slow = 0;
 };
@@ -30,7 +30,7 @@ struct Parts {
 /// friction leaves its saturation; outside the windows every armed guard and every slip stays away from its
 /// limit by more than the tube's width there; windows neither overlap nor reach the ends of the turn.
 struct TurnTube {
-  /// How far something linear in the state can be from its value on the reference: `width` per unit of
+  /// Largest deviation of a linear function of the state from its value on the reference: `width` per unit of
   /// either radius, and two numbers for each change of mode before: per unit of the deflection that it gave
   /// the disturbance, and per unit of that deflection and second of its window.
   struct Spread {
@@ -44,7 +44,7 @@ struct TurnTube {
     Spread spread;
   };
 
-  /// A guard, or what is left of a slip, that must not come to zero in the window of a change of mode.
+  /// A guard, or a slip margin, that must not come to zero in the window of a change of mode.
   struct Other {
     double value = 0;  ///< < 0 at the change
     double rate = 0, curvature = 0;

@@ -47,7 +47,7 @@ class Impulses {
     Eigen::VectorXd jump_m_per_s;  ///< mass^-1 impulse
     double multiple = 0, phase_periods = 0;
   };
-  /// Where a train stands at the start of a revolution, in periods, and its next impulse there.
+  /// Position of a train at the start of a revolution, in periods, and its next impulse there.
   struct TrainPosition {
     double whole = 0, rest = 0, next = 0;
   };

@@ -9,8 +9,8 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// The duration up to which what the last sweep of `creep` changed is at most `smallest`; zero where it is
-/// more from the start on.
+/// Duration up to which the change by the last sweep of `creep` is at most `smallest`; zero where it is
+/// larger from the start.
 inline double unchanged_rad(const Creep& creep, int order, double smallest) {
   if (std::abs(creep.change(0)) > smallest) return 0;
   double longest = std::numeric_limits<double>::infinity();
@@ -22,11 +22,11 @@ inline double unchanged_rad(const Creep& creep, int order, double smallest) {
   return longest;
 }
 
-/// Expands a motion whose contacts as `Expansion::set_creeping` has it creep, by `expand(state)`,
-/// until the sweeps change nothing but rounding. Of `state` the slips become what they are without anything
-/// of their own start left, where that moves them by no more than rounding. Returns the duration over which
-/// all that holds, at most `longest_rad`; zero, and `state` as it was, where it is less than `worth_rad`.
-/// `settled` has room for a state.
+/// Expands a motion, whose creeping contacts `Expansion::set_creeping` says, by `expand(state)`, until the
+/// sweeps change nothing but rounding. The slips of `state` lose the remainder of their own transient, where
+/// that moves them by no more than rounding. Returns the duration over which all that holds, at most
+/// `longest_rad`; zero, and `state` as it was, where it is less than `worth_rad`. `settled` is scratch for a
+/// state.
 template <int N, class Expand>
 double settle_creep(Expansion<N>& motion, const Expand& expand, std::vector<double>& state,
                     std::vector<double>& settled, double longest_rad, double worth_rad) {

@@ -62,14 +62,14 @@ class Expansion {
     complete_contacts();
   }
 
-  /// From the next expansion on contact `i` creeps, or no longer does; it starts with the slip that it has
-  /// where the expansion is now.
+  /// Makes contact `i` creep from the next expansion on, or end it; it starts with the slip that it has where
+  /// the expansion is now.
   void set_creeping(std::size_t i, bool creeps) {
     creeping_[i] = creeps;
     if (creeps) creeps_[i].begin(laws_[i], slip(i));
   }
   Creep& creep(std::size_t i) { return creeps_[i]; }
-  /// Some contact creeps in the expansion as it is.
+  /// Whether some contact creeps in the present expansion.
   bool any_creeps() const {
     for (std::size_t j = 0; j < sticking_; ++j) {
       if (contacts_[stuck_[j]].creep()) return true;
@@ -90,7 +90,7 @@ class Expansion {
     if (!system_.diagonal || touching_.size() != 1 || sticking_ > 0) return std::nullopt;
     return touching_[0];
   }
-  /// Nothing touches a diagonal structure.
+  /// Whether nothing touches a diagonal structure.
   bool flies() const { return system_.diagonal && touching_.empty(); }
   const DiagonalStructure<N>& structure() const { return structure_; }
   const ContactDirections<N>& directions(std::size_t i) const { return directions_[i]; }
@@ -212,7 +212,7 @@ class Expansion {
       contacts_[i].set_velocity(k + 1, at_contact(system_.contacts[i], acceleration_) * numerics::both(next));
   }
 
-  /// Coefficient k of what holds the contacts that stick.
+  /// Adds coefficient k of the holding forces of the contacts that stick.
   void hold(int k) {
     const auto count = static_cast<Eigen::Index>(sticking_);
     if (k == 0) {

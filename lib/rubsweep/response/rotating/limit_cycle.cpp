@@ -30,7 +30,7 @@ constexpr double followed_down = 1e-3;    ///< share of its distance that a tran
 constexpr double near_by = 1e-5;          ///< or this distance: what it does next is the rough flow's noise
 constexpr proof::Patience patience{.start = 64, .most = 3000};  ///< periods
 
-/// Or half, if so many returns were convergence.
+/// Number of predicted returns in a row after which half of the distance is enough.
 constexpr int predicted_in_a_row = 3;
 
 /// In (clearance, clearance omega).
@@ -78,7 +78,7 @@ class NewtonSteps {
   numerics::LuFactors factors_;
 };
 
-/// The first step by the rougher of `flows`, which gains as much from so far away.
+/// Flows, of which the rougher makes the first step: it gains as much from so far away.
 struct Flows {
   const RotatingMotion::Flow &at_first, &then;
 };
@@ -102,7 +102,7 @@ std::optional<Closed> close(const RotatingMotion& motion, const Flows& flows, co
     if (!end || !end->allFinite()) return std::nullopt;
     const double error = largest(*end - x);
     const VectorXd step = steps->from(x, *end);
-    // A kept derivative goes on for as long as it gains much: what is exact then starts nearer.
+    // The derivative is kept for as long as it gains much: the exact one then starts nearer.
     const bool goes_on = known && error > share_of_closed * wanted.closed && error < last / 10;
     if (error < wanted.closed && !goes_on) {
       if (!step.allFinite()) return Closed{x, period, *arc, x, period};
@@ -136,9 +136,9 @@ std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_w
 }
 
 /// Follows the transient period by period until a thousandth of its distance from the cycle is left, in the
-/// adapted norm of the return map across the cycle, or `near_by`, or half of it as convergence.
-/// Being early or late is no distance: each period is cut or prolonged by as much as the one before was off
-/// along the motion.
+/// adapted norm of the return map across the cycle, or `near_by`, or half of it by LinearConvergenceTest. A
+/// phase shift is no distance: each period is shortened or prolonged by the offset of the one before along
+/// the motion.
 bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Closed& cycle) {
   const Eigen::Index n = start.size();
   const VectorXd rate = motion.rate(cycle.x), along = rate.normalized();
