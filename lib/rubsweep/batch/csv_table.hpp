@@ -34,7 +34,7 @@ class CsvReader {
   }  ///< so far, without '#' and one blank after it
   const std::vector<std::string>& header() const { return header_; }
 
-  /// Where a row starts.
+  /// Position of a row in the file.
   struct RowPosition {
     std::uint64_t offset = 0;
     std::size_t line = 0;  ///< from 1
@@ -43,7 +43,7 @@ class CsvReader {
   /// Reads the next row; false when there is none.
   bool next();
 
-  /// Reads the row at `place`, which was the place of a row; `next` goes on behind it.
+  /// Reads the row at `place`, the position of a row; `next` continues after it.
   void read_at(const RowPosition& place);
 
   const std::vector<std::string>& cells() const { return cells_; }  ///< of the row

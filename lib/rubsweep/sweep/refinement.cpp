@@ -245,7 +245,7 @@ std::size_t island_bound(const Grid& grid) {
     for (const std::size_t cell : corners(planes, block)) met[cell] = true;
     for (const std::size_t cell : probes(planes, block, grid.refinement->probes)) met[cell] = true;
   });
-  // PlaneAxis of the largest square without a met cell that ends in each cell of a row, from those of the row
+  // Side of the largest square without a met cell that ends in each cell of a row, from those of the row
   // before; along a single axis as many cells one after the other.
   std::size_t largest = 0;
   std::vector<std::size_t> before(across.count, 0), sides(across.count, 0);
