@@ -9,10 +9,10 @@ namespace {
 
 /// Keys left of {stribeck, kinetic, from, other} after `written` is about to be written over them.
 std::string left_after(std::string_view written) {
-  Node map{Node::Kind::map, Place{}};
+  Node map{Node::Kind::map, SourcePosition{}};
   for (const char* key : {"stribeck", "kinetic", "from", "other"}) {
-    map.keys.push_back({key, Place{}});
-    map.items.push_back(Node{Node::Kind::null, Place{}});
+    map.keys.push_back({key, SourcePosition{}});
+    map.items.push_back(Node{Node::Kind::null, SourcePosition{}});
   }
   drop_alternatives(map, written);
   EXPECT_EQ(map.keys.size(), map.items.size());

@@ -28,19 +28,19 @@ TEST(Document, KeepsKindsQuotesAndPlaces) {
   ASSERT_EQ(root.kind, Node::Kind::map);
   ASSERT_EQ(root.keys.size(), 2U);
   EXPECT_EQ(root.keys[1].text, "b");
-  EXPECT_EQ(root.keys[1].place, (Place{-1, 2, 1}));
+  EXPECT_EQ(root.keys[1].place, (SourcePosition{-1, 2, 1}));
   EXPECT_EQ(root.items[0].text, "1");
   EXPECT_FALSE(root.items[0].quoted);
-  EXPECT_EQ(root.items[0].place, (Place{-1, 1, 4}));
+  EXPECT_EQ(root.items[0].place, (SourcePosition{-1, 1, 4}));
   const Node& list = root.items[1];
   ASSERT_EQ(list.kind, Node::Kind::list);
   EXPECT_TRUE(list.items[0].quoted);
-  EXPECT_EQ(list.items[0].place, (Place{-1, 3, 5}));
+  EXPECT_EQ(list.items[0].place, (SourcePosition{-1, 3, 5}));
   EXPECT_EQ(list.items[1].items[0].kind, Node::Kind::null);
 }
 
 TEST(Document, PlacesAMissingValueAtItsKey) {
-  EXPECT_EQ(parsed("a:\n\n\nb: 1\n").items[0].place, (Place{-1, 1, 1}));
+  EXPECT_EQ(parsed("a:\n\n\nb: 1\n").items[0].place, (SourcePosition{-1, 1, 1}));
 }
 
 TEST(Document, KeepsRepeatedKeys) { EXPECT_EQ(parsed("a: 1\na: 2\n").items.size(), 2U); }
@@ -73,7 +73,7 @@ TEST(Document, PlacesAnOverrideAtItsIndex) {
   Diagnostics diagnostics("f", {"x=1", "y={a: 1}"});
   const auto node = parse_document("{a: 1}", 1, "y", diagnostics);
   ASSERT_TRUE(node);
-  EXPECT_EQ(node->items[0].place, (Place{1, 1, 1}));
+  EXPECT_EQ(node->items[0].place, (SourcePosition{1, 1, 1}));
 }
 
 TEST(Document, BoundsDepthAlsoThroughAliases) {

@@ -78,10 +78,10 @@ TEST(Merge, AnotherKindSharesNothing) {
 
 TEST(Merge, KeepsThePlaceOfWhatEachFileWrote) {
   const Node node = Merge("a: 1\nb:\n  c: 2\n", "\n\nb: {d: 3}\n").node;
-  EXPECT_EQ(node.place, (Place{-1, 3, 1, 0}));
-  EXPECT_EQ(node.items[0].place, (Place{-1, 1, 4, 1}));
-  EXPECT_EQ(node.items[1].items[0].place, (Place{-1, 3, 6, 1}));
-  EXPECT_EQ(node.items[1].items[1].place, (Place{-1, 3, 8, 0}));
+  EXPECT_EQ(node.place, (SourcePosition{-1, 3, 1, 0}));
+  EXPECT_EQ(node.items[0].place, (SourcePosition{-1, 1, 4, 1}));
+  EXPECT_EQ(node.items[1].items[0].place, (SourcePosition{-1, 3, 6, 1}));
+  EXPECT_EQ(node.items[1].items[1].place, (SourcePosition{-1, 3, 8, 0}));
   EXPECT_LT(node.items[0].place, node.place);
 }
 

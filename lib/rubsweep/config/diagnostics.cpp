@@ -11,7 +11,7 @@
 
 namespace rubsweep::config {
 
-std::strong_ordering Place::operator<=>(const Place& other) const {
+std::strong_ordering SourcePosition::operator<=>(const SourcePosition& other) const {
   return std::tie(override_index, other.file, line, column) <=>
          std::tie(other.override_index, file, other.line, other.column);
 }
@@ -24,14 +24,14 @@ int Diagnostics::add_file(std::string name) {
   return static_cast<int>(files_.size()) - 1;
 }
 
-std::string Diagnostics::describe(const Place& place) const {
+std::string Diagnostics::describe(const SourcePosition& place) const {
   if (place.override_index < 0) {
     return fmt::format("{}:{}:{}", files_.at(static_cast<std::size_t>(place.file)), place.line, place.column);
   }
   return "--set " + shown(overrides_.at(static_cast<std::size_t>(place.override_index)), 200);
 }
 
-void Diagnostics::add(const Place& place, std::string_view path, std::string_view wrong,
+void Diagnostics::add(const SourcePosition& place, std::string_view path, std::string_view wrong,
                       std::string_view allowed) {
   std::string text = describe(place) + ": ";
   if (!path.empty()) text += fmt::format("{}: ", path);

@@ -11,14 +11,14 @@ namespace rubsweep::config {
 /// Where something was written. Ordered by what outranks what: a base before the files that name it, a file
 /// from top to bottom, then every --set. Of two places that contradict each other the greater one was written
 /// over the other.
-struct Place {
+struct SourcePosition {
   int override_index = -1;  ///< which --set, from 0; -1: a file
   int line = 1;             ///< of the file, from 1
   int column = 1;           ///< byte of the line, from 1
   int file = 0;             ///< which file: 0 is the configuration itself, others are its bases (Diagnostics)
 
-  bool operator==(const Place&) const = default;
-  std::strong_ordering operator<=>(const Place& other) const;
+  bool operator==(const SourcePosition&) const = default;
+  std::strong_ordering operator<=>(const SourcePosition& other) const;
 };
 
 /// Collects every problem of one configuration, so that the user meets all of them at once.
@@ -27,16 +27,18 @@ class Diagnostics {
   /// `file` and `overrides` are the names under which places are reported.
   Diagnostics(std::string file, std::vector<std::string> overrides);
 
-  /// Adds a base and returns what Place::file is in it. A base is added after the file that names it.
+  /// Adds a base and returns what SourcePosition::file is in it. A base is added after the file that names
+  /// it.
   int add_file(std::string name);
 
   /// `path` may be empty (the whole configuration), `allowed` too (nothing could be advised).
-  void add(const Place& place, std::string_view path, std::string_view wrong, std::string_view allowed);
+  void add(const SourcePosition& place, std::string_view path, std::string_view wrong,
+           std::string_view allowed);
 
   std::size_t count() const { return problems_.size(); }
 
   /// `file:line:column`, or `--set key=value`.
-  std::string describe(const Place& place) const;
+  std::string describe(const SourcePosition& place) const;
 
   /// Throws ConfigError when there is a problem: one line for each, by place,
   /// `file:line:column: path: what is wrong, allowed: what is allowed`, or `--set key=value: path: ...`.
@@ -44,7 +46,7 @@ class Diagnostics {
 
  private:
   struct Problem {
-    Place place;
+    SourcePosition place;
     std::string text;
   };
 

@@ -17,7 +17,7 @@ namespace rubsweep::config {
 namespace {
 
 struct Refusal {
-  Place place;
+  SourcePosition place;
   std::string wrong;
   std::string allowed;
 };
@@ -43,10 +43,10 @@ struct Source {
   int file;
 };
 
-Place place_of(const YAML::Mark& mark, const Source& source) {
+SourcePosition place_of(const YAML::Mark& mark, const Source& source) {
   return source.override_index < 0
-             ? Place{-1, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1, source.file}
-             : Place{source.override_index, 1, 1};
+             ? SourcePosition{-1, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1, source.file}
+             : SourcePosition{source.override_index, 1, 1};
 }
 
 /// Builder of the tree from yaml-cpp's events. YAML::Load does not serve: it shares aliased nodes, so that an
@@ -92,7 +92,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnMapEnd() override { close(); }
 
  private:
-  Place at(const YAML::Mark& mark) const { return place_of(mark, source_); }
+  SourcePosition at(const YAML::Mark& mark) const { return place_of(mark, source_); }
 
   [[noreturn]] void refuse(const YAML::Mark& mark, std::string wrong, std::string allowed) const {
     throw Refusal{at(mark), std::move(wrong), std::move(allowed)};
@@ -103,7 +103,7 @@ class TreeBuilder : public YAML::EventHandler {
     refuse(mark, fmt::format("the tag '{}' is not supported", shown(tag)), "values without a tag");
   }
 
-  void count(const Place& place, const Extent& extent) {
+  void count(const SourcePosition& place, const Extent& extent) {
     nodes_ += extent.nodes;
     if (nodes_ > max_document_nodes) {
       throw Refusal{place, "too many values", fmt::format("at most {}", max_document_nodes)};

@@ -16,11 +16,11 @@ struct Node {
 
   struct Key {
     std::string text;
-    Place place;
+    SourcePosition place;
   };
 
   Kind kind = Kind::null;
-  Place place;                ///< of a null in a map: its key's
+  SourcePosition place;       ///< of a null in a map: its key's
   std::string text{};         ///< scalar
   bool quoted = false;        ///< scalar in quotes or a block: text, never a number
   std::vector<Key> keys{};    ///< map: as written, repeated ones included; keys[i] belongs to items[i]
@@ -35,7 +35,7 @@ inline constexpr std::size_t max_document_nodes = 100'000;
 /// Parses one YAML document; nothing at all is a null node. Everything that is not plain data (tags, several
 /// documents, keys that are not scalars, aliases of an enclosing node, more than the limits above) is
 /// refused: the problem goes to `diagnostics` under `path` and the result is empty. `override_index` and
-/// `file`: see Place.
+/// `file`: see SourcePosition.
 std::optional<Node> parse_document(std::string_view text, int override_index, std::string_view path,
                                    Diagnostics& diagnostics, int file = 0);
 

@@ -48,7 +48,7 @@ Node parse_config(std::string_view text, const std::filesystem::path& file, std:
   auto root = parse_document(text, -1, "", diagnostics);
   diagnostics.throw_if_any();
   if (root->kind == Node::Kind::null) {
-    diagnostics.add(Place{}, "", "the configuration is empty", form);
+    diagnostics.add(SourcePosition{}, "", "the configuration is empty", form);
     diagnostics.throw_if_any();
   }
   if (!resolve_bases(*root, file, diagnostics)) diagnostics.throw_if_any();

@@ -26,7 +26,7 @@ std::vector<std::string_view> split_path(std::string_view path) {
   return names;
 }
 
-Node* item_of(Node& list, std::string_view name, const Place& place, const std::string& path,
+Node* item_of(Node& list, std::string_view name, const SourcePosition& place, const std::string& path,
               Diagnostics& diagnostics) {
   std::size_t index = 0;
   const char* end = name.data() + name.size();
@@ -39,7 +39,7 @@ Node* item_of(Node& list, std::string_view name, const Place& place, const std::
   return nullptr;
 }
 
-Node* entry_of(Node& map, std::string_view name, const Place& place) {
+Node* entry_of(Node& map, std::string_view name, const SourcePosition& place) {
   const auto found =
       std::find_if(map.keys.begin(), map.keys.end(), [&](const Node::Key& key) { return key.text == name; });
   if (found != map.keys.end()) return &map.items[static_cast<std::size_t>(found - map.keys.begin())];
@@ -49,7 +49,7 @@ Node* entry_of(Node& map, std::string_view name, const Place& place) {
 }
 
 /// The node at the end of the path, created where maps lack a key; null after a problem was added.
-Node* node_at(Node& root, std::string_view path, const Place& place, Diagnostics& diagnostics) {
+Node* node_at(Node& root, std::string_view path, const SourcePosition& place, Diagnostics& diagnostics) {
   const auto names = split_path(path);
   if (std::find(names.begin(), names.end(), "") != names.end() || names.size() > max_document_depth) {
     diagnostics.add(place, "", fmt::format("'{}' is not a path", shown(path)),
@@ -77,7 +77,7 @@ Node* node_at(Node& root, std::string_view path, const Place& place, Diagnostics
 }
 
 void apply(Node& root, std::string_view text, int index, Diagnostics& diagnostics) {
-  const Place place{index, 1, 1};
+  const SourcePosition place{index, 1, 1};
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) {
     diagnostics.add(place, "", "there is no '='", "key.path=value");
@@ -97,7 +97,7 @@ void apply_overrides(Node& root, const std::vector<std::string>& overrides, Diag
   }
 }
 
-void write_number(Node& root, std::string_view path, double value, const Place& place,
+void write_number(Node& root, std::string_view path, double value, const SourcePosition& place,
                   Diagnostics& diagnostics) {
   if (Node* target = node_at(root, path, place, diagnostics)) {
     *target = Node{.kind = Node::Kind::scalar, .place = place, .text = fmt::format("{}", value)};

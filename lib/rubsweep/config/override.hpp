@@ -17,7 +17,7 @@ namespace rubsweep::config {
 void apply_overrides(Node& root, const std::vector<std::string>& overrides, Diagnostics& diagnostics);
 
 /// Writes one number as an override does. `place` is that of the number and of the problems.
-void write_number(Node& root, std::string_view path, double value, const Place& place,
+void write_number(Node& root, std::string_view path, double value, const SourcePosition& place,
                   Diagnostics& diagnostics);
 
 /// The node at the end of a dotted path; null where there is none.

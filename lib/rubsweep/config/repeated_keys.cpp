@@ -13,7 +13,7 @@
 namespace rubsweep::config {
 
 void refuse_repeated_keys(const Node& map, std::string_view path, Diagnostics& diagnostics) {
-  std::map<std::string_view, Place> first;
+  std::map<std::string_view, SourcePosition> first;
   for (const Node::Key& key : map.keys) {
     const auto [entry, is_new] = first.emplace(key.text, key.place);
     if (is_new) continue;

@@ -98,7 +98,7 @@ void Section::refuse_unknown_keys() const {
 
 void Section::refuse_together(std::string_view name, std::initializer_list<std::string_view> involved,
                               std::string_view wrong, std::string_view allowed) const {
-  Place place = value_.node.place;
+  SourcePosition place = value_.node.place;
   for (const std::string_view other : involved) {
     if (const Node* node = lookup(other)) place = std::max(place, node->place);
   }

@@ -42,7 +42,7 @@ Node document_of(const sweep::Study& study) {
 }
 
 /// The study with these keys changed; problems with them are reported at `place`.
-sweep::Study read_varied(Node document, std::span<const sweep::KeyValue> keys, const Place& place,
+sweep::Study read_varied(Node document, std::span<const sweep::KeyValue> keys, const SourcePosition& place,
                          Diagnostics& diagnostics) {
   const std::size_t problems = diagnostics.count();
   for (const auto& [key, value] : keys) write_number(document, key, value, place, diagnostics);
@@ -55,7 +55,7 @@ sweep::Study read_varied(Node document, std::span<const sweep::KeyValue> keys, c
   return study;
 }
 
-void place_all(Node& node, const Place& place) {
+void place_all(Node& node, const SourcePosition& place) {
   node.place = place;
   for (Node::Key& key : node.keys) key.place = place;
   for (Node& item : node.items) place_all(item, place);
@@ -72,8 +72,8 @@ bool is_part_of_the_mass(const std::string& key) {
 
 /// A key of which nothing can be said yet may be one that the printed study leaves out. `by_mass`: the key
 /// whose eccentricities follow from the mass of the rotor, once for all cells.
-bool may_be_swept(const Node& document, const std::string& key, std::string_view by_mass, const Place& place,
-                  Diagnostics& diagnostics) {
+bool may_be_swept(const Node& document, const std::string& key, std::string_view by_mass,
+                  const SourcePosition& place, Diagnostics& diagnostics) {
   constexpr std::array<std::string_view, 6> own_axes{"speed_hz",       speed_rpm_key, "whirl_ratio",
                                                      "eccentricity_m", unbalance_key, grade_key};
   const std::string first = key.substr(0, key.find('.'));
@@ -94,7 +94,7 @@ bool may_be_swept(const Node& document, const std::string& key, std::string_view
   return true;
 }
 
-void refuse_impossible(const sweep::KeyAxis& axis, const Place& place, Node document,
+void refuse_impossible(const sweep::KeyAxis& axis, const SourcePosition& place, Node document,
                        std::string_view by_mass, Diagnostics& diagnostics) {
   for (const std::string& key : axis.keys) {
     if (!may_be_swept(document, key, by_mass, place, diagnostics)) return;
@@ -108,8 +108,8 @@ void refuse_impossible(const sweep::KeyAxis& axis, const Place& place, Node docu
 }
 
 /// An axis over the same key would have no effect: what a study tries is written last.
-void refuse_swept(const sweep::Study& study, const std::vector<std::string>& keys, const Place& place,
-                  Diagnostics& diagnostics) {
+void refuse_swept(const sweep::Study& study, const std::vector<std::string>& keys,
+                  const SourcePosition& place, Diagnostics& diagnostics) {
   const std::vector<std::string> swept = sweep::key_names(study.grid);
   for (const std::string& key : keys) {
     if (std::ranges::find(swept, key) != swept.end())
@@ -117,7 +117,7 @@ void refuse_swept(const sweep::Study& study, const std::vector<std::string>& key
   }
 }
 
-Place place_of_keys(const Node& axis) {
+SourcePosition place_of_keys(const Node& axis) {
   const Node* keys = find_node(axis, "key");
   if (keys == nullptr) keys = find_node(axis, "keys");
   return keys->place;
@@ -137,7 +137,7 @@ void vary_keys(const Value& root, sweep::Study& study) {
     refuse_impossible(study.grid.axes.at(next++), place_of_keys(*node), document, by_mass, root.diagnostics);
   }
   if (study.threshold) {
-    const Place place = place_of_keys(*find_node(root.node, "study"));
+    const SourcePosition place = place_of_keys(*find_node(root.node, "study"));
     refuse_swept(study, study.threshold->axis.keys, place, root.diagnostics);
     refuse_impossible(study.threshold->axis, place, document, by_mass, root.diagnostics);
   }
@@ -145,7 +145,7 @@ void vary_keys(const Value& root, sweep::Study& study) {
     const Node& over = *find_node(root.node, "study.over");
     for (std::size_t i = 0; i < study.basin->over.size(); ++i) {
       const sweep::DrawnKey& drawn = study.basin->over[i];
-      const Place place = place_of_keys(over.items.at(i));
+      const SourcePosition place = place_of_keys(over.items.at(i));
       refuse_swept(study, {drawn.key}, place, root.diagnostics);
       refuse_impossible({{drawn.key}, {1}, {drawn.from, drawn.to}}, place, document, by_mass,
                         root.diagnostics);
@@ -154,7 +154,7 @@ void vary_keys(const Value& root, sweep::Study& study) {
   study.with_keys =
       [document = std::make_shared<const Node>(std::move(document))](std::span<const sweep::KeyValue> keys) {
         Diagnostics diagnostics("the study with the keys of a cell", {});
-        sweep::Study varied = read_varied(*document, keys, Place{}, diagnostics);
+        sweep::Study varied = read_varied(*document, keys, SourcePosition{}, diagnostics);
         diagnostics.throw_if_any();
         return varied;
       };
