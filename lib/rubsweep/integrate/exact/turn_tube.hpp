@@ -49,7 +49,7 @@ struct TurnTube {
     double value = 0;  ///< < 0 at the change
     double rate = 0, curvature = 0;
     Spread spread, rate_spread, curvature_spread;
-    double own_deflection = 0;  ///< what a unit of the change's own deflection does to it
+    double own_deflection = 0;  ///< its change per unit of the switch's own deflection
   };
 
   struct Switch {
