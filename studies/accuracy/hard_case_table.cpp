@@ -129,23 +129,23 @@ Case whip_that_rolls() {
 }
 
 /// A circle that presses on the annulus by a millionth of the clearance.
-Case graze_along_ring() {
+Case graze_along_annulus() {
   test::FullRub rub;
   rub.radius = 1 + 1e-6;
   const scene::Scene scene = rub.scene();
   const double speed = scene.speed_rad_per_s;
   // It is back after every turn.
-  return {"graze along a ring",
+  return {"graze along an annular stop",
           scene,
           {scene.displacement_m(0), scene.displacement_m(1), scene.velocity_m_per_s(0) / speed,
            scene.velocity_m_per_s(1) / speed}};
 }
 
 /// Straight through the centre, where the normal turns round at once.
-Case centre_of_ring() {
+Case centre_of_annulus() {
   scene::Scene scene = annulus(0.1, 5, 0);
   test::start_at(scene, {-0.9, 0}, {2, 0});
-  return {"through the centre of a ring", scene};
+  return {"through the centre of an annular stop", scene};
 }
 
 Case rolling(double steepness) {
@@ -170,7 +170,7 @@ Case dry_rolling() {
 int main() {
   std::printf("%-34s %6s %5s %9s %9s %10s %10s %10s\n", "case", "series", "steps", "error", "growth",
               "us/turn", "dopri5", "us/turn");
-  for (const auto& make : {stick_slip, dry_whip_onset, whip_that_rolls, graze_along_ring, centre_of_ring})
+  for (const auto& make : {stick_slip, dry_whip_onset, whip_that_rolls, graze_along_annulus, centre_of_annulus})
     print(make());
   for (const double steepness : {1e2, 1e3, 1e4, 1e5}) print(rolling(steepness));
   print(dry_rolling());
