@@ -32,7 +32,7 @@ std::optional<std::filesystem::path> find_command(const std::string& name) {
 
 namespace {
 
-/// What exec and its kind take; the texts stay where they are.
+/// Argument list of exec and its kind; the texts stay where they are.
 std::vector<char*> as_argv(std::vector<std::string>& command) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);

@@ -9,7 +9,7 @@
 
 namespace rubsweep::trace {
 
-/// What a trace shows, for a terminal: peaks, hits, the largest lines and the effort.
+/// Summary of a trace for a terminal: peaks, hits, the largest lines and the effort.
 /// `clearance_m` is that of the kicked stop.
 std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m);
 
