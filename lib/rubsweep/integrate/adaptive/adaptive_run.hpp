@@ -22,13 +22,13 @@ namespace rubsweep::integrate::adaptive {
 /// A run by one of Odeint's steppers. Located (Smoothed = false): a step that crosses a mode's guard is cut
 /// there and the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper
 /// keeps its order. Dry friction's slips that come to zero, and contacts that no longer stick, end a step in
-/// the same way. `Law` is the right-hand side: Dynamics, or what adds further numbers behind its state.
+/// the same way. `Law` is the right-hand side: Dynamics, or a law with further numbers behind its state.
 template <class StepMethod, int N, bool Smoothed, class Law = law::Dynamics<N, Smoothed>>
 class AdaptiveRun {
  public:
   using State = typename StepMethod::State;
 
-  /// `of_the_law`: what the law is made of beside the system and the width of its blend.
+  /// `of_the_law`: arguments of the law beside the system and the width of its blend.
   template <class... OfTheLaw>
   AdaptiveRun(const scene::Scene& scene, const run::SolverOptions& options, const OfTheLaw&... of_the_law)
       : system_(run::scale<N>(scene)),
@@ -230,7 +230,7 @@ class AdaptiveRun {
     }
     if (!switched) return;
     method_.restart();
-    // Contact and flight want steps of different size: go on with what this mode last used.
+    // Contact and flight need steps of different size: continues with the last size in this mode.
     remembered_sizes_[before] = size_;
     if (const double remembered = remembered_sizes_[joint_mode()]; remembered > 0) size_ = remembered;
   }

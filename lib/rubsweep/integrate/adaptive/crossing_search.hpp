@@ -19,7 +19,7 @@ namespace rubsweep::integrate::adaptive {
 
 /// First event inside a step, which ends it.
 struct Crossing {
-  /// A guard of a contact mode, a slip that comes to zero, a contact that sticks and is let go.
+  /// A guard of a contact mode, a slip that comes to zero, a sticking contact that is let go.
   enum class Event { mode, stop, release };
   double phase = 0;
   std::size_t contact = 0;
@@ -68,7 +68,7 @@ struct CrossingSearch {
   /// Friction that a sticking contact needs, and the most that it can have.
   struct Friction {
     double holds_n = 0, largest_n = 0;
-    /// By how much it is asked for more than that in the direction of `sign`.
+    /// Excess over that in the direction of `sign`.
     double over(double sign) const { return sign * holds_n - largest_n; }
   };
 
@@ -93,8 +93,8 @@ struct CrossingSearch {
     return probe;
   }
 
-  /// Contact `i` slips: where its slip comes to zero. A slip that starts at zero starts away from it; that of
-  /// a poised contact stops past the edge of what is zero for it.
+  /// Zero of the slip of contact `i`, which slips. A slip that starts at zero starts away from it; that of a
+  /// poised contact stops past the edge of its zero band.
   std::optional<Crossing> locate_stop(std::size_t i) {
     const double h = step.end_phase - step.start_phase;
     const double sign = -contact::sign_of(dynamics.slips()[i]);
@@ -122,8 +122,8 @@ struct CrossingSearch {
     return law::poised_slip * std::max(1.0, std::abs(c.surface_speed_m_per_s / c.slip_scale_m_per_s));
   }
 
-  /// Where a function rose that is at or above zero at the end of the step, and not at its start but for a
-  /// slip that left zero there. It may have come back before any place that the interpolant knows of.
+  /// Rise of a function that is at or above zero at the end of the step, and not at its start but for a slip
+  /// that left zero there. It may have come back before any place that the interpolant knows of.
   template <class Value>
   std::optional<double> hidden_rise(const Value& value) {
     double x = 1;
@@ -139,8 +139,8 @@ struct CrossingSearch {
     return high > -near_zero * (high - low);
   }
 
-  /// First place where a function that is negative at the start of the step is not, looked for about its
-  /// largest value. A slip that only just comes to zero stops: unlike a shallow graze it changes the motion.
+  /// First zero of a function that is negative at the start of the step, searched about its largest value. A
+  /// slip that only just comes to zero stops: unlike a shallow graze it changes the motion.
   template <class Value>
   std::optional<double> shallow_rise(const Value& value) {
     constexpr int places = 16;
@@ -158,8 +158,8 @@ struct CrossingSearch {
     return top.second <= 0 ? rise_between(value, 0, top.first) : std::nullopt;
   }
 
-  /// Contact `i` sticks: where friction no longer holds it. The friction that it takes has no derivative at
-  /// hand; a parabola through three places stands for it.
+  /// Release of contact `i`, which sticks: friction no longer holds it. The holding friction has no
+  /// derivative at hand; a parabola through three places approximates it.
   std::optional<Crossing> locate_release(std::size_t i) {
     const double h = step.end_phase - step.start_phase;
     const auto friction_at = [&](double x) {

@@ -13,7 +13,7 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// Turns steps into what a turn reports.
+/// Adds each step to the report of a turn.
 class StepObserver {
  public:
   StepObserver(const run::TurnRequest& request, run::TurnReport& report)

@@ -9,8 +9,8 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// All that is said about one stepper. The configuration, the tables of rubbench, `--explain` and
-/// start_adaptive read it here.
+/// Properties of one stepper. The configuration, the tables of rubbench, `--explain` and start_adaptive read
+/// them here.
 struct StepperRow {
   run::Stepper stepper = run::Stepper::automatic;
   std::string_view word;         ///< its name in the configuration and in tables

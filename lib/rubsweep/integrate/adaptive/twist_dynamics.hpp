@@ -74,8 +74,8 @@ class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynami
     return Base::friction_ratio(state);
   }
 
-  /// As that of Dynamics, by central differences, which are exact to rounding but for the rotation and the
-  /// friction.
+  /// Jacobian as that of Dynamics, by central differences, which are exact to rounding but for the rotation
+  /// and the friction.
   template <class State, class Jacobian>
   void jacobian(const State& state, Jacobian&& j, double phase, State& phase_rate) {
     constexpr double nudge = 1e-6;

@@ -30,18 +30,18 @@ class ExactRun {
   /// the report.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report);
 
-  /// Where a turn goes on that another solver has to make a piece of.
+  /// State in the middle of a turn, for another solver to take over.
   struct Handover {
     double phase_rad = 0;
     std::vector<double> state;         ///< as TurnReport::section
     std::vector<contact::Mode> modes;  ///< per contact
     Eigen::MatrixXd tangent_vectors;   ///< as TurnRequest::tangent_vectors
   };
-  /// After `unsaturated`. Its memory is kept from piece to piece.
+  /// The state after `unsaturated`. Its memory is kept from piece to piece.
   const Handover& handover();
 
-  /// Goes on in the turn where it stands now after a piece by another solver, up to which `report` is made.
-  /// False, with nothing changed, where friction is not saturated there, or only for a moment.
+  /// Takes the turn over from another solver, which made `report` up to here. False, with nothing changed,
+  /// where friction is not saturated there, or only for a moment.
   bool join(double phase_rad, std::span<const double> state, const std::vector<contact::Mode>& modes,
             const run::TurnReport& report);
   /// The rest of the turn, behind `join`, as `advance`.
@@ -59,7 +59,7 @@ class ExactRun {
 
   /// Scaled state where the next revolution begins, as TurnReport::section.
   std::vector<double> section() const;
-  /// The same without an allocation, once `section` has the room.
+  /// The same without an allocation, once `section` is large enough.
   void put_section(std::vector<double>& section) const;
   long revolution() const { return revolution_; }
   const run::Effort& effort() const { return effort_; }

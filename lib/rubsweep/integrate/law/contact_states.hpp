@@ -69,7 +69,7 @@ class ContactStates {
   void poise(std::size_t i, bool so) { poised_[i] = so; }
   bool any_poised() const { return std::ranges::find(poised_, true) != poised_.end(); }
 
-  /// Says whether no friction was found that obeys the law: then the run is to end.
+  /// Sets whether no friction was found that obeys the law: then the run is to end.
   void leave_unsettled(bool so) { unsettled_ = so; }
   bool unsettled() const { return unsettled_; }
 
@@ -169,7 +169,7 @@ class ContactStates {
     return result;
   }
 
-  /// Takes out of small changes of a state, one per column, what would let a contact slip that sticks.
+  /// Projects small changes of a state, one per column, onto the sticking constraint.
   template <class State, class Changes>
   void keep_sticking(const State& state, Changes&& changes) const {
     const Stuck stuck = any_dry() ? stuck_contacts() : Stuck{};
@@ -198,8 +198,8 @@ class ContactStates {
     return contact_frame(system_.contacts[i], ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
   }
 
-  /// With t the tangent and s = t . d' the sliding speed, a contact that sticks has t . d'' = s r' / r. Small
-  /// changes obey the derivative of that, by the forces that it takes.
+  /// Sticking constraint of small changes: with t the tangent and s = t . d' the sliding speed, a contact
+  /// that sticks has t . d'' = s r' / r, whose derivative they obey by the forces that it takes.
   template <class State>
   void hold_slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
     const Stuck& stuck = holding.stuck;

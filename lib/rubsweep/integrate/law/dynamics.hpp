@@ -15,10 +15,10 @@
 
 namespace rubsweep::integrate::law {
 
-/// Right-hand side of a scaled system as Odeint wants it, u then u' in one state. Located: every contact
+/// Right-hand side of a scaled system as Odeint takes it, u then u' in one state. Located: every contact
 /// obeys the law of its current mode, continued smoothly past the mode's end. Smoothed: the blended law,
 /// whatever the mode. Any state with contiguous doubles behind operator[] will do. Dry friction, which jumps
-/// where the slip reverses, goes by what `slips` says: a contact that sticks keeps the slip that it has.
+/// where the slip reverses, depends on `slips`: a contact that sticks keeps the slip that it has.
 template <int N, bool Smoothed>
 class Dynamics : public ContactStates<N, Smoothed> {
   using States = ContactStates<N, Smoothed>;
@@ -41,7 +41,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
     if (this->any_dry()) this->hold(state, rate);
   }
 
-  /// The same without what holds the contacts that stick.
+  /// The same without the friction that holds sticking contacts.
   template <class State>
   void loose(const State& state, State& rate, double phase) const {
     ++rhs_calls_;
@@ -93,7 +93,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
     const Contact& c = system_.contacts[i];
     contact::Kinematics k = kinematics(i, state, rate);
     if (k.penetration > 0) {
-      // An open annular stop measures by squares; what tells the modes apart is the penetration itself.
+      // The guard of an open annular stop is in squares; the modes are separated by the penetration itself.
       modes_[i] = contact::Mode::sprung;
       k = kinematics(i, state, rate);
     }
@@ -200,8 +200,8 @@ class Dynamics : public ContactStates<N, Smoothed> {
   double smoothing_width() const { return smoothing_width_; }
   long rhs_calls() const { return rhs_calls_; }
 
-  /// From here on those pulses of the system act that `pulses` says, in radians; it must outlive this. No
-  /// pulse acts before.
+  /// Sets the pulses of the system that act from here on, in radians; `pulses` must outlive this. None acts
+  /// before.
   void follow(const run::PulseTimes& pulses) { pulses_ = &pulses; }
 
  private:

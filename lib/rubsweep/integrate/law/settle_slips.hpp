@@ -11,8 +11,8 @@
 
 namespace rubsweep::integrate::law {
 
-/// A slip nearer to zero than this share of the surface's own speed (or of one clearance a radian) is zero:
-/// rounding leaves less, and what it leaves friction would stop within as many radians.
+/// Zero band of a slip, as a share of the surface's own speed (or of one clearance a radian): rounding stays
+/// below it, and friction would stop a smaller slip within as many radians.
 inline constexpr double no_slip = 1e-12;
 
 /// A poised contact whose slip is within this (as `no_slip`) of zero stands. Where it leaves that against its
@@ -28,8 +28,8 @@ bool stands(const Law& law, std::size_t i, const State& state) {
   return std::abs(law.slip(i, state)) <= near * std::max(1.0, std::abs(surface));
 }
 
-/// The contacts that stand: those that stick, whose slip is zero, and that `besides` says, but for those that
-/// `never` says. None is poised from here on. False where they are too many.
+/// Lists the contacts with zero slip: those that stick, or whose slip is zero, and those selected by
+/// `besides`, but for those excluded by `never`. None is poised from here on. False where they are too many.
 template <class Law, class State, class Besides, class Never>
 bool find_standing(Law& law, const State& state, const Besides& besides, const Never& never,
                    typename Law::Stuck& standing) {
@@ -45,8 +45,8 @@ bool find_standing(Law& law, const State& state, const Besides& besides, const N
   return true;
 }
 
-/// Settles what these contacts do from here on. `more` is what their slips accelerate beside what the forces
-/// of all others make them.
+/// Decides stick or slip for these contacts from here on. `more` is the acceleration of their slips beside
+/// that by the forces of all others.
 template <class Law, class State>
 void settle_standing(Law& law, const typename Law::Stuck& standing, const State& state, State& rate,
                      double phase, const contact::StickVector& more) {
@@ -66,8 +66,8 @@ void settle_standing(Law& law, const typename Law::Stuck& standing, const State&
   }
 }
 
-/// Settles what those contacts do whose slip is zero: the ones that stick, those that stand, and those that
-/// `besides` says. `rate` is room for a rate of the state.
+/// Decides stick or slip for every contact with zero slip velocity: those that stick, those that stand, and
+/// those selected by `besides`. `rate` is scratch for a rate of the state.
 template <class Law, class State, class Besides>
 void settle_slips(Law& law, const State& state, State& rate, double phase, const Besides& besides) {
   typename Law::Stuck standing;
@@ -77,10 +77,10 @@ void settle_slips(Law& law, const State& state, State& rate, double phase, const
   settle_standing(law, standing, state, rate, phase, contact::StickVector::Zero(count));
 }
 
-/// Contact `i` sticks, and its friction has come to its limit in the direction of `slip`: it is let go. What
-/// is poised may have to hold it from here on, and is settled anew, asked for a little more than now: for
-/// what `i` will be asked for and no longer has. The friction of all is continuous. True where there was
-/// something to settle. `rate` is room.
+/// Releases contact `i`, which sticks and whose friction has come to its limit in the direction of `slip`.
+/// Poised contacts may have to hold it from here on, and are settled again for a slightly larger load: the
+/// part of its load that `i` can no longer take. The friction of all is continuous. True where there was
+/// something to settle. `rate` is scratch.
 template <class Law, class State>
 bool let_go(Law& law, std::size_t i, contact::Slip slip, const State& state, State& rate, double phase) {
   constexpr double little = 1e-9;  // of the limit: above rounding of the forces
@@ -103,7 +103,7 @@ bool let_go(Law& law, std::size_t i, contact::Slip slip, const State& state, Sta
   return true;
 }
 
-/// Which way contact `i` slips by the state alone; what stands is left to `settle_slips`.
+/// Direction in which contact `i` slips, from the state alone; zero slips are left to `settle_slips`.
 template <class Law, class State>
 void take_slip_of_state(Law& law, std::size_t i, const State& state) {
   law.slips()[i] = stands(law, i, state)    ? contact::Slip::sticking

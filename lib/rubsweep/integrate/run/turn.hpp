@@ -108,7 +108,7 @@ struct TurnReport {
 };
 
 /// Advances a run by exactly one revolution and fills the report. After an outcome other than ok the run is
-/// over, and the report holds what the turn came to: samples, switches and effort.
+/// over, and the report holds the completed part of the turn: samples, switches and effort.
 using Cursor = std::function<Outcome(const TurnRequest&, TurnReport&)>;
 
 /// A run that can be set back: `restart` puts it at the start of revolution 0 of its scene at another section

@@ -10,7 +10,7 @@
 
 namespace rubsweep::integrate::run {
 
-/// Time within a revolution, and what happens there at instants that are known beforehand: its end, impulses,
+/// Time within a revolution, and its events at instants that are known beforehand: its end, impulses,
 /// beginnings and ends of pulses. Time is in seconds or in radians of the shaft.
 class TurnClock {
  public:
@@ -39,7 +39,7 @@ class TurnClock {
   double turns(double duration) const { return duration * turns_per_time_; }
 
   void go_on(double duration) { time_ += duration; }
-  /// To an instant of the revolution; pulses stay as they are until `change_pulses`.
+  /// Goes to an instant of the revolution; pulses stay as they are until `change_pulses`.
   void go_to(double time) { time_ = time; }
   void go_to_phase(double phase_rad) { time_ = phase_rad / speed_; }
 

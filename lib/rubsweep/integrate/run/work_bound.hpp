@@ -11,8 +11,8 @@ namespace rubsweep::integrate::run {
 // Work is counted in evaluations of the right-hand side, about 0.1 microseconds each for a rotor with one
 // casing. A count and not a time, so that a run ends at the same place on every host.
 
-/// A step of closed forms, and an expansion into a Taylor series, each takes about as long as so many
-/// evaluations; that of a tangent vector is a share of the motion's.
+/// Work of a step of closed forms, and of an expansion into a Taylor series, in evaluations of about the same
+/// time; that of a tangent vector is a share of the motion's.
 inline constexpr double work_of_a_step = 2, work_of_an_expansion = 50, share_of_a_tangent = 1.0 / 3;
 
 /// Work of a run since its start.
@@ -22,14 +22,14 @@ inline double work(const Effort& effort) {
          work_of_an_expansion * effort.taylor_work;
 }
 
-/// Evaluations of the right-hand side that an adaptive turn may ask for, for its steps and to look inside
-/// them for events: those of as many steps by dopri5 as a turn may take, and a third more.
+/// Largest number of evaluations of an adaptive turn, for its steps and the searches for events inside them:
+/// those of as many steps by dopri5 as a turn may take, and a third more.
 inline long most_evaluations_of_a_turn(const SolverOptions& options) {
   return 8 * options.max_steps_per_revolution;
 }
 
-/// Taylor pieces of a turn: as much work, but never fewer than the smallest number of steps that may be asked
-/// for.
+/// Largest number of Taylor pieces of a turn: as much work, but never fewer than the smallest limit of
+/// steps.
 inline long most_pieces_of_a_turn(const SolverOptions& options) {
   return std::min(options.max_steps_per_revolution,
                   std::max(SolverOptions::max_steps_low, options.max_steps_per_revolution / 10));
@@ -45,7 +45,7 @@ inline double most_work_of_a_run(const SolverOptions& options, Eigen::Index coor
          std::min(1.0, usual_coordinates / static_cast<double>(coordinates));
 }
 
-/// Work that is left to those who share it. Counts down as `spend` tells, and stays used up.
+/// Budget of work that several share. Counts down by `spend`, and stays used up.
 class WorkBudget {
  public:
   explicit WorkBudget(double work) : left_(work) {}
