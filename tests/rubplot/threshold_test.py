@@ -47,6 +47,12 @@ class Drawn(figures.FigureTest):
                 places = {text.text: text.y for text in figures.texts(root)}
                 self.assertEqual("0.1" in places and "0.01" in places, scale == "log")
 
+    def test_of_keys_that_are_tied_together_the_first_one_names_the_threshold(self):
+        self.write("config.yaml", "study:\n  keys: [kick.force_n, kick.duration_s]\n  factors: [1, 2.5e-5]\nsweep:\n"
+                   "  speed_hz:\n    values: [60, 90]\n  whirl_ratio:\n    values: [0.1, 0.2]\n")
+        self.write("map.csv", HEADER + "60,0.1,20\n90,0.1,30\n60,0.2,40\n90,0.2,60\n")
+        self.assertIn("kick.force_n, smallest after which rub goes on", figures.words(self.draw("threshold")))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -51,7 +51,8 @@ def picture(given):
     axes = plane.axes(max(y for _, y, _ in cells))
     cells = [(axes[0].factor * x, axes[1].factor * y, threshold) for x, y, threshold in cells]
     scales = map_axes.logarithmic(axes, [x for x, _, _ in cells], [y for _, y, _ in cells])
-    key = plane.config.get("study.key") or plane.config.get("study.keys", "threshold")
+    # The first one of keys that are tied together.
+    key = plane.config.get("study.key") or plane.config.get("study.keys", "threshold").strip("[]").split(",")[0]
     return Picture(
         "threshold.gp",
         (

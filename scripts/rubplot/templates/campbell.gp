@@ -29,7 +29,7 @@ do for [format in formats] {
   load "labels.gp"
   set lmargin at screen 0.07
   set rmargin at screen right
-  set bmargin at screen 0.12
+  set bmargin at screen (ARG3 eq "" ? 0.12 : 0.145)
   set tmargin at screen 0.86
   set border 31 linewidth 1
   set tics nomirror out

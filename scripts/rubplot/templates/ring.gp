@@ -23,9 +23,9 @@ rows = int((panels + columns - 1) / columns)
 width = columns == 1 ? 1300 : 2000
 title_px = 120
 row_px = 830
-height = title_px + rows * row_px
-left(c) = (real(c) + (columns == 1 ? 0.095 : 0.14)) / columns
-label_at(c) = left(c) - (columns == 1 ? 0.08 : 0.058)
+height = title_px + rows * row_px + (ARG4 eq "" ? 0 : 28)  # a line for the note below
+left(c) = (real(c) + (columns == 1 ? 0.11 : 0.14)) / columns
+label_at(c) = left(c) - (columns == 1 ? 0.095 : 0.058)
 right(c) = (real(c) + 0.965) / columns
 above(r, px) = 1 - real(title_px + r * row_px + px) / height
 round_up(x) = x <= 1 ? 1 : x <= 2 ? 2 : x <= 5 ? 5 : 10

@@ -22,7 +22,7 @@ title_px = 120
 row_px = 590
 panel_px = 440
 bottom_px = 100
-height = title_px + rows * row_px
+height = title_px + rows * row_px + (ARG3 eq "" ? 0 : 28)  # a line for the note below
 
 x_at(px) = real(px) / width
 y_at(row, px) = 1 - real(title_px + row * row_px - bottom_px - px) / height
