@@ -12,6 +12,7 @@
 #include "action.hpp"
 #include "child_process.hpp"
 #include "command_line.hpp"
+#include "compared_cells.hpp"
 #include "exit_code.hpp"
 #include "finished_map.hpp"
 #include "program.hpp"
@@ -39,7 +40,10 @@ po::options_description visible_options() {
       "cells to leave out besides those whose robust column says no: columns speed_hz and whirl_ratio or "
       "eccentricity_m")(
       "figure", po::value<std::string>()->value_name("FILE"),
-      "draw where the maps differ: FILE.png, FILE.svg, or FILE.gp for the gnuplot script alone");
+      "draw where the maps differ: FILE.png, FILE.svg, or FILE.gp for the gnuplot script alone")(
+      "cells", po::value<std::string>()->value_name("FILE.csv"),
+      "write every cell with its verdict: equal, sensitive, numbers_differ, classes_differ or only_in_one; "
+      "`rubplot compare FILE.csv` draws it in the units of the first map");
   add_last(options);
   return options;
 }
@@ -110,11 +114,17 @@ int compare(const po::variables_map& given) {
       throw IoError("--figure: there is no program called gnuplot to draw with (Debian: gnuplot-nox)");
     require_writable(*figure, false);
   }
+  std::optional<fs::path> cells;
+  if (given.count("cells")) {
+    cells = given["cells"].as<std::string>();
+    require_writable(*cells, false);
+  }
   std::optional<fs::path> sensitive;
   if (given.count("sensitive")) sensitive = given["sensitive"].as<std::string>();
   for (const std::string& map : maps) require_whole_table("rubsweep-compare", map);
   const auto comparison = report::compare_maps(maps[0], maps[1], tolerance, sensitive);
   if (!given.count("quiet")) print("{}", report::describe_comparison(comparison, tolerance));
+  if (cells) write_compared_cells(*cells, comparison, maps[0], maps[1], tolerance);
   if (figure)
     write_figure(comparison,
                  fmt::format("{} -> {}; numbers to a tolerance of {:g}", maps[0], maps[1], tolerance),

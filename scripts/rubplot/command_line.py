@@ -77,7 +77,8 @@ def parser_of(one):
                             f"behind another name stand the endings of --formats (default: {one.name}, beside the source)")
         parser.add_argument("--formats", metavar="LIST", help=f"some of {','.join(output.FORMATS)} "
                             f"(default: {','.join(output.DEFAULT_FORMATS)})")
-        parser.add_argument("--heading", metavar="TEXT", default=one.heading, help="(default: '%(default)s')")
+        parser.add_argument("--heading", metavar="TEXT", default=one.heading,
+                            help="(default: '%(default)s')" if one.heading else "(default: what the picture shows)")
     one.options(parser)
     return parser
 

@@ -6,6 +6,7 @@ from rubplot.pictures import (
     branch,
     campbell,
     cascade,
+    compare,
     curves,
     identification,
     line,
@@ -21,6 +22,6 @@ from rubplot.published import figure
 
 ALL = tuple(
     module.SUBCOMMAND
-    for module in (map, threshold, trace, line, cascade, branch, curves, basin, run_up, bode, campbell, identification,
+    for module in (map, threshold, compare, trace, line, cascade, branch, curves, basin, run_up, bode, campbell, identification,
                    ring, ring_chart, work_precision, figure)
 )

@@ -35,6 +35,14 @@ expect_contains stdout "speed_hz $speed_hz, whirl_ratio $whirl_ratio: non_contac
 expect_matches stdout '^different$'
 expect_contains difference.gp "$speed_hz $whirl_ratio"
 printf 'speed_hz,whirl_ratio\n%s,%s\n' "$speed_hz" "$whirl_ratio" >list.csv
+expect_compared 5 a/map.csv changed.csv --quiet --cells cells.csv
+expect_contains cells.csv '# a a/map.csv'
+expect_contains cells.csv '# tolerance 0.0001'
+[[ $(count_rows cells.csv "verdict == 'equal'") == 95 ]] || fail "not one cell of 96 is another one: $(<cells.csv)"
+[[ $(cells cells.csv speed_hz whirl_ratio verdict label_b | grep differ) == "$speed_hz,$whirl_ratio,classes_differ,subharmonic 1/3" ]] ||
+  fail 'another verdict'
+expect_compared 3 a/map.csv changed.csv --quiet --cells nowhere/cells.csv
+expect_contains stderr 'cannot write nowhere/cells.csv'
 expect_compared 0 a/map.csv changed.csv --sensitive list.csv
 expect_contains stdout 'not compared: 1 sensitive cells, 1 of them with another class'
 # Why a label changed: each cell runs again by the program that made its map, here one program with two kicks.
@@ -73,6 +81,11 @@ if command -v gnuplot >/dev/null; then
   for text in 'another class (1)' 'Where two maps differ' 'changed.csv; numbers to a tolerance of' 'shaft speed (Hz)' \
     'whirl ratio (quiet whirl / clearance)'; do
     expect_contains difference.svg "$text"
+  done
+  rubplot compare cells.csv --output cells >stdout 2>stderr || fail 'rubplot compare'
+  expect_empty stderr
+  for text in 'another class (1)' 'equal (95)' 'Where two maps differ' 'numbers to a tolerance of 0.0001'; do
+    expect_contains cells.svg "$text"
   done
   expect_compared 3 a/map.csv a/map.csv --figure nowhere/difference.png
   expect_contains stderr 'cannot write nowhere/difference.png: No such file or directory'
