@@ -27,6 +27,7 @@
 #include "rubsweep/identify/linear_run.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/report/motion_summary.hpp"
 #include "rubsweep/report/unit_columns.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "rubsweep/sweep/hertz_secant.hpp"

@@ -9,7 +9,7 @@
 
 #include "config/support.hpp"
 #include "rubsweep/config/file.hpp"
-#include "rubsweep/config/read_ring_config.hpp"
+#include "rubsweep/config/ring/read_ring_config.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -62,7 +62,7 @@ Paths known_in(const std::vector<std::string>& maps, const fs::path& file, bool 
   for (const std::string& map : maps) overrides.push_back((map.empty() ? "" : map + ".") + "zzz=1");
   std::istringstream lines([&]() -> std::string {
     try {
-      ring ? void(read_ring_config(file, overrides)) : void(read_run_config(file, overrides));
+      ring ? void(ring::read_ring_config(file, overrides)) : void(read_run_config(file, overrides));
     } catch (const ConfigError& error) {
       return error.what();
     }

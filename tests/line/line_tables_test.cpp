@@ -36,8 +36,8 @@ TEST(LineTables, HaveARowForEachCellPointAndLine) {
   // out, and so is one below a millionth of the clearance; 0X does not count as the largest.
   made.motion->spectrum = {2, 4, {0.9e-9, 0, 1e-6, 0, 1, 0.9e-6, 1e-3, 0}};
   const LineTables tables = tables_of(std::vector{made}, cells, "stops.0.clearance_m");
-  EXPECT_EQ(tables.line_csv, map_comments() + "# along stops.0.clearance_m\npass,value," + map_header() +
-                                 "\nup,1.5," + map_line(made.row) + "\n");
+  EXPECT_EQ(tables.line_csv, report::map_comments() + "# along stops.0.clearance_m\npass,value," +
+                                 report::map_header() + "\nup,1.5," + report::map_line(made.row) + "\n");
   EXPECT_EQ(tables.bifurcation_csv,
             "pass,value,speed_hz,class,order,point,x_m,y_m,vx_m_per_s,vy_m_per_s\n"
             "up,1.5,50,subharmonic,2,0,0.001,0.002,3,4\nup,1.5,50,subharmonic,2,1,0.005,0.006,7,8\n");
