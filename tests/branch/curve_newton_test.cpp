@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "branch/cusp_plane.hpp"
+#include "rubsweep/branch/segment.hpp"
 
 namespace rubsweep::branch {
 namespace {
@@ -39,7 +40,7 @@ TEST(CurveNewton, ASegmentBetweenItsEnds) {
   const test::FoldsOfACusp folds;
   const auto from = folds.point(0.3), to = folds.point(0.4);
   ASSERT_TRUE(from && to);
-  const CurveSegment segment(folds.system, *from, *to);
+  const Segment segment(folds.system, *from, *to);
   EXPECT_NEAR(segment.length(), from->tangent.dot(to->at - from->at), 1e-15);
   const auto middle = segment.at(segment.length() / 2);
   ASSERT_TRUE(middle);

@@ -7,6 +7,7 @@
 #include "branch/plain_maps.hpp"
 #include "rubsweep/branch/follow.hpp"
 #include "rubsweep/branch/locate.hpp"
+#include "rubsweep/branch/orbit_newton.hpp"
 
 namespace rubsweep::branch {
 namespace {
@@ -38,8 +39,17 @@ TEST_F(LogisticSegment, OrbitsInBetweenAtTheirDistance) {
 
 TEST_F(LogisticSegment, NeighboursBelongTogetherAndOthersDoNot) {
   const Segment segment(problem_, from_, to_);
-  EXPECT_TRUE(Segment::continuous(problem_, *segment.at(0.1), *segment.at(0.1 + 1e-9)));
-  EXPECT_FALSE(Segment::continuous(problem_, from_, to_));
+  EXPECT_TRUE(continuous(problem_, *segment.at(0.1), *segment.at(0.1 + 1e-9)));
+  EXPECT_FALSE(continuous(problem_, from_, to_));
+}
+
+TEST_F(LogisticSegment, PassesThroughItsOwnPointsAlone) {
+  const Segment segment(problem_, from_, to_);
+  const auto on_it = segment.through(position_of(problem_, test::number(1 - 1 / 2.6), 2.6));
+  ASSERT_TRUE(on_it);
+  EXPECT_NEAR(on_it->parameter, 2.6, 1e-12);
+  EXPECT_FALSE(segment.through(position_of(problem_, test::number(0.62), 2.6))) << "beside it";
+  EXPECT_FALSE(segment.through(position_of(problem_, test::number(1 - 1 / 2.8), 2.8))) << "beyond it";
 }
 
 /// Nothing happens below 3; a step over 3 has the doubling.

@@ -89,7 +89,7 @@ struct Meeting {
 /// One side of a curve: from its start on.
 struct HalfCurve {
   std::vector<CurvePoint> points;  ///< the start first
-  std::vector<Meeting> meetings;   ///< in the order in which they are met
+  std::vector<Meeting> events;     ///< in the order in which they are met
   Ending ending = Ending::left_range;
 };
 

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
-#include "rubsweep/branch/hermite.hpp"
 #include "rubsweep/branch/multipliers.hpp"
 #include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/newton.hpp"
 
 namespace rubsweep::branch {
 namespace {
@@ -13,7 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int newton_iterations = 12;
+constexpr numerics::NewtonLimits newton_limits{.iterations = 12, .free_iterations = 4, .growth = 1};
 constexpr double closed = 1e-13;  ///< last correction, per unit of the position's size
 /// Where rounding lets no better: of the parameters the same, of all coordinates this.
 constexpr double nearly_closed = 1e-11, nearly_closed_state = 1e-6;
@@ -28,38 +30,59 @@ MatrixXd bordered(const Extended& extended, const Position& direction) {
   return matrix;
 }
 
-CurveCorrection correct_with(const ExtendedSystem& system, const Position& guess, const Position& direction,
-                             double difference_steps) {
-  CurveCorrection found;
-  found.at = guess;
-  double last = 0;
-  for (int i = 0; i < newton_iterations; ++i) {
+/// Unknowns: the position.
+class CurveIteration {
+ public:
+  CurveIteration(const ExtendedSystem& system, const Position& guess, const Position& direction,
+                 double difference_steps)
+      : system_(system), direction_(direction), difference_steps_(difference_steps) {
+    found.at = guess;
+  }
+
+  /// Size of the step that comes next.
+  std::optional<double> error(int i, double /*last*/) {
     found.iterations = i + 1;
-    found.extended = extend(system, found.at, difference_steps);
+    found.extended = extend(system_, found.at, difference_steps_);
     found.evaluation = found.extended.evaluation;
-    if (found.evaluation != Evaluation::ok) return found;
-    const numerics::LuFactors lu(bordered(found.extended, direction));
+    if (found.evaluation != Evaluation::ok) return std::nullopt;
+    const numerics::LuFactors lu(bordered(found.extended, direction_));
     if (!(lu.reciprocal_condition() > least_condition)) {
       found.singular = true;
-      return found;
+      return std::nullopt;
     }
-    VectorXd right(guess.size());
+    VectorXd right(found.at.size());
     right << -found.extended.residual, 0;
-    const VectorXd step = lu.solve(right);
-    const double size = step.norm() / (1 + found.at.norm());
-    if (!std::isfinite(size)) return found;
-    found.error = step.tail(2).cwiseAbs().maxCoeff();
+    step_ = lu.solve(right);
+    found.error = step_.tail(2).cwiseAbs().maxCoeff();
+    return step_.norm() / (1 + found.at.norm());
+  }
+
+  bool converged(int i, double size, double last) const {
     const bool stalled =
         i > 1 && found.error < nearly_closed && size < nearly_closed_state && size > 0.1 * last;
-    if (size < closed || stalled) {
-      found.converged = true;
-      return found;
-    }
-    if (i > 3 && size > last) return found;
-    last = size;
-    found.at += step;
+    return size < closed || stalled;
   }
-  return found;
+
+  bool step(int /*i*/) {
+    found.at += step_;
+    return true;
+  }
+
+  CurveCorrection found;
+
+ private:
+  const ExtendedSystem& system_;
+  const Position& direction_;
+  double difference_steps_;
+  VectorXd step_;
+};
+
+CurveCorrection correct_with(const ExtendedSystem& system, const Position& guess, const Position& direction,
+                             double difference_steps) {
+  CurveIteration iteration(system, guess, direction, difference_steps);
+  const bool converged = numerics::newton(iteration, newton_limits);
+  iteration.found.converged = converged;
+  return std::move(iteration.found);
 }
 
 }  // namespace
@@ -96,17 +119,16 @@ std::optional<CurvePoint> completed(const ExtendedSystem& system, const CurveCor
   return point;
 }
 
-CurveSegment::CurveSegment(const ExtendedSystem& system, const CurvePoint& from, const CurvePoint& to)
-    : system_(system), from_(from), to_(to), length_(from.tangent.dot(to.at - from.at)) {}
+Position nearest_image(const ExtendedSystem& system, Position position, const Position& near) {
+  constexpr double turn = 2 * std::numbers::pi;
+  if (system.kind == EventKind::graze)
+    position(system.states) += turn * std::round((near(system.states) - position(system.states)) / turn);
+  return position;
+}
 
-std::optional<CurvePoint> CurveSegment::at(double s) const {
-  if (s <= 0) return from_;
-  if (s >= length_) return to_;
-  const Position guess = hermite_guess({from_.at, from_.tangent}, {to_.at, to_.tangent}, length_, s);
-  const CurveCorrection found = correct(system_, guess, from_.tangent);
-  if (!found.converged) return std::nullopt;
-  return completed(system_, found, from_.tangent,
-                   from_.arclength + s / length_ * (to_.arclength - from_.arclength));
+CurvePoint turned_about(CurvePoint point) {
+  point.tangent = -point.tangent;
+  return point;
 }
 
 }  // namespace rubsweep::branch

@@ -7,11 +7,7 @@
 namespace rubsweep::branch {
 
 /// Outcome of Newton's iteration on an extended system.
-struct CurveCorrection {
-  Evaluation evaluation = Evaluation::ok;
-  bool converged = false;
-  bool singular = false;  ///< the derivative has no inverse to speak of
-  int iterations = 0;
+struct CurveCorrection : NewtonOutcome {
   Position at;
   Extended extended;  ///< at `at`
   double error = 0;   ///< see CurvePoint
@@ -20,25 +16,24 @@ struct CurveCorrection {
 /// Newton's iteration from `guess` on the plane direction . (position - guess) = 0, to rounding.
 CurveCorrection correct(const ExtendedSystem& system, const Position& guess, const Position& direction);
 
-/// Completes what Newton's iteration found: tangent on the side of `direction`, multipliers, facts. Empty
-/// where the tangent cannot be told, or the orbit not be run.
+/// The same from a guess between two points of a curve, across the tangent of the first.
+inline CurveCorrection correct_between(const ExtendedSystem& system, const Position& guess,
+                                       const CurvePoint& from, const CurvePoint& /*to*/) {
+  return correct(system, guess, from.tangent);
+}
+
+/// The point that Newton's iteration found, with its tangent on the side of `direction`, its multipliers and
+/// its facts. Empty where the tangent cannot be told, or the orbit not be run.
 std::optional<CurvePoint> completed(const ExtendedSystem& system, const CurveCorrection& found,
                                     const Position& direction, double arclength);
 
-/// The piece of a curve between two of its points, by the distance s along the tangent of the first.
-class CurveSegment {
- public:
-  CurveSegment(const ExtendedSystem& system, const CurvePoint& from, const CurvePoint& to);
+inline const Position& position_of(const ExtendedSystem&, const CurvePoint& point) { return point.at; }
+inline const Position& position_of(const ExtendedSystem&, const CurveCorrection& found) { return found.at; }
 
-  double length() const { return length_; }
+/// `position` with the phase of a graze moved by whole turns to be next to that of `near`.
+Position nearest_image(const ExtendedSystem& system, Position position, const Position& near);
 
-  /// The point at 0 <= s <= length(). Empty where Newton's iteration does not find it.
-  std::optional<CurvePoint> at(double s) const;
-
- private:
-  const ExtendedSystem& system_;
-  const CurvePoint &from_, &to_;
-  double length_;
-};
+/// The same point with its curve the other way round.
+CurvePoint turned_about(CurvePoint point);
 
 }  // namespace rubsweep::branch

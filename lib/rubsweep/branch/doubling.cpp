@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "rubsweep/branch/orbit_newton.hpp"
-#include "rubsweep/branch/segment.hpp"
 #include "rubsweep/numerics/singular_values.hpp"
 
 namespace rubsweep::branch {
@@ -26,7 +25,7 @@ std::optional<BranchPoint> doubled_start(const OrbitProblem& doubled, const Bran
     const Correction found = correct(doubled, here + distance * direction, direction);
     if (!found.converged) continue;
     if ((position_of(doubled, found.point) - here).norm() > 3 * distance) continue;
-    auto start = completed(doubled, found.point, direction, 0);
+    auto start = completed(doubled, found, direction, 0);
     if (start) return start;
   }
   return std::nullopt;

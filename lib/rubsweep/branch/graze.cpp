@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rubsweep/branch/contact_sequence.hpp"
+#include "rubsweep/branch/orbit_newton.hpp"
 #include "rubsweep/branch/segment.hpp"
 
 namespace rubsweep::branch {
@@ -19,6 +20,8 @@ constexpr std::size_t most_grazes = 16;  ///< between two points
 /// A stretch longer than this, in shaft rotation, is not yet near its graze.
 constexpr double short_stretch_rad = 0.3;
 
+using OrbitSegment = Segment<OrbitProblem, BranchPoint>;
+
 /// An orbit at s along a segment.
 struct Side {
   double s = 0;
@@ -27,7 +30,7 @@ struct Side {
 
 class GrazeSearch {
  public:
-  GrazeSearch(const Segment& segment, const BranchPoint& from, const BranchPoint& to, int order)
+  GrazeSearch(const OrbitSegment& segment, const BranchPoint& from, const BranchPoint& to, int order)
       : segment_(segment),
         period_rad_(2 * std::numbers::pi * order),
         low_{0, from},
@@ -42,9 +45,7 @@ class GrazeSearch {
     return result();
   }
 
-  bool enclosed(const OrbitProblem& problem) const {
-    return Segment::continuous(problem, low_.point, high_.point);
-  }
+  bool enclosed(const OrbitProblem& problem) const { return continuous(problem, low_.point, high_.point); }
 
  private:
   double width() const { return high_.s - low_.s; }
@@ -104,7 +105,7 @@ class GrazeSearch {
     return event;
   }
 
-  const Segment& segment_;
+  const OrbitSegment& segment_;
   double period_rad_;
   Side low_, high_;
   double root_ = -1, last_s_ = -1, last_value_ = 0;

@@ -3,48 +3,38 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <numbers>
 #include <optional>
 #include <utility>
 
 #include "rubsweep/branch/dip.hpp"
+#include "rubsweep/branch/event_roots.hpp"
 #include "rubsweep/branch/graze.hpp"
 #include "rubsweep/branch/margins.hpp"
 #include "rubsweep/branch/multiplier_slopes.hpp"
 #include "rubsweep/branch/multipliers.hpp"
+#include "rubsweep/branch/orbit_newton.hpp"
 #include "rubsweep/branch/segment.hpp"
 
 namespace rubsweep::branch {
 namespace {
 
-/// Roots are enclosed to this, in the coordinate along the branch.
-constexpr double root_width = 1e-12;
-constexpr std::uintmax_t root_evaluations = 100;
+using OrbitSegment = Segment<OrbitProblem, BranchPoint>;
+using OrbitTest = EventTest<EventKind, BranchPoint>;
+
 /// A step in which a pair of roots is looked for is parted at most so often, and not below this length.
 constexpr int most_parted = 6;
 constexpr double shortest_parted = 1e-6;
-
-using Test = std::function<double(const BranchPoint&)>;
 
 double fold_test(const BranchPoint& point) { return point.tangent(point.tangent.size() - 1); }
 double branching_test(const BranchPoint& point) { return point.branching; }
 double doubling_test_of(const BranchPoint& point) { return doubling_test(point.multipliers); }
 double torus_test_of(const BranchPoint& point) { return torus_test(point.multipliers); }
 
-/// The piece is not continuous.
-struct Broken {};
-
-BranchPoint orbit_at(const Segment& segment, double s) {
-  auto point = segment.at(s);
-  if (!point) throw Broken{};
-  return std::move(*point);
-}
-
 BranchEvent event_between(const OrbitProblem& problem, EventKind kind, const BranchPoint& a,
                           const BranchPoint& b) {
-  if (!Segment::continuous(problem, a, b)) throw Broken{};
+  if (!continuous(problem, a, b)) throw NotContinuous{};
   return {kind, b, std::abs(b.parameter - a.parameter) / 2, {}};
 }
 
@@ -66,7 +56,7 @@ void sharpen_halving(const OrbitProblem& problem, BranchEvent& halving) {
   Eigen::VectorXd state = halving.point.state;
   const auto test = [&](double parameter) {
     const Correction found = correct_at(half, state, parameter);
-    if (!found.converged) throw Broken{};
+    if (!found.converged) throw NotContinuous{};
     return doubling_test(multipliers_of(found.point.monodromy));
   };
   const double low = halving.point.parameter - reach * problem.parameter_scale,
@@ -74,21 +64,22 @@ void sharpen_halving(const OrbitProblem& problem, BranchEvent& halving) {
   try {
     const double at_low = test(low), at_high = test(high);
     if (!opposite(at_low, at_high)) return;
-    std::uintmax_t evaluations = root_evaluations;
+    std::uintmax_t evaluations = 100;
     const auto [below, above] = boost::math::tools::toms748_solve(
         test, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(48), evaluations);
     halving.point.parameter = (below + above) / 2;
     halving.parameter_error = (above - below) / 2;
-  } catch (const Broken&) {
+  } catch (const NotContinuous&) {
     return;  // as it was found
   }
 }
 
+/// Search for all events between two points.
 class Finder {
  public:
   Finder(const OrbitProblem& problem, const BranchPoint& from, const BranchPoint& to)
       : problem_(problem), from_(from), to_(to), segment_(problem, from, to) {
-    if (!(segment_.length() > 0)) throw Broken{};
+    if (!(segment_.length() > 0)) throw NotContinuous{};
   }
 
   /// The orbit at which the step is to be parted because one of the functions may have two roots in it.
@@ -96,13 +87,16 @@ class Finder {
     if (segment_.length() < shortest_parted || is_about_half_period()) return std::nullopt;
     auto share = share_of_a_pair();
     if (!share && every_graze) share = share_of_two_grazes();
-    if (share) return orbit_at(segment_, *share * segment_.length());
+    if (share) return segment_.required_at(*share * segment_.length());
     return std::nullopt;
   }
 
   std::vector<BranchEvent> all(bool every_graze) {
-    if (!joins_half_period()) find_turns();
-    find_doublings();
+    if (!joins_half_period()) {
+      find({EventKind::fold, fold_test});
+      find({EventKind::branch_point, branching_test});
+    }
+    find({EventKind::period_doubling, doubling_test_of});
     find_tori();
     if (!stability_explained()) find_change_of_stability();
     if (every_graze || from_.facts.touched != to_.facts.touched) find_grazes();
@@ -111,14 +105,11 @@ class Finder {
   }
 
  private:
-  /// Looks for the root of a test that has opposite signs at both ends.
-  bool find(EventKind kind, const Test& test) {
-    if (!opposite(test(from_), test(to_))) return false;
-    std::uintmax_t evaluations = root_evaluations;
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        [&](double s) { return test(orbit_at(segment_, s)); }, 0.0, segment_.length(), test(from_), test(to_),
-        [](double a, double b) { return std::abs(b - a) <= root_width; }, evaluations);
-    events_.push_back(event_between(problem_, kind, orbit_at(segment_, low), orbit_at(segment_, high)));
+  bool find(const OrbitTest& test) {
+    const auto root = root_on(segment_, test.value);
+    if (!root) return false;
+    events_.push_back(event_between(problem_, test.kind, segment_.required_at(root->low),
+                                    segment_.required_at(root->high)));
     return true;
   }
 
@@ -163,63 +154,49 @@ class Finder {
   bool joins_half_period() {
     if (!has_half_period()) return false;
     const Eigen::VectorXd before = half_period_difference(from_).normalized();
-    if (!find(EventKind::period_halving,
-              [&](const BranchPoint& point) { return before.dot(half_period_difference(point)); }))
+    if (!find({EventKind::period_halving,
+               [&](const BranchPoint& point) { return before.dot(half_period_difference(point)); }}))
       return false;
-    ++single_;
     sharpen_halving(problem_, events_.back());
     return true;
   }
 
   void find_grazes() {
     auto grazes = grazes_between(problem_, from_, to_);
-    if (!grazes) throw Broken{};
+    if (!grazes) throw NotContinuous{};
     std::ranges::move(*grazes, std::back_inserter(events_));
   }
 
   void find_change_of_stability() {
-    double low = 0, high = segment_.length();
-    BranchPoint below = from_, above = to_;
-    while (high - low > root_width) {
-      const double middle = (low + high) / 2;
-      if (middle <= low || middle >= high) break;
-      BranchPoint point = orbit_at(segment_, middle);
-      const bool changed = point.unstable != from_.unstable;
-      (changed ? high : low) = middle;
-      (changed ? above : below) = std::move(point);
-    }
-    events_.push_back(event_between(problem_, EventKind::stability, below, above));
+    const auto [at, before, behind] = change_on(
+        segment_, 0, from_, [&](const BranchPoint& point) { return point.unstable != from_.unstable; });
+    events_.push_back(event_between(problem_, EventKind::stability, before, behind));
   }
 
+  bool has(EventKind kind) const {
+    return std::ranges::find(events_, kind, &BranchEvent::kind) != events_.end();
+  }
+
+  /// By the multipliers, and complex pairs of them, that pass the unit circle at the events found.
   bool stability_explained() const {
+    const int turns = has(EventKind::fold) || has(EventKind::branch_point);
+    const int single = turns + has(EventKind::period_halving) + has(EventKind::period_doubling);
+    const int pairs = has(EventKind::neimark_sacker);
     const int change = std::abs(to_.unstable - from_.unstable);
-    return change <= single_ + 2 * pairs_ && (change - single_) % 2 == 0;
+    return change <= single + 2 * pairs && (change - single) % 2 == 0;
   }
 
-  void find_turns() {
-    const bool turns = find(EventKind::fold, fold_test);
-    const bool branches = find(EventKind::branch_point, branching_test);
-    if (turns || branches) ++single_;
-  }
-
-  void find_doublings() {
-    if (find(EventKind::period_doubling, doubling_test_of)) ++single_;
-  }
-
+  /// Tori; two real multipliers whose product is 1 are none.
   void find_tori() {
-    if (!find(EventKind::neimark_sacker, torus_test_of)) return;
-    if (nearest_pair_is_complex(events_.back().point.multipliers)) {
-      ++pairs_;
-    } else {
-      events_.pop_back();  // two real multipliers whose product is 1
-    }
+    if (find({EventKind::neimark_sacker, torus_test_of}) &&
+        !nearest_pair_is_complex(events_.back().point.multipliers))
+      events_.pop_back();
   }
 
   const OrbitProblem& problem_;
   const BranchPoint &from_, &to_;
-  Segment segment_;
+  OrbitSegment segment_;
   std::vector<BranchEvent> events_;
-  int single_ = 0, pairs_ = 0;  ///< multipliers, and complex pairs of them, that passed the unit circle
 };
 
 /// `parted`: how often the step has been parted already.
@@ -242,7 +219,7 @@ std::optional<std::vector<BranchEvent>> events_between(const OrbitProblem& probl
                                                        const BranchPoint& to, bool every_graze) {
   try {
     return events_of_piece(problem, from, to, every_graze, 0);
-  } catch (const Broken&) {
+  } catch (const NotContinuous&) {
     return std::nullopt;
   }
 }

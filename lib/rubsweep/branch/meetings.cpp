@@ -1,7 +1,6 @@
 #include "rubsweep/branch/meetings.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -9,13 +8,13 @@
 
 #include "rubsweep/branch/contact_sequence.hpp"
 #include "rubsweep/branch/curve_newton.hpp"
+#include "rubsweep/branch/event_roots.hpp"
 #include "rubsweep/branch/multipliers.hpp"
+#include "rubsweep/branch/segment.hpp"
 
 namespace rubsweep::branch {
 namespace {
 
-constexpr double root_width = 1e-12;  ///< along the curve
-constexpr std::uintmax_t root_evaluations = 100;
 constexpr std::size_t most_sequences = 16;  ///< between two points
 
 using Multipliers = Eigen::VectorXcd;
@@ -24,9 +23,7 @@ using Complex = std::complex<double>;
 using Test = std::function<double(const CurvePoint&)>;
 using Some = std::function<Multipliers(const CurvePoint&)>;
 
-struct NamedTest {
-  MeetingKind kind;
-  Test test;
+struct MeetingTest : EventTest<MeetingKind, CurvePoint> {
   /// Where given, a root counts only if of these the pair whose product is nearest to 1 is a complex one.
   Some with_a_complex_pair = {};
   /// Made of differences, which near to a graze lead over it and mean nothing: finer ones must agree.
@@ -53,7 +50,7 @@ double turned(const Eigen::VectorXd& vector, const Eigen::VectorXd& reference) {
   return vector.dot(reference) < 0 ? -1 : 1;
 }
 
-std::vector<NamedTest> tests_of_one_multiplier(double sign, const Critical& reference) {
+std::vector<MeetingTest> tests_of_one_multiplier(double sign, const Critical& reference) {
   const Some rest = [sign](const CurvePoint& point) { return others(point.multipliers, sign); };
   const Test flip = [rest](const CurvePoint& point) { return doubling_test(rest(point)); };
   const Test fold = [rest](const CurvePoint& point) { return unit_test(rest(point)); };
@@ -76,7 +73,7 @@ std::vector<NamedTest> tests_of_one_multiplier(double sign, const Critical& refe
           {MeetingKind::degenerate_branching, cubic, {}, true}};
 }
 
-std::vector<NamedTest> tests_of_a_fold(const Critical& reference) {
+std::vector<MeetingTest> tests_of_a_fold(const Critical& reference) {
   auto tests = tests_of_one_multiplier(1, reference);
   tests.back() = {MeetingKind::cusp,
                   [reference](const CurvePoint& point) {
@@ -87,7 +84,7 @@ std::vector<NamedTest> tests_of_a_fold(const Critical& reference) {
   return tests;
 }
 
-std::vector<NamedTest> tests_of_a_torus() {
+std::vector<MeetingTest> tests_of_a_torus() {
   const auto sum_less = [](double sum) -> Test {
     return [sum](const CurvePoint& point) { return point.critical.pair_sum - sum; };
   };
@@ -102,7 +99,7 @@ std::vector<NamedTest> tests_of_a_torus() {
        without_pair}};
 }
 
-std::vector<NamedTest> tests_of_a_graze() {
+std::vector<MeetingTest> tests_of_a_graze() {
   return {{MeetingKind::graze_fold, [](const CurvePoint& point) { return unit_test(point.multipliers); }},
           {MeetingKind::graze_flip, [](const CurvePoint& point) { return doubling_test(point.multipliers); }},
           {MeetingKind::graze_torus, [](const CurvePoint& point) { return torus_test(point.multipliers); },
@@ -110,7 +107,7 @@ std::vector<NamedTest> tests_of_a_graze() {
           {MeetingKind::degenerate_graze, [](const CurvePoint& point) { return point.critical.curvature; }}};
 }
 
-std::vector<NamedTest> tests_of(EventKind kind, const Critical& reference) {
+std::vector<MeetingTest> tests_of(EventKind kind, const Critical& reference) {
   switch (kind) {
     case EventKind::fold:
       return tests_of_a_fold(reference);
@@ -141,76 +138,59 @@ MeetingKind graze_on(EventKind kind) {
   }
 }
 
-/// A point on the way is not found.
-struct Broken {};
-
 class MeetingFinder {
  public:
   MeetingFinder(const ExtendedSystem& system, const CurvePoint& from, const CurvePoint& to)
       : system_(system), from_(from), to_(to), segment_(system, from, to) {}
 
   std::vector<Meeting> all() {
-    if (!(segment_.length() > 0)) throw Broken{};
-    for (const NamedTest& named : tests_of(system_.kind, from_.critical)) find(named);
+    if (!(segment_.length() > 0)) throw NotContinuous{};
+    for (const MeetingTest& test : tests_of(system_.kind, from_.critical)) find(test);
     if (system_.orbits->facts) find_grazes();
     std::ranges::stable_sort(meetings_, {}, [](const Meeting& meeting) { return meeting.point.arclength; });
     return std::move(meetings_);
   }
 
  private:
-  CurvePoint point_at(double s) const {
-    auto point = segment_.at(s);
-    if (!point) throw Broken{};
-    return std::move(*point);
-  }
-
-  void find(const NamedTest& named) {
-    const double at_from = named.test(from_), at_to = named.test(to_);
-    if ((at_from < 0) == (at_to < 0)) return;
-    std::uintmax_t evaluations = root_evaluations;
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        [&](double s) { return named.test(point_at(s)); }, 0.0, segment_.length(), at_from, at_to,
-        [](double a, double b) { return std::abs(b - a) <= root_width; }, evaluations);
-    CurvePoint point = point_at((low + high) / 2);
-    if (named.with_a_complex_pair && !nearest_pair_is_complex(named.with_a_complex_pair(point))) return;
-    if (named.of_differences &&
-        !holds_by_finer_differences(named, point, std::abs(at_from) + std::abs(at_to)))
+  void find(const MeetingTest& test) {
+    const auto root = root_on(segment_, test.value);
+    if (!root) return;
+    CurvePoint point = segment_.required_at((root->low + root->high) / 2);
+    if (test.with_a_complex_pair && !nearest_pair_is_complex(test.with_a_complex_pair(point))) return;
+    if (test.of_differences &&
+        !holds_by_finer_differences(test, point, std::abs(test.value(from_)) + std::abs(test.value(to_))))
       return;
-    meetings_.push_back({named.kind, std::move(point), (high - low) / 2});
+    meetings_.push_back({test.kind, std::move(point), (root->high - root->low) / 2});
   }
 
-  bool holds_by_finer_differences(const NamedTest& named, CurvePoint point, double size) const {
+  bool holds_by_finer_differences(const MeetingTest& test, CurvePoint point, double size) const {
     constexpr double finer = 0.3, still_zero = 0.1;
     const Extended again = extend(system_, point.at, finer);
     if (again.evaluation != Evaluation::ok) return false;
     point.critical = again.critical;
-    return std::abs(named.test(point)) < still_zero * size;
+    return std::abs(test.value(point)) < still_zero * size;
   }
 
   /// Every change of the sequence between both ends, one after the other.
   void find_grazes() {
     double begin = 0;
-    OrbitFacts facts = from_.facts;
-    for (std::size_t i = 0; i < most_sequences && !same_sequence(facts.switches, to_.facts.switches); ++i) {
-      double low = begin, high = segment_.length();
-      CurvePoint above = to_;
-      while (high - low > root_width) {
-        const double middle = (low + high) / 2;
-        if (middle <= low || middle >= high) break;
-        CurvePoint point = point_at(middle);
-        const bool changed = !same_sequence(point.facts.switches, facts.switches);
-        (changed ? high : low) = middle;
-        if (changed) above = std::move(point);
-      }
-      begin = high;
-      facts = above.facts;
-      meetings_.push_back({graze_on(system_.kind), std::move(above), (high - low) / 2});
+    CurvePoint here = from_;
+    const auto& last = to_.facts.switches;
+    for (std::size_t i = 0; i < most_sequences && !same_sequence(here.facts.switches, last); ++i) {
+      const auto sequence = here.facts.switches;
+      auto change = change_on(segment_, begin, std::move(here), [&](const CurvePoint& point) {
+        return !same_sequence(point.facts.switches, sequence);
+      });
+      begin = change.at.high;
+      here = change.behind;
+      meetings_.push_back(
+          {graze_on(system_.kind), std::move(change.behind), (change.at.high - change.at.low) / 2});
     }
   }
 
   const ExtendedSystem& system_;
   const CurvePoint &from_, &to_;
-  CurveSegment segment_;
+  Segment<ExtendedSystem, CurvePoint> segment_;
   std::vector<Meeting> meetings_;
 };
 
@@ -220,7 +200,7 @@ std::optional<std::vector<Meeting>> meetings_between(const ExtendedSystem& syste
                                                      const CurvePoint& to) {
   try {
     return MeetingFinder(system, from, to).all();
-  } catch (const Broken&) {
+  } catch (const NotContinuous&) {
     return std::nullopt;
   }
 }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "rubsweep/branch/multipliers.hpp"
 #include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/newton.hpp"
 
 namespace rubsweep::branch {
 namespace {
@@ -13,7 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int newton_iterations = 10;
+constexpr numerics::NewtonLimits newton_limits{.iterations = 10, .free_iterations = 3, .growth = 1};
 constexpr double closed = 1e-12;        ///< return error of an orbit found, per unit of the state's size
 constexpr double nearly_closed = 1e-9;  ///< the same where rounding or the solver's tolerance lets no better
 constexpr double finest_difference_step = 1e-9;
@@ -89,6 +91,62 @@ MatrixXd bordered(const MatrixXd& monodromy, const VectorXd& slope, const Vector
   return matrix;
 }
 
+/// Unknowns: the position.
+class OrbitIteration {
+ public:
+  OrbitIteration(const OrbitProblem& problem, const Position& guess, const VectorXd& direction,
+                 double difference_step)
+      : problem_(problem), direction_(direction), difference_step_(difference_step), at_(guess) {}
+
+  std::optional<double> error(int i, double /*last*/) {
+    found.iterations = i + 1;
+    BranchPoint& point = found.point;
+    point.parameter = parameter_of(problem_, at_);
+    point.state = state_of(at_);
+    VectorXd image = point.state;
+    found.evaluation = problem_.returns(point.parameter, image, &point.monodromy);
+    if (found.evaluation != Evaluation::ok) return std::nullopt;
+    defect_ = image - point.state;
+    return largest(defect_) / std::max(1.0, largest(point.state));
+  }
+
+  static bool converged(int i, double error, double last) {
+    const bool stalled = i > 1 && error < nearly_closed && error > 0.1 * last;
+    return error < closed || stalled;
+  }
+
+  bool step(int i) {
+    const Eigen::Index n = defect_.size();
+    if (i == 0 && !differentiate()) {
+      found.evaluation = Evaluation::infeasible;
+      return false;
+    }
+    VectorXd right(n + 1);
+    right << -defect_, 0;
+    const VectorXd step = numerics::solve(bordered(found.point.monodromy, slope_, direction_), right);
+    if (!step.allFinite()) return false;
+    at_ += step;
+    return true;
+  }
+
+  Correction found;
+
+ private:
+  bool differentiate() {
+    const Eigen::Index n = defect_.size();
+    slope_ = VectorXd::Zero(n);
+    const bool parameter_moves = direction_.head(n).cwiseAbs().maxCoeff() > 0;
+    return !parameter_moves ||
+           difference(problem_, found.point.state, found.point.parameter, difference_step_, slope_);
+  }
+
+  const OrbitProblem& problem_;
+  const VectorXd& direction_;
+  double difference_step_;
+  Position at_;
+  VectorXd slope_, defect_;
+};
+
 }  // namespace
 
 Position position_of(const OrbitProblem& problem, const VectorXd& state, double parameter) {
@@ -108,44 +166,15 @@ VectorXd state_of(const Position& position) {
 
 Correction correct(const OrbitProblem& problem, const Position& guess, const VectorXd& direction,
                    double difference_step) {
-  Correction found;
-  const Eigen::Index n = guess.size() - 1;
-  const bool parameter_moves = direction.head(n).cwiseAbs().maxCoeff() > 0;
-  Position at = guess;
-  VectorXd slope;
-  double last = 0;
-  for (int i = 0; i < newton_iterations; ++i) {
-    found.iterations = i + 1;
-    BranchPoint& point = found.point;
-    point.parameter = parameter_of(problem, at);
-    point.state = state_of(at);
-    VectorXd image = point.state;
-    found.evaluation = problem.returns(point.parameter, image, &point.monodromy);
-    if (found.evaluation != Evaluation::ok) return found;
-    const VectorXd defect = image - point.state;
-    const double error = largest(defect) / std::max(1.0, largest(point.state));
-    if (!std::isfinite(error)) return found;
-    const bool stalled = i > 1 && error < nearly_closed && error > 0.1 * last;
-    if (error < closed || stalled) {
-      found.converged = true;
-      return found;
-    }
-    if (i > 2 && error > last) return found;
-    last = error;
-    if (i == 0) {
-      slope = VectorXd::Zero(n);
-      if (parameter_moves && !difference(problem, point.state, point.parameter, difference_step, slope)) {
-        found.evaluation = Evaluation::infeasible;
-        return found;
-      }
-    }
-    VectorXd right(n + 1);
-    right << -defect, 0;
-    const VectorXd step = numerics::solve(bordered(point.monodromy, slope, direction), right);
-    if (!step.allFinite()) return found;
-    at += step;
-  }
-  return found;
+  OrbitIteration iteration(problem, guess, direction, difference_step);
+  const bool converged = numerics::newton(iteration, newton_limits);
+  iteration.found.converged = converged;
+  return std::move(iteration.found);
+}
+
+Correction correct_between(const OrbitProblem& problem, const Position& guess, const BranchPoint& from,
+                           const BranchPoint& to) {
+  return correct(problem, guess, from.tangent, std::min(from.difference_step, to.difference_step));
 }
 
 Correction correct_at(const OrbitProblem& problem, const VectorXd& state, double parameter) {
@@ -168,6 +197,19 @@ bool complete(const OrbitProblem& problem, const VectorXd& direction, BranchPoin
   point.multipliers = multipliers_of(point.monodromy);
   point.unstable = count_outside(point.multipliers);
   return true;
+}
+
+std::optional<BranchPoint> completed(const OrbitProblem& problem, Correction found, const VectorXd& direction,
+                                     double arclength) {
+  BranchPoint& point = found.point;
+  point.arclength = arclength;
+  if (!complete(problem, direction, point)) return std::nullopt;
+  if (problem.facts) {
+    auto facts = problem.facts(point.parameter, point.state);
+    if (!facts) return std::nullopt;
+    point.facts = std::move(*facts);
+  }
+  return std::move(point);
 }
 
 }  // namespace rubsweep::branch

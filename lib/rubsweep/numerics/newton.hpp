@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace rubsweep::numerics {
+
+/// Limits of Newton's iteration.
+struct NewtonLimits {
+  int iterations = 10;
+  int free_iterations = 0;  ///< the first ones, whose error may grow
+  double growth = 1;        ///< later errors must not be larger than this times the one before
+};
+
+/// Newton's iteration; true where it converged. `problem` has the unknowns and says:
+/// - error(i, last): error of the unknowns at iteration i, whose map and derivative it evaluates; empty where
+///   that cannot be. `last`: the error before, at first infinite;
+/// - converged(i, error, last);
+/// - step(i): takes Newton's step; false where there is none.
+template <class Problem>
+bool newton(Problem& problem, const NewtonLimits& limits) {
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < limits.iterations; ++i) {
+    const std::optional<double> error = problem.error(i, last);
+    if (!error || !std::isfinite(*error)) return false;
+    if (problem.converged(i, *error, last)) return true;
+    if (i >= limits.free_iterations && *error > limits.growth * last) return false;
+    last = *error;
+    if (!problem.step(i)) return false;
+  }
+  return false;
+}
+
+}  // namespace rubsweep::numerics
