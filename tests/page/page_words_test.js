@@ -8,6 +8,7 @@ const vm = require("node:vm");
 const format = () => (value) => String(value);
 const selection = new Proxy(function () {}, { get: () => () => selection, apply: () => selection });
 const page = { d3: { format, select: () => selection, range: (n) => [...Array(n).keys()] }, window: { matchMedia: () => ({ matches: false }) }, URLSearchParams };
+page.document = { getElementById: () => ({ textContent: '{"motion_kinds": []}' }) };
 vm.createContext(page);
 const template = process.argv[2];
 const sources = ["quantities", "palette", "controls", "export"].map((name) =>
