@@ -24,10 +24,15 @@ using Test = std::function<double(const CurvePoint&)>;
 using Some = std::function<Multipliers(const CurvePoint&)>;
 
 struct MeetingTest : EventTest<MeetingKind, CurvePoint> {
+  MeetingTest(MeetingKind meeting, Test test, Some complex_pair = {}, bool differences = false)
+      : EventTest<MeetingKind, CurvePoint>{meeting, std::move(test)},
+        with_a_complex_pair(std::move(complex_pair)),
+        of_differences(differences) {}
+
   /// Where given, a root counts only if of these the pair whose product is nearest to 1 is a complex one.
-  Some with_a_complex_pair = {};
+  Some with_a_complex_pair;
   /// Made of differences, which near to a graze lead over it and mean nothing: finer ones must agree.
-  bool of_differences = false;
+  bool of_differences;
 };
 
 /// Without the `count` multipliers nearest to `critical`.
