@@ -59,7 +59,8 @@ TEST(RotatingProof, AsksForFewerSamplesWhereMaximaAreFew) {
   for (const auto& [maxima, usual] : {std::pair{2, 32}, {8, 64}}) {
     const motion::ResponseOptions options;
     motion::Workspace workspace;
-    rotating::RotatingProof proof(annular_cell(165, 0.6).scene, {}, options, workspace);
+    integrate::run::WorkBudget budget(1e9);
+    rotating::RotatingProof proof(annular_cell(165, 0.6).scene, {}, options, workspace, budget);
     for (int number = 0; number < 20; ++number) {
       const int wanted = proof.samples_wanted();
       EXPECT_EQ(wanted, number % 8 == 0 ? 64 : usual) << maxima << ' ' << number;
