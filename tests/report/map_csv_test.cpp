@@ -134,7 +134,7 @@ TEST(MapLine, CombSpacingAndExponentStandInTheirOwnColumns) {
 }
 
 TEST(MapLine, WhatDoesNotApplyIsEmpty) {
-  EXPECT_EQ(map_line(failed_row()), "60,0.5,,failed,,,,,,,,,,,,,,,,,,0,unreachable,,,,,");
+  EXPECT_EQ(map_line(failed_row()), "60,0.5,,failed,,,,,,,,,,,,,,,,,,0,unreachable,,,,,,failed");
 }
 
 TEST(MapLine, ARotorAtRestHasNoOrbitWhirlOrDominantLine) {
