@@ -71,14 +71,14 @@ expect_contains stderr 'has no column robust_share: response.robustness is not p
 mkdir motions
 cp ratio/config.yaml motions
 {
-  echo speed_hz,whirl_ratio,class,order,orbit,whirl,comb_spacing
+  echo speed_hz,whirl_ratio,class,order,kind
   row() { (IFS=, && echo "$*"); }
-  row 60 0.2 quasi_periodic '' oval forward 2.5
-  row 75 0.2 quasi_periodic '' circle backward 3.5
-  row 90 0.2 quasi_periodic '' complex mixed ''
-  row 60 0.4 synchronous 1 circle forward ''
-  row 75 0.4 synchronous 1 circle backward ''
-  row 90 0.4 synchronous 1 oval mixed ''
+  row 60 0.2 quasi_periodic '' quasi_periodic_oval
+  row 75 0.2 quasi_periodic '' quasi_periodic_whip
+  row 90 0.2 quasi_periodic '' quasi_periodic
+  row 60 0.4 synchronous 1 synchronous_circle
+  row 75 0.4 synchronous 1 synchronous_circle_backward
+  row 90 0.4 synchronous 1 synchronous
 } >motions/map.csv
 draw 0 motions --output out/motions
 for text in 'quasi-periodic oval' 'backward dry whip' '>quasi-periodic<' '>synchronous circle<' 'backward circle' '>synchronous<'; do

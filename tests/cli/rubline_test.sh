@@ -142,8 +142,8 @@ done
 rubplot line drawn --output out 2>stderr || fail 'rubplot line'
 [[ -s out.png ]] || fail 'there is no out.png'
 # Text in the files becomes no command.
-sed -i 's/,subharmonic,/,"; system("touch pwned"); ",/' drawn/line.csv
+sed -i -E 's/,subharmonic_[0-9]+/,"; system("touch pwned"); "/' drawn/line.csv
 reseal drawn/line.csv
-rubplot cascade drawn --output evil >/dev/null 2>&1 && fail 'rubplot cascade drew a class that is none'
-rubplot line drawn --output evil >/dev/null 2>&1 && fail 'rubplot line drew a class that is none'
+rubplot cascade drawn --output evil >/dev/null 2>&1 && fail 'rubplot cascade drew a kind that is none'
+rubplot line drawn --output evil >/dev/null 2>&1 && fail 'rubplot line drew a kind that is none'
 expect_missing pwned

@@ -15,7 +15,7 @@ diff <(rows plain/map.csv) <(rows whole/map.csv | cut -d, -f1-29) || fail 'the s
 # Above a whirl ratio of 1 nothing is kicked.
 one_cell 75 1.1
 expect_exit 0 "${scan[@]}" "${cell[@]}" --output contact
-expect_matches contact/map.csv ',contact,[0-9.e-]+,[0-9.]+,,,,,,,$'
+expect_matches contact/map.csv ',contact,[0-9.e-]+,[0-9.]+,,,subharmonic_2,,,,,$'
 
 # Single runs on both sides of the smallest threshold.
 cells whole/map.csv speed_hz whirl_ratio threshold threshold_motion >found
