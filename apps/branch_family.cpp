@@ -16,7 +16,7 @@ BranchFamily branch_family(const RubbranchArguments& arguments, const config::Ru
   BranchFamily family;
   family.start = cell->value_of(along, {});
   cell->with({{along, family.start}});  // throws where --set may not write this number
-  const branch::ParameterRange range =
+  const branch::orbits::ParameterRange range =
       range_of(along, {arguments.from, arguments.to}, family.start, config.study.grid);
   family.low = range.low;
   family.high = range.high;

@@ -3,14 +3,14 @@
 #include <string>
 
 #include "rubbranch_arguments.hpp"
-#include "rubsweep/branch/scene_orbits.hpp"
+#include "rubsweep/branch/orbits/scene_orbits.hpp"
 #include "rubsweep/config/run_config.hpp"
 
 namespace rubsweep::apps {
 
 /// The scenes of a cell as one parameter changes.
 struct BranchFamily {
-  branch::SceneFamily scenes;
+  branch::orbits::SceneFamily scenes;
   double start = 0;          ///< value of the parameter at the cell
   double low = 0, high = 0;  ///< its range
 };

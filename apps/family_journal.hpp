@@ -7,7 +7,7 @@
 
 #include "rubsweep/batch/file_lock.hpp"
 #include "rubsweep/batch/journal.hpp"
-#include "rubsweep/branch/family_records.hpp"
+#include "rubsweep/branch/families/family_records.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::apps {
@@ -21,7 +21,7 @@ class FamilyJournal {
   /// IoError.
   FamilyJournal(const std::filesystem::path& directory, const sweep::Study& study, bool fresh);
 
-  branch::FamilyRecords& records() { return records_; }
+  branch::families::FamilyRecords& records() { return records_; }
 
   /// Number of records read that an earlier call wrote.
   std::size_t found_before() const { return found_before_; }
@@ -43,7 +43,7 @@ class FamilyJournal {
   std::optional<batch::FileLock> lock_;
   std::mutex mutex_;  ///< guards the journal
   std::optional<batch::Journal> journal_;
-  branch::FamilyRecords records_;
+  branch::families::FamilyRecords records_;
   std::size_t found_before_ = 0;
 };
 

@@ -23,11 +23,11 @@
 #include "rubbranch_arguments.hpp"
 #include "rubbranch_curves.hpp"
 #include "rubbranch_map.hpp"
-#include "rubsweep/branch/branch_csv.hpp"
-#include "rubsweep/branch/closed_orbits.hpp"
-#include "rubsweep/branch/doubling.hpp"
-#include "rubsweep/branch/follow.hpp"
-#include "rubsweep/branch/settled_start.hpp"
+#include "rubsweep/branch/continuation/branch_csv.hpp"
+#include "rubsweep/branch/continuation/doubling.hpp"
+#include "rubsweep/branch/continuation/follow.hpp"
+#include "rubsweep/branch/orbits/closed_orbits.hpp"
+#include "rubsweep/branch/orbits/settled_start.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
@@ -41,10 +41,11 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 5> file_names{"config.yaml", "branch.csv", "events.csv", "curves.csv",
                                                      "meetings.csv"};
 
-branch::OrbitProblem problem_of(const BranchFamily& family, branch::Closing closing, int order,
-                                const sweep::Study& study, response::motion::Workspace& workspace) {
-  branch::OrbitProblem problem =
-      branch::closed_orbits(closing, family.scenes, order, study.solver, workspace.modes);
+branch::orbits::OrbitProblem problem_of(const BranchFamily& family, branch::orbits::Closing closing,
+                                        int order, const sweep::Study& study,
+                                        response::motion::Workspace& workspace) {
+  branch::orbits::OrbitProblem problem =
+      branch::orbits::closed_orbits(closing, family.scenes, order, study.solver, workspace.modes);
   problem.low = family.low;
   problem.high = family.high;
   problem.parameter_scale = family.high - family.low;
@@ -52,22 +53,24 @@ branch::OrbitProblem problem_of(const BranchFamily& family, branch::Closing clos
 }
 
 /// Adds, for every period doubling of a branch, the branch with twice the period where one is found.
-void add_doubled(const BranchFamily& family, branch::Closing closing, const branch::FollowOptions& options,
-                 const sweep::Study& study, response::motion::Workspace& workspace,
-                 std::vector<branch::Branch>& branches) {
-  const branch::Branch single = branches.front();
-  const branch::OrbitProblem problem = problem_of(family, closing, 2 * single.order, study, workspace);
-  for (const branch::BranchEvent& event : single.events) {
-    if (event.kind != branch::EventKind::period_doubling) continue;
-    const auto start = branch::doubled_start(problem, event.point);
+void add_doubled(const BranchFamily& family, branch::orbits::Closing closing,
+                 const branch::continuation::FollowOptions& options, const sweep::Study& study,
+                 response::motion::Workspace& workspace,
+                 std::vector<branch::continuation::Branch>& branches) {
+  const branch::continuation::Branch single = branches.front();
+  const branch::orbits::OrbitProblem problem =
+      problem_of(family, closing, 2 * single.order, study, workspace);
+  for (const branch::continuation::BranchEvent& event : single.events) {
+    if (event.kind != branch::continuation::EventKind::period_doubling) continue;
+    const auto start = branch::continuation::doubled_start(problem, event.point);
     if (!start) {
       say(fmt::format("rubbranch: no orbit of twice the period is found beside the doubling at {:.10g}\n",
                       event.point.parameter));
       continue;
     }
-    branch::HalfBranch half = branch::follow(problem, *start, options);
+    branch::continuation::HalfBranch half = branch::continuation::follow(problem, *start, options);
     branches.push_back({problem.order, std::move(half.points), std::move(half.events),
-                        branch::Ending::period_halving, half.ending});
+                        branch::continuation::Ending::period_halving, half.ending});
   }
 }
 
@@ -96,42 +99,46 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
                                              sweep::unbalance_of(study.grid, arguments.cell.unbalance));
   if (!scene::can_run(cell.start)) return nothing_to_follow("the cell has no motion that could be run");
   response::motion::Workspace workspace;
-  const branch::SettledStart settled = branch::settle_on_orbit(cell, study.solver, study.response, workspace);
+  const branch::orbits::SettledStart settled =
+      branch::orbits::settle_on_orbit(cell, study.solver, study.response, workspace);
   if (!settled.order) {
     return nothing_to_follow(fmt::format("the cell settles on no periodic orbit in contact, its motion is {}",
                                          to_string(settled.motion_class)));
   }
-  const branch::Closing closing = settled.closing;
-  if (plane && closing == branch::Closing::in_the_turning_frame)
+  const branch::orbits::Closing closing = settled.closing;
+  if (plane && closing == branch::orbits::Closing::in_the_turning_frame)
     return nothing_to_follow(
         "--curve: an oval, which closes in the turning frame, has no curves in two parameters");
-  const branch::OrbitProblem problem = problem_of(family, closing, *settled.order, study, workspace);
-  const auto start = branch::orbit_from(problem, settled.state, family.start);
+  const branch::orbits::OrbitProblem problem = problem_of(family, closing, *settled.order, study, workspace);
+  const auto start = branch::continuation::orbit_from(problem, settled.state, family.start);
   if (!start) return nothing_to_follow("Newton's iteration does not find the orbit that the cell settles on");
-  branch::FollowOptions options;
+  branch::continuation::FollowOptions options;
   options.most_points = arguments.most_points;
-  std::vector<branch::Branch> branches{branch::follow_both_ways(problem, *start, options)};
+  std::vector<branch::continuation::Branch> branches{
+      branch::continuation::follow_both_ways(problem, *start, options)};
   if (arguments.switch_at_doublings) add_doubled(family, closing, options, study, workspace, branches);
 
-  std::vector<branch::CurveFrom> curves;
+  std::vector<branch::curves::CurveFrom> curves;
   if (plane)
     curves = curves_of(branches, *plane, {family.low, family.high}, study, arguments.most_points, workspace);
 
-  const std::string comments = branch::branch_comments(arguments.along, branches);
+  const std::string comments = branch::continuation::branch_comments(arguments.along, branches);
   ResultFiles files{{"config.yaml", config::print_config(config)},
-                    {"branch.csv", comments + branch::branch_csv(branches)},
-                    {"events.csv", comments + branch::branch_events_csv(branches)}};
+                    {"branch.csv", comments + branch::continuation::branch_csv(branches)},
+                    {"events.csv", comments + branch::continuation::branch_events_csv(branches)}};
   if (plane) {
-    const std::string curve_comments = branch::curve_comments(arguments.along, arguments.curve, curves);
-    files["curves.csv"] = curve_comments + branch::curves_csv(curves);
-    files["meetings.csv"] = curve_comments + branch::meetings_csv(curves);
+    const std::string curve_comments =
+        branch::curves::curve_comments(arguments.along, arguments.curve, curves);
+    files["curves.csv"] = curve_comments + branch::curves::curves_csv(curves);
+    files["meetings.csv"] = curve_comments + branch::curves::meetings_csv(curves);
   }
   const InterruptsWait whole_set;
   write_result_files(files, file_names, directory,
                      {"rubbranch", config::study_digest(study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) {
-    print("{}{}{}", branch::branch_summary(arguments.along, branches),
-          branch::curves_summary(arguments.along, arguments.curve, curves), files_line(files, directory));
+    print("{}{}{}", branch::continuation::branch_summary(arguments.along, branches),
+          branch::curves::curves_summary(arguments.along, arguments.curve, curves),
+          files_line(files, directory));
   }
   return done;
 }

@@ -18,11 +18,11 @@
 #include "report_file.hpp"
 #include "result_files.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
-#include "rubsweep/branch/attribution.hpp"
-#include "rubsweep/branch/contradiction.hpp"
-#include "rubsweep/branch/families_csv.hpp"
-#include "rubsweep/branch/family.hpp"
-#include "rubsweep/branch/quiet_cells.hpp"
+#include "rubsweep/branch/families/attribution.hpp"
+#include "rubsweep/branch/families/contradiction.hpp"
+#include "rubsweep/branch/families/families_csv.hpp"
+#include "rubsweep/branch/families/family.hpp"
+#include "rubsweep/branch/families/quiet_cells.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
@@ -107,27 +107,28 @@ int run_on_map(const RubbranchArguments& arguments) {
         say(interrupted);
         std::_Exit(128 + caught_signal());
       });
-  const branch::Families families =
-      branch::families_of(study, proven, arguments.threads, stop, journal.records());
+  const branch::families::Families families =
+      branch::families::families_of(study, proven, arguments.threads, stop, journal.records());
   const auto checks =
-      branch::check_labels(study, labels, families, arguments.threads, stop, journal.records());
+      branch::families::check_labels(study, labels, families, arguments.threads, stop, journal.records());
   watch.reset();
   if (stop) {
     say(interrupted);
     return 128 + caught_signal();
   }
-  const auto edges =
-      branch::attribute(study.grid, labels, families.list, branch::quiet_cells(study), quiet_label);
-  write_result_files({{"families.csv", branch::families_csv(study.grid, families.list)},
-                      {"edges.csv", branch::edges_csv(study.grid, labels, edges)},
-                      {"boundaries.csv", branch::boundaries_csv(study.grid, families.list)},
-                      {"contradictions.csv", branch::contradictions_csv(study.grid, labels, checks)}},
-                     family_files, output, {"rubbranch", map.digest, batch::caption_lines(config.captions)});
+  const auto edges = branch::families::attribute(study.grid, labels, families.list,
+                                                 branch::families::quiet_cells(study), quiet_label);
+  write_result_files(
+      {{"families.csv", branch::families::families_csv(study.grid, families.list)},
+       {"edges.csv", branch::families::edges_csv(study.grid, labels, edges)},
+       {"boundaries.csv", branch::families::boundaries_csv(study.grid, families.list)},
+       {"contradictions.csv", branch::families::contradictions_csv(study.grid, labels, checks)}},
+      family_files, output, {"rubbranch", map.digest, batch::caption_lines(config.captions)});
   journal.remove();
   if (!arguments.quiet) {
     print("{}{}files     {}: boundaries.csv contradictions.csv edges.csv families.csv\n",
-          branch::families_summary(study.grid, families, proven.size(), edges),
-          branch::contradictions_summary(checks), output.string());
+          branch::families::families_summary(study.grid, families, proven.size(), edges),
+          branch::families::contradictions_summary(checks), output.string());
   }
   return families.not_followed.empty() ? done : some_cells_failed;
 }

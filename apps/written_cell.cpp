@@ -29,7 +29,8 @@ bool is_of_the_machine(const std::string& key) {
   return std::ranges::find(others, first) == others.end();
 }
 
-branch::ParameterRange usual_range(const std::string& parameter, double start, const sweep::Grid& grid) {
+branch::orbits::ParameterRange usual_range(const std::string& parameter, double start,
+                                           const sweep::Grid& grid) {
   if (is_speed(parameter) || parameter == to_string(grid.measure)) {
     const auto [low, high] = std::ranges::minmax(is_speed(parameter) ? grid.speed_hz : grid.unbalance);
     return {std::min(low, start), std::max(high, start)};
@@ -110,10 +111,10 @@ void require_number(std::string_view option, const std::string& parameter, const
       option, parameter, known ? "is no part of the machine" : "the configuration has no such number"));
 }
 
-branch::ParameterRange range_of(const std::string& parameter, const AskedRange& asked, double start,
-                                const sweep::Grid& grid) {
+branch::orbits::ParameterRange range_of(const std::string& parameter, const AskedRange& asked, double start,
+                                        const sweep::Grid& grid) {
   if (asked.low && asked.high) return {*asked.low, *asked.high};
-  const branch::ParameterRange usual = usual_range(parameter, start, grid);
+  const branch::orbits::ParameterRange usual = usual_range(parameter, start, grid);
   return {asked.low.value_or(usual.low), asked.high.value_or(usual.high)};
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubbranch_arguments.hpp"
-#include "rubsweep/branch/plane_orbits.hpp"
+#include "rubsweep/branch/orbits/plane_orbits.hpp"
 #include "rubsweep/config/run_config.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
@@ -57,7 +57,7 @@ struct AskedRange {
 
 /// Range that was asked for; an end that was not given is that of the sweep or `start` if that lies beyond,
 /// of a key half of `start` or twice that. Throws UsageError where `start` is 0 and says no range.
-branch::ParameterRange range_of(const std::string& parameter, const AskedRange& asked, double start,
-                                const sweep::Grid& grid);
+branch::orbits::ParameterRange range_of(const std::string& parameter, const AskedRange& asked, double start,
+                                        const sweep::Grid& grid);
 
 }  // namespace rubsweep::apps

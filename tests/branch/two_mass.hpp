@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rubsweep/branch/follow.hpp"
-#include "rubsweep/branch/scene_orbits.hpp"
+#include "rubsweep/branch/continuation/follow.hpp"
+#include "rubsweep/branch/orbits/scene_orbits.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::test {

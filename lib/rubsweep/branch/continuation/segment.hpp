@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <utility>
+
+#include "rubsweep/branch/continuation/hermite.hpp"
+
+namespace rubsweep::branch::continuation {
+
+/// Thrown where the curve between two points is not continuous: a point between them is not found, or they
+/// belong to different branches.
+struct NotContinuous {};
+
+/// Piece of a solution curve between two of its points, by the distance s along the tangent of the first.
+/// A problem that is continued says with functions of these names how:
+/// - position_of(problem, point): its coordinates, in which lengths are measured;
+/// - correct_between(problem, guess, from, to): Newton's iteration from a guess between two points, on the
+///   plane across the tangent of `from`;
+/// - completed(problem, correction, direction, arclength): the point that it found, or nothing;
+/// - nearest_image(problem, position, near): a position with its angles, where it has some, next to those
+///   of the point `near`.
+template <class Problem, class Point>
+class Segment {
+ public:
+  Segment(const Problem& problem, const Point& from, const Point& to)
+      : problem_(problem),
+        from_(from),
+        to_(to),
+        begin_(position_of(problem, from)),
+        end_(position_of(problem, to)),
+        length_(from.tangent.dot(end_ - begin_)) {}
+
+  /// Distance of the end; > 0 where `to` lies ahead of `from`.
+  double length() const { return length_; }
+
+  /// The point at 0 <= s <= length(), completed. Empty where Newton's iteration does not find it.
+  std::optional<Point> at(double s) const {
+    if (s <= 0) return from_;
+    if (s >= length_) return to_;
+    const Eigen::VectorXd guess = hermite_guess({begin_, from_.tangent}, {end_, to_.tangent}, length_, s);
+    const auto found = correct_between(problem_, guess, from_, to_);
+    if (!found.converged) return std::nullopt;
+    return completed(problem_, found, from_.tangent,
+                     from_.arclength + s / length_ * (to_.arclength - from_.arclength));
+  }
+
+  /// The same; throws NotContinuous where there is none.
+  Point required_at(double s) const {
+    auto point = at(s);
+    if (!point) throw NotContinuous{};
+    return std::move(*point);
+  }
+
+  /// The point of the segment at `position`, if it passes there.
+  std::optional<Point> through(const Eigen::VectorXd& position) const {
+    constexpr double same = 1e-7;
+    const Eigen::VectorXd wanted = nearest_image(problem_, position, from_);
+    const double ahead = from_.tangent.dot(wanted - begin_);
+    if (ahead < 0 || ahead > length_ || (wanted - begin_).norm() > 1.5 * length_) return std::nullopt;
+    auto there = at(ahead);
+    if (!there || !((position_of(problem_, *there) - wanted).norm() < same)) return std::nullopt;
+    return there;
+  }
+
+ private:
+  const Problem& problem_;
+  const Point &from_, &to_;
+  Eigen::VectorXd begin_, end_;
+  double length_;
+};
+
+/// Whether two points that enclose an event belong to one branch.
+template <class Problem, class Point>
+bool continuous(const Problem& problem, const Point& a, const Point& b) {
+  constexpr double near = 1e-6;
+  return (position_of(problem, a) - position_of(problem, b)).norm() < near;
+}
+
+}  // namespace rubsweep::branch::continuation

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rubsweep::branch::orbits {
+
+/// Eigenvalues of a monodromy matrix, largest modulus first; of a complex pair the one with the positive
+/// imaginary part first.
+Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy);
+
+int count_outside(const Eigen::VectorXcd& multipliers);
+
+/// det(M + 1): changes sign where one multiplier passes -1.
+double doubling_test(const Eigen::VectorXcd& multipliers);
+
+/// det(1 - M): changes sign where one multiplier passes +1.
+double unit_test(const Eigen::VectorXcd& multipliers);
+
+/// Product of (a b - 1) over all pairs a, b of multipliers, the determinant of the bialternate product of the
+/// monodromy matrix with itself minus 1: real, smooth, and zero where a complex pair lies on the unit circle,
+/// but also where two real multipliers have the product 1.
+double torus_test(const Eigen::VectorXcd& multipliers);
+
+/// Whether of all pairs the one whose product is nearest to 1 is a complex one.
+bool nearest_pair_is_complex(const Eigen::VectorXcd& multipliers);
+
+}  // namespace rubsweep::branch::orbits

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "rubsweep/branch/orbits/closed_orbits.hpp"
+#include "rubsweep/integrate/run/options.hpp"
+#include "rubsweep/response/motion/motion_class.hpp"
+#include "rubsweep/response/motion/options.hpp"
+#include "rubsweep/response/motion/workspace.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::branch::orbits {
+
+/// Motion that a cell settles on when it is run from its kick.
+struct SettledStart {
+  response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
+  std::optional<int> order;  ///< order of the closed orbit, in contact; empty: there is none to follow
+  Closing closing = Closing::with_the_shaft;
+  Eigen::VectorXd state;  ///< near the orbit, as its closed_orbits() have it
+};
+
+/// Runs the cell until its motion is known: a periodic one, or an oval of a rotationally symmetric scene.
+/// `cell` can run.
+SettledStart settle_on_orbit(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
+                             const response::motion::ResponseOptions& options,
+                             response::motion::Workspace& workspace);
+
+}  // namespace rubsweep::branch::orbits

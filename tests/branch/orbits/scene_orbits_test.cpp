@@ -1,0 +1,131 @@
+#include "rubsweep/branch/orbits/scene_orbits.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "rubsweep/branch/continuation/follow.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
+#include "rubsweep/numerics/eigenvalues.hpp"
+#include "support/annular_scene.hpp"
+
+namespace rubsweep::branch::orbits {
+namespace {
+
+constexpr double zeta = 0.05, stiffness = 4, unbalance = 0.3;
+
+/// Full annular rub without friction: ((1 + b - W^2) r - b)^2 + (2 zeta W r)^2 = (e W^2)^2 is a quadratic
+/// equation for W^2 at each radius r. This is its larger root; empty where there is none.
+std::optional<double> speed_at(double r, bool larger) {
+  const double spring = (1 + stiffness) * r - stiffness;
+  const double a = r * r - unbalance * unbalance, half_b = -r * spring + 2 * zeta * zeta * r * r,
+               c = spring * spring;
+  const double discriminant = half_b * half_b - a * c;
+  if (discriminant < 0) return std::nullopt;
+  return std::sqrt((-half_b + (larger ? 1 : -1) * std::sqrt(discriminant)) / a);
+}
+
+/// Largest multiplier over one turn of the circle of radius r: of the motion in the frame that turns with the
+/// shaft, written out by hand for small changes along the radius and across it.
+double modulus_at(double r, double w) {
+  Eigen::Matrix4d a;
+  a << 0, 0, 1, 0,  //
+      0, 0, 0, 1,   //
+      -(1 - w * w + stiffness), 2 * zeta * w, -2 * zeta, 2 * w, -2 * zeta * w,
+      -(1 - w * w + stiffness * (1 - 1 / r)), -2 * w, -2 * zeta;
+  return std::exp(2 * std::numbers::pi / w * numerics::eigenvalues(a).real().maxCoeff());
+}
+
+TEST(SceneOrbits, FullAnnularRubWithItsFoldAndItsStability) {
+  integrate::exact::ModeCache modes;
+  OrbitProblem problem = scene_orbits(
+      [](double speed) -> std::optional<scene::Scene> {
+        return test::annular_scene(1, zeta, speed, unbalance, 0, stiffness, 0);
+      },
+      1, {}, modes);
+  problem.low = 1;
+  problem.high = 4;
+  // A circle to start from, in closed form.
+  const double radius = 1.3, speed = speed_at(radius, false).value();
+  const std::complex<double> needed((1 + stiffness - speed * speed) * radius - stiffness,
+                                    2 * zeta * speed * radius);
+  scene::Scene scene = test::annular_scene(1, zeta, speed, unbalance, 0, stiffness, 0);
+  const std::complex<double> z = radius * std::polar(1.0, -std::arg(needed));
+  test::start_at(scene, z, std::complex<double>(0, speed) * z);
+  const auto section = integrate::run::scaled_initial_state(scene);
+  const auto start =
+      continuation::orbit_from(problem, Eigen::Map<const Eigen::VectorXd>(section.data(), 4), speed);
+  ASSERT_TRUE(start);
+  EXPECT_NEAR(start->facts.amplitude_m, radius, 1e-9);
+  const continuation::Branch branch = continuation::follow_both_ways(problem, *start, {});
+
+  // Along the whole branch.
+  double largest_radius = 0;
+  for (const continuation::BranchPoint& point : branch.points) {
+    if (!point.facts.touched) continue;
+    const double r = point.facts.amplitude_m;
+    largest_radius = std::max(largest_radius, r);
+    const double slow = speed_at(r, false).value_or(0), fast = speed_at(r, true).value_or(0);
+    EXPECT_LT(std::min(std::abs(point.parameter - slow), std::abs(point.parameter - fast)), 1e-7) << r;
+    EXPECT_NEAR(std::abs(point.multipliers(0)), modulus_at(r, point.parameter), 1e-6) << r;
+  }
+
+  // The fold is where the larger root has its maximum or the smaller one, over the radius.
+  const auto [turn, negative] = boost::math::tools::brent_find_minima(
+      [](double r) { return -speed_at(r, true).value_or(0); }, 1.0001, largest_radius, 50);
+  int folds = 0;
+  for (const continuation::BranchEvent& event : branch.events) {
+    if (event.kind != continuation::EventKind::fold || event.point.facts.amplitude_m < 1.001) continue;
+    ++folds;
+    EXPECT_NEAR(event.point.parameter, -negative, 1e-9) << turn;
+  }
+  EXPECT_EQ(folds, 1);
+}
+
+/// The rotor in a frictionless elastic ring of Zilli, Battelino and Rosero and of Shaw, Champneys and
+/// Friswell, with gyroscopic term: z'' + (2 zeta - i J W) z' + z + beta (r - 1)(z / r) = m eps W^2 e^{i W t}
+/// where r > 1. Its quiet circle comes to touch at W = 1.36128 on the upper side of the resonance, by AUTO
+/// and in closed form. It touches all along, where the map has no derivative and the branch turns back in a
+/// corner: it ends there.
+TEST(SceneOrbits, GyroscopicRotorInARingEndsWhereItTouchesAllAlong) {
+  constexpr double damping = 0.01, polar = 0.143, drive = 0.9 * 0.353, beta = 10;
+  integrate::exact::ModeCache modes;
+  OrbitProblem problem = scene_orbits(
+      [](double speed) -> std::optional<scene::Scene> {
+        scene::Scene scene = test::annular_scene(1, damping, speed, drive, 0, beta, 0);
+        scene.structure.damping(0, 1) = polar * speed;
+        scene.structure.damping(1, 0) = -polar * speed;
+        return scene;
+      },
+      1, {}, modes);
+  problem.low = 1.2;
+  problem.high = 3;
+  const auto start = continuation::orbit_from(problem, Eigen::VectorXd::Zero(4), 2.5);
+  ASSERT_TRUE(start);
+  const continuation::HalfBranch half = continuation::follow(problem, turned_about(*start), {});
+  const continuation::BranchPoint& last = half.points.back();
+  EXPECT_EQ(half.ending, continuation::Ending::step_too_small);
+  const double w = last.parameter;
+  EXPECT_NEAR(w, 1.36128, 5e-6);
+  EXPECT_NEAR(std::hypot(1 - w * w * (1 - polar), 2 * damping * w), drive * w * w, 1e-7);
+  EXPECT_FALSE(half.points[half.points.size() / 2].facts.touched);
+}
+
+TEST(SceneOrbits, ImpulsesThatDifferFromTurnToTurnHaveNoOrbits) {
+  integrate::exact::ModeCache modes;
+  const OrbitProblem problem = scene_orbits(
+      [](double speed) -> std::optional<scene::Scene> {
+        scene::Scene scene = test::annular_scene(1, zeta, speed, unbalance, 0, stiffness, 0);
+        scene.impulses.push_back({Eigen::Vector2d(0.1, 0), 0.37, 0});
+        return scene;
+      },
+      1, {}, modes);
+  EXPECT_THROW(continuation::orbit_from(problem, Eigen::VectorXd::Zero(4), 1.2), ConfigError);
+}
+
+}  // namespace
+}  // namespace rubsweep::branch::orbits

@@ -1,0 +1,68 @@
+#include "rubsweep/branch/orbits/settled_start.hpp"
+
+#include <gtest/gtest.h>
+
+#include "response/annular_cell.hpp"
+#include "rubsweep/branch/continuation/follow.hpp"
+#include "rubsweep/branch/orbits/scene_orbits.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::branch::orbits {
+namespace {
+
+/// A cell of the reference machine that settles on every second turn, and the branch of that orbit: closed,
+/// stable between its folds on one side. The folds by a map of 4000 cells along the line lie in the same
+/// intervals.
+TEST(SettledStart, AHalfOrbitAndItsClosedBranch) {
+  response::motion::Workspace workspace;
+  test::OneSideRotor rotor;
+  const scene::Cell cell = test::cell_of(rotor);
+  const SettledStart settled = settle_on_orbit(cell, {}, {}, workspace);
+  ASSERT_EQ(settled.order, 2);
+  OrbitProblem problem = scene_orbits(
+      [rotor](double speed_hz) -> std::optional<scene::Scene> {
+        test::OneSideRotor at = rotor;
+        at.speed_hz = speed_hz;
+        return test::cell_of(at).scene;
+      },
+      2, {}, workspace.modes);
+  problem.low = 45;
+  problem.high = 240;
+  problem.parameter_scale = 195;
+  const auto start = continuation::orbit_from(problem, settled.state, rotor.speed_hz);
+  ASSERT_TRUE(start);
+  EXPECT_TRUE(start->stable());
+  const continuation::Branch branch = continuation::follow_both_ways(problem, *start, {});
+  EXPECT_EQ(branch.rising, continuation::Ending::closed);
+  ASSERT_EQ(branch.events.size(), 2u);
+  for (const continuation::BranchEvent& event : branch.events) {
+    EXPECT_EQ(event.kind, continuation::EventKind::fold);
+    EXPECT_LT(event.parameter_error, 1e-10 * event.point.parameter);
+    EXPECT_NEAR(std::abs(event.point.multipliers(0)), 1, 1e-4);
+  }
+}
+
+/// Both ways in which an orbit closes.
+TEST(SettledStart, ACircleAndAnOvalInAnAnnulus) {
+  response::motion::Workspace workspace;
+  const SettledStart circle = settle_on_orbit(response::testing::annular_cell(80, 0.6), {}, {}, workspace);
+  EXPECT_EQ(circle.order, 1);
+  EXPECT_EQ(circle.closing, Closing::with_the_shaft);
+  EXPECT_EQ(circle.state.size(), 8);
+  const SettledStart oval = settle_on_orbit(response::testing::annular_cell(165, 0.6), {}, {}, workspace);
+  EXPECT_EQ(oval.order, 1);
+  EXPECT_EQ(oval.closing, Closing::in_the_turning_frame);
+  EXPECT_EQ(oval.state.size(), 9) << "with its time";
+}
+
+TEST(SettledStart, ARotorThatComesToRestHasNoOrbit) {
+  response::motion::Workspace workspace;
+  test::OneSideRotor rotor;
+  rotor.kick_n = 1;
+  const SettledStart settled = settle_on_orbit(test::cell_of(rotor), {}, {}, workspace);
+  EXPECT_FALSE(settled.order);
+  EXPECT_EQ(settled.motion_class, response::motion::MotionClass::non_contact);
+}
+
+}  // namespace
+}  // namespace rubsweep::branch::orbits
