@@ -82,8 +82,7 @@ class CurveTask {
 
   static void prepare(CurvePoint& /*next*/) {}
 
-  std::optional<std::vector<Meeting>> continuation::events_between(const CurvePoint& from,
-                                                                   const CurvePoint& to) const {
+  std::optional<std::vector<Meeting>> events_between(const CurvePoint& from, const CurvePoint& to) const {
     return meetings_between(system_, from, to);
   }
 

@@ -31,7 +31,7 @@ class Tracer {
     for (const bool open : {true, false}) {
       for (std::size_t i = 0; i < sides_.size(); ++i) {
         if (used_.contains(i) || sides_[i].end == nullptr) continue;
-        if (!open || comes_from_the_edge_of_the_map(i)) continuation::follow(i);
+        if (!open || comes_from_the_edge_of_the_map(i)) follow(i);
       }
     }
     return std::move(lines_);
@@ -84,7 +84,7 @@ class Tracer {
     return ax * by - ay * bx > 0;
   }
 
-  void continuation::follow(std::size_t first) {
+  void follow(std::size_t first) {
     std::optional<std::size_t> side = first;
     OutlineLine line;
     while (side && !used_.contains(*side) && sides_[*side].end != nullptr) {
