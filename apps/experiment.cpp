@@ -15,8 +15,8 @@
 #include "premises.hpp"
 #include "program.hpp"
 #include "result_directory.hpp"
-#include "result_files.hpp"
 #include "rubsweep/batch/axis.hpp"
+#include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/identify/campbell.hpp"
@@ -43,7 +43,7 @@ constexpr int ramp_samples = 128;
 
 /// Files of an experiment but its configuration, and its result for a terminal.
 struct Outcome {
-  ResultFiles files;
+  batch::ResultFiles files;
   std::string summary;
   integrate::run::Outcome run = integrate::run::Outcome::ok;  ///< of a run-up with stops
 };
@@ -152,12 +152,12 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
   std::erase_if(files, [](const auto& file) { return file.second.empty(); });
   {
     const InterruptsWait whole_set;
-    write_result_files(
+    batch::write_result_files(
         files, file_names, directory,
         {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
     end_on_interrupts("the files are written, no figure is");
   }
-  if (!arguments.quiet) print("{}{}", summary, files_line(files, directory));
+  if (!arguments.quiet) print("{}{}", summary, batch::files_line(files, directory));
   if (arguments.figure) {
     const auto [picture, heading] = drawing_of(arguments);
     arguments.figure->draw(picture, directory, heading);

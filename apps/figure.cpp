@@ -10,6 +10,7 @@
 #include "child_process.hpp"
 #include "interrupt.hpp"
 #include "program.hpp"
+#include "rubsweep/batch/directory.hpp"
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
@@ -86,7 +87,7 @@ void Figure::draw(const std::string& picture, const fs::path& input, const std::
   command.insert(command.end(), options.begin(), options.end());
   command.insert(command.end(), {"--", input});
   if (!run_child(std::move(command))) throw IoError(fmt::format("{}: could not be drawn", file_.string()));
-  if (file_.has_parent_path()) make_directory(file_.parent_path());
+  if (file_.has_parent_path()) batch::make_directory(file_.parent_path());
   batch::write_whole_file(file_, batch::read_input(output));
 }
 

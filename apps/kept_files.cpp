@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "result_files.hpp"
+#include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
@@ -52,7 +52,7 @@ void keep_run_configuration(const fs::path& file, const fs::path& directory) {
 }
 
 fs::path results_directory(const StudyArguments& arguments, const fs::path& of_map, std::string_view ending) {
-  fs::path directory = arguments.output.value_or(directory_beside(of_map, ending));
+  fs::path directory = arguments.output.value_or(batch::directory_beside(of_map, ending));
   keep_run_configuration(arguments.config, directory);
   if (holds_a_map(directory)) {
     throw ConfigError(

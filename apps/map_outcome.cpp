@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "exit_code.hpp"
-#include "finished_map.hpp"
 #include "program.hpp"
 #include "report_file.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/map/finished_map.hpp"
 #include "rubsweep/page/report_page.hpp"
 #include "terminal_map.hpp"
 #include "writable.hpp"
@@ -33,7 +33,8 @@ void refuse_what_cannot_be_shown(const RubsweepArguments& arguments, const sweep
 }
 
 int report_map(std::string_view program, const RubsweepArguments& arguments,
-               const report::MapSummary& summary, const config::RunConfig& config, MapDirectory& directory) {
+               const report::MapSummary& summary, const config::RunConfig& config,
+               map::MapDirectory& directory) {
   const sweep::Study& study = config.study;
   const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
   const TerminalView view =
@@ -42,7 +43,7 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
     std::fputs(view.map.c_str(), stdout);  // with its colours
     print("{}map: {}\n", summary.text(), directory.map().string());
   }
-  if (!arguments.quiet) warn(program, summary);
+  if (!arguments.quiet) map::warn(program, summary);
   if (arguments.figure) {
     arguments.figure->draw("map", directory.map(),
                            study.machine.kick ? "Rub domains after a kick" : "Rub domains",

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "map_directory.hpp"
 #include "rubsweep/config/run_config.hpp"
+#include "rubsweep/map/map_directory.hpp"
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/sweep/study.hpp"
 #include "rubsweep_arguments.hpp"
@@ -14,7 +14,8 @@ namespace rubsweep::apps {
 /// Reports the whole map in `directory`, with the picture and the page that the arguments ask for, whoever
 /// computed it, and returns the exit code. `program` is who reports. Throws IoError.
 int report_map(std::string_view program, const RubsweepArguments& arguments,
-               const report::MapSummary& summary, const config::RunConfig& config, MapDirectory& directory);
+               const report::MapSummary& summary, const config::RunConfig& config,
+               map::MapDirectory& directory);
 
 /// Throws ConfigError, before anything is computed, where the map will lack the column that a picture fades
 /// by.

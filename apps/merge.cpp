@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <set>
 #include <string>
 #include <vector>
 
-#include "refined_cells.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/map/unfinished_cells.hpp"
 #include "shell_word.hpp"
 
 namespace rubsweep::apps {
@@ -27,28 +26,21 @@ std::string command_of(const RubsweepArguments& arguments, std::string_view more
 }
 
 void refuse_to_merge_too_early(const RubsweepArguments& arguments, const config::RunConfig& config,
-                               const MapDirectory& directory) {
-  std::vector<std::size_t> wanted = directory.missing();
+                               const map::MapDirectory& directory) {
+  const map::UnfinishedCells unfinished = map::unfinished_cells(directory, config.study.grid);
+  if (unfinished.cells.empty()) return;
   const bool refined = config.study.grid.refinement.has_value();
-  if (refined) {
-    RefinedCells known(config.study.grid);
-    known.read(directory);
-    wanted = known.wanted();
-  }
-  if (wanted.empty()) return;
+  const std::size_t wanted = unfinished.cells.size(), count = unfinished.shard_count;
   std::string text =
-      refined ? fmt::format("nothing to merge yet: the refined map wants {} cells more", wanted.size())
-              : fmt::format("nothing to merge yet: {} of {} cells are not finished", wanted.size(),
-                            directory.cells());
-  const std::size_t count = directory.shards_begun();
+      refined
+          ? fmt::format("nothing to merge yet: the refined map wants {} cells more", wanted)
+          : fmt::format("nothing to merge yet: {} of {} cells are not finished", wanted, directory.cells());
   if (count == 0) {
     throw IoError(fmt::format("{}, and no shard was begun, allowed: first\n  {}", text,
                               command_of(arguments, "--shard I/N")));
   }
-  std::set<std::size_t> shards;
-  for (const std::size_t cell : wanted) shards.insert(directory.share_in(cell, count) + 1);
   std::vector<std::string> names;
-  for (const std::size_t shard : shards) names.push_back(fmt::format("{}/{}", shard, count));
+  for (const std::size_t shard : unfinished.shards) names.push_back(fmt::format("{}/{}", shard, count));
   text += fmt::format(", {} shard{} {}, allowed: first{}", refined ? "of" : "those of",
                       names.size() == 1 ? "" : "s", fmt::join(names, ", "),
                       refined ? " (begun at the same time they wait for each other)" : "");

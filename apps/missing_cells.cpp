@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <thread>
@@ -15,8 +14,8 @@
 #include "interrupt.hpp"
 #include "premises.hpp"
 #include "program.hpp"
-#include "refined_cells.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/map/refined_cells.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/describe_modes.hpp"
 #include "rubsweep/report/map_csv.hpp"
@@ -38,20 +37,17 @@ constexpr std::chrono::seconds beginners_patience{5};
 
 }  // namespace
 
-MissingCells::MissingCells(const SweepRun& how, const sweep::Study& study, MapDirectory& directory)
+MissingCells::MissingCells(const SweepRun& how, const sweep::Study& study, map::MapDirectory& directory)
     : how_(how),
       study_(study),
       directory_(directory),
       stop_(catch_interrupts()),
-      journal_(directory.journal()),
-      partial_(directory.partial()),
-      progress_(directory.cells(), how.quiet ? batch::ProgressMode::never : how.progress, stderr,
-                directory.finished()) {}
+      log_(directory, how.quiet ? batch::ProgressMode::never : how.progress) {}
 
 /// Computes round after round of the cells that the refinement of those before needs. Shards at work at the
 /// same time wait for each other's.
 bool MissingCells::run_refined() {
-  RefinedCells known(study_.grid);
+  map::RefinedCells known(study_.grid);
   std::optional<Watch> watch(
       std::in_place, [this] { refresh(); }, [this] { leave(); });
   bool alone = false;
@@ -83,7 +79,7 @@ bool MissingCells::run_refined() {
     say_interrupted();
     return false;
   }
-  progress_.finish();
+  log_.progress().finish();
   if (!how_.quiet && left_to_others_ == 0) say(known.description());
   return true;
 }
@@ -96,7 +92,7 @@ bool MissingCells::run() {
                           sweep::why_walls_stay_untouched(study_, prepared)}) {
     if (why.empty()) continue;
     why.pop_back();
-    progress_.say(why);
+    log_.progress().say(why);
   }
   const int threads = batch::thread_count(how_.threads);
   std::vector<std::size_t> cells = directory_.missing();
@@ -130,21 +126,17 @@ void MissingCells::run_cells(std::span<const std::size_t> cells) {
 void MissingCells::write_down(std::size_t cell, const sweep::Row& row) {
   const std::string line = report::map_line(row, study_);
   const std::lock_guard lock(mutex_);
-  journal_.append(cell, line);
-  partial_.append(directory_.in_map(line));
-  progress_.advance();
-  ++finished_;
+  log_.add(cell, line);
 }
 
 bool MissingCells::say_progress(const std::string& text) {
   const std::lock_guard lock(mutex_);
-  return progress_.say(text);
+  return log_.progress().say(text);
 }
 
 void MissingCells::refresh() {
   const std::lock_guard lock(mutex_);
-  progress_.refresh();
-  journal_.refresh();
+  log_.refresh();
 }
 
 /// Nothing can get into the journal any more once the mutex is held.
@@ -157,14 +149,12 @@ void MissingCells::leave() {
 }
 
 void MissingCells::say_interrupted() {
-  journal_.sync();
-  progress_.finish();
-  say(fmt::format("{}: interrupted; {} of {} cells are finished, the same command computes the others\n",
-                  how_.program, directory_.finished() + finished_, directory_.cells()));
+  log_.close();
+  say(map::interrupted_map(how_.program, directory_, log_.finished()));
 }
 
 std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const sweep::Study& study,
-                                                 MapDirectory& directory) {
+                                                 map::MapDirectory& directory) {
   if (!how.quiet && directory.finished() > 0) {
     say(fmt::format("{}: {} of {} cells were finished before\n", how.program, directory.finished(),
                     directory.cells()));

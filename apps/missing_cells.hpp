@@ -7,10 +7,9 @@
 #include <span>
 #include <string>
 
-#include "map_directory.hpp"
-#include "rubsweep/batch/journal.hpp"
-#include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/progress.hpp"
+#include "rubsweep/map/cell_log.hpp"
+#include "rubsweep/map/map_directory.hpp"
 #include "rubsweep/sweep/row.hpp"
 #include "rubsweep/sweep/study.hpp"
 
@@ -28,7 +27,7 @@ struct SweepRun {
 class MissingCells {
  public:
   /// All three must outlive it. Opens journal and partial map; throws IoError.
-  MissingCells(const SweepRun& how, const sweep::Study& study, MapDirectory& directory);
+  MissingCells(const SweepRun& how, const sweep::Study& study, map::MapDirectory& directory);
 
   /// False when a signal came before all were finished. Cells that still run half a second after it are given
   /// up: nothing of them is in the journal, and the process ends without them.
@@ -39,7 +38,7 @@ class MissingCells {
   std::size_t left_to_others() const { return left_to_others_; }
 
  private:
-  bool all_finished() const { return finished_ == directory_.missing().size(); }
+  bool all_finished() const { return log_.finished() == directory_.missing().size(); }
   bool run_refined();
   void run_cells(std::span<const std::size_t> cells);
   void write_down(std::size_t cell, const sweep::Row& row);
@@ -50,13 +49,10 @@ class MissingCells {
 
   const SweepRun& how_;
   const sweep::Study& study_;
-  MapDirectory& directory_;
+  map::MapDirectory& directory_;
   const std::atomic<bool>& stop_;
   std::mutex mutex_;  ///< guards all that follows
-  batch::Journal journal_;
-  batch::LineLog partial_;
-  batch::Progress progress_;
-  std::size_t finished_ = 0;
+  map::CellLog log_;
   bool complete_ = false;  ///< a refined map wants no more cells
   std::size_t left_to_others_ = 0;
 };
@@ -64,6 +60,6 @@ class MissingCells {
 /// Prints how many cells were finished before, and computes the others. Empty when a signal came, else
 /// MissingCells::left_to_others.
 std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const sweep::Study& study,
-                                                 MapDirectory& directory);
+                                                 map::MapDirectory& directory);
 
 }  // namespace rubsweep::apps

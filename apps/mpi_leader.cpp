@@ -19,31 +19,22 @@
 
 namespace rubsweep::apps {
 
-std::string interrupted_map(const MapDirectory& directory, std::size_t finished) {
-  return fmt::format("{}: interrupted; {} of {} cells are finished, the same command computes the others\n",
-                     mpi_program_name, directory.finished() + finished, directory.cells());
-}
-
 MpiLeader::MpiLeader(MapJob& job, int ranks)
     : job_(job),
       chunks_(job.directory->missing(), static_cast<std::size_t>(ranks)),
       complete_(!job.config.study.grid.refinement),
-      journal_(job.directory->journal()),
-      partial_(job.directory->partial()),
-      progress_(job.directory->cells(),
-                job.arguments.quiet ? batch::ProgressMode::never : job.arguments.progress, stderr,
-                job.directory->finished()) {
+      log_(*job.directory, job.arguments.quiet ? batch::ProgressMode::never : job.arguments.progress) {
   const int threads = batch::thread_count(job.arguments.threads);
   if (!complete_) {
     refined_.emplace(job.config.study.grid);
     refined_->read(*job.directory);
     chunks_.refill(refined_->wanted());
-    progress_.say(report::describe_footprint(job.config.study, {threads, ranks}));
+    log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks}));
     return;
   }
   const std::size_t cells = job.directory->missing().size();
   // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
-  if (progress_.say(report::describe_footprint(job.config.study, {threads, ranks})))
+  if (log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks})))
     pilots_ = pilot_count(cells, static_cast<std::size_t>(threads * ranks));
 }
 
@@ -66,8 +57,7 @@ std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
       workers -= begin_round(workers);
       if (ended_ && ChunkClock::now() - *ended_ >= grace) leave();
       const std::lock_guard lock(mutex_);
-      progress_.refresh();
-      journal_.refresh();
+      log_.refresh();
     }
   } catch (...) {
     give_up();  // or the destructor would wait for all cells
@@ -75,8 +65,8 @@ std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
   }
   own.join();
   if (failure) std::rethrow_exception(failure);
-  progress_.finish();
-  return finished_;
+  log_.progress().finish();
+  return log_.finished();
 }
 
 void MpiLeader::end(int signal) {
@@ -132,9 +122,8 @@ batch::Chunk MpiLeader::own_chunk() {
 
 void MpiLeader::leave() {
   const std::lock_guard lock(mutex_);
-  progress_.finish();
-  journal_.sync();
-  say(interrupted_map(*job_.directory, finished_));
+  log_.close();
+  say(map::interrupted_map(mpi_program_name, *job_.directory, log_.finished()));
   job_.directory->leave();
   mpi::abort(128 + signal_);
 }
@@ -144,7 +133,10 @@ bool MpiLeader::serve() {
   if (!report) return false;
   {
     const std::lock_guard lock(mutex_);
-    for (const mpi::FinishedCell& finished : report->finished) keep(finished.cell, finished.line);
+    for (const mpi::FinishedCell& finished : report->finished) {
+      log_.add_of_other_process(finished.line);
+      note(finished.cell, finished.line);
+    }
   }
   if (report->signal != 0) end(report->signal);
   if (report->signal != 0) return true;
@@ -159,22 +151,21 @@ void MpiLeader::compute() {
         [&](std::size_t cell, const sweep::Row& row) {
           const std::string line = report::map_line(row, job_.config.study);
           const std::lock_guard lock(mutex_);
-          journal_.append(cell, line);
-          keep(cell, line);
+          log_.add(cell, line);
+          note(cell, line);
         },
         ending_);
   }
 }
 
-void MpiLeader::keep(std::size_t cell, const std::string& line) {
-  partial_.append(job_.directory->in_map(line));
+void MpiLeader::note(std::size_t cell, const std::string& line) {
   if (refined_) refined_->add(cell, line);
-  ++finished_;
-  progress_.advance();
-  if (pilots_ == 0 || finished_ < pilots_) return;
+  const std::size_t finished = log_.finished();
+  if (pilots_ == 0 || finished < pilots_) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  const std::size_t left = job_.directory->missing().size() - finished_;
-  if (const std::string text = forecast(finished_, elapsed.count(), left); !text.empty()) progress_.say(text);
+  const std::size_t left = job_.directory->missing().size() - finished;
+  if (const std::string text = forecast(finished, elapsed.count(), left); !text.empty())
+    log_.progress().say(text);
   pilots_ = 0;
 }
 

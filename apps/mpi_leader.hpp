@@ -9,13 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "map_directory.hpp"
-#include "refined_cells.hpp"
 #include "rubsweep/batch/chunk_queue.hpp"
-#include "rubsweep/batch/journal.hpp"
-#include "rubsweep/batch/line_log.hpp"
-#include "rubsweep/batch/progress.hpp"
 #include "rubsweep/config/run_config.hpp"
+#include "rubsweep/map/cell_log.hpp"
+#include "rubsweep/map/map_directory.hpp"
+#include "rubsweep/map/refined_cells.hpp"
 #include "rubsweep_arguments.hpp"
 
 namespace rubsweep::apps {
@@ -26,11 +24,8 @@ inline constexpr std::string_view mpi_program_name = "rubsweep-mpi";
 struct MapJob {
   RubsweepArguments arguments;
   config::RunConfig config;
-  std::optional<MapDirectory> directory;
+  std::optional<map::MapDirectory> directory;
 };
-
-/// Message of a run that ended early, `finished` being the cells that it finished itself.
-std::string interrupted_map(const MapDirectory& directory, std::size_t finished);
 
 /// The first rank: deals out chunks to all ranks, itself included, and shows progress. A refined map is
 /// computed in rounds: the cells of the next are known when all of the present one are finished.
@@ -75,8 +70,8 @@ class MpiLeader {
 
   void compute();
 
-  /// To be called with the mutex held.
-  void keep(std::size_t cell, const std::string& line);
+  /// Tells the refined map and the forecast of a cell that is in the log. To be called with the mutex held.
+  void note(std::size_t cell, const std::string& line);
 
   MapJob& job_;
   batch::ChunkQueue chunks_;
@@ -87,13 +82,10 @@ class MpiLeader {
   std::atomic<bool> ending_ = false;  ///< no new cell starts
   std::mutex mutex_;                  ///< guards the journal and what follows
   std::condition_variable next_round_;
-  std::optional<RefinedCells> refined_;
+  std::optional<map::RefinedCells> refined_;
   bool own_waits_ = false;    ///< this rank has nothing to do before the next round
   std::vector<int> waiting_;  ///< nor have these
-  batch::Journal journal_;
-  batch::LineLog partial_;
-  batch::Progress progress_;
-  std::size_t finished_ = 0;
+  map::CellLog log_;
   std::size_t pilots_ = 0;  ///< finished cells that a forecast wants; 0: none, or no longer
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -14,7 +14,6 @@
 
 #include "exit_code.hpp"
 #include "interrupt.hpp"
-#include "rubsweep/batch/directory.hpp"
 #include "rubsweep/config/terminal_text.hpp"
 #include "rubsweep/error.hpp"
 
@@ -46,8 +45,6 @@ void flush_stdout() {
 }
 
 }  // namespace
-
-void say(const std::string& text) { std::fputs(config::printable(text).c_str(), stderr); }
 
 void print_text(const std::string& text) {
   const std::string shown = config::printable(text);
@@ -121,7 +118,5 @@ int run_program(std::string_view name, const std::function<int()>& body) {
     return software_fault;
   }
 }
-
-void make_directory(const std::filesystem::path& directory) { batch::make_directory(directory); }
 
 }  // namespace rubsweep::apps

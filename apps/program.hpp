@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "rubsweep/config/terminal_text.hpp"
 
 namespace rubsweep::apps {
 
@@ -22,11 +23,9 @@ class UsageError : public std::runtime_error {
 /// end_on_interrupts says.
 int run_program(std::string_view name, const std::function<int()>& body);
 
-/// Prints on stderr, control characters as \xNN: text from files and names moves no cursor. A message that
-/// cannot be delivered changes nothing else.
-void say(const std::string& text);
+using config::say;
 
-/// The same on stdout.
+/// The same as say, on stdout.
 void print_text(const std::string& text);
 template <typename... Arguments>
 void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
@@ -40,8 +39,5 @@ void ask(std::string_view program, const std::vector<std::string>& questions, bo
 /// and with them the printed text. Such an output still reports that it cannot be written. The first thing a
 /// program does; run_program does it as well.
 void open_standard_descriptors();
-
-/// Creates a directory and those above it where they are missing. Throws IoError.
-void make_directory(const std::filesystem::path& directory);
 
 }  // namespace rubsweep::apps

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "exit_code.hpp"
-#include "finished_map.hpp"
 #include "interrupt.hpp"
 #include "program.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
@@ -17,6 +16,7 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/map/finished_map.hpp"
 #include "rubsweep/report/map_cells.hpp"
 
 namespace rubsweep::apps {
@@ -31,7 +31,7 @@ std::string interrupted(std::string_view program) {
 }  // namespace
 
 page::MapTable read_map_of(const sweep::Study& study, const fs::path& path, std::string_view program) {
-  require_whole_table(program, path);
+  map::require_whole_table(program, path);
   const batch::CsvReader file(path);
   const std::string digest = config::study_digest(study), there = report::comment_after(file, "digest ");
   file.column("class");

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "program.hpp"
+#include "rubsweep/batch/directory.hpp"
 #include "writable.hpp"
 
 namespace rubsweep::apps {
@@ -29,7 +29,7 @@ ResultDirectory::ResultDirectory(const fs::path& directory, std::span<const std:
   for (; !fs::exists(missing, none) && missing.has_relative_path(); missing = missing.parent_path())
     made_directories.push_back(missing.string());
   made = true;
-  make_directory(directory);
+  batch::make_directory(directory);
   for (const std::string_view name : names) require_writable(directory / name, false);
 }
 

@@ -11,16 +11,16 @@
 #include "kept_files.hpp"
 #include "program.hpp"
 #include "result_directory.hpp"
-#include "result_files.hpp"
 #include "ringstab_arguments.hpp"
 #include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/progress.hpp"
+#include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/ring/print_ring_config.hpp"
 #include "rubsweep/config/ring/read_ring_config.hpp"
 #include "rubsweep/ring/ring_chart_csv.hpp"
 #include "rubsweep/ring/ring_csv.hpp"
 #include "rubsweep/ring/ring_summary.hpp"
-#include "verified_directory.hpp"
+#include "verdict.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -35,13 +35,13 @@ constexpr std::array<std::string_view, 7> file_names{"config.yaml",         "eig
                                                      "chart_onsets.csv"};
 
 /// Computes the chart and adds its files; false when a signal came first.
-bool chart(const RingstabArguments& arguments, const ring::Study& study, const ResultSource& source,
-           const fs::path& directory, ResultFiles& files, Lines& lines) {
+bool chart(const RingstabArguments& arguments, const ring::Study& study, const batch::ResultSource& source,
+           const fs::path& directory, batch::ResultFiles& files, Lines& lines) {
   const std::string comments = ring::ring_comments();
   const fs::path partial = directory / "chart.partial.csv";
   fs::remove(partial);
   batch::LineLog finished(partial);
-  finished.append(growing_table_head(source) + comments + ring::chart_header(*study.chart));
+  finished.append(batch::growing_table_head(source) + comments + ring::chart_header(*study.chart));
   const batch::ProgressMode mode = arguments.quiet ? batch::ProgressMode::never : arguments.progress;
   batch::Progress progress(study.chart->values.size(), mode);
   const std::atomic<bool>& stop = catch_interrupts();
@@ -70,14 +70,15 @@ int run(const RingstabArguments& arguments, const config::ring::RingConfig& conf
   });
   const ResultDirectory made(directory, file_names);
   end_on_interrupts("nothing was written");
-  const ResultSource source{"ringstab", config::ring::ring_study_digest(study),
-                            batch::caption_lines(config.captions)};
+  const batch::ResultSource source{"ringstab", config::ring::ring_study_digest(study),
+                                   batch::caption_lines(config.captions)};
   const std::string comments = ring::ring_comments();
   const ring::Analysis analysis = ring::analyse(study.system, ring::speeds_rad_per_s(study));
-  ResultFiles files{{"config.yaml", config::ring::print_ring_config(config)},
-                    {"eigenvalues.csv", comments + ring::eigenvalues_csv(analysis.track)},
-                    {"onsets.csv", comments + ring::onsets_csv(analysis.onsets)},
-                    {"critical_speeds.csv", comments + ring::critical_speeds_csv(analysis.critical_speeds)}};
+  batch::ResultFiles files{
+      {"config.yaml", config::ring::print_ring_config(config)},
+      {"eigenvalues.csv", comments + ring::eigenvalues_csv(analysis.track)},
+      {"onsets.csv", comments + ring::onsets_csv(analysis.onsets)},
+      {"critical_speeds.csv", comments + ring::critical_speeds_csv(analysis.critical_speeds)}};
   std::string summary = ring::ring_summary(study, analysis);
   if (study.system.ring.radius_m) {
     const auto loads = ring::static_loads(study);
@@ -86,10 +87,10 @@ int run(const RingstabArguments& arguments, const config::ring::RingConfig& conf
   }
   Lines lines;
   if (study.chart && !chart(arguments, study, source, directory, files, lines)) return 128 + caught_signal();
-  write_result_files(files, file_names, directory, source);
+  batch::write_result_files(files, file_names, directory, source);
   fs::remove(directory / "chart.partial.csv");
   if (!arguments.quiet) {
-    print("{}{}{}", summary, ring::chart_summary(lines), files_line(files, directory));
+    print("{}{}{}", summary, ring::chart_summary(lines), batch::files_line(files, directory));
   }
   const bool all_ok =
       std::all_of(lines.begin(), lines.end(), [](const auto& line) { return line->status == "ok"; });
@@ -103,10 +104,10 @@ std::string size_of(const ring::Study& study) {
 }
 
 int verify(const fs::path& directory, bool quiet) {
-  const auto read = [](const fs::path& file) -> VerifiedConfiguration {
+  const auto read = [](const fs::path& file) -> map::VerifiedConfiguration {
     return {config::ring::ring_study_digest(config::ring::read_ring_config(file, {}).study)};
   };
-  return report_verdict("ringstab", directory, verify_directory(directory, read), quiet);
+  return report_verdict("ringstab", directory, map::verify_directory(directory, read), quiet);
 }
 
 int perform(const RingstabArguments& arguments) {

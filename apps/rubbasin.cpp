@@ -5,22 +5,22 @@
 #include <utility>
 #include <vector>
 
-#include "derived_files.hpp"
 #include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "kept_files.hpp"
-#include "map_directory.hpp"
 #include "missing_cells.hpp"
 #include "place_arguments.hpp"
 #include "program.hpp"
-#include "result_files.hpp"
 #include "rubbasin_arguments.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/cell_config.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/map/derived_files.hpp"
+#include "rubsweep/map/map_directory.hpp"
 #include "rubsweep/report/basin_slice.hpp"
 #include "rubsweep/report/map_csv.hpp"
 
@@ -77,11 +77,12 @@ int write_slice(const RubbasinArguments& arguments, const Plane& plane, const co
   const auto& axes = config.study.grid.axes;
   const report::BasinSlice slice = report::read_basin_slice(
       map, {{plane[0].column, plane[1].column}, {axes.at(0).values, axes.at(1).values}}, config.study.grid);
-  const ResultFiles files{{"slice.csv", report::map_comments() + report::slice_csv(slice)},
-                          {"attractors.csv", report::map_comments() + report::attractors_csv(slice)}};
+  const batch::ResultFiles files{{"slice.csv", report::map_comments() + report::slice_csv(slice)},
+                                 {"attractors.csv", report::map_comments() + report::attractors_csv(slice)}};
   const fs::path directory = map.parent_path();
-  write_result_files(files, slice_files, directory,
-                     {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
+  batch::write_result_files(
+      files, map::slice_files, directory,
+      {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) {
     print("{}files     {}: attractors.csv config.yaml map.csv slice.csv\n", report::slice_summary(slice),
           directory.string());
@@ -103,16 +104,17 @@ int perform(const RubbasinArguments& arguments) {
   const Plane plane = plane_of(arguments);
   const config::RunConfig config = sliced_config(arguments, plane);
   batch::require_threads(arguments.threads, 1);
-  const fs::path output = arguments.output.value_or(directory_beside(config.output_directory, "_basin"));
+  const fs::path output =
+      arguments.output.value_or(batch::directory_beside(config.output_directory, "_basin"));
   keep_run_configuration(arguments.config, output);
-  MapDirectory directory(output, config, std::nullopt, arguments.fresh, "rubbasin");
+  map::MapDirectory directory(output, config, std::nullopt, arguments.fresh, "rubbasin");
   if (directory.finished_map()) {
-    if (!arguments.quiet) say(map_is_there("rubbasin"));
+    if (!arguments.quiet) say(map::map_is_there("rubbasin"));
     return write_slice(arguments, plane, config, directory.map());
   }
   const SweepRun how{"rubbasin", arguments.threads, arguments.progress, arguments.quiet};
   if (!compute_missing_cells(how, config.study, directory)) return 128 + caught_signal();
-  warn("rubbasin", directory.write_map());
+  map::warn("rubbasin", directory.write_map());
   return write_slice(arguments, plane, config, directory.map());
 }
 

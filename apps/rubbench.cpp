@@ -17,8 +17,8 @@
 #include "premises.hpp"
 #include "program.hpp"
 #include "result_directory.hpp"
-#include "result_files.hpp"
 #include "rubbench_arguments.hpp"
+#include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/bench/label_agreement.hpp"
 #include "rubsweep/bench/reference.hpp"
 #include "rubsweep/bench/work_precision_report.hpp"
@@ -191,10 +191,10 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   for (bench::WorkPrecisionLine& line : lines) labels.fill(lines, line);
 
   const InterruptsWait whole_set;
-  write_result_files({{file_names[0], config::print_config(config)},
-                      {file_names[1], comments + bench::work_precision_csv(lines)}},
-                     file_names, directory,
-                     {"rubbench", config::study_digest(study), batch::caption_lines(config.captions)});
+  batch::write_result_files({{file_names[0], config::print_config(config)},
+                             {file_names[1], comments + bench::work_precision_csv(lines)}},
+                            file_names, directory,
+                            {"rubbench", config::study_digest(study), batch::caption_lines(config.captions)});
   say(arguments, fmt::format("{}\nfiles: {}: config.yaml work_precision.csv\n",
                              bench::work_precision_table(lines, arguments.work.turns), directory.string()));
   const bool all_ran = std::all_of(lines.begin(), lines.end(), [](const auto& line) {

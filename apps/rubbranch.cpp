@@ -19,10 +19,10 @@
 #include "premises.hpp"
 #include "program.hpp"
 #include "result_directory.hpp"
-#include "result_files.hpp"
 #include "rubbranch_arguments.hpp"
 #include "rubbranch_curves.hpp"
 #include "rubbranch_map.hpp"
+#include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/branch/continuation/branch_csv.hpp"
 #include "rubsweep/branch/continuation/doubling.hpp"
 #include "rubsweep/branch/continuation/follow.hpp"
@@ -123,7 +123,7 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
     curves = curves_of(branches, *plane, {family.low, family.high}, study, arguments.most_points, workspace);
 
   const std::string comments = branch::continuation::branch_comments(arguments.along, branches);
-  ResultFiles files{{"config.yaml", config::print_config(config)},
+  batch::ResultFiles files{{"config.yaml", config::print_config(config)},
                     {"branch.csv", comments + branch::continuation::branch_csv(branches)},
                     {"events.csv", comments + branch::continuation::branch_events_csv(branches)}};
   if (plane) {
@@ -133,12 +133,13 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
     files["meetings.csv"] = curve_comments + branch::curves::meetings_csv(curves);
   }
   const InterruptsWait whole_set;
-  write_result_files(files, file_names, directory,
-                     {"rubbranch", config::study_digest(study), batch::caption_lines(config.captions)});
+  batch::write_result_files(
+      files, file_names, directory,
+      {"rubbranch", config::study_digest(study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) {
     print("{}{}{}", branch::continuation::branch_summary(arguments.along, branches),
           branch::curves::curves_summary(arguments.along, arguments.curve, curves),
-          files_line(files, directory));
+          batch::files_line(files, directory));
   }
   return done;
 }

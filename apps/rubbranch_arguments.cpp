@@ -69,11 +69,13 @@ RubbranchArguments parse_rubbranch_arguments(int argc, const char* const* argv) 
   if (given.count("map") != 0) {
     arguments.map = given["map"].as<std::string>();
     arguments.fresh = given.count("fresh") != 0;
-    for (const char* name : {"config", "cell", "from", "to", "curve", "curve-from", "curve-to", "switch", "set"}) {
+    for (const char* name :
+         {"config", "cell", "from", "to", "curve", "curve-from", "curve-to", "switch", "set"}) {
       if (given.count(name) != 0) throw UsageError("--map takes the configuration of the map, and no cell");
     }
     for (const char* name : {"along", "points"}) {
-      if (!given[name].defaulted()) throw UsageError(fmt::format("--{} belongs to a cell, not to --map", name));
+      if (!given[name].defaulted())
+        throw UsageError(fmt::format("--{} belongs to a cell, not to --map", name));
     }
     return arguments;
   }
@@ -123,7 +125,8 @@ std::string rubbranch_help() {
       "  curves.csv   a row for every point of a curve: both parameters, kind, the event it starts from, "
       "arclength,\n"
       "               multipliers, amplitude, hits\n"
-      "  meetings.csv where a curve meets another one: cusp, fold_flip, resonance_1_2, graze_fold and others\n"
+      "  meetings.csv where a curve meets another one: cusp, fold_flip, resonance_1_2, graze_fold and "
+      "others\n"
       "With --map beside map.csv, or into DIR:\n"
       "  boundaries.csv  lines around the domain of every family: family, kind, speed_hz and the map's "
       "unbalance\n"

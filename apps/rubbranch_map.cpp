@@ -10,14 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "derived_files.hpp"
 #include "exit_code.hpp"
-#include "family_journal.hpp"
 #include "interrupt.hpp"
 #include "program.hpp"
 #include "report_file.hpp"
-#include "result_files.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/branch/families/attribution.hpp"
 #include "rubsweep/branch/families/contradiction.hpp"
 #include "rubsweep/branch/families/families_csv.hpp"
@@ -25,6 +23,8 @@
 #include "rubsweep/branch/families/quiet_cells.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/map/derived_files.hpp"
+#include "rubsweep/map/families/family_journal.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
 #include "writable.hpp"
 
@@ -95,7 +95,7 @@ int run_on_map(const RubbranchArguments& arguments) {
   for (const char* name : {"families.csv", "edges.csv", "boundaries.csv", "contradictions.csv"})
     require_writable(output / name, true);
   const std::atomic<bool>& stop = catch_interrupts();
-  FamilyJournal journal(output, study, arguments.fresh);
+  map::families::FamilyJournal journal(output, study, arguments.fresh);
   if (journal.found_before() > 0) {
     say(fmt::format("rubbranch: goes on with {} orbits and ways that were found before\n",
                     journal.found_before()));
@@ -118,12 +118,12 @@ int run_on_map(const RubbranchArguments& arguments) {
   }
   const auto edges = branch::families::attribute(study.grid, labels, families.list,
                                                  branch::families::quiet_cells(study), quiet_label);
-  write_result_files(
+  batch::write_result_files(
       {{"families.csv", branch::families::families_csv(study.grid, families.list)},
        {"edges.csv", branch::families::edges_csv(study.grid, labels, edges)},
        {"boundaries.csv", branch::families::boundaries_csv(study.grid, families.list)},
        {"contradictions.csv", branch::families::contradictions_csv(study.grid, labels, checks)}},
-      family_files, output, {"rubbranch", map.digest, batch::caption_lines(config.captions)});
+      map::family_files, output, {"rubbranch", map.digest, batch::caption_lines(config.captions)});
   journal.remove();
   if (!arguments.quiet) {
     print("{}{}files     {}: boundaries.csv contradictions.csv edges.csv families.csv\n",

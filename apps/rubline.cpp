@@ -19,11 +19,11 @@
 #include "premises.hpp"
 #include "program.hpp"
 #include "result_directory.hpp"
-#include "result_files.hpp"
 #include "rubline_arguments.hpp"
 #include "rubsweep/batch/axis.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/line_keys.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
@@ -172,7 +172,7 @@ class LineRun {
     progress_.finish();
     write();
     if (points_.size() < cells_.size() * arguments_.passes.size()) return interrupted();
-    if (!arguments_.quiet) print("{}{}", line::line_summary(points_, cells_), files_line(files_, directory_));
+    if (!arguments_.quiet) print("{}{}", line::line_summary(points_, cells_), batch::files_line(files_, directory_));
     draw("line", "Bifurcation diagram", arguments_.figure);
     draw("cascade", "Cascade of full spectra", arguments_.cascade_figure);
     const bool failed = std::ranges::any_of(points_, [](const line::LinePoint& point) {
@@ -202,7 +202,7 @@ class LineRun {
               {"line.csv", std::move(tables.line_csv)},
               {"bifurcation.csv", std::move(tables.bifurcation_csv)},
               {"cascade.csv", std::move(tables.cascade_csv)}};
-    write_result_files(
+    batch::write_result_files(
         files_, file_names, directory_,
         {"rubsweep", config::study_digest(config_.study), batch::caption_lines(config_.captions)});
   }
@@ -257,7 +257,7 @@ class LineRun {
   std::mutex mutex_;  ///< guards all that follows
   batch::Progress progress_;
   std::vector<line::LinePoint> points_;
-  ResultFiles files_;
+  batch::ResultFiles files_;
 };
 
 int perform(const RublineArguments& arguments) {

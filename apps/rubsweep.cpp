@@ -9,9 +9,7 @@
 #include "forecast.hpp"
 #include "interrupt.hpp"
 #include "kept_files.hpp"
-#include "map_directory.hpp"
 #include "map_outcome.hpp"
-#include "map_status.hpp"
 #include "merge.hpp"
 #include "missing_cells.hpp"
 #include "premises.hpp"
@@ -20,13 +18,15 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/map/map_directory.hpp"
+#include "rubsweep/map/map_status.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/report/motion_kinds_csv.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep_arguments.hpp"
-#include "verified_directory.hpp"
+#include "verdict.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -38,7 +38,7 @@ std::string own_name(const RubsweepArguments& arguments) {
 }
 
 std::string shard_is_done(const RubsweepArguments& arguments, const sweep::Grid& grid,
-                          const MapDirectory& directory, std::size_t left_to_others) {
+                          const map::MapDirectory& directory, std::size_t left_to_others) {
   if (left_to_others > 0) {
     return fmt::format(
         "the refined map wants {} cells of other shards before it can say what it wants of this one: "
@@ -58,9 +58,9 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   const std::filesystem::path output = arguments.output.value_or(config.output_directory);
   keep_run_configuration(arguments.config, output);
   refuse_what_cannot_be_shown(arguments, config.study, output);
-  MapDirectory directory(output, config, arguments.shard, arguments.fresh, own_name(arguments));
+  map::MapDirectory directory(output, config, arguments.shard, arguments.fresh, own_name(arguments));
   if (directory.finished_map()) {
-    if (!arguments.quiet) say(map_is_there("rubsweep"));
+    if (!arguments.quiet) say(map::map_is_there("rubsweep"));
     return report_map("rubsweep", arguments, directory.finished_map()->summary, config, directory);
   }
   if (arguments.merge) {
@@ -78,7 +78,7 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   return report_map("rubsweep", arguments, directory.write_map(), config, directory);
 }
 
-VerifiedConfiguration read_rub_configuration(const std::filesystem::path& file) {
+map::VerifiedConfiguration read_rub_configuration(const std::filesystem::path& file) {
   sweep::Study study = config::read_run_config(file, {}).study;
   std::string digest = config::study_digest(study);
   return {std::move(digest), std::move(study)};
@@ -87,12 +87,12 @@ VerifiedConfiguration read_rub_configuration(const std::filesystem::path& file) 
 int verify(const RubsweepArguments& arguments) {
   const std::filesystem::path& directory = *arguments.verified;
   // Only ringstab reads the configurations of rings.
-  if (was_written_by("ringstab", directory)) {
+  if (map::was_written_by("ringstab", directory)) {
     std::vector<std::string> command{"--verify", directory.string()};
     if (arguments.quiet) command.emplace_back("--quiet");
     become_sibling("ringstab", std::move(command));
   }
-  return report_verdict("rubsweep", directory, verify_directory(directory, read_rub_configuration),
+  return report_verdict("rubsweep", directory, map::verify_directory(directory, read_rub_configuration),
                         arguments.quiet);
 }
 
@@ -104,7 +104,7 @@ int perform(const RubsweepArguments& arguments) {
     return done;
   }
   if (arguments.status) {
-    print("{}", map_status(*arguments.status));
+    print("{}", map::map_status(*arguments.status));
     return done;
   }
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);

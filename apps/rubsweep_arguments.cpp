@@ -44,8 +44,8 @@ po::options_description visible_options() {
 }
 
 /// "2/8", both numbers from 1.
-Share shard_of(const std::string& text) {
-  Share share;
+map::Share shard_of(const std::string& text) {
+  map::Share share;
   const char* end = text.data() + text.size();
   const auto index = std::from_chars(text.data(), end, share.index);
   if (index.ec == std::errc() && index.ptr != end && *index.ptr == '/') {

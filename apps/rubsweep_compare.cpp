@@ -14,10 +14,10 @@
 #include "command_line.hpp"
 #include "compared_cells.hpp"
 #include "exit_code.hpp"
-#include "finished_map.hpp"
 #include "program.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/map/finished_map.hpp"
 #include "rubsweep/report/compare_maps.hpp"
 #include "rubsweep/report/comparison_figure.hpp"
 #include "rubsweep/report/describe_comparison.hpp"
@@ -121,7 +121,7 @@ int compare(const po::variables_map& given) {
   }
   std::optional<fs::path> sensitive;
   if (given.count("sensitive")) sensitive = given["sensitive"].as<std::string>();
-  for (const std::string& map : maps) require_whole_table("rubsweep-compare", map);
+  for (const std::string& map : maps) map::require_whole_table("rubsweep-compare", map);
   const auto comparison = report::compare_maps(maps[0], maps[1], tolerance, sensitive);
   if (!given.count("quiet")) print("{}", report::describe_comparison(comparison, tolerance));
   if (cells) write_compared_cells(*cells, comparison, maps[0], maps[1], tolerance);

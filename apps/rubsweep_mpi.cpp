@@ -14,7 +14,6 @@
 #include "forecast.hpp"
 #include "interrupt.hpp"
 #include "kept_files.hpp"
-#include "map_directory.hpp"
 #include "map_outcome.hpp"
 #include "mpi_leader.hpp"
 #include "mpi_messages.hpp"
@@ -24,6 +23,7 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/map/map_directory.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
@@ -73,7 +73,7 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
   job->directory.emplace(job->config.output_directory, job->config, std::nullopt, job->arguments.fresh,
                          std::string(mpi_program_name));
   if (const auto& map = job->directory->finished_map()) {
-    if (!job->arguments.quiet) say(map_is_there(mpi_program_name));
+    if (!job->arguments.quiet) say(map::map_is_there(mpi_program_name));
     const int code = report_map(mpi_program_name, job->arguments, map->summary, job->config, *job->directory);
     job.reset();
     return code;
@@ -107,7 +107,7 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
     if (signal != 0) break;
     const batch::Chunk chunk = mpi::receive_chunk();
     if (chunk.empty()) break;
-    if (const std::lock_guard lock(mutex); !journal) journal.emplace(rank_journal(config, rank));
+    if (const std::lock_guard lock(mutex); !journal) journal.emplace(map::rank_journal(config, rank));
     sweep::run_cells(
         config.study, chunk, threads,
         [&](std::size_t cell, const sweep::Row& row) {
@@ -127,7 +127,7 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
 
 int lead(MapJob& job, int ranks) {
   const std::atomic<bool>& stop = catch_interrupts();
-  MapDirectory& directory = *job.directory;
+  map::MapDirectory& directory = *job.directory;
   const bool quiet = job.arguments.quiet;
   if (!quiet && directory.finished() > 0) {
     say(fmt::format("{}: {} of {} cells were finished before\n", mpi_program_name, directory.finished(),
@@ -139,7 +139,7 @@ int lead(MapJob& job, int ranks) {
   const bool refined = job.config.study.grid.refinement.has_value();
   if (refined ? leader.signal() != 0 : finished < directory.missing().size()) {
     mpi::wait_for_all();
-    say(interrupted_map(directory, finished));
+    say(map::interrupted_map(mpi_program_name, directory, finished));
     return 128 + leader.signal();
   }
   if (!quiet) say(leader.description());

@@ -17,7 +17,7 @@
 #include "premises.hpp"
 #include "program.hpp"
 #include "result_directory.hpp"
-#include "result_files.hpp"
+#include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/cell_config.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
@@ -102,7 +102,7 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
 /// Adds the readings of the probes, and returns their verdict beside that of the section.
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
                            const sweep::Study& study, response::motion::Workspace& workspace,
-                           ResultFiles& files) {
+                           batch::ResultFiles& files) {
   files["sensors.csv"] = identify::sensors_csv({.from_hz = speed_hz,
                                                 .sample_s = probes.sample_s,
                                                 .samples = static_cast<int>(trace.readings_m.rows())},
@@ -141,7 +141,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
 
   response::motion::Workspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, prepared, 0, workspace);
-  ResultFiles files{
+  batch::ResultFiles files{
       {"config.yaml", config::print_config(config)},
       {"motion.csv", report::map_comments() + report::map_header(study) + report::unit_header(study.grid) +
                          "\n" + report::map_line(row, study) + report::unit_cells(row, study.grid) + "\n"}};
@@ -167,11 +167,12 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   }
   {
     const InterruptsWait whole_set;
-    write_result_files(files, file_names, directory,
-                       {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
+    batch::write_result_files(
+        files, file_names, directory,
+        {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
     end_on_interrupts("the files are written, no figure is");
   }
-  if (!arguments.quiet) print("{}{}", summary, files_line(files, directory));
+  if (!arguments.quiet) print("{}{}", summary, batch::files_line(files, directory));
   if (arguments.figure && trace.revolutions > 0) {
     arguments.figure->draw("trace", directory, "One cell under the lens");
     if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());

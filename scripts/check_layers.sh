@@ -41,6 +41,8 @@ declare -A below=(
   [config]='sweep'
   [config/ring]='config ring'
   [report]='sweep'
+  [map]='config report'
+  [map/families]='branch/families map'
   [page]='report trace'
 )
 

@@ -3,7 +3,7 @@
 # programs need, and with NINJA its target does not compile them either: the first map is there sooner.
 set -euo pipefail
 program=$1
-folders='bench branch/orbits branch/continuation branch/curves branch/families config/ring identify line ramp ring'
+folders='bench branch/orbits branch/continuation branch/curves branch/families config/ring identify line map/families ramp ring'
 any_of=${folders// /|}
 
 # refuse WHAT LINE...: complains of the lines, where there are any.

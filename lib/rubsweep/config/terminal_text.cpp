@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "rubsweep/config/text.hpp"
 
@@ -36,5 +37,7 @@ std::string printable(std::string_view text) {
     i += append_shown(result, text.substr(i), ControlCharacters::tabs_and_line_ends);
   return result;
 }
+
+void say(const std::string& text) { std::fputs(printable(text).c_str(), stderr); }
 
 }  // namespace rubsweep::config

@@ -16,4 +16,8 @@ std::size_t append_shown(std::string& result, std::string_view text, ControlChar
 /// `text` of any number of lines fit for a terminal.
 std::string printable(std::string_view text);
 
+/// Prints on stderr, control characters as `\xNN`: text from files and names moves no cursor. A message that
+/// cannot be delivered changes nothing else.
+void say(const std::string& text);
+
 }  // namespace rubsweep::config

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "map_directory.hpp"
+#include "rubsweep/map/map_directory.hpp"
 #include "rubsweep/sweep/grid.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 
 /// Labels of the finished cells of a refined map, by whichever process. Not for several threads at
 /// once.
@@ -35,4 +35,4 @@ class RefinedCells {
   std::map<std::string, int> numbers_;  ///< of the labels
 };
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

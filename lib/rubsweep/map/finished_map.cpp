@@ -1,10 +1,9 @@
-#include "finished_map.hpp"
+#include "rubsweep/map/finished_map.hpp"
 
 #include <fmt/format.h>
 
 #include <string_view>
 
-#include "program.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/table_file.hpp"
@@ -12,12 +11,13 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/config/terminal_text.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/unit_columns.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,8 +64,8 @@ void require_whole_table(std::string_view program, const fs::path& path) {
         "with --fresh",
         damage.what()));
   }
-  say(fmt::format("{}: {}: has no checksum, so whether it is as it was written cannot be told\n", program,
-                  path.string()));
+  config::say(fmt::format("{}: {}: has no checksum, so whether it is as it was written cannot be told\n",
+                          program, path.string()));
 }
 
 FinishedMap read_finished_map(std::string_view program, const fs::path& map, const sweep::Study& study,
@@ -92,7 +92,7 @@ FinishedMap read_finished_map(std::string_view program, const fs::path& map, con
 
 void warn(std::string_view program, const report::MapSummary& summary) {
   const std::string warning = summary.warning();
-  if (!warning.empty()) say(fmt::format("{}: {}", program, warning));
+  if (!warning.empty()) config::say(fmt::format("{}: {}", program, warning));
 }
 
 std::string map_is_there(std::string_view program) {
@@ -120,4 +120,4 @@ void refuse_map_of_another(const FinishedMap& there, const fs::path& map, const 
   }
 }
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

@@ -1,9 +1,8 @@
-#include "map_status.hpp"
+#include "rubsweep/map/map_status.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <map>
 #include <optional>
@@ -15,8 +14,9 @@
 #include "rubsweep/batch/file_lock.hpp"
 #include "rubsweep/batch/journal.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/map/share.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,15 +54,6 @@ Finished read_finished(const fs::path& directory) {
   return finished;
 }
 
-/// N of `map.shard-I-of-N`, 0 of another name.
-std::size_t shards_of(std::string_view name) {
-  const std::size_t at = name.find("-of-");
-  std::size_t count = 0;
-  if (!name.starts_with("map.shard-") || at == std::string_view::npos) return 0;
-  std::from_chars(name.data() + at + 4, name.data() + name.size(), count);
-  return count;
-}
-
 std::string rate_text(std::size_t before, std::size_t now) {
   const double rate =
       static_cast<double>(now - std::min(before, now)) / std::chrono::duration<double>(watched).count();
@@ -97,10 +88,10 @@ std::string map_status(const fs::path& directory) {
   std::size_t shards = 0;
   for (const auto& [name, cells] : finished.by_journal) {
     names.insert(name);
-    shards = std::max(shards, shards_of(name));
+    shards = std::max(shards, share_count_of(name));
   }
-  for (const auto& [name, holder] : holders) shards = std::max(shards, shards_of(name));
-  for (std::size_t i = 1; i <= shards; ++i) names.insert(fmt::format("map.shard-{}-of-{}", i, shards));
+  for (const auto& [name, holder] : holders) shards = std::max(shards, share_count_of(name));
+  for (std::size_t i = 1; i <= shards; ++i) names.insert(share_name(Share{i - 1, shards}));
   for (const std::string& name : names) {
     const auto there = finished.by_journal.find(name);
     const auto holder = holders.find(name);
@@ -113,4 +104,4 @@ std::string map_status(const fs::path& directory) {
   return text;
 }
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

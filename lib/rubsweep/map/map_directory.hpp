@@ -8,22 +8,16 @@
 #include <string_view>
 #include <vector>
 
-#include "finished_map.hpp"
 #include "rubsweep/batch/file_lock.hpp"
 #include "rubsweep/batch/finished_cells.hpp"
 #include "rubsweep/batch/journal.hpp"
 #include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/config/run_config.hpp"
+#include "rubsweep/map/finished_map.hpp"
+#include "rubsweep/map/share.hpp"
 #include "rubsweep/report/map_summary.hpp"
 
-namespace rubsweep::apps {
-
-/// The cells that are `index` modulo `count`: a part of every map that takes about as long as the other
-/// parts. Of a refined map, whose cells lie on lattices, those that are by their number well mixed.
-struct Share {
-  std::size_t index = 0;
-  std::size_t count = 1;
-};
+namespace rubsweep::map {
 
 /// The directory of one map while a process is at work there:
 /// - map.csv, the result, only ever whole, and config.yaml, the complete configuration;
@@ -114,4 +108,4 @@ class MapDirectory {
 /// Opens the journal of another process that helps the one whose MapDirectory this is. Throws IoError.
 batch::Journal rank_journal(const config::RunConfig& config, int rank);
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

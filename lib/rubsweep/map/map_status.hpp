@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <string>
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 
 /// How far the map in a directory is, for a terminal: finished cells in all and of each shard, who is at
 /// work, and how fast, watched for two seconds where somebody is. Changes nothing. Throws IoError.
 std::string map_status(const std::filesystem::path& directory);
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

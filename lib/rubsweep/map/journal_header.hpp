@@ -2,11 +2,11 @@
 
 #include <filesystem>
 
-#include "program_digest.hpp"
 #include "rubsweep/batch/journal.hpp"
+#include "rubsweep/map/map_digest.hpp"
 #include "rubsweep/sweep/study.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 
 /// Header for the results that this build of the program computes of a study.
 batch::JournalHeader journal_header(const sweep::Study& study, const char* program_digest = map_digest);
@@ -16,4 +16,4 @@ batch::JournalHeader journal_header(const sweep::Study& study, const char* progr
 /// damaged and is not needed.
 void refuse_journal_of_another(const std::filesystem::path& path, const batch::JournalHeader& here);
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

@@ -9,7 +9,7 @@
 
 #include "rubsweep/sweep/study.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 
 /// Facts from config.yaml, as the program that wrote it reads it.
 struct VerifiedConfiguration {
@@ -31,11 +31,7 @@ struct DirectoryVerdict {
 /// there, IoError where the directory cannot be read. `read` throws where the configuration is none.
 DirectoryVerdict verify_directory(const std::filesystem::path& directory, const ReadConfiguration& read);
 
-/// Says the verdict as `program` and returns its exit code; faults alone with `quiet`.
-int report_verdict(std::string_view program, const std::filesystem::path& directory,
-                   const DirectoryVerdict& verdict, bool quiet);
-
 /// Whether a table in the directory says that this program wrote it.
 bool was_written_by(std::string_view program, const std::filesystem::path& directory);
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

@@ -1,28 +1,26 @@
-#include "verified_directory.hpp"
+#include "rubsweep/map/verified_directory.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <string_view>
 
-#include "derived_files.hpp"
-#include "exit_code.hpp"
-#include "program.hpp"
-#include "refined_cells.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/file_lock.hpp"
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/map/derived_files.hpp"
+#include "rubsweep/map/refined_cells.hpp"
 #include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/report/map_cells.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 namespace {
 
 namespace fs = std::filesystem;
@@ -204,18 +202,6 @@ DirectoryVerdict verify_directory(const fs::path& directory, const ReadConfigura
   return Verification(directory, read).verdict();
 }
 
-int report_verdict(std::string_view program, const fs::path& directory, const DirectoryVerdict& verdict,
-                   bool quiet) {
-  const auto list = [&](const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences) say(fmt::format("{}: {}\n", program, sentence));
-  };
-  list(verdict.faults);
-  if (!quiet) list(verdict.remarks);
-  if (!quiet && verdict.faults.empty())
-    apps::print("{}: whole: {}\n", directory.string(), fmt::join(verdict.files, " "));
-  return verdict.faults.empty() ? done : not_whole;
-}
-
 bool was_written_by(std::string_view program, const fs::path& directory) {
   if (!fs::is_directory(directory)) return false;
   const std::string begin = fmt::format("# {} ", program);
@@ -226,4 +212,4 @@ bool was_written_by(std::string_view program, const fs::path& directory) {
   });
 }
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

@@ -1,16 +1,16 @@
-#include "journal_header.hpp"
+#include "rubsweep/map/journal_header.hpp"
 
 #include <fmt/format.h>
 
 #include <string>
 
-#include "program.hpp"
 #include "rubsweep/config/differing_keys.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/config/terminal_text.hpp"
 #include "rubsweep/error.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 namespace {
 
 std::string describe_difference(const batch::JournalHeader& there, const batch::JournalHeader& here) {
@@ -49,9 +49,9 @@ void refuse_journal_of_another(const std::filesystem::path& path, const batch::J
                     path.string(), describe_difference(there, here)));
   }
   if (there.damaged_lines > 0) {
-    say(fmt::format("{}: {} damaged lines before its records, which are used all the same\n", path.string(),
-                    there.damaged_lines));
+    config::say(fmt::format("{}: {} damaged lines before its records, which are used all the same\n",
+                            path.string(), there.damaged_lines));
   }
 }
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

@@ -10,7 +10,7 @@
 #include "rubsweep/branch/families/family_records.hpp"
 #include "rubsweep/sweep/study.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map::families {
 
 /// Directory in which families of a map are followed, while a process is at work there: families.journal
 /// holds the results so far, until the result files have them, and families.lock names the process.
@@ -47,4 +47,4 @@ class FamilyJournal {
   std::size_t found_before_ = 0;
 };
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map::families

@@ -1,9 +1,9 @@
-#include "refined_cells.hpp"
+#include "rubsweep/map/refined_cells.hpp"
 
 #include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/map_summary.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 
 RefinedCells::RefinedCells(const sweep::Grid& grid)
     : grid_(grid), labels_(sweep::cell_count(grid), sweep::unknown_label) {}
@@ -21,4 +21,4 @@ std::vector<std::size_t> RefinedCells::wanted() const { return sweep::wanted_cel
 
 std::string RefinedCells::description() const { return report::describe_refinement(grid_, labels_); }
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

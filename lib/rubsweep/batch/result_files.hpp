@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace rubsweep::apps {
+namespace rubsweep::batch {
 
 /// Texts by file name; tables without the head that all tables have.
 using ResultFiles = std::map<std::string_view, std::string>;
@@ -15,7 +15,7 @@ using ResultFiles = std::map<std::string_view, std::string>;
 struct ResultSource {
   std::string program;  ///< without its version
   std::string digest;
-  std::string captions{};  ///< as batch::caption_lines gives them
+  std::string captions{};  ///< as caption_lines gives them
 };
 
 /// Replaces the files `names` of a directory, all that a run may leave there, by those of a new run: a file
@@ -39,4 +39,4 @@ std::string files_line(const ResultFiles& files, const std::filesystem::path& di
 /// results/map_trace.
 std::filesystem::path directory_beside(const std::filesystem::path& map, std::string_view ending);
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::batch

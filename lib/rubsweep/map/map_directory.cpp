@@ -1,34 +1,28 @@
-#include "map_directory.hpp"
+#include "rubsweep/map/map_directory.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cstdint>
 #include <set>
 #include <utility>
 
-#include "derived_files.hpp"
-#include "journal_header.hpp"
-#include "program.hpp"
-#include "result_files.hpp"
 #include "rubsweep/batch/directory.hpp"
 #include "rubsweep/batch/leftovers.hpp"
+#include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/terminal_text.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/map/derived_files.hpp"
+#include "rubsweep/map/journal_header.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/unit_columns.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string name_of(const std::optional<Share>& part) {
-  return part ? fmt::format("map.shard-{}-of-{}", part->index + 1, part->count) : "map";
-}
 
 std::vector<fs::path> files(const fs::path& directory, std::string_view ending) {
   std::vector<fs::path> found;
@@ -42,14 +36,6 @@ std::vector<fs::path> files(const fs::path& directory, std::string_view ending) 
 
 std::string comments_and_header(const sweep::Study& study) {
   return report::map_comments(study) + report::map_header(study) + report::unit_header(study.grid) + '\n';
-}
-
-/// Steele, Lea & Flood's SplitMix64: all bits of the result depend on all of the number.
-std::uint64_t mixed(std::uint64_t number) {
-  number += 0x9e3779b97f4a7c15U;
-  number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9U;
-  number = (number ^ (number >> 27U)) * 0x94d049bb133111ebU;
-  return number ^ (number >> 31U);
 }
 
 /// Putting a map together opens the journal of every part, of which there may be more than the files that a
@@ -70,7 +56,7 @@ batch::Journal rank_journal(const config::RunConfig& config, int rank) {
 MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, std::optional<Share> part,
                            bool fresh, const std::string& program)
     : directory_(std::move(directory)),
-      name_(name_of(part)),
+      name_(share_name(part)),
       part_(part),
       header_(journal_header(config.study)),
       source_{fmt::format("rubsweep {}", RUBSWEEP_VERSION),
@@ -83,7 +69,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   written_.written_speed = config.study.grid.written_speed;
   written_.written_unbalance = config.study.grid.written_unbalance;
   allow_as_many_files_as_there_may_be();
-  make_directory(directory_);
+  batch::make_directory(directory_);
   // Programs begin one at a time: no file that one of them reads here is removed meanwhile.
   const batch::FileLock beginning(directory_ / "map.begin.lock", batch::LockMode::exclusive, program,
                                   batch::Patience::wait);
@@ -104,7 +90,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
 }
 
 std::size_t MapDirectory::share_in(std::size_t cell, std::size_t count) const {
-  return (refined_ ? mixed(cell) : cell) % count;
+  return map::share_of(cell, count, refined_);
 }
 
 std::size_t MapDirectory::share_of(std::size_t cell) const {
@@ -112,16 +98,9 @@ std::size_t MapDirectory::share_of(std::size_t cell) const {
 }
 
 std::size_t MapDirectory::shards_begun() const {
-  constexpr std::string_view before = "-of-";
   std::size_t most = 0;
-  for (const fs::path& journal : journals()) {
-    const std::string name = journal.filename();
-    const std::size_t at = name.find(before);
-    std::size_t count = 0;
-    if (!name.starts_with("map.shard-") || at == std::string::npos) continue;
-    std::from_chars(name.data() + at + before.size(), name.data() + name.size(), count);
-    most = std::max(most, count);
-  }
+  for (const fs::path& journal : journals())
+    most = std::max(most, share_count_of(journal.filename().string()));
   return most;
 }
 
@@ -129,7 +108,7 @@ bool MapDirectory::is_at_work_on(const std::vector<std::size_t>& cells) const {
   std::set<std::size_t> shares;
   for (const std::size_t cell : cells) shares.insert(share_of(cell));
   return std::ranges::any_of(shares, [&](std::size_t index) {
-    const std::string name = name_of(Share{index, part_.value_or(Share{}).count});
+    const std::string name = share_name(Share{index, part_.value_or(Share{}).count});
     return index != part_.value_or(Share{}).index &&
            batch::lock_holder(directory_ / (name + ".lock")).has_value();
   });
@@ -150,7 +129,8 @@ std::vector<fs::path> MapDirectory::journals() const { return files(directory_, 
 void MapDirectory::lock(const std::string& program) {
   lock_share(program);
   if (!directory_lock_->guards()) {
-    say(fmt::format("{}: {}: this file system has no locks: nothing keeps a second run away from it\n",
+    config::say(
+        fmt::format("{}: {}: this file system has no locks: nothing keeps a second run away from it\n",
                     program, directory_.string()));
   }
 }
@@ -202,7 +182,7 @@ void MapDirectory::forget() const {
     throw LockedError(fmt::format("{} is held by {}", (directory_ / family_lock_file).string(), *holder));
   }
   fs::remove(directory_ / family_journal_file);
-  remove_result_files(derived_files(), directory_);
+  batch::remove_result_files(derived_files(), directory_);
   std::vector<fs::path> forgotten = journals();
   if (part_)
     std::erase_if(forgotten, [&](const fs::path& journal) { return belongs_to_other_part(journal); });
@@ -240,7 +220,8 @@ void MapDirectory::read_journals() {
       continue;
     }
     if (const std::size_t damaged = finished.add(journal)) {
-      say(fmt::format("{}: {} damaged records; their cells are computed again\n", journal.string(), damaged));
+      config::say(
+          fmt::format("{}: {} damaged records; their cells are computed again\n", journal.string(), damaged));
     }
   }
   missing_ = finished.missing();
@@ -295,10 +276,10 @@ report::MapSummary MapDirectory::write_map() const {
     file.write(in_map(line) + '\n');
   }
   file.finish();
-  remove_result_files(derived_files(), directory_);  // those of an earlier map
+  batch::remove_result_files(derived_files(), directory_);  // those of an earlier map
   file.commit();
   remove_journals();
   return summary;
 }
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

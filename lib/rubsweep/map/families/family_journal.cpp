@@ -1,14 +1,16 @@
-#include "family_journal.hpp"
+#include "rubsweep/map/families/family_journal.hpp"
 
 #include <fmt/format.h>
 
 #include <string_view>
 
-#include "derived_files.hpp"
-#include "journal_header.hpp"
-#include "program.hpp"
+#include "rubsweep/batch/directory.hpp"
+#include "rubsweep/config/terminal_text.hpp"
+#include "rubsweep/map/derived_files.hpp"
+#include "rubsweep/map/families/family_digest.hpp"
+#include "rubsweep/map/journal_header.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map::families {
 
 namespace fs = std::filesystem;
 
@@ -17,10 +19,11 @@ FamilyJournal::FamilyJournal(const fs::path& directory, const sweep::Study& stud
         const std::lock_guard lock(mutex_);
         journal_->append(cell, line);
       }) {
-  make_directory(directory);
+  batch::make_directory(directory);
   lock_.emplace(directory / family_lock_file, batch::LockMode::exclusive, "rubbranch");
   if (!lock_->guards()) {
-    say(fmt::format("rubbranch: {}: this file system has no locks: nothing keeps a second run away from it\n",
+    config::say(
+        fmt::format("rubbranch: {}: this file system has no locks: nothing keeps a second run away from it\n",
                     directory.string()));
   }
   const batch::JournalHeader header = journal_header(study, family_digest);
@@ -38,7 +41,8 @@ void FamilyJournal::read(const batch::JournalHeader& header, bool fresh) {
   });
   const std::size_t damaged = torn + unreadable;
   if (damaged > 0)
-    say(fmt::format("{}: {} damaged records; what they held is computed again\n", path_.string(), damaged));
+    config::say(
+        fmt::format("{}: {} damaged records; what they held is computed again\n", path_.string(), damaged));
 }
 
 void FamilyJournal::remove() {
@@ -58,4 +62,4 @@ void FamilyJournal::leave() {
   lock_.reset();
 }
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map::families

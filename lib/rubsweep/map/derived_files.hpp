@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 
 /// Files of rubbranch --map about a map.
 inline constexpr std::array<std::string_view, 4> family_files{"boundaries.csv", "contradictions.csv",
@@ -27,4 +27,4 @@ inline std::vector<std::string_view> derived_files() {
   return names;
 }
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

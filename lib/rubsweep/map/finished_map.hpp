@@ -9,7 +9,7 @@
 #include "rubsweep/report/map_summary.hpp"
 #include "rubsweep/sweep/study.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::map {
 
 /// A map.csv as an earlier run left it.
 struct FinishedMap {
@@ -41,4 +41,4 @@ std::string map_is_there(std::string_view program);
 void refuse_map_of_another(const FinishedMap& there, const std::filesystem::path& map,
                            const batch::JournalHeader& here);
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::map

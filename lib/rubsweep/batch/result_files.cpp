@@ -1,4 +1,4 @@
-#include "result_files.hpp"
+#include "rubsweep/batch/result_files.hpp"
 
 #include <fmt/format.h>
 
@@ -12,54 +12,54 @@
 #include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::batch {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-batch::TableSource table_source(const ResultSource& source) {
+TableSource table_source(const ResultSource& source) {
   return {fmt::format("{} {}", source.program, RUBSWEEP_VERSION), source.digest, {}, source.captions};
 }
 
 /// A file that is whole on the disk, and has not its name yet.
-using Waiting = std::variant<std::unique_ptr<batch::TableFile>, std::unique_ptr<batch::WholeFile>>;
+using Waiting = std::variant<std::unique_ptr<TableFile>, std::unique_ptr<WholeFile>>;
 
-Waiting waiting_file(const fs::path& path, const std::string& text, const batch::TableSource& source) {
+Waiting waiting_file(const fs::path& path, const std::string& text, const TableSource& source) {
   const auto finished = [&](auto file) {
     file->write(text);
     file->finish();
     return file;
   };
-  if (path.extension() == ".csv") return finished(std::make_unique<batch::TableFile>(path, source));
-  return finished(std::make_unique<batch::WholeFile>(path));
+  if (path.extension() == ".csv") return finished(std::make_unique<TableFile>(path, source));
+  return finished(std::make_unique<WholeFile>(path));
 }
 
 }  // namespace
 
 void write_result_files(const ResultFiles& files, std::span<const std::string_view> names,
                         const fs::path& directory, const ResultSource& source) {
-  batch::TableSource table = table_source(source);
+  TableSource table = table_source(source);
   for (const auto& [name, text] : files) table.files.emplace_back(name);
   std::vector<Waiting> waiting;
   for (const auto& [name, text] : files) waiting.push_back(waiting_file(directory / name, text, table));
   // A link stays: the file behind it is replaced.
-  for (const auto& [name, text] : files) fs::remove(batch::file_behind(directory / name));
+  for (const auto& [name, text] : files) fs::remove(file_behind(directory / name));
   std::vector<std::string_view> others(names.begin(), names.end());
   std::erase_if(others, [&](std::string_view name) { return files.contains(name); });
   remove_result_files(others, directory);
   for (Waiting& file : waiting) std::visit([](auto& whole) { whole->rename(); }, file);
-  batch::sync_directory(directory);
+  sync_directory(directory);
 }
 
 void remove_result_files(std::span<const std::string_view> names, const fs::path& directory) {
-  batch::remove_leftovers(
-      directory, [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); });
+  remove_leftovers(directory,
+                   [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); });
   for (const std::string_view name : names) fs::remove(directory / name);
-  batch::sync_directory(directory);
+  sync_directory(directory);
 }
 
-std::string growing_table_head(const ResultSource& source) { return batch::table_head(table_source(source)); }
+std::string growing_table_head(const ResultSource& source) { return table_head(table_source(source)); }
 
 std::string files_line(const ResultFiles& files, const fs::path& directory) {
   std::string names;
@@ -72,4 +72,4 @@ fs::path directory_beside(const fs::path& map, std::string_view ending) {
   return directory += ending;
 }
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::batch

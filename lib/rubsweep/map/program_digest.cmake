@@ -1,0 +1,12 @@
+# cmake -DFOLDER=map -DNAME=NAME -DLIBRARIES=A,B,... -DOUTPUT=FILE.cpp -P program_digest.cmake: writes the definition
+# of NAME, which rubsweep/FOLDER/NAME.hpp declares.
+string(REPLACE "," ";" libraries "${LIBRARIES}")
+set(digests "")
+foreach(library IN LISTS libraries)
+  file(SHA1 "${library}" digest)
+  string(APPEND digests "${digest}")
+endforeach()
+string(SHA1 digest "${digests}")
+string(REPLACE "/" "::" namespace "${FOLDER}")
+file(WRITE "${OUTPUT}" "#include \"rubsweep/${FOLDER}/${NAME}.hpp\"\n\n\
+const char* const rubsweep::${namespace}::${NAME} = \"${digest}\";\n")
