@@ -36,6 +36,8 @@ includers() {
   local name=${1#lib/}
   name=${name#tests/} name=${name#apps/}
   git grep -lF "#include \"$name\"" -- "$2" || true
+  # The parts of a program include each other by the name alone.
+  [[ $1 != apps/* ]] || git grep -lF "#include \"${1##*/}\"" -- "${1%/*}/$2" || true
 }
 
 # source_of FILE: the source through which clang-tidy sees it: itself, that of the same name, one that includes it, or one

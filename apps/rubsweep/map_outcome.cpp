@@ -1,0 +1,68 @@
+#include "map_outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/map/finished_map.hpp"
+#include "rubsweep/page/report_page.hpp"
+#include "shared/exit_code.hpp"
+#include "shared/program.hpp"
+#include "shared/report_file.hpp"
+#include "shared/writable.hpp"
+#include "terminal_map.hpp"
+
+namespace rubsweep::apps {
+
+void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study) {
+  if (arguments.fade && study.robustness != sweep::Robustness::probability)
+    throw ConfigError(
+        "--fade: the map has no column robust_share, allowed: with response.robustness probability");
+}
+
+void refuse_what_cannot_be_shown(const RubsweepArguments& arguments, const sweep::Study& study,
+                                 const std::filesystem::path& directory) {
+  if (arguments.report) {
+    page::require_plane(study.grid, "a report");
+    require_writable(directory / "report.html", true);
+  }
+  if (arguments.figure) page::require_plane(study.grid, "a picture");
+}
+
+int report_map(std::string_view program, const RubsweepArguments& arguments,
+               const report::MapSummary& summary, const config::RunConfig& config,
+               map::MapDirectory& directory) {
+  const sweep::Study& study = config.study;
+  const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
+  const TerminalView view =
+      shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};
+  if (!arguments.quiet) {
+    std::fputs(view.map.c_str(), stdout);  // with its colours
+    print("{}map: {}\n", summary.text(), directory.map().string());
+  }
+  if (!arguments.quiet) map::warn(program, summary);
+  if (arguments.figure) {
+    arguments.figure->draw("map", directory.map(),
+                           study.machine.kick ? "Rub domains after a kick" : "Rub domains",
+                           arguments.fade ? std::vector<std::string>{"--fade"} : std::vector<std::string>{});
+    if (!arguments.quiet) print("figure: {}\n", arguments.figure->file().string());
+  }
+  if (arguments.report) {
+    const std::filesystem::path place = directory.map().parent_path();
+    const int code = write_report(place, study, program,
+                                  {.file = place / "report.html",
+                                   .captions = config.captions,
+                                   .threads = arguments.threads,
+                                   .progress = arguments.progress,
+                                   .quiet = arguments.quiet,
+                                   .before_leaving = [&] { directory.leave(); }});
+    if (code != done) return code;
+  }
+  print("{}", view.next);
+  return summary.has_failed_cells() ? some_cells_failed : done;
+}
+
+}  // namespace rubsweep::apps

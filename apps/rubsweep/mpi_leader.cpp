@@ -1,0 +1,172 @@
+#include "mpi_leader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <thread>
+#include <utility>
+
+#include "mpi_messages.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/report/describe_footprint.hpp"
+#include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/sweep/run_cells.hpp"
+#include "shared/forecast.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/program.hpp"
+
+namespace rubsweep::apps {
+
+MpiLeader::MpiLeader(MapJob& job, int ranks)
+    : job_(job),
+      chunks_(job.directory->missing(), static_cast<std::size_t>(ranks)),
+      complete_(!job.config.study.grid.refinement),
+      log_(*job.directory, job.arguments.quiet ? batch::ProgressMode::never : job.arguments.progress) {
+  const int threads = batch::thread_count(job.arguments.threads);
+  if (!complete_) {
+    refined_.emplace(job.config.study.grid);
+    refined_->read(*job.directory);
+    chunks_.refill(refined_->wanted());
+    log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks}));
+    return;
+  }
+  const std::size_t cells = job.directory->missing().size();
+  // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
+  if (log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks})))
+    pilots_ = pilot_count(cells, static_cast<std::size_t>(threads * ranks));
+}
+
+std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
+  std::exception_ptr failure;
+  std::atomic<bool> own_done = false;
+  std::jthread own([&] {
+    try {
+      compute();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    own_done = true;
+  });
+  try {
+    while (workers > 0 || !own_done) {
+      if (serve()) --workers;
+      if (own_done && failure) break;
+      if (stop) end(caught_signal());
+      workers -= begin_round(workers);
+      if (ended_ && ChunkClock::now() - *ended_ >= grace) leave();
+      const std::lock_guard lock(mutex_);
+      log_.refresh();
+    }
+  } catch (...) {
+    give_up();  // or the destructor would wait for all cells
+    throw;
+  }
+  own.join();
+  if (failure) std::rethrow_exception(failure);
+  log_.progress().finish();
+  return log_.finished();
+}
+
+void MpiLeader::end(int signal) {
+  if (ended_) return;
+  ended_ = ChunkClock::now();
+  signal_ = signal;
+  ending_ = true;
+  give_up();
+}
+
+void MpiLeader::give_up() {
+  const std::lock_guard lock(mutex_);
+  complete_ = true;
+  chunks_.close();
+  next_round_.notify_all();
+}
+
+int MpiLeader::begin_round(int workers) {
+  const std::lock_guard lock(mutex_);
+  if (!complete_) {
+    if (!own_waits_ || waiting_.size() < static_cast<std::size_t>(workers)) return 0;
+    std::vector<std::size_t> wanted = refined_->wanted();
+    complete_ = wanted.empty();
+    chunks_.refill(std::move(wanted));
+    own_waits_ = false;
+    next_round_.notify_all();
+  }
+  int ended = 0;
+  std::vector<int> waiting = std::exchange(waiting_, {});
+  for (const int rank : waiting) ended += answer(rank);
+  return ended;
+}
+
+int MpiLeader::answer(int rank) {
+  const batch::Chunk chunk = chunks_.next(static_cast<std::size_t>(rank));
+  if (chunk.empty() && !complete_) {
+    waiting_.push_back(rank);
+    return 0;
+  }
+  mpi::send_chunk(rank, chunk);
+  return chunk.empty() ? 1 : 0;
+}
+
+batch::Chunk MpiLeader::own_chunk() {
+  while (true) {
+    batch::Chunk chunk = chunks_.next(0);
+    std::unique_lock lock(mutex_);
+    if (!chunk.empty() || complete_) return chunk;
+    own_waits_ = true;
+    next_round_.wait(lock, [this] { return !own_waits_ || complete_; });
+  }
+}
+
+void MpiLeader::leave() {
+  const std::lock_guard lock(mutex_);
+  log_.close();
+  say(map::interrupted_map(mpi_program_name, *job_.directory, log_.finished()));
+  job_.directory->leave();
+  mpi::abort(128 + signal_);
+}
+
+bool MpiLeader::serve() {
+  const auto report = mpi::receive_report(std::chrono::milliseconds(1));
+  if (!report) return false;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const mpi::FinishedCell& finished : report->finished) {
+      log_.add_of_other_process(finished.line);
+      note(finished.cell, finished.line);
+    }
+  }
+  if (report->signal != 0) end(report->signal);
+  if (report->signal != 0) return true;
+  const std::lock_guard lock(mutex_);
+  return answer(report->rank) == 1;
+}
+
+void MpiLeader::compute() {
+  for (batch::Chunk chunk = own_chunk(); !chunk.empty(); chunk = own_chunk()) {
+    sweep::run_cells(
+        job_.config.study, chunk, job_.arguments.threads,
+        [&](std::size_t cell, const sweep::Row& row) {
+          const std::string line = report::map_line(row, job_.config.study);
+          const std::lock_guard lock(mutex_);
+          log_.add(cell, line);
+          note(cell, line);
+        },
+        ending_);
+  }
+}
+
+void MpiLeader::note(std::size_t cell, const std::string& line) {
+  if (refined_) refined_->add(cell, line);
+  const std::size_t finished = log_.finished();
+  if (pilots_ == 0 || finished < pilots_) return;
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+  const std::size_t left = job_.directory->missing().size() - finished;
+  if (const std::string text = forecast(finished, elapsed.count(), left); !text.empty())
+    log_.progress().say(text);
+  pilots_ = 0;
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "map_outcome.hpp"
+#include "merge.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/map/map_directory.hpp"
+#include "rubsweep/map/map_status.hpp"
+#include "rubsweep/report/describe_footprint.hpp"
+#include "rubsweep/report/explain_study.hpp"
+#include "rubsweep/report/motion_kinds_csv.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
+#include "rubsweep/sweep/footprint.hpp"
+#include "rubsweep_arguments.hpp"
+#include "shared/child_process.hpp"
+#include "shared/exit_code.hpp"
+#include "shared/forecast.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/kept_files.hpp"
+#include "shared/missing_cells.hpp"
+#include "shared/premises.hpp"
+#include "shared/program.hpp"
+#include "shared/verdict.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+/// Name of this process for others: "rubsweep" or "rubsweep --shard 2/8".
+std::string own_name(const RubsweepArguments& arguments) {
+  if (!arguments.shard) return "rubsweep";
+  return fmt::format("rubsweep --shard {}/{}", arguments.shard->index + 1, arguments.shard->count);
+}
+
+std::string shard_is_done(const RubsweepArguments& arguments, const sweep::Grid& grid,
+                          const map::MapDirectory& directory, std::size_t left_to_others) {
+  if (left_to_others > 0) {
+    return fmt::format(
+        "the refined map wants {} cells of other shards before it can say what it wants of this one: "
+        "run every shard, then each once more, or all of it by\n  {}\n",
+        left_to_others, command_of(arguments, ""));
+  }
+  const std::string merge = command_of(arguments, "--merge");
+  if (grid.refinement) return fmt::format("the refined map is complete: {}\n", merge);
+  return fmt::format("{} cells finished; when every shard is: {}\n", directory.cells(), merge);
+}
+
+int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
+  refuse_fading(arguments, config.study);
+  report::refuse_more_memory_than(machine_memory_bytes(), config.study,
+                                  {batch::thread_count(arguments.threads)});
+  batch::require_threads(arguments.threads, 1);
+  const std::filesystem::path output = arguments.output.value_or(config.output_directory);
+  keep_run_configuration(arguments.config, output);
+  refuse_what_cannot_be_shown(arguments, config.study, output);
+  map::MapDirectory directory(output, config, arguments.shard, arguments.fresh, own_name(arguments));
+  if (directory.finished_map()) {
+    if (!arguments.quiet) say(map::map_is_there("rubsweep"));
+    return report_map("rubsweep", arguments, directory.finished_map()->summary, config, directory);
+  }
+  if (arguments.merge) {
+    refuse_to_merge_too_early(arguments, config, directory);
+    return report_map("rubsweep", arguments, directory.write_map(), config, directory);
+  }
+  const SweepRun how{"rubsweep", arguments.threads, arguments.progress, arguments.quiet};
+  const auto left_to_others = compute_missing_cells(how, config.study, directory);
+  if (!left_to_others) return 128 + caught_signal();
+  if (arguments.shard) {
+    if (!arguments.quiet)
+      print("{}", shard_is_done(arguments, config.study.grid, directory, *left_to_others));
+    return *left_to_others > 0 ? unfinished : done;
+  }
+  return report_map("rubsweep", arguments, directory.write_map(), config, directory);
+}
+
+map::VerifiedConfiguration read_rub_configuration(const std::filesystem::path& file) {
+  sweep::Study study = config::read_run_config(file, {}).study;
+  std::string digest = config::study_digest(study);
+  return {std::move(digest), std::move(study)};
+}
+
+int verify(const RubsweepArguments& arguments) {
+  const std::filesystem::path& directory = *arguments.verified;
+  // Only ringstab reads the configurations of rings.
+  if (map::was_written_by("ringstab", directory)) {
+    std::vector<std::string> command{"--verify", directory.string()};
+    if (arguments.quiet) command.emplace_back("--quiet");
+    become_sibling("ringstab", std::move(command));
+  }
+  return report_verdict("rubsweep", directory, map::verify_directory(directory, read_rub_configuration),
+                        arguments.quiet);
+}
+
+int perform(const RubsweepArguments& arguments) {
+  if (arguments.verified) return verify(arguments);
+  if (answered("rubsweep", arguments.action, rubsweep_help)) return done;
+  if (arguments.motion_kinds) {
+    print("{}", report::motion_kinds_csv());
+    return done;
+  }
+  if (arguments.status) {
+    print("{}", map::map_status(*arguments.status));
+    return done;
+  }
+  const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  ask("rubsweep", config.questions, arguments.quiet);
+  const sweep::Study& study = config.study;
+  const int threads = batch::thread_count(arguments.threads);
+  return act(
+      arguments,
+      {.size =
+           [&] {
+             // Throws where no structure can be computed of these numbers.
+             warn_of_premises("rubsweep", study, scene::prepare_machine(study.machine));
+             return fmt::format("{} cells", sweep::cell_count(study.grid));
+           },
+       .explanation =
+           [&] { return report::explain_study(study) + report::describe_footprint(study, {threads}) + "\n"; },
+       .configuration = [&] { return config::print_config(config); },
+       .run = [&] { return run(arguments, config); }});
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  using namespace rubsweep::apps;
+  return run_program("rubsweep", [&] { return perform(parse_rubsweep_arguments(argc, argv)); });
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/map/map_directory.hpp"
+#include "shared/action.hpp"
+#include "shared/figure.hpp"
+
+namespace rubsweep::apps {
+
+struct RubsweepArguments : StudyArguments {
+  int threads = 0;
+  batch::ProgressMode progress = batch::ProgressMode::automatic;
+  bool fresh = false;                    ///< forget what earlier runs finished
+  bool merge = false;                    ///< only put together what shards finished
+  std::optional<map::Share> shard = {};  ///< compute this part alone
+  std::optional<Figure> figure = {};     ///< also draw the finished map
+  bool fade = false;                     ///< its cells by their robust_share
+  bool report = false;                   ///< also make report.html of the finished map
+  /// Directory whose results are only to be checked for completeness.
+  std::optional<std::filesystem::path> verified = {};
+  bool motion_kinds = false;                         ///< only print the table of motions and their colours
+  std::optional<std::filesystem::path> status = {};  ///< only say how far the map in this directory is
+};
+
+/// Throws UsageError (program.hpp).
+RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv);
+
+/// Text of --help.
+std::string rubsweep_help();
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "map_outcome.hpp"
+#include "mpi_leader.hpp"
+#include "mpi_messages.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/map/map_directory.hpp"
+#include "rubsweep/report/describe_footprint.hpp"
+#include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
+#include "rubsweep/sweep/footprint.hpp"
+#include "rubsweep/sweep/run_cells.hpp"
+#include "rubsweep_arguments.hpp"
+#include "shared/exit_code.hpp"
+#include "shared/forecast.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/kept_files.hpp"
+#include "shared/premises.hpp"
+#include "shared/program.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string help() {
+  return "mpirun -n N rubsweep-mpi CONFIG.yaml [--output DIR] [--threads N] [--set KEY.PATH=VALUE]... "
+         "[--fresh]\n"
+         "                         [--figure FILE [--fade]] [--report] [--progress auto|always|never] "
+         "[--quiet]\n"
+         "Computes one map with N processes that share the output directory; see rubsweep --help for the "
+         "options.\n"
+         "--threads counts for each process. The map is the same, byte for byte, as that of rubsweep, and so "
+         "is what\n"
+         "happens when a run ends early: the same command, with any number of processes, computes the "
+         "rest. The\n"
+         "first process draws the picture and writes report.html, on --threads threads.\n";
+}
+
+/// Returns an exit code; there is a job when it is `done`, and the map is not only asked about and not there.
+/// Each rank may take `memory_bytes`.
+int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::optional<MapJob>& job) {
+  RubsweepArguments arguments = parse_rubsweep_arguments(argc, argv);
+  if (answered(mpi_program_name, arguments.action, help)) return done;
+  if (arguments.action != Action::run || arguments.shard || arguments.merge || arguments.verified ||
+      arguments.status) {
+    throw UsageError("this program only computes maps; use rubsweep for everything else");
+  }
+  config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  ask(mpi_program_name, config.questions, arguments.quiet);
+  refuse_fading(arguments, config.study);
+  report::refuse_more_memory_than(memory_bytes, config.study,
+                                  {batch::thread_count(arguments.threads), ranks});
+  config.output_directory = fs::absolute(arguments.output.value_or(config.output_directory));
+  keep_run_configuration(arguments.config, config.output_directory);
+  refuse_what_cannot_be_shown(arguments, config.study, config.output_directory);
+  job.emplace();
+  job->arguments = std::move(arguments);
+  job->config = std::move(config);
+  job->directory.emplace(job->config.output_directory, job->config, std::nullopt, job->arguments.fresh,
+                         std::string(mpi_program_name));
+  if (const auto& map = job->directory->finished_map()) {
+    if (!job->arguments.quiet) say(map::map_is_there(mpi_program_name));
+    const int code = report_map(mpi_program_name, job->arguments, map->summary, job->config, *job->directory);
+    job.reset();
+    return code;
+  }
+  const sweep::Study& study = job->config.study;
+  if (!job->arguments.quiet) warn_of_premises(mpi_program_name, study, scene::prepare_machine(study.machine));
+  return done;
+}
+
+ExitCode work(const config::RunConfig& config, int rank, int threads) {
+  const std::atomic<bool>& stop = catch_interrupts();
+  std::optional<batch::Journal> journal;
+  std::vector<mpi::FinishedCell> finished;
+  std::mutex mutex;  // guards the journal
+  // A rank in the middle of a long cell cannot report any more. One that ends like this ends the job, and the
+  // others learn it by a signal.
+  std::optional<Watch> watch(
+      std::in_place,
+      [&] {
+        const std::lock_guard lock(mutex);
+        if (journal) journal->refresh();
+      },
+      [&] {
+        const std::lock_guard lock(mutex);
+        if (journal) journal->sync();
+        std::_Exit(128 + caught_signal());
+      });
+  while (true) {
+    const int signal = caught_signal();  // once: what is reported is what is done
+    mpi::send_report({rank, signal, std::exchange(finished, {})});
+    if (signal != 0) break;
+    const batch::Chunk chunk = mpi::receive_chunk();
+    if (chunk.empty()) break;
+    if (const std::lock_guard lock(mutex); !journal) journal.emplace(map::rank_journal(config, rank));
+    sweep::run_cells(
+        config.study, chunk, threads,
+        [&](std::size_t cell, const sweep::Row& row) {
+          std::string line = report::map_line(row, config.study);
+          const std::lock_guard lock(mutex);
+          journal->append(cell, line);
+          finished.push_back({cell, std::move(line)});
+        },
+        stop);
+  }
+  watch.reset();
+  journal.reset();
+  mpi::wait_for_all();  // before the first rank reads the journals
+  mpi::wait_for_all();  // while it writes the map and draws
+  return done;
+}
+
+int lead(MapJob& job, int ranks) {
+  const std::atomic<bool>& stop = catch_interrupts();
+  map::MapDirectory& directory = *job.directory;
+  const bool quiet = job.arguments.quiet;
+  if (!quiet && directory.finished() > 0) {
+    say(fmt::format("{}: {} of {} cells were finished before\n", mpi_program_name, directory.finished(),
+                    directory.cells()));
+  }
+  MpiLeader leader(job, ranks);
+  const std::size_t finished = leader.run(ranks - 1, stop);
+  mpi::wait_for_all();  // all journals are closed
+  const bool refined = job.config.study.grid.refinement.has_value();
+  if (refined ? leader.signal() != 0 : finished < directory.missing().size()) {
+    mpi::wait_for_all();
+    say(map::interrupted_map(mpi_program_name, directory, finished));
+    return 128 + leader.signal();
+  }
+  if (!quiet) say(leader.description());
+  // The others sleep meanwhile.
+  const int code = report_map(mpi_program_name, job.arguments, directory.write_map(), job.config, directory);
+  mpi::wait_for_all();
+  return code;
+}
+
+int run(int argc, char** argv) {
+  const int rank = mpi::rank(), ranks = mpi::ranks();
+  const std::size_t memory_bytes =
+      mpi::smallest(machine_memory_bytes() / static_cast<std::size_t>(mpi::ranks_on_this_machine()));
+  std::optional<MapJob> job;
+  int code = 0;
+  if (rank == 0) {
+    code = run_program(mpi_program_name, [&] { return prepare(argc, argv, ranks, memory_bytes, job); });
+  }
+  code = mpi::broadcast_number(code);
+  const int threads = mpi::broadcast_number(job ? job->arguments.threads : 0);
+  const std::string text = mpi::broadcast_text(job ? config::print_config(job->config) : "");
+  if (code != done || text.empty()) return code;
+  code = run_program(mpi_program_name, [&] {
+    batch::require_threads(threads, 1);
+    if (job) return lead(*job, ranks);
+    return static_cast<int>(work(config::read_run_config_text(text, "the first rank", {}), rank, threads));
+  });
+  // The others would wait for ever for a rank that gave up; all journals are as the system has them.
+  if (code != done && code != some_cells_failed && code < 128) mpi::abort(code);
+  return code;
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  rubsweep::apps::open_standard_descriptors();
+  const rubsweep::apps::mpi::Session session(argc, argv);
+  return rubsweep::apps::run(argc, argv);
+}

@@ -1,0 +1,171 @@
+#include "experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/batch/result_files.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/identify/campbell.hpp"
+#include "rubsweep/identify/campbell_tables.hpp"
+#include "rubsweep/identify/experiment.hpp"
+#include "rubsweep/identify/experiment_tables.hpp"
+#include "rubsweep/line/follow_line.hpp"
+#include "rubsweep/ramp/ramp_record.hpp"
+#include "rubsweep/ramp/ramp_tables.hpp"
+#include "shared/exit_code.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/premises.hpp"
+#include "shared/program.hpp"
+#include "shared/result_directory.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+/// Every file that an experiment may leave.
+constexpr std::array<std::string_view, 12> file_names{
+    "config.yaml",  "sensors.csv",         "bode.csv",         "identification.csv",
+    "campbell.csv", "critical_speeds.csv", "mode_shapes.csv",  "envelope.csv",
+    "orbits.csv",   "spectrogram.csv",     "quasi_static.csv", "rub.csv"};
+
+/// Speeds at which a run-up with stops is compared with steady motions.
+constexpr int steady_speeds = 121;
+/// Samples of a turn at the fastest speed.
+constexpr int ramp_samples = 128;
+
+/// Files of an experiment but its configuration, and its result for a terminal.
+struct Outcome {
+  batch::ResultFiles files;
+  std::string summary;
+  integrate::run::Outcome run = integrate::run::Outcome::ok;  ///< of a run-up with stops
+};
+
+Outcome outcome_of(identify::ExperimentTables tables) {
+  return {{{"sensors.csv", std::move(tables.sensors_csv)},
+           {"bode.csv", std::move(tables.bode_csv)},
+           {"identification.csv", std::move(tables.identification_csv)}},
+          std::move(tables.summary)};
+}
+
+Outcome campbell_diagram(const CampbellSpeeds& asked, const model::Machine& machine) {
+  const std::vector<double> speeds_hz = batch::evenly_spaced(asked.from_hz, asked.to_hz, asked.count);
+  identify::CampbellTables tables =
+      identify::tables_of(identify::campbell(identify::free_rotor(machine), speeds_hz, 2 * asked.to_hz));
+  return {{{"campbell.csv", std::move(tables.campbell_csv)},
+           {"critical_speeds.csv", std::move(tables.critical_speeds_csv)},
+           {"mode_shapes.csv", std::move(tables.mode_shapes_csv)}},
+          std::move(tables.summary)};
+}
+
+/// The motions at steady speeds, each from the one before it, in the order of the ramp.
+std::vector<line::LinePoint> steady_motions(const ramp::SpeedRamp& ramp, const sweep::Study& study,
+                                            const scene::PreparedMachine& machine) {
+  const auto shared_study = std::make_shared<const sweep::Study>(study);
+  const auto shared_machine = std::make_shared<const scene::PreparedMachine>(machine);
+  std::vector<line::LineCell> cells;
+  for (const double speed_hz : batch::evenly_spaced(ramp.from_hz, ramp.to_hz, steady_speeds)) {
+    cells.push_back(
+        {speed_hz, shared_study, shared_machine, {speed_hz, scene::Eccentricity{ramp.eccentricity_m}}});
+  }
+  std::vector<line::LinePoint> points;
+  const std::array passes{line::Pass::up};
+  const std::atomic<bool> never{false};
+  line::follow_line(
+      cells, passes, 1, [&](line::LinePoint&& point) { points.push_back(std::move(point)); }, never);
+  return points;
+}
+
+/// Neither kick nor start: the unbalance alone brings the rotor to the wall.
+Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study) {
+  study.machine.kick.reset();
+  study.machine.start.reset();
+  const scene::PreparedMachine machine = scene::prepare_machine(study.machine);
+  ramp::RampRecord record(ramp);
+  const integrate::run::Outcome run =
+      ramp::run_ramp(machine, ramp, study.solver, ramp_samples,
+                     [&](const ramp::RampStretch& stretch) { record.add(stretch); });
+  ramp::RampTables tables = ramp::tables_of(record, steady_motions(ramp, study, machine));
+  return {{{"envelope.csv", std::move(tables.envelope_csv)},
+           {"orbits.csv", std::move(tables.orbits_csv)},
+           {"spectrogram.csv", std::move(tables.spectrogram_csv)},
+           {"quasi_static.csv", std::move(tables.quasi_static_csv)},
+           {"rub.csv", std::move(tables.rub_csv)}},
+          std::move(tables.summary),
+          run};
+}
+
+/// At the steady speeds that stand for a ramp.
+void warn_of_ramp(const ramp::SpeedRamp& ramp, const sweep::Study& study,
+                  const scene::PreparedMachine& machine) {
+  warn_of_premises_at("rubtrace", batch::evenly_spaced(ramp.from_hz, ramp.to_hz, steady_speeds), study,
+                      machine);
+}
+
+Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
+  const model::Machine& described = study.machine;
+  const scene::PreparedMachine machine = scene::prepare_machine(described);
+  if (arguments.run_up && !arguments.quiet) warn_of_ramp(*arguments.run_up, study, machine);
+  if (arguments.with_stops) return run_up_with_stops(*arguments.run_up, study);
+  if (arguments.campbell) return campbell_diagram(*arguments.campbell, described);
+  const identify::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
+  if (const auto& ramp = arguments.run_up) {
+    return outcome_of(identify::tables_of(identify::run_up(
+        machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s, ramp->eccentricity_m, sampling)));
+  }
+  if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
+  const double slowest_hz = identify::lowest_frequency_hz(machine);
+  if (!(2 * slowest_hz * sampling.sample_s < 1)) {
+    throw UsageError(
+        fmt::format("--sample-s: {} s are too long to see {:.4g} Hz, allowed: less than {:.4g} s",
+                    sampling.sample_s, slowest_hz, 1 / (2 * slowest_hz)));
+  }
+  return outcome_of(identify::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
+}
+
+/// Picture that rubplot draws of it, and its heading.
+std::pair<const char*, std::string> drawing_of(const RubtraceArguments& arguments) {
+  if (arguments.campbell) return {"campbell", "Campbell diagram"};
+  const ramp::SpeedRamp& ramp = arguments.run_up.value();
+  return {arguments.with_stops ? "run-up" : "bode",
+          fmt::format("Run-{} {}, {:.4g} to {:.4g} Hz at {:.4g} Hz/s, eccentricity {:.4g} mm",
+                      ramp.to_hz > ramp.from_hz ? "up" : "down",
+                      arguments.with_stops ? "through rub" : "without stops", ramp.from_hz, ramp.to_hz,
+                      ramp.rate_hz_per_s, 1e3 * ramp.eccentricity_m)};
+}
+
+}  // namespace
+
+int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& config,
+                   const std::filesystem::path& directory) {
+  const ResultDirectory made(directory, file_names);
+  end_on_interrupts("nothing was written");
+  auto [files, summary, run] = perform(arguments, config.study);
+  files.emplace("config.yaml", config::print_config(config));
+  std::erase_if(files, [](const auto& file) { return file.second.empty(); });
+  {
+    const InterruptsWait whole_set;
+    batch::write_result_files(
+        files, file_names, directory,
+        {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
+    end_on_interrupts("the files are written, no figure is");
+  }
+  if (!arguments.quiet) print("{}{}", summary, batch::files_line(files, directory));
+  if (arguments.figure) {
+    const auto [picture, heading] = drawing_of(arguments);
+    arguments.figure->draw(picture, directory, heading);
+    if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
+  }
+  if (run == integrate::run::Outcome::ok) return done;
+  say(fmt::format("rubtrace: the run-up failed: {}; the files end there\n", to_string(run)));
+  return some_cells_failed;
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "experiment.hpp"
+#include "rubsweep/batch/result_files.hpp"
+#include "rubsweep/config/cell_config.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/identify/experiment.hpp"
+#include "rubsweep/identify/experiment_tables.hpp"
+#include "rubsweep/identify/linear_run.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/report/map_csv.hpp"
+#include "rubsweep/report/motion_summary.hpp"
+#include "rubsweep/report/unit_columns.hpp"
+#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/sweep/hertz_secant.hpp"
+#include "rubsweep/trace/probe_period.hpp"
+#include "rubsweep/trace/trace_csv.hpp"
+#include "rubsweep/trace/trace_run.hpp"
+#include "rubsweep/trace/trace_summary.hpp"
+#include "rubtrace_arguments.hpp"
+#include "shared/exit_code.hpp"
+#include "shared/forecast.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/kept_files.hpp"
+#include "shared/premises.hpp"
+#include "shared/program.hpp"
+#include "shared/result_directory.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Every file that a trace may leave.
+constexpr std::array<std::string_view, 8> file_names{"config.yaml", "motion.csv",        "trajectory.csv",
+                                                     "section.csv", "events.csv",        "spectrum.csv",
+                                                     "sensors.csv", "probe_spectrum.csv"};
+
+/// Fewer readings than this show no period.
+constexpr int fewest_readings = 16;
+
+fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {
+  return results_directory(arguments, config.output_directory, "_trace");
+}
+
+int cannot_start(scene::Start start) {
+  say(fmt::format(
+      "rubtrace: {}; no trace, motion.csv only\n",
+      start == scene::Start::initial_contact
+          ? "static forces press the rotor on the wall, so that no unbalance gives this whirl ratio; "
+            "give --eccentricity-m instead"
+          : "no eccentricity gives this whirl ratio at this speed, or there is no quiet motion"));
+  return some_cells_failed;
+}
+
+/// Refused before anything is begun, not killed in the middle.
+void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::size_t stops,
+                                      Eigen::Index coordinates) {
+  const double needed = trace::trace_bytes(options, stops, coordinates),
+               there = static_cast<double>(machine_memory_bytes());
+  if (needed <= there) return;
+  throw ConfigError(fmt::format(
+      "--revolutions: {} revolutions take about {:.3g} GB of memory, this machine has {:.3g} GB, allowed: "
+      "fewer --revolutions or --last-revolutions",
+      options.revolutions, needed / 1e9, there / 1e9));
+}
+
+trace::Probes probes_of(const RubtraceArguments& arguments, const scene::PreparedMachine& prepared,
+                        long revolutions) {
+  const double readings =
+      static_cast<double>(revolutions) / (arguments.place.speed_hz.value() * arguments.sample_s);
+  if (readings > identify::most_samples) {
+    throw UsageError(
+        fmt::format("--sample-s: allowed: long enough for {} samples or fewer", identify::most_samples));
+  }
+  if (readings < fewest_readings)
+    throw UsageError(
+        fmt::format("--sample-s: allowed: short enough for {} samples or more", fewest_readings));
+  const identify::SensorRows sensors = identify::sensor_rows(prepared);
+  return {sensors.rows, sensors.angle_deg, arguments.sample_s, arguments.noise_m};
+}
+
+std::vector<double> places_of_sensors(const model::Machine& machine) {
+  std::vector<double> places;
+  if (const model::RotorKit* kit = model::kit_of(machine)) {
+    for (const model::Sensor& sensor : kit->sensors) places.push_back(sensor.position_m);
+  }
+  return places;
+}
+
+/// Adds the readings of the probes, and returns their verdict beside that of the section.
+std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
+                           const sweep::Study& study, response::motion::Workspace& workspace,
+                           batch::ResultFiles& files) {
+  files["sensors.csv"] = identify::sensors_csv({.from_hz = speed_hz,
+                                                .sample_s = probes.sample_s,
+                                                .samples = static_cast<int>(trace.readings_m.rows())},
+                                               trace.readings_m);
+  const auto pair = trace::pair_of(probes.angle_deg, places_of_sensors(study.machine));
+  if (!pair) return "probes    no two of them see one place from two directions\n";
+  const auto z = trace::displacement_of(trace.readings_m, *pair, probes.angle_deg);
+  const int turns = static_cast<int>(std::min<long>(trace.revolutions, study.response.window_revolutions));
+  const trace::ProbePeriod period =
+      trace::find_period(z, probes.sample_s, speed_hz, probes.noise_m, turns, study.response.max_order);
+  const auto spectrum = trace::probe_spectrum(z, probes.sample_s, speed_hz, turns, period.period.value_or(1),
+                                              workspace.spectrum);
+  files["probe_spectrum.csv"] = trace::spectrum_csv(spectrum, speed_hz);
+  return trace::probe_summary(period, *pair, probes);
+}
+
+int run(const RubtraceArguments& arguments, config::RunConfig config) {
+  const scene::Place place{arguments.place.speed_hz.value(),
+                           unbalance_of(arguments.place, config.study.machine)};
+  config.study.grid = sweep::grid_of(place);
+  keep_units(arguments.place, config.study);
+  const sweep::Study& study = config.study;
+  trace::TraceOptions options{.speed_hz = place.speed_hz,
+                              .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
+                              .samples_per_revolution = study.response.samples_per_revolution,
+                              .window_revolutions = study.response.window_revolutions,
+                              .trajectory_revolutions = arguments.last_revolutions};
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  if (!arguments.quiet) warn_of_premises("rubtrace", study, prepared);
+  if (arguments.probes) options.probes = probes_of(arguments, prepared, options.revolutions);
+  refuse_more_memory_than_there_is(options, study.machine.stops.size(),
+                                   prepared.assembly.system.coordinates());
+  const fs::path directory = directory_of(arguments, config);
+  const ResultDirectory made(directory, file_names);
+  end_on_interrupts("nothing was written");
+
+  response::motion::Workspace workspace;
+  const sweep::Row row = sweep::evaluate_cell(study, prepared, 0, workspace);
+  batch::ResultFiles files{
+      {"config.yaml", config::print_config(config)},
+      {"motion.csv", report::map_comments() + report::map_header(study) + report::unit_header(study.grid) +
+                         "\n" + report::map_line(row, study) + report::unit_cells(row, study.grid) + "\n"}};
+  std::string summary = report::motion_summary(row);
+
+  // A second run of the cell: the first one, which classifies, ends where the motion is proven and takes
+  // other samples, so that its steps are not those of a trace of all revolutions.
+  const std::optional<double> secant_n = row.hertz ? std::optional(row.hertz->force_n) : std::nullopt;
+  const scene::Cell cell =
+      scene::build_cell(sweep::with_secant_of_row(prepared, secant_n), place.speed_hz, place.unbalance);
+  trace::Trace trace;
+  if (scene::can_run(cell.start)) {
+    trace = trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,
+                             study.solver, options);
+    const trace::TraceWindow window = trace::last_window(trace, options, row.order, workspace.spectrum);
+    files["trajectory.csv"] = trace::trajectory_csv(trace);
+    files["section.csv"] = trace::section_csv(trace);
+    files["events.csv"] = trace::events_csv(trace);
+    files["spectrum.csv"] = trace::spectrum_csv(window.spectrum, place.speed_hz);
+    summary += trace::trace_summary(trace, window, cell.scene.length_scale_m);
+    if (options.probes)
+      summary += look_by_probes(trace, *options.probes, place.speed_hz, study, workspace, files);
+  }
+  {
+    const InterruptsWait whole_set;
+    batch::write_result_files(
+        files, file_names, directory,
+        {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
+    end_on_interrupts("the files are written, no figure is");
+  }
+  if (!arguments.quiet) print("{}{}", summary, batch::files_line(files, directory));
+  if (arguments.figure && trace.revolutions > 0) {
+    arguments.figure->draw("trace", directory, "One cell under the lens");
+    if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
+  }
+  if (!scene::can_run(cell.start)) return cannot_start(cell.start);
+  if (trace.outcome == integrate::run::Outcome::ok) return done;
+  say(fmt::format("rubtrace: the run failed in revolution {}: {}; the files end there\n",
+                  trace.revolutions + 1, integrate::run::to_string(trace.outcome)));
+  return some_cells_failed;
+}
+
+int perform(RubtraceArguments arguments) {
+  if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
+  config::RunConfig config = config::read_cell_config(arguments.config, arguments.overrides);
+  ask("rubtrace", config.questions, arguments.quiet);
+  if (arguments.place.has_unbalance())
+    ask_about("rubtrace", unbalance_of(arguments.place, config.study.machine), config.study.machine,
+              arguments.quiet);
+  if (arguments.place.speed_hz) require_speed("--speed-hz", *arguments.place.speed_hz, config.study.machine);
+  if (const auto& speeds = arguments.campbell)
+    require_speed("--campbell", speeds->to_hz, config.study.machine);
+  if (auto& ramp = arguments.run_up) {
+    require_speed("--run-up", std::max(ramp->from_hz, ramp->to_hz), config.study.machine);
+    const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);
+    ramp->eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
+  }
+  if (arguments.campbell) require_speed("--campbell", arguments.campbell->to_hz, config.study.machine);
+  if (arguments.free_response || arguments.run_up || arguments.campbell) {
+    return run_experiment(arguments, config, directory_of(arguments, config));
+  }
+  return run(arguments, std::move(config));
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  using namespace rubsweep::apps;
+  return run_program("rubtrace", [&] { return perform(parse_rubtrace_arguments(argc, argv)); });
+}

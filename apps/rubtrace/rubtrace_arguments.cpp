@@ -1,0 +1,237 @@
+#include "rubtrace_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "rubsweep/identify/experiment.hpp"
+#include "rubsweep/model/range.hpp"
+#include "shared/command_line.hpp"
+#include "shared/program.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+po::options_description visible_options() {
+  po::options_description options("Options");
+  add_place(options);
+  options.add_options()(
+      "revolutions", po::value<long>()->value_name("N"),
+      "revolutions to run from the start of the kick, never fewer; default: response.max_revolutions")(
+      "last-revolutions", po::value<long>()->value_name("M"),
+      "only the last M revolutions go into trajectory.csv; default: all")(
+      "free-response",
+      "instead: response to the kick at standstill without stops, and the frequency and damping fitted to "
+      "it")("run-up", po::value<std::string>()->value_name("FROM:TO:RATE"),
+            "instead: speed ramp without stops in Hz:Hz:Hz/s with --eccentricity-m or --unbalance-g-mm; Bode "
+            "plot and speed of the largest 1X")(
+      "with-stops",
+      "of --run-up: through rub; envelope, orbits and spectrogram of orders, and where it rubs beside where "
+      "it does "
+      "at steady speeds")(
+      "campbell", po::value<std::string>()->value_name("FROM:TO[:COUNT]"),
+      "instead: whirl frequencies without stops over COUNT (101) shaft speeds in Hz; critical speeds, "
+      "shapes")("duration-s", po::value<double>()->value_name("T")->default_value(2),
+                "length of the free response")(
+      "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
+      "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
+      "they show")("noise-m", po::value<double>()->value_name("S")->default_value(0),
+                   "standard deviation of the sensors' noise; likewise");
+  add_figure(
+      options,
+      "draw a trace, a Campbell diagram, a run-up (Bode plot) or one with stops as FILE.png, .svg or .pdf");
+  add_output(options, "write there instead of output.directory + _trace");
+  add_set(options);
+  add_last(options);
+  return options;
+}
+
+std::optional<long> count_of(const po::variables_map& given, const char* name) {
+  if (given.count(name) == 0) return std::nullopt;
+  const long value = given[name].as<long>();
+  if (value < 1) throw UsageError(fmt::format("--{}: allowed: a number >= 1", name));
+  return value;
+}
+
+/// The finite numbers between the colons of a text; empty where one is none.
+std::optional<std::vector<double>> numbers_between_colons(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::string part = text.substr(begin, text.find(':', begin) - begin);
+    std::size_t used = 0;
+    try {
+      numbers.push_back(std::stod(part, &used));
+    } catch (const std::logic_error&) {
+      return std::nullopt;
+    }
+    if (used != part.size() || !model::contains(model::any_finite, numbers.back())) return std::nullopt;
+    begin += part.size() + 1;
+  }
+  return numbers;
+}
+
+ramp::SpeedRamp ramp_of(const std::string& text) {
+  const auto numbers = numbers_between_colons(text);
+  if (!numbers || numbers->size() != 3) {
+    throw UsageError(
+        fmt::format("--run-up: '{}' is not allowed, allowed: FROM:TO:RATE, three numbers", text));
+  }
+  const ramp::SpeedRamp ramp{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  if (ramp.from_hz <= 0 || ramp.to_hz <= 0 || (ramp.to_hz - ramp.from_hz) * ramp.rate_hz_per_s <= 0) {
+    throw UsageError("--run-up: allowed: speeds > 0, and a rate that leads from the first to the second");
+  }
+  return ramp;
+}
+
+CampbellSpeeds campbell_speeds_of(const std::string& text) {
+  constexpr double most = 10000;
+  const auto numbers = numbers_between_colons(text);
+  CampbellSpeeds speeds;
+  bool good = numbers && (numbers->size() == 2 || numbers->size() == 3);
+  if (good && numbers->size() == 3) {
+    const double count = (*numbers)[2];
+    good = count >= 2 && count <= most && count == std::floor(count);
+    if (good) speeds.count = static_cast<int>(count);
+  }
+  if (good) {
+    speeds.from_hz = (*numbers)[0];
+    speeds.to_hz = (*numbers)[1];
+    good = speeds.from_hz >= 0 && speeds.to_hz > speeds.from_hz;
+  }
+  if (good) return speeds;
+  throw UsageError(
+      fmt::format("--campbell: '{}' is not allowed, allowed: FROM:TO or FROM:TO:COUNT with 0 <= FROM < TO "
+                  "and a COUNT from 2 to "
+                  "{}",
+                  text, most));
+}
+
+/// The experiments without contact; false when a trace is wanted.
+bool read_experiment(const po::variables_map& given, RubtraceArguments& arguments) {
+  arguments.free_response = given.count("free-response") != 0;
+  if (given.count("run-up") != 0) arguments.run_up = ramp_of(given["run-up"].as<std::string>());
+  if (given.count("campbell") != 0)
+    arguments.campbell = campbell_speeds_of(given["campbell"].as<std::string>());
+  arguments.with_stops = given.count("with-stops") != 0;
+  if (arguments.with_stops && !arguments.run_up) throw UsageError("--with-stops belongs to --run-up");
+  if (arguments.figure && arguments.free_response)
+    throw UsageError("--figure belongs to a trace, to --campbell or to --run-up");
+  const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
+  if (static_cast<int>(arguments.free_response) + arguments.run_up.has_value() +
+          arguments.campbell.has_value() >
+      1)
+    throw UsageError("--free-response, --run-up and --campbell exclude each other");
+  arguments.duration_s = positive_number(given, "duration-s").value();
+  arguments.sample_s = positive_number(given, "sample-s").value();
+  arguments.noise_m = not_negative_number(given, "noise-m").value();
+  if (!sampled) {
+    if (!given["duration-s"].defaulted()) throw UsageError("--duration-s belongs to --free-response");
+    const bool probes = !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
+    if (probes && (arguments.campbell || arguments.run_up))
+      throw UsageError(
+          "--sample-s and --noise-m belong to a trace, --free-response or --run-up without stops");
+    arguments.probes = probes;
+    if (!arguments.campbell && !arguments.run_up) return false;
+  }
+  for (const char* name : {"speed-hz", "speed-rpm", "whirl-ratio", "revolutions", "last-revolutions"}) {
+    if (given.count(name) != 0)
+      throw UsageError(fmt::format("--{} belongs to a trace, not to an experiment", name));
+  }
+  if (arguments.campbell) {
+    for (const char* name : {"eccentricity-m", "unbalance-g-mm"}) {
+      if (given.count(name) != 0)
+        throw UsageError(fmt::format("--{} belongs to a trace or a run-up, not to --campbell", name));
+    }
+    return true;
+  }
+  double duration_s = arguments.duration_s;
+  if (auto& ramp = arguments.run_up) {
+    if (!arguments.place.has_unbalance())
+      throw UsageError("the unbalance of the run-up is needed: --eccentricity-m E or --unbalance-g-mm G");
+    if (arguments.with_stops) return true;
+    duration_s = (ramp->to_hz - ramp->from_hz) / ramp->rate_hz_per_s;
+  }
+  if (duration_s / arguments.sample_s > identify::most_samples) {
+    throw UsageError(
+        fmt::format("--sample-s: allowed: long enough for {} samples or fewer", identify::most_samples));
+  }
+  return true;
+}
+
+}  // namespace
+
+RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
+  const po::variables_map given = read_study_command_line(argc, argv, visible_options());
+  RubtraceArguments arguments{study_arguments(given, "rubtrace")};
+  if (arguments.action != Action::run) return arguments;
+  arguments.figure = figure_of(given);
+  arguments.place = read_place(given);
+  if (read_experiment(given, arguments)) return arguments;
+  if (!arguments.place.speed_hz) throw UsageError("the shaft speed is needed: --speed-hz S or --speed-rpm N");
+  if (!arguments.place.has_unbalance())
+    throw UsageError(fmt::format("the unbalance is needed, one way: {}", unbalance_options));
+  arguments.revolutions = count_of(given, "revolutions");
+  arguments.last_revolutions = count_of(given, "last-revolutions");
+  return arguments;
+}
+
+std::string rubtrace_help() {
+  return fmt::format(
+      "rubtrace CONFIG.yaml (--speed-hz S | --speed-rpm N) (--whirl-ratio U | --eccentricity-m E | "
+      "--unbalance-g-mm G) [options]\n"
+      "One cell of a map under the lens: the motion from the start of the kick, all its revolutions.\n\n"
+      "{}\n"
+      "Examples:\n"
+      "  rubtrace configs/figure06_one_side.yaml --speed-hz 75 --whirl-ratio 0.3\n"
+      "  rubtrace configs/minimal.yaml --speed-rpm 3240 --unbalance-g-mm 240 --output /tmp/trace\n"
+      "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
+      "/tmp/trace\n"
+      "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --figure /tmp/trace.png\n"
+      "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
+      "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
+      "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5 --figure /tmp/bode.png\n"
+      "  rubtrace configs/minimal.yaml --run-up 20:60:1 --eccentricity-m 2e-4 --with-stops --figure "
+      "/tmp/run_up.png\n"
+      "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n\n"
+      "From a whirl ratio of 1, where the quiet whirl itself reaches the wall, the run starts at rest and "
+      "without a "
+      "kick.\n\n"
+      "Writes into DIR, stops counted from 0, times from the start of the kick, or of the run:\n"
+      "  trajectory.csv  displacement and velocity of the rotor; casing, gap and forces of every stop "
+      "(forces on\n"
+      "                  the casing); N revolutions of response.samples_per_revolution samples\n"
+      "  section.csv     the state once per revolution, at the phase of smallest quiet gap, from revolution "
+      "0\n"
+      "  events.csv      changes of contact mode: open, clamped, sprung, released; none with contact: "
+      "smoothed\n"
+      "  sensors.csv     with --sample-s or --noise-m: what the sensors of a rotor kit read; of a Jeffcott "
+      "rotor "
+      "x and y\n"
+      "  probe_spectrum.csv  full spectrum of the last of these readings, of two sensors at one place\n"
+      "  spectrum.csv    full spectrum of the last whole periods in response.window_revolutions revolutions\n"
+      "  motion.csv      the row that a map holds of this cell, with its own number of revolutions\n"
+      "  config.yaml     the complete configuration, its sweep reduced to this cell\n"
+      "An experiment writes sensors.csv (what the sensors of a rotor kit read; of a Jeffcott rotor x and y), "
+      "bode.csv "
+      "(run-up:\n"
+      "1X amplitude and phase over speed), identification.csv (quantity, sensor, value) and config.yaml. A "
+      "Campbell\n"
+      "diagram is campbell.csv (frequency and damping of each whirl mode over speed), critical_speeds.csv, "
+      "mode_shapes.csv\n"
+      "(along the shaft, at the first critical speed of each mode) and config.yaml; modes that come below "
+      "twice "
+      "TO.\n"
+      "A run-up with stops writes envelope.csv, orbits.csv, spectrogram.csv (of orders), quasi_static.csv "
+      "(the "
+      "motions at\n"
+      "steady speeds), rub.csv (where either rubs) and config.yaml.\n\n"
+      "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 the run failed, the files end at "
+      "the\n"
+      "failure, or there was nothing to run (motion.csv and config.yaml only). An interrupted run writes "
+      "nothing.\n",
+      text_of(visible_options()));
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "rubsweep/ramp/speed_ramp.hpp"
+#include "shared/action.hpp"
+#include "shared/figure.hpp"
+#include "shared/place_arguments.hpp"
+
+namespace rubsweep::apps {
+
+/// Speeds of a Campbell diagram, evenly spaced.
+struct CampbellSpeeds {
+  double from_hz = 0, to_hz = 0;
+  int count = 101;
+};
+
+struct RubtraceArguments : StudyArguments {
+  PlaceArguments place = {};                    ///< of a trace; of a run-up its unbalance
+  bool free_response = false;                   ///< an experiment without contact instead of a trace
+  std::optional<ramp::SpeedRamp> run_up = {};   ///< another one
+  bool with_stops = false;                      ///< of the run-up
+  std::optional<CampbellSpeeds> campbell = {};  ///< and another one
+  double duration_s = 2;                        ///< of the free response
+  double sample_s = 1e-3;                       ///< of the sensors
+  double noise_m = 0;
+  bool probes = false;                ///< the sensors look at a trace, too
+  std::optional<Figure> figure = {};  ///< drawn of a trace, a Campbell diagram or a run-up with stops
+  std::optional<long> revolutions = {};
+  std::optional<long> last_revolutions = {};
+};
+
+/// Throws UsageError (program.hpp).
+RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv);
+
+/// Text of --help.
+std::string rubtrace_help();
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,80 @@
+#include "shared/child_process.hpp"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <string_view>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::apps {
+
+std::optional<std::filesystem::path> find_command(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path == nullptr ? "" : path;
+  while (!rest.empty()) {
+    const std::size_t colon = rest.find(':');
+    const std::filesystem::path candidate = std::filesystem::path(rest.substr(0, colon)) / name;
+    std::error_code none;
+    if (std::filesystem::is_regular_file(candidate, none) && ::access(candidate.c_str(), X_OK) == 0)
+      return candidate;
+    rest.remove_prefix(colon == std::string_view::npos ? rest.size() : colon + 1);
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+/// Argument list of exec and its kind; the texts stay where they are.
+std::vector<char*> as_argv(std::vector<std::string>& command) {
+  std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
+  for (std::string& argument : command) arguments.push_back(argument.data());
+  arguments.push_back(nullptr);
+  return arguments;
+}
+
+}  // namespace
+
+void become_sibling(const std::string& name, std::vector<std::string> arguments) {
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
+  arguments.insert(arguments.begin(), program.string());
+  ::execv(program.c_str(), as_argv(arguments).data());
+  if (errno == ENOMEM) throw std::bad_alloc();
+  throw IoError(fmt::format("{} cannot be started: {}", program.string(), std::strerror(errno)));
+}
+
+bool run_child(std::vector<std::string> command, const ChildStreams& streams) {
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  if (streams.input) ::posix_spawn_file_actions_adddup2(&actions, *streams.input, STDIN_FILENO);
+  if (streams.output) ::posix_spawn_file_actions_adddup2(&actions, *streams.output, STDOUT_FILENO);
+  const std::vector<char*> arguments = as_argv(command);
+  // Signals that wait here do not wait there.
+  posix_spawnattr_t attributes;
+  sigset_t nothing;
+  ::sigemptyset(&nothing);
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawnattr_setsigmask(&attributes, &nothing);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  pid_t process = 0;
+  const int error =
+      ::posix_spawnp(&process, arguments.front(), &actions, &attributes, arguments.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (error == ENOMEM) throw std::bad_alloc();
+  if (error != 0)
+    throw IoError(fmt::format("{} cannot be started: {}", command.front(), std::strerror(error)));
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace rubsweep::apps

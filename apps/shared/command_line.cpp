@@ -1,0 +1,184 @@
+#include "shared/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+#include "rubsweep/config/nearest.hpp"
+#include "rubsweep/model/magnitude.hpp"
+#include "shared/program.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+/// More would only exhaust the system: cells share nothing, a thread per processor is all that helps.
+constexpr int most_threads = 1024;
+
+bool is_given(const po::variables_map& given, const char* name) { return given.count(name) != 0; }
+
+/// " (did you mean '--threads'?)" of an option that there is not; empty where none is near.
+std::string meant_instead_of(std::string_view given, const po::options_description& options) {
+  given.remove_prefix(std::min(given.find_first_not_of('-'), given.size()));
+  std::vector<std::string_view> names;
+  for (const auto& option : options.options()) {
+    if (option->long_name() != "config")
+      names.push_back(option->long_name());  // the file, said without a name
+  }
+  const auto meant = config::nearest(given, names);
+  return meant ? fmt::format(" (did you mean '--{}'?)", *meant) : "";
+}
+
+}  // namespace
+
+void add_output(po::options_description& options, const char* meaning) {
+  options.add_options()("output", po::value<std::string>()->value_name("DIR"), meaning);
+}
+
+void add_threads(po::options_description& options, const char* meaning) {
+  options.add_options()("threads", po::value<int>()->value_name("N")->default_value(0), meaning);
+}
+
+void add_set(po::options_description& options) {
+  options.add_options()("set",
+                        po::value<std::vector<std::string>>()->value_name("KEY.PATH=VALUE")->composing(),
+                        "replace one value of the configuration; lists are indexed by number; may be "
+                        "repeated");
+}
+
+void add_actions(po::options_description& options, const char* meaning_of_explain) {
+  options.add_options()("check", "read the configuration, report every problem, run nothing")(
+      "explain", meaning_of_explain)("print-config",
+                                     "print the complete configuration with every default, run nothing");
+}
+
+void add_progress(po::options_description& options) {
+  options.add_options()("progress", po::value<std::string>()->value_name("WHEN")->default_value("auto"),
+                        "auto (only on a terminal), always or never");
+}
+
+void add_verify(po::options_description& options, const char* meaning) {
+  options.add_options()("verify", po::value<std::string>()->value_name("DIR"), meaning);
+}
+
+void add_last(po::options_description& options) {
+  options.add_options()("quiet", "print errors only")("help", "print this and exit")(
+      "version", "print the version and exit");
+}
+
+std::string text_of(const po::options_description& options) {
+  std::ostringstream text;
+  text << options;
+  return text.str();
+}
+
+po::variables_map read_command_line(int argc, const char* const* argv, const po::options_description& options,
+                                    const po::positional_options_description& positional) {
+  po::variables_map given;
+  try {
+    // No guessing: --thread is an error, not --threads.
+    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).style(style).run(),
+              given);
+  } catch (const po::unknown_option& error) {
+    throw UsageError(error.what() + meant_instead_of(error.get_option_name(), options));
+  } catch (const po::invalid_option_value& error) {
+    // Texts are taken as they are.
+    throw UsageError(fmt::format("{}, allowed: a number", error.what()));
+  } catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+  return given;
+}
+
+po::variables_map read_study_command_line(int argc, const char* const* argv,
+                                          po::options_description options) {
+  options.add_options()("config", po::value<std::string>());
+  po::positional_options_description positional;
+  positional.add("config", 1);
+  return read_command_line(argc, argv, options, positional);
+}
+
+Action action_of(const po::variables_map& given) {
+  Action action = Action::run;
+  int count = 0;
+  const auto choose = [&](const char* name, Action chosen) {
+    if (!is_given(given, name)) return;
+    action = chosen;
+    ++count;
+  };
+  choose("check", Action::check);
+  choose("explain", Action::explain);
+  choose("print-config", Action::print_config);
+  if (count > 1) throw UsageError("--check, --explain and --print-config exclude each other");
+  if (is_given(given, "version")) return Action::version;
+  if (is_given(given, "help")) return Action::help;
+  return action;
+}
+
+StudyArguments study_arguments(const po::variables_map& given, std::string_view program) {
+  StudyArguments arguments;
+  arguments.action = action_of(given);
+  if (arguments.action == Action::help || arguments.action == Action::version) return arguments;
+  if (!is_given(given, "config"))
+    throw UsageError(fmt::format("a configuration file is needed: {} CONFIG.yaml", program));
+  arguments.config = given["config"].as<std::string>();
+  if (is_given(given, "output")) {
+    arguments.output = given["output"].as<std::string>();
+    if (arguments.output->empty()) throw UsageError("--output: allowed: the name of a directory");
+  }
+  if (is_given(given, "set")) arguments.overrides = given["set"].as<std::vector<std::string>>();
+  arguments.quiet = is_given(given, "quiet");
+  return arguments;
+}
+
+std::optional<double> positive_number(const po::variables_map& given, const char* name) {
+  if (!is_given(given, name)) return std::nullopt;
+  const double value = given[name].as<double>();
+  if (!model::contains(model::positive, value))
+    throw UsageError(fmt::format("--{}: allowed: {}", name, model::describe(model::positive, value)));
+  return value;
+}
+
+std::optional<double> not_negative_number(const po::variables_map& given, const char* name) {
+  if (!is_given(given, name)) return std::nullopt;
+  const double value = given[name].as<double>();
+  if (!model::contains(model::not_negative, value))
+    throw UsageError(fmt::format("--{}: allowed: {}", name, model::describe(model::not_negative, value)));
+  return value;
+}
+
+bool asks_for(const char* name, const po::variables_map& given) {
+  if (!is_given(given, name) || is_given(given, "help") || is_given(given, "version")) return false;
+  for (const auto& [other, value] : given) {
+    if (!value.defaulted() && other != name && other != "quiet")
+      throw UsageError(fmt::format("--{}: is asked for alone, allowed: without {}", name,
+                                   other == "config" ? "CONFIG.yaml" : "--" + other));
+  }
+  return true;
+}
+
+std::optional<std::filesystem::path> verified_directory_of(const po::variables_map& given) {
+  if (!asks_for("verify", given)) return std::nullopt;
+  return given["verify"].as<std::string>();
+}
+
+int threads_of(const po::variables_map& given) {
+  const int threads = given["threads"].as<int>();
+  if (threads < 0 || threads > most_threads)
+    throw UsageError(fmt::format("--threads: allowed: a number from 0 to {}", most_threads));
+  return threads;
+}
+
+batch::ProgressMode progress_of(const po::variables_map& given) {
+  const auto& word = given["progress"].as<std::string>();
+  if (word == "auto") return batch::ProgressMode::automatic;
+  if (word == "always") return batch::ProgressMode::always;
+  if (word == "never") return batch::ProgressMode::never;
+  throw UsageError(fmt::format("--progress: '{}' is not allowed, allowed: auto, always, never", word));
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "shared/command_line.hpp"
+
+namespace rubsweep::apps {
+
+/// Throws ConfigError where the config.yaml that is about to be written into `directory` would replace the
+/// configuration `file` that was read, unless a program wrote that one: `written` gives the text of that file
+/// as programs write it, and may throw.
+void keep_configuration(const std::filesystem::path& file, const std::filesystem::path& directory,
+                        const std::function<std::string()>& written);
+
+/// The same for the configuration of a run.
+void keep_run_configuration(const std::filesystem::path& file, const std::filesystem::path& directory);
+
+/// Directory for the results of a program that computes no map: --output, or beside the map's directory with
+/// this ending. Throws ConfigError where their config.yaml would replace the configuration that was read, or
+/// that of a map or a part of one.
+std::filesystem::path results_directory(const StudyArguments& arguments, const std::filesystem::path& of_map,
+                                        std::string_view ending);
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,23 @@
+#include "shared/premises.hpp"
+
+#include <fmt/format.h>
+
+#include "rubsweep/sweep/unstable_rotor.hpp"
+#include "shared/program.hpp"
+
+namespace rubsweep::apps {
+
+void warn_of_premises(std::string_view program, const sweep::Study& study,
+                      const scene::PreparedMachine& prepared) {
+  const std::string where = sweep::where_rotor_is_unstable(study, prepared);
+  if (!where.empty()) say(fmt::format("{}: warning: {}", program, where));
+}
+
+void warn_of_premises_at(std::string_view program, const std::vector<double>& speeds_hz, sweep::Study study,
+                         const scene::PreparedMachine& prepared) {
+  study.grid.axes.clear();
+  study.grid.speed_hz = speeds_hz;
+  warn_of_premises(program, study, prepared);
+}
+
+}  // namespace rubsweep::apps

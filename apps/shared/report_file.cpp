@@ -1,0 +1,88 @@
+#include "shared/report_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/whole_file.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/map/finished_map.hpp"
+#include "rubsweep/report/map_cells.hpp"
+#include "shared/exit_code.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/program.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string interrupted(std::string_view program) {
+  return fmt::format("{}: interrupted, no report was written; the map is as it was\n", program);
+}
+
+}  // namespace
+
+page::MapTable read_map_of(const sweep::Study& study, const fs::path& path, std::string_view program) {
+  map::require_whole_table(program, path);
+  const batch::CsvReader file(path);
+  const std::string digest = config::study_digest(study), there = report::comment_after(file, "digest ");
+  file.column("class");
+  if (there == digest) return page::read_map_table(path, study.grid);
+  throw ConfigError(
+      fmt::format("{}: is no map of this configuration (digest {}, this one has {})\n"
+                  "allowed: the map and the config.yaml of one run",
+                  path.string(), there.empty() ? "none" : there, digest));
+}
+
+int write_report(const fs::path& directory, const sweep::Study& study, std::string_view program,
+                 const ReportOptions& options) {
+  batch::require_threads(options.threads, 1);
+  page::MapTable map = read_map_of(study, directory / "map.csv", program);
+  const std::size_t cells = page::recorded_cells(study.grid, map, options.most_orbits);
+  std::mutex mutex;  // guards the progress
+  batch::Progress progress(cells, options.quiet ? batch::ProgressMode::never : options.progress);
+  const std::atomic<bool>& stop = catch_interrupts();
+  const auto refresh = [&] {
+    const std::lock_guard lock(mutex);
+    progress.refresh();
+  };
+  const auto leave = [&] {
+    const std::lock_guard lock(mutex);
+    progress.finish();
+    say(interrupted(program));
+    options.before_leaving();
+    std::_Exit(128 + caught_signal());
+  };
+  std::optional<Watch> watch(std::in_place, refresh, leave);
+  const auto count = [&] {
+    const std::lock_guard lock(mutex);
+    progress.advance();
+  };
+  const auto text = page::report_page(study, std::move(map), directory,
+                                      {.version = RUBSWEEP_VERSION,
+                                       .configuration = config::print_study(study),
+                                       .most_orbits = options.most_orbits,
+                                       .threads = options.threads,
+                                       .captions = options.captions},
+                                      count, stop);
+  watch.reset();
+  progress.finish();
+  if (!text) {
+    say(interrupted(program));
+    return 128 + caught_signal();
+  }
+  batch::write_whole_file(options.file, *text);
+  if (!options.quiet)
+    print("report: {} ({:.1f} MB)\n", options.file.string(), static_cast<double>(text->size()) / 1e6);
+  return done;
+}
+
+}  // namespace rubsweep::apps
