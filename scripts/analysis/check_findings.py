@@ -57,7 +57,7 @@ def table(machines):
     verdicts = {machine.name: [] for machine in machines}
     for finding in FINDINGS:
         yield finding.title
-        for name in ("paper", "counted", "cells", "threshold"):
+        for name in ("paper", "counted", "threshold", "reason"):
             yield textwrap.fill(
                 getattr(finding, name), WIDTH, initial_indent=f"   {name:<10} ", subsequent_indent=" " * 14
             )
@@ -67,20 +67,24 @@ def table(machines):
             yield result_line(machine.name, outcome)
         yield ""
     for name, found in verdicts.items():
-        counts = ", ".join(f"{found.count(verdict)} {verdict}" for verdict in (HOLDS, PARTLY, NOT_REPRODUCED, NO_MAP))
-        yield f"{name}: {counts}"
+        yield counts(name, found)
+
+
+def counts(name, found):
+    return f"{name}: " + ", ".join(f"{found.count(verdict)} {verdict}" for verdict in (HOLDS, PARTLY, NOT_REPRODUCED, NO_MAP))
 
 
 def result_line(name, outcome):
-    return f"   {name:<10} | {outcome.measured} | without filter: {outcome.unfiltered} | {outcome.verdict}"
+    return f"   {name:<10} | {outcome.measured} | {outcome.verdict}"
 
 
 def brief(machine):
     """A heading, then a line for each finding of one machine."""
-    yield "# finding | number that decides | without filter | verdict"
-    for finding in FINDINGS:
-        outcome = finding.outcome(machine)
-        yield f"{finding.title} | {outcome.measured} | {outcome.unfiltered} | {outcome.verdict}"
+    yield "# finding | number that decides | verdict"
+    found = [finding.outcome(machine) for finding in FINDINGS]
+    for finding, outcome in zip(FINDINGS, found):
+        yield f"{finding.title} | {outcome.measured} | {outcome.verdict}"
+    yield counts(machine.name, [outcome.verdict for outcome in found])
 
 
 def read_verdicts(lines):
@@ -88,8 +92,8 @@ def read_verdicts(lines):
     verdicts, title = {}, None
     for line in lines:
         cells = [cell.strip() for cell in line.split(" | ")]
-        if len(cells) == 4:
-            verdicts[title, cells[0]] = cells[3]
+        if len(cells) == 3:
+            verdicts[title, cells[0]] = cells[2]
         elif line[:1].isdigit():
             title = line.strip()
     return verdicts

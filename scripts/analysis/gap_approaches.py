@@ -41,6 +41,12 @@ def until_first_miss(found):
     return found[: last_hit + 2]
 
 
+def decisive(found):
+    """The first miss after the last hit, by which the rub is over; None where there is none."""
+    last = until_first_miss(found)[-1:]
+    return last[0] if last and not last[0].hit else None
+
+
 def _approach(samples, span, clearance_m):
     # The gap closes at the sample itself or before the next one.
     hits = [i for i in span if samples[i][3] <= 0 or samples[i + 1][3] <= 0]

@@ -4,14 +4,14 @@ import check_findings
 from files import FileTest
 from finding import HOLDS, NO_MAP, NOT_REPRODUCED
 from rubplot.failure import Failure
-from sample_machine import SampleMachine, circle
+from sample_machine import SampleMachine, circle, quiet
 
 
 class Table(unittest.TestCase):
     def setUp(self):
         machines = [
             SampleMachine(name="empty"),
-            SampleMachine(name="two circles", annulus=[circle(1.5, 0.4), circle(2.5, 0.6)]),
+            SampleMachine(name="two circles", annulus=[circle(1.5, 0.4), circle(2.5, 0.6)] + quiet(0.4, 3, 4)),
         ]
         self.lines = list(check_findings.table(machines))
         self.verdicts = check_findings.read_verdicts(self.lines)
@@ -22,17 +22,17 @@ class Table(unittest.TestCase):
         self.assertEqual(self.verdicts[title, "two circles"], HOLDS)
         self.assertEqual(self.verdicts[title, "empty"], NO_MAP)
 
-    def test_every_finding_says_what_is_counted_over_which_cells_and_why(self):
-        for name in ("paper", "counted", "cells", "threshold"):
+    def test_every_finding_says_what_is_counted_and_why(self):
+        for name in ("paper", "counted", "threshold", "reason"):
             self.assertEqual(sum(line.startswith(f"   {name} ") for line in self.lines), len(check_findings.FINDINGS))
-        self.assertEqual(sum("| without filter: " in line for line in self.lines), len(self.verdicts))
 
     def test_sums(self):
         self.assertEqual(self.lines[-2], f"empty: 0 holds, 0 partly, 0 not reproduced, {len(check_findings.FINDINGS)} no map")
 
     def test_brief_has_a_line_for_each_finding(self):
-        lines = list(check_findings.brief(SampleMachine(name="two circles", annulus=[circle(1.5, 0.4), circle(2.5, 0.6)])))
-        rows = dict((cells[0], cells[3]) for cells in (line.split(" | ") for line in lines[1:]))
+        lines = list(check_findings.brief(SampleMachine(name="two circles", annulus=[circle(1.5, 0.4), circle(2.5, 0.6)] + quiet(0.4, 3, 4))))
+        rows = dict((cells[0], cells[2]) for cells in (line.split(" | ") for line in lines[1:-1]))
+        self.assertTrue(lines[-1].startswith("two circles: "))
         self.assertEqual(rows, {title: verdict for (title, name), verdict in self.verdicts.items() if name == "two circles"})
 
     def test_titles_differ(self):
@@ -43,8 +43,8 @@ class Differences(unittest.TestCase):
     EXPECTED = {("1: a", "A"): HOLDS, ("1: b", "A"): HOLDS}
 
     def test_only_verdicts_count(self):
-        before = ["1: a", "   A          | 2.1 | without filter: 2.0 | holds"]
-        after = ["1: a", "   A          | 2.2 | without filter: 1.0 | holds"]
+        before = ["1: a", "   A          | 2.1 | holds"]
+        after = ["1: a", "   A          | 2.2 | holds"]
         self.assertEqual(check_findings.read_verdicts(before), check_findings.read_verdicts(after))
 
     def test_a_changed_a_missing_and_a_new_row_are_named(self):

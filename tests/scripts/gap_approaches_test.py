@@ -1,6 +1,6 @@
 import unittest
 
-from gap_approaches import Approach, approaches, until_first_miss
+from gap_approaches import Approach, approaches, decisive, until_first_miss
 
 # A hit in the kick, which does not count; a hit on a resting casing; one on a casing 2 clearances away that moves away
 # at 10 per second; a miss; and what comes after it.
@@ -42,6 +42,11 @@ class Approaches(unittest.TestCase):
         self.expect(until_first_miss(approaches(SAMPLES, 1, 0.5)), self.HIT, self.FAR_HIT, self.MISS)
         misses = approaches(SAMPLES, 1, 2.5)
         self.assertEqual(len(until_first_miss(misses)), 1)
+
+    def test_the_approach_that_decides(self):
+        self.expect([decisive(approaches(SAMPLES, 1, 0.5))], self.MISS)
+        self.assertIsNone(decisive(approaches(SAMPLES[:11], 1, 0.5)))
+        self.assertIsNone(decisive([]))
 
     def test_lengths_are_in_clearances(self):
         small = [(t, *(1e-3 * x for x in rest)) for t, *rest in SAMPLES]

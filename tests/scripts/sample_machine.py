@@ -3,9 +3,11 @@
 from map_cells import MapCell
 
 
-def cell(speed, ratio, name, order=None, hits=0.0, orbit="complex", comb=None, amplitude_m=2e-3, dominant=1.0):
+def cell(speed, ratio, name, order=None, hits=0.0, orbit="complex", comb=None, amplitude_m=2e-3, dominant=1.0,
+         contact=0.5, backward_m=0.0, farthest=2.0):
     """A cell at `speed` natural frequencies of 30 Hz."""
-    return MapCell(30 * speed, speed, ratio, name, order, orbit, comb, hits, amplitude_m, dominant)
+    return MapCell(30 * speed, speed, ratio, name, order, orbit, comb, hits, contact, amplitude_m, backward_m, dominant,
+                   farthest, 12)
 
 
 def domain(n, ratio, *speeds):
@@ -17,8 +19,8 @@ def quiet(ratio, *speeds):
     return [cell(speed, ratio, "non_contact") for speed in speeds]
 
 
-def circle(speed, ratio, amplitude_m=2e-3):
-    return cell(speed, ratio, "synchronous", 1, orbit="circle", amplitude_m=amplitude_m)
+def circle(speed, ratio, amplitude_m=2e-3, contact=1.0):
+    return cell(speed, ratio, "synchronous", 1, orbit="circle", amplitude_m=amplitude_m, contact=contact)
 
 
 def oval(speed, ratio, hits=1.0):
@@ -63,6 +65,7 @@ class SampleMachine:
 
 
 def outcome_of(findings, title, machine):
-    """Of the one finding whose title has these words."""
+    """What the one finding whose title has these words makes of the machine."""
     (finding,) = (one for one in findings if title in one.title)
     return finding.outcome(machine)
+

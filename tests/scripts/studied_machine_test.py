@@ -32,7 +32,7 @@ class Machine(FileTest):
     def setUp(self):
         super().setUp()
         self.config = self.write("annulus/config.yaml", CONFIG)
-        self.write("annulus/map.csv", ",".join(COLUMNS) + "\n50,0.2,non_contact,,circle,,0,1e-4,1\n")
+        self.write("annulus/map.csv", ",".join(COLUMNS) + "\n50,0.2,non_contact,,circle,,0,0,1e-4,0,1,0.2,\n")
         program = self.write("rubtrace", PROGRAM)
         os.chmod(program, os.stat(program).st_mode | stat.S_IXUSR)
         self.machine = StudiedMachine("sample", {"annulus": self.path("annulus")}, program)
