@@ -12,24 +12,24 @@ namespace {
 /// Uniform in [0, 1), the same with every standard library.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
+constexpr double clearance_m = 1e-3, farther_clearance_m = 1.5e-3;
+constexpr double stiffness_in_hole = 1.18;  ///< times that of a flat stop
+
 std::string stop_text(const Candidate& candidate, Arrangement arrangement, double angle_deg,
-                      double casing_stiffness_factor) {
+                      double clearance) {
   const bool annular = arrangement == Arrangement::annulus || arrangement == Arrangement::annulus_with_offset;
   const double rate = 2 * std::numbers::pi * candidate.casing_frequency_hz;
   const std::string geometry =
       annular ? fmt::format("kind: annular, offset_m: [0, {}]",
-                            arrangement == Arrangement::annulus_with_offset ? 2.5e-4 : 0.0)
+                            arrangement == Arrangement::annulus_with_offset ? clearance_m / 4 : 0.0)
               : fmt::format("kind: one_side, angle_deg: {}", angle_deg);
   return fmt::format(
-      "  - {{{}, clearance_m: 1.0e-3, contact_radius_m: 0.005,\n"
-      "     hertz: {{length_m: {}, design_force_n: 250,\n"
-      "             rotor: {{radius_m: 0.005, youngs_modulus_pa: 2.06e11, poisson_ratio: 0.3}},\n"
-      "             casing: {{shape: {}, youngs_modulus_pa: 1.03e11, poisson_ratio: 0.34}}}},\n"
+      "  - {{{}, clearance_m: {}, contact_radius_m: 0.005, stiffness_n_per_m: {},\n"
       "     restitution_delivered: {}, friction: {{stribeck: [0, 0, 0, {}, 100, 0]}},\n"
       "     casing: {{mass_kg: {}, stiffness_n_per_m: {}, damping_ratio: {}}}}}\n",
-      geometry, candidate.contact_length_m, annular ? "hole, radius_m: 0.006" : "flat",
+      geometry, clearance, candidate.contact_stiffness_n_per_m * (annular ? stiffness_in_hole : 1.0),
       candidate.restitution_delivered, candidate.friction_coefficient, candidate.casing_mass_kg,
-      casing_stiffness_factor * candidate.casing_mass_kg * rate * rate, candidate.casing_damping_ratio);
+      candidate.casing_mass_kg * rate * rate, candidate.casing_damping_ratio);
 }
 
 }  // namespace
@@ -58,9 +58,10 @@ std::string machine_text(const Candidate& candidate, Arrangement arrangement) {
   std::string text = fmt::format(
       "rotor: {{kind: jeffcott, mass_kg: 0.8, natural_frequency_hz: 30, damping_ratio: {}}}\nstops:\n",
       candidate.rotor_damping_ratio);
-  text += stop_text(candidate, arrangement, 90, 1);
-  if (arrangement == Arrangement::both_sides) text += stop_text(candidate, arrangement, -90, 1);
-  if (arrangement == Arrangement::unequal_casings) text += stop_text(candidate, arrangement, -90, 2);
+  text += stop_text(candidate, arrangement, 90, clearance_m);
+  if (arrangement == Arrangement::both_sides) text += stop_text(candidate, arrangement, -90, clearance_m);
+  if (arrangement == Arrangement::unequal_casings)
+    text += stop_text(candidate, arrangement, -90, farther_clearance_m);
   return text + fmt::format("kick: {{force_n: {}, duration_s: {}}}\n", candidate.kick_force_n,
                             candidate.kick_duration_s);
 }

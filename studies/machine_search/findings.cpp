@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "rubsweep/response/motion/motion.hpp"
 
@@ -12,207 +10,230 @@ namespace rubsweep::machine_search {
 namespace {
 
 using response::motion::MotionClass;
+using response::spectrum::OrbitKind;
 
-constexpr double natural_frequency_hz = 30;
-constexpr double clearance_m = 1e-3;
-
-double speed_of(const sweep::Row& row) { return row.speed_hz / natural_frequency_hz; }
-
-double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
-
-template <class Condition>
-double count(const Rows& map, Condition condition) {
-  return static_cast<double>(std::count_if(map.begin(), map.end(), condition));
-}
+constexpr double area_share_seen = 1.0 / 150;
+constexpr double column = 0.1, eye = 0.01;
+constexpr int largest_order = 7;
 
 bool is_subharmonic(const sweep::Row& row) { return row.motion_class == MotionClass::subharmonic; }
+bool is_synchronous(const sweep::Row& row) { return row.motion_class == MotionClass::synchronous; }
+bool is_even(const sweep::Row& row) { return is_subharmonic(row) && *row.order % 2 == 0; }
+bool is_one_of_n(const sweep::Row& row) { return is_subharmonic(row) && *row.order <= largest_order; }
+bool is_quasi_periodic(const sweep::Row& row) { return row.motion_class == MotionClass::quasi_periodic; }
 
-/// The motion that names a domain is largest at 1/n of the shaft speed; other motions of the same period are
-/// not. A stiff contact may bounce several times in one pass, so that hits do not tell.
-bool in_tongue(const sweep::Row& row, int order) {
-  return is_subharmonic(row) && row.order == order && row.measures && row.measures->dominant &&
-         std::abs(std::abs(row.measures->dominant->order) * order - 1) < 1e-3;
+bool rubs(const sweep::Row& row) {
+  return is_synchronous(row) || is_subharmonic(row) || is_quasi_periodic(row) ||
+         row.motion_class == MotionClass::resting_contact || row.motion_class == MotionClass::chaotic ||
+         row.motion_class == MotionClass::unsettled;
+}
+
+bool any(const sweep::Row&) { return true; }
+
+Condition has_order(int n) {
+  return [n](const sweep::Row& row) { return is_subharmonic(row) && row.order == n; };
 }
 
 bool is_circle(const sweep::Row& row) {
-  return row.motion_class == MotionClass::synchronous && row.measures &&
-         row.measures->orbit == response::spectrum::OrbitKind::circle;
+  if (!is_synchronous(row) || !row.measures) return false;
+  const auto& measures = *row.measures;
+  const bool pressed =
+      measures.contact.contact_fraction > 0.999 && measures.dominant && measures.dominant->order == 1;
+  return (measures.orbit != OrbitKind::complex || pressed) &&
+         measures.amplitude_1x_backward_m <= 0.1 * measures.amplitude_1x_forward_m;
 }
 
-bool is_comb(const sweep::Row& row) {
-  return row.motion_class == MotionClass::quasi_periodic && row.measures &&
-         row.measures->comb_spacing.has_value();
+bool is_oval(const sweep::Row& row) {
+  return is_quasi_periodic(row) && row.measures && row.measures->comb_spacing.has_value();
 }
 
-bool is_backward(const sweep::Row& row) {
-  return row.measures && row.measures->whirl == response::spectrum::WhirlKind::backward;
+double hits_per_revolution(const sweep::Row& row) {
+  return static_cast<double>(row.measures->contact.hits) / row.measures->turns;
 }
 
-/// Extent of one tongue, in natural frequencies and whirl ratios.
-struct Tongue {
-  double cells = 0, cells_at_tenth = 0;  ///< of all; at the whirl ratio 0.1
-  double lowest_speed = 1e9, least_ratio = 1e9;
-  double low_sum = 0, low_cells = 0, high_sum = 0, high_cells = 0;  ///< speeds below and above ratio 0.3
-  std::map<double, std::pair<double, double>> rows;                 ///< first and last speed by ratio
-};
+/// Hits while an oval goes once about the centre, see scripts/analysis/domain_measures.py.
+double hits_per_whirl(const sweep::Row& row) {
+  if (!row.measures->dominant) return 0;
+  const double own = 1 - *row.measures->comb_spacing, order = row.measures->dominant->order;
+  const bool near = std::abs(order - 1) < 1.0 / 64 || std::abs(order - own) < 1.0 / 64;
+  return hits_per_revolution(row) / std::abs(near ? own : order);
+}
 
-Tongue tongue_of(const Rows& map, int order) {
-  Tongue tongue;
-  for (const sweep::Row& row : map) {
-    if (!in_tongue(row, order)) continue;
-    const double speed = speed_of(row);
-    tongue.cells += 1;
-    tongue.cells_at_tenth += std::abs(row.whirl_ratio - 0.1) < 1e-9;
-    tongue.lowest_speed = std::min(tongue.lowest_speed, speed);
-    tongue.least_ratio = std::min(tongue.least_ratio, row.whirl_ratio);
-    const bool high = row.whirl_ratio > 0.3;
-    (high ? tongue.high_sum : tongue.low_sum) += speed;
-    (high ? tongue.high_cells : tongue.low_cells) += 1;
-    const auto [entry, is_new] = tongue.rows.emplace(row.whirl_ratio, std::pair(speed, speed));
-    if (!is_new) entry->second.second = speed;
+Mark of_share(std::string_view finding, std::optional<double> share, double holds = 0.9,
+              double partly = 0.5) {
+  if (!share) return {finding, 0, 0};
+  return {finding, *share >= holds ? 1 : *share >= partly ? 0.5 : 0, *share};
+}
+
+Mark of_both(std::string_view finding, bool first, bool second, double nearness) {
+  return {finding, 0.5 * first + 0.5 * second, nearness};
+}
+
+Mark nothing_else(std::string_view finding, const Domains& domains, const Condition& named) {
+  return of_share(finding, domains.share(named, rubs));
+}
+
+Mark above(const Domains& domains, std::string_view finding, int n) {
+  const auto high = domains.share([n](const sweep::Row& row) { return speed_of(row) > n; }, has_order(n));
+  Mark mark = of_share(finding, high);
+  const bool seen = domains.area(has_order(n)) > area_share_seen * domains.area(any);
+  if (!seen) mark.verdict = mark.verdict == 1 ? 0.5 : 0;
+  return mark;
+}
+
+Mark leaning(const Domains& domains, std::string_view finding, int n) {
+  const auto lean = domains.lean(has_order(n));
+  if (!lean) return {finding, 0, 0};
+  return {finding, *lean >= column ? 1 : *lean > 0 ? 0.5 : 0, std::clamp(*lean, 0.0, 1.0)};
+}
+
+Mark unbalance_of_orders(const Domains& domains) {
+  std::array<double, 4> feet{};
+  for (int n = 2; n <= 5; ++n) {
+    const auto foot = domains.least_ratio(has_order(n));
+    if (!foot) return {"nested", 0, 0};
+    feet[static_cast<std::size_t>(n - 2)] = *foot;
   }
-  return tongue;
-}
-
-bool leans(const Tongue& tongue) {
-  return tongue.low_cells > 0 && tongue.high_cells > 0 &&
-         tongue.high_sum / tongue.high_cells > tongue.low_sum / tongue.low_cells;
-}
-
-/// Whether quiet cells lie between two tongues in some row.
-bool has_gap(const Rows& map, const Tongue& lower, const Tongue& upper) {
-  return std::any_of(map.begin(), map.end(), [&](const sweep::Row& row) {
-    const auto below = lower.rows.find(row.whirl_ratio), above = upper.rows.find(row.whirl_ratio);
-    return row.motion_class == MotionClass::non_contact && below != lower.rows.end() &&
-           above != upper.rows.end() && speed_of(row) > below->second.second &&
-           speed_of(row) < above->second.first;
-  });
-}
-
-double highest_circle(const Rows& map, std::size_t first = 0, std::size_t end = ~std::size_t{0}) {
-  double top = 0;
-  for (std::size_t i = first; i < std::min(end, map.size()); ++i) {
-    if (is_circle(map[i])) top = std::max(top, speed_of(map[i]));
+  double falls = 0, rise = -1;
+  for (std::size_t i = 1; i < feet.size(); ++i) {
+    falls += feet[i] < feet[i - 1];
+    rise = std::max(rise, feet[i] - feet[i - 1]);
   }
-  return top;
+  const bool partly = feet.back() < feet.front() && rise <= eye * (1 + 1e-9);
+  return {"nested", falls == 3 ? 1 : partly ? 0.5 : 0, falls / 3};
 }
 
-/// A circle inside the clearance: the casing moves against the rotor.
-double small_circles(const Rows& map) {
-  return count(map, [](const sweep::Row& row) {
-    return is_circle(row) && row.measures->amplitude_1x_forward_m < clearance_m;
-  });
+Mark motions_of_figure_7(const Domains& domains) {
+  double shown = 0;
+  for (int n = 2; n <= 4; ++n) {
+    shown += domains.area([&](const sweep::Row& row) {
+      return has_order(n)(row) && row.whirl_ratio >= 0.08 && row.whirl_ratio <= 0.125;
+    }) > 0;
+  }
+  return of_share("figure_7", shown / 3, 1, 0.6);
 }
 
-double even_share(const Rows& map) {
-  return share(count(map, [](const auto& row) { return is_subharmonic(row) && *row.order % 2 == 0; }),
-               count(map, is_subharmonic));
+double gaps(const Domains& domains) {
+  double least = 1;
+  for (int n = 2; n <= 4; ++n) least = std::min(least, domains.parted_share(n).value_or(0));
+  return least;
 }
 
-std::size_t speeds_of(const Rows& map) {
-  std::set<double> speeds;
-  for (const sweep::Row& row : map) speeds.insert(row.speed_hz);
-  return speeds.size();
+Condition within(double clearances) {
+  return [clearances](const sweep::Row& row) { return row.peak_over_clearance.value_or(0) <= clearances; };
 }
 
 }  // namespace
 
 std::vector<Mark> one_side_marks(const Rows& map) {
-  std::array<Tongue, 4> tongues;
-  double orders = 0, leaning = 0, gaps = 0, nested = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const int n = static_cast<int>(i) + 2;
-    tongues[i] = tongue_of(map, n);
-    orders +=
-        tongues[i].cells_at_tenth > 0 && tongues[i].lowest_speed > n && tongues[i].lowest_speed < n + 1.5;
-    leaning += leans(tongues[i]);
-    if (i == 0 || tongues[i].cells == 0 || tongues[i - 1].cells == 0) continue;
-    gaps += has_gap(map, tongues[i - 1], tongues[i]);
-    nested += tongues[i].least_ratio <= tongues[i - 1].least_ratio;
-  }
-  const bool strict = tongues[3].least_ratio < tongues[0].least_ratio;
-  const double irregular = share(count(map,
-                                       [](const auto& row) {
-                                         return row.motion_class == MotionClass::chaotic ||
-                                                row.motion_class == MotionClass::unsettled;
-                                       }),
-                                 static_cast<double>(map.size()));
-  return {{"orders", orders / 4, 3},
-          {"lean", leaning / 4, 1},
-          {"gaps", gaps / 3, 1},
-          {"nested", strict ? nested / 3 : nested / 6, 1},
-          {"regular", std::max(0.0, 1 - irregular / 0.15), 1}};
+  const Domains domains(map);
+  Mark near = of_share("near", domains.share(within(5), rubs), 0.8);
+  if (domains.share(within(10), rubs).value_or(0) < 0.95) near.verdict = 0;
+  return {above(domains, "2_above", 2),
+          above(domains, "3_above", 3),
+          above(domains, "4_above", 4),
+          above(domains, "5_above", 5),
+          leaning(domains, "2_leans", 2),
+          leaning(domains, "3_leans", 3),
+          leaning(domains, "4_leans", 4),
+          leaning(domains, "5_leans", 5),
+          unbalance_of_orders(domains),
+          motions_of_figure_7(domains),
+          of_share("gaps", gaps(domains)),
+          nothing_else("one_only", domains,
+                       [](const sweep::Row& row) { return is_synchronous(row) || is_one_of_n(row); }),
+          near};
 }
 
 std::vector<Mark> both_sides_marks(const Rows& map) {
-  double synchronous_top = 0;
-  for (const sweep::Row& row : map) {
-    if (row.motion_class == MotionClass::synchronous && row.whirl_ratio > 0.3)
-      synchronous_top = std::max(synchronous_top, speed_of(row));
-  }
-  const double subharmonic = count(map, is_subharmonic);
-  const double upper =
-      count(map, [](const auto& row) { return is_subharmonic(row) && row.whirl_ratio > 0.3; });
-  const bool some = subharmonic >= 3;
-  return {{"synchronous", std::min(1.0, synchronous_top / 5), 1},
-          {"subharmonic_low", some ? 1 - share(upper, subharmonic) : 0, 1},
-          {"odd", some ? std::max(0.0, 1 - even_share(map) / 0.25) : 0, 1}};
+  const Domains domains(map);
+  const double large = domains.mean_width(is_synchronous, 0.5, 2).value_or(0);
+  const double small = domains.mean_width(is_synchronous, 0, 0.25).value_or(0);
+  const bool third = domains.area(has_order(3)) > 0;
+  const double even = domains.share(is_even, is_subharmonic).value_or(1);
+  Mark odd{"odd", !third || even > 0.1 ? 0 : even <= 0.02 ? 1 : 0.5, 1 - even};
+  return {
+      of_both("synchronous", large > 1, large > small, std::min(1.0, large / 5)),
+      of_share("subharmonic_low",
+               domains.share([](const sweep::Row& row) { return row.whirl_ratio <= 0.5; }, is_subharmonic)),
+      odd, nothing_else("two_only", domains, [](const sweep::Row& row) {
+        return is_synchronous(row) || is_one_of_n(row);
+      })};
 }
 
-std::vector<Mark> unequal_casings_marks(const Rows& map) {
-  return {{"even", std::min(1.0, even_share(map) / 0.2), 1}};
+std::vector<Mark> unequal_casings_marks(const Rows& map, const Rows& equal) {
+  const Domains domains(map);
+  const double even = domains.share(is_even, is_subharmonic).value_or(0);
+  const double before = Domains(equal).share(is_even, is_subharmonic).value_or(0);
+  const bool one_hit = std::any_of(map.begin(), map.end(), [](const sweep::Row& row) {
+    return is_even(row) && row.measures && hits_per_revolution(row) * *row.order < 1.5;
+  });
+  return {{"even",
+           even > 0.1 && even > 2 * before ? 1
+           : even > before                 ? 0.5
+                                           : 0,
+           std::min(1.0, even)},
+          {"one_sided", one_hit ? 1.0 : 0.0, one_hit ? 1.0 : 0.0}};
 }
 
 std::vector<Mark> annulus_marks(const Rows& map) {
-  const double circle_top = highest_circle(map);
-  double oval_least = 1e9, circle_least = 1e9, ovals = 0, whips = 0, low = 0, low_circles = 0;
-  for (const sweep::Row& row : map) {
-    if (speed_of(row) < 3 && row.whirl_ratio > 0.3) {
-      ++low;
-      low_circles += is_circle(row);
-    }
-    if (is_circle(row)) circle_least = std::min(circle_least, row.whirl_ratio);
-    if (!is_comb(row)) continue;
-    whips += is_backward(row);
-    if (is_backward(row)) continue;
-    ovals += speed_of(row) > std::max(2.0, circle_top);
-    oval_least = std::min(oval_least, row.whirl_ratio);
-  }
-  return {{"circle", share(low_circles, low), 1},
-          {"oval", std::min(1.0, ovals / 6), 1},
-          {"oval_small", ovals > 0 && circle_top > 0 && oval_least < circle_least ? 1.0 : 0.0, 1},
-          {"no_whip", 1 - share(whips, static_cast<double>(map.size())), 1}};
+  const Domains domains(map);
+  const auto ovals = domains.median_speed(is_oval), circles = domains.median_speed(is_circle);
+  const double middle = ovals ? *ovals : domains.median_speed(any).value_or(0);
+  const auto oval_foot = domains.least_ratio(is_oval), circle_foot = domains.least_ratio(is_circle);
+  const bool smaller = oval_foot && (!circle_foot || *oval_foot < *circle_foot);
+  const bool high = ovals && (!circles || *ovals > *circles);
+  return {of_share("circle_low",
+                   domains.share([&](const sweep::Row& row) { return speed_of(row) <= middle; }, is_circle)),
+          {"oval_high", high ? 0.5 : 0, high ? 0.5 : 0},
+          {"oval_small", smaller ? 1.0 : 0.0, smaller ? 1.0 : 0.0},
+          of_share("oval_hits",
+                   domains.share([](const sweep::Row& row) { return hits_per_whirl(row) > 1.5; }, is_oval)),
+          nothing_else("annulus_only", domains,
+                       [](const sweep::Row& row) { return is_synchronous(row) || is_quasi_periodic(row); })};
 }
 
 std::vector<Mark> offset_marks(const Rows& map, const Rows& centred) {
-  const std::size_t speeds = speeds_of(map);
-  double rows = 0, wider = 0, second = 1e9, third = 1e9;
-  for (std::size_t first = 0; first < map.size(); first += speeds) {
-    const double top = highest_circle(map, first, first + speeds);
-    const double top_centred = highest_circle(centred, first, first + speeds);
-    rows += top > 0 || top_centred > 0;
-    wider += top > top_centred;
+  const Domains domains(map), other(centred);
+  const auto tops = domains.row_tops(is_circle), other_tops = other.row_tops(is_circle);
+  double rows = 0, higher = 0, gain = 0, ratio_centred = -1;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (centred[i].whirl_ratio == ratio_centred) continue;
+    ratio_centred = centred[i].whirl_ratio;
+    const auto top = tops.find(map[i].whirl_ratio), top_centred = other_tops.find(ratio_centred);
+    if (top == tops.end() && top_centred == other_tops.end()) continue;
+    const double difference = (top == tops.end() ? other.lowest_speed() : top->second) -
+                              (top_centred == other_tops.end() ? other.lowest_speed() : top_centred->second);
+    ++rows;
+    gain += difference;
+    higher += difference > 1e-9;
   }
-  for (const sweep::Row& row : map) {
-    if (!is_subharmonic(row)) continue;
-    if (*row.order == 2) second = std::min(second, speed_of(row));
-    if (*row.order == 3) third = std::min(third, speed_of(row));
-  }
-  const double slightly_above = 0.5 * (second > 2 && second < 2.5) + 0.5 * (third > 3 && third < 3.5);
-  return {{"wider", share(wider, rows), 1},
-          {"subharmonics", slightly_above, 1},
-          {"other_circle", small_circles(map) > 0 && small_circles(centred) == 0 ? 1.0 : 0.0, 1}};
+  const Condition low_orders = [](const sweep::Row& row) { return is_subharmonic(row) && *row.order <= 5; };
+  const Condition slightly = [&](const sweep::Row& row) {
+    return low_orders(row) && speed_of(row) > *row.order && speed_of(row) < *row.order + 0.5;
+  };
+  Mark multiples = of_share("above_n", domains.share(slightly, low_orders));
+  if (std::count_if(map.begin(), map.end(), slightly) < 2) multiples.verdict = 0;
+  return {of_both("wider", rows > 0 && gain >= rows * domains.column() / 2, rows > 0 && higher >= rows / 2,
+                  rows > 0 ? higher / rows : 0),
+          multiples, nothing_else("offset_only", domains, [](const sweep::Row& row) {
+            return is_synchronous(row) || is_one_of_n(row) || is_quasi_periodic(row);
+          })};
 }
 
-double sum(const std::vector<Mark>& marks) {
-  double total = 0;
-  for (const Mark& mark : marks) total += mark.value * mark.weight;
-  return total;
+std::vector<Mark> plausible_marks(const Candidate& candidate, const std::vector<const Rows*>& maps) {
+  const bool near = std::all_of(maps.begin(), maps.end(), [](const Rows* map) {
+    return std::all_of(map->begin(), map->end(),
+                       [](const sweep::Row& row) { return !rubs(row) || within(10)(row); });
+  });
+  const bool soft = candidate.contact_stiffness_n_per_m <= 1e7;
+  return {{"ten_clearances", near ? 1.0 : 0.0, near ? 1.0 : 0.0},
+          {"soft", soft ? 1.0 : 0.0, soft ? 1.0 : 0.0}};
 }
 
-double most(const std::vector<Mark>& marks) {
+double score(const std::vector<Mark>& marks) {
   double total = 0;
-  for (const Mark& mark : marks) total += mark.weight;
+  for (const Mark& mark : marks) total += mark.verdict + 0.1 * mark.nearness;
   return total;
 }
 

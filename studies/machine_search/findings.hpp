@@ -3,39 +3,43 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/sweep/row.hpp"
+#include "machine_search/candidate.hpp"
+#include "machine_search/domains.hpp"
 
 namespace rubsweep::machine_search {
 
-/// How far a map shows one finding of the paper, from 0 (not at all) to 1 (wholly), and how much that counts.
+/// How far a map shows one finding of the paper, by the measures of scripts/analysis/findings_*.py.
 struct Mark {
   std::string_view finding;
-  double value = 0;
-  double weight = 1;
+  double verdict = 0;   ///< 1 holds, 0.5 partly, 0 not reproduced
+  double nearness = 0;  ///< 0 to 1: the share that decides, which gives the search a direction
 };
 
-using Rows = std::vector<sweep::Row>;
-
-/// Marks of the map of one stop: orders 2 to 5 at whirl ratio 0.1 (each starting above n natural
-/// frequencies), tongues that lean, gaps between them, larger n from smaller unbalance, few irregular cells.
+/// Marks of the map of one stop: each order above n and leaning, larger n from smaller unbalance, the motions
+/// of figure 7, gaps, nothing but 1/n, the rotor stays near.
 std::vector<Mark> one_side_marks(const Rows& map);
 
-/// Marks of two stops with equal casings: synchronous motion far up in speed at larger unbalance,
-/// subharmonics at smaller unbalance alone, of odd order alone.
+/// Marks of two stops with equal casings: synchronous over a wide range, subharmonics at small unbalance
+/// alone and of odd order alone, nothing else.
 std::vector<Mark> both_sides_marks(const Rows& map);
 
-/// Marks of two stops with unequal casings: even orders.
-std::vector<Mark> unequal_casings_marks(const Rows& map);
+/// Marks of two stops of unequal distance: even orders, among them motions of one hit in n turns, which touch
+/// one side only.
+std::vector<Mark> unequal_casings_marks(const Rows& map, const Rows& equal);
 
-/// Marks of the centred annulus: a circle at low speed, an oval at high speed and from smaller unbalance, no
-/// dry whip.
+/// Marks of the centred annulus: a circle at low speed, an oval at high speed, from smaller unbalance and
+/// hitting several times a whirl, nothing else.
 std::vector<Mark> annulus_marks(const Rows& map);
 
 /// Marks of the offset annulus, beside the map `centred` whose rows i have the same unbalance: the circle to
-/// higher speed, 1/2 and 1/3 slightly above twice and three times the natural frequency, another circle.
+/// higher speed, 1/n slightly above n, nothing else.
 std::vector<Mark> offset_marks(const Rows& map, const Rows& centred);
 
-double sum(const std::vector<Mark>& marks);   ///< of value times weight
-double most(const std::vector<Mark>& marks);  ///< of weights
+/// Marks of what a kit may have: a contact of 1e7 N/m at most, no rub beyond ten clearances in any of these
+/// maps.
+std::vector<Mark> plausible_marks(const Candidate& candidate, const std::vector<const Rows*>& maps);
+
+/// Verdicts, and a tenth of the nearness: no sum of those outweighs a verdict.
+double score(const std::vector<Mark>& marks);
 
 }  // namespace rubsweep::machine_search

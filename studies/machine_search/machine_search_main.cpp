@@ -1,9 +1,10 @@
-// machine_search SEED RANDOM NEARBY [KEPT [START.csv]]: looks for one machine whose five maps show as much as
-// possible of what Ishibashi & Kawai report. Evaluates the starting points, RANDOM machines drawn from the
-// ranges of candidate.hpp, then NEARBY machines near the KEPT (10) best ones. START.csv lists further
-// machines to begin with, by the names of the columns that are printed. Prints one CSV line a machine as it
-// goes; `complete` tells machines that were given up early. One thread; the lines depend on the arguments
-// alone, but for the processor time.
+// machine_search GRID SEED RANDOM NEARBY [KEPT [START.csv]]: looks for one machine whose five maps show as
+// much as possible of what Ishibashi & Kawai report, on one of three coarse grids (0 to 2). Evaluates the
+// starting points, RANDOM machines drawn from the ranges of candidate.hpp, then NEARBY machines near the KEPT
+// (10) best ones. START.csv lists further machines to begin with, by the names of the columns that are
+// printed; with RANDOM and NEARBY 0 these are only looked at. Prints one CSV line a machine as it goes;
+// `complete` tells machines that were given up early. One thread; the lines depend on the arguments alone,
+// but for the processor time.
 
 #include <fmt/format.h>
 
@@ -24,16 +25,16 @@ namespace {
 
 using namespace rubsweep::machine_search;
 
-/// Out of 18: no machine below is of use, and the first ones need a bar too.
-constexpr double least_score = 10;
+/// Out of 29 marks: no machine below is of use, and the first ones need a bar too.
+constexpr double least_score = 14;
 
 class Search {
  public:
-  explicit Search(std::size_t kept) : kept_(kept) {}
+  Search(std::size_t grid, std::size_t kept) : grid_(grid), kept_(kept) {}
 
   void look_at(const Candidate& candidate, const char* origin) {
     const double bar = best_.size() < kept_ ? least_score : best_.back().first;
-    const Evaluation evaluation = evaluate(candidate, bar);
+    const Evaluation evaluation = evaluate(candidate, grid_, bar);
     print(candidate, origin, evaluation);
     if (!evaluation.complete) return;
     best_.emplace_back(evaluation.score, candidate);
@@ -60,11 +61,13 @@ class Search {
     std::string line = fmt::format("{},{}", tried_++, origin);
     for (const Parameter& parameter : parameters) line += fmt::format(",{:.6g}", candidate.*parameter.field);
     line += fmt::format(",{:.3f},{:.2f},{},", evaluation.score, evaluation.processor_s, evaluation.complete);
-    for (const Mark& mark : evaluation.marks) line += fmt::format("{} {:.2f};", mark.finding, mark.value);
+    for (const Mark& mark : evaluation.marks)
+      line += fmt::format("{} {:g} {:.2f};", mark.finding, mark.verdict, mark.nearness);
     fmt::print("{}\n", line);
     std::fflush(stdout);
   }
 
+  std::size_t grid_;
   std::size_t kept_;
   std::size_t tried_ = 0;
   std::vector<std::pair<double, Candidate>> best_;
@@ -92,23 +95,24 @@ std::vector<Candidate> candidates_in(const char* path) {
 
 int main(int argc, char** argv) {
   std::vector<std::size_t> numbers;
-  for (int i = 1; i < std::min(argc, 5); ++i) {
+  for (int i = 1; i < std::min(argc, 6); ++i) {
     if (const auto number = whole_number(argv[i])) numbers.push_back(*number);
   }
-  if (argc < 4 || argc > 6 || numbers.size() + 1 != static_cast<std::size_t>(std::min(argc, 5)) ||
-      (argc >= 5 && numbers[3] == 0)) {
-    fmt::print(stderr, "usage: machine_search SEED RANDOM NEARBY [KEPT [START.csv]]\n");
+  if (argc < 5 || argc > 7 || numbers.size() + 1 != static_cast<std::size_t>(std::min(argc, 6)) ||
+      numbers[0] >= grid_count || (argc >= 6 && numbers[4] == 0)) {
+    fmt::print(stderr, "usage: machine_search GRID SEED RANDOM NEARBY [KEPT [START.csv]]\n");
     return 1;
   }
   try {
-    std::mt19937_64 random(numbers[0]);
-    Search search(numbers.size() == 4 ? numbers[3] : 10);
-    for (const Candidate& candidate : starting_points) search.look_at(candidate, "start");
-    if (argc == 6) {
-      for (const Candidate& candidate : candidates_in(argv[5])) search.look_at(candidate, "file");
+    std::mt19937_64 random(numbers[1]);
+    Search search(numbers[0], numbers.size() == 5 ? numbers[4] : 10);
+    if (argc == 7) {
+      for (const Candidate& candidate : candidates_in(argv[6])) search.look_at(candidate, "file");
+    } else {
+      for (const Candidate& candidate : starting_points) search.look_at(candidate, "start");
     }
-    for (std::size_t i = 0; i < numbers[1]; ++i) search.look_at(random_candidate(random), "random");
-    for (std::size_t i = 0; i < numbers[2] && search.found_some(); ++i) {
+    for (std::size_t i = 0; i < numbers[2]; ++i) search.look_at(random_candidate(random), "random");
+    for (std::size_t i = 0; i < numbers[3] && search.found_some(); ++i) {
       const double spread = i % 2 == 0 ? 0.1 : 0.4;
       search.look_at(perturbed(search.one_of_the_best(random), spread, random), "nearby");
     }
