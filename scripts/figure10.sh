@@ -1,3 +1,3 @@
 #!/usr/bin/env bash
-# figure10.sh [OUTPUT]: circle and self-excited whirls in a centred annulus.
+# figure10.sh [OUTPUT]: circle and oval in a centred annulus.
 exec python3 "$(dirname "${BASH_SOURCE[0]}")/rubplot" figure 10 ${1:+--output "$1"}

@@ -1,3 +1,3 @@
 #!/usr/bin/env bash
-# figure13.sh [OUTPUT]: circle, 1/2, 1/3 and quasi-periodic motion in an annulus with offset.
+# figure13.sh [OUTPUT]: motions in an annulus with offset.
 exec python3 "$(dirname "${BASH_SOURCE[0]}")/rubplot" figure 13 ${1:+--output "$1"}

@@ -18,6 +18,13 @@ FINDINGS = findings_one_side.FINDINGS + findings_both_sides.FINDINGS + findings_
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # The machines in configs/, by name: a configuration for every role that they have a map of.
 SHIPPED = {
+    "reference": {
+        "one_side": "reference/figure06_one_side",
+        "both_sides": "reference/figure09_both_sides",
+        "both_sides_unequal": "reference/both_sides_unequal",
+        "annulus": "reference/figure11_annulus",
+        "annulus_offset": "reference/figure12_annulus_offset",
+    },
     "sets A, D": {
         "one_side": "figure06_one_side",
         "both_sides": "figure09_both_sides",

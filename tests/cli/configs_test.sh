@@ -4,8 +4,8 @@ source "$(dirname "$0")/support.sh"
 
 shopt -s nullglob
 configs=()
-# reference/stop.yaml is what the stops of the others share, and no configuration of its own.
-for config in "$top"/configs/*.yaml "$top"/configs/reference/*.yaml; do
+# stop.yaml of a folder is what the stops of the others share, and no configuration of its own.
+for config in "$top"/configs/*.yaml "$top"/configs/reference/*.yaml "$top"/configs/light_casing/*.yaml; do
   [[ ${config##*/} == ring_* || ${config##*/} == stop.yaml ]] || configs+=("$config")
 done
 ((${#configs[@]})) || fail "there is no configuration in $top/configs"

@@ -24,7 +24,7 @@ expect_missing results/minimal_branch/branch.csv
 expect_exit 3 no_such_file.yaml --cell 70,0.4
 rm -rf results
 
-# The half orbit of the reference machine: closed between two folds, the same from two cells.
+# The half orbit of set A: closed between two folds, the same from two cells.
 expect_exit 0 "$figure06" --cell 75,0.4 --output first
 expect_empty stderr
 expect_files first branch.csv config.yaml events.csv

@@ -47,7 +47,7 @@ void visit(const Node& node, const std::string& path,
 std::vector<fs::path> shipped() {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(RUBSWEEP_TEST_DATA) / "../../configs")) {
-    // reference/stop.yaml is what the stops of others share.
+    // stop.yaml of a folder is what the stops of others share.
     if (entry.path().extension() == ".yaml" && entry.path().filename() != "stop.yaml")
       files.push_back(entry.path());
   }

@@ -28,10 +28,10 @@ TEST_P(LongDouble, HasTheSameSectionAndMonodromyMatrix) {
 INSTANTIATE_TEST_SUITE_P(OnEveryKindOfMap, LongDouble,
                          testing::Values("minimal", "figure06_one_side", "figure06_set_b",
                                          "figure09_both_sides", "both_sides_unequal", "figure11_annulus",
-                                         "figure12_annulus_offset", "reference/figure11_annulus"),
+                                         "figure12_annulus_offset", "light_casing/annulus"),
                          [](const auto& test) {
                            return std::filesystem::path(test.param).filename().string() +
-                                  (test.param.find('/') == std::string::npos ? "" : "_of_reference_machine");
+                                  (test.param.find('/') == std::string::npos ? "" : "_of_light_casing");
                          });
 
 }  // namespace

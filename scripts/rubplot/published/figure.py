@@ -8,10 +8,11 @@ from rubplot.published import maps, motions, rings, rotor_kit
 from rubplot.published.sources import Sources, Wanted
 from rubplot.subcommand import Subcommand
 
-FIGURES = {**motions.FIGURES, **maps.FIGURES, **motions.REFERENCE, **rotor_kit.FIGURES, **rings.FIGURES}
+FIGURES = {**motions.FIGURES, **maps.FIGURES, **rotor_kit.FIGURES, **rings.FIGURES}
 GROUPS = {
-    "all": sorted({**motions.FIGURES, **maps.FIGURES}, key=lambda name: (not name.startswith("figure"), name)),
-    "reference": list(motions.REFERENCE),
+    "all": sorted({*motions.FIGURES, *maps.FIGURES} - {*maps.BENCHMARKS},
+                  key=lambda name: (not name.startswith("figure"), name)),
+    "benchmarks": maps.BENCHMARKS,
     "ring": list(rings.FIGURES),
 }
 
@@ -19,9 +20,8 @@ GROUPS = {
 def find(word):
     """The names that a word stands for; a number is that of a figure. Raises WrongCall."""
     name = word.replace("-", "_")
-    for prefix in ("reference_", "ring_"):
-        if name.startswith(prefix) and name[len(prefix):].isdecimal():
-            name = f"{prefix}figure{name[len(prefix):]}"
+    if name.startswith("ring_") and name[len("ring_"):].isdecimal():
+        name = f"ring_figure{name[len('ring_'):]}"
     if name.isdecimal():
         name = f"figure{int(name):02}"
     if name in GROUPS:
@@ -50,7 +50,7 @@ def run(given):
 
 
 def options(parser):
-    parser.add_argument("names", metavar="FIGURE", nargs="+", help="a number, a name as above, or all, reference, ring")
+    parser.add_argument("names", metavar="FIGURE", nargs="+", help="a number, a name as above, or all, benchmarks, ring")
     parser.add_argument("--map", metavar="PATH", help="a map.csv that is there already; of rotor_kit, the directory of its data")
     parser.add_argument("-o", "--output", metavar="FILE", help="of one figure (default: results/figures/NAME)")
     parser.add_argument("--formats", metavar="LIST", help=f"some of {','.join(output.FORMATS)} (default: png,svg, ring: png)")
@@ -62,10 +62,10 @@ def options(parser):
 SUBCOMMAND = Subcommand(
     name="figure",
     summary="published figures, computed first where they are not there",
-    description="""Computes and draws published figures: figure04 to figure13, both_sides_unequal, reference_figure04 to
-reference_figure13 and reference_rotor_kit, rotor_kit, ring_figure03 to ring_figure21.""",
+    description="""Computes and draws published figures: figure04 to figure13, both_sides_unequal and figure19 (15 to 21) of the
+reference machine, rotor_kit, ring_figure03 to ring_figure21; and the maps of the benchmarks, set_a_one_side and others.""",
     source="FIGURE",
     run=run,
     options=options,
-    examples=("06", "07 10 13", "all", "06 --map results/mine/map.csv --output mine.pdf", "ring-10 reference-04"),
+    examples=("06", "07 10 13", "all", "06 --map results/mine/map.csv --output mine.pdf", "ring-10 benchmarks"),
 )

@@ -22,9 +22,17 @@ class MapFigure:
 
 
 FIGURES = {
-    "figure06": MapFigure("figure06_one_side", "Rub domains after a kick, stop on one side"),
-    "figure09": MapFigure("figure09_both_sides", "Rub domains after a kick, stops on both sides"),
-    "figure11": MapFigure("figure11_annulus", "Rub domains after a kick, centred annulus"),
-    "figure12": MapFigure("figure12_annulus_offset", "Rub domains after a kick, annulus with offset"),
-    "both_sides_unequal": MapFigure("both_sides_unequal", "Rub domains after a kick, unequal casings on both sides"),
+    "figure06": MapFigure("reference/figure06_one_side", "Figure 6: rub domains after a kick, stop on one side"),
+    "figure09": MapFigure("reference/figure09_both_sides", "Figure 9: rub domains after a kick, stops on both sides"),
+    "figure11": MapFigure("reference/figure11_annulus", "Figure 11: rub domains after a kick, centred annulus"),
+    "figure12": MapFigure("reference/figure12_annulus_offset", "Figure 12: rub domains after a kick, annulus with offset"),
+    "both_sides_unequal": MapFigure("reference/both_sides_unequal",
+                                    "Rub domains after a kick, the lower stop farther away"),
+    "set_a_one_side": MapFigure("figure06_one_side", "Benchmark, set A: stop on one side"),
+    "set_a_both_sides": MapFigure("figure09_both_sides", "Benchmark, set A: stops on both sides"),
+    "set_a_both_sides_unequal": MapFigure("both_sides_unequal", "Benchmark, set A: the lower casing twice as stiff"),
+    "set_d_annulus": MapFigure("figure11_annulus", "Benchmark, set D: centred annulus"),
+    "set_d_annulus_offset": MapFigure("figure12_annulus_offset", "Benchmark, set D: annulus with offset"),
+    "set_b_one_side": MapFigure("figure06_set_b", "Hard case, set B: stop on one side"),
 }
+BENCHMARKS = [name for name in FIGURES if name.startswith("set_")]

@@ -20,7 +20,7 @@ namespace {
 
 sweep::Study study() { return test::half_orbit_study({0.3, 0.4}); }
 
-/// The half orbit of the reference machine at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz: the
+/// The half orbit of set A at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz: the
 /// family is in the cells between, and ends at these folds, which continuation along the whole branch finds
 /// as well.
 TEST(Families, TheHalfOrbitOfAMap) {

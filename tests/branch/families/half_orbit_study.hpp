@@ -8,7 +8,7 @@
 
 namespace rubsweep::test {
 
-/// A small map around the half orbit of the reference machine, which at a whirl ratio of 0.4 exists from 61.6
+/// A small map around the half orbit of set A, which at a whirl ratio of 0.4 exists from 61.6
 /// to 90.9 Hz.
 inline sweep::Study half_orbit_study(std::vector<double> whirl_ratios) {
   sweep::Study study;

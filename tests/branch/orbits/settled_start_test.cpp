@@ -10,7 +10,7 @@
 namespace rubsweep::branch::orbits {
 namespace {
 
-/// A cell of the reference machine that settles on every second turn, and the branch of that orbit: closed,
+/// A cell of set A that settles on every second turn, and the branch of that orbit: closed,
 /// stable between its folds on one side. The folds by a map of 4000 cells along the line lie in the same
 /// intervals.
 TEST(SettledStart, AHalfOrbitAndItsClosedBranch) {
