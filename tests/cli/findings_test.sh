@@ -17,7 +17,9 @@ map() {
 }
 quiet=180,0.5,non_contact,,circle,,0,0,1e-4,0,1,0.5,
 circle=60,0.5,synchronous,1,circle,,0,1,2e-3,0,1,2,50
-for stem in figure06_one_side figure06_set_b figure09_both_sides both_sides_unequal figure12_annulus_offset; do
+for stem in figure06_one_side figure06_set_b figure09_both_sides both_sides_unequal figure12_annulus_offset \
+  reference/figure06_one_side reference/figure09_both_sides reference/both_sides_unequal reference/figure11_annulus \
+  reference/figure12_annulus_offset; do
   map "$stem" "$quiet"
 done
 map figure11_annulus "$circle" "$quiet"

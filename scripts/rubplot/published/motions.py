@@ -44,13 +44,13 @@ def _motion(stem, heading, revolutions, text, *more):
 
 
 FIGURES = {
-    "figure04": _motion("figure04_one_side", "Figure 4: rub persists after the kick", FROM_KICK, "78:0.1"),
-    "figure05": _motion("figure05_one_side", "Figure 5: rub does not persist", FROM_KICK, "72:0.1"),
-    "figure07": _motion("figure07_one_side", "Figure 7: against one stop", LAST, "69:0.1 120:0.1 156:0.1 207:0.1"),
-    "figure08": _motion("figure08_both_sides", "Figure 8: between two stops", LAST, "90:0.5 135:0.1 195:0.02"),
-    "figure10": _motion("figure10_annulus", "Figure 10: in a centred annulus", LAST, "90:0.55 225:0.15 225:0.55"),
+    "figure04": _motion("figure04_one_side", "Figure 4: rub persists after the kick", FROM_KICK, "93:0.1"),
+    "figure05": _motion("figure05_one_side", "Figure 5: rub does not persist", FROM_KICK, "84:0.1"),
+    "figure07": _motion("figure07_one_side", "Figure 7: against one stop", LAST, "63:0.12 96:0.1 126:0.1 186:0.12"),
+    "figure08": _motion("figure08_both_sides", "Figure 8: between two stops", LAST, "90:0.8 105:0.12 180:0.07"),
+    "figure10": _motion("figure10_annulus", "Figure 10: in a centred annulus", LAST, "90:0.54 145:0.24 225:0.3"),
     "figure13": _motion("figure13_annulus_offset", "Figure 13: in an annulus with offset", LAST,
-                        "90:0.7 60:0.9 57:0.7 240:0.7"),
+                        "120:0.72 55:0.72 130:0.08 215:0.4"),
     "figure19": _motion("rotor_kit", "Figures 15 to 17, 19 to 21: rotor kit at 70 rev/s, exact, and as probes read it every "
                         "1 ms", LAST, "70:0.5", "--sample-s", "1e-3", "--noise-m", "2e-6"),
 }
