@@ -31,21 +31,28 @@ TEST(ExperimentTables, OfAFreeResponse) {
 
 TEST(ExperimentTables, OfARunUp) {
   const std::vector<BodePoint> plot{{.speed_hz = 10, .amplitude_m = 1e-4, .phase_deg = -90}};
-  const ExperimentTables tables = tables_of(RunUp{.run = ramp,
-                                                  .signal_m = two_sensors(),
-                                                  .angle_deg = {0, 90, 45},
-                                                  .bode = {plot, plot, plot},
-                                                  .sees = {true, true, false},
-                                                  .critical_speed_hz = {10, 11, std::nullopt},
-                                                  .largest_amplitude_m = {1e-4, 2e-4, 1e-19}});
+  const ExperimentTables tables =
+      tables_of(RunUp{.run = ramp,
+                      .signal_m = two_sensors(),
+                      .angle_deg = {0, 90, 45},
+                      .bode = {plot, plot, plot},
+                      .sees = {true, true, false},
+                      .speed_of_largest_1x_hz = {10, 11, std::nullopt},
+                      .resonance = {RampResonance{9.75, 0.02, 1e-3, 9, 11}, {}, {}},
+                      .largest_amplitude_m = {1e-4, 2e-4, 1e-19}});
   EXPECT_EQ(tables.bode_csv,
             "speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,sensor_1_phase_deg,"
             "sensor_2_amplitude_m,sensor_2_phase_deg\n10,1e-04,-90,1e-04,-90,1e-04,-90\n");
   EXPECT_EQ(tables.identification_csv,
-            "quantity,sensor,value\ncritical_speed_hz,0,10\nspeed_of_largest_1x_hz,0,10\n"
+            "quantity,sensor,value\nspeed_of_largest_1x_hz,0,10\n"
             "largest_amplitude_m,0,1e-04\n"
-            "critical_speed_hz,1,11\nspeed_of_largest_1x_hz,1,11\nlargest_amplitude_m,1,2e-04\n");
-  EXPECT_TRUE(tables.summary.ends_with("sensor 2 (45 deg)  does not see the unbalance\n"));
+            "resonance_frequency_hz,0,9.75\nresonance_damping_ratio,0,0.02\nresonance_misfit,0,0.001\n"
+            "speed_of_largest_1x_hz,1,11\nlargest_amplitude_m,1,2e-04\n");
+  EXPECT_EQ(tables.summary,
+            "sensor 0 (0 deg)  1X largest at 10 Hz of this ramp, 0.0001 m; "
+            "resonance by a fit to the ramp at 9.75 Hz, damping ratio 0.02, misfit 0.001\n"
+            "sensor 1 (90 deg)  1X largest at 11 Hz of this ramp, 0.0002 m; resonance: no single mode fits\n"
+            "sensor 2 (45 deg)  does not see the unbalance\n");
 }
 
 TEST(ExperimentTables, OfARunUpThatPassesNoCriticalSpeed) {
@@ -55,7 +62,8 @@ TEST(ExperimentTables, OfARunUpThatPassesNoCriticalSpeed) {
                .angle_deg = {0},
                .bode = {plot},
                .sees = {true},
-               .critical_speed_hz = {std::nullopt},
+               .speed_of_largest_1x_hz = {std::nullopt},
+               .resonance = {std::nullopt},
                .largest_amplitude_m = {2e-4}};
   ExperimentTables tables = tables_of(run_up);
   EXPECT_TRUE(tables.summary.ends_with(

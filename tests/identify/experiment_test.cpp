@@ -29,15 +29,18 @@ TEST(Experiment, NoiseIsThereAndAlwaysTheSame) {
   EXPECT_FALSE(first.decay[0]);  // noise is no rotor
 }
 
-TEST(Experiment, RunUpFindsTheCriticalSpeed) {
+TEST(Experiment, RunUpFindsTheResonanceBehindTheLargest1X) {
   const RunUp found = run_up(scene::prepare_machine(scene::one_side_machine()), 27, 34, 0.5, 1e-5, {});
   for (std::size_t sensor = 0; sensor < 2; ++sensor) {
     // A rising speed shifts the peak up by about the rate times the memory 1 / (zeta w0) = 0.27 s.
-    ASSERT_TRUE(found.critical_speed_hz[sensor]);
-    EXPECT_NEAR(*found.critical_speed_hz[sensor], 30.1, 0.2);
+    ASSERT_TRUE(found.speed_of_largest_1x_hz[sensor]);
+    EXPECT_NEAR(*found.speed_of_largest_1x_hz[sensor], 30.1, 0.2);
     // Steady: e / (2 zeta).
     EXPECT_NEAR(found.largest_amplitude_m[sensor], 1e-5 / 0.04, 0.1 * 1e-5 / 0.04);
     EXPECT_GT(found.bode[sensor].size(), 24u);
+    ASSERT_TRUE(found.resonance[sensor]);
+    EXPECT_NEAR(found.resonance[sensor]->frequency_hz, 30, 1e-5);
+    EXPECT_NEAR(found.resonance[sensor]->damping_ratio, 0.02, 1e-6);
   }
   EXPECT_EQ(found.signal_m.rows(), 14001);
 }
@@ -46,10 +49,10 @@ TEST(Experiment, TheSlowestFreeVibrationIsThatOfTheRotor) {
   EXPECT_NEAR(lowest_frequency_hz(scene::prepare_machine(scene::one_side_machine())), 30, 1e-10);
 }
 
-TEST(Experiment, WithoutUnbalanceARunUpHasNoCriticalSpeed) {
+TEST(Experiment, WithoutUnbalanceARunUpHasNoLargest1X) {
   const RunUp found =
       run_up(scene::prepare_machine(scene::one_side_machine()), 27, 34, 5, 0, {.noise_m = 1e-6});
-  EXPECT_EQ(found.critical_speed_hz, (std::vector<std::optional<double>>{std::nullopt, std::nullopt}));
+  EXPECT_EQ(found.speed_of_largest_1x_hz, (std::vector<std::optional<double>>{std::nullopt, std::nullopt}));
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ TEST(RampRun, LargestOneXIsTheLargestRadiusOfACircularMotion) {
       EXPECT_NEAR(amplitude_m, peak_m, 2e-6 * peak_m) << ramp.rate_hz_per_s;
     if (ramp.rate_hz_per_s != 24.1667) continue;
     EXPECT_NEAR(found.largest_amplitude_m[0], 0.01147795, 5e-8);
-    ASSERT_TRUE(found.critical_speed_hz[1]);
-    EXPECT_NEAR(*found.critical_speed_hz[1], 102.573, 1e-3);
+    ASSERT_TRUE(found.speed_of_largest_1x_hz[1]);
+    EXPECT_NEAR(*found.speed_of_largest_1x_hz[1], 102.573, 1e-3);
   }
 }
 

@@ -6,7 +6,7 @@ class Bode(figures.FigureTest):
     def setUp(self):
         super().setUp()
         self.write("config.yaml", "title: Pump\nrotor:\n  sensors:\n    - position_m: 0.1\n      angle_deg: 45\n")
-        self.write("identification.csv", "quantity,sensor,value\ncritical_speed_hz,0,20.004\nlargest_amplitude_m,0,5e-6\n")
+        self.write("identification.csv", "quantity,sensor,value\nresonance_frequency_hz,0,20.004\nlargest_amplitude_m,0,5e-6\n")
         self.write("bode.csv", "speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,sensor_1_phase_deg\n" +
                    "10,1e-6,-300,1e-6,-5\n20,5e-6,-358,4e-6,-90\n30,2e-6,-2,2e-6,-175\n")
 
@@ -19,6 +19,6 @@ class Bode(figures.FigureTest):
     def test_the_picture_says_what_it_shows(self):
         root = self.draw("bode", "--heading", "Run-up")
         for word in ("Pump: Run-up", "1X amplitude (µm)", "phase (°)", "shaft speed (Hz)", "sensor 0, at 100 mm, 45°",
-                     "sensor 1", "critical speed 20 Hz"):
+                     "sensor 1", "resonance 20 Hz"):
             self.assertIn(word, figures.words(root))
         self.assertEqual(figures.over_each_other(root), [])

@@ -103,7 +103,8 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
                .angle_deg = sensors.angle_deg,
                .bode = {},
                .sees = {},
-               .critical_speed_hz = {},
+               .speed_of_largest_1x_hz = {},
+               .resonance = {},
                .largest_amplitude_m = {}};
   run_up.signal_m = run_linear(machine, run_up.run, sensors.rows);
   const Eigen::MatrixXcd phasor_m = phasors(machine, run_up.run, sensors.rows);
@@ -125,8 +126,12 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
                       .speed_hz = speed_hz,
                       .sensor_angle_deg = sensors.angle_deg[sensor]},
                      bode_revolutions);
-    run_up.critical_speed_hz.emplace_back();
-    if (run_up.sees[sensor]) run_up.critical_speed_hz.back() = one.speed_of_largest_hz;
+    run_up.speed_of_largest_1x_hz.emplace_back();
+    run_up.resonance.emplace_back();
+    if (run_up.sees[sensor] && one.speed_of_largest_hz) {
+      run_up.speed_of_largest_1x_hz.back() = one.speed_of_largest_hz;
+      run_up.resonance.back() = fit_ramp_resonance(one.plot, rate_hz_per_s);
+    }
     run_up.largest_amplitude_m.push_back(one.largest_amplitude_m);
     run_up.bode.push_back(std::move(one.plot));
   }

@@ -7,6 +7,7 @@
 #include "rubsweep/identify/bode.hpp"
 #include "rubsweep/identify/free_decay.hpp"
 #include "rubsweep/identify/linear_run.hpp"
+#include "rubsweep/identify/ramp_resonance.hpp"
 
 namespace rubsweep::identify {
 
@@ -39,9 +40,12 @@ struct RunUp {
   std::vector<double> angle_deg;             ///< per sensor
   std::vector<std::vector<BodePoint>> bode;  ///< per sensor
   std::vector<bool> sees;                    ///< per sensor: more than rounding
-  /// Per sensor: speed of the largest 1X during the ramp, which is the critical speed where the ramp is slow;
+  /// Per sensor: speed of the largest 1X during the ramp, behind the critical speed unless the ramp is slow;
   /// empty where one sees nothing or 1X is largest at an end.
-  std::vector<std::optional<double>> critical_speed_hz;
+  std::vector<std::optional<double>> speed_of_largest_1x_hz;
+  /// Per sensor: the mode behind the largest 1X, freed of the ramp; empty where there is no such speed or no
+  /// fit.
+  std::vector<std::optional<RampResonance>> resonance;
   std::vector<double> largest_amplitude_m;  ///< per sensor, of 1X
 };
 

@@ -38,6 +38,16 @@ ExperimentTables begun(const LinearRun& run, const Eigen::MatrixXd& signal_m) {
           .summary = {}};
 }
 
+/// A share of a signal that one mode leaves unexplained from which on it is said that there is more than one.
+constexpr double large_misfit = 0.05;
+
+std::string resonance_text(const std::optional<RampResonance>& fit) {
+  if (!fit) return "resonance: no single mode fits";
+  return fmt::format("resonance by a fit to the ramp at {:.5g} Hz, damping ratio {:.4g}, misfit {:.2g}{}",
+                     fit->frequency_hz, fit->damping_ratio, fit->misfit,
+                     fit->misfit > large_misfit ? ": noise or more than one mode, not to be relied on" : "");
+}
+
 std::string why_none(const RunUp& run_up, std::size_t sensor) {
   if (!run_up.sees[sensor]) return "does not see the unbalance";
   const auto& plot = run_up.bode[sensor];
@@ -90,17 +100,21 @@ ExperimentTables tables_of(const FreeResponse& response) {
 ExperimentTables tables_of(const RunUp& run_up) {
   ExperimentTables tables = begun(run_up.run, run_up.signal_m);
   for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
-    const std::optional<double> critical_hz = run_up.critical_speed_hz[i];
+    const std::optional<double> top_hz = run_up.speed_of_largest_1x_hz[i];
     const double largest_m = run_up.largest_amplitude_m[i];
-    // The older name stays beside the more precise one.
-    if (critical_hz) add(tables.identification_csv, "critical_speed_hz", i, *critical_hz);
-    if (critical_hz) add(tables.identification_csv, "speed_of_largest_1x_hz", i, *critical_hz);
+    if (top_hz) add(tables.identification_csv, "speed_of_largest_1x_hz", i, *top_hz);
     if (run_up.sees[i] && !run_up.bode[i].empty())
       add(tables.identification_csv, "largest_amplitude_m", i, largest_m);
-    tables.summary += fmt::format(
-        "sensor {} ({} deg)  {}\n", i, run_up.angle_deg[i],
-        critical_hz ? fmt::format("1X largest at {:.5g} Hz of this ramp, {:.4g} m", *critical_hz, largest_m)
-                    : why_none(run_up, i));
+    if (const auto& fit = run_up.resonance[i]) {
+      add(tables.identification_csv, "resonance_frequency_hz", i, fit->frequency_hz);
+      add(tables.identification_csv, "resonance_damping_ratio", i, fit->damping_ratio);
+      add(tables.identification_csv, "resonance_misfit", i, fit->misfit);
+    }
+    tables.summary +=
+        fmt::format("sensor {} ({} deg)  {}\n", i, run_up.angle_deg[i],
+                    top_hz ? fmt::format("1X largest at {:.5g} Hz of this ramp, {:.4g} m; {}", *top_hz,
+                                         largest_m, resonance_text(run_up.resonance[i]))
+                           : why_none(run_up, i));
   }
   tables.bode_csv = bode_csv(run_up.bode);
   return tables;

@@ -22,10 +22,10 @@ class Bode:
             raise Failure(f"{files['bode.csv']}: no speed, the run-up was too fast for its samples")
         sensors = range(sum(name.endswith("_amplitude_m") for name in self._rows[0]))
         self.sensors = list(sensors)[:MOST_SENSORS]
-        self._critical = {}
+        self._resonance = {}
         for row in csv_table.read_table(files["identification.csv"], "quantity", "sensor", "value"):
-            if row["quantity"] == "critical_speed_hz":
-                self._critical[int(csv_table.number(row, "sensor"))] = csv_table.number(row, "value")
+            if row["quantity"] == "resonance_frequency_hz":
+                self._resonance[int(csv_table.number(row, "sensor"))] = csv_table.number(row, "value")
         largest_m = max(csv_table.number(row, f"sensor_{i}_amplitude_m") for row in self._rows for i in self.sensors)
         self.speed = shown_units.axis(self.config, "speed_hz")
         self.per_metre, self.unit = shown_units.of_length(largest_m)
@@ -42,7 +42,7 @@ class Bode:
             yield f"{self.speed.factor * csv_table.number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g}"
 
     def names(self):
-        """What the legend says of each sensor: where it looks and the critical speed that it shows."""
+        """What the legend says of each sensor: where it looks and along which angle."""
         for sensor in self.sensors:
             angle = self.config.get(f"rotor.sensors.{sensor}.angle_deg")
             place = self.config.get(f"rotor.sensors.{sensor}.position_m")
@@ -53,9 +53,9 @@ class Bode:
                 where.append("%.4g°" % configuration.number(angle))
             yield ", ".join(where)
 
-    def critical(self):
-        """The critical speeds of the sensors that show one, each once to four digits."""
-        return sorted({"%.4g" % (self.speed.factor * speed) for sensor, speed in self._critical.items() if sensor in self.sensors}, key=float)
+    def resonances(self):
+        """The resonances fitted to the sensors that show one, each once to four digits."""
+        return sorted({"%.4g" % (self.speed.factor * speed) for sensor, speed in self._resonance.items() if sensor in self.sensors}, key=float)
 
 
 def picture(given):
@@ -68,7 +68,7 @@ def picture(given):
             captions.headed(given.heading, bode.config),
             str(len(bode.sensors)),
             bode.unit,
-            " ".join(bode.critical()),
+            " ".join(bode.resonances()),
             captions.byline(bode.config),
             bode.speed.label,
         ),

@@ -35,7 +35,7 @@ def picture(given):
     files = {name: os.path.join(given.source, name) for name in names}
     require_readable(*files.values())
     damping = find(files["free_response/identification.csv"], "damping_ratio")
-    critical = find(files["run_up/identification.csv"], "critical_speed_hz")
+    resonance = find(files["run_up/identification.csv"], "resonance_frequency_hz")
     config_file = os.path.join(given.source, "run_up", "config.yaml")
     config = configuration.read_configuration(config_file) if os.path.exists(config_file) else {}
     return Picture(
@@ -45,7 +45,7 @@ def picture(given):
             str(damping.sensor),
             "%.17g" % natural_frequency_hz(given.source),
             "%.17g" % damping.value,
-            "%.17g" % critical.value,
+            "%.17g" % resonance.value,
             captions.byline(config),
         ),
         {

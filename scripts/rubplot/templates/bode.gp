@@ -1,20 +1,20 @@
 # Draws the Bode plot that pictures/bode.py lays out.
 # Arguments: HEADING SENSORS UNIT CRITICAL BYLINE SPEED_LABEL
 # Files: sensor_N for each of the SENSORS (speed, amplitude in UNIT, phase in degrees) and names.gp; CRITICAL: the
-# critical speeds that they show.
+# resonances fitted to them.
 
 heading = ARG1
 sensors = int(ARG2)
 unit = ARG3
-critical = ARG4
+resonance = ARG4
 file(i) = "sensor_" . i
 load "names.gp"
 
 # Paul Tol's "muted" scheme, sensor by sensor.
 array colours[8] = ["#332288", "#CC6677", "#117733", "#DDCC77", "#882255", "#44AA99", "#AA4499", "#999933"]
 mark = "#999999"
-listed = word(critical, 1)
-do for [k = 2:words(critical)] { listed = listed . ", " . word(critical, k) }
+listed = word(resonance, 1)
+do for [k = 2:words(resonance)] { listed = listed . ", " . word(resonance, k) }
 dash(i) = i % 2 ? 2 : 1
 # Here, while no axis has a range: of what lies outside the range of an axis, stats sees nothing.
 low = NaN
@@ -41,8 +41,8 @@ do for [format in formats] {
   set rmargin at screen 0.97
   set tics nomirror out
   set grid linecolor rgb "#E4E4E4"
-  do for [k = 1:words(critical)] {
-    set arrow from first real(word(critical, k)), graph 0 to first real(word(critical, k)), graph 1 nohead dashtype 2 \
+  do for [k = 1:words(resonance)] {
+    set arrow from first real(word(resonance, k)), graph 0 to first real(word(resonance, k)), graph 1 nohead dashtype 2 \
       linewidth 1.2 linecolor rgb mark
   }
   set key top right Left reverse samplen 2.5 spacing 1.2 opaque noenhanced
@@ -56,7 +56,7 @@ do for [format in formats] {
   plot for [i = 0:sensors - 1] file(i) using 1:2 with lines linewidth 2 dashtype dash(i) \
       linecolor rgb colours[i + 1] title value(sprintf("name_%d", i)), \
     NaN with lines dashtype 2 linewidth 1.2 linecolor rgb mark \
-      title (words(critical) ? sprintf("critical speed %s %s", listed, strstrt(ARG6, "rpm") ? "rpm" : "Hz") : "")
+      title (words(resonance) ? sprintf("resonance %s %s", listed, strstrt(ARG6, "rpm") ? "rpm" : "Hz") : "")
   unset label 1
   unset label 2
   unset key

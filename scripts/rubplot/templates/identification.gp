@@ -6,7 +6,7 @@ heading = ARG1
 sensor = int(ARG2)
 natural_hz = real(ARG3)
 damping = real(ARG4)
-critical_hz = real(ARG5)
+resonance_hz = real(ARG5)
 
 line = "#332288"
 second = "#CC6677"
@@ -16,7 +16,7 @@ bode = "bode"
 
 do for [format in formats] {
   eval canvas(format, 1600, 900, 'sans,20', 1)
-  set multiplot title heading . sprintf(": natural frequency %.3f Hz, damping ratio %.4f; critical speed %.2f Hz", natural_hz, damping, critical_hz) noenhanced
+  set multiplot title heading . sprintf(": natural frequency %.3f Hz, damping ratio %.4f; resonance %.2f Hz", natural_hz, damping, resonance_hz) noenhanced
   set label 2 ARG6 at screen 0.995, screen 0.012 right font ",13" noenhanced
   set grid lc rgb "#DDDDDD"
   set lmargin 11
@@ -47,7 +47,7 @@ do for [format in formats] {
   set title "Run-up: component that turns with the shaft"
   unset xlabel
   set ylabel "amplitude (µm)"
-  set arrow 1 from critical_hz, graph 0 to critical_hz, graph 1 nohead dt 2 lw 2 lc rgb mark
+  set arrow 1 from resonance_hz, graph 0 to resonance_hz, graph 1 nohead dt 2 lw 2 lc rgb mark
   plot bode using 1:(1e6 * $2) with linespoints pt 7 ps 0.5 lc rgb line title "sensor 0", \
     bode using 1:(1e6 * $4) with lines lw 2 dt 3 lc rgb second title "sensor 1"
   set origin 0.5, 0
