@@ -4,18 +4,21 @@
 
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <numbers>
 #include <vector>
 
+#include "rubsweep/integrate/adaptive/law_of_steps.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
-#include "rubsweep/integrate/adaptive/steppers.hpp"
+#include "rubsweep/integrate/adaptive/step_method.hpp"
 #include "rubsweep/integrate/law/dynamics.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::integrate {
 namespace {
 
-namespace odeint = boost::numeric::odeint;
+using adaptive::State;
+using run::Stepper;
 using Complex = std::complex<double>;
 constexpr double two_pi = 2 * std::numbers::pi;
 
@@ -43,16 +46,16 @@ double error_of(const State& state, double phase) {
   return std::abs(Complex(state[0], state[1]) - exact(phase));
 }
 
-template <class StepMethod>
 struct Fixed {
-  using State = typename StepMethod::State;
   run::ScaledSystem<2> system = run::scale<2>(forced_scene());
   law::Dynamics<2, false> dynamics{system, 0};
-  StepMethod method{run::SolverOptions{.relative_tolerance =
-                                           1e30}};  // accepts every step: the size stays what the test says
-  adaptive::Step<State> step;
+  adaptive::LawOfSteps<law::Dynamics<2, false>> right_hand_side{dynamics};
+  std::unique_ptr<adaptive::StepMethod> method;
+  adaptive::Step step;
 
-  Fixed() {
+  explicit Fixed(Stepper stepper)
+      // Every step is accepted: the size stays what the test says.
+      : method(adaptive::make_step_method({.stepper = stepper, .relative_tolerance = 1e30})) {
     const auto initial = run::scaled_initial_state(forced_scene());
     for (State* s : {&step.start, &step.start_rate, &step.end, &step.end_rate}) *s = State(4);
     std::copy(initial.begin(), initial.end(), step.start.begin());
@@ -61,7 +64,7 @@ struct Fixed {
 
   void take(double h) {
     double size = h;
-    ASSERT_TRUE(method.try_step(dynamics, step, size));
+    ASSERT_TRUE(method->try_step(right_hand_side, step, size));
   }
 
   double error_after_a_turn(int steps) {
@@ -80,43 +83,36 @@ struct Fixed {
     State inside(4);
     double largest = 0;
     for (const double x : {0.2, 0.45, 0.7}) {
-      method.state_at(dynamics, step, x * h, inside);
+      method->state_at(right_hand_side, step, x * h, inside);
       largest = std::max(largest, error_of(inside, x * h));
     }
     return largest;
   }
 };
 
-template <class StepMethod>
-double global_order(int steps) {
-  const double coarse = Fixed<StepMethod>().error_after_a_turn(steps);
-  const double fine = Fixed<StepMethod>().error_after_a_turn(2 * steps);
+double global_order(Stepper stepper, int steps) {
+  const double coarse = Fixed(stepper).error_after_a_turn(steps);
+  const double fine = Fixed(stepper).error_after_a_turn(2 * steps);
   return std::log2(coarse / fine);
 }
 
 /// Order of the local error inside a step: one more than the order of the interpolant.
-template <class StepMethod>
-double inner_order(double h) {
-  return std::log2(Fixed<StepMethod>().error_inside_first_step(h) /
-                   Fixed<StepMethod>().error_inside_first_step(h / 2));
+double inner_order(Stepper stepper, double h) {
+  return std::log2(Fixed(stepper).error_inside_first_step(h) / Fixed(stepper).error_inside_first_step(h / 2));
 }
 
-using State = std::vector<double>;
-using CashKarp = adaptive::ReStepping<odeint::runge_kutta_cash_karp54<State>>;
-using Fehlberg = adaptive::ReStepping<odeint::runge_kutta_fehlberg78<State>>;
-
 TEST(FlightOrder, OfWholeSteps) {
-  EXPECT_NEAR(global_order<adaptive::Dopri5<State>>(128), 5, 0.2);
-  EXPECT_NEAR(global_order<CashKarp>(128), 5, 0.2);
-  EXPECT_NEAR(global_order<Fehlberg>(32), 8, 0.4);
-  EXPECT_NEAR(global_order<adaptive::Rosenbrock4>(256), 4, 0.2);
+  EXPECT_NEAR(global_order(Stepper::dopri5, 128), 5, 0.2);
+  EXPECT_NEAR(global_order(Stepper::cash_karp54, 128), 5, 0.2);
+  EXPECT_NEAR(global_order(Stepper::rkf78, 32), 8, 0.4);
+  EXPECT_NEAR(global_order(Stepper::rosenbrock4, 256), 4, 0.2);
 }
 
 TEST(FlightOrder, OfStatesInsideAStep) {
-  EXPECT_NEAR(inner_order<adaptive::Dopri5<State>>(0.05), 5, 0.3);  // dense output of order 4
-  EXPECT_NEAR(inner_order<CashKarp>(0.05), 6, 0.5);                 // the method itself
-  EXPECT_GT(inner_order<Fehlberg>(0.4), 8.4);
-  EXPECT_NEAR(inner_order<adaptive::Rosenbrock4>(0.05), 4, 0.3);  // dense output of order 3
+  EXPECT_NEAR(inner_order(Stepper::dopri5, 0.05), 5, 0.3);       // dense output of order 4
+  EXPECT_NEAR(inner_order(Stepper::cash_karp54, 0.05), 6, 0.5);  // the method itself
+  EXPECT_GT(inner_order(Stepper::rkf78, 0.4), 8.4);
+  EXPECT_NEAR(inner_order(Stepper::rosenbrock4, 0.05), 4, 0.3);  // dense output of order 3
 }
 
 TEST(FlightOrder, BulirschStoerFollowsItsTolerance) {

@@ -1,6 +1,5 @@
 #include "rubsweep/identify/linear_run.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
@@ -10,6 +9,7 @@
 #include <numbers>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/cholesky.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::identify {
@@ -86,7 +86,7 @@ class Structure {
   }
 
   LinearRun run_;
-  Eigen::LDLT<Eigen::MatrixXd> mass_;
+  numerics::SymmetricFactors mass_;
   Eigen::MatrixXd stiffness_, damping_, gyroscopic_, circulatory_;
   Eigen::VectorXcd unbalance_, bow_;
   Eigen::VectorXd constant_;
@@ -115,7 +115,7 @@ State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run
 class ImpulsesOnARamp {
  public:
   ImpulsesOnARamp(const scene::PreparedMachine& prepared, const LinearRun& run) : run_(run) {
-    const Eigen::LDLT<Eigen::MatrixXd> mass(prepared.assembly.system.mass);
+    const numerics::SymmetricFactors mass(prepared.assembly.system.mass);
     if (run.driven != Driven::by_all) return;
     for (const auto& train : prepared.assembly.impulses)
       trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});

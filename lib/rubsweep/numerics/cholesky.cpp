@@ -15,4 +15,9 @@ MatrixXd CholeskyFactors::solve_lower(const MatrixXd& b) const { return llt_->ma
 MatrixXd CholeskyFactors::solve_upper(const MatrixXd& b) const { return llt_->matrixU().solve(b); }
 MatrixXd CholeskyFactors::upper() const { return llt_->matrixU(); }
 
+SymmetricFactors::SymmetricFactors(const MatrixXd& a)
+    : ldlt_(std::make_shared<const Eigen::LDLT<MatrixXd>>(a)) {}
+VectorXd SymmetricFactors::solve(const VectorXd& b) const { return ldlt_->solve(b); }
+MatrixXd SymmetricFactors::solve(const MatrixXd& b) const { return ldlt_->solve(b); }
+
 }  // namespace rubsweep::numerics

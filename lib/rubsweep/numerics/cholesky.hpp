@@ -22,4 +22,15 @@ class CholeskyFactors {
   std::shared_ptr<const Eigen::LLT<Eigen::MatrixXd>> llt_;
 };
 
+/// Factors of a symmetric matrix a = P^T lower diagonal lower^T P (LDLT), kept for several right-hand sides.
+class SymmetricFactors {
+ public:
+  explicit SymmetricFactors(const Eigen::MatrixXd& a);
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+
+ private:
+  std::shared_ptr<const Eigen::LDLT<Eigen::MatrixXd>> ldlt_;
+};
+
 }  // namespace rubsweep::numerics

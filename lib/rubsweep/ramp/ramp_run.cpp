@@ -1,14 +1,13 @@
 #include "rubsweep/ramp/ramp_run.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <complex>
 #include <numbers>
 #include <span>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
+#include "rubsweep/numerics/cholesky.hpp"
 #include "rubsweep/ramp/ramp_dynamics.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
@@ -56,7 +55,7 @@ scene::Scene reference_scene(const scene::PreparedMachine& machine, const SpeedR
 
 RampForces forces_of(const scene::PreparedMachine& machine, const SpeedRamp& ramp, const StateScale& scale) {
   const structure::Assembly& assembly = machine.assembly;
-  const Eigen::LDLT<Eigen::MatrixXd> mass(assembly.system.mass);
+  const numerics::SymmetricFactors mass(assembly.system.mass);
   const auto solved = [&](const Eigen::VectorXcd& force) {
     const std::complex<double> i(0, 1);
     return Eigen::VectorXcd(mass.solve(Eigen::VectorXd(force.real())).cast<std::complex<double>>() +
@@ -110,12 +109,12 @@ class StretchReader {
   RampStretch stretch_;
 };
 
-template <int N, class State>
+template <int N>
 Outcome run_ramp(const scene::Scene& scene, const RampForces& forces, double turns,
-                 const integrate::run::SolverOptions& solver, int samples,
+                 integrate::run::SolverOptions solver, int samples,
                  const std::function<void(const RampStretch&)>& on_stretch) {
-  integrate::adaptive::AdaptiveRun<integrate::adaptive::Dopri5<State>, N, false, RampDynamics<N>> run(
-      scene, solver, forces);
+  solver.stepper = integrate::run::Stepper::dopri5;
+  integrate::adaptive::AdaptiveRun<RampDynamics<N>> run(scene, solver, forces);
   const integrate::run::TurnRequest request{.samples_per_revolution = samples, .peaks = true};
   StretchReader reader(scene, samples);
   integrate::run::TurnReport report;
@@ -140,9 +139,8 @@ Outcome run_ramp(const scene::PreparedMachine& machine, const SpeedRamp& ramp,
   const double turns = ramp.duration_s() / scene.period_s();
   // The usual scene, a rotor and one casing, gets a fixed size.
   return scene.structure.coordinates() == 4
-             ? run_ramp<4, std::array<double, 10>>(scene, forces, turns, solver, samples, on_stretch)
-             : run_ramp<Eigen::Dynamic, std::vector<double>>(scene, forces, turns, solver, samples,
-                                                             on_stretch);
+             ? run_ramp<4>(scene, forces, turns, solver, samples, on_stretch)
+             : run_ramp<Eigen::Dynamic>(scene, forces, turns, solver, samples, on_stretch);
 }
 
 }  // namespace rubsweep::ramp

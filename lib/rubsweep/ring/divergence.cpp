@@ -1,21 +1,19 @@
 #include "rubsweep/ring/divergence.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/lu.hpp"
 
 namespace rubsweep::ring {
 
 std::vector<double> divergence_speeds(const NormalForm& form) {
   // 1 / O^2 rather than O^2: K2 may be singular (loads without mass), K0 holds every spring.
-  const Eigen::MatrixXd inverse = form.stiffness.fullPivLu().solve(form.softening);
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(inverse, false);
-  if (solver.info() != Eigen::Success)
-    throw SolverError("divergence: the eigenvalue iteration did not converge");
-  const Eigen::VectorXcd roots = solver.eigenvalues();
+  const Eigen::MatrixXd inverse = numerics::solve_full_pivot(form.stiffness, form.softening);
+  const Eigen::VectorXcd roots = numerics::eigenvalues(inverse);
+  if (roots.hasNaN()) throw SolverError("divergence: the eigenvalue iteration did not converge");
   const double largest = roots.cwiseAbs().maxCoeff();
   std::vector<double> speeds;
   for (const std::complex<double>& root : roots) {

@@ -1,10 +1,10 @@
 #include "rubsweep/structure/stability.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/eigenvalues.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -15,7 +15,7 @@ constexpr int bisections = 30;
 
 Eigen::VectorXcd rates_per_s(const Eigen::MatrixXd& inertia, const Eigen::MatrixXd& damping,
                              const Eigen::MatrixXd& stiffness) {
-  const Eigen::LDLT<Eigen::MatrixXd> mass(inertia);
+  const numerics::SymmetricFactors mass(inertia);
   const Eigen::Index n = inertia.rows();
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   generator.topRightCorner(n, n).setIdentity();
@@ -30,10 +30,8 @@ Eigen::VectorXcd rates_per_s(const Eigen::MatrixXd& inertia, const Eigen::Matrix
     generator.topRightCorner(n, n) *= std::ldexp(1.0, order);
     generator.bottomLeftCorner(n, n) *= std::ldexp(1.0, -order);
   }
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(generator, false);
-  if (solver.info() == Eigen::Success) return solver.eigenvalues();
-  // Eigenvalues unknown: no vibration is reported to grow.
-  return Eigen::VectorXcd::Constant(2 * n, std::numeric_limits<double>::quiet_NaN());
+  // NaN where they are unknown: no vibration is reported to grow.
+  return numerics::eigenvalues(generator);
 }
 
 Eigen::VectorXcd rates_per_s(const Assembly& assembly, double speed_rad_per_s) {

@@ -15,7 +15,7 @@ TEST(StepperTable, EveryRowIsFoundByItsStepperAndHasAWordOfItsOwn) {
   for (const StepperRow& row : stepper_table()) {
     EXPECT_EQ(&row_of(row.stepper), &row);
     EXPECT_TRUE(words.insert(row.word).second) << row.word;
-    EXPECT_NE(row.start, nullptr) << row.word;
+    EXPECT_NE(row.make, nullptr) << row.word;
   }
   EXPECT_TRUE(words.contains("dopri5"));
   EXPECT_EQ(row_of(run::SolverOptions{}.stepper).word, "auto");

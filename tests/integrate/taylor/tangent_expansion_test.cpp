@@ -20,9 +20,8 @@ namespace {
 
 Eigen::MatrixXd transition_by_dopri5(const scene::Scene& scene, double tolerance = 1e-13) {
   const auto states = std::size_t(2 * scene.structure.coordinates());
-  adaptive::AdaptiveRun<adaptive::Dopri5<std::vector<double>>, Eigen::Dynamic, false,
-                        response::rotating::VariationalDynamics<Eigen::Dynamic, false>>
-      run(scene, {.relative_tolerance = tolerance});
+  adaptive::AdaptiveRun<response::rotating::VariationalDynamics<Eigen::Dynamic, false>> run(
+      scene, {.stepper = run::Stepper::dopri5, .relative_tolerance = tolerance});
   run::TurnReport turn;
   EXPECT_EQ(run.advance({}, turn), run::Outcome::ok);
   return Eigen::Map<const Eigen::MatrixXd>(turn.section.data() + states, Eigen::Index(states),

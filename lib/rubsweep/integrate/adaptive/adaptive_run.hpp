@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <vector>
 
 #include "rubsweep/integrate/adaptive/crossing_search.hpp"
+#include "rubsweep/integrate/adaptive/law_of_steps.hpp"
 #include "rubsweep/integrate/adaptive/step_observer.hpp"
-#include "rubsweep/integrate/adaptive/steppers.hpp"
 #include "rubsweep/integrate/law/dynamics.hpp"
 #include "rubsweep/integrate/law/settle_slips.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
@@ -19,21 +20,21 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// A run by one of Odeint's steppers. Located (Smoothed = false): a step that crosses a mode's guard is cut
+/// A run by one of Odeint's steppers. Located (law not smoothed): a step that crosses a mode's guard is cut
 /// there and the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper
 /// keeps its order. Dry friction's slips that come to zero, and contacts that no longer stick, end a step in
 /// the same way. `Law` is the right-hand side: Dynamics, or a law with further numbers behind its state.
-template <class StepMethod, int N, bool Smoothed, class Law = law::Dynamics<N, Smoothed>>
+template <class Law>
 class AdaptiveRun {
- public:
-  using State = typename StepMethod::State;
+  static constexpr bool smoothed = Law::smoothed;
 
+ public:
   /// `of_the_law`: arguments of the law beside the system and the width of its blend.
   template <class... OfTheLaw>
   AdaptiveRun(const scene::Scene& scene, const run::SolverOptions& options, const OfTheLaw&... of_the_law)
-      : system_(run::scale<N>(scene)),
+      : system_(run::scale<Law::coordinates>(scene)),
         dynamics_(system_, options.smoothing_m / system_.scale.length_m, of_the_law...),
-        method_(options),
+        method_(make_step_method(options)),
         pulses_(scene, system_.scale, full_turn),
         impulses_(scene),
         max_steps_(options.max_steps_per_revolution),
@@ -43,7 +44,7 @@ class AdaptiveRun {
         just_moved_(system_.contacts.size(), false) {
     const std::vector<double> initial = dynamics_.whole_state(run::scaled_initial_state(scene));
     for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_, &probe_rate_})
-      resize(*state, initial.size());
+      state->resize(initial.size());
     std::copy(initial.begin(), initial.end(), step_.start.begin());
     remembered_sizes_.resize(std::size_t{1} << (2 * std::min<std::size_t>(system_.contacts.size(), 4)), 0.0);
     size_ = 1e-3;
@@ -83,10 +84,6 @@ class AdaptiveRun {
  private:
   static constexpr double full_turn = 2 * std::numbers::pi;
   static constexpr double smallest_size = 1e-14;
-
-  static void resize(State& state, std::size_t size) {
-    if constexpr (requires { state.resize(size); }) state.resize(size);
-  }
 
   void begin() {
     dynamics_.follow(pulses_);
@@ -132,13 +129,13 @@ class AdaptiveRun {
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
       const contact::Mode from = dynamics_.modes()[i];
       dynamics_.enter_by_state(i, step_.start, step_.start_rate);
-      if (Smoothed || dynamics_.modes()[i] == from) continue;
+      if (smoothed || dynamics_.modes()[i] == from) continue;
       ++switches_;
       observer.mode_switch({step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i]});
     }
     enter_slips(step_.start_phase);
     look_again(step_.start_phase);
-    method_.restart();
+    method_->restart();
   }
 
   run::Outcome advance_one_step(StepObserver& observer) {
@@ -148,7 +145,7 @@ class AdaptiveRun {
     const bool limited = step_.start_phase + 1.000001 * wanted >= boundary;
     double size = limited ? boundary - step_.start_phase : wanted;
     const double taken = size;
-    if (!method_.try_step(dynamics_, step_, size)) {
+    if (!method_->try_step(right_hand_side_, step_, size)) {
       ++refused_;
       size_ = size;
       return size_ < smallest_size ? run::Outcome::step_too_small : run::Outcome::ok;
@@ -171,16 +168,16 @@ class AdaptiveRun {
   /// Cuts the accepted step at the first mode switch in it, reports it, and makes its end the next start.
   void accept(StepObserver& observer) {
     std::optional<Crossing> crossing;
-    if constexpr (!Smoothed) crossing = first_crossing();
+    if constexpr (!smoothed) crossing = first_crossing();
     const auto state_at = [this](double phase) -> const State& {
-      method_.state_at(dynamics_, step_, phase, probe_);
+      method_->state_at(right_hand_side_, step_, phase, probe_);
       return probe_;
     };
     const double end_phase = crossing ? crossing->phase : step_.end_phase;
     observer.sample(step_.start_phase, step_.start, end_phase, state_at);
     if (crossing) cut_step(end_phase);
     observer.watch(step_, dynamics_, start_kinematics_, end_kinematics_);
-    if constexpr (!Smoothed) switch_modes(crossing, observer);
+    if constexpr (!smoothed) switch_modes(crossing, observer);
     std::swap(step_.start, step_.end);
     std::swap(step_.start_rate, step_.end_rate);
     std::swap(start_kinematics_, end_kinematics_);
@@ -188,13 +185,13 @@ class AdaptiveRun {
   }
 
   std::optional<Crossing> first_crossing() {
-    return CrossingSearch<StepMethod, Law>{dynamics_,       method_,     step_,  start_kinematics_,
-                                           end_kinematics_, just_moved_, probe_, probe_rate_}
+    return CrossingSearch<Law>{dynamics_,       right_hand_side_, *method_, step_,      start_kinematics_,
+                               end_kinematics_, just_moved_,      probe_,   probe_rate_}
         .first();
   }
 
   void cut_step(double phase) {
-    method_.state_at(dynamics_, step_, phase, probe_);
+    method_->state_at(right_hand_side_, step_, phase, probe_);
     step_.end = probe_;
     step_.end_phase = phase;
     // The force is continuous across the switch of a mode: this rate holds on both sides of it.
@@ -229,7 +226,7 @@ class AdaptiveRun {
       if (from == contact::Mode::open && dynamics_.touches_dry(i)) touch_down(i);
     }
     if (!switched) return;
-    method_.restart();
+    method_->restart();
     // Contact and flight need steps of different size: continues with the last size in this mode.
     remembered_sizes_[before] = size_;
     if (const double remembered = remembered_sizes_[joint_mode()]; remembered > 0) size_ = remembered;
@@ -290,19 +287,18 @@ class AdaptiveRun {
                      .steps = steps_,
                      .refused = refused_,
                      .switches = switches_,
-                     .implicit_steps = 0};
-    if constexpr (requires { method_.implicit_steps(); })
-      report.effort.implicit_steps = method_.implicit_steps();
+                     .implicit_steps = method_->implicit_steps()};
     return outcome;
   }
 
-  run::ScaledSystem<N> system_;
+  run::ScaledSystem<Law::coordinates> system_;
   Law dynamics_;
-  StepMethod method_;
+  LawOfSteps<Law> right_hand_side_{dynamics_};
+  std::unique_ptr<StepMethod> method_;
   run::PulseTimes pulses_;
   run::Impulses impulses_;
   long max_steps_, max_evaluations_;  ///< of a turn
-  Step<State> step_;
+  Step step_;
   State probe_, probe_rate_;
   double size_ = 0;                       ///< next step to try, in radians of rotation
   std::vector<double> remembered_sizes_;  ///< per joint mode of the first four contacts; 0: none yet
@@ -313,5 +309,9 @@ class AdaptiveRun {
   long revolution_ = 0;
   long steps_ = 0, refused_ = 0, switches_ = 0;
 };
+
+extern template class AdaptiveRun<law::Dynamics<4, false>>;
+extern template class AdaptiveRun<law::Dynamics<Eigen::Dynamic, false>>;
+extern template class AdaptiveRun<law::Dynamics<Eigen::Dynamic, true>>;
 
 }  // namespace rubsweep::integrate::adaptive

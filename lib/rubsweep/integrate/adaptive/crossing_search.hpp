@@ -11,7 +11,7 @@
 
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/dry_friction.hpp"
-#include "rubsweep/integrate/adaptive/step.hpp"
+#include "rubsweep/integrate/adaptive/step_method.hpp"
 #include "rubsweep/integrate/law/settle_slips.hpp"
 #include "rubsweep/numerics/bernstein_root.hpp"
 
@@ -31,13 +31,12 @@ struct Crossing {
 /// Looks in a step that was taken for the first event. The step's states are known by the method's dense
 /// output; a guard is followed between them by the quartic through its values and rates at both ends and its
 /// value in the middle. All members belong to the run that looks.
-template <class StepMethod, class Law>
+template <class Law>
 struct CrossingSearch {
-  using State = typename StepMethod::State;
-
   Law& dynamics;
+  RightHandSide& right_hand_side;  ///< the same
   StepMethod& method;
-  const Step<State>& step;
+  const Step& step;
   const std::vector<contact::Kinematics>&start_kinematics, &end_kinematics;
   const std::vector<bool>& just_moved;  ///< slips that start at zero and leave it
   State &probe, &probe_rate;            ///< room for a state inside the step
@@ -79,7 +78,7 @@ struct CrossingSearch {
 
   /// Value of one guard function of contact `i` inside the step.
   double guard_value(std::size_t i, int guard, double phase) {
-    method.state_at(dynamics, step, phase, probe);
+    method.state_at(right_hand_side, step, phase, probe);
     // Values need no acceleration, so any rate will do for the third number.
     return guards(i, dynamics.kinematics(i, probe, step.end_rate))
         .list[static_cast<std::size_t>(guard)]
@@ -89,7 +88,7 @@ struct CrossingSearch {
   const State& state_inside(double phase) {
     if (phase <= step.start_phase) return step.start;
     if (phase >= step.end_phase) return step.end;
-    method.state_at(dynamics, step, phase, probe);
+    method.state_at(right_hand_side, step, phase, probe);
     return probe;
   }
 

@@ -1,11 +1,30 @@
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 
-#include "rubsweep/integrate/adaptive/stepper_table.hpp"
+#include <memory>
+
+#include "rubsweep/integrate/adaptive/adaptive_run.hpp"
+#include "rubsweep/integrate/adaptive/start_twisted.hpp"
+#include "rubsweep/integrate/run/coordinates.hpp"
 
 namespace rubsweep::integrate::adaptive {
+namespace {
+
+template <bool Smoothed>
+run::Cursor start(const scene::Scene& scene, const run::SolverOptions& options) {
+  return run::with_coordinates(scene.structure.coordinates(), [&](auto n) -> run::Cursor {
+    auto run = std::make_shared<AdaptiveRun<law::Dynamics<n(), Smoothed>>>(scene, options);
+    return [run](const run::TurnRequest& request, run::TurnReport& report) {
+      return run->advance(request, report);
+    };
+  });
+}
+
+}  // namespace
 
 run::Cursor start_adaptive(const scene::Scene& scene, const run::SolverOptions& options) {
-  return row_of(options.stepper).start(scene, options);
+  if (scene.twist) return start_twisted(scene, options);
+  return options.contact == run::ContactHandling::smoothed ? start<true>(scene, options)
+                                                           : start<false>(scene, options);
 }
 
 }  // namespace rubsweep::integrate::adaptive

@@ -22,7 +22,7 @@ class StepObserver {
   }
 
   /// Samples the grid phases in [start_phase, end_phase). `state_at(phase)` gives a state inside the step.
-  template <class State, class StateAt>
+  template <class StateAt>
   void sample(double start_phase, const State& start, double end_phase, const StateAt& state_at) {
     const int count = request_.samples_per_revolution;
     if (report_.sample_count >= count) return;
@@ -37,8 +37,8 @@ class StepObserver {
   }
 
   /// Contact time, slip sign and, when asked for, peaks over the step that ends here, before any mode switch.
-  template <class State, class Dynamics>
-  void watch(const Step<State>& step, const Dynamics& dynamics, const std::vector<contact::Kinematics>& start,
+  template <class Dynamics>
+  void watch(const Step& step, const Dynamics& dynamics, const std::vector<contact::Kinematics>& start,
              const std::vector<contact::Kinematics>& end) {
     const double h = step.end_phase - step.start_phase;
     double touching = 0;
@@ -61,7 +61,7 @@ class StepObserver {
 
   void mode_switch(const run::ModeSwitch& change) { report_.add(change, request_.switches); }
 
-  template <class State, class Dynamics>
+  template <class Dynamics>
   void end_turn(const State& state, const Dynamics& dynamics) {
     report_.section.assign(state.begin(), state.end());
     // The steps of a turn add up to it but for rounding.
@@ -113,8 +113,8 @@ class StepObserver {
     report_.peak_contact_force_n = std::max(report_.peak_contact_force_n, peak);
   }
 
-  template <class State, class Dynamics>
-  void watch_twist(const Step<State>& step, const Dynamics& dynamics, double h) {
+  template <class Dynamics>
+  void watch_twist(const Step& step, const Dynamics& dynamics, double h) {
     const auto start = dynamics.twist(step.start, step.start_rate),
                end = dynamics.twist(step.end, step.end_rate);
     const auto largest = [h](double a, double a_rate, double b, double b_rate) {
@@ -127,8 +127,8 @@ class StepObserver {
         report_.peak_torque_nm, largest(start.torque_nm, start.torque_rate, end.torque_nm, end.torque_rate));
   }
 
-  template <class State, class Dynamics>
-  void watch_displacement(const Step<State>& step, const Dynamics& dynamics, double h) {
+  template <class Dynamics>
+  void watch_displacement(const Step& step, const Dynamics& dynamics, double h) {
     const auto largest_of = [&](const auto& map) {
       const auto square_and_slope = [&](const State& state) {
         const Eigen::Index n = map.cols();

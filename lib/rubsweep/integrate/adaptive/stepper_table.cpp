@@ -2,22 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/integrate/adaptive/start_dopri5.hpp"
-#include "rubsweep/integrate/adaptive/start_run.hpp"
+#include "rubsweep/integrate/adaptive/dopri5_or_rosenbrock4.hpp"
 #include "rubsweep/vocabulary.hpp"
 
 namespace rubsweep::integrate::adaptive {
 namespace {
 
 using run::Stepper;
-using Coordinates = std::vector<double>;
 
-/// Starts runs by `StepMethod` over any number of coordinates.
-template <class StepMethod>
-constexpr auto started_by = &start_run<StepMethod, Eigen::Dynamic>;
+template <class Method>
+std::unique_ptr<StepMethod> make(const run::SolverOptions& options) {
+  return std::make_unique<Method>(options);
+}
 
 constexpr std::string_view dopri5 = "dopri5 (Dormand-Prince 5(4), dense output of order 4)";
 
@@ -25,22 +23,20 @@ constexpr std::string_view dopri5 = "dopri5 (Dormand-Prince 5(4), dense output o
 constexpr StepperRow make_row(Stepper stepper) {
   switch (stepper) {
     case Stepper::automatic:
-      return {stepper, "auto", dopri5, start_dopri5};
+      return {stepper, "auto", dopri5, make<Dopri5OrRosenbrock4>};
     case Stepper::dopri5:
-      return {stepper, "dopri5", dopri5, start_dopri5};
+      return {stepper, "dopri5", dopri5, make<Dopri5>};
     case Stepper::cash_karp54:
       return {stepper, "cash_karp54", "cash_karp54 (order 5(4), states inside a step by re-stepping)",
-              started_by<ReStepping<odeint::runge_kutta_cash_karp54<Coordinates>>>};
+              make<ReStepping<odeint::runge_kutta_cash_karp54<State>>>};
     case Stepper::rkf78:
       return {stepper, "rkf78", "rkf78 (order 8(7), states inside a step by re-stepping)",
-              started_by<ReStepping<odeint::runge_kutta_fehlberg78<Coordinates>>>};
+              make<ReStepping<odeint::runge_kutta_fehlberg78<State>>>};
     case Stepper::bulirsch_stoer:
       return {stepper, "bulirsch_stoer",
-              "bulirsch_stoer (variable order, states inside a step by re-stepping)",
-              started_by<BulirschStoer<Coordinates>>};
+              "bulirsch_stoer (variable order, states inside a step by re-stepping)", make<BulirschStoer>};
     case Stepper::rosenbrock4:
-      return {stepper, "rosenbrock4", "rosenbrock4 (implicit, order 4(3), dense output)",
-              started_by<Rosenbrock4>};
+      return {stepper, "rosenbrock4", "rosenbrock4 (implicit, order 4(3), dense output)", make<Rosenbrock4>};
   }
   return {};
 }
@@ -62,6 +58,10 @@ const StepperRow& row_of(Stepper stepper) {
   const auto row = std::ranges::find(rows, stepper, &StepperRow::stepper);
   if (row == rows.end()) throw SolverError("stepper without a row in its table");
   return *row;
+}
+
+std::unique_ptr<StepMethod> make_step_method(const run::SolverOptions& options) {
+  return row_of(options.stepper).make(options);
 }
 
 std::span<const Stepper> single_steppers() { return std::span(steppers).subspan(1); }

@@ -1,21 +1,21 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 
+#include "rubsweep/integrate/adaptive/step_method.hpp"
 #include "rubsweep/integrate/run/options.hpp"
-#include "rubsweep/integrate/run/turn.hpp"
-#include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::integrate::adaptive {
 
-/// Properties of one stepper. The configuration, the tables of rubbench, `--explain` and start_adaptive read
-/// them here.
+/// Properties of one stepper. The configuration, the tables of rubbench, `--explain` and make_step_method
+/// read them here.
 struct StepperRow {
   run::Stepper stepper = run::Stepper::automatic;
   std::string_view word;         ///< its name in the configuration and in tables
   std::string_view description;  ///< name, order and how states inside a step are made, for --explain
-  run::Cursor (*start)(const scene::Scene&, const run::SolverOptions&) = nullptr;  ///< see start_adaptive
+  std::unique_ptr<StepMethod> (*make)(const run::SolverOptions&) = nullptr;  ///< see make_step_method
 };
 
 /// One row for each value of Stepper, in the order of the enumeration: `automatic` first.

@@ -25,6 +25,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
 
  public:
   static constexpr bool smoothed = Smoothed;
+  static constexpr int coordinates = N;
   using typename States::ConstMap;
   using typename States::Holding;
   using typename States::Map;

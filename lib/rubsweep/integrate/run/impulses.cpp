@@ -1,9 +1,10 @@
 #include "rubsweep/integrate/run/impulses.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "rubsweep/numerics/cholesky.hpp"
 
 namespace rubsweep::integrate::run {
 
@@ -24,7 +25,7 @@ Impulses::TrainPosition Impulses::position(const Train& train, long revolution) 
 
 Impulses::Impulses(const scene::Scene& scene) : elapsed_revolutions_(scene.elapsed_revolutions) {
   if (scene.impulses.empty()) return;
-  const Eigen::LDLT<Eigen::MatrixXd> mass(scene.structure.mass);
+  const numerics::SymmetricFactors mass(scene.structure.mass);
   std::size_t most = 0;
   for (const auto& train : scene.impulses) {
     trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});

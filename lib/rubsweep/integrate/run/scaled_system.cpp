@@ -1,16 +1,16 @@
 #include "rubsweep/integrate/run/scaled_system.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <numbers>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/cholesky.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
 namespace rubsweep::integrate::run {
 namespace {
 
-using MassFactor = Eigen::LDLT<Eigen::MatrixXd>;
+using MassFactor = numerics::SymmetricFactors;
 
 template <int N>
 ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene& scene,

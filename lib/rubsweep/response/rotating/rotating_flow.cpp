@@ -1,7 +1,6 @@
 #include "rubsweep/response/rotating/rotating_flow.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <utility>
 #include <variant>
@@ -83,12 +82,16 @@ bool series_apply(const integrate::run::SolverOptions& options) {
          options.contact == integrate::run::ContactHandling::located;
 }
 
-template <class State, int N, bool Smoothed>
+/// One method for all arcs: the derivative has no Jacobian of its own, which an implicit step would ask for.
+integrate::run::SolverOptions by_dopri5(integrate::run::SolverOptions options) {
+  options.stepper = integrate::run::Stepper::dopri5;
+  return options;
+}
+
+template <int N, bool Smoothed>
 std::optional<RotatingArc> follow(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                                   int samples_per_revolution, double angle_rad) {
-  integrate::adaptive::AdaptiveRun<integrate::adaptive::Dopri5<State>, N, Smoothed,
-                                   VariationalDynamics<N, Smoothed>>
-      run(scene, options);
+  integrate::adaptive::AdaptiveRun<VariationalDynamics<N, Smoothed>> run(scene, by_dopri5(options));
   const Eigen::Index states = 2 * scene.structure.coordinates();
   RotatingArc arc;
   arc.angle_rad = angle_rad;
@@ -109,10 +112,10 @@ std::optional<RotatingArc> follow(const scene::Scene& scene, const integrate::ru
   return arc;
 }
 
-template <class State, int N, bool Smoothed>
+template <int N, bool Smoothed>
 std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate::run::SolverOptions& options,
                                       double angle_rad) {
-  integrate::adaptive::AdaptiveRun<integrate::adaptive::Dopri5<State>, N, Smoothed> run(scene, options);
+  integrate::adaptive::AdaptiveRun<integrate::law::Dynamics<N, Smoothed>> run(scene, by_dopri5(options));
   integrate::run::TurnReport turn;
   for (double left = angle_rad; left > 0; left -= full_turn) {
     if (run.advance({}, turn, std::min(left, full_turn)) != integrate::run::Outcome::ok) return std::nullopt;
@@ -185,9 +188,9 @@ std::optional<RotatingArc> RotatingFlow::from(const Eigen::VectorXd& state, doub
   if (followed == HowFollowed::failed) return std::nullopt;
   const scene::Scene scene = scene_at(state);
   if (options_.contact == integrate::run::ContactHandling::smoothed)
-    return follow<std::vector<double>, any, true>(scene, options_, samples, angle_rad);
-  if (state.size() == 8) return follow<std::array<double, 72>, 4, false>(scene, options_, samples, angle_rad);
-  return follow<std::vector<double>, any, false>(scene, options_, samples, angle_rad);
+    return follow<any, true>(scene, options_, samples, angle_rad);
+  if (state.size() == 8) return follow<4, false>(scene, options_, samples, angle_rad);
+  return follow<any, false>(scene, options_, samples, angle_rad);
 }
 
 std::optional<Eigen::VectorXd> RotatingFlow::end_from(const Eigen::VectorXd& state, double angle_rad) const {
@@ -199,9 +202,9 @@ std::optional<Eigen::VectorXd> RotatingFlow::end_from(const Eigen::VectorXd& sta
   if (followed == HowFollowed::failed) return std::nullopt;
   const scene::Scene scene = scene_at(state);
   if (options_.contact == integrate::run::ContactHandling::smoothed)
-    return end_of<std::vector<double>, any, true>(scene, options_, angle_rad);
-  if (state.size() == 8) return end_of<std::array<double, 8>, 4, false>(scene, options_, angle_rad);
-  return end_of<std::vector<double>, any, false>(scene, options_, angle_rad);
+    return end_of<any, true>(scene, options_, angle_rad);
+  if (state.size() == 8) return end_of<4, false>(scene, options_, angle_rad);
+  return end_of<any, false>(scene, options_, angle_rad);
 }
 
 }  // namespace rubsweep::response::rotating
