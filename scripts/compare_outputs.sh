@@ -1,30 +1,93 @@
 #!/usr/bin/env bash
-# compare_outputs.sh BUILD_BEFORE BUILD_AFTER [--grid SPEEDS UNBALANCES]: what a change of the code's shape must not change. Runs
-# rubsweep on every shipped configuration, rubtrace on one cell of each and ringstab on every ring with the programs of both
-# build directories and compares every byte of what they write but for the line `# digest` and, in motion.csv and map.csv,
-# `# rubsweep VERSION`. --grid takes fewer cells of every map. Lists what differs; exits with 5 where something does.
+# compare_outputs.sh BEFORE AFTER [--grid SPEEDS UNBALANCES] [--without COLUMN] [CONFIG.yaml...]: what a change of the
+# code's shape must not change. BEFORE and AFTER are build directories, or directories with programs. Runs the programs
+# of both on each configuration, by default on all that are shipped (configs/ and configs/gallery/): maps (rubsweep), and
+# of the cell at 75 Hz and whirl ratio 0.4 the trace and the run-up through rub (rubtrace), a line (rubline), starts
+# (rubbasin) and the branch (rubbranch); ring files (ringstab). Compares exit codes, errors and every byte of every file,
+# but for the lines `# digest`, `# sha256` and `# rubsweep VERSION`. What both refuse with the same errors is listed as
+# such. rubbench and rubreport are left out: one writes times, the other what the maps hold.
+#   --grid SPEEDS UNBALANCES  fewer cells of every map, where its axes have a count
+#   --without COLUMN          leave this column out of all tables, as one that AFTER has and BEFORE has not
+# Lists what differs; exits with 5 where something does, with 1 where it is called wrongly.
 set -euo pipefail
-usage() { echo 'usage: compare_outputs.sh BUILD_BEFORE BUILD_AFTER [--grid SPEEDS UNBALANCES]' >&2; exit 1; }
-(($# == 2 || $# == 5)) || usage
-before=$(realpath -- "$1") after=$(realpath -- "$2") grid=()
-if (($# == 5)); then
-  [[ $3 == --grid && $4 =~ ^[1-9][0-9]*$ && $5 =~ ^[1-9][0-9]*$ ]] || usage
-  grid=(--set "sweep.speed_hz.count=$4" --set "sweep.whirl_ratio.count=$5")
-fi
-top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+help() { sed -n '2,/^set /{/^set /d; s/^# \{0,1\}//; p}' "${BASH_SOURCE[0]}"; }
+usage() { help >&2; exit 1; }
+[[ ${1:-} != --help ]] || { help; exit 0; }
+(($# >= 2)) || usage
+# programs DIRECTORY: where the programs of a build directory are.
+programs() {
+  local found
+  for found in "$1/apps" "$1"; do
+    [[ ! -x $found/rubsweep ]] || { realpath -- "$found"; return; }
+  done
+  echo "$1: no program rubsweep in it or in $1/apps" >&2
+  return 1
+}
+before=$(programs "$1")
+# shellcheck disable=SC2034  # `both` reads it by its name
+after=$(programs "$2")
+grid=() column='' configs=()
+shift 2
+while (($# > 0)); do
+  case $1 in
+    --grid)
+      [[ ${2:-} =~ ^[1-9][0-9]*$ && ${3:-} =~ ^[1-9][0-9]*$ ]] || usage
+      grid=(--set "sweep.speed_hz.count=$2" --set "sweep.whirl_ratio.count=$3")
+      shift 3
+      ;;
+    --without)
+      [[ -n ${2:-} ]] || usage
+      column=$2
+      shift 2
+      ;;
+    -*) usage ;;
+    *)
+      configs+=("$(realpath -e -- "$1")")
+      shift
+      ;;
+  esac
+done
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+((${#configs[@]} > 0)) || configs=(configs/*.yaml configs/gallery/*.yaml)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+
+# drop_column COLUMN TABLE...: takes a column out of tables; those that do not have it stay.
+drop_column() {
+  python3 - "$@" <<'PYTHON'
+import csv
+import sys
+
+for path in sys.argv[2:]:
+    with open(path, encoding="utf-8", newline="") as file:
+        lines = file.read().splitlines()
+    first = next((i for i, line in enumerate(lines) if line and not line.startswith("#")), None)
+    if first is None or sys.argv[1] not in (names := next(csv.reader([lines[first]]))):
+        continue
+    at = names.index(sys.argv[1])
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.writelines(line + "\n" for line in lines[:first])
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerows(row[:at] + row[at + 1:] for row in csv.reader(lines[first:]))
+PYTHON
+}
 
 differ=0
 # same NAME: every file below before/NAME is there in after/NAME with the same bytes.
 same() {
-  local file
+  local build files
   for build in before after; do
-    find "$work/$build/$1" -type f -name '*.csv' -exec sed -i -E '/^# (digest|rubsweep) /d' {} +
+    find "$work/$build/$1" -type f \( -name '*.csv' -o -name '*.yaml' \) -exec sed -i -E '/^# (digest|sha256|rubsweep) /d' {} +
+    [[ -z $column ]] || find "$work/$build/$1" -type f -name '*.csv' -print0 |
+      while IFS= read -r -d '' table; do drop_column "$column" "$table"; done
   done
   if diff -rq "$work/before/$1" "$work/after/$1" >"$work/differences"; then
-    file=$(find "$work/before/$1" -type f | wc -l)
-    echo "$1: $file files, the same"
+    files=$(find "$work/before/$1" -type f ! -name exit_code ! -name errors | wc -l)
+    if ((files > 0)); then
+      echo "$1: $files files, the same"
+    else
+      echo "$1: refused by both: $(head -n 1 "$work/before/$1/errors")"
+    fi
   else
     sed "s|$work/||g" "$work/differences"
     differ=5
@@ -36,30 +99,39 @@ both() {
   local name=$1 program=$2 build code
   shift 2
   for build in before after; do
+    [[ -x ${!build}/$program ]] || { echo "$name: there is no ${!build}/$program" >&2; exit 1; }
     code=0
-    "${!build}/apps/$program" "$@" --output "$work/$build/$name" --quiet || code=$?
-    ((code == 0 || code == 4)) || { echo "$name: $program of $build ends with $code" >&2; exit "$code"; }
+    mkdir -p "$work/$build/$name"
+    "${!build}/$program" "$@" --output "$work/now" --quiet >/dev/null 2>"$work/errors" || code=$?
+    # Behind Ctrl-C, or a crash of both, nothing was compared.
+    ((code < 128)) || { echo "$name: $program of $build ends with $code" >&2; exit "$code"; }
+    [[ ! -d $work/now ]] || mv "$work/now" "$work/$build/$name/files"
+    echo "$code" >"$work/$build/$name/exit_code"
+    mv "$work/errors" "$work/$build/$name/errors"
   done
   same "$name"
 }
 
-cd "$top"
-for config in configs/*.yaml; do
+for config in "${configs[@]}"; do
   name=$(basename "$config" .yaml)
   program=rubsweep
-  [[ $name != ring_* ]] || program=ringstab
-  if ! "$before/apps/$program" --check "$config" >/dev/null 2>&1; then
+  ! grep -q '^ring:' "$config" || program=ringstab
+  if ! "$before/$program" --check "$config" >/dev/null 2>&1; then
     echo "$name: the build before does not know this configuration, left out"
     continue
   fi
   if [[ $program == ringstab ]]; then
     both "$name" ringstab "$config"
-  else
-    fewer=("${grid[@]}")
-    # A list of values has no count; it is short anyway.
-    ! grep -q 'values:' "$config" || fewer=()
-    both "$name" rubsweep "$config" "${fewer[@]}"
-    both "$name.trace" rubtrace "$config" --speed-hz 75 --whirl-ratio 0.4 --revolutions 200
+    continue
   fi
+  fewer=("${grid[@]}")
+  # A list of values has no count; it is short anyway.
+  "$before/rubsweep" --check "$config" "${grid[@]}" >/dev/null 2>&1 || fewer=()
+  both "$name" rubsweep "$config" "${fewer[@]}"
+  both "$name.trace" rubtrace "$config" --speed-hz 75 --whirl-ratio 0.4 --revolutions 200
+  both "$name.run_up" rubtrace "$config" --run-up 20:60:10 --eccentricity-m 2e-4 --with-stops
+  both "$name.line" rubline "$config" --along speed_hz --from 60 --to 90 --count 5 --whirl-ratio 0.4 --kick --up --down
+  both "$name.basin" rubbasin "$config" --cell 75,0.4 --grid 5x5
+  both "$name.branch" rubbranch "$config" --cell 75,0.4 --points 20
 done
 exit "$differ"
