@@ -40,8 +40,9 @@ RunConfig awkward_config(std::mt19937_64& random) {
     const double restitution = 1 / (1 + awkward(random) / 1e25);
     const model::ContactDamping dampings[] = {model::NominalRestitution{restitution},
                                               model::DeliveredRestitution{restitution},
-                                              model::ExplicitDamping{awkward(random)}};
-    stop.damping = dampings[random() % 3];
+                                              model::ExplicitDamping{awkward(random)},
+                                              model::RestitutionByRotorMass{restitution}};
+    stop.damping = dampings[random() % 4];
     const model::Friction frictions[] = {
         model::NoFriction{}, model::ConstantFriction{restitution},
         model::StribeckFriction{

@@ -20,6 +20,15 @@ TEST(Stop, TakesEachSourceOfDamping) {
   EXPECT_THROW(read_stop_with({}), ConfigError);
 }
 
+TEST(Stop, TakesARestitutionByTheMassOfTheRotor) {
+  const model::Stop printed = read_stop_with({"stops.0.restitution_by_rotor_mass=0.7"});
+  EXPECT_EQ(std::get<model::RestitutionByRotorMass>(printed.damping).value, 0.7);
+  // One source of damping takes the place of another where it is written over it.
+  const model::Stop delivered =
+      read_stop_with({"stops.0.restitution_by_rotor_mass=0.7", "stops.0.restitution_delivered=0.6"});
+  EXPECT_EQ(std::get<model::DeliveredRestitution>(delivered.damping).value, 0.6);
+}
+
 TEST(Stop, TakesEachFriction) {
   const std::string elastic = "stops.0.restitution=1";
   const auto friction = [&](const std::string& text) {

@@ -63,6 +63,7 @@ inline std::vector<std::uint64_t> bits_of(const RunConfig& config) {
     count(stop.damping.index());
     if (const auto* law = std::get_if<model::NominalRestitution>(&stop.damping)) put(law->value);
     if (const auto* law = std::get_if<model::DeliveredRestitution>(&stop.damping)) put(law->value);
+    if (const auto* law = std::get_if<model::RestitutionByRotorMass>(&stop.damping)) put(law->value);
     if (const auto* law = std::get_if<model::ExplicitDamping>(&stop.damping)) put(law->damping_ns_per_m);
     maybe(stop.contact_mass_kg);
     count(stop.friction.index());

@@ -122,12 +122,15 @@ std::string stop(ByteSource& b, bool on_shaft, int index) {
   }
   if (on_shaft) text += fmt::format("    position_m: {}\n", b.number(0.29));
   text += fmt::format("    clearance_m: {}\n", b.number(1e-3)) + contact_stiffness(b);
-  switch (b.below(3)) {
+  switch (b.below(4)) {
     case 0:
       text += fmt::format("    restitution: {}\n", b.number(0.7));
       break;
     case 1:
       text += fmt::format("    restitution_delivered: {}\n", b.number(0.7));
+      break;
+    case 2:
+      text += fmt::format("    restitution_by_rotor_mass: {}\n", b.number(0.7));
       break;
     default:
       text += fmt::format("    damping_ns_per_m: {}\n", b.number(50));

@@ -350,6 +350,34 @@ TEST(BuildCell, DampingTakesTheReducedMassOfRotorAndCasing) {
   EXPECT_EQ(damping(), 12.5);
 }
 
+TEST(BuildCell, DampingWithTheMassOfTheRotorDeliversLessAgainstALightCasing) {
+  model::Machine machine = one_side_machine();
+  // Against a casing of m_c the same d is sqrt(m / m') times nearer to critical. By hand from the closed form.
+  struct Case {
+    double nominal, casing_kg, delivered;
+  };
+  for (const Case& one : {Case{0.5, 2, 0.56}, Case{0.7, 0.1, 0.49}, Case{0.7, 0.03, 0.37}, Case{0.8, 0.012, 0.37}}) {
+    machine.stops[0].damping = model::RestitutionByRotorMass{one.nominal};
+    machine.stops[0].casing->mass_kg = one.casing_kg;
+    const double damping = build_cell(machine, 75, WhirlRatio{0.4}).scene.contacts[0].damping_ns_per_m;
+    const double zeta = -std::log(one.nominal) / std::hypot(pi, std::log(one.nominal));
+    EXPECT_NEAR(damping, 2 * zeta * std::sqrt(0.8 * 2e6), 1e-10);
+    const double reduced = 0.8 * one.casing_kg / (0.8 + one.casing_kg);
+    EXPECT_NEAR(contact::delivered_restitution(damping / (2 * std::sqrt(reduced * 2e6))), one.delivered, 0.005);
+  }
+  // A mass of one's own takes the place of the rotor's, and a rigid casing leaves nothing to reduce.
+  machine.stops[0].contact_mass_kg = 0.3;
+  machine.stops[0].damping = model::RestitutionByRotorMass{0.7};
+  const auto damping = [&] {
+    return build_cell(machine, 75, WhirlRatio{0.4}).scene.contacts[0].damping_ns_per_m;
+  };
+  const double with_casing = damping();
+  machine.stops[0].casing.reset();
+  EXPECT_EQ(damping(), with_casing);
+  machine.stops[0].damping = model::NominalRestitution{0.7};
+  EXPECT_EQ(damping(), with_casing);
+}
+
 TEST(BuildCell, QuarterTurnsAreExact) {
   const Eigen::Vector2d quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   model::Machine machine = one_side_machine();

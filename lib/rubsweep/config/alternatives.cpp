@@ -15,8 +15,8 @@ constexpr std::array<std::string_view, 1> stribeck{"stribeck"}, coefficient{"coe
 constexpr std::array<std::string_view, 5> curve{"static", "kinetic", "peak_speed_m_per_s",
                                                 "settle_speed_m_per_s", "viscous_s_per_m"};
 constexpr std::array<std::string_view, 1> stiffness{"stiffness_n_per_m"}, hertz{"hertz"};
-constexpr std::array<std::string_view, 1> nominal{"restitution"}, delivered{"restitution_delivered"},
-    damping{"damping_ns_per_m"};
+constexpr std::array<std::string_view, 1> nominal{"restitution"}, by_rotor_mass{"restitution_by_rotor_mass"},
+    delivered{"restitution_delivered"}, damping{"damping_ns_per_m"};
 constexpr std::array<std::string_view, 1> speed_hz{"speed_hz"}, speed_rpm{"speed_rpm"};
 constexpr std::array<std::string_view, 1> ratio{"whirl_ratio"}, eccentricity{"eccentricity_m"},
     unbalance{"unbalance_g_mm"};
@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 4> spaced{"from", "to", "count", "scale"}
 constexpr std::array<std::array<Keys, 4>, 10> alternatives{{
     {stribeck, curve, coefficient, one_way},
     {stiffness, hertz},
-    {nominal, delivered, damping},
+    {nominal, by_rotor_mass, delivered, damping},
     {speed_hz, speed_rpm},
     {ratio, eccentricity, unbalance, grade},
     {rated_hz, rated_rpm},

@@ -18,6 +18,7 @@ namespace rubsweep::config {
 namespace {
 
 constexpr std::string_view nominal_key = "restitution";
+constexpr std::string_view rotor_mass_key = "restitution_by_rotor_mass";
 constexpr std::string_view delivered_key = "restitution_delivered";
 constexpr std::string_view explicit_key = "damping_ns_per_m";
 constexpr std::string_view stiffness_key = "stiffness_n_per_m";
@@ -61,9 +62,12 @@ void refuse_offset_beyond_clearance(const Section& section, const model::Stop& s
 
 model::ContactDamping read_damping(Section& section) {
   model::ContactDamping damping;
-  section.require_exactly_one({nominal_key, delivered_key, explicit_key});
+  section.require_exactly_one({nominal_key, rotor_mass_key, delivered_key, explicit_key});
   if (const auto value = section.find(nominal_key)) {
     damping = model::NominalRestitution{read_number(*value, model::Stop::restitution_range).value_or(1)};
+  }
+  if (const auto value = section.find(rotor_mass_key)) {
+    damping = model::RestitutionByRotorMass{read_number(*value, model::Stop::restitution_range).value_or(1)};
   }
   if (const auto value = section.find(delivered_key)) {
     damping = model::DeliveredRestitution{
@@ -79,6 +83,7 @@ void print_damping(Printer& printer, const model::ContactDamping& damping) {
   std::visit(
       overloaded{
           [&](const model::NominalRestitution& nominal) { printer.number(nominal_key, nominal.value); },
+          [&](const model::RestitutionByRotorMass& printed) { printer.number(rotor_mass_key, printed.value); },
           [&](const model::DeliveredRestitution& delivered) {
             printer.number(delivered_key, delivered.value);
           },

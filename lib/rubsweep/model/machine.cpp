@@ -39,6 +39,9 @@ void validate(const ContactDamping& damping, const std::string& path) {
                           require(path + "restitution_delivered", delivered.value,
                                   Stop::restitution_delivered_range);
                         },
+                        [&](const RestitutionByRotorMass& printed) {
+                          require(path + "restitution_by_rotor_mass", printed.value, Stop::restitution_range);
+                        },
                         [&](const ExplicitDamping& given) {
                           require(path + "damping_ns_per_m", given.damping_ns_per_m, not_negative);
                         }},

@@ -29,13 +29,18 @@ using StopGeometry = std::variant<OneSideGeometry, AnnularGeometry>;
 struct NominalRestitution {
   double value = required;  ///< e of the unclamped oscillator; the clamp returns more (physics of ElastoGap)
 };
+/// Nominal restitution with the mass of the rotor alone in d = 2 zeta sqrt(m K), as Ishibashi & Kawai print it (eq. 15).
+/// What bounces is the reduced mass, so that this damps far more against a light casing.
+struct RestitutionByRotorMass {
+  double value = required;
+};
 struct DeliveredRestitution {
   double value = required;  ///< e that the clamped law really returns in one free impact
 };
 struct ExplicitDamping {
   double damping_ns_per_m = required;
 };
-using ContactDamping = std::variant<NominalRestitution, DeliveredRestitution, ExplicitDamping>;
+using ContactDamping = std::variant<NominalRestitution, DeliveredRestitution, ExplicitDamping, RestitutionByRotorMass>;
 
 /// One place where the rotor can touch: geometry, contact law and the casing behind it.
 struct Stop {

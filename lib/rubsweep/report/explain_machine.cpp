@@ -52,6 +52,8 @@ std::string explain_damping(const model::Stop& stop, const scene::Contact& conta
                                  stop.stiffness_n_per_m, contact.damping_ns_per_m, ratio);
   if (ratio < 1) {
     text += fmt::format("; a free impact returns {:.4g} of its speed", contact::delivered_restitution(ratio));
+  } else {
+    text += "; beyond critical, so that a free impact returns less than 0.2636 of its speed";
   }
   return text + ")\n";
 }

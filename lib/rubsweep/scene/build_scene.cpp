@@ -15,19 +15,23 @@ namespace rubsweep::scene {
 namespace {
 
 double damping_of(const model::Stop& stop, double rotor_mass_kg) {
-  const auto of_ratio = [&](double ratio) {
-    double mass = stop.contact_mass_kg.value_or(rotor_mass_kg);
-    if (stop.casing) mass = contact::reduced_mass(mass, stop.casing->mass_kg);
-    return contact::damping_constant(ratio, mass, stop.stiffness_n_per_m);
+  const double rotor_kg = stop.contact_mass_kg.value_or(rotor_mass_kg);
+  const double reduced_kg = stop.casing ? contact::reduced_mass(rotor_kg, stop.casing->mass_kg) : rotor_kg;
+  const auto constant = [&](double ratio, double mass_kg) {
+    return contact::damping_constant(ratio, mass_kg, stop.stiffness_n_per_m);
   };
-  return std::visit(overloaded{[&](const model::NominalRestitution& nominal) {
-                                 return of_ratio(contact::nominal_damping_ratio(nominal.value));
-                               },
-                               [&](const model::DeliveredRestitution& delivered) {
-                                 return of_ratio(contact::damping_ratio_delivering(delivered.value));
-                               },
-                               [](const model::ExplicitDamping& given) { return given.damping_ns_per_m; }},
-                    stop.damping);
+  return std::visit(
+      overloaded{[&](const model::NominalRestitution& nominal) {
+                   return constant(contact::nominal_damping_ratio(nominal.value), reduced_kg);
+                 },
+                 [&](const model::DeliveredRestitution& delivered) {
+                   return constant(contact::damping_ratio_delivering(delivered.value), reduced_kg);
+                 },
+                 [](const model::ExplicitDamping& given) { return given.damping_ns_per_m; },
+                 [&](const model::RestitutionByRotorMass& printed) {
+                   return constant(contact::nominal_damping_ratio(printed.value), rotor_kg);
+                 }},
+      stop.damping);
 }
 
 Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly, std::size_t index,

@@ -17,6 +17,7 @@ constexpr double node_of_mode = 1e-6;  ///< share of the largest deflection, squ
 bool takes_mass(const model::ContactDamping& damping) {
   return std::visit(overloaded{[](const model::NominalRestitution&) { return true; },
                                [](const model::DeliveredRestitution&) { return true; },
+                               [](const model::RestitutionByRotorMass&) { return true; },
                                [](const model::ExplicitDamping&) { return false; }},
                     damping);
 }
