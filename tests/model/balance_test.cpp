@@ -18,12 +18,12 @@ Machine jeffcott() {
 /// Two discs that stand off to opposite sides, on a hollow shaft of 1.5 kg.
 Machine kit() {
   RotorKit kit;
-  kit.shaft = {{.length_m = 0.5,
-                .outer_diameter_m = 0.03,
-                .inner_diameter_m = 0.01,
-                .youngs_modulus_pa = 2e11,
-                .shear_modulus_pa = 8e10,
-                .density_kg_per_m3 = 1.5 / (0.5 * pi / 4 * (0.03 * 0.03 - 0.01 * 0.01))}};
+  kit.shaft = {{{.outer_diameter_m = 0.03,
+                 .inner_diameter_m = 0.01,
+                 .youngs_modulus_pa = 2e11,
+                 .shear_modulus_pa = 8e10,
+                 .density_kg_per_m3 = 1.5 / (0.5 * pi / 4 * (0.03 * 0.03 - 0.01 * 0.01))},
+                0.5}};
   const auto disc = [](double mass_kg, double ratio, double phase_deg) {
     return Disc{.position_m = 0.2,
                 .mass_kg = mass_kg,

@@ -10,11 +10,11 @@ namespace rubsweep::scene {
 inline model::Machine light_shaft_machine() {
   model::Machine machine = one_side_machine();
   model::RotorKit kit;
-  kit.shaft = {{.length_m = 0.4,
-                .outer_diameter_m = 0.01,
-                .youngs_modulus_pa = 2.1e11,
-                .shear_modulus_pa = 8.1e10,
-                .density_kg_per_m3 = 1e-7}};
+  kit.shaft = {{{.outer_diameter_m = 0.01,
+                 .youngs_modulus_pa = 2.1e11,
+                 .shear_modulus_pa = 8.1e10,
+                 .density_kg_per_m3 = 1e-7},
+                0.4}};
   kit.discs = {
       {.position_m = 0.2, .mass_kg = 0.8, .polar_inertia_kg_m2 = 4e-4, .diametral_inertia_kg_m2 = 2e-4}};
   for (const double end_m : {0.0, 0.4}) {

@@ -127,5 +127,141 @@ TEST(TimoshenkoElement, SlenderCantileverAndFreeBeamAreThoseOfEuler) {
   EXPECT_LT(loose(1), 1e-3 * loose(2));  // two rigid motions
 }
 
+TEST(ShearCoefficient, OfHutchinsonIsThePublishedOne) {
+  auto segment = steel_segment(1, 0.08);
+  segment.shear_modulus_pa = segment.youngs_modulus_pa / 2.6;  // nu = 0.3
+  segment.shear_coefficient = model::ShearCoefficient::hutchinson;
+  EXPECT_NEAR(shear_coefficient(segment), 6 * 1.69 / (7 + 3.6 + 0.36), 1e-14);
+  // A thin tube: (1 + nu) / (2 + nu).
+  segment.inner_diameter_m = 0.08 * (1 - 1e-7);
+  EXPECT_NEAR(shear_coefficient(segment), 1.3 / 2.3, 1e-6);
+}
+
+/// Euler's beam without rotary inertia, as textbooks print it.
+model::ShaftSegment euler(double length_m) {
+  auto segment = steel_segment(length_m, 0.05);
+  segment.shear_coefficient = model::ShearCoefficient::none;
+  segment.rotary_inertia = segment.gyroscopic = false;
+  return segment;
+}
+
+Eigen::Matrix4d euler_mass(const model::ShaftSegment& s) {
+  const double l = s.length_m;
+  Eigen::Matrix4d m;
+  m << 156, 22 * l, 54, -13 * l, 22 * l, 4 * l * l, 13 * l, -3 * l * l, 54, 13 * l, 156, -22 * l, -13 * l,
+      -3 * l * l, -22 * l, 4 * l * l;
+  return s.density_kg_per_m3 * pi / 4 * 0.05 * 0.05 * l / 420 * m;
+}
+
+Eigen::Matrix4d euler_stiffness(const model::ShaftSegment& s) {
+  const double l = s.length_m;
+  Eigen::Matrix4d k;
+  k << 12, 6 * l, -12, 6 * l, 6 * l, 4 * l * l, -6 * l, 2 * l * l, -12, -6 * l, 12, -6 * l, 6 * l, 2 * l * l,
+      -6 * l, 4 * l * l;
+  return s.youngs_modulus_pa * pi / 64 * std::pow(0.05, 4) / (l * l * l) * k;
+}
+
+TEST(TimoshenkoElement, WithoutShearAndRotaryInertiaIsEulersMatrixWrittenDown) {
+  auto segment = euler(0.3);
+  segment.mass_damping_per_s = 0.7;
+  segment.stiffness_damping_s = 2e-5;
+  const BeamElement beam = timoshenko_element(segment, 0.3);
+  EXPECT_LT((beam.mass - euler_mass(segment)).norm(), 1e-14 * beam.mass.norm());
+  EXPECT_LT((beam.stiffness - euler_stiffness(segment)).norm(), 1e-14 * beam.stiffness.norm());
+  const Eigen::Matrix4d damping = 0.7 * euler_mass(segment) + 2e-5 * euler_stiffness(segment);
+  EXPECT_LT((beam.damping - damping).norm(), 1e-14 * damping.norm());
+  EXPECT_EQ(beam.gyroscopic, Eigen::Matrix4d(Eigen::Matrix4d::Zero()));
+}
+
+TEST(TimoshenkoElement, TheTwoFlagsOfTheRotationAreApart) {
+  auto segment = euler(0.3);
+  segment.gyroscopic = true;
+  const BeamElement turning = timoshenko_element(segment, 0.3);
+  EXPECT_LT((turning.mass - euler_mass(segment)).norm(), 1e-14 * turning.mass.norm());
+  segment.rotary_inertia = true;
+  segment.gyroscopic = false;
+  const BeamElement heavy = timoshenko_element(segment, 0.3);
+  EXPECT_LT((heavy.mass - euler_mass(segment) - turning.gyroscopic / 2).norm(), 1e-14 * heavy.mass.norm());
+  EXPECT_EQ(heavy.gyroscopic, Eigen::Matrix4d(Eigen::Matrix4d::Zero()));
+}
+
+TEST(LayeredElement, ARodInATubeIsTheRodThatTheyMake) {
+  model::ShaftSegment whole = steel_segment(0.2, 0.08);
+  whole.shear_coefficient = model::ShearCoefficient::none;
+  model::ShaftSegment parts = whole;
+  parts.outer_diameter_m = 0.05;
+  model::ShaftLayer tube = whole;
+  tube.inner_diameter_m = 0.05;
+  parts.layers.push_back(tube);
+  const BeamElement one = layered_element(whole, 0.2, 0, 1), two = layered_element(parts, 0.2, 0, 1);
+  EXPECT_LT((one.mass - two.mass).norm(), 1e-14 * one.mass.norm());
+  EXPECT_LT((one.stiffness - two.stiffness).norm(), 1e-14 * one.stiffness.norm());
+  EXPECT_LT((one.gyroscopic - two.gyroscopic).norm(), 1e-14 * one.gyroscopic.norm());
+  EXPECT_NEAR(one.polar_inertia_kg_m2, two.polar_inertia_kg_m2, 1e-14 * one.polar_inertia_kg_m2);
+}
+
+TEST(TimoshenkoElement, StiffnessDiametersBendAndTheOthersWeigh) {
+  const auto thin = steel_segment(0.2, 0.05, 0.01), thick = steel_segment(0.2, 0.08);
+  auto apart = thick;
+  apart.stiffness_outer_diameter_m = 0.05;
+  apart.stiffness_inner_diameter_m = 0.01;
+  const BeamElement beam = timoshenko_element(apart, 0.2);
+  EXPECT_LT((beam.stiffness - timoshenko_element(thin, 0.2).stiffness).norm(), 1e-14 * beam.stiffness.norm());
+  const Eigen::Vector4d shift(1, 0, 1, 0);
+  const double mass = thick.density_kg_per_m3 * pi / 4 * 0.08 * 0.08 * 0.2;
+  EXPECT_NEAR(shift.dot(beam.mass * shift), mass, 1e-13 * mass);
+}
+
+model::ShaftSegment printed_taper() {
+  auto segment = steel_segment(0.5, 0.1, 0.05);
+  segment.outer_diameter_end_m = 0.15;
+  return segment;
+}
+
+/// ROSS (github.com/petrobras/ross), ross/shaft_element.py: the element that its documentation prints. The
+/// stiffness by the midpoint rule of 2000 points along the true section: that program took its share of shear
+/// by the section of the left end there.
+TEST(TimoshenkoElement, ATaperIsThePrintedOne) {
+  const BeamElement beam = timoshenko_element(printed_taper(), 0.5);
+  EXPECT_NEAR(beam.mass(0, 0), 11.36986417, 5e-9);
+  EXPECT_NEAR(beam.mass(0, 1), 0.86197637, 5e-9);
+  EXPECT_NEAR(beam.mass(1, 1), 0.08667495, 5e-9);
+  EXPECT_NEAR(beam.gyroscopic(0, 0), 0.30940809, 5e-9);
+  EXPECT_NEAR(beam.gyroscopic(0, 1), 0.01085902, 5e-9);
+  EXPECT_NEAR(beam.gyroscopic(1, 1), 0.0067206, 5e-9);
+  EXPECT_NEAR(beam.stiffness(0, 0), 219.9613836e6, 1e3);
+  EXPECT_NEAR(beam.stiffness(0, 1), 41.29753505e6, 1e2);
+  EXPECT_NEAR(beam.stiffness(1, 1), 12.23526167e6, 1e2);
+}
+
+TEST(TimoshenkoElement, ATaperThatDoesNotTaperIsTheStraightOne) {
+  const auto straight = steel_segment(0.2, 0.08, 0.03);
+  auto taper = straight;
+  taper.outer_diameter_end_m = 0.08;
+  taper.inner_diameter_end_m = 0.03;
+  const BeamElement a = timoshenko_element(straight, 0.2), b = timoshenko_element(taper, 0.2);
+  EXPECT_LT((a.mass - b.mass).norm(), 1e-13 * a.mass.norm());
+  EXPECT_LT((a.gyroscopic - b.gyroscopic).norm(), 1e-13 * a.gyroscopic.norm());
+  EXPECT_LT((a.stiffness - b.stiffness).norm(), 1e-13 * a.stiffness.norm());
+  EXPECT_NEAR(a.polar_inertia_kg_m2, b.polar_inertia_kg_m2, 1e-13 * a.polar_inertia_kg_m2);
+}
+
+/// Parts of a solid cone give way at its tip as the whole one does: 64 F l^3 / (3 pi E d^3 D) by bending and
+/// 4 F l / (pi k G d D) by shear, clamped where it is D thick.
+TEST(TimoshenkoElement, PartsOfATaperBendAsTheCone) {
+  auto cone = steel_segment(0.4, 0.06);
+  cone.outer_diameter_end_m = 0.03;
+  constexpr int parts = 64;
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(2 * parts + 2, 2 * parts + 2);
+  for (int i = 0; i < parts; ++i) {
+    stiffness.block<4, 4>(2 * i, 2 * i) +=
+        timoshenko_element(cone, 0.4 / parts, double(i) / parts, double(i + 1) / parts).stiffness;
+  }
+  const Eigen::MatrixXd flexibility = stiffness.bottomRightCorner(2 * parts, 2 * parts).inverse();
+  const double bending = 64 * std::pow(0.4, 3) / (3 * pi * 211e9 * std::pow(0.06, 3) * 0.03);
+  const double shear = 4 * 0.4 / (pi * shear_coefficient(cone) * 81.2e9 * 0.06 * 0.03);
+  EXPECT_NEAR(flexibility(2 * parts - 2, 2 * parts - 2), bending + shear, 2e-4 * (bending + shear));
+}
+
 }  // namespace
 }  // namespace rubsweep::structure

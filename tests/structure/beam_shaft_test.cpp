@@ -150,6 +150,100 @@ TEST(BeamShaft, CouplingOpensTheShaftByItsOwnFlexibility) {
   EXPECT_NEAR(tip(), whole + 1e-6 + 0.2 * 0.2 / 1e4, 1e-9 * whole);
 }
 
+/// A bearing on a housing on another one on the ground, both with other masses in y, as a matrix written
+/// down: the coordinates of the housings come last.
+TEST(BeamShaft, AChainOfHousingsIsItsMatrixWrittenDown) {
+  model::RotorKit kit;
+  kit.shaft = {steel_segment(0.5, 0.05)};
+  kit.elements = 1;
+  kit.housings = {{.mass_kg = 3, .mass_y_kg = 4}, {.mass_kg = 7}};
+  kit.point_masses = {{.position_m = 0.5, .mass_kg = 2, .mass_y_kg = 5}};
+  kit.supports = {isotropic_support(0, 1e6), isotropic_support(0, 2e6), isotropic_support(0, 4e6),
+                  isotropic_support(0.5, 8e6)};
+  kit.supports[0].on_housing = 0;
+  kit.supports[1].at_housing = 0;
+  kit.supports[1].on_housing = 1;
+  kit.supports[2].at_housing = 1;
+  kit.supports[0].stiffness_xy_n_per_m = 5e5;
+  kit.supports[1].damping_y_ns_per_m = 30;
+  const BeamShaft shaft = assemble_beam_shaft(kit, {});
+  ASSERT_EQ(shaft.coordinates(), 6);  // two nodes of (w, s), two housings
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(6, 6), cross = stiffness, damping = stiffness;
+  stiffness(0, 0) = 1e6;
+  stiffness(0, 4) = stiffness(4, 0) = -1e6;
+  stiffness(4, 4) = 1e6 + 2e6;
+  stiffness(4, 5) = stiffness(5, 4) = -2e6;
+  stiffness(5, 5) = 2e6 + 4e6;
+  stiffness(2, 2) = 8e6;
+  cross(0, 0) = cross(4, 4) = 5e5;
+  cross(0, 4) = cross(4, 0) = -5e5;
+  damping(4, 4) = damping(5, 5) = 30;
+  damping(4, 5) = damping(5, 4) = -30;
+  EXPECT_EQ(shaft.support_stiffness[0][0], stiffness);
+  EXPECT_EQ(shaft.support_stiffness[1][1], stiffness);
+  EXPECT_EQ(shaft.support_stiffness[0][1], cross);
+  EXPECT_TRUE(shaft.support_stiffness[1][0].isZero(0));
+  EXPECT_EQ(shaft.support_damping[1][1], damping);
+  const Eigen::MatrixXd added_x = shaft.plane_mass(0) - shaft.mass,
+                        added_y = shaft.plane_mass(1) - shaft.mass;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(6), y = x;
+  x << 0, 0, 2, 0, 3, 7;
+  y << 0, 0, 5, 0, 4, 7;
+  EXPECT_LT((added_x - Eigen::MatrixXd(x.asDiagonal())).norm(), 1e-13);
+  EXPECT_LT((added_y - Eigen::MatrixXd(y.asDiagonal())).norm(), 1e-13);
+  EXPECT_NEAR(shaft.weight_kg(4), 4, 1e-13);  // gravity pulls along y
+}
+
+TEST(BeamShaft, MaterialDampingIsThatOfItsElements) {
+  model::RotorKit kit;
+  kit.shaft = {steel_segment(0.2, 0.05), steel_segment(0.3, 0.05)};
+  kit.shaft[0].mass_damping_per_s = 2;
+  kit.shaft[1].stiffness_damping_s = 1e-4;
+  kit.supports = {isotropic_support(0, 1e6), isotropic_support(0.5, 1e6)};
+  kit.elements = 1;
+  const BeamShaft shaft = assemble_beam_shaft(kit, {});
+  Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(6, 6);
+  damping.topLeftCorner<4, 4>() += 2 * timoshenko_element(kit.shaft[0], 0.2).mass;
+  damping.bottomRightCorner<4, 4>() += 1e-4 * timoshenko_element(kit.shaft[1], 0.3).stiffness;
+  EXPECT_LT((shaft.damping - damping).norm(), 1e-12 * damping.norm());
+}
+
+TEST(BeamShaft, ATaperIsCutWhereANodeStands) {
+  model::RotorKit kit;
+  kit.shaft = {steel_segment(0.1, 0.06), steel_segment(0.4, 0.06)};
+  kit.shaft[1].outer_diameter_end_m = 0.02;
+  kit.supports = {isotropic_support(0, 1e6), isotropic_support(0.5, 1e6)};
+  kit.elements = 1;
+  const BeamShaft shaft = assemble_beam_shaft(kit, {0.2});
+  const BeamElement end = timoshenko_element(kit.shaft[1], 0.3, 0.25, 1);
+  EXPECT_LT((shaft.elastic.bottomRightCorner<2, 2>() - end.stiffness.bottomRightCorner<2, 2>()).norm(),
+            1e-12 * end.stiffness.norm());
+}
+
+/// A coupling that is bored off its centre rests where its second half stands beside the first.
+TEST(BeamShaft, CouplingsOutOfLineRestWithTheirEndsApart) {
+  model::RotorKit kit;
+  kit.shaft = {steel_segment(0.2, 0.02), steel_segment(0.3, 0.02)};
+  kit.supports = {isotropic_support(0, 1e6), isotropic_support(0.5, 1e6)};
+  kit.couplings = {{.position_m = 0.2,
+                    .lateral_stiffness_n_per_m = 1e7,
+                    .angular_stiffness_nm_per_rad = 1e4,
+                    .parallel_offset_m = 1e-4,
+                    .parallel_phase_deg = 90,
+                    .angular_offset_rad = 2e-3,
+                    .angular_phase_deg = 180}};
+  const BeamShaft shaft = assemble_beam_shaft(kit, {});
+  Eigen::VectorXcd line = Eigen::VectorXcd::Zero(shaft.coordinates());
+  const Eigen::Index behind = shaft.deflection(0.2) + 2;
+  for (Eigen::Index w = behind; w < shaft.coordinates(); w += 2) {
+    line(w) =
+        std::complex<double>(-2e-3 * (shaft.node_position_m[static_cast<std::size_t>(w / 2)] - 0.2), 1e-4);
+    line(w + 1) = -2e-3;
+  }
+  const Eigen::VectorXcd load = misalignment_load(shaft, kit);
+  EXPECT_LT((shaft.elastic * line - load).norm(), 1e-9 * load.norm());
+}
+
 TEST(BeamShaft, AStationWithoutNodeIsAnError) {
   EXPECT_THROW(assemble_beam_shaft(everything(), {}).deflection(0.4321), SolverError);
 }

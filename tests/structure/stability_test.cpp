@@ -53,11 +53,11 @@ TEST(GrowthPerS, IsTheRootOfTheComplexEquation) {
 /// a diameter.
 TEST(InstabilityHz, OfARotorKitIsThatOfItsFirstMode) {
   model::RotorKit kit;
-  kit.shaft = {{.length_m = 0.46,
-                .outer_diameter_m = 0.01,
-                .youngs_modulus_pa = 2.06e11,
-                .shear_modulus_pa = 7.92e10,
-                .density_kg_per_m3 = 7850}};
+  kit.shaft = {{{.outer_diameter_m = 0.01,
+                 .youngs_modulus_pa = 2.06e11,
+                 .shear_modulus_pa = 7.92e10,
+                 .density_kg_per_m3 = 7850},
+                0.46}};
   kit.discs = {
       {.position_m = 0.23, .mass_kg = 0.8, .polar_inertia_kg_m2 = 5.6e-4, .diametral_inertia_kg_m2 = 3.2e-4}};
   for (const double position_m : {0.0, 0.46}) {

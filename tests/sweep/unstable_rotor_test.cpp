@@ -20,11 +20,11 @@ std::string where(const Study& study) {
 Study bouncing_shaft(double cross_n_per_m) {
   Study study = one_side_study({20, 50}, {0.3});
   model::RotorKit kit;
-  kit.shaft = {{.length_m = 0.4,
-                .outer_diameter_m = 0.06,
-                .youngs_modulus_pa = 2.06e14,
-                .shear_modulus_pa = 7.92e13,
-                .density_kg_per_m3 = 7850}};
+  kit.shaft = {{{.outer_diameter_m = 0.06,
+                 .youngs_modulus_pa = 2.06e14,
+                 .shear_modulus_pa = 7.92e13,
+                 .density_kg_per_m3 = 7850},
+                0.4}};
   kit.discs = {
       {.position_m = 0.2, .mass_kg = 1, .polar_inertia_kg_m2 = 1e-3, .diametral_inertia_kg_m2 = 6e-4}};
   for (const double position_m : {0.0, 0.4}) {

@@ -6,22 +6,32 @@
 #include <string_view>
 #include <type_traits>
 
+#include "rubsweep/config/rotor_parts.hpp"
+#include "rubsweep/config/shaft_segment.hpp"
 #include "rubsweep/model/disc_inertia.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::config {
 namespace {
 
-constexpr std::size_t most_parts = 64;
+constexpr std::size_t most_parts = model::RotorKit::most_parts;
 constexpr std::string_view automatic = "auto";
+constexpr Words<bool, 2> clearance_origins{{"axis", "sag"}, {false, true}};
 constexpr IntegerRange mode_counts{1, model::RotorKit::most_modes};
 constexpr IntegerRange element_counts{1, model::RotorKit::most_elements};
 
-/// Reads a part, its position within `range`.
+/// Reads a part, its position within `range`. A support at a housing has none.
 template <class Part>
 void read_part(Section& section, Part& part, const model::Range& range) {
-  Part::visit_fields(part, [&](std::string_view name, double& field, const model::Range& allowed) {
-    section.field(name, field, name == "position_m" ? range : allowed);
+  bool on_shaft = true;
+  if constexpr (std::is_same_v<Part, model::Support>) on_shaft = !section.find("at_housing");
+  if constexpr (std::is_same_v<Part, model::Disc>) read_disc_geometry(section, part);
+  Part::visit_fields(part, [&](std::string_view name, auto& field, const model::Range& allowed) {
+    if (name == "position_m") {
+      if (on_shaft) section.field(name, field, range);
+    } else {
+      section.field(name, field, allowed);
+    }
   });
 }
 
@@ -51,10 +61,9 @@ void read_inertia(Section& section, const model::Disc& disc) {
       fmt::format("at most {} = 2 diametral_inertia_kg_m2", 2 * disc.diametral_inertia_kg_m2));
 }
 
-void read_hole(Section& section, const model::ShaftSegment& segment) {
-  if (!(segment.inner_diameter_m >= segment.outer_diameter_m)) return;
-  section.refuse_together("inner_diameter_m", {"inner_diameter_m"}, "no wall is left",
-                          "a number below outer_diameter_m");
+void refuse_problem(Section& section, const std::optional<model::PartProblem>& problem) {
+  if (problem && section.is_sound())
+    section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
 }
 
 template <class Part>
@@ -66,9 +75,36 @@ void read_inner(Section& section, std::string_view name, std::optional<Part>& pa
   inner.refuse_unknown_keys();
 }
 
-void read_inner_parts(Section& section, model::Support& support) {
+void read_housing(Section& section, std::string_view name, std::optional<int>& housing, std::size_t count) {
+  const auto value = section.find(name);
+  if (!value) return;
+  if (count == 0) {
+    refuse(*value, "there are no housings", "a support of the shaft on the ground, or housings beside it");
+  } else if (const auto number = read_integer(*value, {0, static_cast<long>(count) - 1})) {
+    housing = static_cast<int>(*number);
+  }
+}
+
+void read_support(Section& section, model::Support& support, const model::RotorKit& kit) {
   read_inner(section, "pedestal", support.pedestal);
-  read_inner(section, "fault", support.fault);
+  if (const auto value = section.find("fault")) support.fault = read_bearing_fault(*value);
+  read_housing(section, "at_housing", support.at_housing, kit.housings.size());
+  read_housing(section, "on_housing", support.on_housing, kit.housings.size());
+  if (section.find("at_housing") && section.find("position_m"))
+    section.require_exactly_one({"position_m", "at_housing"});
+  refuse_problem(section, model::housing_problem(support));
+}
+
+std::vector<model::Housing> read_housings(const Value& list) {
+  std::vector<model::Housing> housings;
+  const auto items = read_list(list, most_parts);
+  if (!items) return housings;
+  for (const Value& item : *items) {
+    Section section(item);
+    read_fields(section, housings.emplace_back());
+    section.refuse_unknown_keys();
+  }
+  return housings;
 }
 
 std::vector<double> read_number_list(const Value& value, const model::Range& range) {
@@ -130,14 +166,6 @@ void read_modes(const Value& value, model::RotorKit& kit) {
   }
 }
 
-void refuse_loose_shaft(const Value& supports, const model::RotorKit& kit) {
-  for (const int plane : {0, 1}) {
-    if (model::supports_hold(kit, plane)) continue;
-    refuse(supports, plane == 0 ? "leaves the shaft free to move in x" : "leaves the shaft free to move in y",
-           "supports that hold the shaft");
-  }
-}
-
 template <class Part>
 void print_inner(Printer& printer, std::string_view name, const std::optional<Part>& part) {
   if (!part) return;
@@ -146,13 +174,22 @@ void print_inner(Printer& printer, std::string_view name, const std::optional<Pa
   printer.close();
 }
 
+/// A support at a housing.
+template <class Part>
+bool has_no_place(const Part& part) {
+  if constexpr (std::is_same_v<Part, model::Support>) return part.at_housing.has_value();
+  return false;
+}
+
 template <class Part, class More>
 void print_parts(Printer& printer, std::string_view name, const std::vector<Part>& parts, More more) {
   if (parts.empty()) return;
   printer.open(name);
   for (const Part& part : parts) {
     printer.open_item();
-    print_fields(printer, part);
+    Part::visit_fields(part, [&](std::string_view key, const auto& field, const model::Range& range) {
+      if (!has_no_place(part) || key != "position_m") printer.field(key, field, range);
+    });
     more(part);
     printer.close();
   }
@@ -181,6 +218,33 @@ model::Range places(const model::RotorKit& kit) {
   return std::isfinite(length_m) ? model::Range{.low = 0, .high = length_m} : model::not_negative;
 }
 
+void refuse_loose_shaft(const Value& supports, const model::RotorKit& kit) {
+  for (const int plane : {0, 1}) {
+    if (model::supports_hold(kit, plane)) continue;
+    refuse(supports,
+           fmt::format("leaves the shaft{} free to move in {}", kit.housings.empty() ? "" : " or a housing",
+                       plane == 0 ? "x" : "y"),
+           kit.housings.empty() ? "supports that hold the shaft" : "supports that hold all of them");
+  }
+}
+
+void read_kit_rest(Section& section, model::RotorKit& kit) {
+  const auto list = [&](std::string_view name, auto& parts) {
+    using Part = typename std::remove_reference_t<decltype(parts)>::value_type;
+    if (const auto value = section.find(name)) parts = read_parts<Part>(*value, places(kit), nothing_more);
+  };
+  list("static_loads", kit.static_loads);
+  list("sensors", kit.sensors);
+  if (const auto value = section.find("bow")) kit.bow = read_bow(*value, places(kit));
+  read_inner(section, "torsion", kit.torsion);
+  if (const auto value = section.find("damping_ratio")) read_damping_ratio(*value, kit.damping_ratio);
+  if (const auto value = section.find("rotating_damping_ratio")) read_rotating_damping_ratio(*value, kit);
+  section.field("clearances_from", kit.clearances_from_sag, clearance_origins);
+  if (const auto value = section.find("modes")) read_modes(*value, kit);
+  section.field("modes_up_to_hz", kit.modes_up_to_hz, model::physical::frequency_hz);
+  section.field("elements", kit.elements, element_counts);
+}
+
 model::RotorKit read_rotor_kit(Section& section) {
   model::RotorKit kit;
   const auto list = [&](std::string_view name, auto& parts, auto more) {
@@ -191,37 +255,40 @@ model::RotorKit read_rotor_kit(Section& section) {
     if (const auto value = section.find(name)) parts = read_parts<Part>(*value, range, more);
   };
   section.require("shaft", "a list of maps");
-  list("shaft", kit.shaft, read_hole);
+  list("shaft", kit.shaft, read_segment);
   list("discs", kit.discs, read_inertia);
   const auto supports = section.require("supports", "a list of maps");
-  list("supports", kit.supports, read_inner_parts);
+  list("point_masses", kit.point_masses, nothing_more);
+  if (const auto value = section.find("housings")) kit.housings = read_housings(*value);
+  list("supports", kit.supports,
+       [&](Section& part, model::Support& support) { read_support(part, support, kit); });
   list("couplings", kit.couplings, nothing_more);
-  list("sensors", kit.sensors, nothing_more);
-  if (const auto value = section.find("bow")) kit.bow = read_bow(*value, places(kit));
-  read_inner(section, "torsion", kit.torsion);
-  if (const auto value = section.find("damping_ratio")) read_damping_ratio(*value, kit.damping_ratio);
-  if (const auto value = section.find("rotating_damping_ratio")) read_rotating_damping_ratio(*value, kit);
-  if (const auto value = section.find("modes")) read_modes(*value, kit);
-  section.field("modes_up_to_hz", kit.modes_up_to_hz, model::physical::frequency_hz);
-  section.field("elements", kit.elements, element_counts);
+  read_kit_rest(section, kit);
   if (supports && section.is_sound()) refuse_loose_shaft(*supports, kit);
   return kit;
 }
 
 void print_rotor_kit(Printer& printer, const model::RotorKit& kit) {
   const auto nothing = [](const auto&) {};
-  print_parts(printer, "shaft", kit.shaft, nothing);
+  print_parts(printer, "shaft", kit.shaft,
+              [&](const model::ShaftSegment& segment) { print_segment(printer, segment); });
   print_parts(printer, "discs", kit.discs, nothing);
+  print_parts(printer, "point_masses", kit.point_masses, nothing);
+  print_parts(printer, "housings", kit.housings, nothing);
   print_parts(printer, "supports", kit.supports, [&](const model::Support& support) {
+    if (support.at_housing) printer.integer("at_housing", *support.at_housing);
+    if (support.on_housing) printer.integer("on_housing", *support.on_housing);
     print_inner(printer, "pedestal", support.pedestal);
     print_inner(printer, "fault", support.fault);
   });
   print_parts(printer, "couplings", kit.couplings, nothing);
+  print_parts(printer, "static_loads", kit.static_loads, nothing);
   print_parts(printer, "sensors", kit.sensors, nothing);
   if (kit.bow) print_bow(printer, *kit.bow);
   print_inner(printer, "torsion", kit.torsion);
   printer.numbers("damping_ratio", kit.damping_ratio);
   printer.numbers("rotating_damping_ratio", kit.rotating_damping_ratio);
+  printer.field("clearances_from", kit.clearances_from_sag, clearance_origins);
   if (kit.modes) {
     printer.integer("modes", *kit.modes);
   } else {

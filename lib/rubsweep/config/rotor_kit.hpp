@@ -6,10 +6,18 @@
 
 namespace rubsweep::config {
 
-/// The keys of `rotor` beside kind: rotor_kit. Lists of maps: shaft, discs, supports, couplings, sensors;
-/// bow, torsion, damping_ratio (a number, or a list by mode), modes (auto or a number), modes_up_to_hz,
-/// elements.
+/// The keys of `rotor` beside kind: rotor_kit. Lists of maps: shaft, discs, point_masses, housings, supports,
+/// couplings, static_loads, sensors; bow, torsion, damping_ratio (a number, or a list by mode), modes (auto
+/// or a number), modes_up_to_hz, elements.
 model::RotorKit read_rotor_kit(Section& section);
+/// Those of them that no file of another tool says: static_loads, sensors, bow, torsion, damping_ratio,
+/// rotating_damping_ratio, clearances_from, modes, modes_up_to_hz, elements. To be called when the shaft is
+/// known.
+void read_kit_rest(Section& section, model::RotorKit& kit);
+
+/// A problem of `supports` where they do not hold the shaft.
+void refuse_loose_shaft(const Value& supports, const model::RotorKit& kit);
+
 void print_rotor_kit(Printer& printer, const model::RotorKit& kit);
 
 /// Allowed positions along the shaft: between its ends.

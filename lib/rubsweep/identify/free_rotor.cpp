@@ -29,7 +29,7 @@ structure::Reduction lowest_modes(const structure::BeamShaft& shaft) {
   structure::Reduction modes;
   for (std::size_t plane = 0; plane < 2; ++plane) {
     structure::PlaneModes found =
-        structure::plane_modes(shaft.mass, shaft.plane_stiffness(plane), most_plane_modes);
+        structure::plane_modes(shaft.plane_mass(plane), shaft.plane_stiffness(plane), most_plane_modes);
     modes.mode_number[plane].resize(static_cast<std::size_t>(found.rad_per_s.size()));
     std::iota(modes.mode_number[plane].begin(), modes.mode_number[plane].end(), 1);
     modes.frequency_hz[plane] = found.rad_per_s / (2 * std::numbers::pi);
@@ -57,8 +57,9 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
     free.x.row(node) = free.system.scatter(0, modes.bases[0].row(2 * node).transpose()).transpose();
     free.y.row(node) = free.system.scatter(1, modes.bases[1].row(2 * node).transpose()).transpose();
   }
-  // The mass matrix in place of the gyroscopic one, which couples the planes.
-  shaft.gyroscopic = shaft.mass;
+  // The mass matrix in place of the gyroscopic one, which couples the planes; the mean of both where they
+  // differ.
+  shaft.gyroscopic = (shaft.plane_mass(0) + shaft.plane_mass(1)) / 2;
   free.spin = structure::project(shaft, modes.bases).gyroscopic;
   return free;
 }

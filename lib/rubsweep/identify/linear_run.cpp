@@ -11,6 +11,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/numerics/cholesky.hpp"
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/scene/constant_load.hpp"
 
 namespace rubsweep::identify {
 namespace {
@@ -190,7 +191,7 @@ SensorRows sensor_rows(const scene::PreparedMachine& prepared) {
 
 Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearRun& run,
                            const Eigen::MatrixXd& sensor_rows) {
-  Eigen::VectorXd constant_n = prepared.machine.gravity_m_per_s2 * prepared.assembly.system.weight_kg;
+  Eigen::VectorXd constant_n = scene::constant_load_n(prepared);
   if (run.driven != Driven::by_all) constant_n.setZero();
   Structure structure(prepared, run, constant_n);
   if (run.kick && prepared.machine.kick) {

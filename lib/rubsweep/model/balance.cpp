@@ -18,11 +18,8 @@ double rotor_mass_kg(const Machine& machine) {
   if (kit == nullptr) return std::get<JeffcottRotor>(machine.rotor).mass_kg;
   double mass_kg = 0;
   for (const Disc& disc : kit->discs) mass_kg += disc.mass_kg;
-  for (const ShaftSegment& part : kit->shaft) {
-    const double squares_m2 =
-        part.outer_diameter_m * part.outer_diameter_m - part.inner_diameter_m * part.inner_diameter_m;
-    mass_kg += part.density_kg_per_m3 * part.length_m * std::numbers::pi / 4 * squares_m2;
-  }
+  for (const ShaftSegment& part : kit->shaft) mass_kg += model::mass_kg(part);
+  for (const PointMass& point : kit->point_masses) mass_kg += point.mass_kg;
   return mass_kg;
 }
 

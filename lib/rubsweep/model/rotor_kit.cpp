@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/model/disc_inertia.hpp"
@@ -19,10 +21,15 @@ void require(const std::string& path, double value, const Range& range) {
   throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range, value)));
 }
 
+void require(const std::string& path, const std::optional<double>& value, const Range& range) {
+  if (value) require(path, *value, range);
+}
+
 template <class Part>
 void require_fields(const Part& part, const std::string& path) {
-  Part::visit_fields(
-      part, [&](const char* name, double value, const Range& range) { require(path + name, value, range); });
+  Part::visit_fields(part, [&](const char* name, const auto& value, const Range& range) {
+    require(path + name, value, range);
+  });
 }
 
 template <class Part>
@@ -31,8 +38,43 @@ void require_parts(const std::vector<Part>& parts, const std::string& path, cons
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string name = fmt::format("{}{}.{}.", path, list, i);
     require_fields(parts[i], name);
+    if constexpr (requires { parts[i].at_housing; }) {
+      if (parts[i].at_housing) continue;
+    }
     require(name + "position_m", parts[i].position_m, Range{.low = 0, .high = length_m});
   }
+}
+
+void refuse_diameters(const ShaftLayer& layer, const std::string& path) {
+  if (const auto problem = diameter_problem(layer))
+    throw ConfigError(
+        fmt::format("{}{}: {}, allowed: {}", path, problem->key, problem->wrong, problem->allowed));
+}
+
+/// Whether nothing is left without stiffness when one coordinate after the other, the last first, gives way.
+bool holds_all(Eigen::MatrixXd stiffness) {
+  constexpr double nothing = 1e-12;
+  const Eigen::VectorXd whole = stiffness.diagonal();
+  for (Eigen::Index i = stiffness.rows() - 1; i >= 0; --i) {
+    const double pivot = stiffness(i, i);
+    if (!(pivot > 0) || pivot <= nothing * whole(i)) return false;
+    const Eigen::VectorXd row = stiffness.row(i);
+    stiffness -= row * row.transpose() / pivot;
+  }
+  return true;
+}
+
+void validate(const Support& support, const RotorKit& kit, const std::string& path) {
+  const Range numbers{.low = 0, .high = static_cast<double>(kit.housings.size()) - 1};
+  for (const auto& [name, housing] :
+       {std::pair("at_housing", support.at_housing), std::pair("on_housing", support.on_housing)}) {
+    if (!housing) continue;
+    if (kit.housings.empty()) throw ConfigError(path + name + ": there are no housings");
+    require(path + name, *housing, numbers);
+  }
+  if (const auto problem = housing_problem(support))
+    throw ConfigError(
+        fmt::format("{}{}: {}, allowed: {}", path, problem->key, problem->wrong, problem->allowed));
 }
 
 void validate(const BowMode& mode, const std::string& path) {
@@ -62,8 +104,9 @@ void validate(const BowPoints& points, const std::string& path, double length_m)
 }  // namespace
 
 bool supports_hold(const RotorKit& kit, int plane) {
-  // Stiffness against translation and tilting about the shaft's free end.
-  double translation = 0, mixed = 0, tilting = 0;
+  // Stiffness against translation and tilting about the shaft's free end, then against each housing.
+  const auto n = static_cast<Eigen::Index>(2 + kit.housings.size());
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for (const Support& support : kit.supports) {
     double k = plane == 0 ? support.stiffness_x_n_per_m : support.stiffness_y_n_per_m;
     if (support.pedestal && k > 0) {
@@ -71,11 +114,30 @@ bool supports_hold(const RotorKit& kit, int plane) {
           plane == 0 ? support.pedestal->stiffness_x_n_per_m : support.pedestal->stiffness_y_n_per_m;
       k = k * ground / (k + ground);
     }
-    translation += k;
-    mixed += k * support.position_m;
-    tilting += k * support.position_m * support.position_m + support.angular_stiffness_nm_per_rad;
+    Eigen::VectorXd stretched = Eigen::VectorXd::Zero(n);
+    if (support.at_housing) {
+      stretched(2 + *support.at_housing) = 1;
+    } else {
+      stretched.head<2>() << 1, support.position_m;
+    }
+    if (support.on_housing) stretched(2 + *support.on_housing) -= 1;
+    stiffness += k * stretched * stretched.transpose();
+    stiffness(1, 1) += support.angular_stiffness_nm_per_rad;
   }
-  return translation > 0 && translation * tilting - mixed * mixed > 1e-12 * translation * tilting;
+  return holds_all(stiffness);
+}
+
+std::optional<PartProblem> housing_problem(const Support& support) {
+  if (!support.at_housing && !support.on_housing) return std::nullopt;
+  const char* key = support.at_housing ? "at_housing" : "on_housing";
+  if (support.pedestal) return PartProblem{key, "given beside a pedestal", "one of the two"};
+  if (!support.at_housing) return std::nullopt;
+  if (support.fault) return PartProblem{key, "given beside a fault", "a fault of a support of the shaft"};
+  if (support.angular_stiffness_nm_per_rad != 0)
+    return PartProblem{key, "given beside angular_stiffness_nm_per_rad", "no such stiffness at a housing"};
+  if (support.at_housing == support.on_housing)
+    return PartProblem{"on_housing", "is the housing that it holds", "another housing, or none"};
+  return std::nullopt;
 }
 
 double shaft_length_m(const RotorKit& kit) {
@@ -86,6 +148,12 @@ double shaft_length_m(const RotorKit& kit) {
 
 bool has_rotating_damping(const RotorKit& kit) {
   return std::ranges::any_of(kit.rotating_damping_ratio, [](double ratio) { return ratio > 0; });
+}
+
+bool has_misalignment(const RotorKit& kit) {
+  return std::ranges::any_of(kit.couplings, [](const Coupling& coupling) {
+    return coupling.parallel_offset_m != 0 || coupling.angular_offset_rad != 0;
+  });
 }
 
 bool has_pedestals(const RotorKit& kit) {
@@ -105,8 +173,12 @@ void validate(const RotorKit& kit, const std::string& path) {
     const ShaftSegment& segment = kit.shaft[i];
     const std::string name = fmt::format("{}shaft.{}.", path, i);
     require_fields(segment, name);
-    require(name + "inner_diameter_m", segment.inner_diameter_m,
-            Range{.low = 0, .high = segment.outer_diameter_m, .high_open = true});
+    refuse_diameters(segment, name);
+    for (std::size_t k = 0; k < segment.layers.size(); ++k) {
+      const std::string layer = fmt::format("{}layers.{}.", name, k);
+      require_fields(segment.layers[k], layer);
+      refuse_diameters(segment.layers[k], layer);
+    }
   }
   const double length = shaft_length_m(kit);
   require_parts(kit.discs, path, "discs", length);
@@ -115,6 +187,10 @@ void validate(const RotorKit& kit, const std::string& path) {
             Range{.low = 0, .high = largest_polar_inertia_kg_m2(kit.discs[i])});
   }
   require_parts(kit.supports, path, "supports", length);
+  require_parts(kit.point_masses, path, "point_masses", length);
+  for (std::size_t i = 0; i < kit.housings.size(); ++i)
+    require_fields(kit.housings[i], fmt::format("{}housings.{}.", path, i));
+  require_parts(kit.static_loads, path, "static_loads", length);
   require_parts(kit.sensors, path, "sensors", length);
   require_parts(kit.couplings, path, "couplings", length);
   for (std::size_t i = 0; i < kit.couplings.size(); ++i) {
@@ -123,14 +199,15 @@ void validate(const RotorKit& kit, const std::string& path) {
   }
   for (std::size_t i = 0; i < kit.supports.size(); ++i) {
     const std::string name = fmt::format("{}supports.{}.", path, i);
+    validate(kit.supports[i], kit, name);
     if (kit.supports[i].pedestal) require_fields(*kit.supports[i].pedestal, name + "pedestal.");
     if (kit.supports[i].fault) require_fields(*kit.supports[i].fault, name + "fault.");
   }
   for (const int plane : {0, 1}) {
     if (supports_hold(kit, plane)) continue;
     throw ConfigError(
-        fmt::format("{}supports: they leave the shaft free to move in {}, allowed: supports that hold it",
-                    path, plane == 0 ? "x" : "y"));
+        fmt::format("{}supports: they leave the shaft{} free to move in {}, allowed: supports that hold it",
+                    path, kit.housings.empty() ? "" : " or a housing", plane == 0 ? "x" : "y"));
   }
   if (kit.bow) {
     require(path + "bow.phase_deg", kit.bow->phase_deg, any_finite);

@@ -5,30 +5,12 @@
 #include <variant>
 #include <vector>
 
+#include "rubsweep/model/part_problem.hpp"
 #include "rubsweep/model/physical_range.hpp"
 #include "rubsweep/model/range.hpp"
+#include "rubsweep/model/shaft_segment.hpp"
 
 namespace rubsweep::model {
-
-/// Straight piece of shaft between two stations, of one material. Positions along the shaft count from the
-/// free end of the first segment.
-struct ShaftSegment {
-  double length_m = required;
-  double outer_diameter_m = required;
-  double inner_diameter_m = 0;
-  double youngs_modulus_pa = required;
-  double shear_modulus_pa = required;
-  double density_kg_per_m3 = required;
-
-  static void visit_fields(auto& self, auto&& visit) {
-    visit("length_m", self.length_m, physical::length_m);
-    visit("outer_diameter_m", self.outer_diameter_m, physical::diameter_m);
-    visit("inner_diameter_m", self.inner_diameter_m, physical::hole_m);
-    visit("youngs_modulus_pa", self.youngs_modulus_pa, physical::modulus_pa);
-    visit("shear_modulus_pa", self.shear_modulus_pa, physical::modulus_pa);
-    visit("density_kg_per_m3", self.density_kg_per_m3, physical::density_kg_per_m3);
-  }
-};
 
 /// Rigid disc on the shaft. Its unbalance is given per metre of the cell's eccentricity e: the centre of mass
 /// stands eccentricity_ratio * e off the shaft's axis, the axis of inertia leans by skew_rad_per_m * e.
@@ -91,10 +73,37 @@ struct BearingFault {
   }
 };
 
-/// Bearing between the shaft and the ground, or a pedestal. Force on the shaft:
-/// f_x = -(stiffness_x x + stiffness_xy y) - the same with damping; f_y with yx and y.
-struct Support {
+/// Mass on the shaft that is small enough to have no inertia against tilting.
+struct PointMass {
   double position_m = required;
+  double mass_kg = required;
+  std::optional<double> mass_y_kg = std::nullopt;  ///< of the motion in y, where it is another than in x
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, not_negative);
+    visit("mass_kg", self.mass_kg, physical::mass_kg);
+    visit("mass_y_kg", self.mass_y_kg, physical::mass_kg);
+  }
+};
+
+/// Body beside the shaft that moves in x and y, held by supports alone.
+struct Housing {
+  double mass_kg = required;
+  std::optional<double> mass_y_kg = std::nullopt;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("mass_kg", self.mass_kg, physical::moving_mass_kg);
+    visit("mass_y_kg", self.mass_y_kg, physical::moving_mass_kg);
+  }
+};
+
+/// Bearing between the shaft and the ground, a pedestal or a housing. Force on the shaft:
+/// f_x = -(stiffness_x x + stiffness_xy y) - the same with damping; f_y with yx and y. One at a housing holds
+/// that in place of the shaft.
+struct Support {
+  double position_m = required;  ///< nothing where the support is at a housing
+  std::optional<int> at_housing = std::nullopt;
+  std::optional<int> on_housing = std::nullopt;  ///< empty: it stands on the ground, or its pedestal
   double stiffness_x_n_per_m = required;
   double stiffness_y_n_per_m = required;
   double stiffness_xy_n_per_m = 0;
@@ -121,16 +130,39 @@ struct Support {
   }
 };
 
-/// Elastic joint that cuts the shaft at an inner station into two ends.
+/// Elastic joint that cuts the shaft at an inner station into two ends. Its halves may be bored off their
+/// centres: without load, the axis of the end behind it stands parallel_offset_m beside that of the end
+/// before it and leans by angular_offset_rad. Both turn with the shaft, their phases count from its mark.
 struct Coupling {
   double position_m = required;
   double lateral_stiffness_n_per_m = required;
   double angular_stiffness_nm_per_rad = required;
+  double parallel_offset_m = 0;
+  double parallel_phase_deg = 0;
+  double angular_offset_rad = 0;
+  double angular_phase_deg = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, positive);
     visit("lateral_stiffness_n_per_m", self.lateral_stiffness_n_per_m, physical::holding_stiffness);
     visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, physical::holding_stiffness);
+    visit("parallel_offset_m", self.parallel_offset_m, physical::amplitude_m);
+    visit("parallel_phase_deg", self.parallel_phase_deg, any_finite);
+    visit("angular_offset_rad", self.angular_offset_rad, physical::tilt_rad);
+    visit("angular_phase_deg", self.angular_phase_deg, any_finite);
+  }
+};
+
+/// Force on the shaft that does not change.
+struct StaticLoad {
+  double position_m = required;
+  double force_x_n = 0;
+  double force_y_n = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, not_negative);
+    visit("force_x_n", self.force_x_n, physical::force_n);
+    visit("force_y_n", self.force_y_n, physical::force_n);
   }
 };
 
@@ -176,30 +208,44 @@ struct RotorKit {
   std::vector<ShaftSegment> shaft;
   std::vector<Disc> discs;
   std::vector<Support> supports;
+  std::vector<PointMass> point_masses;
+  std::vector<Housing> housings;
   std::vector<Coupling> couplings;
+  std::vector<StaticLoad> static_loads;
   std::optional<Bow> bow;
   std::optional<Torsion> torsion;
   std::vector<Sensor> sensors;
   std::vector<double> damping_ratio{0};  ///< structural, of mode 1, 2, ...; the last one goes on
   /// The same for the damping that turns with the shaft; without pedestals, which do not.
   std::vector<double> rotating_damping_ratio{0};
+  /// Whether clearances and displacements count from where weight and static loads leave the shaft, and not
+  /// from its axis without load.
+  bool clearances_from_sag = false;
   std::optional<int> modes;      ///< bending modes kept in each plane; empty: as many as it takes
   double modes_up_to_hz = 2000;  ///< up to where the reduced rotor answers as the full one
   int elements = 24;             ///< least number of beam elements along the whole shaft
 
   static constexpr Range damping_ratio_range{.low = 0, .high = 1};
   static constexpr int most_modes = 40;
-  static constexpr int most_elements = 200;
+  static constexpr int most_elements = 400;
+  static constexpr int most_parts = 400;  ///< of each list
 };
 
-/// True when the supports leave the shaft, taken as rigid, no free motion in the plane of x (0) or y (1).
+/// True when the supports leave the shaft, taken as rigid, and the housings no free motion in the plane of x
+/// (0) or y (1).
 bool supports_hold(const RotorKit& kit, int plane);
+
+/// Problem of a support that is at or on a housing beside things that exclude it. Empty: none.
+std::optional<PartProblem> housing_problem(const Support& support);
 
 /// Sum of the lengths of the segments.
 double shaft_length_m(const RotorKit& kit);
 
 /// Whether some damping turns with the shaft.
 bool has_rotating_damping(const RotorKit& kit);
+
+/// Whether some coupling joins its two ends out of line.
+bool has_misalignment(const RotorKit& kit);
 
 /// Whether some support has a housing with a mass of its own.
 bool has_pedestals(const RotorKit& kit);

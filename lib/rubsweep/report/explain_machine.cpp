@@ -11,6 +11,7 @@
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/report/describe_modes.hpp"
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/scene/constant_load.hpp"
 #include "rubsweep/structure/stability.hpp"
 
 namespace rubsweep::report {
@@ -89,6 +90,14 @@ std::string describe(const model::StopGeometry& geometry) {
                     geometry);
 }
 
+/// Of clearances that count from where weight and static loads leave the shaft.
+std::string explain_sag(const scene::PreparedMachine& prepared, std::size_t stop) {
+  if (!model::kit_of(prepared.machine)->clearances_from_sag) return "";
+  const Eigen::Vector2d sag = scene::sag_m(prepared, stop);
+  return fmt::format("  its clearance counts from the sag, {:.4g} m in x and {:.4g} m in y\n", sag.x(),
+                     sag.y());
+}
+
 std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Cell& cell, std::size_t i) {
   const model::Stop& stop = prepared.machine.stops[i];
   const double mass_kg = prepared.assembly.contact_mass_kg[i];
@@ -99,6 +108,7 @@ std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Ce
     text += fmt::format("  at {} m of the shaft; mass behind the contact {:.4g} kg{}\n", *stop.position_m,
                         stop.contact_mass_kg.value_or(mass_kg),
                         stop.contact_mass_kg ? "" : " (modal mass of the first mode there)");
+    text += explain_sag(prepared, i);
   }
   if (stop.hertz) {
     text += fmt::format(

@@ -8,6 +8,7 @@
 
 #include "rubsweep/contact/restitution.hpp"
 #include "rubsweep/overloaded.hpp"
+#include "rubsweep/scene/constant_load.hpp"
 #include "rubsweep/scene/given_start.hpp"
 #include "rubsweep/scene/unbalance.hpp"
 
@@ -139,7 +140,7 @@ Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   scene.speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
   for (std::size_t i = 0; i < prepared.machine.stops.size(); ++i)
     scene.contacts.push_back(contact_of(prepared.machine.stops[i], assembly, i, scene.speed_rad_per_s));
-  scene.constant_n = prepared.machine.gravity_m_per_s2 * assembly.system.weight_kg;
+  scene.constant_n = constant_load_n(prepared);
   scene.observed_point = assembly.observed_point;
   scene.length_scale_m = scene.contacts.front().clearance_m;
   scene.structure = assembly.system;

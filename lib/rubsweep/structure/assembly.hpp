@@ -16,7 +16,9 @@ struct Assembly {
                                 ///< system.stiffness + w circulatory, which is not symmetric
   std::optional<Eigen::Index> twist;  ///< the coordinate of torsion: angle between rotor and drive
   double unbalance_inertia_kg = 0;    ///< times e^2: what an eccentricity e adds to the polar inertia
-  Eigen::VectorXcd bow_n;  ///< n or empty: a residual bow forces Re(bow_n e^{i w t}) at any speed w
+  Eigen::VectorXcd bow_n;  ///< n or empty: a residual bow and couplings out of line force Re(bow_n e^{i w t})
+                           ///< at any speed w
+  Eigen::VectorXd static_n;                       ///< n or empty: loads beside the weight that do not change
   std::vector<ImpulseTrain> impulses;             ///< of faulty bearings
   std::vector<int> rotor_points;                  ///< one per stop
   std::vector<std::optional<int>> casing_points;  ///< one per stop; empty: rigid casing, no state

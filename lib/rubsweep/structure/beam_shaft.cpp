@@ -24,8 +24,12 @@ std::vector<double> stations_of(const model::RotorKit& kit, std::vector<double> 
   stations.push_back(end);
   for (const auto& segment : kit.shaft) stations.push_back(end += segment.length_m);
   for (const auto& disc : kit.discs) stations.push_back(disc.position_m);
-  for (const auto& support : kit.supports) stations.push_back(support.position_m);
+  for (const auto& support : kit.supports) {
+    if (!support.at_housing) stations.push_back(support.position_m);
+  }
+  for (const auto& point : kit.point_masses) stations.push_back(point.position_m);
   for (const auto& coupling : kit.couplings) stations.push_back(coupling.position_m);
+  for (const auto& load : kit.static_loads) stations.push_back(load.position_m);
   for (const auto& sensor : kit.sensors) stations.push_back(sensor.position_m);
   if (kit.bow) {
     std::visit(overloaded{[](const model::BowMode&) {},
@@ -45,6 +49,7 @@ struct Element {
   std::size_t first_node;
   double length_m;
   const model::ShaftSegment* segment;
+  double from, to;  ///< shares of the segment's length
 };
 
 struct Mesh {
@@ -58,12 +63,20 @@ bool coupling_at(const model::RotorKit& kit, double position_m, double tolerance
   });
 }
 
-const model::ShaftSegment& segment_at(const model::RotorKit& kit, double position_m) {
-  double end = 0;
+/// A segment and where it begins.
+struct Placed {
+  const model::ShaftSegment& segment;
+  double begin_m;
+};
+
+Placed segment_at(const model::RotorKit& kit, double position_m) {
+  double begin = 0;
   for (const auto& segment : kit.shaft) {
-    if (position_m < (end += segment.length_m)) return segment;
+    const double end = begin + segment.length_m;
+    if (position_m < end || &segment == &kit.shaft.back()) return {segment, begin};
+    begin = end;
   }
-  return kit.shaft.back();
+  throw SolverError("beam shaft: there is no segment");
 }
 
 Mesh mesh_of(const model::RotorKit& kit, const std::vector<double>& stations) {
@@ -76,9 +89,13 @@ Mesh mesh_of(const model::RotorKit& kit, const std::vector<double>& stations) {
       mesh.node_position_m.push_back(stations[i]);
     }
     const auto pieces = static_cast<int>(std::ceil(gap / longest));
-    const auto& segment = segment_at(kit, stations[i] + gap / 2);
+    const auto [segment, begin] = segment_at(kit, stations[i] + gap / 2);
+    const auto share = [&](int k) {
+      return std::clamp((stations[i] + gap * k / pieces - begin) / segment.length_m, 0.0, 1.0);
+    };
     for (int k = 1; k <= pieces; ++k) {
-      mesh.elements.push_back({mesh.node_position_m.size() - 1, gap / pieces, &segment});
+      mesh.elements.push_back(
+          {mesh.node_position_m.size() - 1, gap / pieces, &segment, share(k - 1), share(k)});
       mesh.node_position_m.push_back(k == pieces ? stations[i + 1] : stations[i] + gap * k / pieces);
     }
   }
@@ -95,13 +112,13 @@ void connect(Eigen::MatrixXd& matrix, Eigen::Index a, Eigen::Index b, double val
 
 void add_shaft(const Mesh& mesh, BeamShaft& shaft) {
   for (const Element& element : mesh.elements) {
-    const BeamElement beam = timoshenko_element(*element.segment, element.length_m);
+    const BeamElement beam = layered_element(*element.segment, element.length_m, element.from, element.to);
     const auto first = static_cast<Eigen::Index>(2 * element.first_node);
     shaft.mass.block<4, 4>(first, first) += beam.mass;
     shaft.gyroscopic.block<4, 4>(first, first) += beam.gyroscopic;
+    shaft.damping.block<4, 4>(first, first) += beam.damping;
     shaft.elastic.block<4, 4>(first, first) += beam.stiffness;
-    shaft.polar_inertia_kg_m2 +=
-        2 * element.segment->density_kg_per_m3 * section_moment_m4(*element.segment) * element.length_m;
+    shaft.polar_inertia_kg_m2 += beam.polar_inertia_kg_m2;
   }
 }
 
@@ -117,31 +134,60 @@ void add_disc(const model::Disc& disc, BeamShaft& shaft) {
   shaft.unbalance_kg(s) += phasor(leaning, disc.skew_phase_deg);
 }
 
-void add_support(const model::Support& support, Eigen::Index pedestal, BeamShaft& shaft) {
-  const Eigen::Index w = shaft.deflection(support.position_m);
+void add_to_both(std::array<Eigen::MatrixXd, 2>& mass, Eigen::Index at, double x_kg,
+                 const std::optional<double>& y_kg) {
+  mass[0](at, at) += x_kg;
+  mass[1](at, at) += y_kg.value_or(x_kg);
+}
+
+void add_pedestal(const model::Pedestal& housing, Eigen::Index at, BeamShaft& shaft) {
+  shaft.mass(at, at) += housing.mass_kg;
+  shaft.support_stiffness[0][0](at, at) += housing.stiffness_x_n_per_m;
+  shaft.support_stiffness[1][1](at, at) += housing.stiffness_y_n_per_m;
+  shaft.support_damping[0][0](at, at) += housing.damping_x_ns_per_m;
+  shaft.support_damping[1][1](at, at) += housing.damping_y_ns_per_m;
+}
+
+/// `on`: the coordinate that it stands on; empty: the ground.
+void add_support(const model::Support& support, std::optional<Eigen::Index> on, BeamShaft& shaft) {
+  const Eigen::Index w = support.at_housing ? shaft.housings[static_cast<std::size_t>(*support.at_housing)]
+                                            : shaft.deflection(support.position_m);
   const double k[2][2] = {{support.stiffness_x_n_per_m, support.stiffness_xy_n_per_m},
                           {support.stiffness_yx_n_per_m, support.stiffness_y_n_per_m}};
   const double c[2][2] = {{support.damping_x_ns_per_m, support.damping_xy_ns_per_m},
                           {support.damping_yx_ns_per_m, support.damping_y_ns_per_m}};
   for (std::size_t a = 0; a < 2; ++a) {
     for (std::size_t b = 0; b < 2; ++b) {
-      if (support.pedestal) {
-        connect(shaft.support_stiffness[a][b], w, pedestal, k[a][b]);
-        connect(shaft.support_damping[a][b], w, pedestal, c[a][b]);
+      if (on) {
+        connect(shaft.support_stiffness[a][b], w, *on, k[a][b]);
+        connect(shaft.support_damping[a][b], w, *on, c[a][b]);
       } else {
         shaft.support_stiffness[a][b](w, w) += k[a][b];
         shaft.support_damping[a][b](w, w) += c[a][b];
       }
     }
-    shaft.support_stiffness[a][a](w + 1, w + 1) += support.angular_stiffness_nm_per_rad;
+    if (!support.at_housing)
+      shaft.support_stiffness[a][a](w + 1, w + 1) += support.angular_stiffness_nm_per_rad;
   }
-  if (!support.pedestal) return;
-  const model::Pedestal& housing = *support.pedestal;
-  shaft.mass(pedestal, pedestal) += housing.mass_kg;
-  shaft.support_stiffness[0][0](pedestal, pedestal) += housing.stiffness_x_n_per_m;
-  shaft.support_stiffness[1][1](pedestal, pedestal) += housing.stiffness_y_n_per_m;
-  shaft.support_damping[0][0](pedestal, pedestal) += housing.damping_x_ns_per_m;
-  shaft.support_damping[1][1](pedestal, pedestal) += housing.damping_y_ns_per_m;
+}
+
+/// Supports with their pedestals, whose coordinates begin at `next`.
+void add_supports(const model::RotorKit& kit, Eigen::Index next, BeamShaft& shaft) {
+  for (const auto& support : kit.supports) {
+    std::optional<Eigen::Index> on;
+    if (support.on_housing) on = shaft.housings[static_cast<std::size_t>(*support.on_housing)];
+    shaft.pedestals.push_back(support.pedestal ? std::optional(next++) : std::nullopt);
+    if (support.pedestal) on = shaft.pedestals.back();
+    add_support(support, on, shaft);
+    if (support.pedestal) add_pedestal(*support.pedestal, *on, shaft);
+  }
+}
+
+void add_point_masses(const model::RotorKit& kit, BeamShaft& shaft) {
+  for (const auto& point : kit.point_masses)
+    add_to_both(shaft.added_mass, shaft.deflection(point.position_m), point.mass_kg, point.mass_y_kg);
+  for (std::size_t i = 0; i < kit.housings.size(); ++i)
+    add_to_both(shaft.added_mass, shaft.housings[i], kit.housings[i].mass_kg, kit.housings[i].mass_y_kg);
 }
 
 }  // namespace
@@ -162,7 +208,9 @@ BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<doub
   const auto on_shaft = static_cast<Eigen::Index>(2 * mesh.node_position_m.size());
   Eigen::Index n = on_shaft;
   for (const auto& support : kit.supports) n += support.pedestal ? 1 : 0;
-  shaft.mass = shaft.gyroscopic = shaft.elastic = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t i = 0; i < kit.housings.size(); ++i) shaft.housings.push_back(n++);
+  shaft.mass = shaft.gyroscopic = shaft.damping = shaft.elastic = Eigen::MatrixXd::Zero(n, n);
+  shaft.added_mass.fill(Eigen::MatrixXd::Zero(n, n));
   for (auto* pairs : {&shaft.support_stiffness, &shaft.support_damping}) {
     for (auto& row : *pairs) row.fill(Eigen::MatrixXd::Zero(n, n));
   }
@@ -174,16 +222,30 @@ BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<doub
     connect(shaft.elastic, w + 1, w + 3, coupling.angular_stiffness_nm_per_rad);
   }
   for (const auto& disc : kit.discs) add_disc(disc, shaft);
-  Eigen::Index pedestal = on_shaft;
-  for (const auto& support : kit.supports) {
-    add_support(support, pedestal, shaft);
-    shaft.pedestals.push_back(support.pedestal ? std::optional(pedestal++) : std::nullopt);
-  }
+  add_supports(kit, on_shaft, shaft);
+  add_point_masses(kit, shaft);
   // A translation as a whole: deflections 1, angles 0. Consistent, so that static sag is exact at the nodes.
   Eigen::VectorXd translation = Eigen::VectorXd::Ones(n);
   for (Eigen::Index s = 1; s < on_shaft; s += 2) translation(s) = 0;
-  shaft.weight_kg = shaft.mass * translation;
+  shaft.weight_kg = shaft.plane_mass(1) * translation;  // along y
   return shaft;
+}
+
+Eigen::VectorXcd misalignment_load(const BeamShaft& shaft, const model::RotorKit& kit) {
+  Eigen::VectorXcd load = Eigen::VectorXcd::Zero(shaft.coordinates());
+  for (const auto& coupling : kit.couplings) {
+    // A joint at rest with its ends apart by d pushes each of them by stiffness times d.
+    const Eigen::Index w = shaft.deflection(coupling.position_m);
+    const auto force =
+        phasor(coupling.lateral_stiffness_n_per_m * coupling.parallel_offset_m, coupling.parallel_phase_deg);
+    const auto moment = phasor(coupling.angular_stiffness_nm_per_rad * coupling.angular_offset_rad,
+                               coupling.angular_phase_deg);
+    load(w) -= force;
+    load(w + 1) -= moment;
+    load(w + 2) += force;
+    load(w + 3) += moment;
+  }
+  return load;
 }
 
 Eigen::VectorXd least_bent_line(const BeamShaft& shaft, const model::BowPoints& points) {

@@ -14,21 +14,27 @@ using PlanePairs = std::array<std::array<Eigen::MatrixXd, 2>, 2>;
 
 /// Full finite-element model of a shaft line. A node has (x, y) and the angles of its cross-section
 /// (s_x, s_y) = d(x, y)/dz, so that both planes share one set of n coordinates, node by node (w, s), then
-/// one per pedestal. With q = q_x + i q_y:
-/// mass q'' - i speed gyroscopic q' + elastic q = -supports + forces.
+/// one per pedestal, then one per housing. With q = q_x + i q_y:
+/// mass q'' + (damping - i speed gyroscopic) q' + elastic q = -supports + forces.
 struct BeamShaft {
-  Eigen::MatrixXd mass;
+  Eigen::MatrixXd mass;  ///< what is the same in both planes
   Eigen::MatrixXd gyroscopic;
+  Eigen::MatrixXd damping;  ///< of the shaft's own material, in the fixed frame
   Eigen::MatrixXd elastic;  ///< shaft and couplings: what a bow loads
   PlanePairs support_stiffness, support_damping;
+  std::array<Eigen::MatrixXd, 2> added_mass;  ///< per plane: point masses, housings, fluid in supports
   Eigen::VectorXcd unbalance_kg;  ///< of the x plane, per metre of eccentricity e: e w^2 Re(unbalance_kg
                                   ///< e^{iwt}); y lags by a quarter turn
   Eigen::VectorXd weight_kg;      ///< share of the mass that gravity pulls along each coordinate of one plane
   double polar_inertia_kg_m2 = 0;
   std::vector<double> node_position_m;                 ///< ascending; twice the same at a coupling
   std::vector<std::optional<Eigen::Index>> pedestals;  ///< per support: coordinate of its pedestal
+  std::vector<Eigen::Index> housings;                  ///< coordinate of each housing
 
   Eigen::Index coordinates() const { return mass.rows(); }
+
+  /// Mass of the motion in one plane.
+  Eigen::MatrixXd plane_mass(std::size_t plane) const { return mass + added_mass[plane]; }
 
   /// Stiffness of one plane: the shaft and its supports, without cross terms.
   Eigen::MatrixXd plane_stiffness(std::size_t plane) const {
@@ -43,6 +49,9 @@ struct BeamShaft {
 /// Mesh and matrices of a valid kit. Nodes stand at the ends of segments, at every part, and at `stations_m`,
 /// with elements between them no longer than the shaft's length / kit.elements.
 BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<double>& stations_m);
+
+/// Load of couplings whose two ends are out of line, n, in the x plane: its parts force Re(load e^{i w t}).
+Eigen::VectorXcd misalignment_load(const BeamShaft& shaft, const model::RotorKit& kit);
 
 /// Deflections and angles, n, of the least bent line through given points, which must be nodes: the smallest
 /// elastic energy. At least two different positions.

@@ -41,7 +41,8 @@ class KitBuilder {
     add_lateral();
     if (model::has_rotating_damping(kit_)) add_rotating_damping();
     if (kit_.torsion) add_torsion();
-    if (kit_.bow) add_bow();
+    if (kit_.bow || model::has_misalignment(kit_)) add_bow();
+    if (!kit_.static_loads.empty()) add_static_loads();
     add_faults();
     add_points();
     add_casings();
@@ -107,7 +108,7 @@ class KitBuilder {
 
   /// The shaft bent as one of its modes, with this amplitude where it is largest.
   Eigen::VectorXd line_of(const model::BowMode& mode) const {
-    const PlaneModes modes = plane_modes(shaft_.mass, shaft_.plane_stiffness(0), mode.mode);
+    const PlaneModes modes = plane_modes(shaft_.plane_mass(0), shaft_.plane_stiffness(0), mode.mode);
     if (modes.rad_per_s.size() < mode.mode) {
       throw ConfigError("rotor.bow.mode: the shaft has fewer modes that can be computed, allowed: 1 to " +
                         std::to_string(modes.rad_per_s.size()));
@@ -120,16 +121,31 @@ class KitBuilder {
     return line;
   }
 
-  void add_bow() {
+  /// A shaft that is bowed without load pulls towards its bow as a straight one pulls back from it.
+  Eigen::VectorXcd bow_load() const {
     const Eigen::VectorXd line = std::visit(
         overloaded{[&](const model::BowMode& mode) { return line_of(mode); },
                    [&](const model::BowPoints& points) { return least_bent_line(shaft_, points); }},
         kit_.bow->shape);
-    // A shaft that is bowed without load pulls towards its bow as a straight one pulls back from it.
-    const Eigen::VectorXcd load = (shaft_.elastic * line).cast<std::complex<double>>() *
-                                  std::polar(1.0, kit_.bow->phase_deg * std::numbers::pi / 180);
+    return (shaft_.elastic * line).cast<std::complex<double>>() *
+           std::polar(1.0, kit_.bow->phase_deg * std::numbers::pi / 180);
+  }
+
+  void add_bow() {
+    Eigen::VectorXcd load = misalignment_load(shaft_, kit_);
+    if (kit_.bow) load += bow_load();
     result_.assembly.bow_n = Eigen::VectorXcd::Zero(system().coordinates());
     result_.assembly.bow_n.head(lateral()) = turning(load);
+  }
+
+  void add_static_loads() {
+    result_.assembly.static_n = Eigen::VectorXd::Zero(system().coordinates());
+    for (const model::StaticLoad& load : kit_.static_loads) {
+      const Eigen::Index w = shaft_.deflection(load.position_m);
+      result_.assembly.static_n.head(lateral()) +=
+          lateral_.scatter(0, load.force_x_n * basis(0).row(w).transpose()) +
+          lateral_.scatter(1, load.force_y_n * basis(1).row(w).transpose());
+    }
   }
 
   /// An impulse on the shaft, and the other way on the pedestal, if there is one.
@@ -183,7 +199,7 @@ class KitBuilder {
                    stop.geometry);
     const double inverse = share_x / modal_mass_kg(shaft_, result_.reduction, 0, 0, stops_[i]) +
                            (1 - share_x) / modal_mass_kg(shaft_, result_.reduction, 1, 0, stops_[i]);
-    const double largest = 1 / basis(0).col(0).dot(shaft_.mass * basis(0).col(0));
+    const double largest = 1 / basis(0).col(0).dot(shaft_.plane_mass(0) * basis(0).col(0));
     const bool needed = !stop.contact_mass_kg && takes_mass(stop.damping);
     if (needed && inverse <= node_of_mode * largest) {
       throw ConfigError(

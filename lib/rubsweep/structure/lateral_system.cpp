@@ -28,6 +28,7 @@ void add(const LateralSystem& system, std::size_t a, std::size_t b, const Eigen:
 
 bool equal_planes(const BeamShaft& shaft, const PlaneBases& bases) {
   return bases[0].cols() == bases[1].cols() && bases[0] == bases[1] &&
+         shaft.added_mass[0] == shaft.added_mass[1] &&
          shaft.support_stiffness[0][0] == shaft.support_stiffness[1][1] &&
          shaft.support_damping[0][0] == shaft.support_damping[1][1];
 }
@@ -56,9 +57,9 @@ LateralSystem project(const BeamShaft& shaft, const PlaneBases& bases) {
   for (std::size_t a = 0; a < 2; ++a) {
     // Equal planes get the same bits: a symmetry of the machine is not lost to rounding.
     const std::size_t from = equal_planes(shaft, bases) ? 0 : a;
-    add(system, a, a, between(from, from, shaft.mass), system.mass);
+    add(system, a, a, between(from, from, shaft.plane_mass(from)), system.mass);
     add(system, a, a, between(from, from, shaft.plane_stiffness(from)), system.stiffness);
-    add(system, a, a, between(from, from, shaft.support_damping[from][from]), system.damping);
+    add(system, a, a, between(from, from, shaft.damping + shaft.support_damping[from][from]), system.damping);
     const std::size_t b = 1 - a;
     if (!shaft.support_stiffness[a][b].isZero(0)) {
       add(system, a, b, between(a, b, shaft.support_stiffness[a][b]), system.stiffness);

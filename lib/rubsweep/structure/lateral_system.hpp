@@ -24,7 +24,7 @@ struct LateralSystem {
   Eigen::VectorXd scatter(std::size_t plane, const Eigen::VectorXd& per_shape) const;
 };
 
-/// Galerkin projection; support damping only. The identity as basis gives the full model.
+/// Galerkin projection, with the damping of supports and material. The identity as basis gives the full model.
 LateralSystem project(const BeamShaft& shaft, const PlaneBases& bases);
 
 /// Undamped modes of one plane at rest, lowest first.

@@ -22,7 +22,7 @@ constexpr const char* too_extreme =
 
 /// One plane before the reduction: all modes that may be kept, and the deflection by a force at each stop.
 struct Plane {
-  Eigen::MatrixXd stiffness;
+  Eigen::MatrixXd mass, stiffness;
   numerics::CholeskyFactors factor;
   PlaneModes modes;
   std::vector<Eigen::Index> seen;  ///< of `modes`
@@ -31,7 +31,8 @@ struct Plane {
 Plane study_plane(const BeamShaft& shaft, std::size_t index, const std::vector<double>& places_m) {
   Plane plane;
   plane.stiffness = shaft.plane_stiffness(index);
-  plane.modes = plane_modes(shaft.mass, plane.stiffness, model::RotorKit::most_modes);
+  plane.mass = shaft.plane_mass(index);
+  plane.modes = plane_modes(plane.mass, plane.stiffness, model::RotorKit::most_modes);
   plane.factor = numerics::CholeskyFactors(plane.stiffness);
   std::vector<double> compliance;
   for (const double place : places_m) {
@@ -63,7 +64,7 @@ PlaneModes attachments(const BeamShaft& shaft, const Plane& plane, const Eigen::
         Eigen::VectorXd(Eigen::VectorXd::Unit(shaft.coordinates(), shaft.deflection(stop))));
     const double whole = shape(shaft.deflection(stop));
     for (int pass = 0; pass < 2; ++pass) {  // twice is enough: rounding of the first is taken out
-      shape -= modes * (modes.transpose() * (shaft.mass * shape));
+      shape -= modes * (modes.transpose() * (plane.mass * shape));
       shape -= kept * (kept.transpose() * (plane.stiffness * shape));
     }
     const double energy = shape.dot(plane.stiffness * shape);
@@ -72,7 +73,7 @@ PlaneModes attachments(const BeamShaft& shaft, const Plane& plane, const Eigen::
     kept.rightCols<1>() = shape / std::sqrt(energy);
   }
   if (kept.cols() == 0) return {Eigen::VectorXd(0), kept};
-  PlaneModes found = plane_modes(kept.transpose() * shaft.mass * kept,
+  PlaneModes found = plane_modes(kept.transpose() * plane.mass * kept,
                                  kept.transpose() * plane.stiffness * kept, kept.cols());
   found.shape = kept * found.shape;
   return found;
@@ -121,7 +122,7 @@ class Reducer {
     }
     places_.insert(places_.end(), sensors_m.begin(), sensors_m.end());
     for (std::size_t index = 0; index < 2; ++index) planes_[index] = study_plane(shaft, index, places_);
-    same_planes_ = planes_[0].stiffness == planes_[1].stiffness;
+    same_planes_ = planes_[0].stiffness == planes_[1].stiffness && planes_[0].mass == planes_[1].mass;
   }
 
   Reduction with_modes(int count, const std::vector<double>& stops_m) const {
@@ -225,7 +226,7 @@ RotatingDamping rotating_damping(const BeamShaft& shaft, const model::RotorKit& 
     const auto column = static_cast<std::size_t>(j);
     const std::size_t mode =
         column < numbers.size() ? static_cast<std::size_t>(numbers[column]) : ratios.size();
-    const Eigen::VectorXd momentum = shaft.mass * bases[0].col(j);
+    const Eigen::VectorXd momentum = shaft.plane_mass(0) * bases[0].col(j);
     const double mass = bases[0].col(j).dot(momentum);
     const double rate = 2 * std::numbers::pi * reduction.frequency_hz[0](j);
     line += 2 * ratios[std::min(mode, ratios.size()) - 1] * rate / mass * momentum * momentum.transpose();
@@ -273,7 +274,7 @@ double modal_mass_kg(const BeamShaft& shaft, const Reduction& reduction, std::si
                      double position_m) {
   const auto shape = reduction.bases[plane].col(j);
   const double here = shape(shaft.deflection(position_m));
-  return shape.dot(shaft.mass * shape) / (here * here);
+  return shape.dot(shaft.plane_mass(plane) * shape) / (here * here);
 }
 
 }  // namespace rubsweep::structure

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "rubsweep/config/printer.hpp"
+#include "rubsweep/config/section.hpp"
+#include "rubsweep/model/shaft_segment.hpp"
+
+namespace rubsweep::config {
+
+/// What a segment of `rotor.shaft` has beside its numbers: shear_coefficient (cowper, hutchinson or none),
+/// rotary_inertia and gyroscopic (on or off), and `layers`, a list of sections of the same length.
+void read_segment(Section& section, model::ShaftSegment& segment);
+void print_segment(Printer& printer, const model::ShaftSegment& segment);
+
+}  // namespace rubsweep::config

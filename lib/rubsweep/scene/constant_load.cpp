@@ -1,0 +1,32 @@
+#include "rubsweep/scene/constant_load.hpp"
+
+#include "rubsweep/numerics/lu.hpp"
+
+namespace rubsweep::scene {
+
+Eigen::VectorXd static_load_n(const PreparedMachine& prepared) {
+  Eigen::VectorXd load = prepared.machine.gravity_m_per_s2 * prepared.assembly.system.weight_kg;
+  if (prepared.assembly.static_n.size() > 0) load += prepared.assembly.static_n;
+  return load;
+}
+
+Eigen::VectorXd constant_load_n(const PreparedMachine& prepared) {
+  const model::RotorKit* kit = model::kit_of(prepared.machine);
+  if (kit != nullptr && kit->clearances_from_sag)
+    return Eigen::VectorXd::Zero(prepared.assembly.system.coordinates());
+  return static_load_n(prepared);
+}
+
+Eigen::Vector2d sag_m(const PreparedMachine& prepared, std::size_t stop) {
+  const structure::Assembly& assembly = prepared.assembly;
+  const auto& points = assembly.system.points;
+  const Eigen::VectorXd load = static_load_n(prepared);
+  if (load.isZero(0)) return Eigen::Vector2d::Zero();
+  const Eigen::VectorXd q = numerics::solve(assembly.system.stiffness, load);
+  Eigen::Vector2d sag = points[static_cast<std::size_t>(assembly.rotor_points[stop])].map * q;
+  if (const auto casing = assembly.casing_points[stop])
+    sag -= points[static_cast<std::size_t>(*casing)].map * q;
+  return sag;
+}
+
+}  // namespace rubsweep::scene
