@@ -76,7 +76,7 @@ TEST(PrepareMachine, TakesOrRefusesEveryAllowedExtreme) {
     for (const bool high : {false, true}) {
       model::Machine machine = with_a_few_of_everything();
       int count = 0;
-      const auto change = [&](const char* name, double& value, const model::Range& range) {
+      const auto change = [&](const char* name, auto& value, const model::Range& range) {
         if (count++ != target || std::string(name) == "position_m") return;
         reached = true;
         value = high ? range.high : range.low;
