@@ -42,6 +42,7 @@ TEST(RotorParts, ReadEveryKey) {
   EXPECT_EQ(kit.static_loads.at(0).force_y_n, -5);
   EXPECT_TRUE(kit.clearances_from_sag);
   EXPECT_EQ(kit.couplings.at(0).parallel_offset_m, 1e-5);
+  EXPECT_NO_THROW(model::validate(kit, "rotor."));
   EXPECT_NEAR(kit.discs.at(0).mass_kg, 7850 * 3.14159265358979323846 / 4 * 0.01 * 0.01, 1e-14);
 }
 

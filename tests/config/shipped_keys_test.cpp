@@ -21,6 +21,14 @@ using Paths = std::set<std::string>;
 const Paths unused{
     "base",                          // many have it, and none any more once it was read
     "ring.modal_stiffness_n_per_m",  // the same as a natural frequency, which rings are known by
+    // a layer may have what its segment has
+    "rotor.shaft.layers.inner_diameter_end_m",
+    "rotor.shaft.layers.mass_damping_per_s",
+    "rotor.shaft.layers.outer_diameter_end_m",
+    "rotor.shaft.layers.stiffness_damping_s",
+    "rotor.shaft.layers.stiffness_inner_diameter_m",
+    "rotor.shaft.layers.stiffness_outer_diameter_m",
+    "rotor.supports.fault.multiple",  // said by the geometry of the bearing
     "stops.hertz.half_width",        // a second formula, to compare with numbers of the paper alone
 };
 

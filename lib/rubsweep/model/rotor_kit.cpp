@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "rubsweep/error.hpp"
@@ -32,16 +34,22 @@ void require_fields(const Part& part, const std::string& path) {
   });
 }
 
+/// A support at a housing has no place on the shaft.
+template <class Part>
+bool is_on_shaft(const Part& part) {
+  if constexpr (std::is_same_v<Part, Support>) return !part.at_housing;
+  return true;
+}
+
 template <class Part>
 void require_parts(const std::vector<Part>& parts, const std::string& path, const char* list,
                    double length_m) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string name = fmt::format("{}{}.{}.", path, list, i);
-    require_fields(parts[i], name);
-    if constexpr (requires { parts[i].at_housing; }) {
-      if (parts[i].at_housing) continue;
-    }
-    require(name + "position_m", parts[i].position_m, Range{.low = 0, .high = length_m});
+    Part::visit_fields(parts[i], [&](const char* key, const auto& value, const Range& range) {
+      if (key != std::string_view("position_m")) return require(name + key, value, range);
+      if (is_on_shaft(parts[i])) require(name + key, value, Range{.low = 0, .high = length_m});
+    });
   }
 }
 
