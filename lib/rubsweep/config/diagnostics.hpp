@@ -37,12 +37,6 @@ class Diagnostics {
 
   std::size_t count() const { return problems_.size(); }
 
-  /// Name of the file in which something stands; of an override the configuration's. What it names is
-  /// relative to it.
-  const std::string& file_of(const SourcePosition& place) const {
-    return files_[static_cast<std::size_t>(place.file)];
-  }
-
   /// `file:line:column`, or `--set key=value`.
   std::string describe(const SourcePosition& place) const;
 
