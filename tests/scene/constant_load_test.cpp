@@ -23,7 +23,7 @@ model::Machine heavy() {
   return machine;
 }
 
-/// Of a disc in the middle of a light shaft of 10 mm and 0.4 m on two springs.
+/// Sag of a disc in the middle of a light shaft of 10 mm and 0.4 m on two springs.
 double sag_of_the_disc_m() {
   const model::RotorKit kit = *model::kit_of(light_shaft_machine());
   const double moment = 3.14159265358979323846 / 64 * 1e-8, area = 3.14159265358979323846 / 4 * 1e-4;

@@ -10,7 +10,7 @@ namespace rubsweep::config {
 /// couplings, static_loads, sensors; bow, torsion, damping_ratio (a number, or a list by mode), modes (auto
 /// or a number), modes_up_to_hz, elements.
 model::RotorKit read_rotor_kit(Section& section);
-/// Those of them that no file of another tool says: static_loads, sensors, bow, torsion, damping_ratio,
+/// Keys of a kit that no file of another tool has: static_loads, sensors, bow, torsion, damping_ratio,
 /// rotating_damping_ratio, clearances_from, modes, modes_up_to_hz, elements. To be called when the shaft is
 /// known.
 void read_kit_rest(Section& section, model::RotorKit& kit);

@@ -6,7 +6,7 @@
 
 namespace rubsweep::config {
 
-/// What a segment of `rotor.shaft` has beside its numbers: shear_coefficient (cowper, hutchinson or none),
+/// Keys of a segment of `rotor.shaft` beside its numbers: shear_coefficient (cowper, hutchinson or none),
 /// rotary_inertia and gyroscopic (on or off), and `layers`, a list of sections of the same length.
 void read_segment(Section& section, model::ShaftSegment& segment);
 void print_segment(Printer& printer, const model::ShaftSegment& segment);

@@ -23,7 +23,7 @@ struct ShaftLayer {
   double inner_diameter_m = 0;
   /// At the end of the segment; the diameters change linearly from those above. Empty: they do not.
   std::optional<double> outer_diameter_end_m = std::nullopt, inner_diameter_end_m = std::nullopt;
-  /// Those that bend and shear, where they are others than those that have mass. Empty: the same.
+  /// Diameters that bend and shear, where they are others than those that have mass. Empty: the same.
   std::optional<double> stiffness_outer_diameter_m = std::nullopt, stiffness_inner_diameter_m = std::nullopt;
   double youngs_modulus_pa = required;
   double shear_modulus_pa = required;

@@ -90,7 +90,7 @@ std::string describe(const model::StopGeometry& geometry) {
                     geometry);
 }
 
-/// Of clearances that count from where weight and static loads leave the shaft.
+/// Sag of a stop whose clearance counts from where weight and static loads leave the shaft.
 std::string explain_sag(const scene::PreparedMachine& prepared, std::size_t stop) {
   if (!model::kit_of(prepared.machine)->clearances_from_sag) return "";
   const Eigen::Vector2d sag = scene::sag_m(prepared, stop);
