@@ -89,13 +89,14 @@ Mesh mesh_of(const model::RotorKit& kit, const std::vector<double>& stations) {
       mesh.node_position_m.push_back(stations[i]);
     }
     const auto pieces = static_cast<int>(std::ceil(gap / longest));
-    const auto [segment, begin] = segment_at(kit, stations[i] + gap / 2);
+    // No structured binding: clang 14 refuses it in a lambda.
+    const Placed at = segment_at(kit, stations[i] + gap / 2);
     const auto share = [&](int k) {
-      return std::clamp((stations[i] + gap * k / pieces - begin) / segment.length_m, 0.0, 1.0);
+      return std::clamp((stations[i] + gap * k / pieces - at.begin_m) / at.segment.length_m, 0.0, 1.0);
     };
     for (int k = 1; k <= pieces; ++k) {
       mesh.elements.push_back(
-          {mesh.node_position_m.size() - 1, gap / pieces, &segment, share(k - 1), share(k)});
+          {mesh.node_position_m.size() - 1, gap / pieces, &at.segment, share(k - 1), share(k)});
       mesh.node_position_m.push_back(k == pieces ? stations[i + 1] : stations[i] + gap * k / pieces);
     }
   }
