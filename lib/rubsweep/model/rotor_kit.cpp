@@ -109,6 +109,21 @@ void validate(const BowPoints& points, const std::string& path, double length_m)
   }
 }
 
+void validate_shaft(const RotorKit& kit, const std::string& path) {
+  if (kit.shaft.empty()) throw ConfigError(path + "shaft: at least one segment is needed");
+  for (std::size_t i = 0; i < kit.shaft.size(); ++i) {
+    const ShaftSegment& segment = kit.shaft[i];
+    const std::string name = fmt::format("{}shaft.{}.", path, i);
+    require_fields(segment, name);
+    refuse_diameters(segment, name);
+    for (std::size_t k = 0; k < segment.layers.size(); ++k) {
+      const std::string layer = fmt::format("{}layers.{}.", name, k);
+      require_fields(segment.layers[k], layer);
+      refuse_diameters(segment.layers[k], layer);
+    }
+  }
+}
+
 }  // namespace
 
 bool supports_hold(const RotorKit& kit, int plane) {
@@ -176,18 +191,7 @@ Range coupling_places(const RotorKit& kit) {
 }
 
 void validate(const RotorKit& kit, const std::string& path) {
-  if (kit.shaft.empty()) throw ConfigError(path + "shaft: at least one segment is needed");
-  for (std::size_t i = 0; i < kit.shaft.size(); ++i) {
-    const ShaftSegment& segment = kit.shaft[i];
-    const std::string name = fmt::format("{}shaft.{}.", path, i);
-    require_fields(segment, name);
-    refuse_diameters(segment, name);
-    for (std::size_t k = 0; k < segment.layers.size(); ++k) {
-      const std::string layer = fmt::format("{}layers.{}.", name, k);
-      require_fields(segment.layers[k], layer);
-      refuse_diameters(segment.layers[k], layer);
-    }
-  }
+  validate_shaft(kit, path);
   const double length = shaft_length_m(kit);
   require_parts(kit.discs, path, "discs", length);
   for (std::size_t i = 0; i < kit.discs.size(); ++i) {

@@ -30,7 +30,7 @@ struct NominalRestitution {
   double value = required;  ///< e of the unclamped oscillator; the clamp returns more (physics of ElastoGap)
 };
 /// Nominal restitution with the mass of the rotor alone in d = 2 zeta sqrt(m K), as Ishibashi & Kawai print it (eq. 15).
-/// What bounces is the reduced mass, so that this damps far more against a light casing.
+/// The reduced mass bounces, so that this damps far more against a light casing.
 struct RestitutionByRotorMass {
   double value = required;
 };
