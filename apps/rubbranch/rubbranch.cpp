@@ -79,6 +79,22 @@ int nothing_to_follow(const std::string& why) {
   return some_cells_failed;
 }
 
+batch::ResultFiles files_of(const RubbranchArguments& arguments, const config::RunConfig& config,
+                            const std::vector<branch::continuation::Branch>& branches,
+                            const std::vector<branch::curves::CurveFrom>& curves) {
+  const std::string comments = branch::continuation::branch_comments(arguments.along, branches);
+  batch::ResultFiles files{{"config.yaml", config::print_config(config)},
+                           {"branch.csv", comments + branch::continuation::branch_csv(branches)},
+                           {"events.csv", comments + branch::continuation::branch_events_csv(branches)}};
+  if (!arguments.curve.empty()) {
+    const std::string curve_comments =
+        branch::curves::curve_comments(arguments.along, arguments.curve, curves);
+    files["curves.csv"] = curve_comments + branch::curves::curves_csv(curves);
+    files["meetings.csv"] = curve_comments + branch::curves::meetings_csv(curves);
+  }
+  return files;
+}
+
 int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
   ask("rubbranch", config.questions, arguments.quiet);
@@ -122,16 +138,7 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   if (plane)
     curves = curves_of(branches, *plane, {family.low, family.high}, study, arguments.most_points, workspace);
 
-  const std::string comments = branch::continuation::branch_comments(arguments.along, branches);
-  batch::ResultFiles files{{"config.yaml", config::print_config(config)},
-                           {"branch.csv", comments + branch::continuation::branch_csv(branches)},
-                           {"events.csv", comments + branch::continuation::branch_events_csv(branches)}};
-  if (plane) {
-    const std::string curve_comments =
-        branch::curves::curve_comments(arguments.along, arguments.curve, curves);
-    files["curves.csv"] = curve_comments + branch::curves::curves_csv(curves);
-    files["meetings.csv"] = curve_comments + branch::curves::meetings_csv(curves);
-  }
+  const batch::ResultFiles files = files_of(arguments, config, branches, curves);
   const InterruptsWait whole_set;
   batch::write_result_files(
       files, file_names, directory,

@@ -119,17 +119,22 @@ std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probe
   return trace::probe_summary(period, *pair, probes);
 }
 
+trace::TraceOptions options_of(const RubtraceArguments& arguments, const sweep::Study& study,
+                               double speed_hz) {
+  return {.speed_hz = speed_hz,
+          .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
+          .samples_per_revolution = study.response.samples_per_revolution,
+          .window_revolutions = study.response.window_revolutions,
+          .trajectory_revolutions = arguments.last_revolutions};
+}
+
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const scene::Place place{arguments.place.speed_hz.value(),
                            unbalance_of(arguments.place, config.study.machine)};
   config.study.grid = sweep::grid_of(place);
   keep_units(arguments.place, config.study);
   const sweep::Study& study = config.study;
-  trace::TraceOptions options{.speed_hz = place.speed_hz,
-                              .revolutions = arguments.revolutions.value_or(study.response.max_revolutions),
-                              .samples_per_revolution = study.response.samples_per_revolution,
-                              .window_revolutions = study.response.window_revolutions,
-                              .trajectory_revolutions = arguments.last_revolutions};
+  trace::TraceOptions options = options_of(arguments, study, place.speed_hz);
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   if (!arguments.quiet) warn_of_premises("rubtrace", study, prepared);
   if (arguments.probes) options.probes = probes_of(arguments, prepared, options.revolutions);
@@ -199,7 +204,6 @@ int perform(RubtraceArguments arguments) {
     const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);
     ramp->eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
   }
-  if (arguments.campbell) require_speed("--campbell", arguments.campbell->to_hz, config.study.machine);
   if (arguments.free_response || arguments.run_up || arguments.campbell) {
     return run_experiment(arguments, config, directory_of(arguments, config));
   }
