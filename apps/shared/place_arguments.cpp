@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "rubsweep/config/place_axes.hpp"
-#include "rubsweep/config/unit_slips.hpp"
+#include "rubsweep/config/slip_of.hpp"
 #include "rubsweep/model/balance.hpp"
 #include "rubsweep/model/physical_range.hpp"
 #include "rubsweep/overloaded.hpp"

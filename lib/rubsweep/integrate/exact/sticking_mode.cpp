@@ -19,35 +19,67 @@ constexpr double least_reciprocal = 1e-14;  ///< condition of a stiffness that h
 
 }  // namespace
 
+Eigen::MatrixXd StickingMode::take_contacts(const System& system, const std::vector<contact::Mode>& modes,
+                                            const std::vector<bool>& sticks, Eigen::Index count) {
+  stiffness_ = system.stiffness;
+  damping_ = system.damping;
+  constant_ = system.constant;
+  drive_ = system.cosine.cast<Complex>() - Complex(0, 1) * system.sine.cast<Complex>();
+  rows_.resize(count, system.coordinates());
+  Eigen::MatrixXd pushes(system.coordinates(), count);
+  Eigen::Index next = 0;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const auto& c = system.contacts[i];
+    if (modes[i] == contact::Mode::open) continue;
+    const contact::LinearLaw law = contact::law_of(modes[i]);
+    stiffness_ -= law.spring * c.stiffness * c.first_push * c.first_row;
+    damping_ -= law.damper * c.damping * c.first_push * c.first_row;
+    constant_ -= law.spring * c.stiffness * c.clearance * c.first_push;
+    if (!sticks[i]) continue;
+    rows_.row(next) = c.second_row;
+    pushes.col(next++) = c.second_push;
+  }
+  return pushes;
+}
+
+bool StickingMode::solve_vibration(const Eigen::MatrixXd& q, const Eigen::MatrixXd& along) {
+  const Eigen::Index k = q.cols();
+  const Eigen::MatrixXd a = to_y_ * stiffness_ * q, c = to_y_ * damping_ * q;
+  const Eigen::FullPivLU<Eigen::MatrixXd> lu(a);
+  if (!lu.isInvertible() || lu.rcond() < least_reciprocal) return false;
+  const Eigen::MatrixXd by_drift = -lu.solve(to_y_ * stiffness_ * along);
+  on_drift_ += q * by_drift;
+  on_drift_rate_ = -q * lu.solve(to_y_ * damping_ * along + c * by_drift);
+  rest_ = q * lu.solve(to_y_ * constant_);
+  Eigen::MatrixXcd dynamic = a.cast<Complex>() + Complex(0, 1) * c.cast<Complex>();
+  dynamic.diagonal().array() -= 1.0;
+  const Eigen::VectorXcd side = to_y_.cast<Complex>() * drive_;
+  if (!side.isZero(0)) {
+    amplitude_ = q.cast<Complex>() * dynamic.fullPivLu().solve(side);
+    if (!amplitude_.allFinite() || amplitude_.cwiseAbs().maxCoeff() > largest_amplitude) return false;
+  }
+  form_ = numerics::modal_form(a, c);
+  if (!form_) return false;
+  basis_u_ = q * form_->basis.topRows(k);
+  basis_v_ = q * form_->basis.bottomRows(k);
+  for (Eigen::Index j = 0; j < k; ++j) {
+    const numerics::Pair& g = form_->pairs[static_cast<std::size_t>(j)];
+    rates_(j) = std::max(std::hypot(g.uu, g.uv), std::hypot(g.vu, g.vv));
+  }
+  return true;
+}
+
 std::optional<StickingMode> StickingMode::make(const System& system, const std::vector<contact::Mode>& modes,
                                                const std::vector<bool>& sticks) {
   const Eigen::Index n = system.coordinates();
   const auto m = static_cast<Eigen::Index>(std::ranges::count(sticks, true));
   if (m == 0 || m > n) return std::nullopt;
   StickingMode mode;
-  mode.stiffness_ = system.stiffness;
-  mode.damping_ = system.damping;
-  mode.constant_ = system.constant;
-  mode.drive_ = system.cosine.cast<Complex>() - Complex(0, 1) * system.sine.cast<Complex>();
-  mode.rows_.resize(m, n);
-  Eigen::MatrixXd pushes(n, m);
-  Eigen::Index next = 0;
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    const auto& c = system.contacts[i];
-    if (modes[i] == contact::Mode::open) continue;
-    const contact::LinearLaw law = contact::law_of(modes[i]);
-    mode.stiffness_ -= law.spring * c.stiffness * c.first_push * c.first_row;
-    mode.damping_ -= law.damper * c.damping * c.first_push * c.first_row;
-    mode.constant_ -= law.spring * c.stiffness * c.clearance * c.first_push;
-    if (!sticks[i]) continue;
-    mode.rows_.row(next) = c.second_row;
-    pushes.col(next++) = c.second_push;
-  }
+  const Eigen::MatrixXd pushes = mode.take_contacts(system, modes, sticks, m);
   const Eigen::FullPivLU<Eigen::MatrixXd> mobility(mode.rows_ * pushes);
   if (mobility.rcond() < independent) return std::nullopt;
   mode.hold_ = mobility.solve(mode.rows_);
   const Eigen::MatrixXd along = pushes * mobility.inverse();
-  const Eigen::MatrixXd project = Eigen::MatrixXd::Identity(n, n) - along * mode.rows_;
 
   const Eigen::Index k = n - m;
   const Eigen::MatrixXd q =
@@ -61,30 +93,9 @@ std::optional<StickingMode> StickingMode::make(const System& system, const std::
   mode.rates_.resize(k);
   mode.to_y_.resize(k, n);
   if (k > 0) {
+    const Eigen::MatrixXd project = Eigen::MatrixXd::Identity(n, n) - along * mode.rows_;
     mode.to_y_ = (q.transpose() * q).ldlt().solve(q.transpose()) * project;
-    const Eigen::MatrixXd a = mode.to_y_ * mode.stiffness_ * q, c = mode.to_y_ * mode.damping_ * q;
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu(a);
-    if (!lu.isInvertible() || lu.rcond() < least_reciprocal) return std::nullopt;
-    const Eigen::MatrixXd by_drift = -lu.solve(mode.to_y_ * mode.stiffness_ * along);
-    mode.on_drift_ += q * by_drift;
-    mode.on_drift_rate_ = -q * lu.solve(mode.to_y_ * mode.damping_ * along + c * by_drift);
-    mode.rest_ = q * lu.solve(mode.to_y_ * mode.constant_);
-    Eigen::MatrixXcd dynamic = a.cast<Complex>() + Complex(0, 1) * c.cast<Complex>();
-    dynamic.diagonal().array() -= 1.0;
-    const Eigen::VectorXcd side = mode.to_y_.cast<Complex>() * mode.drive_;
-    if (!side.isZero(0)) {
-      mode.amplitude_ = q.cast<Complex>() * dynamic.fullPivLu().solve(side);
-      if (!mode.amplitude_.allFinite() || mode.amplitude_.cwiseAbs().maxCoeff() > largest_amplitude)
-        return std::nullopt;
-    }
-    mode.form_ = numerics::modal_form(a, c);
-    if (!mode.form_) return std::nullopt;
-    mode.basis_u_ = q * mode.form_->basis.topRows(k);
-    mode.basis_v_ = q * mode.form_->basis.bottomRows(k);
-    for (Eigen::Index j = 0; j < k; ++j) {
-      const numerics::Pair& g = mode.form_->pairs[static_cast<std::size_t>(j)];
-      mode.rates_(j) = std::max(std::hypot(g.uu, g.uv), std::hypot(g.vu, g.vv));
-    }
+    if (!mode.solve_vibration(q, along)) return std::nullopt;
   }
   mode.add_guards(system, modes, sticks);
   return mode;

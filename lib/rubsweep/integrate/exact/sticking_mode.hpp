@@ -80,6 +80,13 @@ class StickingMode {
                     std::complex<double> direct) const;
 
  private:
+  /// Takes the system with the forces of its contacts in, and the rows R of the `count` that stick. Their
+  /// pushes B.
+  Eigen::MatrixXd take_contacts(const System& system, const std::vector<contact::Mode>& modes,
+                                const std::vector<bool>& sticks, Eigen::Index count);
+  /// Solves the vibration y in the null space `q` of R, `to_y_` being known and `along` = B M^-1. False where
+  /// it has no closed form.
+  bool solve_vibration(const Eigen::MatrixXd& q, const Eigen::MatrixXd& along);
   void move_free(const std::vector<numerics::Pair>& flows, Eigen::Ref<Eigen::VectorXd> free) const;
   void add_guards(const System& system, const std::vector<contact::Mode>& modes,
                   const std::vector<bool>& sticks);
