@@ -44,10 +44,10 @@ TEST(ExperimentTables, OfARunUp) {
             "speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,sensor_1_phase_deg,"
             "sensor_2_amplitude_m,sensor_2_phase_deg\n10,1e-04,-90,1e-04,-90,1e-04,-90\n");
   EXPECT_EQ(tables.identification_csv,
-            "quantity,sensor,value\nspeed_of_largest_1x_hz,0,10\n"
+            "quantity,sensor,value\ncritical_speed_hz,0,10\nspeed_of_largest_1x_hz,0,10\n"
             "largest_amplitude_m,0,1e-04\n"
             "resonance_frequency_hz,0,9.75\nresonance_damping_ratio,0,0.02\nresonance_misfit,0,0.001\n"
-            "speed_of_largest_1x_hz,1,11\nlargest_amplitude_m,1,2e-04\n");
+            "critical_speed_hz,1,11\nspeed_of_largest_1x_hz,1,11\nlargest_amplitude_m,1,2e-04\n");
   EXPECT_EQ(tables.summary,
             "sensor 0 (0 deg)  1X largest at 10 Hz of this ramp, 0.0001 m; "
             "resonance by a fit to the ramp at 9.75 Hz, damping ratio 0.02, misfit 0.001\n"

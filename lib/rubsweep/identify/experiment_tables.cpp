@@ -102,6 +102,8 @@ ExperimentTables tables_of(const RunUp& run_up) {
   for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
     const std::optional<double> top_hz = run_up.speed_of_largest_1x_hz[i];
     const double largest_m = run_up.largest_amplitude_m[i];
+    // Scripts know this speed by its older name, which it deserves on slow ramps alone.
+    if (top_hz) add(tables.identification_csv, "critical_speed_hz", i, *top_hz);
     if (top_hz) add(tables.identification_csv, "speed_of_largest_1x_hz", i, *top_hz);
     if (run_up.sees[i] && !run_up.bode[i].empty())
       add(tables.identification_csv, "largest_amplitude_m", i, largest_m);
