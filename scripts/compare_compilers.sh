@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # compare_compilers.sh [TOLERANCE]: builds rubsweep with clang (preset clang) beside the release build, computes the golden
-# sub-map by either solver and the maps of figures 6 and 9 with both, and compares them: class and order on robust cells
-# exactly, numbers to TOLERANCE (1e-4, the one of the golden maps). Exits with 5 where maps differ, with 77 where there is
+# sub-map by either solver and the maps of the benchmark against one stop and two with both, and compares them: class and
+# order on robust cells exactly, numbers to TOLERANCE (1e-4, the one of the golden maps). Exits with 5 where maps differ, with 77 where there is
 # no clang or no release build.
 set -euo pipefail
 tolerance=${1:-1e-4}
@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
 { cmake --preset clang && cmake --build --preset clang --target rubsweep; } >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 
 differ=0
-for config in tests/regression/figure06_small.yaml{:exact,:adaptive} configs/{figure06_one_side,figure09_both_sides}.yaml:auto; do
+for config in tests/regression/benchmark_small.yaml{:exact,:adaptive} configs/{benchmark/one_side,benchmark/both_sides}.yaml:auto; do
   method=${config#*:} config=${config%:*}
   map=$(basename "$config" .yaml)_$method
   for build in release clang; do

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # compare_outputs.sh BEFORE AFTER [--grid SPEEDS UNBALANCES] [--without COLUMN] [CONFIG.yaml...]: what a change of the
 # code's shape must not change. BEFORE and AFTER are build directories, or directories with programs. Runs the programs
-# of both on each configuration, by default on all that are shipped (configs/ and configs/gallery/): maps (rubsweep), and
-# of the cell at 75 Hz and whirl ratio 0.4 the trace and the run-up through rub (rubtrace), a line (rubline), starts
+# of both on each configuration, by default on those of configs/, its gallery, its benchmark and its hard case: maps
+# (rubsweep), and of the cell at 75 Hz and whirl ratio 0.4 the trace and the run-up through rub (rubtrace), a line (rubline), starts
 # (rubbasin) and the branch (rubbranch); ring files (ringstab). Compares exit codes, errors and every byte of every file,
 # but for the lines `# digest`, `# sha256` and `# rubsweep VERSION`. What both refuse with the same errors is listed as
 # such. rubbench and rubreport are left out: one writes times, the other what the maps hold.
@@ -48,7 +48,7 @@ while (($# > 0)); do
   esac
 done
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-((${#configs[@]} > 0)) || configs=(configs/*.yaml configs/gallery/*.yaml)
+((${#configs[@]} > 0)) || configs=("$PWD"/configs/*.yaml "$PWD"/configs/{benchmark,gallery}/*.yaml "$PWD"/configs/hard_case/one_side.yaml)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -113,7 +113,9 @@ both() {
 }
 
 for config in "${configs[@]}"; do
-  name=$(basename "$config" .yaml)
+  name=${config%.yaml}
+  # Folders of configs/ have files of the same name.
+  [[ $name == "$PWD"/configs/* ]] && name=${name#"$PWD"/configs/} || name=${name##*/}
   program=rubsweep
   ! grep -q '^ring:' "$config" || program=ringstab
   if ! "$before/$program" --check "$config" >/dev/null 2>&1; then

@@ -57,7 +57,7 @@ std::string help() {
       "Compared exactly: {} and, of motions that repeat, {}.\n"
       "Compared to the tolerance, of motions that repeat: {}.\n\n"
       "Examples:\n"
-      "  rubsweep-compare results/golden/figure06_small.csv /tmp/new/map.csv --figure "
+      "  rubsweep-compare results/golden/benchmark_small.csv /tmp/new/map.csv --figure "
       "/tmp/new/difference.png\n"
       "  rubsweep-compare gcc/map.csv clang/map.csv --tolerance 1e-9\n\n"
       "Exit codes: 0 the maps are equal on robust cells; 1 usage; 3 input/output; 5 they differ.\n",

@@ -184,7 +184,7 @@ std::string rubtrace_help() {
       "One cell of a map under the lens: the motion from the start of the kick, all its revolutions.\n\n"
       "{}\n"
       "Examples:\n"
-      "  rubtrace configs/figure06_one_side.yaml --speed-hz 75 --whirl-ratio 0.3\n"
+      "  rubtrace configs/benchmark/one_side.yaml --speed-hz 75 --whirl-ratio 0.3\n"
       "  rubtrace configs/minimal.yaml --speed-rpm 3240 --unbalance-g-mm 240 --output /tmp/trace\n"
       "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
       "/tmp/trace\n"

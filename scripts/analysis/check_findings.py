@@ -26,13 +26,13 @@ SHIPPED = {
         "annulus_offset": "reference/figure12_annulus_offset",
     },
     "sets A, D": {
-        "one_side": "figure06_one_side",
-        "both_sides": "figure09_both_sides",
-        "both_sides_unequal": "both_sides_unequal",
-        "annulus": "figure11_annulus",
-        "annulus_offset": "figure12_annulus_offset",
+        "one_side": "benchmark/one_side",
+        "both_sides": "benchmark/both_sides",
+        "both_sides_unequal": "benchmark/both_sides_unequal",
+        "annulus": "benchmark/annulus",
+        "annulus_offset": "benchmark/annulus_offset",
     },
-    "set B": {"one_side": "figure06_set_b"},
+    "set B": {"one_side": "hard_case/one_side"},
 }
 WIDTH = 120
 

@@ -60,7 +60,7 @@ pictures:
 `rubplot PICTURE --help` says more of each.
 
 examples:
-  rubplot map results/figure06_one_side
+  rubplot map results/benchmark/one_side
   rubplot line results/my_line --output bifurcation.pdf
   rubplot trace results/my_trace --heading 'A rub' --formats svg,pdf
 

@@ -242,7 +242,7 @@ int main(int argc, char** argv) {
   annular("circle", 80, 0.6);
   annular("oval", 165, 0.6);
   annular("oval that attracts weakly", 120, 0.6);
-  whole_map(std::filesystem::path(argv[1]) / "figure06_one_side.yaml");
-  cost_per_cell(argv[1], {"figure06_one_side", "figure06_set_b", "rotor_kit"});
+  whole_map(std::filesystem::path(argv[1]) / "benchmark/one_side.yaml");
+  cost_per_cell(argv[1], {"benchmark/one_side", "hard_case/one_side", "rotor_kit"});
   return 0;
 }

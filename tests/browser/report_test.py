@@ -43,7 +43,7 @@ class ReportTest(unittest.TestCase):
         cls.work = pathlib.Path(tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.work)
         cls.map = cls.work / "map"
-        cls.config = top / "configs/figure06_one_side.yaml"
+        cls.config = top / "configs/benchmark/one_side.yaml"
         cls.map.mkdir()
         grid = "sweep={speed_hz: {from: 60, to: 180, count: 13}, whirl_ratio: {from: 0.1, to: 0.9, count: 9}}"
         subprocess.run([rubsweep, cls.config, "--set", grid, "--output", cls.map, "--quiet"], check=True)

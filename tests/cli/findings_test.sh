@@ -17,12 +17,13 @@ map() {
 }
 quiet=180,0.5,non_contact,,circle,,0,0,1e-4,0,1,0.5,
 circle=60,0.5,synchronous,1,circle,,0,1,2e-3,0,1,2,50
-for stem in figure06_one_side figure06_set_b figure09_both_sides both_sides_unequal figure12_annulus_offset \
+for stem in benchmark/one_side benchmark/both_sides benchmark/both_sides_unequal benchmark/annulus_offset hard_case/one_side \
+  hard_case/both_sides hard_case/both_sides_unequal hard_case/annulus hard_case/annulus_offset \
   reference/figure06_one_side reference/figure09_both_sides reference/both_sides_unequal reference/figure11_annulus \
   reference/figure12_annulus_offset; do
   map "$stem" "$quiet"
 done
-map figure11_annulus "$circle" "$quiet"
+map benchmark/annulus "$circle" "$quiet"
 
 # check EXPECTED_CODE [ARGUMENT]...
 check() {
@@ -46,7 +47,7 @@ check 0 --expected other_measure.txt
 sed '/2.0 to 2.0/s/holds$/partly/' expected.txt >other_verdict.txt
 check 1 --expected other_verdict.txt
 expect_contains stderr "3: annulus: synchronous circle at low speed, sets A, D: expected 'partly', found 'holds'"
-map figure11_annulus "$quiet"
+map benchmark/annulus "$quiet"
 check 1 --expected expected.txt
 expect_contains stderr "3: annulus: synchronous circle at low speed, sets A, D: expected 'holds', found 'not reproduced'"
 check 3 --expected missing.txt
@@ -55,11 +56,11 @@ expect_contains stderr 'check_findings.sh: cannot use other.txt'
 check 2 --mapps x
 
 # A machine of one's own beside them, with the map that it has.
-"$rubsweep" "$top/configs/figure11_annulus.yaml" --quiet --output mine/annulus --set 'sweep={speed_hz: {values: [60, 180]}, whirl_ratio: {values: [0.8]}}'
+"$rubsweep" "$top/configs/benchmark/annulus.yaml" --quiet --output mine/annulus --set 'sweep={speed_hz: {values: [60, 180]}, whirl_ratio: {values: [0.8]}}'
 check 0 --machine mine=mine
 expect_matches stdout '^   mine       \| 100 % of 1 cells, 2.0 to 2.0, .* \| holds$'
 expect_matches stdout '^   mine       \| 0 synchronous of 1 ovals, median 6.0, .* \| partly$'
 expect_matches stdout '^   mine       \| 1 of 1 cells, turning by .* axes [0-9.]+ to [0-9.]+ : 1 \| holds$'
 expect_matches stdout '^mine: .* 25 no map$'
 check 3 --machine mine
-check 3 --machine mine=maps/figure11_annulus
+check 3 --machine mine=maps/benchmark/annulus

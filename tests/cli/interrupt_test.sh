@@ -25,7 +25,7 @@ expect_end() {
 
 # interrupt SIGNAL CODE
 interrupt() {
-  start "$1" 3 "$top/configs/figure06_one_side.yaml" --set solver.method=adaptive
+  start "$1" 3 "$top/configs/benchmark/one_side.yaml" --set solver.method=adaptive
   kill -s "$1" "$running"
   expect_end "$2"
   expect_empty stdout
@@ -45,7 +45,7 @@ interrupt TERM 143
 rows TERM/map.partial.csv | tail -n 1 >last
 IFS=, read -r speed_hz whirl_ratio _ <last
 one_cell "$speed_hz" "$whirl_ratio"
-expect_exit 0 "$top/configs/figure06_one_side.yaml" "${cell[@]}" --set solver.method=adaptive --output alone
+expect_exit 0 "$top/configs/benchmark/one_side.yaml" "${cell[@]}" --set solver.method=adaptive --output alone
 rows alone/map.csv >row
 expect_same row last
 

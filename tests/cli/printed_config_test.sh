@@ -10,7 +10,7 @@ from rubplot import configuration
 for path, value in configuration.read_configuration(sys.argv[1]).items(): print(f"{path}={value}")' "$1"
 }
 
-for stem in minimal both_sides_unequal figure12_annulus_offset rotor_kit; do
+for stem in minimal benchmark/both_sides_unequal benchmark/annulus_offset rotor_kit; do
   expect_exit 0 "$top/configs/$stem.yaml" --print-config
   cp stdout printed.yaml
   values printed.yaml >values

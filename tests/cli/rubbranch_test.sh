@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # rubbranch: what it writes, what it prints and how it ends.
 source "$(dirname "$0")/support.sh"
-figure06=$top/configs/figure06_one_side.yaml
+figure06=$top/configs/benchmark/one_side.yaml
 
 # Command line.
 expect_help cell along from to curve curve-from curve-to switch points map fresh threads
@@ -62,7 +62,7 @@ expect_exit 0 "$figure06" --cell 75,0.4 --along kick.force_n --from 190 --to 210
   fail 'the kick changes an orbit that is there without it'
 
 # An oval in a centred annulus, whose period is none of the shaft: the orbit and the multipliers that a map proves.
-annulus=$top/configs/figure11_annulus.yaml
+annulus=$top/configs/benchmark/annulus.yaml
 expect_exit 0 "$annulus" --cell 180,0.6 --from 179.5 --to 180.5 --output oval
 expect_matches stdout '^branch 0  order 1, speed_hz 179.5 to 180.5, .* ends left_range and left_range$'
 "${rubsweep%/*}/rubsweep" "$annulus" --quiet --output cell \

@@ -114,7 +114,7 @@ expect_exit 4 "$minimal" --along speed_hz --from 29 --to 31 --count 3 --whirl-ra
   fail "other rows: $(rows failed/line.csv)"
 
 # Interrupted, what is finished is written.
-slow=("$top/configs/figure06_one_side.yaml" --along speed_hz --from 150 --to 154 --count 9000 --whirl-ratio 0.6 --kick --output slow)
+slow=("$top/configs/benchmark/one_side.yaml" --along speed_hz --from 150 --to 154 --count 9000 --whirl-ratio 0.6 --kick --output slow)
 "$rubsweep" "${slow[@]}" >stdout 2>stderr </dev/null &
 pid=$!
 sleep 1

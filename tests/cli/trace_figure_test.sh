@@ -79,7 +79,7 @@ expect_exit 0 "$minimal" --run-up 24:50:8 --eccentricity-m 2e-4 --with-stops --o
 for text in 'Run-up through rub, 24 to 50 Hz' 'at steady speed' 'order (backward &lt; 0 &lt; forward)' rubs; do
   expect_contains pictures/through.svg "$text"
 done
-expect_exit 0 "$top/configs/figure11_annulus.yaml" --run-up 50:24:-8 --eccentricity-m 1e-4 --with-stops --output through \
+expect_exit 0 "$top/configs/benchmark/annulus.yaml" --run-up 50:24:-8 --eccentricity-m 1e-4 --with-stops --output through \
   --figure pictures/down.png --quiet
 [[ -s pictures/down.png ]] || fail 'no picture of a run-down'
 # Without stops a run-up is a Bode plot.

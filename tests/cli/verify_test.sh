@@ -3,7 +3,7 @@
 # ringstab, rubreport.
 source "$(dirname "$0")/support.sh"
 rubtrace=$4 rubbranch=$5 ringstab=$6 rubreport=$7
-map=("$top/configs/figure06_one_side.yaml" --quiet --threads 1
+map=("$top/configs/benchmark/one_side.yaml" --quiet --threads 1
   --set 'sweep={speed_hz: {from: 70, to: 80, count: 3}, whirl_ratio: {values: [0.3, 0.4]}}')
 expect_exit 0 "${map[@]}" --output map
 "$rubbranch" --map map --quiet --threads 1 || fail 'no families'

@@ -8,6 +8,7 @@
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "support/map_cell.hpp"
+#include "support/map_name.hpp"
 
 namespace rubsweep {
 namespace {
@@ -75,10 +76,11 @@ TEST_P(BothSolvers, GiveTheSameClass) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OnEveryMap, BothSolvers,
-                         testing::Values("minimal", "figure06_one_side", "figure06_set_b",
-                                         "figure09_both_sides", "both_sides_unequal", "figure11_annulus",
-                                         "figure12_annulus_offset", "rotor_kit"),
-                         [](const auto& test) { return test.param; });
+                         testing::Values("minimal", "benchmark/one_side", "hard_case/one_side",
+                                         "benchmark/both_sides", "benchmark/both_sides_unequal",
+                                         "benchmark/annulus", "benchmark/annulus_offset", "reference_machine",
+                                         "reference/figure11_annulus", "rotor_kit"),
+                         [](const auto& test) { return test::name_of_map(test.param); });
 
 }  // namespace
 }  // namespace rubsweep

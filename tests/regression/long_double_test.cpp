@@ -6,6 +6,7 @@
 #include "rubsweep/config/read_run_config.hpp"
 #include "support/long_double_errors.hpp"
 #include "support/map_cell.hpp"
+#include "support/map_name.hpp"
 
 namespace rubsweep {
 namespace {
@@ -26,13 +27,13 @@ TEST_P(LongDouble, HasTheSameSectionAndMonodromyMatrix) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OnEveryKindOfMap, LongDouble,
-                         testing::Values("minimal", "figure06_one_side", "figure06_set_b",
-                                         "figure09_both_sides", "both_sides_unequal", "figure11_annulus",
-                                         "figure12_annulus_offset", "light_casing/annulus"),
-                         [](const auto& test) {
-                           return std::filesystem::path(test.param).filename().string() +
-                                  (test.param.find('/') == std::string::npos ? "" : "_of_light_casing");
-                         });
+                         testing::Values("minimal", "benchmark/one_side", "hard_case/one_side",
+                                         "benchmark/both_sides", "benchmark/both_sides_unequal",
+                                         "benchmark/annulus", "benchmark/annulus_offset",
+                                         "light_casing/annulus", "reference_machine",
+                                         "reference/figure09_both_sides", "reference/figure11_annulus",
+                                         "reference/figure12_annulus_offset"),
+                         [](const auto& test) { return test::name_of_map(test.param); });
 
 }  // namespace
 }  // namespace rubsweep

@@ -17,7 +17,7 @@ class Names(unittest.TestCase):
         self.assertEqual(figure.find("06"), ["figure06"])
         self.assertEqual(figure.find("ring-03"), ["ring_figure03"])
         self.assertEqual(figure.find("set_a-one-side"), ["set_a_one_side"])
-        self.assertEqual(len(figure.find("benchmarks")), 6)
+        self.assertEqual(len(figure.find("benchmarks")), 10)
         self.assertEqual(len(figure.find("ring")), 18)
         self.assertEqual(figure.find("all"), [*(f"figure{n:02}" for n in (*range(4, 14), 19)), "both_sides_unequal"])
 

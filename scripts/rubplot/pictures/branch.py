@@ -94,5 +94,5 @@ ones dashed, events marked.""",
     source="DIR",
     heading="Orbits along a parameter",
     picture=picture,
-    examples=("results/figure06_one_side_branch", "results/my_branch --output branch.pdf --heading 'The 1/2 orbit'"),
+    examples=("results/benchmark/one_side_branch", "results/my_branch --output branch.pdf --heading 'The 1/2 orbit'"),
 )

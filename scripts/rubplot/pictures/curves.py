@@ -105,5 +105,5 @@ marked and named.""",
     heading="Where orbits end, in two parameters",
     picture=picture,
     options=options,
-    examples=("results/my_curve", "results/my_curve --map results/figure06_one_side --output curves.pdf"),
+    examples=("results/my_curve", "results/my_curve --map results/benchmark/one_side --output curves.pdf"),
 )

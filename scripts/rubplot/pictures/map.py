@@ -63,6 +63,6 @@ beside it are drawn where they belong to the same map.""",
     heading="Rub domains after a kick",
     picture=picture,
     options=options,
-    examples=("results/figure06_one_side", "results/mine --fade --output mine.pdf",
+    examples=("results/benchmark/one_side", "results/mine --fade --output mine.pdf",
               "results/rotor_kit/map.csv --natural-frequency-hz 30.2 --formats png,svg,pdf"),
 )

@@ -232,7 +232,7 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
     // Steps of the table lead up to the parabola's root as far as they fit; the series reaches over what they
     // leave, with a quarter to spare, and over a twentieth of the whole, for the error of the parabola. Where
     // that is not enough the loop below takes a longer series, so that these two numbers decide the cost
-    // alone. Measured: of 810 000 landings of configs/figure06_one_side.yaml and 770 000 of three other maps
+    // alone. Measured: of 810 000 landings of configs/benchmark/one_side.yaml and 770 000 of three other maps
     // none was farther from the parabola's root than a twentieth, and none needed a second series, at 10.3
     // terms each in the mean. A series that reaches no farther than the parabola's root needs a second one in
     // 42 % of them, 15.3 terms in the mean.

@@ -114,8 +114,8 @@ class ModeBuilder {
     // contact the fast vibration against the stop ends the mode within a few radians of its own, and where
     // the mode has no modal form its bounds are computed on a grid as fine as that. Measured for a limit of
     // 4, 8, 16, 32, 64 radians, on 8 speeds of a map: 5.8, 4.9, 4.5, 4.3, 4.3 steps per change of mode in
-    // configs/figure06_set_b.yaml, and 9.2, 8.0, 7.7, 7.6, 8.0 in configs/rotor_kit.yaml. The first map takes
-    // 0.37, 0.35, 0.35, 0.39, 1.2 s, and 4 s without a limit.
+    // configs/hard_case/one_side.yaml, and 9.2, 8.0, 7.7, 7.6, 8.0 in configs/rotor_kit.yaml. The first map
+    // takes 0.37, 0.35, 0.35, 0.39, 1.2 s, and 4 s without a limit.
     mode_->longest_step_s = 1 / slowest(mode_->stiffness);
     if (!open()) mode_->longest_step_s = std::min(mode_->longest_step_s, 16 / mode_->fastest_rad_per_s);
     mode_->longest_steps_per_s = 1 / mode_->longest_step_s;
