@@ -133,6 +133,22 @@ TEST(ProveLimitCycle, RefusesATransientThatGoesElsewhere) {
   EXPECT_TRUE(prove_limit_cycle(form.motion(), start, {form.period()}));
 }
 
+/// Flows go forward only: one that was asked to go back read a state that is not there.
+TEST(ProveLimitCycle, RefusesATransientThatIsThrownAheadByMoreThanAPeriod) {
+  const NormalForm form;
+  const VectorXd start{{0.54, 0.72, 0}}, along{{-0.8, 0.6, 0}};
+  RotatingMotion motion = form.motion();
+  int thrown = 0;
+  motion.end = [&](const VectorXd& y, double t) -> std::optional<VectorXd> {
+    EXPECT_GT(t, 0);
+    if (y.norm() > 0.95) return form.after(y, t);
+    ++thrown;
+    return form.after(y, t) + 2 * form.period() * form.w * along;
+  };
+  EXPECT_FALSE(prove_limit_cycle(motion, start, {form.period()}));
+  EXPECT_EQ(thrown, 1);
+}
+
 TEST(ProveLimitCycle, GivesUpATransientThatComesNoNearer) {
   NormalForm form;
   form.a = 1e-4;

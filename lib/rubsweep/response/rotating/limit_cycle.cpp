@@ -164,7 +164,10 @@ bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Close
     predicted = across * (cycle.once.transition * off);
     last = distance;
     const double late_rad = along.dot(image - cycle.x) / rate.norm();
-    const auto end = motion.end(image, cycle.period_rad - late_rad);
+    // A state that was thrown ahead by a period or more is on its way elsewhere, and no flow goes back.
+    const double angle_rad = cycle.period_rad - late_rad;
+    if (!(angle_rad > 0)) return false;
+    const auto end = motion.end(image, angle_rad);
     if (!end || !end->allFinite()) return false;
     image = *end;
   }
