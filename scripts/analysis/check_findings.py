@@ -32,7 +32,13 @@ SHIPPED = {
         "annulus": "benchmark/annulus",
         "annulus_offset": "benchmark/annulus_offset",
     },
-    "set B": {"one_side": "hard_case/one_side"},
+    "set B": {
+        "one_side": "hard_case/one_side",
+        "both_sides": "hard_case/both_sides",
+        "both_sides_unequal": "hard_case/both_sides_unequal",
+        "annulus": "hard_case/annulus",
+        "annulus_offset": "hard_case/annulus_offset",
+    },
 }
 WIDTH = 120
 
