@@ -6,7 +6,7 @@ export LC_ALL=C.UTF-8
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 
 folders=()
-for folder in apps configs examples lib scripts studies tests; do [[ ! -d $folder ]] || folders+=("$folder"); done
+for folder in apps configs examples lib packaging scripts studies tests; do [[ ! -d $folder ]] || folders+=("$folder"); done
 ((${#folders[@]})) || { echo "no sources in $PWD"; exit 1; }
 
 find "${folders[@]}" -type f -regex '.*\.\(cpp\|hpp\|js\|css\|sh\|py\|gp\|cmake\|yaml\)\|.*/CMakeLists\.txt' -print0 |

@@ -7,4 +7,4 @@ scripts/bootstrap.sh
 cmake --preset release
 cmake --build --preset release
 # Some tests wait for what they started.
-ctest --preset release -LE 'long|findings|audit|fuzz|browser' --parallel "$(($(nproc) + 1))"
+ctest --preset release -LE 'long|findings|audit|fuzz|browser|package' --parallel "$(($(nproc) + 1))"

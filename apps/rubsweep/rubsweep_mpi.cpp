@@ -24,7 +24,9 @@
 #include "rubsweep/sweep/footprint.hpp"
 #include "rubsweep/sweep/run_cells.hpp"
 #include "rubsweep_arguments.hpp"
+#include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"
+#include "shared/figure.hpp"
 #include "shared/forecast.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
@@ -36,18 +38,42 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Options that make sense here, as rubsweep reads them.
+po::options_description options_of_a_map() {
+  po::options_description options("Options");
+  add_output(options, "write there instead of output.directory");
+  add_figure(options, "also draw the map as FILE.png, .svg or .pdf");
+  options.add_options()("fade",
+                        "of --figure: cells fade by robust_share, of response.robustness probability");
+  add_threads(options, "threads of each process; 0: one per processor");
+  add_set(options);
+  options.add_options()("fresh",
+                        "forget what earlier runs finished, a finished map included, and start over")(
+      "report",
+      "also write DIR/report.html, a page that shows the map and the motion of each cell at a click");
+  add_progress(options);
+  add_last(options);
+  return options;
+}
+
 std::string help() {
-  return "mpirun -n N rubsweep-mpi CONFIG.yaml [--output DIR] [--threads N] [--set KEY.PATH=VALUE]... "
-         "[--fresh]\n"
-         "                         [--figure FILE [--fade]] [--report] [--progress auto|always|never] "
-         "[--quiet]\n"
-         "Computes one map with N processes that share the output directory; see rubsweep --help for the "
-         "options.\n"
-         "--threads counts for each process. The map is the same, byte for byte, as that of rubsweep, and so "
-         "is what\n"
-         "happens when a run ends early: the same command, with any number of processes, computes the "
-         "rest. The\n"
-         "first process draws the picture and writes report.html, on --threads threads.\n";
+  return fmt::format(
+      "mpirun -n N rubsweep-mpi CONFIG.yaml [options]\n"
+      "Computes one map with N processes that share the output directory.\n\n"
+      "{}\n"
+      "Examples:\n"
+      "  mpirun -n 4 rubsweep-mpi configs/figure06_one_side.yaml --threads 1\n\n"
+      "The map is the same, byte for byte, as that of rubsweep, and so is what happens when a run ends "
+      "early: the same\n"
+      "command, with any number of processes, computes the rest. The first process draws the picture and "
+      "writes report.html,\n"
+      "on --threads threads. rubsweep --help explains the columns and classes of the map.\n\n"
+      "Exit codes: 0 done; 1 usage; 2 bad configuration, or DIR holds cells or a map of another one; 3 "
+      "input/output;\n"
+      "4 done, but some cells failed; 6 another process is at work in DIR; 70 out of memory or a fault of the "
+      "program; 128+signal\n"
+      "when interrupted.\n",
+      text_of(options_of_a_map()));
 }
 
 /// Returns an exit code; there is a job when it is `done`, and the map is not only asked about and not there.

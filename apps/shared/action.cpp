@@ -5,6 +5,7 @@
 #include "shared/exit_code.hpp"
 #include "shared/help_text.hpp"
 #include "shared/program.hpp"
+#include "shared/version_text.hpp"
 
 namespace rubsweep::apps {
 
@@ -12,7 +13,7 @@ bool answered(std::string_view program, Action action, const std::function<std::
   if (action == Action::help) {
     print("{}", wrapped(help()));
   } else if (action == Action::version) {
-    print("{} {}\n", program, RUBSWEEP_VERSION);
+    print("{}", version_text(program));
   } else {
     return false;
   }

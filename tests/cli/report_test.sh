@@ -100,7 +100,7 @@ expect_usage_error '--report needs the whole map: give it to --merge instead of 
 report_exit 0 --help
 expect_matches stdout '^Examples:$'
 report_exit 0 --version
-[[ $(<stdout) == "rubreport $version" ]] || fail 'another version'
+[[ $(head -n 1 stdout) == "rubreport $version" ]] || fail 'another version'
 # Shards are put together and reported in one go.
 expect_exit 0 "${small[@]}" --output shards --shard 1/2
 expect_exit 0 "${small[@]}" --output shards --shard 2/2

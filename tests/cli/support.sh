@@ -54,7 +54,10 @@ expect_help() {
   for option in "$@" set output quiet help version; do expect_matches stdout "^  --$option "; done
   expect_exit 0 --version
   expect_empty stderr
-  [[ $(<stdout) == "$program $version" ]] || fail "expected: $program $version"
+  [[ $(head -n 1 stdout) == "$program $version" ]] || fail "expected: $program $version"
+  expect_matches stdout '^commit ([0-9a-f]{12}(-dirty)?|unknown)$'
+  expect_matches stdout '^compiler [A-Za-z]+ [0-9.]+$'
+  [[ $(wc -l <stdout) == 3 ]] || fail 'expected three lines: version, commit, compiler'
 }
 
 # expect_contains FILE TEXT

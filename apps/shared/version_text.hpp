@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rubsweep::apps {
+
+/// Answer of a program to --version, a line each: its name and version, the commit of its sources, the compiler.
+std::string version_text(std::string_view program);
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,20 @@
+# Writes OUTPUT, a header that names the commit of SOURCE, where it names another one. "unknown" where SOURCE is no
+# checkout of its own; "-dirty" behind one that was changed since.
+set(commit unknown)
+execute_process(COMMAND git -C ${SOURCE} rev-parse --show-prefix OUTPUT_VARIABLE prefix
+  RESULT_VARIABLE status ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(status EQUAL 0 AND prefix STREQUAL "")
+  execute_process(COMMAND git -C ${SOURCE} describe --always --dirty --abbrev=12 --exclude=* OUTPUT_VARIABLE commit
+    ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+endif()
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[
+#pragma once
+
+#include <string_view>
+
+namespace rubsweep::apps {
+
+inline constexpr std::string_view commit = "${commit}";
+
+}  // namespace rubsweep::apps
+]])
