@@ -62,7 +62,7 @@ std::string help() {
       "Computes one map with N processes that share the output directory.\n\n"
       "{}\n"
       "Examples:\n"
-      "  mpirun -n 4 rubsweep-mpi configs/figure06_one_side.yaml --threads 1\n\n"
+      "  mpirun -n 4 rubsweep-mpi configs/benchmark/one_side.yaml --threads 1\n\n"
       "The map is the same, byte for byte, as that of rubsweep, and so is what happens when a run ends "
       "early: the same\n"
       "command, with any number of processes, computes the rest. The first process draws the picture and "

@@ -37,7 +37,7 @@ for program in rubsweep-compare rubbench rubline rubbasin rubbranch rubreport ri
   holds help.txt
 done
 # Configurations that lie beside others, with bases above them.
-for one in "$examples"/*.yaml "$examples"/gallery/*.yaml "$examples"/reference/*.yaml; do
+for one in "$examples"/*.yaml "$examples"/*/*.yaml; do
   case $one in
     */reference/stop.yaml) continue ;; # a part of others
     */ring_*) checked=ringstab ;;
