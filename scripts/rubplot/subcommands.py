@@ -14,6 +14,7 @@ from rubplot.pictures import (
     ring,
     ring_chart,
     run_up,
+    scope,
     threshold,
     trace,
     work_precision,
@@ -23,5 +24,5 @@ from rubplot.published import figure
 ALL = tuple(
     module.SUBCOMMAND
     for module in (map, threshold, compare, trace, line, cascade, branch, curves, basin, run_up, bode, campbell, identification,
-                   ring, ring_chart, work_precision, figure)
+                   scope, ring, ring_chart, work_precision, figure)
 )

@@ -1,0 +1,102 @@
+#include "rubsweep/recording/cell.hpp"
+
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace rubsweep::recording {
+namespace {
+
+std::string_view trimmed(std::string_view cell) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t begin = cell.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  cell = cell.substr(begin, cell.find_last_not_of(blanks) - begin + 1);
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+  return cell;
+}
+
+std::optional<double> whole_number(std::string_view digits) {
+  int value = 0;
+  if (digits.empty()) return std::nullopt;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || value < 0) return std::nullopt;
+  return value;
+}
+
+/// Parts between the signs `mark`, as numbers; the last one may have decimals.
+std::optional<std::vector<double>> numbers_between(std::string_view text, char mark,
+                                                   const NumberStyle* decimals) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::size_t end = text.find(mark);
+    const bool last = end == std::string_view::npos;
+    const std::string_view part = text.substr(0, end);
+    const auto number = last && decimals != nullptr ? number_in(part, *decimals) : whole_number(part);
+    if (!number || !(*number >= 0)) return std::nullopt;
+    numbers.push_back(*number);
+    if (last) return numbers;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// Seconds from 1970 to the begin of a day.
+std::optional<double> day_in(std::string_view date) {
+  using namespace std::chrono;
+  auto parts = numbers_between(date, '-', nullptr);
+  const bool year_first = parts && parts->size() == 3;
+  if (!year_first) parts = numbers_between(date, '.', nullptr);
+  if (!parts || parts->size() != 3) return std::nullopt;
+  const double y = year_first ? (*parts)[0] : (*parts)[2], d = year_first ? (*parts)[2] : (*parts)[0];
+  const year_month_day day{year(static_cast<int>(y)), month(static_cast<unsigned>((*parts)[1])),
+                           std::chrono::day(static_cast<unsigned>(d))};
+  if (!day.ok()) return std::nullopt;
+  return 86400.0 * static_cast<double>(sys_days(day).time_since_epoch().count());
+}
+
+}  // namespace
+
+std::vector<std::string_view> cells_of(std::string_view line, char separator) {
+  std::vector<std::string_view> cells;
+  while (true) {
+    const std::size_t end = line.find(separator);
+    cells.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos) return cells;
+    line.remove_prefix(end + 1);
+  }
+}
+
+std::optional<double> number_in(std::string_view cell, const NumberStyle& style) {
+  if (cell.empty() || cell == "NaN" || cell == "nan") return std::numeric_limits<double>::quiet_NaN();
+  std::string point;
+  if (style.decimal_comma) {
+    if (cell.find('.') != std::string_view::npos) return std::nullopt;  // dots between thousands
+    point = cell;
+    if (const std::size_t comma = point.find(','); comma != std::string::npos) point[comma] = '.';
+    cell = point;
+  }
+  if (cell.front() == '+') cell.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<double> time_stamp_in(std::string_view cell, const NumberStyle& style) {
+  double day_s = 0;
+  if (const std::size_t gap = cell.find_first_of(" T"); gap != std::string_view::npos) {
+    const auto day = day_in(cell.substr(0, gap));
+    if (!day) return std::nullopt;
+    day_s = *day;
+    cell.remove_prefix(gap + 1);
+  }
+  if (!cell.empty() && cell.back() == 'Z') cell.remove_suffix(1);
+  const auto parts = numbers_between(cell, ':', &style);
+  if (!parts || parts->size() != 3 || (*parts)[0] >= 24 || (*parts)[1] >= 60 || (*parts)[2] >= 61)
+    return std::nullopt;
+  return day_s + 3600 * (*parts)[0] + 60 * (*parts)[1] + (*parts)[2];
+}
+
+}  // namespace rubsweep::recording

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace rubsweep::recording {
+
+/// How the numbers of a table are written.
+struct NumberStyle {
+  char separator = ',';
+  bool decimal_comma = false;
+};
+
+/// The cells of a line, without blanks and quotes about them.
+std::vector<std::string_view> cells_of(std::string_view line, char separator);
+
+/// The number in a cell, NaN for an empty one or one that says NaN; nothing where it is no number, infinity
+/// included.
+std::optional<double> number_in(std::string_view cell, const NumberStyle& style);
+
+/// Seconds since midnight, or since an epoch where there is a date (year-month-day or day.month.year) before
+/// a blank or T; nothing where it is no time stamp.
+std::optional<double> time_stamp_in(std::string_view cell, const NumberStyle& style);
+
+}  // namespace rubsweep::recording

@@ -1,0 +1,85 @@
+#include "rubsweep/recording/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubsweep::recording {
+namespace {
+
+constexpr std::size_t fewest_equal = 5;
+constexpr double largest_change = 0.01;
+constexpr double fewest_readings = 20;
+
+/// Smallest step from one reading to the next: that of the converter, where there is one.
+double smallest_step(std::span<const double> readings) {
+  double smallest = INFINITY;
+  for (std::size_t k = 1; k < readings.size(); ++k) {
+    const double step = std::abs(readings[k] - readings[k - 1]);
+    if (step > 0) smallest = std::fmin(smallest, step);
+  }
+  return smallest;
+}
+
+/// Whether readings stay at a value for long and come to it by more than `step`: the top of a rounded curve
+/// that a coarse converter flattens is reached by one step.
+bool is_cut_at(std::span<const double> readings, double value, double step) {
+  for (std::size_t k = 1; k < readings.size(); ++k) {
+    if (readings[k] != value || std::isnan(readings[k - 1]) || readings[k - 1] == value) continue;
+    std::size_t end = k;
+    while (end < readings.size() && readings[end] == value) ++end;
+    if (end - k >= fewest_equal && std::abs(readings[k - 1] - value) > step) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void add_findings(std::span<const double> readings, const std::string& column,
+                  std::span<const std::size_t> line, std::vector<std::string>& findings) {
+  const auto is_gap = [](double value) { return std::isnan(value); };
+  if (const auto gaps = std::ranges::count_if(readings, is_gap); gaps > 0) {
+    const auto first = static_cast<std::size_t>(std::ranges::find_if(readings, is_gap) - readings.begin());
+    findings.push_back(fmt::format("'{}' has gaps: {} readings are missing, the first one in line {}", column,
+                                   gaps, line[first]));
+  }
+  double low = INFINITY, high = -INFINITY;
+  for (const double value : readings) {
+    low = std::fmin(low, value);
+    high = std::fmax(high, value);
+  }
+  if (!(low < high)) {
+    findings.push_back(fmt::format("'{}' is dead: it reads one value all the time", column));
+    return;
+  }
+  const double step = 2.5 * smallest_step(readings);
+  const bool below = is_cut_at(readings, low, step), above = is_cut_at(readings, high, step);
+  if (below || above) {
+    findings.push_back(fmt::format("'{}' is clipped {}", column,
+                                   below && above ? "at both ends of its range"
+                                   : below        ? "below"
+                                                  : "above"));
+  }
+}
+
+void add_speed_findings(std::span<const double> turn_begin_s, double sampling_rate_hz,
+                        std::vector<std::string>& findings) {
+  for (std::size_t k = 2; k < turn_begin_s.size(); ++k) {
+    const double before_s = turn_begin_s[k - 1] - turn_begin_s[k - 2],
+                 now_s = turn_begin_s[k] - turn_begin_s[k - 1];
+    if (std::abs(now_s - before_s) <= largest_change * before_s) continue;
+    findings.push_back(
+        fmt::format("the speed is unsteady: at {:.4g} s it goes from {:.5g} to {:.5g} Hz within a turn",
+                    turn_begin_s[k - 1], 1 / before_s, 1 / now_s));
+    break;
+  }
+  const double mean_s =
+      (turn_begin_s.back() - turn_begin_s.front()) / static_cast<double>(turn_begin_s.size() - 1);
+  if (mean_s * sampling_rate_hz < fewest_readings) {
+    findings.push_back(fmt::format("{:.3g} readings a turn: motion above {:.3g}X is folded to other orders",
+                                   mean_s * sampling_rate_hz, mean_s * sampling_rate_hz / 2));
+  }
+}
+
+}  // namespace rubsweep::recording

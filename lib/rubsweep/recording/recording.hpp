@@ -1,0 +1,38 @@
+#pragma once
+
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "rubsweep/recording/delimited_text.hpp"
+#include "rubsweep/recording/instrument.hpp"
+
+namespace rubsweep::recording {
+
+/// Samples of one turn of the shaft.
+inline constexpr int samples_per_revolution = 128;
+
+/// What was measured, over whole turns of the shaft and at equal angles.
+struct Recording {
+  double sampling_rate_hz = 0;
+  std::vector<double> turn_begin_s{};  ///< one more than there are turns
+  /// Displacement x + iy in metres, samples_per_revolution of every turn; of one probe its reading, real.
+  std::vector<std::complex<double>> displacement_m{};
+  bool plane = false;                   ///< two probes
+  std::vector<std::string> findings{};  ///< what is wrong with the numbers, sentences without a full stop
+
+  int turns() const { return static_cast<int>(turn_begin_s.size()) - 1; }
+};
+
+/// Fewest whole turns that are worth to be looked at.
+inline constexpr int fewest_turns = 4;
+
+/// Puts columns and instrument together. Turns that a gap in a signal touches are left out: the longest
+/// stretch without one stays. Findings: gaps, a clipped signal (its largest or smallest value more often in a
+/// row than a motion can have it), a dead probe, a speed that changes by more than 1 % from one turn to the
+/// next, vibration near half the sampling rate. Throws ConfigError, with `name`:line where a row is at fault,
+/// for columns that are not there, units that are not known, times that are not evenly spaced, and fewer
+/// turns than `fewest_turns`.
+Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name);
+
+}  // namespace rubsweep::recording

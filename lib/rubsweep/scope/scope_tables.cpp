@@ -1,0 +1,134 @@
+#include "rubsweep/scope/scope_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/recording/turns.hpp"
+
+namespace rubsweep::scope {
+namespace {
+
+using batch::csv_number;
+using recording::Recording;
+using recording::samples_per_revolution;
+
+std::string point(std::complex<double> z, bool plane) {
+  return plane ? csv_number(z.real()) + ',' + csv_number(z.imag()) : csv_number(z.real());
+}
+
+std::string turns_csv(const Recording& recording, const std::vector<double>& speeds_hz) {
+  std::string text = recording.plane ? "turn,t_s,speed_hz,x_m,y_m\n" : "turn,t_s,speed_hz,x_m\n";
+  for (std::size_t turn = 0; turn < speeds_hz.size(); ++turn) {
+    text += fmt::format("{},{},{},{}\n", turn, csv_number(recording.turn_begin_s[turn]),
+                        csv_number(speeds_hz[turn]),
+                        point(recording.displacement_m[turn * samples_per_revolution], recording.plane));
+  }
+  return text;
+}
+
+std::string orbit_csv(const Verdict& verdict, bool plane) {
+  std::string text = plane ? "turns,x_m,y_m\n" : "turns,x_m\n";
+  for (std::size_t k = 0; k < verdict.orbit_m.size(); ++k) {
+    text += fmt::format("{},{}\n", csv_number(static_cast<double>(k) / samples_per_revolution),
+                        point(verdict.orbit_m[k], plane));
+  }
+  return text;
+}
+
+std::string lines_csv(const Verdict& verdict) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  std::string text = "order,amplitude_m,uncertainty_m,phase_deg,phase_uncertainty_deg\n";
+  for (const MeasuredLine& line : verdict.lines) {
+    const double amplitude_m = std::abs(line.amplitude_m);
+    // Below its noise a line has no phase.
+    const double phase_rad = amplitude_m > verdict.noise_m ? verdict.noise_m / amplitude_m : NAN;
+    text += fmt::format("{},{},{},{},{}\n", csv_number(line.order), csv_number(amplitude_m),
+                        csv_number(verdict.noise_m),
+                        csv_number(std::isnan(phase_rad) ? NAN : std::arg(line.amplitude_m) * degrees),
+                        csv_number(phase_rad * degrees));
+  }
+  return text;
+}
+
+/// Difference of the largest and the smallest value of a direction of the orbit.
+double peak_to_peak_m(const Verdict& verdict, bool y) {
+  const auto part = [&](std::complex<double> z) { return y ? z.imag() : z.real(); };
+  const auto [low, high] = std::ranges::minmax_element(verdict.orbit_m, {}, part);
+  return part(*high) - part(*low);
+}
+
+std::string period_text(const Verdict& verdict) {
+  if (!verdict.period) {
+    return fmt::format("{}: repeats after no number of turns up to {}", to_string(verdict.motion),
+                       verdict.longest_period);
+  }
+  std::string text(to_string(verdict.motion));
+  if (*verdict.period > 1) text += fmt::format(" 1/{}", *verdict.period);
+  if (verdict.shape)
+    text += fmt::format(", {} orbit, {} whirl", to_string(*verdict.shape), to_string(*verdict.whirl));
+  return text;
+}
+
+/// What noise and length leave open.
+std::string doubt_text(const Verdict& verdict, double mean_speed_hz) {
+  if (const auto& doubt = verdict.doubtful) {
+    return fmt::format(
+        "1/{} or 1/{}: {:.2g} s more would tell (a line of {:.2g} um, seen from {:.2g} um on)\n",
+        *verdict.period, doubt->turns, std::max(doubt->more_turns, 1.0) / mean_speed_hz,
+        1e6 * doubt->amplitude_m, 1e6 * verdict.visible_m);
+  }
+  if (verdict.longest_period < max_period) {
+    return fmt::format(
+        "periods of more than {} turns cannot be told by {} turns; {:.2g} s more would tell up to {}\n",
+        verdict.longest_period, verdict.turns, (3 * max_period - verdict.turns) / mean_speed_hz, max_period);
+  }
+  return fmt::format("no line of {:.2g} um or more belongs to another period\n", 1e6 * verdict.visible_m);
+}
+
+}  // namespace
+
+ScopeTables tables_of(const Recording& recording, const Verdict& verdict) {
+  const std::vector<double> speeds_hz = recording::turn_speeds_hz(recording.turn_begin_s);
+  const auto [slowest, fastest] = std::ranges::minmax(speeds_hz);
+  const double mean_hz = recording.turns() / (recording.turn_begin_s.back() - recording.turn_begin_s.front());
+  const double sample_noise_m = verdict.noise_m * std::sqrt(static_cast<double>(verdict.turns)) *
+                                std::sqrt(double{samples_per_revolution});
+  ScopeTables tables{.turns_csv = turns_csv(recording, speeds_hz),
+                     .orbit_csv = orbit_csv(verdict, recording.plane),
+                     .lines_csv = lines_csv(verdict),
+                     .measures_csv = "quantity,value,uncertainty\n",
+                     .summary = {}};
+  const auto measure = [&](const char* quantity, double value, double uncertainty) {
+    tables.measures_csv += fmt::format("{},{},{}\n", quantity, csv_number(value), csv_number(uncertainty));
+  };
+  measure("turns", verdict.turns, NAN);
+  measure("speed_hz", mean_hz, NAN);
+  if (verdict.period) measure("period_turns", *verdict.period, NAN);
+  measure("line_noise_m", verdict.noise_m, NAN);
+  measure("visible_line_m", verdict.visible_m, NAN);
+  // Noise of both ends; the mean over periods lessens it.
+  const double periods = static_cast<double>(verdict.turns) / verdict.period.value_or(verdict.turns);
+  const double end_noise_m = sample_noise_m * std::sqrt(2 / periods);
+  measure("peak_to_peak_x_m", peak_to_peak_m(verdict, false), end_noise_m);
+  if (recording.plane) measure("peak_to_peak_y_m", peak_to_peak_m(verdict, true), end_noise_m);
+  if (verdict.whirl) measure("forward_share", verdict.forward_share, verdict.forward_share_uncertainty);
+  tables.summary =
+      fmt::format("speed     {:.6g} Hz ({:.6g} to {:.6g}), {} turns, {:.4g} readings a turn\n", mean_hz,
+                  slowest, fastest, recording.turns(), recording.sampling_rate_hz / mean_hz);
+  tables.summary +=
+      fmt::format("motion    {}\n          {}", period_text(verdict), doubt_text(verdict, mean_hz));
+  tables.summary += fmt::format("size      {:.4g} um peak to peak", 1e6 * peak_to_peak_m(verdict, false));
+  if (recording.plane)
+    tables.summary += fmt::format(" in x, {:.4g} um in y", 1e6 * peak_to_peak_m(verdict, true));
+  tables.summary += fmt::format("; a line has {:.2g} um of noise\n", 1e6 * verdict.noise_m);
+  for (const std::string& finding : recording.findings)
+    tables.summary += fmt::format("warning   {}\n", finding);
+  return tables;
+}
+
+}  // namespace rubsweep::scope

@@ -1,0 +1,213 @@
+#include "rubsweep/scope/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/response/spectrum/discrete_lines.hpp"
+
+namespace rubsweep::scope {
+namespace {
+
+using Complex = std::complex<double>;
+using response::spectrum::FullSpectrum;
+using response::spectrum::SpectrumWorkspace;
+
+constexpr int fewest_periods = 3;
+constexpr double false_alarm = 0.01;
+constexpr double smallest_share = 1e-3;
+/// The same of a line that is not visible and yet suspicious.
+constexpr double suspicion = 0.2;
+
+int longest_period_in(int turns) { return std::min(max_period, turns / fewest_periods); }
+
+/// Lines that are looked at: |order| up to most_order, but not 0X.
+template <class Look>
+void for_lines(const FullSpectrum& spectrum, Look look) {
+  const int last = static_cast<int>(most_order * spectrum.turns);
+  for (int k = std::max(-last, spectrum.first_line()); k <= std::min(last, spectrum.last_line()); ++k)
+    if (k != 0) look(k, spectrum.amplitude(k));
+}
+
+/// Whether line k of so many turns stands at a multiple of 1/n.
+bool on_comb(int k, int turns, int n) { return static_cast<long>(k) * n % turns == 0; }
+
+/// Standard deviation of each component of a line, by the median of those that belong to no period.
+double noise_of(const FullSpectrum& spectrum) {
+  std::vector<double> between, all;
+  for_lines(spectrum, [&](int k, double amplitude) {
+    bool belongs = false;
+    for (int n = 1; n <= longest_period_in(spectrum.turns); ++n)
+      belongs = belongs || on_comb(k, spectrum.turns, n);
+    all.push_back(amplitude);
+    if (!belongs) between.push_back(amplitude);
+  });
+  constexpr std::size_t fewest_lines = 16;
+  std::vector<double>& lines = between.size() >= fewest_lines ? between : all;
+  const auto middle = lines.begin() + static_cast<std::ptrdiff_t>(lines.size() / 2);
+  std::ranges::nth_element(lines, middle);
+  return *middle / std::sqrt(2 * std::numbers::ln2);
+}
+
+struct Threshold {
+  double noise_m = 0, suspicious_m = 0, visible_m = 0, largest_m = 0;
+};
+
+Threshold threshold_of(const FullSpectrum& spectrum) {
+  Threshold threshold{.noise_m = noise_of(spectrum)};
+  int count = 0;
+  for_lines(spectrum, [&](int, double amplitude) {
+    ++count;
+    threshold.largest_m = std::max(threshold.largest_m, amplitude);
+  });
+  // Noise alone is above s sqrt(2 ln(count / p)) in one of the lines with probability p.
+  const auto reached = [&](double probability) {
+    return threshold.noise_m * std::sqrt(2 * std::log(count / probability));
+  };
+  const double floor_m = smallest_share * threshold.largest_m;
+  threshold.suspicious_m = std::max(reached(suspicion), floor_m);
+  threshold.visible_m = std::max(reached(false_alarm), floor_m);
+  return threshold;
+}
+
+/// Largest line that is no multiple of 1/n; with a period, among the multiples of 1 / period.
+double largest_beside(const FullSpectrum& spectrum, int n, int period = 0) {
+  double largest = 0;
+  for_lines(spectrum, [&](int k, double amplitude) {
+    if (!on_comb(k, spectrum.turns, n) && (period == 0 || on_comb(k, spectrum.turns, period)))
+      largest = std::max(largest, amplitude);
+  });
+  return largest;
+}
+
+/// The last whole periods of n turns.
+std::span<const Complex> whole_periods(std::span<const Complex> samples, int samples_per_revolution, int n) {
+  const std::size_t period = static_cast<std::size_t>(n) * static_cast<std::size_t>(samples_per_revolution);
+  return samples.last(samples.size() / period * period);
+}
+
+std::vector<Complex> mean_period(std::span<const Complex> samples, std::size_t length) {
+  std::vector<Complex> mean(length);
+  for (std::size_t k = 0; k < samples.size(); ++k) mean[k % length] += samples[k];
+  for (Complex& z : mean) z /= static_cast<double>(samples.size() / length);
+  return mean;
+}
+
+std::vector<MeasuredLine> lines_of(std::span<const Complex> orbit, int turns) {
+  std::vector<MeasuredLine> lines;
+  const int last = std::min(static_cast<int>(most_order * turns), static_cast<int>(orbit.size()) / 2 - 1);
+  for (int k = -last; k <= last; ++k) {
+    Complex sum = 0;
+    const double step = -2 * std::numbers::pi * k / static_cast<double>(orbit.size());
+    for (std::size_t j = 0; j < orbit.size(); ++j)
+      sum += orbit[j] * std::polar(1.0, step * static_cast<double>(j));
+    lines.push_back({static_cast<double>(k) / turns, sum / static_cast<double>(orbit.size())});
+  }
+  return lines;
+}
+
+/// A longer period of which a line is suspicious.
+std::optional<DoubtfulPeriod> doubtful_period(const FullSpectrum& spectrum, int period, int longest,
+                                              const Threshold& threshold) {
+  for (int n = 2 * period; n <= longest; n += period) {
+    if (spectrum.turns % n != 0) continue;
+    const double amplitude = largest_beside(spectrum, period, n);
+    if (!(amplitude > threshold.suspicious_m)) continue;
+    // Noise of a line falls with the root of the length, and so does what is visible.
+    const double ratio = threshold.visible_m / amplitude;
+    return DoubtfulPeriod{n, amplitude, spectrum.turns * (ratio * ratio - 1)};
+  }
+  return std::nullopt;
+}
+
+/// Share of the energy on the forward side and what noise does to it.
+void measure_whirl(Verdict& verdict) {
+  double forward = 0, backward = 0;
+  for (const MeasuredLine& line : verdict.lines) {
+    if (line.order > 0) forward += std::norm(line.amplitude_m);
+    if (line.order < 0) backward += std::norm(line.amplitude_m);
+  }
+  const double all = forward + backward;
+  verdict.whirl = response::spectrum::whirl_kind(forward, backward);
+  verdict.forward_share = forward / all;
+  // d(f / (f + b)) with df = 2 sqrt(f) s and db = 2 sqrt(b) s.
+  verdict.forward_share_uncertainty = 2 * verdict.noise_m * std::sqrt(forward * backward / all) / all;
+}
+
+}  // namespace
+
+std::string_view to_string(MeasuredClass value) {
+  switch (value) {
+    case MeasuredClass::at_rest:
+      return "at_rest";
+    case MeasuredClass::synchronous:
+      return "synchronous";
+    case MeasuredClass::subharmonic:
+      return "subharmonic";
+    case MeasuredClass::quasi_periodic:
+      return "quasi_periodic";
+    case MeasuredClass::aperiodic:
+      return "aperiodic";
+  }
+  throw SolverError("measured class: no such enumerator");
+}
+
+Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolution, bool plane) {
+  const int turns = static_cast<int>(displacement_m.size()) / samples_per_revolution;
+  if (turns < fewest_periods + 1) throw SolverError("judge: too few turns");
+  SpectrumWorkspace workspace;
+  Verdict verdict{.longest_period = longest_period_in(turns)};
+  const FullSpectrum whole = response::spectrum::full_spectrum(displacement_m, turns, workspace);
+  const Threshold first = threshold_of(whole);
+  verdict.turns = turns;
+  verdict.noise_m = first.noise_m;
+  verdict.visible_m = first.visible_m;
+  if (first.largest_m <= first.noise_m * std::sqrt(2 * std::log(2 * most_order * turns / false_alarm))) {
+    verdict.period = 1;
+  }
+  const bool rest = verdict.period.has_value();
+  for (int n = 1; n <= verdict.longest_period && !verdict.period; ++n) {
+    const auto window = whole_periods(displacement_m, samples_per_revolution, n);
+    const int length = static_cast<int>(window.size()) / samples_per_revolution;
+    const FullSpectrum spectrum = response::spectrum::full_spectrum(window, length, workspace);
+    const Threshold threshold = threshold_of(spectrum);
+    if (largest_beside(spectrum, n) > threshold.visible_m) continue;
+    verdict.period = n;
+    verdict.turns = length;
+    verdict.noise_m = threshold.noise_m;
+    verdict.visible_m = threshold.visible_m;
+    for (int m = 2 * n; m <= verdict.longest_period && !verdict.doubtful; m += n) {
+      const auto longer = whole_periods(displacement_m, samples_per_revolution, m);
+      const int longer_turns = static_cast<int>(longer.size()) / samples_per_revolution;
+      const FullSpectrum of_longer = response::spectrum::full_spectrum(longer, longer_turns, workspace);
+      verdict.doubtful = doubtful_period(of_longer, n, m, threshold_of(of_longer));
+    }
+  }
+  if (verdict.period) {
+    const int n = *verdict.period;
+    verdict.motion = rest     ? MeasuredClass::at_rest
+                     : n == 1 ? MeasuredClass::synchronous
+                              : MeasuredClass::subharmonic;
+    const auto length = static_cast<std::size_t>(n) * static_cast<std::size_t>(samples_per_revolution);
+    verdict.orbit_m = mean_period(whole_periods(displacement_m, samples_per_revolution, n), length);
+    verdict.lines = lines_of(verdict.orbit_m, n);
+  } else {
+    const std::size_t half = displacement_m.size() / 2;
+    const bool same = response::spectrum::same_discrete_lines(displacement_m.first(half),
+                                                              displacement_m.last(half), workspace);
+    verdict.motion = same ? MeasuredClass::quasi_periodic : MeasuredClass::aperiodic;
+    verdict.orbit_m.assign(displacement_m.begin(), displacement_m.end());
+    verdict.lines = lines_of(verdict.orbit_m, turns);
+  }
+  if (plane && !rest) {
+    verdict.shape = response::spectrum::orbit_kind(
+        verdict.orbit_m,
+        response::spectrum::full_spectrum(verdict.orbit_m, verdict.period.value_or(turns), workspace));
+    measure_whirl(verdict);
+  }
+  return verdict;
+}
+
+}  // namespace rubsweep::scope
