@@ -6,19 +6,20 @@
 #include <string>
 #include <string_view>
 
+#include "rubsweep/batch/input_file.hpp"
+#include "rubsweep/batch/result_files.hpp"
+#include "rubsweep/config/file.hpp"
+#include "rubsweep/config/recording/read_instrument.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/recording/recording.hpp"
+#include "rubsweep/recording/recording_file.hpp"
+#include "rubsweep/scope/scope_tables.hpp"
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/figure.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
-#include "rubsweep/batch/result_files.hpp"
-#include "rubsweep/batch/input_file.hpp"
-#include "rubsweep/config/file.hpp"
-#include "rubsweep/config/recording/read_instrument.hpp"
-#include "rubsweep/config/study_digest.hpp"
-#include "rubsweep/recording/recording.hpp"
-#include "rubsweep/scope/scope_tables.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -92,7 +93,7 @@ int look(const po::variables_map& given) {
   const recording::Instrument instrument =
       config::recording::read_instrument_text(description, beside.string());
   const std::string text = batch::read_input(file);
-  const recording::Channels channels = recording::read_delimited_text(text, file.string());
+  const recording::Channels channels = recording::read_recording_file(file, text);
   const recording::Recording recording = recording::make_recording(channels, instrument, file.string());
   const scope::Verdict verdict =
       scope::judge(recording.displacement_m, recording::samples_per_revolution, recording.plane);
@@ -100,10 +101,11 @@ int look(const po::variables_map& given) {
   const ResultDirectory made(directory, file_names);
   end_on_interrupts("nothing was written");
   const batch::ResultFiles files{{"turns.csv", std::move(tables.turns_csv)},
-                          {"orbit.csv", std::move(tables.orbit_csv)},
-                          {"lines.csv", std::move(tables.lines_csv)},
-                          {"measures.csv", std::move(tables.measures_csv)}};
-  batch::write_result_files(files, file_names, directory, {"rubscope", config::digest_of(description + text), {}});
+                                 {"orbit.csv", std::move(tables.orbit_csv)},
+                                 {"lines.csv", std::move(tables.lines_csv)},
+                                 {"measures.csv", std::move(tables.measures_csv)}};
+  batch::write_result_files(files, file_names, directory,
+                            {"rubscope", config::digest_of(description + text), {}});
   if (!given.count("quiet")) print("{}{}", tables.summary, batch::files_line(files, directory));
   if (figure) {
     figure->draw("scope", directory, file.filename().string());

@@ -7,10 +7,11 @@
 namespace rubsweep::recording {
 namespace {
 
-std::vector<std::string> of_readings(const std::vector<double>& readings) {
-  const std::vector<std::size_t> line(readings.size(), 1);
+std::vector<std::string> of_readings(const std::vector<double>& readings,
+                                     std::optional<double> full_scale = {}) {
+  const Channels table{.channels = {{"x", "", readings}}};
   std::vector<std::string> findings;
-  add_findings(readings, "x", line, findings);
+  add_findings(table.channels.front(), table, full_scale, findings);
   return findings;
 }
 
@@ -24,7 +25,22 @@ TEST(Findings, ClippedIsNotTheFlatTopOfACoarseConverter) {
   }
   EXPECT_TRUE(of_readings(coarse).empty());
   EXPECT_EQ(of_readings(clipped), std::vector<std::string>{"'x' is clipped above"});
-  EXPECT_EQ(of_readings(both).size(), 0u + 1u);
+  EXPECT_EQ(of_readings(both), std::vector<std::string>{"'x' is clipped at both ends of its range"});
+}
+
+TEST(Findings, ReadingsAtFullScaleAreClippedHoweverShort) {
+  EXPECT_TRUE(of_readings({0, 9.5, 3, -9}, 10).empty());
+  EXPECT_EQ(of_readings({0, 9.5, 3, -10}, 10), std::vector<std::string>{"'x' is clipped below"});
+}
+
+TEST(Findings, MarksOfAKeyphasor) {
+  std::vector<std::string> findings;
+  add_mark_findings({}, "KP", findings);
+  EXPECT_TRUE(findings.empty());
+  add_mark_findings({.t_s = {}, .filled = 2, .dropped = 1}, "KP", findings);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_TRUE(findings[0].starts_with("'KP' has no mark in 2 turns"));
+  EXPECT_TRUE(findings[1].starts_with("'KP' has 1 marks too many"));
 }
 
 TEST(Findings, AnUnsteadySpeedAndFewReadings) {

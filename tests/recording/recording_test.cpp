@@ -85,7 +85,8 @@ TEST(Recording, NamesWhatIsWrong) {
   Channels channels = ellipse();
   auto& a = channels.channels[1].values;
   a[700] = NAN;
-  for (double& value : a) value = std::fmin(value, -8700.0);
+  for (double& value : a)
+    if (value > -8700) value = -8700;
   channels.channels[2].values.assign(a.size(), -9000.0);
   const Recording recording = make_recording(channels, two_probes, "f.csv");
   EXPECT_EQ(recording.findings, (std::vector<std::string>{

@@ -6,6 +6,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/recording/cell.hpp"
+#include "rubsweep/recording/name_unit.hpp"
 
 namespace rubsweep::recording {
 namespace {
@@ -62,7 +63,7 @@ std::optional<NumberStyle> style_of(std::string_view line) {
 /// the name.
 void name_channel(Channel& channel, std::string_view cell) {
   channel.name = cell;
-  if (cell.ends_with("_s") || cell.ends_with("_m")) channel.unit = cell.back();
+  channel.unit = unit_in_ending(cell);
   if (cell.empty() || (cell.back() != ')' && cell.back() != ']')) return;
   const std::size_t begin = cell.rfind(cell.back() == ')' ? '(' : '[');
   if (begin == std::string_view::npos) return;

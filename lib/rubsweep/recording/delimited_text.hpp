@@ -1,28 +1,15 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "rubsweep/recording/channels.hpp"
 
 namespace rubsweep::recording {
 
-/// One column of what an instrument wrote.
-struct Channel {
-  std::string name;            ///< without its unit; "column 1", "column 2", ... in a file without a header
-  std::string unit;            ///< as written, without brackets; empty: none
-  std::vector<double> values;  ///< NaN where a cell is empty or says NaN: a gap
-};
-
-/// Columns of one file, of equal length, at least one with at least two values.
-struct Channels {
-  std::vector<Channel> channels;
-  std::vector<std::size_t> line;  ///< of every row, from 1
-};
-
 /// Reads a table as instruments write them: text before it (names and units are the last lines of that which
-/// have as many cells as the numbers), cells parted by tabs, semicolons or commas, decimal points or commas,
-/// comments behind
+/// have as many cells as the numbers; without them the names are "column 1", "column 2", ...), cells parted
+/// by tabs, semicolons or commas, decimal points or commas, comments behind
 /// '#' or '%', byte order mark, line ends of any system. A unit stands in brackets behind the name or in a
 /// line of its own below the names; names that end with _s or _m are in seconds or metres. A first column of
 /// time stamps (12:30:01.25, with or without a date before it) becomes seconds since the first one; it may

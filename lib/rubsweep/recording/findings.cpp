@@ -36,13 +36,15 @@ bool is_cut_at(std::span<const double> readings, double value, double step) {
 
 }  // namespace
 
-void add_findings(std::span<const double> readings, const std::string& column,
-                  std::span<const std::size_t> line, std::vector<std::string>& findings) {
+void add_findings(const Channel& channel, const Channels& table, std::optional<double> full_scale,
+                  std::vector<std::string>& findings) {
+  const std::vector<double>& readings = channel.values;
+  const std::string& column = channel.name;
   const auto is_gap = [](double value) { return std::isnan(value); };
   if (const auto gaps = std::ranges::count_if(readings, is_gap); gaps > 0) {
     const auto first = static_cast<std::size_t>(std::ranges::find_if(readings, is_gap) - readings.begin());
-    findings.push_back(fmt::format("'{}' has gaps: {} readings are missing, the first one in line {}", column,
-                                   gaps, line[first]));
+    findings.push_back(fmt::format("'{}' has gaps: {} readings are missing, the first one in {}", column,
+                                   gaps, table.place_of(first)));
   }
   double low = INFINITY, high = -INFINITY;
   for (const double value : readings) {
@@ -54,13 +56,26 @@ void add_findings(std::span<const double> readings, const std::string& column,
     return;
   }
   const double step = 2.5 * smallest_step(readings);
-  const bool below = is_cut_at(readings, low, step), above = is_cut_at(readings, high, step);
+  constexpr double nearly = 0.999;
+  const bool below = is_cut_at(readings, low, step) || (full_scale && low <= -nearly * *full_scale),
+             above = is_cut_at(readings, high, step) || (full_scale && high >= nearly * *full_scale);
   if (below || above) {
     findings.push_back(fmt::format("'{}' is clipped {}", column,
                                    below && above ? "at both ends of its range"
                                    : below        ? "below"
                                                   : "above"));
   }
+}
+
+void add_mark_findings(const TurnMarks& marks, const std::string& column,
+                       std::vector<std::string>& findings) {
+  if (marks.filled > 0)
+    findings.push_back(fmt::format(
+        "'{}' has no mark in {} turns: they are taken to be like those beside them", column, marks.filled));
+  if (marks.dropped > 0)
+    findings.push_back(
+        fmt::format("'{}' has {} marks too many, which are left out: a hysteresis would keep them away",
+                    column, marks.dropped));
 }
 
 void add_speed_findings(std::span<const double> turn_begin_s, double sampling_rate_hz,

@@ -1,17 +1,23 @@
 #pragma once
 
-#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "rubsweep/recording/channels.hpp"
+#include "rubsweep/recording/mark_fit.hpp"
+
 namespace rubsweep::recording {
 
-/// Adds what is wrong with a probe's readings: gaps (NaN), with the line of the first one; a probe that reads
-/// one value only; clipping, where the largest or the smallest value stands at least five times in a row and
-/// is reached by more than the converter's step.
-void add_findings(std::span<const double> readings, const std::string& column,
-                  std::span<const std::size_t> line, std::vector<std::string>& findings);
+/// Adds what is wrong with a probe's readings: gaps (NaN), with the place of the first one; a probe that
+/// reads one value only; clipping, where the largest or the smallest value stands at least five times in a
+/// row and is reached by more than the converter's step, or where readings reach `full_scale` up or down.
+void add_findings(const Channel& channel, const Channels& table, std::optional<double> full_scale,
+                  std::vector<std::string>& findings);
+
+/// Adds what is wrong with the marks of a keyphasor: missing ones and ones too many.
+void add_mark_findings(const TurnMarks& marks, const std::string& column, std::vector<std::string>& findings);
 
 /// Adds what is wrong with turns: one that is longer or shorter than the one before by more than 1 %, and a
 /// sampling rate of less than twenty readings a turn, from which on orders above the tenth may be folded

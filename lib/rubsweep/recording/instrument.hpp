@@ -12,8 +12,11 @@ namespace rubsweep::recording {
 struct Probe {
   std::string column;    ///< name of its column
   double angle_deg = 0;  ///< direction in which it looks at the shaft, from +x towards +y
+  /// Not 0; of a column in volts; negative: away from the probe is less.
+  std::optional<double> gain_mv_per_um{};
+  std::optional<std::string> unit{};  ///< instead of what the file says or does not say
   std::optional<double>
-      gain_mv_per_um{};  ///< not 0; of a column in volts; negative: away from the probe is less
+      range_v{};  ///< > 0: voltage of the converter's full scale, where readings are cut off
 };
 
 struct Keyphasor {
@@ -23,8 +26,16 @@ struct Keyphasor {
   double hysteresis = 0;              ///< in the column's unit, >= 0
 };
 
-/// All that has to be known of a recording beside its numbers. Times come from the column `time` or from the
-/// sampling rate, turns from the keyphasor or from the speed: one of each.
+/// Stretch at slow speed in which probes see the run-out of the shaft and no vibration, on the clock of the
+/// recording.
+struct RunOut {
+  double from_s = 0, to_s = 0;
+  bool vector = false;  ///< subtract its 1X alone and not its whole waveform
+};
+
+/// All that has to be known of a recording beside its numbers. Times come from the column `time`, from the
+/// sampling rate or, where neither is given, from the file; turns from the keyphasor or from the speed: one
+/// of both.
 struct Instrument {
   std::optional<std::string> time{};
   std::optional<double> sampling_rate_hz{};  ///< > 0
@@ -32,6 +43,7 @@ struct Instrument {
   std::optional<Keyphasor> keyphasor{};
   std::optional<double> from_s{}, to_s{};  ///< stretch that is looked at, on the clock of the recording
   std::optional<double> speed_hz{};        ///< > 0
+  std::optional<RunOut> run_out{};         ///< with a keyphasor
 };
 
 }  // namespace rubsweep::recording

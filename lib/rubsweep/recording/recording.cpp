@@ -10,6 +10,8 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/recording/findings.hpp"
+#include "rubsweep/recording/mark_fit.hpp"
+#include "rubsweep/recording/run_out.hpp"
 #include "rubsweep/recording/turns.hpp"
 #include "rubsweep/recording/unit.hpp"
 
@@ -36,7 +38,13 @@ struct Clock {
 constexpr double largest_jitter = 0.5;
 
 Clock clock_of(const Channels& channels, const Instrument& instrument, const std::string& name) {
-  if (!instrument.time) return {0, instrument.sampling_rate_hz.value()};
+  if (!instrument.time) {
+    const auto rate_hz =
+        instrument.sampling_rate_hz ? instrument.sampling_rate_hz : channels.sampling_rate_hz;
+    if (!rate_hz)
+      throw ConfigError(name + ": says no times, allowed: with time or sampling_rate_hz in its description");
+    return {0, *rate_hz};
+  }
   const Channel& time = find(channels, *instrument.time, name);
   const double unit_s = seconds_per(time.unit, time.name, name);
   const std::size_t last = time.values.size() - 1;
@@ -48,26 +56,20 @@ Clock clock_of(const Channels& channels, const Instrument& instrument, const std
     const double step = time.values[k] - time.values[k - 1];
     if (!(std::abs(step - usual) < largest_jitter * usual)) {
       throw ConfigError(
-          fmt::format("{}:{}: '{}' goes from {:.10g} to {:.10g}, allowed: a step of {:.4g} as elsewhere",
-                      name, channels.line[k], time.name, time.values[k - 1], time.values[k], usual));
+          fmt::format("{}: '{}' goes from {:.10g} to {:.10g}, allowed: a step of {:.4g} as elsewhere",
+                      channels.line.empty() ? fmt::format("{}: {}", name, channels.place_of(k))
+                                            : fmt::format("{}:{}", name, channels.line[k]),
+                      time.name, time.values[k - 1], time.values[k], usual));
     }
   }
   const double span_s = unit_s * (time.values[last] - time.values[0]);
   return {unit_s * time.values[0], static_cast<double>(last) / span_s};
 }
 
-/// Readings in metres.
-std::vector<double> readings_m(const Channel& channel, const Probe& probe, const std::string& name) {
-  const double scale = metres_per(channel.unit, channel.name, probe.gain_mv_per_um, name);
-  std::vector<double> readings = channel.values;
-  for (double& value : readings) value *= scale;
-  return readings;
-}
-
 /// Begins of turns within the samples.
 std::vector<double> turn_begins_s(const Channels& channels, const Instrument& instrument, const Clock& clock,
-                                  const std::string& name) {
-  const std::size_t count = channels.line.size();
+                                  const std::string& name, std::vector<std::string>& findings) {
+  const std::size_t count = channels.rows();
   const double last_s = clock.first_s + static_cast<double>(count - 1) / clock.rate_hz;
   if (!instrument.keyphasor) return steady_turns_s(clock.first_s, last_s, instrument.speed_hz.value());
   const Keyphasor& keyphasor = *instrument.keyphasor;
@@ -76,16 +78,20 @@ std::vector<double> turn_begins_s(const Channels& channels, const Instrument& in
   for (std::size_t k = 0; k < count; ++k) t_s[k] = clock.first_s + static_cast<double>(k) / clock.rate_hz;
   try {
     const double threshold = keyphasor.threshold ? *keyphasor.threshold : middle_threshold(channel.values);
-    return mark_times_s(t_s, channel.values, keyphasor.mark, threshold, keyphasor.hysteresis);
+    const TurnMarks marks =
+        numbered_marks(mark_times_s(t_s, channel.values, keyphasor.mark, threshold, keyphasor.hysteresis));
+    add_mark_findings(marks, channel.name, findings);
+    return smoothed_marks_s(marks.t_s,
+                            mark_resolution(channel.values, keyphasor.mark, threshold) / clock.rate_hz);
   } catch (const ConfigError& error) {
     throw ConfigError(fmt::format("{}: '{}': {}", name, channel.name, error.what()));
   }
 }
 
-/// Turns that begin and end between from_s and to_s.
-void keep_stretch(std::vector<double>& begins_s, const Instrument& instrument) {
+/// Turns that begin and end between two instants.
+void keep_between(std::vector<double>& begins_s, std::optional<double> from_s, std::optional<double> to_s) {
   std::erase_if(begins_s, [&](double begin_s) {
-    return begin_s < instrument.from_s.value_or(begin_s) || begin_s > instrument.to_s.value_or(begin_s);
+    return begin_s < from_s.value_or(begin_s) || begin_s > to_s.value_or(begin_s);
   });
 }
 
@@ -94,6 +100,24 @@ Complex plane_of(double first, double second, double first_rad, double second_ra
   const double determinant = std::sin(second_rad - first_rad);
   return {(first * std::sin(second_rad) - second * std::sin(first_rad)) / determinant,
           (second * std::cos(first_rad) - first * std::cos(second_rad)) / determinant};
+}
+
+/// Displacement at equal angles of these turns.
+std::vector<Complex> turned(const std::vector<std::vector<double>>& readings_m, const Instrument& instrument,
+                            const Clock& clock, std::span<const double> turn_begin_s) {
+  std::vector<std::vector<double>> probes;
+  for (const auto& readings : readings_m)
+    probes.push_back(
+        at_equal_angles(readings, clock.first_s, clock.rate_hz, turn_begin_s, samples_per_revolution));
+  const auto direction = [&](std::size_t i) {
+    return instrument.probes[i].angle_deg * std::numbers::pi / 180;
+  };
+  std::vector<Complex> displacement_m(probes[0].begin(), probes[0].end());
+  if (probes.size() == 2) {
+    for (std::size_t k = 0; k < displacement_m.size(); ++k)
+      displacement_m[k] = plane_of(probes[0][k], probes[1][k], direction(0), direction(1));
+  }
+  return displacement_m;
 }
 
 /// Keeps the longest stretch of turns without a gap; true where something was left out.
@@ -128,28 +152,34 @@ bool keep_longest_without_gap(Recording& recording) {
 
 Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name) {
   const Clock clock = clock_of(channels, instrument, name);
-  Recording recording{.sampling_rate_hz = clock.rate_hz,
-                      .turn_begin_s = turn_begins_s(channels, instrument, clock, name),
-                      .plane = instrument.probes.size() == 2};
-  keep_stretch(recording.turn_begin_s, instrument);
+  Recording recording{.sampling_rate_hz = clock.rate_hz, .plane = instrument.probes.size() == 2};
+  const std::vector<double> all_begins_s =
+      turn_begins_s(channels, instrument, clock, name, recording.findings);
+  recording.turn_begin_s = all_begins_s;
+  keep_between(recording.turn_begin_s, instrument.from_s, instrument.to_s);
   if (recording.turns() < fewest_turns) {
     throw ConfigError(fmt::format("{}: holds {} whole turns of the shaft, allowed: {} or more", name,
                                   std::max(recording.turns(), 0), fewest_turns));
   }
-  std::vector<std::vector<double>> turned;
+  std::vector<std::vector<double>> readings_m;
   for (const Probe& probe : instrument.probes) {
     const Channel& channel = find(channels, probe.column, name);
-    const std::vector<double> readings = readings_m(channel, probe, name);
-    add_findings(readings, channel.name, channels.line, recording.findings);
-    turned.push_back(at_equal_angles(readings, clock.first_s, clock.rate_hz, recording.turn_begin_s,
-                                     samples_per_revolution));
+    const Scale scale = scale_of(channel.unit, probe, name);
+    add_findings(channel, channels, scale.full_scale, recording.findings);
+    readings_m.push_back(channel.values);
+    for (double& value : readings_m.back()) value *= scale.metres_per_unit;
   }
-  const auto direction = [&](std::size_t i) {
-    return instrument.probes[i].angle_deg * std::numbers::pi / 180;
-  };
-  for (std::size_t k = 0; k < turned[0].size(); ++k) {
-    recording.displacement_m.push_back(
-        recording.plane ? plane_of(turned[0][k], turned[1][k], direction(0), direction(1)) : turned[0][k]);
+  recording.displacement_m = turned(readings_m, instrument, clock, recording.turn_begin_s);
+  if (instrument.run_out) {
+    std::vector<double> slow = all_begins_s;
+    keep_between(slow, instrument.run_out->from_s, instrument.run_out->to_s);
+    if (slow.size() < 3)
+      throw ConfigError(
+          fmt::format("{}: holds {} whole turns from run_out.from_s to run_out.to_s, allowed: 2 or more",
+                      name, slow.empty() ? 0 : slow.size() - 1));
+    subtract_run_out(recording.displacement_m,
+                     run_out_of(turned(readings_m, instrument, clock, slow), samples_per_revolution,
+                                instrument.run_out->vector));
   }
   if (keep_longest_without_gap(recording) && recording.turns() < fewest_turns) {
     throw ConfigError(fmt::format("{}: holds {} turns without a gap, allowed: {} or more", name,

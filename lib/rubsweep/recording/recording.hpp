@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/recording/delimited_text.hpp"
+#include "rubsweep/recording/channels.hpp"
 #include "rubsweep/recording/instrument.hpp"
 
 namespace rubsweep::recording {
@@ -27,12 +27,12 @@ struct Recording {
 /// Fewest whole turns that are worth to be looked at.
 inline constexpr int fewest_turns = 4;
 
-/// Puts columns and instrument together. Turns that a gap in a signal touches are left out: the longest
-/// stretch without one stays. Findings: gaps, a clipped signal (its largest or smallest value more often in a
-/// row than a motion can have it), a dead probe, a speed that changes by more than 1 % from one turn to the
-/// next, vibration near half the sampling rate. Throws ConfigError, with `name`:line where a row is at fault,
-/// for columns that are not there, units that are not known, times that are not evenly spaced, and fewer
-/// turns than `fewest_turns`.
+/// Puts columns and instrument together, and subtracts the run-out of the shaft where a slow stretch is
+/// named. Turns that a gap in a signal touches are left out: the longest stretch without one stays. Findings:
+/// gaps, a clipped signal (its largest or smallest value more often in a row than a motion can have it), a
+/// dead probe, a speed that changes by more than 1 % from one turn to the next, vibration near half the
+/// sampling rate. Throws ConfigError, with `name`:line where a row is at fault, for columns that are not
+/// there, units that are not known, times that are not evenly spaced, and fewer turns than `fewest_turns`.
 Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name);
 
 }  // namespace rubsweep::recording

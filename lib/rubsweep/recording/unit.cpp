@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/recording/sound_file.hpp"
 
 namespace rubsweep::recording {
 namespace {
@@ -41,20 +42,26 @@ double seconds_per(const std::string& unit, const std::string& column, const std
   refuse(file, column, fmt::format("the unit '{}' is no time", unit), "s, ms, us");
 }
 
-double metres_per(const std::string& unit, const std::string& column, std::optional<double> gain_mv_per_um,
-                  const std::string& file) {
-  if (const auto size = size_of(lengths, unit)) {
-    if (gain_mv_per_um)
-      refuse(file, column, fmt::format("is in {} and has a gain_mv_per_um", unit), "no gain");
-    return *size;
+Scale scale_of(const std::string& unit, const Probe& probe, const std::string& file) {
+  const std::string& name = probe.unit ? *probe.unit : unit;
+  if (const auto size = size_of(lengths, name)) {
+    if (probe.gain_mv_per_um)
+      refuse(file, probe.column, fmt::format("is in {} and has a gain_mv_per_um", name), "no gain");
+    return {*size, std::nullopt};
   }
-  if (const auto millivolts = size_of(voltages, unit)) {
-    if (!gain_mv_per_um)
-      refuse(file, column, fmt::format("is in {} and has no gain", unit), "a gain_mv_per_um");
-    return *millivolts / *gain_mv_per_um * 1e-6;
+  const bool shares = name == full_scale_unit;
+  const auto millivolts = shares ? probe.range_v.value_or(1) * 1e3 : size_of(voltages, name);
+  if (!millivolts) {
+    refuse(file, probe.column, name.empty() ? "has no unit" : fmt::format("the unit '{}' is unknown", name),
+           "m, mm, um, mil, V or mV with a gain_mv_per_um, and FS with a range_v as well");
   }
-  refuse(file, column, unit.empty() ? "has no unit" : fmt::format("the unit '{}' is unknown", unit),
-         "m, mm, um, mil, and V or mV with a gain_mv_per_um");
+  if (shares && !probe.range_v)
+    refuse(file, probe.column, "is in shares of the full scale and has no range", "a range_v");
+  if (!probe.gain_mv_per_um)
+    refuse(file, probe.column, fmt::format("is in {} and has no gain", name), "a gain_mv_per_um");
+  Scale scale{*millivolts / *probe.gain_mv_per_um * 1e-6, std::nullopt};
+  if (probe.range_v) scale.full_scale = *probe.range_v * 1e3 / *millivolts;
+  return scale;
 }
 
 }  // namespace rubsweep::recording

@@ -34,6 +34,15 @@ TEST(ReadInstrument, EverythingThatThereIs) {
   EXPECT_EQ(instrument.keyphasor->mark, rubsweep::recording::Mark::bright);
   EXPECT_EQ(instrument.keyphasor->threshold, 2.5);
   EXPECT_EQ(instrument.keyphasor->hysteresis, 0.1);
+  const auto recorder = read_instrument_text(
+      "probes:\n  - {column: channel 1, angle_deg: 0, gain_mv_per_um: 8, unit: FS, range_v: 10}\n"
+      "keyphasor: {column: channel 2}\nrun_out: {from_s: 0, to_s: 3, subtract: vector}\n",
+      "i.yaml");
+  EXPECT_EQ(recorder.probes[0].unit, "FS");
+  EXPECT_EQ(recorder.probes[0].range_v, 10);
+  ASSERT_TRUE(recorder.run_out);
+  EXPECT_EQ(recorder.run_out->to_s, 3);
+  EXPECT_TRUE(recorder.run_out->vector);
   const auto without =
       read_instrument_text(probe + "sampling_rate_hz: 5000\nspeed_hz: 70\nfrom_s: 1\nto_s: 2.5\n", "i.yaml");
   EXPECT_EQ(without.sampling_rate_hz, 5000);
@@ -52,7 +61,12 @@ TEST(ReadInstrument, WrongOnesAreNamedWithTheirPlace) {
             std::string::npos);
   EXPECT_NE(fault(clock + probe + "  - {column: Y, angle_deg: 230}\n").find("look along one line"),
             std::string::npos);
-  EXPECT_NE(fault(probe + "speed_hz: 70\n").find("sampling_rate_hz"), std::string::npos);
+  EXPECT_EQ(fault(probe + "speed_hz: 70\n"), "none");  // a WAV file says its own rate
+  EXPECT_NE(fault(clock + probe + "run_out: {from_s: 1, to_s: 2}\n").find("with keyphasor"),
+            std::string::npos);
+  EXPECT_NE(fault(probe + "time: t\nkeyphasor: {column: K}\nrun_out: {from_s: 1, subtract: x}\n")
+                .find("run_out.to_s"),
+            std::string::npos);
   EXPECT_NE(fault(probe + clock + "sampling_rate_hz: 5\n").find("sampling_rate_hz"), std::string::npos);
   EXPECT_NE(fault(probe + "time: t\nspeed_hz: -1\n").find("i.yaml:4:11: speed_hz"), std::string::npos);
   EXPECT_NE(fault(probe + "time: t\nkeyphasor: {column: K, mark: blank}\n").find("dark, bright"),

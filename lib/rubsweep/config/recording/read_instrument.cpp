@@ -17,6 +17,7 @@ using rubsweep::recording::Instrument;
 using rubsweep::recording::Keyphasor;
 using rubsweep::recording::Mark;
 using rubsweep::recording::Probe;
+using rubsweep::recording::RunOut;
 
 constexpr std::string_view root_form = "a map with probes, keyphasor or speed_hz, time or sampling_rate_hz";
 constexpr Words<Mark, 2> marks{{"dark", "bright"}, {Mark::dark, Mark::bright}};
@@ -38,6 +39,8 @@ Probe read_probe(const Value& value) {
   section.field("gain_mv_per_um", probe.gain_mv_per_um, model::any_finite);
   if (probe.gain_mv_per_um == 0)
     section.refuse_together("gain_mv_per_um", {"gain_mv_per_um"}, "is 0", "a number other than 0");
+  if (const auto unit = section.find("unit")) probe.unit = read_text(*unit);
+  section.field("range_v", probe.range_v, model::positive);
   section.refuse_unknown_keys();
   return probe;
 }
@@ -53,10 +56,22 @@ Keyphasor read_keyphasor(const Value& value) {
   return keyphasor;
 }
 
+RunOut read_run_out(const Value& value) {
+  Section section(value);
+  RunOut run_out{model::required, model::required, false};
+  section.field("from_s", run_out.from_s, model::any_finite);
+  section.field("to_s", run_out.to_s, model::any_finite);
+  constexpr Words<bool, 2> kinds{{"waveform", "vector"}, {false, true}};
+  section.field("subtract", run_out.vector, kinds);
+  section.refuse_unknown_keys();
+  return run_out;
+}
+
 Instrument read_root(const Value& root) {
   Section section(root, root_form);
   Instrument instrument;
-  section.require_exactly_one({"time", "sampling_rate_hz"});
+  if (section.find("time") && section.find("sampling_rate_hz"))
+    section.require_exactly_one({"time", "sampling_rate_hz"});
   section.require_exactly_one({"keyphasor", "speed_hz"});
   if (const auto value = section.find("time")) instrument.time = read_text(*value);
   section.field("sampling_rate_hz", instrument.sampling_rate_hz, model::positive);
@@ -64,12 +79,16 @@ Instrument read_root(const Value& root) {
   section.field("from_s", instrument.from_s, model::any_finite);
   section.field("to_s", instrument.to_s, model::any_finite);
   if (const auto value = section.find("keyphasor")) instrument.keyphasor = read_keyphasor(*value);
+  if (const auto value = section.find("run_out")) instrument.run_out = read_run_out(*value);
   if (const auto value = section.require("probes", "a list of one or two maps")) {
     if (const auto items = read_list(*value, 2)) {
       for (const Value& item : *items) instrument.probes.push_back(read_probe(item));
     }
   }
   section.refuse_unknown_keys();
+  if (section.is_sound() && instrument.run_out && !instrument.keyphasor)
+    section.refuse_together("run_out", {"run_out", "speed_hz"}, "is there without a mark on the shaft",
+                            "with keyphasor");
   if (section.is_sound() && instrument.probes.size() == 2) {
     const double apart_rad =
         (instrument.probes[1].angle_deg - instrument.probes[0].angle_deg) * std::numbers::pi / 180;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubsweep::recording {
+
+/// One column of what an instrument wrote.
+struct Channel {
+  std::string name;            ///< without its unit
+  std::string unit;            ///< as written, without brackets; empty: none
+  std::vector<double> values;  ///< NaN where a cell is empty or says NaN: a gap
+};
+
+/// Columns of one file, of equal length, at least one with at least two values.
+struct Channels {
+  std::vector<Channel> channels;
+  std::vector<std::size_t> line{};           ///< of every row of a text, from 1; empty: the file is no text
+  std::optional<double> sampling_rate_hz{};  ///< where the file says it
+
+  std::size_t rows() const { return channels.front().values.size(); }
+  /// Place of a row, from 0, for people: "line 7" of a text, "reading 5" of other files.
+  std::string place_of(std::size_t row) const {
+    return line.empty() ? "reading " + std::to_string(row + 1) : "line " + std::to_string(line[row]);
+  }
+};
+
+}  // namespace rubsweep::recording

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rubsweep/recording/keyphasor.hpp"
+
+namespace rubsweep::recording {
+
+/// How far a mark may stand off its true instant, in samples: 1 where the edge falls between two samples,
+/// which then say no more than that; a fifth where one sample stands on the edge; 0 where two do, for then
+/// the straight line through them is the edge.
+double mark_resolution(std::span<const double> signal, Mark mark, double threshold);
+
+/// Marks in a row, one for each turn.
+struct TurnMarks {
+  std::vector<double> t_s;
+  int filled = 0;   ///< turns whose mark is missing: it was put between its neighbours
+  int dropped = 0;  ///< marks too many, between two that are one turn apart
+};
+
+/// Tells turns without a mark, and marks without a turn, by the turns beside them.
+TurnMarks numbered_marks(std::span<const double> marks_s);
+
+/// Instants of the marks freed of the sampling, which moves each of them by up to half of `resolution_s` to
+/// either side. Time over turns is the simplest curve that is never farther from the marks: a polynomial of
+/// degree 1 to 4, else a cubic spline of 2, 4, 8, ... equal pieces with four marks or more each. Marks stay
+/// as they are where there is none, or the resolution is 0.
+std::vector<double> smoothed_marks_s(std::span<const double> marks_s, double resolution_s);
+
+}  // namespace rubsweep::recording

@@ -1,0 +1,104 @@
+#include "rubsweep/recording/mark_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace rubsweep::recording {
+namespace {
+
+using std::numbers::pi;
+
+/// Instants at which a shaft of f + r t revolutions a second has made whole turns.
+std::vector<double> turns_s(int count, double f, double r) {
+  std::vector<double> marks;
+  for (int n = 0; n < count; ++n) {
+    const double turns = n + 0.3;
+    marks.push_back(2 * turns / (f + std::sqrt(f * f + 2 * r * turns)));
+  }
+  return marks;
+}
+
+/// The sample after each instant, less half a step: what an edge shorter than a step becomes.
+std::vector<double> rounded(const std::vector<double>& marks, double step_s) {
+  std::vector<double> rounded;
+  for (const double t_s : marks) rounded.push_back((std::ceil(t_s / step_s) - 0.5) * step_s);
+  return rounded;
+}
+
+double largest_error(const std::vector<double>& marks, const std::vector<double>& truth) {
+  double largest = 0;
+  for (std::size_t k = 0; k < truth.size(); ++k)
+    largest = std::max(largest, std::abs(marks.at(k) - truth[k]));
+  return largest;
+}
+
+TEST(MarkFit, RoundedMarksComeBackToTheirPlaces) {
+  const double step_s = 2e-4;
+  for (const double rate : {0.0, 0.5, -0.4}) {
+    const auto truth = turns_s(400, 70.1, rate);
+    const auto marks = rounded(truth, step_s);
+    EXPECT_GT(largest_error(marks, truth), 0.45 * step_s);
+    EXPECT_LT(largest_error(smoothed_marks_s(marks, step_s), truth), 0.05 * step_s) << rate;
+  }
+}
+
+TEST(MarkFit, ASpeedThatSwaysKeepsItsSway) {
+  // Eight steps to and fro every 100 turns.
+  const double step_s = 2e-4;
+  auto truth = turns_s(800, 70.1, 0);
+  for (std::size_t k = 0; k < truth.size(); ++k)
+    truth[k] += 8 * step_s * std::sin(2 * pi * static_cast<double>(k) / 100);
+  EXPECT_LT(largest_error(smoothed_marks_s(rounded(truth, step_s), step_s), truth), 0.6 * step_s);
+}
+
+TEST(MarkFit, MarksThatNoSmoothCurveExplainsStay) {
+  auto marks = turns_s(200, 50, 0);
+  for (std::size_t k = 0; k < marks.size(); k += 2) marks[k] += 1e-3;
+  EXPECT_EQ(smoothed_marks_s(marks, 1e-4), marks);
+  EXPECT_EQ(smoothed_marks_s(marks, 0), marks);
+}
+
+TEST(MarkFit, MissingMarksAreFilledAndThoseTooManyDropped) {
+  const auto truth = turns_s(60, 30, 2);
+  auto marks = truth;
+  marks.erase(marks.begin() + 40);
+  marks.erase(marks.begin() + 20, marks.begin() + 22);
+  marks.insert(marks.begin() + 11, (truth[10] * 2 + truth[11]) / 3);
+  const TurnMarks numbered = numbered_marks(marks);
+  EXPECT_EQ(numbered.filled, 3);
+  EXPECT_EQ(numbered.dropped, 1);
+  ASSERT_EQ(numbered.t_s.size(), truth.size());
+  EXPECT_LT(largest_error(numbered.t_s, truth), 1e-6);
+  const TurnMarks untouched = numbered_marks(truth);
+  EXPECT_EQ(untouched.t_s, truth);
+  EXPECT_EQ(untouched.filled + untouched.dropped, 0);
+}
+
+TEST(MarkFit, ARunUpFromRestHasNoMissingMarks) {
+  std::vector<double> marks;
+  for (int n = 1; n < 50; ++n) marks.push_back(std::sqrt(2.0 * n / 4));
+  EXPECT_EQ(numbered_marks(marks).t_s, marks);
+}
+
+TEST(MarkFit, ResolutionIsThatOfTheEdges) {
+  const auto pulses = [](double edge) {
+    std::vector<double> signal;
+    for (int k = 0; k < 5000; ++k) {
+      const double since = std::fmod(k, 71.3);
+      signal.push_back(since < 8 ? std::fmin(1, since / edge) : 0);
+    }
+    return signal;
+  };
+  EXPECT_EQ(mark_resolution(pulses(0.01), Mark::bright, 0.5), 1);
+  EXPECT_EQ(mark_resolution(pulses(4), Mark::bright, 0.5), 0);
+  const double between = mark_resolution(pulses(1.3), Mark::bright, 0.5);
+  EXPECT_GT(between, 0);
+  EXPECT_LT(between, 1);
+  // The trailing edge is sharp whatever the leading one is.
+  EXPECT_EQ(mark_resolution(pulses(4), Mark::dark, 0.5), 1);
+}
+
+}  // namespace
+}  // namespace rubsweep::recording

@@ -1,0 +1,83 @@
+#include "rubsweep/recording/matlab_file.hpp"
+
+#include <gtest/gtest.h>
+#include <matio.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::recording {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MatlabFile : public testing::TestWithParam<mat_ft> {
+ protected:
+  void TearDown() override { fs::remove(file_); }
+
+  mat_t* create() { return Mat_CreateVer(file_.c_str(), nullptr, GetParam()); }
+
+  template <class Number>
+  static void write(mat_t* file, const char* name, matio_classes kind, matio_types type,
+                    std::vector<Number> values, std::size_t columns) {
+    std::array<std::size_t, 2> dims{values.size() / columns, columns};
+    matvar_t* variable = Mat_VarCreate(name, kind, type, 2, dims.data(), values.data(), 0);
+    Mat_VarWrite(file, variable, MAT_COMPRESSION_NONE);
+    Mat_VarFree(variable);
+  }
+
+  const fs::path file_ =
+      fs::temp_directory_path() / ("matlab_file_test_" + std::to_string(GetParam()) + ".mat");
+};
+
+TEST_P(MatlabFile, VectorsAndColumnsBecomeChannels) {
+  mat_t* file = create();
+  write<double>(file, "t_s", MAT_C_DOUBLE, MAT_T_DOUBLE, {0, 0.1, 0.2}, 1);
+  write<float>(file, "probes", MAT_C_SINGLE, MAT_T_SINGLE, {1, 2, 3, 4, 5, 6}, 2);
+  write<std::int16_t>(file, "counts", MAT_C_INT16, MAT_T_INT16, {-7, 8, 9}, 3);
+  write<double>(file, "fs", MAT_C_DOUBLE, MAT_T_DOUBLE, {10}, 1);
+  write<double>(file, "settings", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2}, 1);
+  Mat_Close(file);
+  const Channels table = read_matlab_file(file_);
+  ASSERT_EQ(table.channels.size(), 4u);
+  // Version 7.3 keeps its variables in the order of the alphabet.
+  const auto channel = [&](const char* name) {
+    return *std::ranges::find(table.channels, std::string(name), &Channel::name);
+  };
+  EXPECT_EQ(channel("t_s").unit, "s");
+  EXPECT_EQ(channel("t_s").values, (std::vector<double>{0, 0.1, 0.2}));
+  EXPECT_EQ(channel("probes_1").values, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(channel("probes_2").values, (std::vector<double>{4, 5, 6}));
+  EXPECT_EQ(channel("counts").values, (std::vector<double>{-7, 8, 9}));
+  EXPECT_EQ(table.place_of(1), "reading 2");
+}
+
+TEST_P(MatlabFile, FilesWithoutSignalsAreRefused) {
+  mat_t* file = create();
+  write<double>(file, "fs", MAT_C_DOUBLE, MAT_T_DOUBLE, {10}, 1);
+  Mat_Close(file);
+  EXPECT_THROW(read_matlab_file(file_), ConfigError);
+}
+
+INSTANTIATE_TEST_SUITE_P(Versions, MatlabFile, testing::Values(MAT_FT_MAT5, MAT_FT_MAT73));
+
+TEST(DamagedMatlabFile, IsNamed) {
+  const fs::path file = fs::temp_directory_path() / "matlab_file_test_damaged.mat";
+  std::ofstream(file) << "MATLAB 5.0 MAT-file and nothing behind it";
+  try {
+    read_matlab_file(file);
+    ADD_FAILURE() << "it was read";
+  } catch (const ConfigError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with(file.string() + ": ")) << error.what();
+  }
+  fs::remove(file);
+}
+
+}  // namespace
+}  // namespace rubsweep::recording

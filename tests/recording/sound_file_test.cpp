@@ -1,0 +1,55 @@
+#include "rubsweep/recording/sound_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sndfile.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::recording {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(SoundFile, ReadingsAreSharesOfTheFullScale) {
+  const fs::path file = fs::temp_directory_path() / "sound_file_test.wav";
+  for (const int format : {SF_FORMAT_PCM_16, SF_FORMAT_PCM_24, SF_FORMAT_FLOAT}) {
+    SF_INFO info{.frames = 0,
+                 .samplerate = 12800,
+                 .channels = 2,
+                 .format = SF_FORMAT_WAV | format,
+                 .sections = 0,
+                 .seekable = 0};
+    SNDFILE* sound = sf_open(file.c_str(), SFM_WRITE, &info);
+    const std::vector<double> frames{0, 0.5, 0.25, -0.5, -1, 0.125};
+    ASSERT_EQ(sf_writef_double(sound, frames.data(), 3), 3);
+    sf_close(sound);
+    const Channels table = read_sound_file(file);
+    EXPECT_EQ(table.sampling_rate_hz, 12800);
+    ASSERT_EQ(table.channels.size(), 2u);
+    EXPECT_EQ(table.channels[1].name, "channel 2");
+    EXPECT_EQ(table.channels[0].unit, full_scale_unit);
+    ASSERT_EQ(table.channels[1].values.size(), 3u);
+    EXPECT_NEAR(table.channels[1].values[1], -0.5, 1e-4);
+    EXPECT_NEAR(table.channels[0].values[2], -1, 1e-4);
+  }
+  fs::remove(file);
+}
+
+TEST(SoundFile, DamagedOnesAreNamed) {
+  const fs::path file = fs::temp_directory_path() / "sound_file_test_damaged.wav";
+  std::ofstream(file) << "RIFF....WAVEjunk";
+  try {
+    read_sound_file(file);
+    ADD_FAILURE() << "it was read";
+  } catch (const ConfigError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with(file.string() + ": ")) << error.what();
+  }
+  fs::remove(file);
+}
+
+}  // namespace
+}  // namespace rubsweep::recording
