@@ -36,3 +36,26 @@ class Scope(figures.FigureTest):
                      "noise of a line", "shaft speed (Hz)", "time (s)"):
             self.assertIn(word, figures.words(root))
         self.assertEqual(figures.over_each_other(root), [])
+
+    def test_a_simulated_motion_is_laid_over_it(self):
+        self.write_recording(plane=True)
+        self.write("simulated.csv", "turns,x_m,y_m\n" + "".join(f"{k / 16},{6e-5 * math.cos(math.pi * k / 16)},{6e-5 * math.sin(math.pi * k / 16)}\n" for k in range(32)))
+        self.write("compared.csv", "order,measured_m,measured_phase_deg,simulated_m,simulated_phase_deg,difference\n0.5,5e-5,0,6e-5,0,900\n")
+        self.assertAlmostEqual(scope.Scope(self.directory).widest(), 1.1 * 0.06)
+        root = self.draw("scope")
+        self.assertIn("simulated", figures.words(root))
+        self.assertEqual(figures.over_each_other(root), [])
+
+    def test_a_run_up_has_a_bode_plot(self):
+        def phase(k):
+            return -math.degrees(math.atan2(0.1 * k, 20 - k)) if k else 0.0
+
+        self.write("bode.csv", "t_s,speed_hz,order,x_amplitude_m,x_phase_deg\n" + "".join(f"{k},{10 + k},{order},{1e-5 / (1 + abs(k - 20))},{phase(k)}\n" for order in (1, 2) for k in range(40)))
+        self.write("waterfall.csv", "t_s,speed_hz,order,amplitude_m\n" + "".join(f"{k},{10 + k},{order},1e-6\n" for k in range(0, 40, 8) for order in (-1, 1)))
+        self.write("measures.csv", "quantity,value,uncertainty\nturns,40,\nresonance_x_hz,30,\n")
+        found = scope.ScopeRun(self.directory)
+        self.assertEqual((found.orders, found.directions, found.resonances), ([1.0, 2.0], ["x"], ["30"]))
+        root = self.draw("scope")
+        for word in ("amplitude (µm)", "phase of 1X (deg)", "1X, x", "2X, x", "resonance 30 Hz", "shaft speed (Hz)", "order"):
+            self.assertIn(word, figures.words(root))
+        self.assertEqual(figures.over_each_other(root), [])

@@ -26,8 +26,8 @@ int rows(const std::string& table) { return static_cast<int>(std::ranges::count(
 TEST(ScopeTables, HoldTheMotion) {
   const recording::Recording recording = circle(30);
   const ScopeTables tables =
-      tables_of(recording, judge(recording.displacement_m, recording::samples_per_revolution, true));
-  EXPECT_TRUE(tables.turns_csv.starts_with("turn,t_s,speed_hz,x_m,y_m\n0,0,50,"));
+      tables_of(recording, judge(recording.displacement_m, recording::samples_per_revolution, true), {1, 2});
+  EXPECT_TRUE(tables.turns_csv.starts_with("turn,t_s,speed_hz,x_m,y_m,centre_x_m,centre_y_m\n0,0,50,"));
   EXPECT_EQ(rows(tables.turns_csv), 30);
   EXPECT_EQ(rows(tables.orbit_csv), recording::samples_per_revolution);
   EXPECT_EQ(rows(tables.lines_csv), 17);
@@ -49,11 +49,51 @@ TEST(ScopeTables, HoldTheMotion) {
 TEST(ScopeTables, SayHowLongARecordingMustBe) {
   const recording::Recording recording = circle(12);
   const ScopeTables tables =
-      tables_of(recording, judge(recording.displacement_m, recording::samples_per_revolution, true));
+      tables_of(recording, judge(recording.displacement_m, recording::samples_per_revolution, true), {1, 2});
   // 24 turns tell periods of up to 8; twelve more take 0.24 s.
   EXPECT_NE(tables.summary.find(
                 "periods of more than 4 turns cannot be told by 12 turns; 0.24 s more would tell up to 8"),
             std::string::npos);
+}
+
+/// A mode of 30 Hz and damping ratio 0.03 that is run through at 2 Hz/s, by small steps of the classical
+/// Runge-Kutta method.
+TEST(ScopeTables, FindTheModeOfARunUp) {
+  const double w = 2 * std::numbers::pi * 30, zeta = 0.03, from = 22, rate = 2, step = 2e-5;
+  const auto phi = [&](double t) { return 2 * std::numbers::pi * (from * t + rate * t * t / 2); };
+  const auto pull = [&](double t, double x, double v) {
+    const double speed = 2 * std::numbers::pi * (from + rate * t);
+    return 1e-5 * (speed * speed * std::cos(phi(t)) + 2 * std::numbers::pi * rate * std::sin(phi(t))) -
+           w * w * x - 2 * zeta * w * v;
+  };
+  recording::Recording recording{.sampling_rate_hz = 5000};
+  double x = 0, v = 0;
+  long sample = 0;
+  for (long n = 0; static_cast<double>(n) * step < 8; ++n) {
+    const double t = static_cast<double>(n) * step;
+    if (phi(t) >= 2 * std::numbers::pi * static_cast<double>(sample) / recording::samples_per_revolution) {
+      if (sample % recording::samples_per_revolution == 0) recording.turn_begin_s.push_back(t);
+      recording.displacement_m.emplace_back(x, 0);
+      ++sample;
+    }
+    const double a1 = pull(t, x, v), v2 = v + step / 2 * a1, a2 = pull(t + step / 2, x + step / 2 * v, v2),
+                 v3 = v + step / 2 * a2, a3 = pull(t + step / 2, x + step / 2 * v2, v3), v4 = v + step * a3,
+                 a4 = pull(t + step, x + step * v3, v4);
+    x += step / 6 * (v + 2 * v2 + 2 * v3 + v4);
+    v += step / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+  }
+  const std::size_t turns = recording.turn_begin_s.size() - 1;
+  recording.displacement_m.resize(turns * recording::samples_per_revolution);
+  const ScopeTables tables = tables_of_run(recording, {1});
+  double resonance_hz = 0, ratio = 0;
+  const std::size_t at = tables.measures_csv.find("resonance_x_hz,");
+  ASSERT_NE(at, std::string::npos) << tables.summary;
+  ASSERT_EQ(std::sscanf(tables.measures_csv.c_str() + at, "resonance_x_hz,%lf,\ndamping_ratio_x,%lf",
+                        &resonance_hz, &ratio),
+            2);
+  EXPECT_NEAR(resonance_hz, 30, 0.03);
+  EXPECT_NEAR(ratio, 0.03, 0.001);
+  EXPECT_TRUE(tables.orbit_csv.empty());
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 #include <numbers>
 
 #include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/identify/ramp_resonance.hpp"
 #include "rubsweep/recording/turns.hpp"
+#include "rubsweep/scope/order_history.hpp"
 
 namespace rubsweep::scope {
 namespace {
@@ -21,12 +23,22 @@ std::string point(std::complex<double> z, bool plane) {
   return plane ? csv_number(z.real()) + ',' + csv_number(z.imag()) : csv_number(z.real());
 }
 
+/// Mean of a turn: the centre of the shaft, where the probes are DC coupled.
+std::complex<double> centre_of(const Recording& recording, std::size_t turn) {
+  std::complex<double> sum = 0;
+  for (std::size_t k = 0; k < samples_per_revolution; ++k)
+    sum += recording.displacement_m[turn * samples_per_revolution + k];
+  return sum / static_cast<double>(samples_per_revolution);
+}
+
 std::string turns_csv(const Recording& recording, const std::vector<double>& speeds_hz) {
-  std::string text = recording.plane ? "turn,t_s,speed_hz,x_m,y_m\n" : "turn,t_s,speed_hz,x_m\n";
+  std::string text = recording.plane ? "turn,t_s,speed_hz,x_m,y_m,centre_x_m,centre_y_m\n"
+                                     : "turn,t_s,speed_hz,x_m,centre_x_m\n";
   for (std::size_t turn = 0; turn < speeds_hz.size(); ++turn) {
-    text += fmt::format("{},{},{},{}\n", turn, csv_number(recording.turn_begin_s[turn]),
+    text += fmt::format("{},{},{},{},{}\n", turn, csv_number(recording.turn_begin_s[turn]),
                         csv_number(speeds_hz[turn]),
-                        point(recording.displacement_m[turn * samples_per_revolution], recording.plane));
+                        point(recording.displacement_m[turn * samples_per_revolution], recording.plane),
+                        point(centre_of(recording, turn), recording.plane));
   }
   return text;
 }
@@ -90,17 +102,85 @@ std::string doubt_text(const Verdict& verdict, double mean_speed_hz) {
   return fmt::format("no line of {:.2g} um or more belongs to another period\n", 1e6 * verdict.visible_m);
 }
 
+std::string speed_text(const Recording& recording, const std::vector<double>& speeds_hz) {
+  const auto [slowest, fastest] = std::ranges::minmax(speeds_hz);
+  const double mean_hz = recording.turns() / (recording.turn_begin_s.back() - recording.turn_begin_s.front());
+  return fmt::format("speed     {:.6g} Hz ({:.6g} to {:.6g}), {} turns, {:.4g} readings a turn\n", mean_hz,
+                     slowest, fastest, recording.turns(), recording.sampling_rate_hz / mean_hz);
+}
+
+std::string findings_text(const Recording& recording) {
+  std::string text;
+  for (const std::string& finding : recording.findings) text += fmt::format("warning   {}\n", finding);
+  return text;
+}
+
+/// An even change of speed by least squares.
+struct Ramp {
+  double rate_hz_per_s = 0;
+  double largest_error = 0;  ///< of the speed, relative to the whole change
+};
+
+Ramp ramp_of(const std::vector<OrderPoint>& points) {
+  double t = 0, f = 0, tt = 0, tf = 0;
+  const auto count = static_cast<double>(points.size());
+  for (const OrderPoint& point : points) {
+    t += point.t_s / count;
+    f += point.speed_hz / count;
+  }
+  for (const OrderPoint& point : points) {
+    tt += (point.t_s - t) * (point.t_s - t);
+    tf += (point.t_s - t) * (point.speed_hz - f);
+  }
+  Ramp ramp{.rate_hz_per_s = tf / tt};
+  const double change_hz = std::abs(ramp.rate_hz_per_s * (points.back().t_s - points.front().t_s));
+  for (const OrderPoint& point : points) {
+    const double error_hz = std::abs(point.speed_hz - f - ramp.rate_hz_per_s * (point.t_s - t));
+    ramp.largest_error = std::max(ramp.largest_error, error_hz / change_hz);
+  }
+  return ramp;
+}
+
+/// Largest 1X of one direction and the mode behind it, where the speed changes evenly.
+std::string run_text(const std::vector<OrderPoint>& points, bool y, std::string& measures) {
+  constexpr double even = 0.02;
+  std::vector<identify::BodePoint> plot;
+  for (const OrderPoint& point : points) {
+    const std::complex<double> amplitude_m = y ? point.y_m : point.x_m;
+    plot.push_back({point.speed_hz, std::abs(amplitude_m), std::arg(amplitude_m) * 180 / std::numbers::pi});
+  }
+  const char name = y ? 'y' : 'x';
+  const auto top = std::ranges::max_element(plot, {}, &identify::BodePoint::amplitude_m);
+  std::string text =
+      fmt::format("1X in {}    largest at {:.5g} Hz, {:.4g} um", name, top->speed_hz, 1e6 * top->amplitude_m);
+  measures += fmt::format("speed_of_largest_1x_{}_hz,{},\n", name, csv_number(top->speed_hz));
+  const Ramp ramp = ramp_of(points);
+  if (ramp.largest_error > even)
+    return text + fmt::format("; the speed does not change evenly ({:.2g} % off), no mode is fitted\n",
+                              100 * ramp.largest_error);
+  const auto fit = identify::fit_ramp_resonance(plot, ramp.rate_hz_per_s);
+  if (!fit) return text + "; no single mode fits\n";
+  measures +=
+      fmt::format("resonance_{0}_hz,{1},\ndamping_ratio_{0},{2},\nmisfit_{0},{3},\n", name,
+                  csv_number(fit->frequency_hz), csv_number(fit->damping_ratio), csv_number(fit->misfit));
+  return text +
+         fmt::format(
+             "; a mode of {:.5g} Hz, damping ratio {:.3g}, explains {:.4g} to {:.4g} Hz but for {:.2g} %\n",
+             fit->frequency_hz, fit->damping_ratio, fit->from_hz, fit->to_hz, 100 * fit->misfit);
+}
+
 }  // namespace
 
-ScopeTables tables_of(const Recording& recording, const Verdict& verdict) {
+ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const std::vector<double>& orders) {
   const std::vector<double> speeds_hz = recording::turn_speeds_hz(recording.turn_begin_s);
-  const auto [slowest, fastest] = std::ranges::minmax(speeds_hz);
   const double mean_hz = recording.turns() / (recording.turn_begin_s.back() - recording.turn_begin_s.front());
   const double sample_noise_m = verdict.noise_m * std::sqrt(static_cast<double>(verdict.turns)) *
                                 std::sqrt(double{samples_per_revolution});
   ScopeTables tables{.turns_csv = turns_csv(recording, speeds_hz),
                      .orbit_csv = orbit_csv(verdict, recording.plane),
                      .lines_csv = lines_csv(verdict),
+                     .bode_csv = bode_csv(recording, orders),
+                     .waterfall_csv = waterfall_csv(recording),
                      .measures_csv = "quantity,value,uncertainty\n",
                      .summary = {}};
   const auto measure = [&](const char* quantity, double value, double uncertainty) {
@@ -117,17 +197,37 @@ ScopeTables tables_of(const Recording& recording, const Verdict& verdict) {
   measure("peak_to_peak_x_m", peak_to_peak_m(verdict, false), end_noise_m);
   if (recording.plane) measure("peak_to_peak_y_m", peak_to_peak_m(verdict, true), end_noise_m);
   if (verdict.whirl) measure("forward_share", verdict.forward_share, verdict.forward_share_uncertainty);
-  tables.summary =
-      fmt::format("speed     {:.6g} Hz ({:.6g} to {:.6g}), {} turns, {:.4g} readings a turn\n", mean_hz,
-                  slowest, fastest, recording.turns(), recording.sampling_rate_hz / mean_hz);
+  tables.summary = speed_text(recording, speeds_hz);
   tables.summary +=
       fmt::format("motion    {}\n          {}", period_text(verdict), doubt_text(verdict, mean_hz));
   tables.summary += fmt::format("size      {:.4g} um peak to peak", 1e6 * peak_to_peak_m(verdict, false));
   if (recording.plane)
     tables.summary += fmt::format(" in x, {:.4g} um in y", 1e6 * peak_to_peak_m(verdict, true));
   tables.summary += fmt::format("; a line has {:.2g} um of noise\n", 1e6 * verdict.noise_m);
-  for (const std::string& finding : recording.findings)
-    tables.summary += fmt::format("warning   {}\n", finding);
+  tables.summary += findings_text(recording);
+  return tables;
+}
+
+ScopeTables tables_of_run(const Recording& recording, const std::vector<double>& orders) {
+  const std::vector<double> speeds_hz = recording::turn_speeds_hz(recording.turn_begin_s);
+  ScopeTables tables{.turns_csv = turns_csv(recording, speeds_hz),
+                     .orbit_csv = {},
+                     .lines_csv = {},
+                     .bode_csv = bode_csv(recording, orders),
+                     .waterfall_csv = waterfall_csv(recording),
+                     .measures_csv = "quantity,value,uncertainty\n",
+                     .summary = speed_text(recording, speeds_hz)};
+  const std::vector<OrderPoint> one_x = order_history(recording, 1);
+  const Ramp ramp = ramp_of(one_x);
+  tables.measures_csv +=
+      fmt::format("turns,{},\nrate_hz_per_s,{},\n", recording.turns(), csv_number(ramp.rate_hz_per_s));
+  tables.summary += fmt::format(
+      "motion    changes with the speed, by {:.4g} Hz a second; from_s and to_s in the description take a "
+      "steady stretch\n",
+      ramp.rate_hz_per_s);
+  tables.summary += run_text(one_x, false, tables.measures_csv);
+  if (recording.plane) tables.summary += run_text(one_x, true, tables.measures_csv);
+  tables.summary += findings_text(recording);
   return tables;
 }
 

@@ -1,23 +1,33 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "rubsweep/recording/recording.hpp"
 #include "rubsweep/scope/verdict.hpp"
 
 namespace rubsweep::scope {
 
-/// What was found in a recording, as tables and as lines for a terminal.
+/// Findings in a recording, as tables and as lines for a terminal.
 struct ScopeTables {
+  /// turn, t_s, speed_hz, x_m, y_m: the section at the mark; centre_x_m, centre_y_m: mean of the turn. One
+  /// probe: no y.
+  std::string turns_csv;
   std::string
-      turns_csv;  ///< turn, t_s, speed_hz, x_m, y_m: the section at the mark; of one probe without y_m
-  std::string orbit_csv;     ///< turns, x_m, y_m: the mean period, from the mark on
-  std::string lines_csv;     ///< order, amplitude_m, uncertainty_m, phase_deg, phase_uncertainty_deg
+      orbit_csv;  ///< turns, x_m, y_m: the mean period, from the mark on; empty where the speed changes
+  std::string lines_csv;  ///< order, amplitude_m, uncertainty_m, phase_deg, phase_uncertainty_deg; likewise
+  std::string bode_csv;   ///< see order_history.hpp, as the next one
+  std::string waterfall_csv;
   std::string measures_csv;  ///< quantity, value, uncertainty
   std::string summary;
 };
 
-/// `verdict` is that of the recording's displacement.
-ScopeTables tables_of(const recording::Recording& recording, const Verdict& verdict);
+/// `verdict` is that of the recording's displacement; `orders`, multiples of 1/8, go into the Bode plot.
+ScopeTables tables_of(const recording::Recording& recording, const Verdict& verdict,
+                      const std::vector<double>& orders);
+
+/// The same of a run-up or coast-down (speed_changes), which has no motion that repeats: 1X and, where the
+/// speed changes evenly, the mode behind it (identify::fit_ramp_resonance). Needs history_turns.
+ScopeTables tables_of_run(const recording::Recording& recording, const std::vector<double>& orders);
 
 }  // namespace rubsweep::scope

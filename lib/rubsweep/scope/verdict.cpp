@@ -17,6 +17,7 @@ using response::spectrum::SpectrumWorkspace;
 
 constexpr int fewest_periods = 3;
 constexpr double false_alarm = 0.01;
+constexpr int most_aperiodic_turns = 64;
 constexpr double smallest_share = 1e-3;
 /// The same of a line that is not visible and yet suspicious.
 constexpr double suspicion = 0.2;
@@ -98,11 +99,15 @@ std::vector<Complex> mean_period(std::span<const Complex> samples, std::size_t l
 std::vector<MeasuredLine> lines_of(std::span<const Complex> orbit, int turns) {
   std::vector<MeasuredLine> lines;
   const int last = std::min(static_cast<int>(most_order * turns), static_cast<int>(orbit.size()) / 2 - 1);
+  const std::size_t count = orbit.size();
+  std::vector<Complex> roots(count);
+  for (std::size_t j = 0; j < count; ++j)
+    roots[j] = std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(count));
   for (int k = -last; k <= last; ++k) {
     Complex sum = 0;
-    const double step = -2 * std::numbers::pi * k / static_cast<double>(orbit.size());
-    for (std::size_t j = 0; j < orbit.size(); ++j)
-      sum += orbit[j] * std::polar(1.0, step * static_cast<double>(j));
+    const std::size_t step = k < 0 ? count - static_cast<std::size_t>(-k) : static_cast<std::size_t>(k);
+    for (std::size_t j = 0, root = 0; j < count; ++j, root = (root + step) % count)
+      sum += orbit[j] * roots[root];
     lines.push_back({static_cast<double>(k) / turns, sum / static_cast<double>(orbit.size())});
   }
   return lines;
@@ -198,13 +203,18 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
     const bool same = response::spectrum::same_discrete_lines(displacement_m.first(half),
                                                               displacement_m.last(half), workspace);
     verdict.motion = same ? MeasuredClass::quasi_periodic : MeasuredClass::aperiodic;
-    verdict.orbit_m.assign(displacement_m.begin(), displacement_m.end());
-    verdict.lines = lines_of(verdict.orbit_m, turns);
+    // The last turns alone: as many lines as a figure can show, each with that much more noise.
+    verdict.turns = std::min(turns, most_aperiodic_turns);
+    verdict.noise_m *= std::sqrt(static_cast<double>(turns) / verdict.turns);
+    const auto last = displacement_m.last(static_cast<std::size_t>(verdict.turns) *
+                                          static_cast<std::size_t>(samples_per_revolution));
+    verdict.orbit_m.assign(last.begin(), last.end());
+    verdict.lines = lines_of(verdict.orbit_m, verdict.turns);
   }
   if (plane && !rest) {
     verdict.shape = response::spectrum::orbit_kind(
-        verdict.orbit_m,
-        response::spectrum::full_spectrum(verdict.orbit_m, verdict.period.value_or(turns), workspace));
+        verdict.orbit_m, response::spectrum::full_spectrum(
+                             verdict.orbit_m, verdict.period.value_or(verdict.turns), workspace));
     measure_whirl(verdict);
   }
   return verdict;

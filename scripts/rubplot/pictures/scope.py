@@ -1,4 +1,4 @@
-"""A recording as rubscope sees it: orbit with the section, lines of the full spectrum, speed over time."""
+"""A recording as rubscope sees it: of a steady speed orbit, lines and speed, of a run-up Bode plot, polar plot and orders."""
 
 import math
 import os
@@ -23,6 +23,7 @@ class Scope:
         self.section = [(*self._place(row, "turn"), self._number(row, "t_s"), self._number(row, "speed_hz")) for row in rows["turns"]]
         self.lines = [tuple(self._number(row, name) for name in ("order", "amplitude_m", "uncertainty_m")) for row in rows["lines"]]
         self.measures = {row["quantity"]: row["value"] for row in rows["measures"]}
+        self.simulated, self.simulated_lines = self._compared(directory)
         largest = max(abs(value - self.centre[i]) for point in self.orbit for i, value in enumerate(point))
         self.per_metre, self.unit = shown_units.of_length(largest)
 
@@ -30,6 +31,26 @@ class Scope:
         """x and y of two probes; of one the turns of the shaft stand in for x."""
         x = self._number(row, "x_m")
         return (x, self._number(row, "y_m")) if self.plane else (self._number(row, along), x)
+
+    def _compared(self, directory):
+        """Orbit and lines (order, amplitude) of the motion that --compare simulated; none without it."""
+        orbit, lines = (os.path.join(directory, name) for name in ("simulated.csv", "compared.csv"))
+        if not os.path.exists(orbit):
+            return [], []
+        require_readable(orbit, lines)
+        return (
+            [self._place(row, "turns") for row in csv_table.read_table(orbit)],
+            [(self._number(row, "order"), self._number(row, "simulated_m")) for row in csv_table.read_table(lines)],
+        )
+
+    def simulated_orbit(self):
+        """About its own centre, which is 0."""
+        for x, y in self.simulated + (self.simulated[:1] if self.plane else []):
+            yield f"{self.per_metre * x if self.plane else x:.17g} {self.per_metre * y:.17g}"
+
+    def simulated_spectrum(self):
+        for order, amplitude in self.simulated_lines:
+            yield f"{order:.17g} {self.per_metre * amplitude:.17g}"
 
     def _shown(self, point):
         """In `unit` about the centre; of one probe the first number stays as it is."""
@@ -63,15 +84,84 @@ class Scope:
     def widest(self):
         """Half the side of the square that holds orbit and section."""
         points = self.orbit + [point[:2] for point in self.section]
-        return 1.1 * self.per_metre * max(math.hypot(x - self.centre[0], y - self.centre[1]) for x, y in points)
+        measured = max(math.hypot(x - self.centre[0], y - self.centre[1]) for x, y in points)
+        return 1.1 * self.per_metre * max([measured] + [math.hypot(x, y) for x, y in self.simulated])
+
+
+class ScopeRun:
+    """A directory that rubscope wrote of a run-up or coast-down."""
+
+    def __init__(self, directory):
+        files = {name: os.path.join(directory, f"{name}.csv") for name in ("bode", "waterfall", "measures")}
+        require_readable(*files.values())
+        self._number = csv_table.number
+        rows = list(csv_table.read_table(files["bode"]))
+        self.directions = [name for name in "xy" if f"{name}_amplitude_m" in rows[0]]
+        self.orders = sorted({self._number(row, "order") for row in rows})
+        self._rows = {order: [row for row in rows if self._number(row, "order") == order] for order in self.orders}
+        self._waterfall = list(csv_table.read_table(files["waterfall"]))
+        measures = {row["quantity"]: row["value"] for row in csv_table.read_table(files["measures"])}
+        self.resonances = sorted({"%.4g" % float(measures[f"resonance_{name}_hz"]) for name in self.directions if f"resonance_{name}_hz" in measures}, key=float)
+        largest = max(self._number(row, f"{name}_amplitude_m") for row in rows for name in self.directions)
+        self.per_metre, self.unit = shown_units.of_length(largest)
+
+    def curve(self, order, direction):
+        """Speed, amplitude, phase (which goes on where it passes a whole turn), and both as x and y of a polar plot."""
+        before = None
+        for row in self._rows[order]:
+            amplitude = self.per_metre * self._number(row, f"{direction}_amplitude_m")
+            phase = self._number(row, f"{direction}_phase_deg")
+            angle = math.radians(phase)
+            if before is not None:
+                phase -= 360 * round((phase - before) / 360)
+            before = phase
+            yield f"{self._number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g} {amplitude * math.cos(angle):.17g} {amplitude * math.sin(angle):.17g}"
+
+    def spectra(self):
+        """Order, speed, amplitude; an empty line behind each spectrum."""
+        before = None
+        for row in self._waterfall:
+            if before not in (None, row["t_s"]):
+                yield ""
+            before = row["t_s"]
+            yield f"{self._number(row, 'order'):.17g} {self._number(row, 'speed_hz'):.17g} {self.per_metre * self._number(row, 'amplitude_m'):.17g}"
+
+    def files(self):
+        curves = [(order, direction) for order in self.orders[:4] for direction in self.directions]
+        files = {f"curve_{i}": self.curve(*curve) for i, curve in enumerate(curves)}
+        files["names.gp"] = [f'name_{i} = "{order:g}X, {direction}"' for i, (order, direction) in enumerate(curves)]
+        files["spectra"] = self.spectra()
+        return len(curves), files
+
+
+def run_picture(given):
+    run = ScopeRun(given.source)
+    count, files = run.files()
+    return Picture("scope_run.gp", (given.heading, str(count), run.unit, " ".join(run.resonances)), files)
 
 
 def picture(given):
+    if not os.path.exists(os.path.join(given.source, "orbit.csv")):
+        return run_picture(given)
     scope = Scope(given.source)
     return Picture(
         "scope.gp",
-        (given.heading, scope.label(), scope.unit, "1" if scope.plane else "0", "%.17g" % scope.widest() if scope.plane else "0"),
-        {"orbit": scope.closed_orbit(), "section": scope.marks(), "spectrum": scope.spectrum(), "speed": scope.speed()},
+        (
+            given.heading,
+            scope.label(),
+            scope.unit,
+            "1" if scope.plane else "0",
+            "%.17g" % scope.widest() if scope.plane else "0",
+            "1" if scope.simulated else "0",
+        ),
+        {
+            "orbit": scope.closed_orbit(),
+            "section": scope.marks(),
+            "spectrum": scope.spectrum(),
+            "speed": scope.speed(),
+            "simulated": scope.simulated_orbit(),
+            "simulated_spectrum": scope.simulated_spectrum(),
+        },
     )
 
 
@@ -79,7 +169,8 @@ SUBCOMMAND = Subcommand(
     name="scope",
     summary="a recorded motion (rubscope)",
     description="""Draws what rubscope wrote into DIR: the mean period of the recorded motion with the position of the shaft
-at each passage of the mark, the lines of its full spectrum over their noise, and the speed over time.""",
+at each passage of the mark, the lines of its full spectrum over their noise, the speed over time, and the simulated motion
+of --compare. Of a run-up: amplitude and phase over the speed, a polar plot, and full spectra in orders.""",
     source="DIR",
     heading="Recording",
     picture=picture,

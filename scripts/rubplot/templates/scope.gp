@@ -1,13 +1,26 @@
 # Draws the recording that pictures/scope.py lays out.
-# Arguments: HEADING LABEL UNIT PLANE WIDEST
-# Files: orbit and section (x, y in UNIT; of one probe turns and x), spectrum (order, amplitude, noise), speed (s, Hz).
+# Arguments: HEADING LABEL UNIT PLANE WIDEST COMPARED
+# Files: orbit and section (x, y in UNIT; of one probe turns and x), spectrum (order, amplitude, noise), speed (s, Hz);
+# where COMPARED is 1 simulated (as orbit) and simulated_spectrum (order, amplitude).
 
 heading = ARG1
 unit = ARG3
 plane = int(ARG4)
 widest = real(ARG5)
+compared = int(ARG6)
 blue = "#332288"
 red = "#CC6677"
+
+# Nothing, or the element of a plot; before the loop, which is read as a whole.
+style = " linecolor rgb \"#117733\" title \"simulated\""
+simulated_orbit = compared ? ", \"simulated\" using 1:2 with lines dashtype 2 linewidth 2" . style : ""
+simulated_lines = compared ? \
+  ", \"simulated_spectrum\" using 1:2 with points pointtype 6 pointsize 0.9 linewidth 1.5" . style : ""
+# Here, while no axis has a range.
+stats "spectrum" using 2 name "L" nooutput
+largest_line = L_max
+stats "spectrum" using 3 name "N" nooutput
+smallest_noise = N_min
 
 do for [format in formats] {
   eval canvas(format, 1600, 1000, 'DejaVu Sans,20', 1.5)
@@ -19,28 +32,30 @@ do for [format in formats] {
   set tics nomirror out
   set grid linecolor rgb "#E4E4E4"
 
-  set lmargin at screen 0.08
-  set rmargin at screen 0.47
-  set tmargin at screen 0.86
+  set lmargin at screen 0.09
+  set rmargin at screen 0.48
+  set tmargin at screen 0.82
   set bmargin at screen 0.11
   if (plane) {
     set size ratio -1
     set xrange [-widest:widest]
     set yrange [-widest:widest]
     set xlabel sprintf("x (%s)", unit)
-    set ylabel sprintf("y (%s)", unit)
+    set label 3 sprintf("y (%s)", unit) at screen 0.02, 0.42 center rotate by 90
   } else {
     set xlabel "turns of the shaft"
-    set ylabel sprintf("x (%s)", unit)
+    set label 3 sprintf("x (%s)", unit) at screen 0.02, 0.42 center rotate by 90
   }
-  set key at screen 0.275, 0.92 center top horizontal Left reverse samplen 2 noenhanced
+  set key at screen 0.285, 0.93 center top horizontal maxrows 2 Left reverse samplen 2 noenhanced
   plot "orbit" using 1:2 with lines linewidth 2 linecolor rgb blue title "mean motion, " . ARG2, \
-    "section" using 1:2 with points pointtype 7 pointsize 0.7 linecolor rgb red title "at the mark"
+    "section" using 1:2 with points pointtype 7 pointsize 1.1 linecolor rgb red title "at the mark" \
+    @simulated_orbit
   unset label 1
+  unset label 3
   set size noratio
   set autoscale xy
 
-  set lmargin at screen 0.58
+  set lmargin at screen 0.60
   set rmargin at screen 0.97
   set tmargin at screen 0.86
   set bmargin at screen 0.56
@@ -49,12 +64,16 @@ do for [format in formats] {
   set xrange [-8:8]
   set xtics 2
   set xlabel "order"
-  unset ylabel
   # Not as labels of the axes, which may come over the numbers at them.
   set label 2 sprintf("amplitude (%s)", unit) at screen 0.51, 0.71 center rotate by 90
-  set key at screen 0.775, 0.92 center top horizontal Left reverse samplen 2
+  set key at screen 0.785, 0.93 center top horizontal maxrows 1 Left reverse samplen 2
+  set yrange [1e-3 * largest_line:2 * largest_line]
+  if (smallest_noise > 0) {
+    set yrange [0.3 * smallest_noise:2 * largest_line]
+  }
   plot "spectrum" using 1:2 with impulses linewidth 3 linecolor rgb blue notitle, \
-    "spectrum" using 1:3 with lines dashtype 2 linewidth 1.5 linecolor rgb red title "noise of a line"
+    "spectrum" using 1:3 with lines dashtype 2 linewidth 1.5 linecolor rgb red title "noise of a line" \
+    @simulated_lines
   unset logscale y
   set format y "% h"
   set autoscale xy

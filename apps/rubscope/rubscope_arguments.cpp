@@ -1,0 +1,120 @@
+#include "rubscope_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "rubsweep/scope/verdict.hpp"
+#include "shared/command_line.hpp"
+#include "shared/program.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+po::options_description visible_options() {
+  po::options_description options("Options");
+  options.add_options()(
+      "instrument", po::value<std::string>()->value_name("FILE.yaml"),
+      "probes, keyphasor and clock of the recording instead of RECORDING with the ending .yaml");
+  options.add_options()("orders", po::value<std::string>()->value_name("P,P,..."),
+                        "orders of the Bode plot, multiples of 1/8; 1,2 unless given")(
+      "compare", po::value<std::string>()->value_name("CONFIG.yaml"),
+      "lay the recording over a simulated motion, that of --cell, by the first sensor of a rotor kit or by "
+      "the rotor")("cell", po::value<std::string>()->value_name("SPEED_HZ,UNBALANCE"),
+                   "cell of CONFIG.yaml to compare with");
+  add_set(options);
+  add_output(options, "write there instead of into RECORDING without its ending and with _scope");
+  add_figure(options, "draw orbit, section, lines and speed");
+  add_last(options);
+  return options;
+}
+
+std::vector<double> orders_of(std::string_view text) {
+  std::vector<double> orders;
+  while (true) {
+    const std::string_view part = text.substr(0, text.find(','));
+    double order = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), order);
+    if (error != std::errc() || end != part.data() + part.size() ||
+        !(order > 0 && order <= scope::most_order) || std::fmod(8 * order, 1) != 0)
+      throw UsageError(fmt::format("--orders: '{}', allowed: multiples of 1/8 above 0 and up to {}", part,
+                                   scope::most_order));
+    orders.push_back(order);
+    if (part.size() == text.size()) return orders;
+    text.remove_prefix(part.size() + 1);
+  }
+}
+
+std::optional<ComparedCell> compared_of(const po::variables_map& given) {
+  if (given.count("compare") != given.count("cell"))
+    throw UsageError(
+        "--compare and --cell go together: rubscope RECORDING --compare CONFIG.yaml --cell 70,0.6");
+  if (given.count("compare") == 0) {
+    if (given.count("set")) throw UsageError("--set: allowed: with --compare");
+    return std::nullopt;
+  }
+  ComparedCell compared{given["compare"].as<std::string>(), {}, read_cell(given["cell"].as<std::string>())};
+  if (given.count("set")) compared.overrides = given["set"].as<std::vector<std::string>>();
+  return compared;
+}
+
+}  // namespace
+
+std::string rubscope_help() {
+  return fmt::format(
+      "rubscope RECORDING [options]\n"
+      "Says what a recorded motion is: speed, orbit, lines, section, period, shape and whirl, and what noise "
+      "and "
+      "length leave open.\n\n"
+      "{}\n"
+      "Examples:\n"
+      "  rubscope measured.csv                               (with measured.yaml beside it)\n"
+      "  rubscope run7.wav --compare kit.yaml --cell 70,0.6\n"
+      "  rubscope monday/run7.csv --instrument kit.yaml --output results/run7 --figure run7.png\n\n"
+      "The file beside it, for example:\n"
+      "  time: t\n"
+      "  keyphasor: {{column: KP, mark: dark}}\n"
+      "  probes:\n"
+      "    - {{column: X, angle_deg: 45, gain_mv_per_um: 7.87}}\n"
+      "    - {{column: Y, angle_deg: 135, gain_mv_per_um: 7.87}}\n\n"
+      "Writes into DIR:\n"
+      "  turns.csv      speed and position of the shaft at each passage of the mark: the section; its mean "
+      "position\n"
+      "  orbit.csv      the mean period, from the mark on; not of a run-up\n"
+      "  lines.csv      lines of the full spectrum with phase and uncertainty; not of a run-up\n"
+      "  bode.csv       amplitude and phase of some orders over time and speed\n"
+      "  waterfall.csv  full spectra in orders, one after the other\n"
+      "  measures.csv   period, sizes, noise, direction of whirl; of a run-up its rate and resonance\n"
+      "  compared.csv, simulated.csv   with --compare: both motions' lines, and the simulated orbit\n\n"
+      "Exit codes: 0 done; 1 usage; 2 a recording or its description that cannot be used; 3 input/output.\n",
+      text_of(visible_options()));
+}
+
+RubscopeArguments parse_rubscope_arguments(int argc, const char* const* argv) {
+  po::options_description all = visible_options();
+  all.add_options()("recording", po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add("recording", -1);
+  const po::variables_map given = read_command_line(argc, argv, all, positional);
+  RubscopeArguments arguments{.action = action_of(given), .quiet = given.count("quiet") > 0};
+  if (arguments.action != Action::run) return arguments;
+  const auto names = given.count("recording") ? given["recording"].as<std::vector<std::string>>()
+                                              : std::vector<std::string>{};
+  if (names.size() != 1) throw UsageError("one recording is needed: rubscope RECORDING");
+  arguments.recording = arguments.instrument = arguments.directory = names.front();
+  arguments.instrument.replace_extension(".yaml");
+  arguments.directory.replace_extension();
+  arguments.directory += "_scope";
+  if (given.count("instrument")) arguments.instrument = given["instrument"].as<std::string>();
+  if (given.count("output")) arguments.directory = given["output"].as<std::string>();
+  if (given.count("orders")) arguments.orders = orders_of(given["orders"].as<std::string>());
+  arguments.compared = compared_of(given);
+  arguments.figure = figure_of(given);
+  return arguments;
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/action.hpp"
+#include "shared/cell_argument.hpp"
+#include "shared/figure.hpp"
+
+namespace rubsweep::apps {
+
+/// A cell of a configuration that a recording is laid over.
+struct ComparedCell {
+  std::filesystem::path config;
+  std::vector<std::string> overrides;
+  CellArgument cell;
+};
+
+struct RubscopeArguments {
+  Action action = Action::run;
+  bool quiet = false;
+  std::filesystem::path recording = {}, instrument = {}, directory = {};
+  std::vector<double> orders = {1, 2};  ///< of the Bode plot, multiples of 1/8
+  std::optional<ComparedCell> compared = {};
+  std::optional<Figure> figure = {};
+};
+
+/// Throws UsageError (program.hpp).
+RubscopeArguments parse_rubscope_arguments(int argc, const char* const* argv);
+
+/// Text of --help.
+std::string rubscope_help();
+
+}  // namespace rubsweep::apps

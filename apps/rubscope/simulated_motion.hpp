@@ -1,0 +1,20 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "rubsweep/config/run_config.hpp"
+#include "shared/cell_argument.hpp"
+
+namespace rubsweep::apps {
+
+/// The settled motion of the cell to compare with: one period of it.
+struct SimulatedMotion {
+  std::vector<std::complex<double>> period_m;
+  int turns = 1;
+};
+
+/// Runs the cell until it has settled. Throws ConfigError where its motion does not repeat.
+SimulatedMotion simulate(const config::RunConfig& config, const CellArgument& cell);
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,99 @@
+# Draws the run-up that pictures/scope.py lays out.
+# Arguments: HEADING CURVES UNIT RESONANCES
+# Files: curve_N for each of the CURVES (speed, amplitude in UNIT, phase in degrees, x and y of the polar plot), names.gp,
+# spectra (order, speed, amplitude).
+
+heading = ARG1
+curves = int(ARG2)
+unit = ARG3
+resonances = ARG4
+file(i) = "curve_" . i
+load "names.gp"
+# Paul Tol's "muted" scheme, curve by curve.
+array colours[8] = ["#332288", "#CC6677", "#117733", "#DDCC77", "#882255", "#44AA99", "#AA4499", "#999933"]
+mark = "#999999"
+# Here, while no axis has a range.
+stats "spectra" using 3 name "S" nooutput
+stats "spectra" using 2 name "V" nooutput
+stats file(0) using 4 name "X" nooutput
+stats file(0) using 5 name "Y" nooutput
+widest = 1.05 * (abs(X_min) > X_max ? abs(X_min) : X_max)
+widest = 1.05 * (abs(Y_min) > Y_max ? abs(Y_min) : Y_max) > widest ? 1.05 * (abs(Y_min) > Y_max ? abs(Y_min) : Y_max) : widest
+if (curves > 1) {
+  stats file(1) using 2 name "R" nooutput
+  widest = 1.05 * R_max > widest ? 1.05 * R_max : widest
+}
+
+do for [format in formats] {
+  eval canvas(format, 1600, 1100, 'DejaVu Sans,20', 1.5)
+  reset
+  set encoding utf8
+  set minussign
+  set multiplot
+  set label 1 heading at screen 0.5, 0.965 center font ":Bold,22" noenhanced
+  set tics nomirror out
+  set grid linecolor rgb "#E4E4E4"
+  do for [k = 1:words(resonances)] {
+    set arrow k from first real(word(resonances, k)), graph 0 to first real(word(resonances, k)), graph 1 nohead \
+      dashtype 2 linewidth 1.2 linecolor rgb mark
+  }
+
+  set lmargin at screen 0.09
+  set rmargin at screen 0.49
+  set tmargin at screen 0.86
+  set bmargin at screen 0.52
+  set xrange [V_min:V_max]
+  set yrange [0:*]
+  set format x ""
+  set label 2 sprintf("amplitude (%s)", unit) at screen 0.02, 0.69 center rotate by 90
+  set key at screen 0.29, 0.94 center top horizontal maxrows 2 Left reverse samplen 2 noenhanced
+  plot for [i = 0:curves - 1] file(i) using 1:2 with lines linewidth 2 linecolor rgb colours[i + 1] \
+      title value(sprintf("name_%d", i)), \
+    NaN with lines dashtype 2 linewidth 1.2 linecolor rgb mark \
+      title (words(resonances) ? sprintf("resonance %s Hz", word(resonances, 1)) : "")
+  unset label 1
+  unset key
+
+  set tmargin at screen 0.48
+  set bmargin at screen 0.11
+  set format x "% h"
+  set yrange [*:*]
+  set ytics 90
+  set xlabel "shaft speed (Hz)"
+  set label 2 "phase of 1X (deg)" at screen 0.02, 0.29 center rotate by 90
+  plot for [i = 0:(curves > 1 ? 1 : 0)] file(i) using 1:3 with lines linewidth 2 linecolor rgb colours[i + 1]
+  do for [k = 1:words(resonances)] { unset arrow k }
+
+  set lmargin at screen 0.60
+  set rmargin at screen 0.97
+  set tmargin at screen 0.90
+  set bmargin at screen 0.52
+  set size ratio -1
+  set xrange [-widest:widest]
+  set yrange [-widest:widest]
+  set xtics autofreq
+  set ytics autofreq
+  set xlabel sprintf("1X in polar form (%s): phase 0° to the right", unit)
+  unset label 2
+  plot for [i = 0:(curves > 1 ? 1 : 0)] file(i) using 4:5 with lines linewidth 2 linecolor rgb colours[i + 1]
+  set size noratio
+
+  set lmargin at screen 0.60
+  set rmargin at screen 0.90
+  set tmargin at screen 0.41
+  set bmargin at screen 0.11
+  unset grid
+  set xrange [-8:8]
+  set yrange [V_min:V_max]
+  set xtics 2
+  set xlabel "order"
+  set label 2 "shaft speed (Hz)" at screen 0.53, 0.26 center rotate by 90
+  set logscale cb
+  set cbrange [1e-3 * S_max:S_max]
+  set format cb "10^{%L}"
+  set cblabel sprintf("amplitude (%s)", unit)
+  set palette defined (0 "#FFFFFF", 1 "#AACCE8", 2 "#4477AA", 3 "#332288", 4 "#220022")
+  plot "spectra" using 1:2:3 with points pointtype 5 pointsize 0.5 palette
+  unset multiplot
+  unset output
+}
