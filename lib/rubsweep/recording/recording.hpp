@@ -12,7 +12,7 @@ namespace rubsweep::recording {
 /// Samples of one turn of the shaft.
 inline constexpr int samples_per_revolution = 128;
 
-/// What was measured, over whole turns of the shaft and at equal angles.
+/// Measured motion over whole turns of the shaft, at equal angles.
 struct Recording {
   double sampling_rate_hz = 0;
   std::vector<double> turn_begin_s{};  ///< one more than there are turns

@@ -86,7 +86,7 @@ std::string period_text(const Verdict& verdict) {
   return text;
 }
 
-/// What noise and length leave open.
+/// Doubts that noise and length leave.
 std::string doubt_text(const Verdict& verdict, double mean_speed_hz) {
   if (const auto& doubt = verdict.doubtful) {
     return fmt::format(
