@@ -70,7 +70,8 @@ std::optional<scene::Cell> WrittenCell::with(const std::vector<Written>& all) co
   if (overrides.size() == arguments_.overrides.size())
     return scene::build_cell(*prepared_, speed_hz, unbalance);
   const auto config = config::read_run_config_text(text_, arguments_.config.string(), overrides);
-  return scene::build_cell(config.study.machine, speed_hz, unbalance);
+  // Prepared for all speeds as the cells without an override are: a branch has one set of coordinates.
+  return scene::build_cell(scene::prepare_machine(config.study.machine), speed_hz, unbalance);
 }
 
 std::optional<scene::Scene> WrittenCell::scene_with(const std::vector<Written>& all) const {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <filesystem>
@@ -21,6 +22,7 @@
 #include "rubsweep/line/follow_line.hpp"
 #include "rubsweep/ramp/ramp_record.hpp"
 #include "rubsweep/ramp/ramp_tables.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/premises.hpp"
@@ -31,10 +33,10 @@ namespace rubsweep::apps {
 namespace {
 
 /// Every file that an experiment may leave.
-constexpr std::array<std::string_view, 12> file_names{
-    "config.yaml",  "sensors.csv",         "bode.csv",         "identification.csv",
-    "campbell.csv", "critical_speeds.csv", "mode_shapes.csv",  "envelope.csv",
-    "orbits.csv",   "spectrogram.csv",     "quasi_static.csv", "rub.csv"};
+constexpr std::array<std::string_view, 13> file_names{
+    "config.yaml",         "sensors.csv",     "bode.csv",       "identification.csv", "campbell.csv",
+    "critical_speeds.csv", "mode_shapes.csv", "envelope.csv",   "orbits.csv",         "spectrogram.csv",
+    "quasi_static.csv",    "rub.csv",         "lock_speeds.csv"};
 
 /// Speeds at which a run-up with stops is compared with steady motions.
 constexpr int steady_speeds = 121;
@@ -56,12 +58,15 @@ Outcome outcome_of(identify::ExperimentTables tables) {
 }
 
 Outcome campbell_diagram(const CampbellSpeeds& asked, const model::Machine& machine) {
+  structure::refuse_beyond_tables(machine, std::min(asked.from_hz, asked.to_hz),
+                                  std::max(asked.from_hz, asked.to_hz));
   const std::vector<double> speeds_hz = batch::evenly_spaced(asked.from_hz, asked.to_hz, asked.count);
   identify::CampbellTables tables =
       identify::tables_of(identify::campbell(identify::free_rotor(machine), speeds_hz, 2 * asked.to_hz));
   return {{{"campbell.csv", std::move(tables.campbell_csv)},
            {"critical_speeds.csv", std::move(tables.critical_speeds_csv)},
-           {"mode_shapes.csv", std::move(tables.mode_shapes_csv)}},
+           {"mode_shapes.csv", std::move(tables.mode_shapes_csv)},
+           {"lock_speeds.csv", std::move(tables.lock_speeds_csv)}},
           std::move(tables.summary)};
 }
 

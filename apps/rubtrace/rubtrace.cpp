@@ -135,7 +135,8 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   keep_units(arguments.place, config.study);
   const sweep::Study& study = config.study;
   trace::TraceOptions options = options_of(arguments, study, place.speed_hz);
-  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  const scene::PreparedMachine prepared =
+      scene::prepared_at(scene::prepare_machine(study.machine), place.speed_hz);
   if (!arguments.quiet) warn_of_premises("rubtrace", study, prepared);
   if (arguments.probes) options.probes = probes_of(arguments, prepared, options.revolutions);
   refuse_more_memory_than_there_is(options, study.machine.stops.size(),

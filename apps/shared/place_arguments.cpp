@@ -75,6 +75,12 @@ void require_speed(std::string_view option, double speed_hz, const model::Machin
   const auto slip = config::slip_of(config::Quantity::speed_hz, speed_hz, &machine);
   if (slip && slip->certain)
     throw UsageError(fmt::format("{}: {}, allowed: {} Hz", option, slip->wrong, slip->allowed));
+  if (const model::RotorKit* kit = model::kit_of(machine)) {
+    const model::Range reached = model::table_speeds_hz(*kit);
+    if (!model::contains(reached, speed_hz))
+      throw UsageError(fmt::format("{}: the tables of the supports do not reach {} Hz, allowed: {}", option,
+                                   speed_hz, model::describe(reached)));
+  }
 }
 
 void ask_about(std::string_view program, const scene::Unbalance& unbalance, const model::Machine& machine,

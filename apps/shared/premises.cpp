@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "rubsweep/report/explain_tables.hpp"
 #include "rubsweep/sweep/unstable_rotor.hpp"
 #include "shared/program.hpp"
 
@@ -9,6 +10,12 @@ namespace rubsweep::apps {
 
 void warn_of_premises(std::string_view program, const sweep::Study& study,
                       const scene::PreparedMachine& prepared) {
+  const std::string sparse = report::describe_sparse_tables(study.machine);
+  for (std::size_t begin = 0; begin < sparse.size();) {
+    const std::size_t end = sparse.find('\n', begin) + 1;
+    say(fmt::format("{}: warning: {}", program, sparse.substr(begin, end - begin)));
+    begin = end;
+  }
   const std::string where = sweep::where_rotor_is_unstable(study, prepared);
   if (!where.empty()) say(fmt::format("{}: warning: {}", program, where));
 }

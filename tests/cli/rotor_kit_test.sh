@@ -29,7 +29,7 @@ identified run_up/identification.csv resonance_frequency_hz 1 29.83 29.89
 
 # Whirl modes over the speed: the lowest critical speed is that of the run-up, and the gyroscopic moment parts the modes.
 expect_exit 0 "$kit" --campbell 0:200:21 --output campbell
-expect_files campbell campbell.csv config.yaml critical_speeds.csv mode_shapes.csv
+expect_files campbell campbell.csv config.yaml critical_speeds.csv lock_speeds.csv mode_shapes.csv
 [[ $(header_of campbell/campbell.csv) == speed_hz,mode,whirl,forward_share,frequency_hz,damping_ratio ]] || fail 'another header'
 [[ $(count_rows campbell/campbell.csv 'speed_hz == 200') == 7 ]] || fail 'not seven modes below 400 Hz'
 [[ $(count_rows campbell/critical_speeds.csv "whirl == 'forward' and 29 < speed_hz < 31") == 1 ]] ||
@@ -44,6 +44,10 @@ expect_files campbell config.yaml identification.csv sensors.csv
 expect_exit 0 "$minimal" --campbell 0:100 --output jeffcott
 [[ $(count_rows jeffcott/critical_speeds.csv 'abs(speed_hz - 29.99399939987997) < 1e-9') == 2 ]] ||
   fail "another critical speed of a Jeffcott rotor: $(<jeffcott/critical_speeds.csv)"
+
+[[ $(count_rows jeffcott/lock_speeds.csv 'abs(speed_hz - 2 * 29.99399939987997) < 1e-9 and p == 3') == 1 &&
+  $(count_rows jeffcott/lock_speeds.csv 'abs(speed_hz - 3 * 29.99399939987997) < 1e-9 and p == 2') == 1 ]] ||
+  fail "another lock speed of a Jeffcott rotor: $(<jeffcott/lock_speeds.csv)"
 
 expect_exit 0 "$kit" --speed-hz 70 --whirl-ratio 0.7 "${small[@]}" --last-revolutions 2 --output rub
 expect_contains stdout 'motion    subharmonic 1/2'

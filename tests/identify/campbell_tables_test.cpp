@@ -37,6 +37,17 @@ TEST(CampbellTables, HaveARowForEachPointSpeedAndPlace) {
             "critical  41.5 Hz, mode 3, backward, damping ratio 0.02\n");
 }
 
+TEST(CampbellTables, HaveARowForEachLockSpeed) {
+  Campbell diagram;
+  diagram.modes = {{.number = 1, .points = {{0, 10, 0.02, 0}, {40, 10, 0.02, 0}}},
+                   {.number = 2, .points = {{0, 10, 0.02, 1}, {40, 10, 0.02, 1}}}};
+  const CampbellTables tables = tables_of(diagram);
+  EXPECT_EQ(tables.lock_speeds_csv, "speed_hz,p,first_mode,q,second_mode\n20,3,2,1,1\n30,2,2,1,1\n");
+  EXPECT_NE(tables.summary.find("lock      30 Hz, 2 turns of mode 2 to 1 of mode 1 in the turning frame\n"),
+            std::string::npos)
+      << tables.summary;
+}
+
 TEST(CampbellTables, SayThatThereIsNoCriticalSpeed) {
   Campbell diagram = one_mode();
   diagram.critical_speeds.clear();

@@ -8,7 +8,9 @@
 #include <numbers>
 
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/structure/system_at.hpp"
 #include "scene/kit_machine.hpp"
+#include "scene/table_machine.hpp"
 
 namespace rubsweep::identify {
 namespace {
@@ -98,6 +100,24 @@ TEST(LinearRun, AtConstantSpeedAKitStaysOnItsQuietMotion) {
 
 /// Each impulse J = 0.02 N s at 0.4 rad to x starts a free oscillation, z(t) = J / (m wd) e^{-zeta w0 t} sin
 /// wd t.
+TEST(LinearRun, ASlowRunUpFollowsTheQuietMotionsOfSupportsByATable) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(scene::table_machine());
+  const LinearRun run{
+      .from_hz = 60, .rate_hz_per_s = 2, .eccentricity_m = 1e-4, .sample_s = 0.01, .samples = 601};
+  const SensorRows sensors = sensor_rows(prepared);
+  const Eigen::MatrixXd signal = run_linear(prepared, run, sensors.rows);
+  for (const int k : {0, 250, 600}) {
+    const double t = k * run.sample_s, w = 2 * pi * shaft_speed_hz(run, t);
+    const structure::LinearSystem system = structure::system_at(prepared.assembly, w);
+    const scene::QuietMotion quiet = scene::quiet_motion(system, w, 1e-4 * w * w * system.unbalance_kg,
+                                                         Eigen::VectorXd::Zero(system.coordinates()));
+    const Eigen::VectorXd expected = sensors.rows * quiet.displacement(shaft_angle_rad(run, t));
+    const Eigen::VectorXd found = signal.row(k).transpose();
+    const double size = (sensors.rows.cast<Complex>() * quiet.amplitude).norm();
+    EXPECT_LT((found - expected).norm(), 5e-3 * size) << k;
+  }
+}
+
 TEST(LinearRun, AFaultyBearingStrikesByTheShaftsAngle) {
   scene::PreparedMachine prepared = scene::prepare_machine(scene::one_side_machine());
   constexpr double angle = 0.4, multiple = 2.7, phase_periods = 0.3;

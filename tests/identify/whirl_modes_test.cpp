@@ -6,6 +6,7 @@
 
 #include "rubsweep/structure/beam_shaft.hpp"
 #include "scene/kit_machine.hpp"
+#include "scene/table_machine.hpp"
 #include "structure/steel.hpp"
 
 namespace rubsweep::identify {
@@ -32,6 +33,24 @@ model::Machine coupled_machine() {
   machine.rotor = kit;
   machine.stops.front().position_m = 0.7;
   return machine;
+}
+
+TEST(WhirlModes, OfSupportsByATableAreThoseOfTheNumbersTypedIn) {
+  model::Machine machine = scene::table_machine();
+  model::kit_of(machine)->elements = 40;
+  const WhirlProblem problem(free_rotor(machine));
+  for (std::size_t row = 0; row < scene::table_speeds_hz.size(); ++row) {
+    model::Machine typed = scene::typed_machine(row);
+    model::kit_of(typed)->elements = 40;
+    const double speed_hz = scene::table_speeds_hz[row];
+    const auto found = problem.at(speed_hz), expected = WhirlProblem(free_rotor(typed)).at(speed_hz);
+    for (std::size_t k = 0; k < 6; ++k) {
+      EXPECT_LT(std::abs(found[k].root_per_s - expected[k].root_per_s),
+                1e-5 * std::abs(expected[k].root_per_s))
+          << row << " " << k;
+      EXPECT_NEAR(found[k].forward_share, expected[k].forward_share, 1e-4);
+    }
+  }
 }
 
 TEST(WhirlModes, SolveTheEquationsOfMotion) {

@@ -14,6 +14,7 @@
 #include "rubsweep/identify/linear_run.hpp"
 #include "rubsweep/ramp/ramp_record.hpp"
 #include "scene/kit_machine.hpp"
+#include "scene/table_machine.hpp"
 
 namespace rubsweep::ramp {
 namespace {
@@ -108,6 +109,19 @@ TEST(RampRun, WithDampingThatTurnsIsThatWithoutStops) {
   model::Machine machine = scene::one_side_machine();
   std::get<model::JeffcottRotor>(machine.rotor).rotating_damping_ratio = 0.01;
   expect_as_without_stops(machine, {20, 40, 10, 5e-5});
+}
+
+TEST(RampRun, SupportsFollowTheirTablesAsWithoutStops) {
+  expect_as_without_stops(scene::table_machine(), {30, 110, 40, 4e-4});
+  expect_as_without_stops(scene::table_machine(), {120, 20, -40, 4e-4});
+}
+
+TEST(RampRun, EndsOfATableAndChangingMassesAreRefused) {
+  const auto ignore = [](const RampStretch&) {};
+  model::Machine machine = scene::table_machine();
+  EXPECT_THROW(run_ramp(scene::prepare_machine(machine), {19, 30, 10, 1e-5}, {}, 32, ignore), ConfigError);
+  model::kit_of(machine)->supports[0].table->columns[8] = {0, 0.01, 0.02, 0.03, 0.04};
+  EXPECT_THROW(run_ramp(scene::prepare_machine(machine), {20, 30, 10, 1e-5}, {}, 32, ignore), ConfigError);
 }
 
 TEST(RampRun, OfAGyroscopicBowedKitIsThatWithoutStops) {

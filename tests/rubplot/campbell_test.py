@@ -76,6 +76,20 @@ class Shaft(figures.FigureTest):
         self.assertIn("1200", words)
         self.assertIn("0", words)
 
+    def test_lock_speeds_are_marked_and_named(self):
+        self.write("config.yaml", "rotor:\n  kind: jeffcott\n")
+        self.write("campbell.csv", "mode,speed_hz,frequency_hz,whirl\n" + "".join(
+            f"{mode},{speed},25,{whirl}\n" for mode, whirl in ((1, "backward"), (2, "forward")) for speed in (0, 50, 100)))
+        self.write("critical_speeds.csv", "mode,speed_hz,whirl\n2,25,forward\n")
+        self.write("mode_shapes.csv", "mode,frequency_hz,whirl,position_m,x_real,y_real,x_imag,y_imag\n")
+        self.write("lock_speeds.csv", "speed_hz,p,first_mode,q,second_mode\n50,3,2,1,1\n75,2,2,1,1\n")
+        root = self.draw("campbell")
+        self.assertIn("shaft speed (Hz), ◇ lock speed", figures.words(root))
+        self.assertEqual(figures.over_each_other(root), [])
+        labels = list(campbell.lock_lines([50.0, 75.0], 100, 60))
+        self.assertEqual(len(labels), 2)
+        self.assertIn("at first 4500, first 1.2 point", labels[1])
+
     def test_no_text_stands_over_another_wherever_the_critical_speeds_are(self):
         for speeds in ((28.5,), (28, 29.5), (3, 15, 27.9)):
             with self.subTest(speeds=speeds):

@@ -9,6 +9,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "scene/kit_machine.hpp"
+#include "scene/table_machine.hpp"
 
 namespace rubsweep::scene {
 namespace {
@@ -45,6 +46,45 @@ TEST(PrepareMachine, AnotherKickLeavesTheStructure) {
   EXPECT_EQ(taken_over.pulses[0].force_n, 50);
   EXPECT_EQ(taken_over.pulses[0].duration_s, anew.pulses.at(0).duration_s);
   EXPECT_EQ(taken_over.pulses[0].direction, anew.pulses.at(0).direction);
+}
+
+TEST(PreparedAt, IsTheMachineWithTheNumbersTypedIn) {
+  for (const std::optional<int> modes : {std::optional<int>(2), std::optional<int>()}) {
+    const PreparedMachine prepared = prepare_machine(table_machine(modes));
+    for (std::size_t row = 0; row < table_speeds_hz.size(); ++row) {
+      const double speed_hz = table_speeds_hz[row];
+      const Scene found = build_cell(prepared_at(prepared, speed_hz), speed_hz, WhirlRatio{0.5}).scene,
+                  typed = build_cell(typed_machine(row, modes), speed_hz, WhirlRatio{0.5}).scene;
+      EXPECT_EQ(found.structure.stiffness, typed.structure.stiffness);
+      EXPECT_EQ(found.structure.damping, typed.structure.damping);
+      EXPECT_EQ(found.structure.mass, typed.structure.mass);
+      EXPECT_EQ(found.harmonic_n, typed.harmonic_n);
+      EXPECT_EQ(found.displacement_m, typed.displacement_m);
+      EXPECT_EQ(found.contacts[0].damping_ns_per_m, typed.contacts[0].damping_ns_per_m);
+    }
+  }
+}
+
+TEST(PreparedAt, NoCellIsBuiltBeyondATable) {
+  const PreparedMachine prepared = prepare_machine(table_machine());
+  for (const double speed_hz : {19.0, 121.0}) {
+    EXPECT_THROW(prepared_at(prepared, speed_hz), ConfigError);
+    EXPECT_THROW(build_cell(prepared, speed_hz, WhirlRatio{0.5}), ConfigError);
+  }
+}
+
+TEST(PreparedAt, KeepsTheKickOfTheMachineThatAsks) {
+  const PreparedMachine prepared = prepare_machine(table_machine());
+  model::Machine other = prepared.machine;
+  other.kick->force_n = 77;
+  const PreparedMachine there = prepared_at(prepare_other_kick(prepared, other), 55);
+  EXPECT_EQ(there.machine.kick->force_n, 77);
+  EXPECT_EQ(there.assembly.system.stiffness, prepared_at(prepared, 55).assembly.system.stiffness);
+}
+
+TEST(PreparedAt, LeavesAMachineWithoutTables) {
+  const PreparedMachine prepared = prepare_machine(light_shaft_machine());
+  EXPECT_EQ(prepared_at(prepared, 17).assembly.system.stiffness, prepared.assembly.system.stiffness);
 }
 
 TEST(PrepareMachine, AnotherKickMustBeAllowed) {

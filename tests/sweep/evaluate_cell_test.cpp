@@ -10,6 +10,7 @@
 #include <string>
 
 #include "rubsweep/report/map_csv.hpp"
+#include "scene/table_machine.hpp"
 #include "support/one_side_equations.hpp"
 #include "sweep/one_side_study.hpp"
 
@@ -43,6 +44,28 @@ TEST(RowOf, NothingThatIsNotFiniteIsOk) {
   scene::Cell narrow = cell;
   narrow.scene.length_scale_m = 1e-320;
   EXPECT_EQ(row_of(narrow, 75, study.machine, &run).status, "non_finite");
+}
+
+TEST(EvaluateCell, AtTheSpeedsOfATableIsTheRowOfTheNumbersTypedIn) {
+  Study study = one_side_study({40, 55, 80}, {0.3, 0.7});
+  study.machine = scene::table_machine();
+  for (std::size_t cell = 0; cell < 6; ++cell) {
+    const double speed_hz = place_of(study.grid, cell).speed_hz;
+    const std::size_t row = speed_hz == 40 ? 1 : speed_hz == 55 ? 2 : 3;
+    Study typed = study;
+    typed.machine = scene::typed_machine(row);
+    EXPECT_EQ(report::map_line(evaluate(study, cell), study), report::map_line(evaluate(typed, cell), typed))
+        << cell;
+  }
+}
+
+TEST(EvaluateCell, SupportsThatDoNotHoldAtASpeedAreNotAllowed) {
+  Study study = one_side_study({40, 120}, {0.3});
+  study.machine = scene::table_machine();
+  for (model::Support& support : model::kit_of(study.machine)->supports)
+    support.table->columns[0].back() = -1;
+  EXPECT_EQ(evaluate(study, 0).status, "ok");
+  EXPECT_EQ(evaluate(study, 1).status, "not_allowed");
 }
 
 TEST(RowOf, SaysThatTheRunEndedBeforeItsKick) {

@@ -24,6 +24,10 @@ int Diagnostics::add_file(std::string name) {
   return static_cast<int>(files_.size()) - 1;
 }
 
+const std::string& Diagnostics::file_of(const SourcePosition& place) const {
+  return files_.at(place.override_index < 0 ? static_cast<std::size_t>(place.file) : 0);
+}
+
 std::string Diagnostics::describe(const SourcePosition& place) const {
   if (place.override_index < 0) {
     return fmt::format("{}:{}:{}", files_.at(static_cast<std::size_t>(place.file)), place.line, place.column);

@@ -27,9 +27,13 @@ class Diagnostics {
   /// `file` and `overrides` are the names under which places are reported.
   Diagnostics(std::string file, std::vector<std::string> overrides);
 
-  /// Adds a base and returns what SourcePosition::file is in it. A base is added after the file that names
-  /// it.
+  /// Adds another file, such as a base, and returns what SourcePosition::file is in it. A base is added after the
+  /// file that names it.
   int add_file(std::string name);
+
+  /// Name of the file in which something stands, which relative paths there count from; of an override that of the
+  /// configuration.
+  const std::string& file_of(const SourcePosition& place) const;
 
   /// `path` may be empty (the whole configuration), `allowed` too (nothing could be advised).
   void add(const SourcePosition& place, std::string_view path, std::string_view wrong,

@@ -8,6 +8,7 @@
 
 #include "rubsweep/config/base.hpp"
 #include "rubsweep/config/override.hpp"
+#include "rubsweep/config/support_table.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::config {
@@ -54,6 +55,7 @@ Node parse_config(std::string_view text, const std::filesystem::path& file, std:
   if (!resolve_bases(*root, file, diagnostics)) diagnostics.throw_if_any();
   apply_overrides(*root, overrides, diagnostics);
   refuse_base_of_override(*root, diagnostics);
+  resolve_tables(*root, diagnostics);
   return *std::move(root);
 }
 

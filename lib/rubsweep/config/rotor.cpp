@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "rubsweep/config/ross_file.hpp"
 #include "rubsweep/config/rotor_kit.hpp"
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/overloaded.hpp"
@@ -10,8 +11,8 @@
 namespace rubsweep::config {
 namespace {
 
-/// In the order of model::Rotor.
-constexpr std::array<std::string_view, std::variant_size_v<model::Rotor>> kinds{"jeffcott", "rotor_kit"};
+/// In the order of model::Rotor, then those of other tools' files, which become one of these.
+constexpr std::array<std::string_view, 3> kinds{"jeffcott", "rotor_kit", "ross"};
 
 }  // namespace
 
@@ -20,6 +21,8 @@ void read_rotor(const Value& value, model::Machine& machine) {
   const auto kind = section.require_kind("kind", kinds);
   if (kind && kinds[*kind] == "rotor_kit") {
     machine.rotor = read_rotor_kit(section);
+  } else if (kind && kinds[*kind] == "ross") {
+    machine.rotor = read_ross_rotor(section);
   } else {
     read_fields(section, machine.rotor.emplace<model::JeffcottRotor>());
   }

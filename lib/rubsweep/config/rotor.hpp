@@ -7,7 +7,7 @@
 namespace rubsweep::config {
 
 /// `rotor`: {kind: jeffcott, mass_kg, natural_frequency_hz, damping_ratio}, all required, or {kind:
-/// rotor_kit, ...}, see rotor_kit.hpp. Fills machine.rotor.
+/// rotor_kit, ...}, see rotor_kit.hpp, or {kind: ross, ...}, see ross_file.hpp. Fills machine.rotor.
 void read_rotor(const Value& value, model::Machine& machine);
 void print_rotor(Printer& printer, const model::Machine& machine);
 

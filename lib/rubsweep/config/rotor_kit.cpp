@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <type_traits>
 
 #include "rubsweep/config/rotor_parts.hpp"
 #include "rubsweep/config/shaft_segment.hpp"
+#include "rubsweep/config/support_table.hpp"
 #include "rubsweep/model/disc_inertia.hpp"
 #include "rubsweep/overloaded.hpp"
 
@@ -20,13 +22,34 @@ constexpr Words<bool, 2> clearance_origins{{"axis", "sag"}, {false, true}};
 constexpr IntegerRange mode_counts{1, model::RotorKit::most_modes};
 constexpr IntegerRange element_counts{1, model::RotorKit::most_elements};
 
+/// Whether a table may stand for this number of a support.
+bool is_coefficient(std::string_view name) { return name != "position_m" && !name.starts_with("angular"); }
+
+/// Whether a table stands for the coefficients of a part, which it then has.
+template <class Part>
+bool read_table(Section& section, Part& part) {
+  if constexpr (std::is_same_v<Part, model::Support>) {
+    const auto value = section.find("table");
+    if (!value) return false;
+    Part::visit_fields(part, [&](std::string_view name, auto&, const model::Range&) {
+      if (const auto beside = is_coefficient(name) ? section.find(name) : std::nullopt)
+        refuse(*beside, "is given beside a table", "a column of the table");
+    });
+    if (auto table = read_support_table(*value)) part = model::with_table(part, *std::move(table));
+    return true;
+  }
+  return false;
+}
+
 /// Reads a part, its position within `range`. A support at a housing has none.
 template <class Part>
 void read_part(Section& section, Part& part, const model::Range& range) {
   bool on_shaft = true;
   if constexpr (std::is_same_v<Part, model::Support>) on_shaft = !section.find("at_housing");
   if constexpr (std::is_same_v<Part, model::Disc>) read_disc_geometry(section, part);
+  const bool by_table = read_table(section, part);
   Part::visit_fields(part, [&](std::string_view name, auto& field, const model::Range& allowed) {
+    if (by_table && is_coefficient(name)) return;
     if (name == "position_m") {
       if (on_shaft) section.field(name, field, range);
     } else {
@@ -166,6 +189,15 @@ void read_modes(const Value& value, model::RotorKit& kit) {
   }
 }
 
+void refuse_tables(const Value& supports, Section& section, const model::RotorKit& kit) {
+  if (!model::has_tables(kit)) return;
+  const model::Range common = model::table_speeds_hz(kit);
+  if (!(common.low <= common.high))
+    refuse(supports, "have tables without a common speed", "tables that overlap");
+  if (const auto bow = section.find("bow"); bow && std::holds_alternative<model::BowMode>(kit.bow->shape))
+    refuse(*bow, "is a mode, and the modes follow the tables of the supports", "position_m and deflection_m");
+}
+
 template <class Part>
 void print_inner(Printer& printer, std::string_view name, const std::optional<Part>& part) {
   if (!part) return;
@@ -174,11 +206,16 @@ void print_inner(Printer& printer, std::string_view name, const std::optional<Pa
   printer.close();
 }
 
-/// A support at a housing.
+/// Whether a number of a part is printed: no place of a support at a housing, no numbers that a table stands
+/// for, and no fluid where there is none.
 template <class Part>
-bool has_no_place(const Part& part) {
-  if constexpr (std::is_same_v<Part, model::Support>) return part.at_housing.has_value();
-  return false;
+bool shows(const Part& part, std::string_view key) {
+  if constexpr (std::is_same_v<Part, model::Support>) {
+    if (key == "position_m") return !part.at_housing;
+    if (part.table) return !is_coefficient(key);
+    return !key.starts_with("mass_") || part.mass_x_kg != 0 || part.mass_y_kg != 0;
+  }
+  return true;
 }
 
 template <class Part, class More>
@@ -188,7 +225,7 @@ void print_parts(Printer& printer, std::string_view name, const std::vector<Part
   for (const Part& part : parts) {
     printer.open_item();
     Part::visit_fields(part, [&](std::string_view key, const auto& field, const model::Range& range) {
-      if (!has_no_place(part) || key != "position_m") printer.field(key, field, range);
+      if (shows(part, key)) printer.field(key, field, range);
     });
     more(part);
     printer.close();
@@ -219,6 +256,8 @@ model::Range places(const model::RotorKit& kit) {
 }
 
 void refuse_loose_shaft(const Value& supports, const model::RotorKit& kit) {
+  const auto unknown = [](const model::Support& support) { return std::isnan(support.stiffness_x_n_per_m); };
+  if (std::ranges::any_of(kit.supports, unknown)) return;  // of a table that could not be had
   for (const int plane : {0, 1}) {
     if (model::supports_hold(kit, plane)) continue;
     refuse(supports,
@@ -265,6 +304,7 @@ model::RotorKit read_rotor_kit(Section& section) {
   list("couplings", kit.couplings, nothing_more);
   read_kit_rest(section, kit);
   if (supports && section.is_sound()) refuse_loose_shaft(*supports, kit);
+  if (supports && section.is_sound()) refuse_tables(*supports, section, kit);
   return kit;
 }
 
@@ -278,6 +318,7 @@ void print_rotor_kit(Printer& printer, const model::RotorKit& kit) {
   print_parts(printer, "supports", kit.supports, [&](const model::Support& support) {
     if (support.at_housing) printer.integer("at_housing", *support.at_housing);
     if (support.on_housing) printer.integer("on_housing", *support.on_housing);
+    if (support.table) print_support_table(printer, *support.table);
     print_inner(printer, "pedestal", support.pedestal);
     print_inner(printer, "fault", support.fault);
   });

@@ -196,6 +196,7 @@ std::optional<Slip> slip_by(const SlipRule& rule, double value, const model::Mac
 std::optional<Slip> slip_of(Quantity quantity, double value, const model::Machine* machine,
                             std::size_t stop) {
   if (quantity == angle_deg) return radians(value);
+  if (quantity == support_stiffness_n_per_m && value < 0) return std::nullopt;  // a seal, which carries no weight
   for (const SlipRule& rule : rules) {
     if (rule.quantity != quantity) continue;
     if (auto slip = slip_by(rule, value, machine, stop)) return slip;

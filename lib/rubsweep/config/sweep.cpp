@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "rubsweep/config/key_axis.hpp"
 #include "rubsweep/config/place_axes.hpp"
 #include "rubsweep/config/section.hpp"
@@ -33,12 +35,33 @@ void refuse_disorder(const Section& section, const sweep::Grid& grid) {
   }
 }
 
+/// No table of a support is continued beyond its ends.
+void refuse_speeds_beyond_tables(const Section& section, const sweep::Grid& grid,
+                                 const model::Machine& machine) {
+  const model::RotorKit* kit = model::kit_of(machine);
+  if (kit == nullptr || grid.speed_hz.empty()) return;
+  for (std::size_t i = 0; i < kit->supports.size(); ++i) {
+    if (!kit->supports[i].table) continue;
+    const double low = kit->supports[i].table->speed_hz.front(),
+                 high = kit->supports[i].table->speed_hz.back();
+    const auto beyond =
+        std::ranges::find_if(grid.speed_hz, [&](double hz) { return !(hz >= low && hz <= high); });
+    if (beyond == grid.speed_hz.end()) continue;
+    section.refuse_together(
+        "speed_hz", {"speed_hz", speed_rpm_key},
+        fmt::format("{} Hz is beyond the table of rotor.supports.{}", *beyond, i),
+        fmt::format("{} to {} Hz ({} to {} rpm)", low, high, low * rpm_per_hz, high * rpm_per_hz));
+    return;
+  }
+}
+
 }  // namespace
 
 sweep::Grid read_sweep(const Value& value, const model::Machine& machine) {
   Section section(value);
   sweep::Grid grid;
   read_speeds(section, grid);
+  refuse_speeds_beyond_tables(section, grid, machine);
   read_unbalance(section, machine, grid);
   grid.axes = read_key_axes(section);
   if (const auto refine = section.find("refine")) grid.refinement = read_refinement(*refine);

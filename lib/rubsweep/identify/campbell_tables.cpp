@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/identify/lock_speeds.hpp"
 #include "rubsweep/response/spectrum/orbit_shape.hpp"
 
 namespace rubsweep::identify {
@@ -51,7 +52,15 @@ std::string mode_shapes_csv(const Campbell& diagram) {
   return text;
 }
 
-std::string summary_of(const Campbell& diagram) {
+std::string lock_speeds_csv(const std::vector<LockSpeed>& speeds) {
+  std::string text = "speed_hz,p,first_mode,q,second_mode\n";
+  for (const LockSpeed& lock : speeds)
+    text +=
+        fmt::format("{},{},{},{},{}\n", csv_number(lock.speed_hz), lock.p, lock.first, lock.q, lock.second);
+  return text;
+}
+
+std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& locks) {
   std::string text;
   for (const CampbellMode& mode : diagram.modes) {
     const CampbellPoint &first = mode.points.front(), &last = mode.points.back();
@@ -66,16 +75,22 @@ std::string summary_of(const Campbell& diagram) {
                         critical.mode, whirl_of(critical.forward_share), critical.damping_ratio);
   }
   if (diagram.critical_speeds.empty()) text += "critical  none in this range of speeds\n";
+  for (const LockSpeed& lock : locks) {
+    text += fmt::format("lock      {:.6g} Hz, {} turns of mode {} to {} of mode {} in the turning frame\n",
+                        lock.speed_hz, lock.p, lock.first, lock.q, lock.second);
+  }
   return text;
 }
 
 }  // namespace
 
 CampbellTables tables_of(const Campbell& diagram) {
+  const std::vector<LockSpeed> locks = lock_speeds(diagram);
   return {.campbell_csv = campbell_csv(diagram.modes),
           .critical_speeds_csv = critical_speeds_csv(diagram.critical_speeds),
           .mode_shapes_csv = mode_shapes_csv(diagram),
-          .summary = summary_of(diagram)};
+          .lock_speeds_csv = lock_speeds_csv(locks),
+          .summary = summary_of(diagram, locks)};
 }
 
 }  // namespace rubsweep::identify

@@ -1,8 +1,12 @@
 #include "rubsweep/identify/free_rotor.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <numeric>
+#include <utility>
 #include <variant>
 
+#include "rubsweep/numerics/cholesky.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/structure/beam_shaft.hpp"
 #include "rubsweep/structure/jeffcott.hpp"
@@ -24,6 +28,27 @@ FreeRotor free_jeffcott(const model::JeffcottRotor& rotor) {
   return free;
 }
 
+/// Adds a shape to those of one plane: the static deflection by a force between `rows`, less what the others
+/// make of it.
+void add_deflection(const structure::BeamShaft& shaft, std::size_t plane, const Eigen::VectorXd& force,
+                    structure::Reduction& modes) {
+  constexpr double nothing = 1e-9;
+  const Eigen::MatrixXd stiffness = shaft.plane_stiffness(plane), mass = shaft.plane_mass(plane);
+  Eigen::MatrixXd& shapes = modes.bases[plane];
+  Eigen::VectorXd shape = numerics::CholeskyFactors(stiffness).solve(force);
+  const double whole = std::sqrt(shape.dot(mass * shape));
+  for (int pass = 0; pass < 2; ++pass)  // twice is enough: rounding of the first is taken out
+    shape -= shapes * (shapes.transpose() * (mass * shape));
+  const double size = std::sqrt(shape.dot(mass * shape));
+  if (!(size > nothing * whole)) return;
+  shape /= size;
+  shapes.conservativeResize(Eigen::NoChange, shapes.cols() + 1);
+  shapes.rightCols<1>() = shape;
+  Eigen::VectorXd& hz = modes.frequency_hz[plane];
+  hz.conservativeResize(hz.size() + 1);
+  hz(hz.size() - 1) = std::sqrt(shape.dot(stiffness * shape)) / (2 * std::numbers::pi);
+}
+
 /// All of the lowest modes of both planes, in the form that structural damping is given to.
 structure::Reduction lowest_modes(const structure::BeamShaft& shaft) {
   structure::Reduction modes;
@@ -42,7 +67,12 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
   std::vector<double> stations_m;
   for (const model::Stop& stop : stops) stations_m.push_back(*stop.position_m);
   structure::BeamShaft shaft = structure::assemble_beam_shaft(kit, stations_m);
-  const structure::Reduction modes = lowest_modes(shaft);
+  structure::Reduction modes = lowest_modes(shaft);
+  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
+    if (!kit.supports[i].table) continue;
+    for (std::size_t plane = 0; plane < 2; ++plane)
+      add_deflection(shaft, plane, structure::support_gap(shaft, kit, i), modes);
+  }
   FreeRotor free;
   free.system = structure::reduced_system(shaft, kit, modes);
   if (model::has_rotating_damping(kit)) {
@@ -57,6 +87,16 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
     free.x.row(node) = free.system.scatter(0, modes.bases[0].row(2 * node).transpose()).transpose();
     free.y.row(node) = free.system.scatter(1, modes.bases[1].row(2 * node).transpose()).transpose();
   }
+  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
+    if (!kit.supports[i].table) continue;
+    const Eigen::VectorXd gap = structure::support_gap(shaft, kit, i);
+    structure::TabledSupport tabled = structure::tabled_support(kit.supports[i]);
+    tabled.map.resize(2, n);
+    for (std::size_t plane = 0; plane < 2; ++plane)
+      tabled.map.row(static_cast<Eigen::Index>(plane)) =
+          free.system.scatter(plane, modes.bases[plane].transpose() * gap).transpose();
+    free.tables.push_back(std::move(tabled));
+  }
   // The mass matrix in place of the gyroscopic one, which couples the planes; the mean of both where they
   // differ.
   shaft.gyroscopic = (shaft.plane_mass(0) + shaft.plane_mass(1)) / 2;
@@ -70,6 +110,15 @@ FreeRotor free_rotor(const model::Machine& machine) {
   return std::visit(overloaded{[](const model::JeffcottRotor& rotor) { return free_jeffcott(rotor); },
                                [&](const model::RotorKit& kit) { return free_kit(kit, machine.stops); }},
                     machine.rotor);
+}
+
+FreeRotor rotor_at(const FreeRotor& rotor, double speed_hz) {
+  FreeRotor at = rotor;
+  at.tables.clear();
+  for (const structure::TabledSupport& support : rotor.tables)
+    structure::add_lacking(support, 2 * std::numbers::pi * speed_hz, at.system.mass, at.system.damping,
+                           at.system.stiffness);
+  return at;
 }
 
 }  // namespace rubsweep::identify

@@ -12,6 +12,7 @@
 #include "rubsweep/numerics/cholesky.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/scene/constant_load.hpp"
+#include "rubsweep/structure/system_at.hpp"
 
 namespace rubsweep::identify {
 namespace {
@@ -49,6 +50,11 @@ class Structure {
     constant_ = mass_.solve(constant_n);
   }
 
+  /// Supports that follow the speed.
+  void add(const structure::TabledSupport& support) {
+    tables_.push_back({support, mass_.solve(Eigen::MatrixXd(support.map.transpose()))});
+  }
+
   void add(const scene::Pulse& pulse) {
     pulses_.push_back({mass_.solve(pulse.direction) * pulse.force_n, pulse.duration_s, pulse.elapsed_s});
   }
@@ -66,6 +72,12 @@ class Structure {
     acceleration.noalias() -= damping_ * v;
     acceleration.noalias() -= speed * (gyroscopic_ * v);
     acceleration.noalias() -= speed * (circulatory_ * q);
+    for (const auto& [support, inverse] : tables_) {
+      const structure::SupportMatrices lacking = support.lacking(speed);
+      const Eigen::Vector2d force =
+          lacking.stiffness * (support.map * q) + lacking.damping * (support.map * v);
+      acceleration.noalias() -= inverse * force;
+    }
     for (const Pulse& pulse : pulses_) {
       const double since_s = t + pulse.elapsed_s;
       if (since_s >= 0 && since_s < pulse.duration_s)
@@ -77,6 +89,11 @@ class Structure {
   struct Pulse {
     Eigen::VectorXd top_m_per_s2;
     double duration_s = 0, elapsed_s = 0;
+  };
+
+  struct Tabled {
+    structure::TabledSupport support;
+    Eigen::Matrix<double, Eigen::Dynamic, 2> inverse;  ///< M^-1 map^T
   };
 
   Eigen::VectorXcd solve(const Eigen::VectorXcd& force) const {
@@ -92,16 +109,15 @@ class Structure {
   Eigen::VectorXcd unbalance_, bow_;
   Eigen::VectorXd constant_;
   std::vector<Pulse> pulses_;
+  std::vector<Tabled> tables_;
 };
 
 /// On the quiet motion of the first speed, its unbalance at angle 0; at standstill where static forces leave
 /// it.
 State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run,
                     const Eigen::VectorXd& constant_n) {
-  structure::LinearSystem system = prepared.assembly.system;
   const double w = 2 * pi * run.from_hz;
-  if (prepared.assembly.gyroscopic.size() > 0) system.damping += w * prepared.assembly.gyroscopic;
-  if (prepared.assembly.circulatory.size() > 0) system.stiffness += w * prepared.assembly.circulatory;
+  const structure::LinearSystem system = structure::system_at(prepared.assembly, w);
   Eigen::VectorXcd force = turned_back(run) * run.eccentricity_m * w * w * system.unbalance_kg;
   if (prepared.assembly.bow_n.size() > 0) force += turned_back(run) * prepared.assembly.bow_n;
   const scene::QuietMotion quiet = scene::quiet_motion(system, w, force, constant_n);
@@ -160,6 +176,12 @@ class ImpulsesOnARamp {
   std::vector<Train> trains_;
 };
 
+/// Some speed at which the machine can be built.
+double pulse_speed_hz(const scene::PreparedMachine& prepared) {
+  const model::RotorKit* kit = model::kit_of(prepared.machine);
+  return kit != nullptr && model::has_tables(*kit) ? model::table_speeds_hz(*kit).high : 1;
+}
+
 }  // namespace
 
 double shaft_angle_rad(const LinearRun& run, double t_s) {
@@ -193,10 +215,16 @@ Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearR
                            const Eigen::MatrixXd& sensor_rows) {
   Eigen::VectorXd constant_n = scene::constant_load_n(prepared);
   if (run.driven != Driven::by_all) constant_n.setZero();
+  const double end_hz = shaft_speed_hz(run, std::max(0, run.samples - 1) * run.sample_s);
+  structure::refuse_beyond_tables(prepared.machine, std::min(run.from_hz, end_hz),
+                                  std::max(run.from_hz, end_hz));
+  structure::refuse_changing_mass(prepared.machine, "a run-up");
   Structure structure(prepared, run, constant_n);
+  for (const structure::TabledSupport& support : prepared.assembly.tables) structure.add(support);
   if (run.kick && prepared.machine.kick) {
     // The pulses of any cell: neither their place nor their direction depends on the speed.
-    for (const scene::Pulse& pulse : scene::build_cell(prepared, 1, scene::Eccentricity{0}).scene.pulses)
+    for (const scene::Pulse& pulse :
+         scene::build_cell(prepared, pulse_speed_hz(prepared), scene::Eccentricity{0}).scene.pulses)
       structure.add(pulse);
   }
   State state = initial_state(prepared, run, constant_n);

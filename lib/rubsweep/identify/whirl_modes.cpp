@@ -39,10 +39,12 @@ WhirlProblem::WhirlProblem(const FreeRotor& rotor) : mass_(rotor.system.mass) {
                                               : Eigen::MatrixXd::Zero(stiffness_.rows(), stiffness_.cols());
   rad_per_s_ = stiffness_.diagonal().cwiseSqrt();
   const auto slowness = rad_per_s_.cwiseInverse().asDiagonal();
+  if (!rotor.tables.empty()) tabled_ = rotor;
   spin_ = Complex(0, 1) * (slowness * normalised(mass_, rotor.spin) * slowness).cast<Complex>();
 }
 
 std::vector<WhirlMode> WhirlProblem::at(double speed_hz) const {
+  if (!tabled_.tables.empty()) return WhirlProblem(rotor_at(tabled_, speed_hz)).at(speed_hz);
   const Eigen::Index n = rad_per_s_.size();
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   generator.topRightCorner(n, n) = rad_per_s_.asDiagonal();

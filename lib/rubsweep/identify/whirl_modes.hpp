@@ -25,7 +25,8 @@ double assurance(const WhirlMode& a, const WhirlMode& b);
 
 /// The eigenproblem (root^2 mass + root (damping + speed gyroscopic) + stiffness + speed circulatory) shape =
 /// 0 of a rotor. It is solved for states (w p, p') of mass-normalised coordinates p, w the frequency that
-/// each has alone: all numbers are then rates, and the slowest modes come out as well as the fastest.
+/// each has alone: all numbers are then rates, and the slowest modes come out as well as the fastest. Where supports
+/// follow the speed, the frequencies alone are those of the supports that the matrices hold.
 class WhirlProblem {
  public:
   explicit WhirlProblem(const FreeRotor& rotor);
@@ -39,6 +40,7 @@ class WhirlProblem {
   WhirlMode mode_of(std::complex<double> root, const Eigen::VectorXcd& state) const;
   void part_by_direction(std::vector<WhirlMode>& modes) const;
 
+  FreeRotor tabled_;  ///< where supports follow the speed, else empty
   numerics::CholeskyFactors mass_;
   Eigen::VectorXd rad_per_s_;  ///< w
   Eigen::MatrixXd stiffness_, damping_, gyroscopic_, circulatory_;

@@ -24,7 +24,10 @@ LinePoint run_cell(const LineCell& line_cell, Pass pass, std::size_t number,
                    const std::optional<HandedState>& before) {
   const sweep::Study& study = *line_cell.study;
   const double speed_hz = line_cell.place.speed_hz;
-  scene::Cell cell = scene::build_cell(*line_cell.machine, speed_hz, line_cell.place.unbalance);
+  // A state that is handed on needs the same coordinates at all speeds; a kicked cell is that of a map.
+  scene::Cell cell = scene::build_cell(
+      pass == Pass::kick ? scene::prepared_at(*line_cell.machine, speed_hz) : *line_cell.machine, speed_hz,
+      line_cell.place.unbalance);
   LinePoint point{pass, number, {}, std::nullopt};
   if (!scene::can_run(cell.start)) {
     point.row = sweep::row_of(cell, speed_hz, study.machine, nullptr);

@@ -132,7 +132,7 @@ bool supports_hold(const RotorKit& kit, int plane) {
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for (const Support& support : kit.supports) {
     double k = plane == 0 ? support.stiffness_x_n_per_m : support.stiffness_y_n_per_m;
-    if (support.pedestal && k > 0) {
+    if (support.pedestal && k != 0) {
       const double ground =
           plane == 0 ? support.pedestal->stiffness_x_n_per_m : support.pedestal->stiffness_y_n_per_m;
       k = k * ground / (k + ground);
@@ -179,6 +179,37 @@ bool has_misalignment(const RotorKit& kit) {
   });
 }
 
+bool has_tables(const RotorKit& kit) {
+  return std::ranges::any_of(kit.supports, [](const Support& support) { return support.table.has_value(); });
+}
+
+Range table_speeds_hz(const RotorKit& kit) {
+  Range common = not_negative;
+  for (const Support& support : kit.supports) {
+    if (!support.table) continue;
+    common.low = std::max(common.low, support.table->speed_hz.front());
+    common.high = std::min(common.high, support.table->speed_hz.back());
+  }
+  return common;
+}
+
+void set_coefficients(Support& support, const std::array<double, support_coefficients.size()>& values) {
+  std::size_t next = 0;
+  for (double* coefficient :
+       {&support.stiffness_x_n_per_m, &support.stiffness_xy_n_per_m, &support.stiffness_yx_n_per_m,
+        &support.stiffness_y_n_per_m, &support.damping_x_ns_per_m, &support.damping_xy_ns_per_m,
+        &support.damping_yx_ns_per_m, &support.damping_y_ns_per_m, &support.mass_x_kg, &support.mass_y_kg})
+    *coefficient = values[next++];
+}
+
+Support with_table(Support support, SupportTable table) {
+  std::array<double, support_coefficients.size()> middle{};
+  for (std::size_t c = 0; c < middle.size(); ++c) middle[c] = table.columns[c].at(table.speed_hz.size() / 2);
+  set_coefficients(support, middle);
+  support.table = std::move(table);
+  return support;
+}
+
 bool has_pedestals(const RotorKit& kit) {
   return std::ranges::any_of(kit.supports,
                              [](const Support& support) { return support.pedestal.has_value(); });
@@ -214,6 +245,7 @@ void validate(const RotorKit& kit, const std::string& path) {
     validate(kit.supports[i], kit, name);
     if (kit.supports[i].pedestal) require_fields(*kit.supports[i].pedestal, name + "pedestal.");
     if (kit.supports[i].fault) require_fields(*kit.supports[i].fault, name + "fault.");
+    if (kit.supports[i].table) validate(*kit.supports[i].table, name + "table.");
   }
   for (const int plane : {0, 1}) {
     if (supports_hold(kit, plane)) continue;
@@ -221,7 +253,13 @@ void validate(const RotorKit& kit, const std::string& path) {
         fmt::format("{}supports: they leave the shaft{} free to move in {}, allowed: supports that hold it",
                     path, kit.housings.empty() ? "" : " or a housing", plane == 0 ? "x" : "y"));
   }
+  if (const Range common = table_speeds_hz(kit); has_tables(kit) && !(common.low <= common.high))
+    throw ConfigError(path + "supports: their tables have no speed in common, allowed: tables that overlap");
   if (kit.bow) {
+    if (has_tables(kit) && std::holds_alternative<BowMode>(kit.bow->shape))
+      throw ConfigError(
+          path +
+          "bow.mode: the modes follow the tables of the supports, allowed: position_m and deflection_m");
     require(path + "bow.phase_deg", kit.bow->phase_deg, any_finite);
     std::visit(overloaded{[&](const BowMode& mode) { validate(mode, path + "bow."); },
                           [&](const BowPoints& points) { validate(points, path + "bow.", length); }},

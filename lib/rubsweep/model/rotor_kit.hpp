@@ -9,6 +9,7 @@
 #include "rubsweep/model/physical_range.hpp"
 #include "rubsweep/model/range.hpp"
 #include "rubsweep/model/shaft_segment.hpp"
+#include "rubsweep/model/support_table.hpp"
 
 namespace rubsweep::model {
 
@@ -98,8 +99,9 @@ struct Housing {
 };
 
 /// Bearing between the shaft and the ground, a pedestal or a housing. Force on the shaft:
-/// f_x = -(stiffness_x x + stiffness_xy y) - the same with damping; f_y with yx and y. One at a housing holds
-/// that in place of the shaft.
+/// f_x = -(stiffness_x x + stiffness_xy y) - the same with damping - mass_x x''; f_y with yx and y. Coefficients
+/// may be negative, as those of a seal, while all supports together hold the shaft. One at a housing holds that in
+/// place of the shaft.
 struct Support {
   double position_m = required;  ///< nothing where the support is at a housing
   std::optional<int> at_housing = std::nullopt;
@@ -112,23 +114,37 @@ struct Support {
   double damping_y_ns_per_m = 0;
   double damping_xy_ns_per_m = 0;
   double damping_yx_ns_per_m = 0;
+  double mass_x_kg = 0;  ///< fluid that moves with the shaft against the ground or the pedestal
+  double mass_y_kg = 0;
   double angular_stiffness_nm_per_rad = 0;  ///< against tilting of the shaft, always to the ground
   std::optional<Pedestal> pedestal;
   std::optional<BearingFault> fault;
+  /// What the coefficients above follow over the speed; they themselves are then those of one of its speeds
+  /// (with_table).
+  std::optional<SupportTable> table;
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, not_negative);
-    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, physical::stiffness);
-    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, physical::stiffness);
+    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, physical::cross_stiffness);
+    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, physical::cross_stiffness);
     visit("stiffness_xy_n_per_m", self.stiffness_xy_n_per_m, physical::cross_stiffness);
     visit("stiffness_yx_n_per_m", self.stiffness_yx_n_per_m, physical::cross_stiffness);
-    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, physical::damping);
-    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, physical::damping);
+    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, physical::cross_damping);
+    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, physical::cross_damping);
     visit("damping_xy_ns_per_m", self.damping_xy_ns_per_m, physical::cross_damping);
     visit("damping_yx_ns_per_m", self.damping_yx_ns_per_m, physical::cross_damping);
+    visit("mass_x_kg", self.mass_x_kg, physical::added_mass_kg);
+    visit("mass_y_kg", self.mass_y_kg, physical::added_mass_kg);
     visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, physical::stiffness);
   }
 };
+
+/// Sets the coefficients of a support, in the order of support_coefficients.
+void set_coefficients(Support& support, const std::array<double, support_coefficients.size()>& values);
+
+/// The support with this table, its own coefficients those of the middle speed, which stand for it where one speed
+/// has to: in the shapes that span the motion at all speeds.
+Support with_table(Support support, SupportTable table);
 
 /// Elastic joint that cuts the shaft at an inner station into two ends. Its halves may be bored off their
 /// centres: without load, the axis of the end behind it stands parallel_offset_m beside that of the end
@@ -246,6 +262,12 @@ bool has_rotating_damping(const RotorKit& kit);
 
 /// Whether some coupling joins its two ends out of line.
 bool has_misalignment(const RotorKit& kit);
+
+/// Whether the coefficients of some support follow a table.
+bool has_tables(const RotorKit& kit);
+
+/// Speeds that the tables of all supports have in common; low above high where they have none.
+Range table_speeds_hz(const RotorKit& kit);
 
 /// Whether some support has a housing with a mass of its own.
 bool has_pedestals(const RotorKit& kit);

@@ -133,8 +133,9 @@ std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene
   }
   if (is(known, MotionClass::failed) || is(known, MotionClass::initial_contact)) return std::nullopt;
   const auto [speed_hz, unbalance] = sweep::place_of(study.grid, cell);
+  const scene::PreparedMachine there = scene::prepared_at(prepared, speed_hz);
   const scene::Cell start =
-      scene::build_cell(sweep::with_secant_of_row(prepared, known.hertz_force_n), speed_hz, unbalance);
+      scene::build_cell(sweep::with_secant_of_row(there, known.hertz_force_n), speed_hz, unbalance);
   if (!scene::can_run(start.start)) return std::nullopt;
   if (is(known, MotionClass::non_contact) && start.scene.impulses.empty())
     return quiet_orbit(start, study, known.revolutions, workspace);

@@ -6,8 +6,15 @@
 
 #include "rubsweep/integrate/law/dynamics.hpp"
 #include "rubsweep/integrate/law/own_system.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::ramp {
+
+/// A support that follows the speed, in the units of the scene.
+struct RampSupport {
+  structure::TabledSupport support;
+  Eigen::Matrix<double, Eigen::Dynamic, 2> inverse;  ///< M^-1 map^T
+};
 
 /// Terms that a speed ramp adds to the right-hand side of a scene at its reference speed, scaled: lengths by
 /// L, time by the reference speed.
@@ -18,6 +25,8 @@ struct RampForces {
   Eigen::VectorXcd bow;         ///< M^-1 b / (L reference speed^2): forces Re(bow e^{i phi}); empty: none
   Eigen::MatrixXd circulatory;  ///< M^-1 C / reference speed: forces -W circulatory u; empty: none
   Eigen::MatrixXd gyroscopic;   ///< M^-1 G: forces -W gyroscopic u'; empty: none
+  std::vector<RampSupport> supports;
+  double reference_rad_per_s = 0;
 };
 
 /// Right-hand side of a rotor whose shaft speed changes, for AdaptiveRun: behind u and u' a state holds the
@@ -62,6 +71,14 @@ class RampDynamics : private integrate::law::OwnSystem<N>, public integrate::law
     if (forces_.circulatory.size() > 0) {
       const typename Base::ConstMap u(&state[0], n);
       acceleration.noalias() -= speed * (forces_.circulatory * u);
+    }
+    for (const auto& [support, inverse] : forces_.supports) {
+      const double reference = forces_.reference_rad_per_s;
+      const structure::SupportMatrices lacking = support.lacking(speed * reference);
+      const typename Base::ConstMap u(&state[0], n), v(&state[0] + n, n);
+      const Eigen::Vector2d force = lacking.stiffness * (support.map * u) / (reference * reference) +
+                                    lacking.damping * (support.map * v) / reference;
+      acceleration.noalias() -= inverse * force;
     }
     rate[static_cast<std::size_t>(2 * n)] = speed;
     rate[static_cast<std::size_t>(2 * n) + 1] = change;

@@ -44,6 +44,8 @@ scene::Scene reference_scene(const scene::PreparedMachine& machine, const SpeedR
   if (!machine.assembly.impulses.empty())
     throw ConfigError(
         "rotor.supports: a faulty bearing is no part of a run-up with stops, allowed: no fault");
+  structure::refuse_beyond_tables(machine.machine, std::min(ramp.from_hz, ramp.to_hz), ramp.fastest_hz());
+  structure::refuse_changing_mass(machine.machine, "a run-up");
   scene::Scene scene = scene::build_cell(machine, ramp.fastest_hz(), scene::Eccentricity{0}).scene;
   scene.structure.damping = machine.assembly.system.damping;
   scene.structure.stiffness = machine.assembly.system.stiffness;
@@ -69,6 +71,9 @@ RampForces forces_of(const scene::PreparedMachine& machine, const SpeedRamp& ram
   if (assembly.bow_n.size() > 0) forces.bow = solved(assembly.bow_n) / scale.unit_acceleration_m_per_s2();
   if (assembly.gyroscopic.size() > 0) forces.gyroscopic = mass.solve(assembly.gyroscopic);
   if (assembly.circulatory.size() > 0) forces.circulatory = mass.solve(assembly.circulatory) / reference;
+  forces.reference_rad_per_s = reference;
+  for (const structure::TabledSupport& support : assembly.tables)
+    forces.supports.push_back({support, mass.solve(Eigen::MatrixXd(support.map.transpose()))});
   return forces;
 }
 

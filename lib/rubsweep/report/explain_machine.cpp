@@ -258,7 +258,7 @@ std::string left_out(const model::Machine& machine) {
 }  // namespace
 
 std::string explain_machine(const model::Machine& machine, double speed_hz) {
-  const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+  const scene::PreparedMachine prepared = scene::prepare_machine(structure::machine_at(machine, speed_hz));
   const scene::Cell cell = scene::build_cell(prepared, speed_hz, scene::WhirlRatio{0});
   const auto coordinates = cell.scene.structure.coordinates();
   std::string text = explain_rotor(prepared);

@@ -11,6 +11,7 @@
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/explain_machine.hpp"
+#include "rubsweep/report/explain_tables.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/idle_torsion.hpp"
 #include "rubsweep/sweep/unstable_rotor.hpp"
@@ -125,6 +126,7 @@ std::string explain_study(const sweep::Study& study) {
   const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
   std::string text = explain_machine(study.machine, *slowest);
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  text += explain_tables(study.machine, study.grid.speed_hz) + describe_sparse_tables(study.machine);
   text += sweep::where_rotor_is_unstable(study, prepared) + sweep::why_torsion_is_idle(prepared, *slowest) +
           sweep::why_walls_stay_untouched(study, prepared) + explain_solver(study);
   text += fmt::format(

@@ -11,6 +11,7 @@
 #include "rubsweep/scene/constant_load.hpp"
 #include "rubsweep/scene/given_start.hpp"
 #include "rubsweep/scene/unbalance.hpp"
+#include "rubsweep/structure/system_at.hpp"
 
 namespace rubsweep::scene {
 namespace {
@@ -136,6 +137,7 @@ bool touches_anywhere(const Cell& cell) {
 /// Structure, walls and constant force at a speed: the part that no unbalance and no kick changes.
 Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   const structure::Assembly& assembly = prepared.assembly;
+  if (!assembly.tables.empty()) structure::refuse_beyond_tables(prepared.machine, speed_hz, speed_hz);
   Scene scene;
   scene.speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
   for (std::size_t i = 0; i < prepared.machine.stops.size(); ++i)
@@ -143,11 +145,8 @@ Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   scene.constant_n = constant_load_n(prepared);
   scene.observed_point = assembly.observed_point;
   scene.length_scale_m = scene.contacts.front().clearance_m;
-  scene.structure = assembly.system;
+  scene.structure = structure::system_at(assembly, scene.speed_rad_per_s);
   scene.impulses = assembly.impulses;
-  if (assembly.gyroscopic.size() > 0) scene.structure.damping += scene.speed_rad_per_s * assembly.gyroscopic;
-  if (assembly.circulatory.size() > 0)
-    scene.structure.stiffness += scene.speed_rad_per_s * assembly.circulatory;
   return scene;
 }
 
@@ -233,7 +232,7 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
 }
 
 Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance) {
-  return build_cell(prepare_machine(machine), speed_hz, unbalance);
+  return build_cell(prepare_machine(structure::machine_at(machine, speed_hz)), speed_hz, unbalance);
 }
 
 }  // namespace rubsweep::scene

@@ -1,5 +1,7 @@
 #include "rubsweep/scene/prepared_machine.hpp"
 
+#include <map>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +23,32 @@ void refuse_invalid(const model::Machine& machine) {
 
 }  // namespace
 
+class StructuresAtSpeeds {
+ public:
+  struct Structure {
+    structure::Assembly assembly;
+    std::optional<structure::Reduction> reduction;
+  };
+
+  /// `machine`: what is built where the speed is new.
+  const Structure& at(double speed_hz, const model::Machine& machine) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto found = known_.find(speed_hz); found != known_.end()) return *found->second;
+    }
+    refuse_invalid(machine);
+    structure::KitAssembly kit = structure::assemble_kit_for_speed(machine);
+    structure::refuse_unusable(kit.assembly);
+    auto made = std::make_unique<Structure>(std::move(kit.assembly), std::move(kit.reduction));
+    const std::lock_guard lock(mutex_);
+    return *known_.try_emplace(speed_hz, std::move(made)).first->second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<double, std::unique_ptr<const Structure>> known_;
+};
+
 PreparedMachine prepare_machine(const model::Machine& machine) {
   refuse_invalid(machine);
   PreparedMachine prepared =
@@ -35,12 +63,20 @@ PreparedMachine prepare_machine(const model::Machine& machine) {
                             }},
                  machine.rotor);
   structure::refuse_unusable(prepared.assembly);
+  if (!prepared.assembly.tables.empty()) prepared.at_speeds = std::make_shared<StructuresAtSpeeds>();
   return prepared;
+}
+
+PreparedMachine prepared_at(const PreparedMachine& prepared, double speed_hz) {
+  if (!prepared.at_speeds) return prepared;
+  model::Machine machine = structure::machine_at(prepared.machine, speed_hz);
+  const auto& [assembly, reduction] = prepared.at_speeds->at(speed_hz, machine);
+  return {std::move(machine), assembly, reduction};
 }
 
 PreparedMachine prepare_other_kick(const PreparedMachine& prepared, const model::Machine& machine) {
   refuse_invalid(machine);
-  return {machine, prepared.assembly, prepared.reduction};
+  return {machine, prepared.assembly, prepared.reduction, prepared.at_speeds};
 }
 
 }  // namespace rubsweep::scene

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "rubsweep/model/machine.hpp"
@@ -8,16 +9,25 @@
 
 namespace rubsweep::scene {
 
+/// Structures of one machine at the speeds that were asked for.
+class StructuresAtSpeeds;
+
 /// Data common to all cells of one machine at any speed: never changed, so that threads may share it.
 struct PreparedMachine {
   model::Machine machine;
   structure::Assembly assembly;
   std::optional<structure::Reduction> reduction;  ///< of a rotor kit
+  std::shared_ptr<StructuresAtSpeeds> at_speeds{};  ///< where supports follow tables: see prepared_at
 };
 
 /// Validates the machine, builds its structure and reduces it. Throws ConfigError, also where the numbers are
 /// each allowed but too far apart for the structure to be computed.
 PreparedMachine prepare_machine(const model::Machine& machine);
+
+/// The machine at one speed, its supports as if their numbers there had been typed in: reduced by the modes that it
+/// has at that speed. Kept for the next one that asks, from any thread. A machine without tables as it is. Throws
+/// ConfigError where a table does not reach the speed, or the supports do not hold the shaft there.
+PreparedMachine prepared_at(const PreparedMachine& prepared, double speed_hz);
 
 /// The same for a machine that differs from a prepared one in nothing but force, duration, direction and
 /// phase of its kick, none of which the structure knows of.

@@ -5,15 +5,17 @@
 
 #include "rubsweep/structure/impulse_train.hpp"
 #include "rubsweep/structure/linear_system.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::structure {
 
 /// A rotor and its casings as one linear system; the numbers index `system.points`.
 struct Assembly {
-  LinearSystem system;          ///< without the part of the damping that grows with the speed
+  LinearSystem system;          ///< without what depends on the speed
   Eigen::MatrixXd gyroscopic;   ///< n x n or empty: at a speed w the damping is system.damping + w gyroscopic
   Eigen::MatrixXd circulatory;  ///< n x n or empty: damping that turns with the shaft makes the stiffness
                                 ///< system.stiffness + w circulatory, which is not symmetric
+  std::vector<TabledSupport> tables;  ///< supports that follow the speed: see system_at
   std::optional<Eigen::Index> twist;  ///< the coordinate of torsion: angle between rotor and drive
   double unbalance_inertia_kg = 0;    ///< times e^2: what an eccentricity e adds to the polar inertia
   Eigen::VectorXcd bow_n;  ///< n or empty: a residual bow and couplings out of line force Re(bow_n e^{i w t})

@@ -167,6 +167,12 @@ void add_support(const model::Support& support, std::optional<Eigen::Index> on, 
         shaft.support_damping[a][b](w, w) += c[a][b];
       }
     }
+    const double added_kg = a == 0 ? support.mass_x_kg : support.mass_y_kg;
+    if (on) {
+      connect(shaft.added_mass[a], w, *on, added_kg);
+    } else {
+      shaft.added_mass[a](w, w) += added_kg;
+    }
     if (!support.at_housing)
       shaft.support_stiffness[a][a](w + 1, w + 1) += support.angular_stiffness_nm_per_rad;
   }
@@ -223,13 +229,25 @@ BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<doub
     connect(shaft.elastic, w + 1, w + 3, coupling.angular_stiffness_nm_per_rad);
   }
   for (const auto& disc : kit.discs) add_disc(disc, shaft);
-  add_supports(kit, on_shaft, shaft);
   add_point_masses(kit, shaft);
+  const Eigen::MatrixXd of_points = shaft.added_mass[1];
+  add_supports(kit, on_shaft, shaft);
   // A translation as a whole: deflections 1, angles 0. Consistent, so that static sag is exact at the nodes.
   Eigen::VectorXd translation = Eigen::VectorXd::Ones(n);
   for (Eigen::Index s = 1; s < on_shaft; s += 2) translation(s) = 0;
-  shaft.weight_kg = shaft.plane_mass(1) * translation;  // along y
+  // Along y; fluid in supports is at rest by itself.
+  shaft.weight_kg = (shaft.mass + of_points) * translation;
   return shaft;
+}
+
+Eigen::VectorXd support_gap(const BeamShaft& shaft, const model::RotorKit& kit, std::size_t support) {
+  const model::Support& at = kit.supports[support];
+  const auto housing = [&](int number) { return shaft.housings[static_cast<std::size_t>(number)]; };
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(shaft.coordinates());
+  gap(at.at_housing ? housing(*at.at_housing) : shaft.deflection(at.position_m)) = 1;
+  if (shaft.pedestals[support]) gap(*shaft.pedestals[support]) = -1;
+  if (at.on_housing) gap(housing(*at.on_housing)) = -1;
+  return gap;
 }
 
 Eigen::VectorXcd misalignment_load(const BeamShaft& shaft, const model::RotorKit& kit) {

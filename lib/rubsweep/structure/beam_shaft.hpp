@@ -50,6 +50,9 @@ struct BeamShaft {
 /// with elements between them no longer than the shaft's length / kit.elements.
 BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<double>& stations_m);
 
+/// Displacement of a support against what it stands on, per coordinate of one plane, n.
+Eigen::VectorXd support_gap(const BeamShaft& shaft, const model::RotorKit& kit, std::size_t support);
+
 /// Load of couplings whose two ends are out of line, n, in the x plane: its parts force Re(load e^{i w t}).
 Eigen::VectorXcd misalignment_load(const BeamShaft& shaft, const model::RotorKit& kit);
 

@@ -4,9 +4,11 @@
 #include <complex>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/overloaded.hpp"
+#include "rubsweep/structure/reduce_to_modes.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -24,7 +26,7 @@ bool takes_mass(const model::ContactDamping& damping) {
 
 class KitBuilder {
  public:
-  explicit KitBuilder(const model::Machine& machine)
+  KitBuilder(const model::Machine& machine, decltype(reduce)& by)
       : machine_(machine), kit_(std::get<model::RotorKit>(machine.rotor)) {
     for (const auto& stop : machine.stops) stops_.push_back(*stop.position_m);
     for (const auto& sensor : kit_.sensors) sensors_.push_back(sensor.position_m);
@@ -32,7 +34,7 @@ class KitBuilder {
     std::vector<double> stations = stops_;
     stations.push_back(kick_);
     shaft_ = assemble_beam_shaft(kit_, stations);
-    result_.reduction = reduce(shaft_, kit_, stops_, sensors_);
+    result_.reduction = by(shaft_, kit_, stops_and_tables(), sensors_);
     lateral_ = reduced_system(shaft_, kit_, result_.reduction);
   }
 
@@ -45,11 +47,21 @@ class KitBuilder {
     if (!kit_.static_loads.empty()) add_static_loads();
     add_faults();
     add_points();
+    add_tables();
     add_casings();
     return std::move(result_);
   }
 
  private:
+  /// With attachment modes at supports that follow the speed the static compliance is exact at all of their
+  /// speeds.
+  std::vector<double> stops_and_tables() const {
+    std::vector<double> places = stops_;
+    for (const model::Support& support : kit_.supports)
+      if (support.table && !support.at_housing) places.push_back(support.position_m);
+    return places;
+  }
+
   LinearSystem& system() { return result_.assembly.system; }
   Eigen::Index lateral() const { return lateral_.coordinates(); }
 
@@ -154,9 +166,7 @@ class KitBuilder {
       if (!kit_.supports[i].fault) continue;
       const model::BearingFault& fault = *kit_.supports[i].fault;
       if (fault.impulse_ns == 0) continue;
-      Eigen::VectorXd gap = Eigen::VectorXd::Zero(shaft_.coordinates());
-      gap(shaft_.deflection(kit_.supports[i].position_m)) = 1;
-      if (shaft_.pedestals[i]) gap(*shaft_.pedestals[i]) = -1;
+      const Eigen::VectorXd gap = support_gap(shaft_, kit_, i);
       const double angle = fault.angle_deg * std::numbers::pi / 180;
       Eigen::VectorXd impulse_ns = Eigen::VectorXd::Zero(system().coordinates());
       impulse_ns.head(lateral()) =
@@ -186,6 +196,20 @@ class KitBuilder {
     for (const double position : sensors_) assembly.sensor_points.push_back(add_point(position));
     assembly.observed_point = add_point(sensors_.empty() ? stops_.front() : sensors_.front());
     assembly.kick_point = add_point(kick_);
+  }
+
+  void add_tables() {
+    for (std::size_t i = 0; i < kit_.supports.size(); ++i) {
+      const model::Support& support = kit_.supports[i];
+      if (!support.table) continue;
+      const Eigen::VectorXd gap = support_gap(shaft_, kit_, i);
+      TabledSupport tabled = tabled_support(support);
+      tabled.map.setZero(2, system().coordinates());
+      for (std::size_t plane = 0; plane < 2; ++plane)
+        tabled.map.row(static_cast<Eigen::Index>(plane)).head(lateral()) =
+            lateral_.scatter(plane, basis(plane).transpose() * gap).transpose();
+      result_.assembly.tables.push_back(std::move(tabled));
+    }
   }
 
   /// Along the normal of a flat stop; in an annular stop the mean of both planes.
@@ -235,6 +259,10 @@ class KitBuilder {
 
 }  // namespace
 
-KitAssembly assemble_rotor_kit(const model::Machine& machine) { return KitBuilder(machine).build(); }
+KitAssembly assemble_rotor_kit(const model::Machine& machine) { return KitBuilder(machine, reduce).build(); }
+
+KitAssembly assemble_kit_for_speed(const model::Machine& machine) {
+  return KitBuilder(machine, reduce_to_modes).build();
+}
 
 }  // namespace rubsweep::structure

@@ -25,4 +25,8 @@ struct KitAssembly {
 /// stop without contact_mass_kg sits at a node of the first mode.
 KitAssembly assemble_rotor_kit(const model::Machine& machine);
 
+/// The same for one speed of many: where the kit says how many modes it keeps, without the receptance error of its
+/// reduction.
+KitAssembly assemble_kit_for_speed(const model::Machine& machine);
+
 }  // namespace rubsweep::structure

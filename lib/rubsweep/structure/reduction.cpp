@@ -8,6 +8,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/numerics/cholesky.hpp"
 #include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/structure/reduce_to_modes.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -197,6 +198,12 @@ class Reducer {
 Reduction reduce(const BeamShaft& shaft, const model::RotorKit& kit, const std::vector<double>& stops_m,
                  const std::vector<double>& sensors_m) {
   return Reducer(shaft, kit, stops_m, sensors_m).run();
+}
+
+Reduction reduce_to_modes(const BeamShaft& shaft, const model::RotorKit& kit,
+                          const std::vector<double>& stops_m, const std::vector<double>& sensors_m) {
+  const Reducer reducer(shaft, kit, stops_m, sensors_m);
+  return kit.modes ? reducer.with_modes(*kit.modes, stops_m) : reducer.run();
 }
 
 LateralSystem reduced_system(const BeamShaft& shaft, const model::RotorKit& kit, const Reduction& reduction) {

@@ -5,6 +5,7 @@
 
 #include "rubsweep/numerics/cholesky.hpp"
 #include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/structure/system_at.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -35,11 +36,8 @@ Eigen::VectorXcd rates_per_s(const Eigen::MatrixXd& inertia, const Eigen::Matrix
 }
 
 Eigen::VectorXcd rates_per_s(const Assembly& assembly, double speed_rad_per_s) {
-  const LinearSystem& system = assembly.system;
-  Eigen::MatrixXd damping = system.damping, stiffness = system.stiffness;
-  if (assembly.gyroscopic.size() > 0) damping += speed_rad_per_s * assembly.gyroscopic;
-  if (assembly.circulatory.size() > 0) stiffness += speed_rad_per_s * assembly.circulatory;
-  return rates_per_s(system.mass, damping, stiffness);
+  const LinearSystem system = system_at(assembly, speed_rad_per_s);
+  return rates_per_s(system.mass, system.damping, system.stiffness);
 }
 
 bool any_grows(const Eigen::VectorXcd& rates) {
@@ -60,13 +58,14 @@ bool grows(const LinearSystem& system) {
   return any_grows(rates_per_s(system.mass, system.damping, system.stiffness));
 }
 
-std::optional<double> instability_hz(const Assembly& assembly, double highest_hz) {
+std::optional<double> instability_hz(const Assembly& assembly, double highest_hz, double lowest_hz) {
   const auto grows_at = [&](double hz) { return grows(assembly, 2 * std::numbers::pi * hz); };
-  if (grows_at(0)) return 0;
+  if (grows_at(lowest_hz)) return lowest_hz;
+  const auto on_grid = [&](int k) { return lowest_hz + (highest_hz - lowest_hz) * k / grid_speeds; };
   for (int k = 1; k <= grid_speeds; ++k) {
-    double above = highest_hz * k / grid_speeds;
+    double above = on_grid(k);
     if (!grows_at(above)) continue;
-    double below = highest_hz * (k - 1) / grid_speeds;
+    double below = on_grid(k - 1);
     for (int i = 0; i < bisections; ++i) {
       const double middle = (below + above) / 2;
       (grows_at(middle) ? above : below) = middle;

@@ -85,6 +85,27 @@ void fill(Row& row, const response::SettledRun& run) {
   if (run.rotor_unstable) add_status(row, unstable_rotor);
 }
 
+Row not_allowed(const scene::Place& place) {
+  Row row;
+  row.speed_hz = place.speed_hz;
+  row.whirl_ratio = row.eccentricity_m = std::numeric_limits<double>::quiet_NaN();
+  std::visit(overloaded{[&](const scene::WhirlRatio& ratio) { row.whirl_ratio = ratio.value; },
+                        [&](const scene::Eccentricity& given) { row.eccentricity_m = given.value_m; }},
+             place.unbalance);
+  row.status = "not_allowed";
+  return row;
+}
+
+/// The machine with its supports at a speed; empty where they do not hold the shaft there.
+std::optional<scene::PreparedMachine> with_supports_at(const scene::PreparedMachine& prepared,
+                                                       double speed_hz) {
+  try {
+    return scene::prepared_at(prepared, speed_hz);
+  } catch (const ConfigError&) {
+    return std::nullopt;
+  }
+}
+
 /// The cell at a place with the stiffnesses that the machine has.
 Row evaluate_as_it_is(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
                       response::motion::Workspace& workspace) {
@@ -97,6 +118,10 @@ Row evaluate_as_it_is(const Study& study, const scene::PreparedMachine& prepared
 /// The cell at a place, of a prepared machine that may differ from the study's.
 Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
              response::motion::Workspace& workspace) {
+  if (prepared.at_speeds) {
+    const auto there = with_supports_at(prepared, place.speed_hz);
+    return there ? evaluate(study, *there, place, workspace) : not_allowed(place);
+  }
   if (!takes_secants_anew(study)) return evaluate_as_it_is(study, prepared, place, workspace);
   return with_hertz_iterations(prepared.machine, study.hertz_iterations, [&](const model::Machine& machine) {
     // Only stiffnesses of contacts differ: the structure stays.
@@ -107,6 +132,10 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const s
 /// The row of a place, with the runs that robustness needs.
 Row evaluate_place(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
                    response::motion::Workspace& workspace) {
+  if (prepared.at_speeds) {
+    const auto there = with_supports_at(prepared, place.speed_hz);
+    return there ? evaluate_place(study, *there, place, workspace) : not_allowed(place);
+  }
   Row row = evaluate(study, prepared, place, workspace);
   const auto with_kick_of = [&](const model::Machine& machine) {
     // Only the kick differs: the structure stays.
@@ -146,17 +175,6 @@ std::optional<Varied> vary(const Study& study, std::span<const KeyValue> keys,
   } catch (const ConfigError&) {
     return std::nullopt;
   }
-}
-
-Row not_allowed(const scene::Place& place) {
-  Row row;
-  row.speed_hz = place.speed_hz;
-  row.whirl_ratio = row.eccentricity_m = std::numeric_limits<double>::quiet_NaN();
-  std::visit(overloaded{[&](const scene::WhirlRatio& ratio) { row.whirl_ratio = ratio.value; },
-                        [&](const scene::Eccentricity& given) { row.eccentricity_m = given.value_m; }},
-             place.unbalance);
-  row.status = "not_allowed";
-  return row;
 }
 
 /// Where the quiet motion itself reaches a wall no kick is simulated, whatever its numbers.

@@ -36,7 +36,8 @@ bool varies_machines(const Study& study) {
 
 /// Largest size of the flows of a study's machines in the cache of one thread.
 std::size_t flow_bytes(const Study& study, const structure::Assembly& assembly) {
-  const bool by_speed = assembly.gyroscopic.size() > 0 || assembly.circulatory.size() > 0;
+  const bool by_speed =
+      assembly.gyroscopic.size() > 0 || assembly.circulatory.size() > 0 || !assembly.tables.empty();
   const std::size_t bytes = integrate::exact::most_bytes_of_modes(
       assembly.system.coordinates(),
       std::min(study.machine.stops.size(), integrate::exact::most_exact_contacts));

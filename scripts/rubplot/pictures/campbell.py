@@ -24,6 +24,7 @@ def picture(given):
     require_readable(*files.values())
     curves = _numbers(files["campbell.csv"], "mode", "speed_hz", "frequency_hz")
     critical = _numbers(files["critical_speeds.csv"], "mode", "speed_hz")
+    locks = _lock_speeds(os.path.join(directory, "lock_speeds.csv"))
     shapes = _numbers(files["mode_shapes.csv"], "mode", "frequency_hz", "position_m", "x_real", "y_real", "x_imag", "y_imag")
     config = configuration.read_configuration(files["config.yaml"])
     per_hz = shown_units.axis(config, "speed_hz").factor
@@ -36,6 +37,7 @@ def picture(given):
         f"top = {top:.17g}",
         f"per_hz = {per_hz:.17g}",  # of the unit in which shaft speeds are shown
         f"any_critical = {len(critical) > 0:d}",
+        f"any_locks = {len(locks) > 0:d}",
         f"any_mixed = {any(row['whirl'] == 'mixed' for row in curves):d}",
     ]
     shown = shown_shapes(shapes)
@@ -45,7 +47,8 @@ def picture(given):
         {
             "curves": curve_lines(curves, per_hz),
             "critical": ("%.17g" % row["speed_hz"] for row in critical),
-            "labels.gp": [*sizes, *name_lines(curves, top, per_hz), *label_lines(critical, fastest, per_hz)],
+            "labels.gp": [*sizes, *name_lines(curves, top, per_hz), *label_lines(critical, fastest, per_hz),
+                          *lock_lines(locks, top, per_hz)],
             "shapes": shape_lines(shown),
             "shaft": shaft_lines(config),
         },
@@ -90,6 +93,12 @@ def label_lines(rows, fastest, per_hz=1):
         elif following < middle + CLOSE * fastest:
             place = "left offset 0.8, -0.8"
         yield _label(per_hz * middle, middle, "%.4g" % (per_hz * middle), place)
+
+
+def lock_lines(speeds, top, per_hz=1):
+    """A diamond on the axis of speeds for each lock speed, as gnuplot's labels."""
+    for speed in speeds:
+        yield _label(per_hz * speed, 0.012 * top, "", "point pointtype 12 pointsize 1.3 linewidth 1.5 linecolor rgb '#882255'")
 
 
 def place_of_1x(critical, fastest):
@@ -148,6 +157,16 @@ def shaft_lines(config):
         while f"{path}.{count}.position_m" in config:
             yield "%.17g %d" % (1e3 * configuration.number(config[f"{path}.{count}.position_m"]), kind)
             count += 1
+
+
+def _lock_speeds(path):
+    """Speeds at which two modes can lock, in Hz; none where the diagram was made before there were any."""
+    if not os.path.exists(path):
+        return []
+    speeds = [csv_table.number(row, "speed_hz") for row in csv_table.read_table(path, "speed_hz")]
+    if None in speeds:
+        raise csv_table.TableError(f"{path}: a row without numbers")
+    return speeds
 
 
 def _numbers(path, *names):

@@ -35,7 +35,7 @@ do for [format in formats] {
   set tics nomirror out
   set xrange [C_min_x:fastest * per_hz]
   set yrange [0:top]
-  set xlabel per_hz == 1 ? "shaft speed (Hz)" : "shaft speed (rpm)"
+  set xlabel (per_hz == 1 ? "shaft speed (Hz)" : "shaft speed (rpm)") . (any_locks ? ", ◇ lock speed" : "")
   # Not as labels of the axes: beside a fixed margin these may come over the numbers.
   set label 1004 "whirl frequency (Hz)" at screen 0.013, 0.49 center rotate by 90
   set key at screen 0.07, screen 0.945 left top horizontal Left reverse noopaque samplen 2.5 maxrows 1

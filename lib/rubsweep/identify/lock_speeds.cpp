@@ -1,0 +1,73 @@
+#include "rubsweep/identify/lock_speeds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "rubsweep/numerics/pchip.hpp"
+
+namespace rubsweep::identify {
+namespace {
+
+constexpr std::size_t most_modes = 4;
+constexpr std::array<std::pair<int, int>, 3> orders{{{2, 1}, {3, 1}, {3, 2}}};
+constexpr int halvings = 60;
+
+double signed_hz(const CampbellPoint& point) {
+  return point.forward_share >= 0.5 ? point.frequency_hz : -point.frequency_hz;
+}
+
+/// A mode over the speed.
+struct Branch {
+  int number = 0;
+  std::vector<double> speed_hz;
+  numerics::Pchip signed_hz;
+};
+
+Branch branch_of(const CampbellMode& mode) {
+  std::vector<double> speeds, frequencies;
+  for (const CampbellPoint& point : mode.points) {
+    speeds.push_back(point.speed_hz);
+    frequencies.push_back(signed_hz(point));
+  }
+  return {mode.number, speeds, numerics::Pchip(speeds, frequencies)};
+}
+
+/// Adds where the two lock, one root at most in each piece of the diagram.
+void add_roots(const Branch& first, const Branch& second, int p, int q, std::vector<LockSpeed>& found) {
+  const auto excess = [&](double hz) {
+    return (p - q) * hz - p * first.signed_hz(hz) + q * second.signed_hz(hz);
+  };
+  const std::size_t points = std::min(first.speed_hz.size(), second.speed_hz.size());
+  for (std::size_t k = 0; k < points; ++k) {
+    const double end = first.speed_hz[k];
+    if (excess(end) == 0 && end > 0) found.push_back({first.number, second.number, p, q, end});
+    if (k == 0 || !(excess(first.speed_hz[k - 1]) * excess(end) < 0)) continue;
+    double low = first.speed_hz[k - 1], high = end;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = low + (high - low) / 2;
+      (excess(middle) * excess(end) < 0 ? low : high) = middle;
+    }
+    found.push_back({first.number, second.number, p, q, high});
+  }
+}
+
+}  // namespace
+
+std::vector<LockSpeed> lock_speeds(const Campbell& diagram) {
+  std::vector<Branch> branches;
+  for (const CampbellMode& mode : diagram.modes)
+    if (branches.size() < most_modes && !mode.points.empty()) branches.push_back(branch_of(mode));
+  std::vector<LockSpeed> found;
+  for (const Branch& first : branches) {
+    for (const Branch& second : branches) {
+      if (first.number == second.number) continue;
+      for (const auto& [p, q] : orders) add_roots(first, second, p, q, found);
+    }
+  }
+  std::ranges::stable_sort(found, {}, &LockSpeed::speed_hz);
+  return found;
+}
+
+}  // namespace rubsweep::identify
