@@ -26,14 +26,20 @@ Eigen::Vector2cd response_of(const Assembly& assembly, double speed_rad_per_s) {
          dynamic.partialPivLu().solve(speed_rad_per_s * speed_rad_per_s * system.unbalance_kg);
 }
 
+/// The machine without the damping that is said by modes, which are others at every speed.
+model::Machine without_modal_damping(model::Machine machine) {
+  model::kit_of(machine)->damping_ratio = {0};
+  return machine;
+}
+
 /// One set of shapes for all speeds must answer as the shapes of each speed do.
 TEST(SystemAt, AnswersAsAMachineThatIsBuiltForTheSpeed) {
-  const Assembly all_speeds = assemble_rotor_kit(scene::table_machine(4)).assembly;
+  const Assembly all_speeds = assemble_rotor_kit(without_modal_damping(scene::table_machine(4))).assembly;
   for (std::size_t row = 0; row < scene::table_speeds_hz.size(); ++row) {
     const double w = 2 * pi * scene::table_speeds_hz[row];
+    const model::Machine typed = without_modal_damping(scene::typed_machine(row, 6));
     const Eigen::Vector2cd found = response_of(all_speeds, w),
-                           expected =
-                               response_of(assemble_rotor_kit(scene::typed_machine(row, 6)).assembly, w);
+                           expected = response_of(assemble_rotor_kit(typed).assembly, w);
     EXPECT_LT((found - expected).norm(), 2e-4 * expected.norm()) << row;
   }
 }

@@ -26,9 +26,9 @@ struct FreeRotor {
 inline constexpr int most_plane_modes = 24;
 
 /// A kit in the coordinates of its lowest modes at rest, whether or not a stop or a sensor sees them, with
-/// its structural damping; for supports that follow the speed also of the static deflection by a force at each, so
-/// that the modes come out at all speeds; its stops are among the places along the shaft. A Jeffcott rotor as it is. The
-/// machine must be valid. Throws ConfigError where no modes can be computed.
+/// its structural damping; for supports that follow the speed also of the static deflection by a force at
+/// each, so that the modes come out at all speeds; its stops are among the places along the shaft. A Jeffcott
+/// rotor as it is. The machine must be valid. Throws ConfigError where no modes can be computed.
 FreeRotor free_rotor(const model::Machine& machine);
 
 /// The rotor with its supports at one speed, without tables.

@@ -119,7 +119,7 @@ struct Support {
   double angular_stiffness_nm_per_rad = 0;  ///< against tilting of the shaft, always to the ground
   std::optional<Pedestal> pedestal;
   std::optional<BearingFault> fault;
-  /// What the coefficients above follow over the speed; they themselves are then those of one of its speeds
+  /// Curves that the coefficients above follow over the speed; they are then those of one of its speeds
   /// (with_table).
   std::optional<SupportTable> table;
 

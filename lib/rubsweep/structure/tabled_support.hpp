@@ -26,7 +26,7 @@ struct TabledSupport {
   SupportCurves curves;
   SupportMatrices built_in;  ///< what the matrices of the system hold already
 
-  /// What the matrices lack at a speed in the range of the table: added are map^T stiffness map and so on. Never
+  /// Parts that the matrices lack at a speed of the table: added are map^T stiffness map and so on. Never
   /// allocates.
   SupportMatrices lacking(double speed_rad_per_s) const;
 };
