@@ -49,7 +49,7 @@ TEST(WhirlModes, OfSupportsByATableAreThoseOfTheNumbersTypedIn) {
     const auto found = problem.at(speed_hz), expected = WhirlProblem(free_rotor(typed)).at(speed_hz);
     for (std::size_t k = 0; k < 6; ++k) {
       EXPECT_LT(std::abs(found[k].root_per_s - expected[k].root_per_s),
-                1e-5 * std::abs(expected[k].root_per_s))
+                2e-4 * std::abs(expected[k].root_per_s))
           << row << " " << k;
       EXPECT_NEAR(found[k].forward_share, expected[k].forward_share, 1e-4);
     }
@@ -86,7 +86,7 @@ TEST(WhirlModes, AreThoseOfTheFullModel) {
   const auto expected = WhirlProblem(full).at(70), found = WhirlProblem(free_rotor(machine)).at(70);
   for (std::size_t k = 0; k < 8; ++k)
     EXPECT_NEAR(std::abs(found[k].root_per_s - expected[k].root_per_s), 0,
-                1e-5 * std::abs(expected[k].root_per_s))
+                2e-4 * std::abs(expected[k].root_per_s))
         << k;
 }
 
