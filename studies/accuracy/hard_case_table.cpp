@@ -34,7 +34,7 @@ struct Made {
 };
 
 Made run(const scene::Scene& scene, const SolverOptions& options) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Run run = integrate::start(scene, options, modes);
   integrate::run::TurnReport turn;
   Made made;
@@ -170,7 +170,8 @@ Case dry_rolling() {
 int main() {
   std::printf("%-34s %6s %5s %9s %9s %10s %10s %10s\n", "case", "series", "steps", "error", "growth",
               "us/turn", "dopri5", "us/turn");
-  for (const auto& make : {stick_slip, dry_whip_onset, whip_that_rolls, graze_along_annulus, centre_of_annulus})
+  for (const auto& make :
+       {stick_slip, dry_whip_onset, whip_that_rolls, graze_along_annulus, centre_of_annulus})
     print(make());
   for (const double steepness : {1e2, 1e3, 1e4, 1e5}) print(rolling(steepness));
   print(dry_rolling());

@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   constexpr double notable = 1e-10;
   const auto stride = static_cast<std::size_t>(argc > 2 ? std::atoi(argv[2]) : 1);
   const sweep::Grid grid = config::read_run_config(argv[1], {}).study.grid;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   std::vector<double> errors;
   for (std::size_t u = 0; u < grid.unbalance.size(); u += stride) {
     for (std::size_t s = 0; s < grid.speed_hz.size(); s += stride) {

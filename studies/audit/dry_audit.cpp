@@ -89,7 +89,7 @@ EventAudit audit_dry_contacts(const RandomCell& random, int turns, int most_chec
   free.pulses.clear();
   integrate::run::SolverOptions options;
   options.method = integrate::run::Method::exact;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Run run = integrate::start(cell.scene, options, modes);
   const double kick_turns = random.machine.kick ? random.machine.kick->duration_s * random.speed_hz : 0;
   TurnReport turn;

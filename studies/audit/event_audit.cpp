@@ -70,7 +70,7 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
       scene::build_cell(random.machine, random.speed_hz, scene::WhirlRatio{random.whirl_ratio});
   if (cell.start != scene::Start::quiet) return audit;
   const scene::Scene free = response::proof::after_the_kick(cell.scene);
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Run exact =
       integrate::start(cell.scene, options(integrate::run::Method::exact), modes);
   const integrate::run::Run other = integrate::start(free, options(integrate::run::Method::adaptive), modes);

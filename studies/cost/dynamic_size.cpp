@@ -27,7 +27,7 @@ struct Watched {
 template <int N>
 double turn_us(const scene::Scene& scene, const integrate::run::TurnRequest& request,
                std::vector<double>& section) {
-  integrate::exact::ExactRun<N> run(scene, std::make_shared<integrate::exact::MachineModes<N>>(scene),
+  integrate::exact::ExactRun<N> run(scene, std::make_shared<integrate::exact::modes::MachineModes<N>>(scene),
                                     1'000'000);
   integrate::run::TurnReport report;
   const auto advance = [&](int count) {

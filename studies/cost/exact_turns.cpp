@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
     std::printf("usage: exact_turns N\n");
     return 1;
   }
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Run run = integrate::start(test::cell_of({}).scene, {}, modes);
   integrate::run::TurnReport turn;
   for (long k = std::atol(argv[1]); k > 0; --k) {

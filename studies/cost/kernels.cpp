@@ -22,7 +22,7 @@ void turn(benchmark::State& state, integrate::run::Method method, double toleran
   integrate::run::SolverOptions options;
   options.method = method;
   options.relative_tolerance = tolerance;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Run run = integrate::start(test::cell_of({}).scene, options, modes);
   integrate::run::TurnReport turn;
   for (int k = 0; k < 300; ++k) run.advance({}, turn);
@@ -45,7 +45,7 @@ BENCHMARK(dopri5_turn);
 /// One certified step: the guards' values, rates and bounds, then the move by the table of precomputed steps.
 void certified_step(benchmark::State& state) {
   const scene::Scene scene = test::cell_of({}).scene;
-  const auto prepared = std::make_shared<integrate::exact::MachineModes<4>>(scene);
+  const auto prepared = std::make_shared<integrate::exact::modes::MachineModes<4>>(scene);
   integrate::exact::ExactMotion<4> motion(scene, prepared);
   motion.set_phases(0);
   Eigen::Matrix<double, 8, 1> physical;

@@ -56,7 +56,7 @@ std::vector<double> scaled(const test::OneSideState<double>& state, const test::
 }
 
 integrate::run::TurnReport run(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-                               integrate::exact::ModeCache& modes, int turns) {
+                               integrate::exact::modes::ModeCache& modes, int turns) {
   const integrate::run::Run motion = integrate::start(scene, solver, modes);
   integrate::run::TurnReport turn;
   for (int k = 0; k < turns; ++k) {
@@ -68,7 +68,7 @@ integrate::run::TurnReport run(const scene::Scene& scene, const integrate::run::
 void per_revolution(const char* name, const test::OneSideRotor& rotor, int reference_steps) {
   constexpr int turns = 300;
   const auto scene = test::cell_of(rotor).scene;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const auto times = medians_s(
       {[&] { test::run_plain_dopri5(rotor, turns, unit_tolerance); }, [&] { run(scene, {}, modes, turns); }},
       15);
@@ -170,7 +170,7 @@ void annular(const char* name, double speed_hz, double whirl_ratio) {
   const auto cell = scene::build_cell(set_c(), speed_hz, scene::WhirlRatio{whirl_ratio});
   const integrate::run::SolverOptions automatic;
   const auto reference = bench::reference_section(cell.scene, early, automatic);
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const double error =
       bench::section_difference(run(cell.scene, automatic, modes, early).section, reference.section);
   integrate::run::SolverOptions dopri5;

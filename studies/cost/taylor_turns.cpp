@@ -60,7 +60,7 @@ struct Cost {
 
 std::vector<double> section_after(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                                   int count) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Run run = integrate::start(scene, solver, modes);
   integrate::run::TurnReport turn;
   for (int k = 0; k < count; ++k) run.advance({}, turn);
@@ -69,7 +69,7 @@ std::vector<double> section_after(const scene::Scene& scene, const integrate::ru
 
 /// Costs of `turns` turns from where the motion has settled, each way in turn.
 std::vector<Cost> costs_of(const scene::Scene& scene, const std::vector<Way>& ways) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const std::vector<double> settled = section_after(scene, by_taylor, settling);
   std::vector<integrate::run::Run> runs;
   runs.reserve(ways.size());

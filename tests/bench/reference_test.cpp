@@ -50,7 +50,7 @@ TEST(Reference, SaysWhatItIsWhereThereIsNoLongDouble) {
 TEST(Reference, ExactRunsAreJudgedByLessThanTheStepperIsWrong) {
   const auto scene = test::cell_of({}).scene;
   const Reference reference = reference_section(scene, turns, {});
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Run run = integrate::start(scene, {}, modes);
   integrate::run::TurnReport turn;
   for (int k = 0; k < turns; ++k) ASSERT_EQ(run.advance({}, turn), integrate::run::Outcome::ok);

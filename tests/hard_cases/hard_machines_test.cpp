@@ -104,7 +104,7 @@ TEST(HardMachines, AWhipHasTheSmallestPeriodOfTheRotatingFrame) {
 
 TEST(HardMachines, ATurnOfTooManyStepsIsMadeOfTaylorPieces) {
   const auto cell = scene::build_cell(read("stiff_friction").study.machine, 75, scene::WhirlRatio{0.4});
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const auto run = integrate::start(cell.scene, {}, modes);
   integrate::run::TurnReport turn;
   for (int k = 0; k < 4; ++k) ASSERT_EQ(run.advance({}, turn), integrate::run::Outcome::ok) << k;
@@ -181,7 +181,7 @@ TEST(HardMachines, AnAuditOfProofsInShort) {
 /// An orbit of a random machine with its ball, if the run comes to one.
 struct Ball {
   scene::Scene scene;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   response::proof::StableOrbit orbit;
   response::proof::AdaptedNorms norms;
   double radius = 0;

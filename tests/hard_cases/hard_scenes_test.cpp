@@ -62,7 +62,7 @@ struct Found {
 };
 
 Found run(const HardScene& hard, const SolverOptions& options) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Cursor advance = integrate::start(hard.scene, options, modes).advance;
   integrate::run::TurnReport turn;
   Found result;

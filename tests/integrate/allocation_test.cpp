@@ -37,7 +37,7 @@ namespace {
 
 /// By turns, watched in every way, of a run that has made its plans and its room before.
 long allocations_of(const scene::Scene& scene, const run::SolverOptions& options, bool by_series = false) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const run::Run run = start(scene, options, modes);
   run::TurnRequest asked;
   run::TurnReport turn;

@@ -57,7 +57,7 @@ struct Belt {
 /// y and y' after `turns` revolutions.
 std::pair<double, double> after(const scene::Scene& scene, const run::SolverOptions& options, int turns,
                                 run::TurnReport& report) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const run::Run run = start(scene, options, modes);
   for (int k = 0; k < turns; ++k) EXPECT_EQ(run.advance({}, report), run::Outcome::ok);
   return {report.section[1], report.section[3] * scene.speed_rad_per_s};
@@ -159,7 +159,7 @@ double split_apart(const scene::Scene& scene, const std::pair<scene::Contact, sc
   scene::Scene two = scene;
   two.contacts[0] = parts.first;
   two.contacts.push_back(parts.second);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const run::Run one_run = start(scene, options, modes), two_run = start(two, options, modes);
   run::TurnReport a, b;
   double apart = 0;
@@ -196,7 +196,7 @@ TEST(DryFriction, PublishedWearPowerOfCoulombSliding) {
   wall.friction = model::ConstantFriction{0.1};
   scene.contacts.push_back(wall);
   scene.displacement_m << 1e-3 + 1e-5, 0;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const run::Run run = start(scene, {}, modes);
   run::TurnRequest asked;
   asked.samples_per_revolution = 4000;
@@ -218,7 +218,7 @@ scene::Scene rolling(double surface_share = 1) {
 
 TEST(DryFriction, RollingInAnAnnularStopKeepsItsClosedForm) {
   const auto closed = test::rolling_scene(1e3);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const run::Run run = start(rolling(), {}, modes);
   run::TurnReport turn;
   for (int k = 1; k <= 50; ++k) {
@@ -309,7 +309,7 @@ TEST(DryFriction, AWallWhoseTangentTheRingsPassesLetsTheRunGoOn) {
     wall.wall = contact::FlatWall{contact::direction(70)};
     wall.stiffness_n_per_m *= share;
     rolling.scene.contacts.push_back(wall);
-    exact::ModeCache modes;
+    exact::modes::ModeCache modes;
     const run::Run run = start(rolling.scene, {}, modes),
                    other = start(rolling.scene, stepper(run::Stepper::rkf78, 1e-12), modes);
     run::TurnReport a, b;
@@ -331,7 +331,7 @@ TEST_P(RandomDryFriction, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDiff
   int stuck = 0, compared = 0, good = 0;
   for (int cell = 0; cell < 100; ++cell) {
     scene::Scene scene = random_scene(random, annular, stops);
-    exact::ModeCache modes;
+    exact::modes::ModeCache modes;
     const run::Run run = start(scene, {}, modes),
                    other = start(scene, stepper(run::Stepper::rkf78, 1e-12), modes);
     run::TurnRequest asked;
@@ -386,7 +386,7 @@ INSTANTIATE_TEST_SUITE_P(Stops, RandomDryFriction,
 TEST(DryFriction, RollingHasTheDerivativeOfDifferences) {
   // Starts off the rolling motion, so that the stop comes first; rank is lost there.
   scene::Scene scene = rolling(1.02);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const run::Run run = start(scene, {}, modes);
   run::TurnRequest asked;
   run::TurnReport turn, up, down;

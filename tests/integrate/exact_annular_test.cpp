@@ -27,7 +27,7 @@ scene::Scene annular_scene(double start_x, double start_vy) {
 
 TEST(ExactAnnular, FlightInTheClosedForm) {
   const auto scene = annular_scene(0.89, 3);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
   run::TurnReport turn;
   for (int k = 0; k < 4; ++k) ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
@@ -43,7 +43,7 @@ TEST(ExactAnnular, EveryTouchIsSeenAndIntegrated) {
     const auto scene = annular_scene(-0.85, speed);
     run::SolverOptions options;
     options.relative_tolerance = 1e-11;
-    exact::ModeCache modes;
+    exact::modes::ModeCache modes;
     const auto run = start_hybrid(scene, options, modes);
     const run::Cursor adaptive = adaptive::start_adaptive(scene, options);
     run::TurnReport a, b;

@@ -22,7 +22,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 TEST(ExactKit, TurnsInContactHaveClosedFormsAndAgreeWithTheAdaptiveSolver) {
   for (const double speed_hz : {70.0, 110.0}) {
     const scene::Scene scene = kit_scene(speed_hz, 0.7);
-    exact::ModeCache modes;
+    exact::modes::ModeCache modes;
     const auto exact = start_hybrid(scene, {}, modes);
     const run::Cursor adaptive = adaptive::start_adaptive(scene, {.relative_tolerance = 1e-11});
     run::TurnReport a, b;
@@ -48,7 +48,7 @@ std::vector<double> section_with(const std::function<void(model::Machine&)>& cha
   machine.stops[0].position_m = 0.29;
   machine.kick.reset();
   change(machine);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene::build_cell(machine, 70, scene::WhirlRatio{0.1}).scene, {}, modes);
   run::TurnReport turn;
   EXPECT_EQ(run.advance({}, turn), run::Outcome::ok);

@@ -14,7 +14,7 @@ namespace rubsweep::integrate {
 namespace {
 
 run::TurnReport run_exact(const scene::Scene& scene, int turns, const run::SolverOptions& options = {}) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene, options, modes);
   run::TurnReport turn;
   for (int k = 0; k < turns; ++k) EXPECT_EQ(run.advance({}, turn), run::Outcome::ok) << k;
@@ -40,7 +40,7 @@ double difference(const run::TurnReport& a, const run::TurnReport& b) {
 
 void expect_reference(const test::OneSideRotor& rotor, int turns, int steps, double bound) {
   const auto reference = test::long_double_sections(rotor, turns, steps);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(test::cell_of(rotor).scene, {}, modes);
   run::TurnReport turn;
   for (int k = 1; k <= turns; ++k) {
@@ -112,7 +112,7 @@ TEST(Exact, StopsAllAround) {
 
 TEST(Exact, TransitionIsTheDerivativeOfTheSection) {
   auto scene = test::cell_of({}).scene;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
   run::TurnRequest asked;
   run::TurnReport turn;
@@ -148,7 +148,7 @@ TEST(Exact, TransitionIsTheDerivativeOfTheSection) {
 /// No tangent vectors are better than wrong ones, or than those of the turn before.
 TEST(Exact, TangentVectorsThatWereNotMovedAreNotThere) {
   test::OneSideRotor rotor;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   run::TurnRequest asked;
   asked.tangent_vectors.setIdentity(8, 3);
   run::TurnReport turn;
@@ -192,7 +192,7 @@ TEST(Exact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
   const auto scene = test::cell_of({}).scene;
   run::SolverOptions options;
   options.relative_tolerance = 1e-12;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto exact = start_hybrid(scene, options, modes);
   const run::Cursor adaptive = adaptive::start_adaptive(scene, options);
   const run::TurnRequest asked{.samples_per_revolution = 64, .peaks = true, .switches = true};
@@ -222,7 +222,7 @@ TEST(Exact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
 /// Looking closer must not change the motion.
 TEST(Exact, WatchingDoesNotMoveTheRotor) {
   const auto scene = test::cell_of({}).scene;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto plain = start_hybrid(scene, {}, modes), watched = start_hybrid(scene, {}, modes);
   run::TurnRequest asked;
   run::TurnReport a, b;
@@ -242,7 +242,7 @@ TEST(Exact, PeakForceOfATurnThatStartsInContact) {
     without_kick.pulses.clear();
     return without_kick;
   }();
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   run::SolverOptions options;
   options.relative_tolerance = 1e-12;
   const auto exact = start_hybrid(scene, options, modes);
@@ -282,7 +282,7 @@ TEST(Exact, PeakOfACasingThatRings) {
   const double peak =
       std::exp(-ratio * rate * at) *
       (x0 * std::cos(damped * at) + (v0 + ratio * rate * x0) / damped * std::sin(damped * at));
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   run::TurnReport turn;
   ASSERT_EQ(start_hybrid(scene, {}, modes).advance({.peaks = true}, turn), run::Outcome::ok);
   EXPECT_FALSE(turn.touched);
@@ -294,7 +294,7 @@ TEST(Exact, PeakOfACasingThatRings) {
 
 TEST(Exact, PeaksDoNotDependOnSamples) {
   const auto scene = test::cell_of({}).scene;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto bare = start_hybrid(scene, {}, modes), sampled = start_hybrid(scene, {}, modes);
   const run::TurnRequest peaks{.peaks = true}, both{.samples_per_revolution = 256, .peaks = true};
   run::TurnReport a, b;
@@ -385,7 +385,7 @@ TEST(Exact, EnergyStaysOverTenThousandTurns) {
 /// A half subharmonic: an even number of turns apart.
 TEST(Exact, APeriodicMotionStaysOnItsSectionForAHundredThousandTurns) {
   const auto scene = test::cell_of({}).scene;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
   run::TurnReport turn;
   for (int k = 0; k < 1000; ++k) ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
@@ -404,7 +404,7 @@ TEST(Exact, AStructureWithoutSpringsIsLeftToTaylorPieces) {
 }
 
 TEST(Exact, PlansAreSharedOnlyWhereTheyFit) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   test::OneSideRotor rotor;
   const auto first = test::cell_of(rotor).scene;
   const auto prepared = modes.modes_of<4>(first);
@@ -418,7 +418,7 @@ TEST(Exact, PlansAreSharedOnlyWhereTheyFit) {
 TEST(Exact, TooFewStepsAreSaid) {
   run::SolverOptions options;
   options.max_steps_per_revolution = 3;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   run::TurnReport turn;
   EXPECT_EQ(start_hybrid(test::cell_of({}).scene, options, modes).advance({}, turn),
             run::Outcome::step_limit);
@@ -431,7 +431,7 @@ TEST(Exact, AKickAtAResonanceHasNoClosedFormWhileItLasts) {
       test::cell_of({.damping_ratio = 0, .kick_n = 20, .kick_s = 1 / 60.0, .speed_hz = 75}).scene;
   run::SolverOptions options;
   options.relative_tolerance = 1e-12;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const run::Run exact = start_hybrid(scene, options, modes);
   const run::Cursor adaptive = adaptive::start_adaptive(scene, options);
   run::TurnReport turn, expected;

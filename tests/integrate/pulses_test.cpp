@@ -73,7 +73,7 @@ TEST(Pulses, OfAFreeOscillatorAddUpByTheClosedForm) {
   const run::TurnRequest samples{.samples_per_revolution = 64, .peaks = true};
   for (std::size_t which = 0; which < cases.size(); ++which) {
     const auto scene = oscillator(cases[which]);
-    exact::ModeCache modes;
+    exact::modes::ModeCache modes;
     const auto exact = start_hybrid(scene, {}, modes);
     const run::Cursor adaptive = adaptive::start_adaptive(scene, {.relative_tolerance = 1e-12});
     run::TurnReport a, b;
@@ -116,7 +116,7 @@ TEST(Pulses, BothSolversAgreeInContact) {
   for (const auto& [start, duration, force_n] :
        {Second{0.1, 0.3, -150}, Second{0.6, 1.7, 90}, Second{3.25, 0.5, 200}, Second{2, 1, -120}}) {
     const auto scene = kicked_twice(start, duration, force_n);
-    exact::ModeCache modes;
+    exact::modes::ModeCache modes;
     const auto exact = start_hybrid(scene, {}, modes);
     const run::Cursor adaptive = adaptive::start_adaptive(scene, {.relative_tolerance = 1e-12});
     const auto once = start_hybrid(test::cell_of({}).scene, {}, modes);
@@ -156,7 +156,7 @@ TEST(Pulses, GoOnWhereAnotherSolverTakesOver) {
   second.elapsed_s = -2.3 * scene.period_s();
   second.duration_s = 2.5 * scene.period_s();
   scene.pulses.push_back(second);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   for (const run::Stepper stepper : {run::Stepper::automatic, run::Stepper::dopri5}) {
     const auto mixed = start_hybrid(scene, {.stepper = stepper, .relative_tolerance = 1e-12}, modes);
     const run::Cursor adaptive = adaptive::start_adaptive(scene, {.relative_tolerance = 1e-12});
@@ -180,7 +180,7 @@ TEST(Pulses, HalvesOfAKickAreTheKick) {
   auto halves = whole;
   halves.pulses.front().force_n /= 2;
   halves.pulses.push_back(halves.pulses.front());
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto one = start_hybrid(whole, {}, modes), two = start_hybrid(halves, {}, modes);
   run::TurnReport a, b;
   for (int k = 0; k < 6; ++k) {

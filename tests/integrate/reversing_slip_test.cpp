@@ -36,7 +36,7 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
 void expect_long_double(const test::OneSideRotor& rotor, int steps, double bound) {
   constexpr int turns = 6;
   const auto reference = test::long_double_sections(rotor, turns, steps);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(test::cell_of(rotor).scene, {}, modes);
   run::TurnReport turn;
   for (int k = 1; k <= turns; ++k) {
@@ -54,7 +54,7 @@ TEST(ReversingSlip, AgainstLongDoubleWhereHardlyAnythingIsSaturated) {
   test::OneSideRotor rotor = thin_shaft(30);
   constexpr int turns = 6;
   const auto reference = test::long_double_sections(rotor, turns, 3000);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(test::cell_of(rotor).scene, {}, modes);
   run::TurnReport turn;
   for (int k = 1; k <= turns; ++k) {
@@ -65,7 +65,7 @@ TEST(ReversingSlip, AgainstLongDoubleWhereHardlyAnythingIsSaturated) {
 
 /// Turn by turn from the same sections, with all that a turn may be asked for.
 void expect_pieces_alone(const scene::Scene& scene, int turns, double bound, double tangent_bound) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
   taylor::TaylorRun<4> pieces(scene, {});
   run::TurnRequest asked;
@@ -115,7 +115,7 @@ TEST(ReversingSlip, BetweenTwoStops) {
   machine.stops[0].casing = machine.stops[1].casing = {};
   const scene::Scene scene = scene::build_cell(machine, 75, scene::WhirlRatio{0.6}).scene;
   ASSERT_EQ(scene.structure.coordinates(), 2);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
   taylor::TaylorRun<2> pieces(scene, {});
   run::TurnReport a, b;
@@ -134,7 +134,7 @@ TEST(ReversingSlip, BetweenTwoStops) {
 TEST(ReversingSlip, AlwaysBackwardHasClosedForms) {
   scene::Scene scene = test::cell_of(thin_shaft(100)).scene;
   scene.contacts[0].surface_speed_m_per_s = -16;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
   taylor::TaylorRun<4> pieces(scene, {});
   run::TurnReport a, b;

@@ -21,12 +21,12 @@ TEST(Start, AutoIsExactButForASmoothedLaw) {
 
 TEST(Start, TheExactSolverTakesTheLargestKit) {
   auto scene = test::cell_of({}).scene;
-  const Eigen::Index largest = 2 * model::RotorKit::most_modes + 4 * exact::most_exact_contacts + 1;
+  const Eigen::Index largest = 2 * model::RotorKit::most_modes + 4 * exact::modes::most_exact_contacts + 1;
   scene.structure.mass.setIdentity(largest, largest);
   ASSERT_EQ(scene.structure.coordinates(), largest);
-  EXPECT_TRUE(exact::exact_applies(scene));
+  EXPECT_TRUE(exact::modes::exact_applies(scene));
   scene.structure.mass.setIdentity(largest + 1, largest + 1);
-  EXPECT_FALSE(exact::exact_applies(scene));
+  EXPECT_FALSE(exact::modes::exact_applies(scene));
 }
 
 TEST(Start, ARestartedRunHasNoMemory) {
@@ -34,7 +34,7 @@ TEST(Start, ARestartedRunHasNoMemory) {
   for (const run::Method method : {run::Method::exact, run::Method::adaptive}) {
     run::SolverOptions options;
     options.method = method;
-    exact::ModeCache modes;
+    exact::modes::ModeCache modes;
     const auto run = start(scene, options, modes);
     run::TurnReport first, second;
     ASSERT_EQ(run.advance({}, first), run::Outcome::ok);

@@ -44,7 +44,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 
 TEST(StickingStretch, ABodyHeldByFrictionCostsWhatOneAtRestDoes) {
   const Held held{.speed = 0.1};
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const run::Run run = start(held.scene(0.7, 0), {}, modes);
   run::TurnRequest asked{.samples_per_revolution = 16, .peaks = true};
   run::TurnReport turn;
@@ -63,7 +63,7 @@ TEST(StickingStretch, ABodyHeldByFrictionCostsWhatOneAtRestDoes) {
 
 /// The same turns by the run that `start` makes and by Taylor pieces alone.
 void expect_like_pieces(const scene::Scene& scene, int turns, double tolerance, long most_steps) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const run::Run run = start(scene, {}, modes);
   taylor::TaylorRun<2> pieces(scene, {});
   run::TurnRequest asked{.samples_per_revolution = 32, .peaks = true};
@@ -101,7 +101,7 @@ TEST(StickingStretch, ABeltCarriesTheBodyAsByTaylorPieces) {
 TEST(StickingStretch, ABeltLetsTheBodyGoWhereTheSpringIsAsStrongAsFriction) {
   // Against a damper c V the belt lets go at y = -(mu N - c V), as by a stepper.
   const Held held{.stiffness = 1e6, .damping = 400, .surface = 0.05};
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   run::SolverOptions tight;
   tight.method = run::Method::adaptive;
   tight.stepper = run::Stepper::dopri5;
@@ -130,7 +130,7 @@ TEST(StickingStretch, UndampedVibrationAgainstTheWallNeitherEndsNorIsLost) {
   const double rate = std::sqrt(1 + held.stiffness),
                rest = (held.pressed_n + 1 + held.stiffness) / (1 + held.stiffness),
                amplitude = scene.displacement_m(0) - rest;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const run::Run run = start(scene, {}, modes);
   run::TurnReport turn;
   for (int k = 1; k <= 4; ++k) {

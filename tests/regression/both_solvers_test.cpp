@@ -29,7 +29,7 @@ class BothSolvers : public testing::TestWithParam<std::string> {
                               int turns) const {
     const scene::Cell start = test::build_map_cell(study_, cell);
     EXPECT_EQ(start.start, scene::Start::quiet);
-    integrate::exact::ModeCache modes;
+    integrate::exact::modes::ModeCache modes;
     const integrate::run::Run run = integrate::start(start.scene, solver, modes);
     integrate::run::TurnReport turn;
     bool touched = false;

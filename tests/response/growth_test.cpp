@@ -29,7 +29,7 @@ std::vector<double> late_section(proof::SceneMap& map, int turns) {
 TEST(Growth, TangentOfAStableOrbitDecaysByItsMultiplier) {
   // The tangential motion under a wall at 90 degrees decays by zeta omega0 T per turn.
   const test::OneSideRotor rotor;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   proof::SceneMap map(test::cell_of(rotor).scene, {}, modes);
   auto section = late_section(map, 500);
   const auto exponent = exponent_of(contributions(tangent_growth(map), section, 400));
@@ -42,7 +42,7 @@ TEST(Growth, TangentAndCompanionTellTheSameExponent) {
   test::OneSideRotor rotor;  // an irregular cell at the rim of a tongue
   rotor.speed_hz = 69;
   rotor.whirl_ratio = 0.97;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   proof::SceneMap map(test::cell_of(rotor).scene, {}, modes);
   const auto start = late_section(map, 100);
   auto a = start, b = start;
@@ -57,7 +57,7 @@ TEST(Growth, OfTurnsByTheAdaptiveSolver) {
   integrate::run::SolverOptions adaptive;
   adaptive.method = integrate::run::Method::adaptive;
   adaptive.relative_tolerance = 1e-10;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const auto scene = test::cell_of({}).scene;
   proof::SceneMap exact(scene, {}, modes), by_steps(scene, adaptive, modes);
   const auto start = late_section(exact, 20);
@@ -70,7 +70,7 @@ TEST(Growth, OfTurnsByTheAdaptiveSolver) {
 TEST(Growth, EndsWhereTheTurnFails) {
   integrate::run::SolverOptions solver;
   solver.max_steps_per_revolution = 1;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   proof::SceneMap map(test::cell_of({}).scene, solver, modes);
   std::vector<double> section(8);
   EXPECT_FALSE(tangent_growth(map)(section));

@@ -36,7 +36,7 @@ void advance(const integrate::run::Run& run, const integrate::run::TurnRequest& 
 
 LongDoubleErrors errors_against_long_double(const scene::Scene& scene,
                                             const integrate::run::SolverOptions& solver, int turns) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   LongDoubleErrors errors;
   integrate::run::TurnReport turn;
   const integrate::run::Run run = integrate::start(scene, solver, modes);

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "rubsweep/integrate/exact/mode_cache.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "scene/kit_machine.hpp"
 #include "sweep/one_side_study.hpp"
@@ -18,7 +18,7 @@ TEST(Footprint, GrowsWithThreadsWindowsAndCells) {
   Study study = one_side_study({50, 60}, {0.1});
   const Footprint one = footprint(study, {1});
   const std::size_t window = 12 * 32;
-  const std::size_t flows = integrate::exact::most_bytes_of_modes(4, 1);
+  const std::size_t flows = integrate::exact::modes::most_bytes_of_modes(4, 1);
   EXPECT_EQ(footprint(study, {3}).memory_bytes - one.memory_bytes, 2 * (1'000'000 + 192 * window + flows));
   EXPECT_EQ(footprint(study, {3}).disk_bytes, one.disk_bytes);
   study.response.window_revolutions *= 100;
@@ -44,19 +44,19 @@ TEST(Footprint, CountsTheFlowsOfEveryMachineUpToWhatIsKept) {
   more.grid.speed_hz = {50, 60, 70};
   EXPECT_EQ(bytes_beyond(more, one), 0u);
   more.grid.axes = {{{"stops.0.stiffness_n_per_m"}, {1}, {1e6, 2e6}}};
-  EXPECT_EQ(bytes_beyond(more, one), integrate::exact::most_bytes_of_modes(4, 1));
+  EXPECT_EQ(bytes_beyond(more, one), integrate::exact::modes::most_bytes_of_modes(4, 1));
   more.grid.axes = {{{"kick.force_n"}, {1}, {10, 20}}};
   EXPECT_EQ(bytes_beyond(more, one), 0u);
 
   one.machine = more.machine = scene::light_shaft_machine();
   const Eigen::Index coordinates = scene::prepare_machine(one.machine).assembly.system.coordinates();
-  EXPECT_EQ(bytes_beyond(more, one), 2 * integrate::exact::most_bytes_of_modes(coordinates, 1));
+  EXPECT_EQ(bytes_beyond(more, one), 2 * integrate::exact::modes::most_bytes_of_modes(coordinates, 1));
   more.grid.speed_hz.resize(10'000);
-  const std::size_t most = integrate::exact::most_bytes_of_a_mode_cache;
-  EXPECT_EQ(bytes_beyond(more, one), most - integrate::exact::most_bytes_of_modes(coordinates, 1));
+  const std::size_t most = integrate::exact::modes::most_bytes_of_a_mode_cache;
+  EXPECT_EQ(bytes_beyond(more, one), most - integrate::exact::modes::most_bytes_of_modes(coordinates, 1));
   more = one;
   more.threshold.emplace().axis.keys = {"stops.0.friction.coefficient"};
-  EXPECT_EQ(bytes_beyond(more, one), most - integrate::exact::most_bytes_of_modes(coordinates, 1));
+  EXPECT_EQ(bytes_beyond(more, one), most - integrate::exact::modes::most_bytes_of_modes(coordinates, 1));
   more.threshold->axis.keys = {"kick.force_n"};
   EXPECT_EQ(bytes_beyond(more, one), 0u);
 }

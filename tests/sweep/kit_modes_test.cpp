@@ -40,7 +40,7 @@ int modes_of(const Study& study) {
 Eigen::Vector2d settled_section(const Study& study) {
   const scene::Cell cell =
       scene::build_cell(study.machine, study.grid.speed_hz[0], scene::WhirlRatio{study.grid.unbalance[0]});
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Run run = integrate::start(cell.scene, study.solver, modes);
   integrate::run::TurnReport turn;
   for (int i = 0; i < 80; ++i) EXPECT_EQ(run.advance({}, turn), integrate::run::Outcome::ok);

@@ -28,7 +28,7 @@ double total_j(const Energy& e) { return e.kinetic_j + e.elastic_j + e.contact_j
 
 Balance balance_of(const scene::Scene& scene, int samples, long turns,
                    const integrate::run::SolverOptions& solver = {}) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const TraceOptions options{.speed_hz = 1 / scene.period_s(),
                              .revolutions = turns,
                              .samples_per_revolution = samples,

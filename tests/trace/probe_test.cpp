@@ -28,7 +28,7 @@ Probes probes(double sample_s, double noise_m = 0) {
 Trace run(const OneSideRotor& rotor, long revolutions, std::optional<Probes> probes, bool kicked = true) {
   scene::Scene scene = test::cell_of(rotor).scene;
   if (!kicked) scene.pulses.clear();
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::SolverOptions solver;
   return trace_run(integrate::start(scene, solver, modes).advance, scene, solver,
                    {.speed_hz = rotor.speed_hz,

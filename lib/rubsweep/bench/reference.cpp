@@ -13,7 +13,7 @@ namespace {
 
 integrate::run::TurnReport turn_after(const scene::Scene& scene, int turns,
                                       const integrate::run::SolverOptions& options) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Run run = integrate::start(scene, options, modes);
   integrate::run::TurnReport turn;
   for (int k = 0; k < turns; ++k) {

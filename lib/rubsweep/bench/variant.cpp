@@ -12,7 +12,7 @@ using integrate::run::Stepper;
 bool closed_forms_do(const scene::Scene& scene, integrate::run::SolverOptions base, int turns) {
   base.method = Method::exact;
   base.contact = ContactHandling::located;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const integrate::run::Run run = integrate::start(scene, base, modes);
   integrate::run::TurnReport turn;
   for (int k = 0; k < turns; ++k) {
@@ -33,7 +33,7 @@ std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::run
         variants.push_back({method, stepper, contact, tolerance});
     }
   };
-  if (integrate::exact::exact_applies(scene)) {
+  if (integrate::exact::modes::exact_applies(scene)) {
     variants.push_back({Method::exact, {}, ContactHandling::located, {}});
     if (!closed_forms_do(scene, base, turns)) add(Method::exact, ContactHandling::located);
   }

@@ -13,7 +13,7 @@ namespace {
 /// One run of one variant; returns its processor time in seconds.
 double run_once(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                 std::span<const double> reference, const WorkPrecisionOptions& options,
-                integrate::exact::ModeCache& modes, Measurement& measurement) {
+                integrate::exact::modes::ModeCache& modes, Measurement& measurement) {
   integrate::run::TurnReport turn;
   const double start = processor_time_s();
   const integrate::run::Run run = integrate::start(scene, solver, modes);
@@ -35,7 +35,7 @@ std::vector<Measurement> measure(const scene::Scene& scene, const integrate::run
                                  const WorkPrecisionOptions& options) {
   std::vector<Measurement> measurements(variants.size());
   std::vector<std::vector<double>> seconds(variants.size());
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   for (int repeat = 0; repeat < options.repeats; ++repeat) {
     for (std::size_t i = 0; i < variants.size(); ++i) {
       Measurement& measurement = measurements[i];

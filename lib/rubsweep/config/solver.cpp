@@ -4,7 +4,7 @@
 
 #include "rubsweep/config/section.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
-#include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -48,7 +48,7 @@ SolverOptions read_solver(const Value& value, std::size_t stops) {
                             "'smoothed' is a law that the exact solver does not know",
                             "located, or method adaptive");
   }
-  constexpr std::size_t most = integrate::exact::most_exact_contacts;
+  constexpr std::size_t most = integrate::exact::modes::most_exact_contacts;
   if (solver.method == Method::exact && stops > most) {
     section.refuse_together("method", {"method"}, fmt::format("is exact beside {} stops", stops),
                             fmt::format("auto or adaptive, or at most {} stops", most));

@@ -58,7 +58,7 @@ template <int N>
 class HybridRun {
  public:
   HybridRun(const scene::Scene& scene, const run::SolverOptions& options,
-            std::shared_ptr<exact::MachineModes<N>> modes)
+            std::shared_ptr<exact::modes::MachineModes<N>> modes)
       : scene_(scene),
         options_(options),
         run_(scene, std::move(modes), options.max_steps_per_revolution),
@@ -258,7 +258,8 @@ class HybridRun {
 
 }  // namespace
 
-run::Run start_hybrid(const scene::Scene& scene, const run::SolverOptions& options, exact::ModeCache& modes) {
+run::Run start_hybrid(const scene::Scene& scene, const run::SolverOptions& options,
+                      exact::modes::ModeCache& modes) {
   return run::with_coordinates(scene.structure.coordinates(), [&](auto n) -> run::Run {
     auto run = std::make_shared<HybridRun<n()>>(scene, options, modes.modes_of<n()>(scene));
     return {

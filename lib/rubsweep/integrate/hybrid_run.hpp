@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rubsweep/integrate/exact/mode_cache.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/scene/scene.hpp"
@@ -14,6 +14,7 @@ namespace rubsweep::integrate {
 /// in Effort::taylor_turns. Where `options` name a stepper or smooth contacts, such a turn is made by that
 /// stepper and counted in Effort::adaptive_turns. The run returns to closed forms as soon as the rotor has
 /// been free for a turn, or after a while.
-run::Run start_hybrid(const scene::Scene& scene, const run::SolverOptions& options, exact::ModeCache& modes);
+run::Run start_hybrid(const scene::Scene& scene, const run::SolverOptions& options,
+                      exact::modes::ModeCache& modes);
 
 }  // namespace rubsweep::integrate

@@ -32,11 +32,12 @@ Solver solver_of(const scene::Scene& scene, const run::SolverOptions& options) {
   // Only the steppers know of torsion.
   if (scene.twist || options.method == run::Method::adaptive) return Solver::adaptive;
   if (options.method == run::Method::exact) return Solver::exact;
-  return options.contact == run::ContactHandling::located && exact::exact_applies(scene) ? Solver::exact
-                                                                                         : Solver::adaptive;
+  return options.contact == run::ContactHandling::located && exact::modes::exact_applies(scene)
+             ? Solver::exact
+             : Solver::adaptive;
 }
 
-run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::ModeCache& modes) {
+run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::modes::ModeCache& modes) {
   return solver_of(scene, options) == Solver::exact ? start_hybrid(scene, options, modes)
                                                     : start_restarting(scene, options);
 }

@@ -14,6 +14,6 @@ enum class Solver { adaptive, exact };
 Solver solver_of(const scene::Scene& scene, const run::SolverOptions& options);
 
 /// Starts a run with the solver that `options` ask for.
-run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::ModeCache& modes);
+run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::modes::ModeCache& modes);
 
 }  // namespace rubsweep::integrate

@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "rubsweep/integrate/exact/mode_cache.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 
 namespace rubsweep::sweep {
@@ -38,9 +38,9 @@ bool varies_machines(const Study& study) {
 std::size_t flow_bytes(const Study& study, const structure::Assembly& assembly) {
   const bool by_speed =
       assembly.gyroscopic.size() > 0 || assembly.circulatory.size() > 0 || !assembly.tables.empty();
-  const std::size_t bytes = integrate::exact::most_bytes_of_modes(
+  const std::size_t bytes = integrate::exact::modes::most_bytes_of_modes(
       assembly.system.coordinates(),
-      std::min(study.machine.stops.size(), integrate::exact::most_exact_contacts));
+      std::min(study.machine.stops.size(), integrate::exact::modes::most_exact_contacts));
   std::size_t machines = by_speed ? study.grid.speed_hz.size() : 1;
   for (const KeyAxis& axis : study.grid.axes) {
     if (!changes_no_flow(axis)) machines *= axis.values.size();
@@ -48,7 +48,7 @@ std::size_t flow_bytes(const Study& study, const structure::Assembly& assembly) 
   // Every cell may find secants of its own.
   if (study.hertz_iterations > 0)
     machines = cell_count(study.grid) * (1 + static_cast<std::size_t>(study.hertz_iterations));
-  constexpr std::size_t most = integrate::exact::most_bytes_of_a_mode_cache;
+  constexpr std::size_t most = integrate::exact::modes::most_bytes_of_a_mode_cache;
   return varies_machines(study) || machines > most / bytes ? most : machines * bytes;
 }
 
@@ -73,7 +73,7 @@ Footprint footprint(const Study& study, const scene::PreparedMachine& prepared, 
 }
 
 std::size_t most_memory_bytes(const Study& study, const Workers& workers) {
-  return memory_bytes(study, workers, integrate::exact::most_bytes_of_a_mode_cache);
+  return memory_bytes(study, workers, integrate::exact::modes::most_bytes_of_a_mode_cache);
 }
 
 std::vector<std::size_t> take_pilot_cells(std::vector<std::size_t>& cells, std::size_t count) {

@@ -33,7 +33,7 @@ class TwoMasses : public ::testing::Test {
     return events;
   }
 
-  integrate::exact::ModeCache modes_;
+  integrate::exact::modes::ModeCache modes_;
   HalfBranch branch_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 /// Events on the one step from the orbit at `first` to that at `last`, angular frequencies of a family
 /// of scenes. Both ends go through the same contact modes, so that nothing but margins leads to it.
 std::vector<BranchEvent> on_one_step(const orbits::SceneFamily& family, double first, double last) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   orbits::OrbitProblem problem = orbits::scene_orbits(family, 1, {}, modes);
   problem.low = first;
   problem.high = last;
@@ -115,7 +115,7 @@ TEST(Margins, AHitThatGoesAndComesBackInOneStep) {
 
 /// Margin of the orbit in flight, 1 less the amplitude, and its slope by the frequency, all in closed form.
 TEST(Margins, ValueAndSlopeOfAnApproach) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   orbits::OrbitProblem problem = orbits::scene_orbits(before_a_wall(0.3), 1, {}, modes);
   const double w = 0.8;
   const auto point = orbit_from(problem, Eigen::VectorXd::Zero(4), w);

@@ -15,7 +15,7 @@ TEST(ClosedOrbits, EachInItsFrame) {
     scene.constant_n(0) = load;
     return scene;
   };
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const Eigen::VectorXd section = Eigen::VectorXd::Constant(4, 0.1);
   for (const double load : {0.0, 0.01}) {
     Eigen::VectorXd state = section;

@@ -41,7 +41,7 @@ double modulus_at(double r, double w) {
 }
 
 TEST(SceneOrbits, FullAnnularRubWithItsFoldAndItsStability) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   OrbitProblem problem = scene_orbits(
       [](double speed) -> std::optional<scene::Scene> {
         return test::annular_scene(1, zeta, speed, unbalance, 0, stiffness, 0);
@@ -93,7 +93,7 @@ TEST(SceneOrbits, FullAnnularRubWithItsFoldAndItsStability) {
 /// corner: it ends there.
 TEST(SceneOrbits, GyroscopicRotorInARingEndsWhereItTouchesAllAlong) {
   constexpr double damping = 0.01, polar = 0.143, drive = 0.9 * 0.353, beta = 10;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   OrbitProblem problem = scene_orbits(
       [](double speed) -> std::optional<scene::Scene> {
         scene::Scene scene = test::annular_scene(1, damping, speed, drive, 0, beta, 0);
@@ -116,7 +116,7 @@ TEST(SceneOrbits, GyroscopicRotorInARingEndsWhereItTouchesAllAlong) {
 }
 
 TEST(SceneOrbits, ImpulsesThatDifferFromTurnToTurnHaveNoOrbits) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   const OrbitProblem problem = scene_orbits(
       [](double speed) -> std::optional<scene::Scene> {
         scene::Scene scene = test::annular_scene(1, zeta, speed, unbalance, 0, stiffness, 0);

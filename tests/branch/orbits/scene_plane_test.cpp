@@ -53,7 +53,7 @@ class TwoMassPlane : public ::testing::Test {
     return std::nullopt;
   }
 
-  integrate::exact::ModeCache modes_;
+  integrate::exact::modes::ModeCache modes_;
   OrbitProblem problem_;
   PlaneOrbits orbits_;
   continuation::HalfBranch branch_;
@@ -172,7 +172,7 @@ double fold_defect(double r, double w) {
 }
 
 TEST(ScenePlane, FoldOfTheFullAnnularRub) {
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   PlaneOrbits orbits = scene_plane_orbits(annular, 1, {}, modes);
   orbits.first = {1.3, 3};
   orbits.second = {0.1, 0.8};

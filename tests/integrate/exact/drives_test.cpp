@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::integrate::exact {
@@ -18,7 +18,7 @@ constexpr double later_s = 7e-4, start_s = 1e-4;
 /// Unbalance and kick of a cell, both acting.
 struct Driven {
   scene::Scene scene = test::cell_of({}).scene;
-  MachineModes<4> modes{scene};
+  modes::MachineModes<4> modes{scene};
   Drives drives{scene, modes.inverse_mass(), modes.system()};
   Phasors phasors;
 

@@ -13,7 +13,7 @@ namespace {
 template <int N>
 void expect_casing_of_the_state() {
   const scene::Scene scene = test::cell_of({}).scene;
-  auto modes = std::make_shared<MachineModes<N>>(scene);
+  auto modes = std::make_shared<modes::MachineModes<N>>(scene);
   const auto& casing = modes->system().casings.front();
   const run::StateScale seconds = run::state_scale(scene).in_seconds();
   run::PulseTimes pulses(scene, seconds, scene.period_s());

@@ -13,7 +13,7 @@ namespace rubsweep::integrate::exact {
 /// A turn of parameter set A with contact, well after the kick.
 struct RubbingTurn {
   scene::Scene scene = test::cell_of({}).scene;
-  ModeCache modes;
+  modes::ModeCache modes;
   std::vector<double> start, end;
   Eigen::MatrixXd transition;
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "rubsweep/integrate/exact/joint_mode.hpp"
+#include "rubsweep/integrate/exact/modes/joint_mode.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::integrate::exact {
@@ -16,7 +16,7 @@ using State = Eigen::Matrix<double, 8, 1>;
 /// Set A in contact by a hundredth of the clearance, with a surface of this speed.
 struct Touching {
   scene::Scene scene = test::cell_of({}).scene;
-  std::shared_ptr<MachineModes<4>> machine = std::make_shared<MachineModes<4>>(scene);
+  std::shared_ptr<modes::MachineModes<4>> machine = std::make_shared<modes::MachineModes<4>>(scene);
   ExactMotion<4> motion{scene, machine};
   SlipWatch<4> watch;
   State start;
@@ -33,7 +33,7 @@ struct Touching {
     return scene;
   }
   bool enter(Mode mode) {
-    const auto joint = watch.saturated_mode(*machine, in_joint_mode(mode, 0), start);
+    const auto joint = watch.saturated_mode(*machine, modes::in_joint_mode(mode, 0), start);
     return joint && motion.enter(*joint, start);
   }
   double slip_m_per_s(const State& at) const {
@@ -86,9 +86,10 @@ TEST(SlipWatch, TheModeHasTheWayOfTheSlip) {
   Touching forward(5), backward(-5), slow(-0.1);
   ASSERT_TRUE(forward.enter(Mode::sprung));
   ASSERT_TRUE(backward.enter(Mode::sprung));
-  EXPECT_EQ(forward.motion.joint(), in_joint_mode(Mode::sprung, 0));
-  EXPECT_EQ(backward.motion.joint(), in_joint_mode(Mode::sprung, 0) + backward_in_joint_mode(0, 1));
-  EXPECT_EQ(modes_of_joint_mode(backward.motion.joint(), 1), forward.motion.joint());
+  EXPECT_EQ(forward.motion.joint(), modes::in_joint_mode(Mode::sprung, 0));
+  EXPECT_EQ(backward.motion.joint(),
+            modes::in_joint_mode(Mode::sprung, 0) + modes::backward_in_joint_mode(0, 1));
+  EXPECT_EQ(modes::modes_of_joint_mode(backward.motion.joint(), 1), forward.motion.joint());
   // Friction that drives one of them drives the other as much the other way.
   const auto &there = forward.motion.mode().stiffness, &back = backward.motion.mode().stiffness;
   const auto& open = forward.machine->mode(0)->stiffness;

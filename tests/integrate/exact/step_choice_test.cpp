@@ -14,7 +14,7 @@ using Motion = ExactMotion<4>;
 /// Free of contact, `gap` clearances before the wall and closing.
 struct Approach {
   scene::Scene scene;
-  std::shared_ptr<MachineModes<4>> plan;
+  std::shared_ptr<modes::MachineModes<4>> plan;
   Motion motion;
 
   static scene::Scene unkicked() {
@@ -24,7 +24,7 @@ struct Approach {
   }
 
   explicit Approach(double gap, double speed_per_s)
-      : scene(unkicked()), plan(std::make_shared<MachineModes<4>>(scene)), motion(scene, plan) {
+      : scene(unkicked()), plan(std::make_shared<modes::MachineModes<4>>(scene)), motion(scene, plan) {
     Motion::State start = Motion::State::Zero();
     start(1) = 1 - gap;
     start(5) = speed_per_s;

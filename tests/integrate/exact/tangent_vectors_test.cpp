@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -28,14 +28,14 @@ TYPED_TEST_SUITE(TangentVectorsOf, Sizes);
 
 /// A flight, then two modes of contact, one of which has no modal form: the product of three exponentials.
 TYPED_TEST(TangentVectorsOf, FollowEveryModeByItsFlow) {
-  MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
+  modes::MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
   TangentVectors<TypeParam::value> carried;
   Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 8);
   carried.begin(*plan.mode(0), scale_of_sections, disturbances);
   Eigen::MatrixXd expected = Eigen::MatrixXd::Identity(8, 8);
   std::size_t last = 0;
   for (const auto& [joint, duration_s] : {std::pair{0u, 0.011}, {2u, 0.0004}, {3u, 0.0017}}) {
-    const LinearMode<TypeParam::value>& mode = *plan.mode(joint);
+    const modes::LinearMode<TypeParam::value>& mode = *plan.mode(joint);
     if (joint != last) carried.change(*plan.mode(last), mode);
     last = joint;
     carried.pass(0.25 * duration_s);
@@ -49,7 +49,7 @@ TYPED_TEST(TangentVectorsOf, FollowEveryModeByItsFlow) {
 }
 
 TYPED_TEST(TangentVectorsOf, NoneAreCarriedWhereNoneAreAskedFor) {
-  MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
+  modes::MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
   TangentVectors<TypeParam::value> carried;
   Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 2);
   carried.begin(*plan.mode(0), scale_of_sections, disturbances);
@@ -61,14 +61,14 @@ TYPED_TEST(TangentVectorsOf, NoneAreCarriedWhereNoneAreAskedFor) {
 
 /// One that joins later goes on from there, and does not come back in the matrix of those at the start.
 TYPED_TEST(TangentVectorsOf, OneMayJoinOnTheWay) {
-  MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
+  modes::MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
   for (const std::size_t joint : {0u, 3u}) {
-    const LinearMode<TypeParam::value>& mode = *plan.mode(joint);
+    const modes::LinearMode<TypeParam::value>& mode = *plan.mode(joint);
     TangentVectors<TypeParam::value> carried;
     Eigen::MatrixXd disturbances = Eigen::MatrixXd::Identity(8, 8);
     carried.begin(mode, scale_of_sections, disturbances);
     carried.pass(0.001);
-    typename ExactTypes<TypeParam::value>::State joins(8);
+    typename modes::ExactTypes<TypeParam::value>::State joins(8);
     joins << 0.3, -0.2, 0.1, 0.5, 10, -20, 30, 5;
     carried.add(mode, joins);
     carried.pass(0.0005);

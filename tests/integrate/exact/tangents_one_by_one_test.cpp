@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {
 
-using State = ExactTypes<4>::State;
+using State = modes::ExactTypes<4>::State;
 
 TangentsOneByOne<4> unit_vectors() {
   TangentsOneByOne<4> tangents;
@@ -19,9 +19,9 @@ TangentsOneByOne<4> unit_vectors() {
 }
 
 TEST(TangentsOneByOne, MoveByTheFlowOfTheirMode) {
-  MachineModes<4> plan(test::cell_of({}).scene);
+  modes::MachineModes<4> plan(test::cell_of({}).scene);
   for (const std::size_t joint : {0u, 1u, 2u, 3u}) {
-    const LinearMode<4>& mode = *plan.mode(joint);
+    const modes::LinearMode<4>& mode = *plan.mode(joint);
     TangentsOneByOne<4> tangents = unit_vectors();
     constexpr int step = 9;
     if (mode.paired)
@@ -43,8 +43,8 @@ TEST(TangentsOneByOne, AreSeenByALinearFunction) {
   Eigen::Matrix<double, 4, Eigen::Dynamic> rows = Eigen::MatrixXd::Zero(4, 8);
   rows.col(1) << 1, 2, 3, 0;
   rows.col(5) << -4, 5, 6, 0;
-  ModalSums sums;
-  unit_vectors().see(modal_terms(rows, {true, true, true, true}), false, 10, sums);
+  modes::ModalSums sums;
+  unit_vectors().see(modes::modal_terms(rows, {true, true, true, true}), false, 10, sums);
   const Eigen::Map<const Eigen::VectorXd> value(sums.value.data(), 8), rate(sums.rate.data(), 8),
       curvature(sums.curvature.data(), 8);
   EXPECT_EQ(value, 10 * rows.row(0).transpose());

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
 #include "rubsweep/integrate/exact/tangents_one_by_one.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -42,8 +42,8 @@ struct Both {
 
 class TangentsSideBySideOfMode : public testing::TestWithParam<std::size_t> {
  protected:
-  MachineModes<Eigen::Dynamic> plan_{test::cell_of({}).scene};
-  const LinearMode<Eigen::Dynamic>& mode_ = *plan_.mode(GetParam());
+  modes::MachineModes<Eigen::Dynamic> plan_{test::cell_of({}).scene};
+  const modes::LinearMode<Eigen::Dynamic>& mode_ = *plan_.mode(GetParam());
 };
 
 TEST_P(TangentsSideBySideOfMode, HaveTheBitsOfThoseOneByOne) {
@@ -65,7 +65,7 @@ TEST_P(TangentsSideBySideOfMode, HaveTheBitsOfThoseOneByOne) {
       both.expect_same("change");
     }
     for (const auto& guard : mode_.guards) {
-      ModalSums plain, tested;
+      modes::ModalSums plain, tested;
       both.plain.see(guard.terms, mode_.paired, 3, plain);
       both.tested.see(guard.terms, mode_.paired, 3, tested);
       EXPECT_EQ(tested.value, plain.value);

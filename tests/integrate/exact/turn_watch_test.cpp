@@ -18,7 +18,7 @@ struct Vibration {
 
   Vibration()
       : scene(of_three_vibrations()),
-        modes(std::make_shared<MachineModes<2>>(scene)),
+        modes(std::make_shared<modes::MachineModes<2>>(scene)),
         motion(scene, modes),
         watch(*modes, scene, period_s) {
     ExactMotion<2>::State start = ExactMotion<2>::State::Zero();
@@ -50,7 +50,7 @@ struct Vibration {
   }
 
   scene::Scene scene;
-  std::shared_ptr<MachineModes<2>> modes;
+  std::shared_ptr<modes::MachineModes<2>> modes;
   ExactMotion<2> motion;
   TurnWatch<2> watch;
 };

@@ -115,7 +115,7 @@ TEST(Impulses, MoveADampedOscillatorAsTheClosedFormSays) {
   for (const double multiple : {0.4, 1.0, 3.57, 12.0}) {
     for (const double phase_periods : {0.0, 0.25}) {
       const auto scene = struck_oscillator(multiple, phase_periods);
-      exact::ModeCache modes;
+      exact::modes::ModeCache modes;
       const auto exact = start_hybrid(scene, {}, modes);
       const Cursor adaptive = adaptive::start_adaptive(scene, {.relative_tolerance = 1e-11});
       TurnReport a, b;
@@ -133,7 +133,7 @@ TEST(Impulses, MoveADampedOscillatorAsTheClosedFormSays) {
 TEST(Impulses, EndInTheGeometricSeriesWithALineAtTheMultiple) {
   constexpr double multiple = 3;
   constexpr int samples = 4096;
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto run = start_hybrid(struck_oscillator(multiple, 0), {}, modes);
   TurnRequest asked;
   TurnReport turn;
@@ -159,7 +159,7 @@ TEST(Impulses, EndInTheGeometricSeriesWithALineAtTheMultiple) {
 TEST(Impulses, BothSolversAgreeInContact) {
   for (const double multiple : {1.0, 3.57}) {
     const auto scene = struck_rub(multiple, 0.2);
-    exact::ModeCache modes;
+    exact::modes::ModeCache modes;
     const auto exact = start_hybrid(scene, {}, modes);
     const Cursor adaptive =
         adaptive::start_adaptive(scene, {.stepper = Stepper::rkf78, .relative_tolerance = 1e-12});
@@ -188,7 +188,7 @@ TEST(Impulses, ThatStrikeInContactChangeItsMode) {
   scene.contacts.push_back(test::wall_across_x(1, 0.9, 1e3, 20));
   scene.impulses.push_back({Eigen::Vector2d(8, 0), 5, 0.01});
   scene.impulses.push_back({Eigen::Vector2d(-20, 0), 5, 0.012});
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto exact = start_hybrid(scene, {}, modes);
   const Cursor adaptive =
       adaptive::start_adaptive(scene, {.stepper = Stepper::rkf78, .relative_tolerance = 1e-12});
@@ -211,7 +211,7 @@ TEST(Impulses, ThatStrikeInContactChangeItsMode) {
 
 TEST(Impulses, TransitionIsTheDerivativeOfTheSection) {
   auto scene = struck_rub(3, 0);
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   const auto kicked = start_hybrid(scene, {}, modes);
   TurnRequest asked;
   TurnReport turn;

@@ -30,7 +30,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 TEST(Creep, RollsOnItsClosedForm) {
   for (const double steepness : {1e3, 1e4, 1e5, 1e7}) {
     const test::RollingScene rolling = test::rolling_scene(steepness);
-    exact::ModeCache modes;
+    exact::modes::ModeCache modes;
     const run::Run run = start(rolling.scene, {}, modes);
     run::TurnReport turn;
     for (int k = 1; k <= 6; ++k) {

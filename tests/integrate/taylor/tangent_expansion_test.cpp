@@ -29,7 +29,7 @@ Eigen::MatrixXd transition_by_dopri5(const scene::Scene& scene, double tolerance
 }
 
 TEST(TangentExpansion, MovesAsTheVariationalEquations) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   scene::Scene flat = test::cell_of({}).scene;
   flat.displacement_m(1) = 1.1e-3;
   scene::Scene circle = set_c_scene(80, 0.6), slipping = set_c_scene(90, 0.6, {1e-4, 1e-4});

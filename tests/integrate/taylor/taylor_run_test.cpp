@@ -98,7 +98,7 @@ void expect_small(const Agreement& all, double tolerance, const char* name, doub
 
 /// Between flat stops the exact solver knows better than any stepper.
 TEST(TaylorRun, AgreesWithTheExactSolverBetweenFlatStops) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   for (const auto& [speed_hz, ratio] : {std::pair{75.0, 0.4}, std::pair{110.0, 0.7}, std::pair{60.0, 0.9}}) {
     test::OneSideRotor rotor;
     rotor.speed_hz = speed_hz;
@@ -129,7 +129,7 @@ TEST(TaylorRun, AgreesWithTheExactSolverBetweenFlatStops) {
 }
 
 TEST(TaylorRun, AgreesWithTheExactSolverOnAKit) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   scene::Scene scene = kit_scene(70, 0.7);
   const Agreement all = compare<Eigen::Dynamic>(
       scene,
@@ -142,7 +142,7 @@ TEST(TaylorRun, AgreesWithTheExactSolverOnAKit) {
 }
 
 TEST(TaylorRun, AgreesWithRkf78InAnnularStops) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   struct Case {
     const char* name;
     scene::Scene scene;
@@ -168,7 +168,7 @@ TEST(TaylorRun, AgreesWithRkf78InAnnularStops) {
 }
 
 TEST(TaylorRun, AgreesWithRkf78WhereFrictionVariesAndReverses) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   for (const double steepness : {30.0, 300.0}) {
     // A screw against a thin shaft: the slip reverses in every turn.
     test::OneSideRotor rotor;
@@ -196,7 +196,7 @@ TEST(TaylorRun, AgreesWithRkf78WhereFrictionVariesAndReverses) {
 
 /// An annular stop and two flat ones reach into one another's way.
 TEST(TaylorRun, TakesStopsOfBothKindsTogether) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   scene::Scene scene = test::annular_scene(1, 0.02, 1.7, 0.5, 0, 60, 0.1);
   for (const double angle : {0.3, 2.5}) {
     scene::Contact wall = test::wall_across_x(1, 0.8, 40, 0.6);
@@ -388,7 +388,7 @@ TEST(TaylorRun, PassesOverNoGuardThatFiveThousandPointsATurnSee) {
 }
 
 TEST(TaylorRun, StopsAtImpulsesAndWherePulsesBeginAndEnd) {
-  exact::ModeCache modes;
+  exact::modes::ModeCache modes;
   scene::Scene scene = test::cell_of({}).scene;
   scene.impulses.push_back({Eigen::Vector4d(0.02, 0.01, 0, 0), 3.1, 0.3});
   scene.pulses.at(0).duration_s = 0.02;

@@ -33,7 +33,7 @@ TEST(EqualStops, MakeOneStopWithTheSumOfTheirForces) {
     EXPECT_DOUBLE_EQ(merged.contacts[0].stiffness_n_per_m, one.contacts[0].stiffness_n_per_m);
     EXPECT_DOUBLE_EQ(merged.contacts[0].damping_ns_per_m, one.contacts[0].damping_ns_per_m);
     // Turn by turn the motion of the two stops is that of the one.
-    integrate::exact::ModeCache modes;
+    integrate::exact::modes::ModeCache modes;
     const auto several = integrate::start(cell_of(shared_by(count)).scene, {}, modes);
     const auto alone = integrate::start(merged, {}, modes);
     integrate::run::TurnReport a, b;

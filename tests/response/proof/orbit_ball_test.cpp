@@ -15,7 +15,7 @@ namespace {
 /// The 1/2 motion of parameter set A at 75 Hz and whirl ratio 0.4.
 struct HalfMotion {
   scene::Scene scene = after_the_kick(test::cell_of({}).scene);
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   SceneMap map{scene, {}, modes};
   StableOrbit orbit;
   AdaptedNorms norms;
@@ -52,7 +52,7 @@ struct HalfMotion {
 };
 
 std::vector<integrate::run::ModeSwitch> switches_of(const HalfMotion& motion,
-                                                    integrate::exact::ModeCache& modes,
+                                                    integrate::exact::modes::ModeCache& modes,
                                                     std::span<const double> section) {
   const auto run = integrate::start(motion.scene, {}, modes);
   run.restart(section);
@@ -161,7 +161,7 @@ TEST(SplitBall, SlipsMustStaySaturatedForTheSlowPartToo) {
   const auto slow_at = [&](double share) {
     scene::Scene scene = motion.scene;
     scene.contacts.front().surface_speed_m_per_s *= share;
-    integrate::exact::ModeCache modes;
+    integrate::exact::modes::ModeCache modes;
     const auto radii = split_ball_radii(scene, modes, motion.section, *norms, {1e-3, 0.1});
     return radii ? radii->slow : 0;
   };
@@ -177,7 +177,7 @@ TEST(SplitBall, SlipsMustStaySaturatedForTheSlowPartToo) {
 TEST(OrbitBall, NoneWhereTurnsHaveNoClosedForm) {
   HalfMotion motion;
   motion.scene.contacts.front().friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0.01}};
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   EXPECT_FALSE(ball_radius(motion.scene, modes, motion.section, motion.norms));
 }
 

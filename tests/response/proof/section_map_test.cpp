@@ -30,7 +30,7 @@ std::vector<double> section_after(const scene::Scene& scene, int turns,
 /// Every turn is paid, by solvers that count from the start and by such that count from a restart.
 TEST(SceneMap, EndsWithItsBudget) {
   const auto cell = test::cell_of({});
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   for (const auto method : {integrate::run::Method::exact, integrate::run::Method::adaptive}) {
     integrate::run::SolverOptions solver;
     solver.method = method;
@@ -53,7 +53,7 @@ TEST(SceneMap, RepeatsTheTurnsOfARun) {
   const auto cell = test::cell_of({});
   integrate::run::SolverOptions solver;
   solver.relative_tolerance = 1e-11;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   SceneMap map(cell.scene, solver, modes);
   std::vector<double> section = section_after(cell.scene, 3, solver);
   for (int turn = 4; turn <= 12; ++turn) {
@@ -65,7 +65,7 @@ TEST(SceneMap, RepeatsTheTurnsOfARun) {
 
 TEST(SceneMap, HasNoMemoryAndNoPulse) {
   const auto cell = test::cell_of({});
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   SceneMap map(cell.scene, {}, modes);
   // The quiet motion stays on its circle: nothing kicks it.
   const auto quiet = integrate::run::scaled_initial_state(cell.scene);
@@ -87,7 +87,7 @@ TEST(SceneMap, SaysWhenTheSolverFailsAndRefusesOtherSections) {
   const auto cell = test::cell_of({});
   integrate::run::SolverOptions solver;
   solver.max_steps_per_revolution = 1;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   SceneMap map(cell.scene, solver, modes);
   std::vector<double> section(8);
   EXPECT_FALSE(map(section));
@@ -106,7 +106,7 @@ TEST(SceneMap, ExponentOfTheHalfSubharmonicIsTheDecayOfItsTangentialMotion) {
   for (const double tolerance : {1e-6, 1e-7, 1e-8}) {
     integrate::run::SolverOptions solver;
     solver.relative_tolerance = tolerance;
-    integrate::exact::ModeCache modes;
+    integrate::exact::modes::ModeCache modes;
     SceneMap map(cell.scene, solver, modes);
     const auto exponent = test::largest_exponent(std::ref(map), section_after(cell.scene, 400, solver), 400);
     ASSERT_TRUE(exponent);
@@ -119,7 +119,7 @@ TEST(SceneMap, ExponentIsTheRateAtWhichSectionsApproachTheirOrbit) {
   const auto cell = test::cell_of({});
   integrate::run::SolverOptions solver;
   solver.relative_tolerance = 1e-10;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   SceneMap map(cell.scene, solver, modes);
   std::vector<double> rows, section = section_after(cell.scene, 40, solver);
   for (int k = 0; k < 180; ++k) {

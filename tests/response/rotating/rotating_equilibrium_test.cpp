@@ -25,7 +25,7 @@ TEST(FindRotatingEquilibrium, FullAnnularRubAndTheMultiplierOfItsSection) {
   const RotatingField field(scene, {});
   integrate::run::SolverOptions solver;
   solver.relative_tolerance = 1e-11;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   proof::SceneMap map(scene, solver, modes);
   const auto on_circle = integrate::run::scaled_initial_state(scene);
   const VectorXd exact = Eigen::Map<const VectorXd>(on_circle.data(), 4);

@@ -72,7 +72,7 @@ double turning_first_and_last_differ_by(const scene::Scene& scene) {
   unforced.harmonic_n.setZero();
   integrate::run::SolverOptions solver;
   solver.relative_tolerance = 1e-10;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   proof::SceneMap map(unforced, solver, modes);
   std::vector<double> first{0.9, 0.2, 0, 0, 0.3, -0.4, 0.1, 0};
   auto last = turned(first);

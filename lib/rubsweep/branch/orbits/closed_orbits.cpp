@@ -7,7 +7,8 @@
 namespace rubsweep::branch::orbits {
 
 OrbitProblem closed_orbits(Closing closing, SceneFamily family, int order,
-                           const integrate::run::SolverOptions& solver, integrate::exact::ModeCache& modes) {
+                           const integrate::run::SolverOptions& solver,
+                           integrate::exact::modes::ModeCache& modes) {
   return closing == Closing::in_the_turning_frame ? oval_orbits(std::move(family), order, solver)
                                                   : scene_orbits(std::move(family), order, solver, modes);
 }

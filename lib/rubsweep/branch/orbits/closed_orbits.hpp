@@ -19,6 +19,7 @@ constexpr std::string_view to_string(Closing closing) {
 
 /// scene_orbits() or oval_orbits(), whose `order` is that of turns or of loops.
 OrbitProblem closed_orbits(Closing closing, SceneFamily family, int order,
-                           const integrate::run::SolverOptions& solver, integrate::exact::ModeCache& modes);
+                           const integrate::run::SolverOptions& solver,
+                           integrate::exact::modes::ModeCache& modes);
 
 }  // namespace rubsweep::branch::orbits

@@ -30,7 +30,7 @@ struct SceneAt {
   integrate::run::Run run;
 
   SceneAt(double at, const scene::Scene& with_pulses, const integrate::run::SolverOptions& solver,
-          integrate::exact::ModeCache& modes)
+          integrate::exact::modes::ModeCache& modes)
       : parameter(at),
         scene(response::proof::after_the_kick(with_pulses)),
         map(scene, solver, modes),
@@ -44,7 +44,7 @@ std::span<double> numbers(Eigen::VectorXd& state) {
 class SceneOrbits {
  public:
   SceneOrbits(SceneFamily family, int order, const integrate::run::SolverOptions& solver,
-              integrate::exact::ModeCache& modes)
+              integrate::exact::modes::ModeCache& modes)
       : family_(std::move(family)), order_(order), solver_(solver), modes_(modes) {
     solver_.relative_tolerance = std::min(solver.relative_tolerance, tolerance_of_orbits);
   }
@@ -152,7 +152,7 @@ class SceneOrbits {
   SceneFamily family_;
   int order_;
   integrate::run::SolverOptions solver_;
-  integrate::exact::ModeCache& modes_;
+  integrate::exact::modes::ModeCache& modes_;
   numerics::RecentlyUsed<SceneAt> recent_{
       2};  ///< an orbit and a neighbour for the derivative by the parameter
 };
@@ -160,7 +160,7 @@ class SceneOrbits {
 }  // namespace
 
 OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::SolverOptions& solver,
-                          integrate::exact::ModeCache& modes) {
+                          integrate::exact::modes::ModeCache& modes) {
   return problem_of_whole_turns(std::make_shared<SceneOrbits>(std::move(family), order, solver, modes),
                                 order);
 }

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "rubsweep/branch/orbits/orbit_problem.hpp"
-#include "rubsweep/integrate/exact/mode_cache.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/scene/scene.hpp"
 
@@ -18,6 +18,6 @@ using SceneFamily = std::function<std::optional<scene::Scene>(double parameter)>
 /// to the caller. The solver works at 1e-11 where it has a tolerance. `modes` must outlive the problem, which
 /// belongs to one thread. Throws ConfigError at a scene whose impulses are not the same in every turn.
 OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::SolverOptions& solver,
-                          integrate::exact::ModeCache& modes);
+                          integrate::exact::modes::ModeCache& modes);
 
 }  // namespace rubsweep::branch::orbits

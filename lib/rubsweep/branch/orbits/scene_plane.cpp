@@ -27,7 +27,7 @@ std::span<const double> numbers(const Eigen::VectorXd& state) {
 class ScenePlaneOrbits {
  public:
   ScenePlaneOrbits(ScenePlane plane, int order, const integrate::run::SolverOptions& solver,
-                   integrate::exact::ModeCache& modes)
+                   integrate::exact::modes::ModeCache& modes)
       : plane_(std::move(plane)), order_(order), solver_(solver), modes_(modes) {}
 
   Evaluation returns(const Place& place, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
@@ -98,7 +98,7 @@ class ScenePlaneOrbits {
   ScenePlane plane_;
   int order_;
   integrate::run::SolverOptions solver_;
-  integrate::exact::ModeCache& modes_;
+  integrate::exact::modes::ModeCache& modes_;
   numerics::RecentlyUsed<Line> recent_{3};  ///< a line and its neighbours for derivatives
   std::unique_ptr<SectionGuards> guards_;
   Place guards_at_;
@@ -107,7 +107,7 @@ class ScenePlaneOrbits {
 }  // namespace
 
 PlaneOrbits scene_plane_orbits(ScenePlane plane, int order, const integrate::run::SolverOptions& solver,
-                               integrate::exact::ModeCache& modes) {
+                               integrate::exact::modes::ModeCache& modes) {
   const auto orbits = std::make_shared<ScenePlaneOrbits>(std::move(plane), order, solver, modes);
   return {std::bind_front(&ScenePlaneOrbits::returns, orbits),
           std::bind_front(&ScenePlaneOrbits::facts, orbits),

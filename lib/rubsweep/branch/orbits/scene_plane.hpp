@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "rubsweep/branch/orbits/plane_orbits.hpp"
-#include "rubsweep/integrate/exact/mode_cache.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/scene/scene.hpp"
 
@@ -16,6 +16,6 @@ using ScenePlane = std::function<std::optional<scene::Scene>(double first, doubl
 /// Orbits of `order` turns of a plane of scenes, as scene_orbits() has them along a line. Ranges are left to
 /// the caller.
 PlaneOrbits scene_plane_orbits(ScenePlane plane, int order, const integrate::run::SolverOptions& solver,
-                               integrate::exact::ModeCache& modes);
+                               integrate::exact::modes::ModeCache& modes);
 
 }  // namespace rubsweep::branch::orbits

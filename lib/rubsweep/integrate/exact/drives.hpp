@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rubsweep/integrate/exact/harmonic_response.hpp"
+#include "rubsweep/integrate/exact/modes/harmonic_response.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/scene/scene.hpp"
@@ -51,29 +51,29 @@ class Drives {
   void start(double phase_rad, const run::PulseTimes& times, double time_s, Phasors& phasors);
 
   void turn(Phasors& phasors, double duration_s) const {
-    phasors.shaft = product(phasors.shaft, turn_of(unbalance_, duration_s));
+    phasors.shaft = modes::product(phasors.shaft, turn_of(unbalance_, duration_s));
     for (std::size_t k = 0; k < acting_.size(); ++k)
-      phasors.pulses[k] = product(phasors.pulses[k], turn_of(pulses_[acting_[k]], duration_s));
+      phasors.pulses[k] = modes::product(phasors.pulses[k], turn_of(pulses_[acting_[k]], duration_s));
   }
   /// Factors that turn all phasors by a duration, those of pulses that do not act among them.
   Phasors turns(double duration_s) const;
   /// Turns the phasors by such factors.
   void turn(Phasors& phasors, const Phasors& by) const {
-    phasors.shaft = product(phasors.shaft, by.shaft);
+    phasors.shaft = modes::product(phasors.shaft, by.shaft);
     for (std::size_t k = 0; k < acting_.size(); ++k)
-      phasors.pulses[k] = product(phasors.pulses[k], by.pulses[acting_[k]]);
+      phasors.pulses[k] = modes::product(phasors.pulses[k], by.pulses[acting_[k]]);
   }
 
   /// Adds the acceleration of coordinate `j`; of contact `i` along its normal.
   void add_acceleration(Eigen::Index j, const Phasors& phasors, double& sum) const {
-    sum += real_product(unbalance_.acceleration(j), phasors.shaft);
+    sum += modes::real_product(unbalance_.acceleration(j), phasors.shaft);
     for (std::size_t k = 0; k < acting_.size(); ++k)
-      sum += real_product(pulses_[acting_[k]].acceleration(j), phasors.pulses[k]);
+      sum += modes::real_product(pulses_[acting_[k]].acceleration(j), phasors.pulses[k]);
   }
   void add_closing(std::size_t i, const Phasors& phasors, double& sum) const {
-    sum += real_product(unbalance_.closing[i], phasors.shaft);
+    sum += modes::real_product(unbalance_.closing[i], phasors.shaft);
     for (std::size_t k = 0; k < acting_.size(); ++k)
-      sum += real_product(pulses_[acting_[k]].closing[i], phasors.pulses[k]);
+      sum += modes::real_product(pulses_[acting_[k]].closing[i], phasors.pulses[k]);
   }
 
  private:

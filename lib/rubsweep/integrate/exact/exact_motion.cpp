@@ -11,7 +11,7 @@
 namespace rubsweep::integrate::exact {
 
 template <int N>
-ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes)
+ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes)
     : machine_(std::move(modes)),
       scale_(run::state_scale(scene)),
       drives_(scene, machine_->inverse_mass(), machine_->system()) {
@@ -21,7 +21,7 @@ ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<MachineMo
 
 template <int N>
 bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
-  const LinearMode<N>* next = machine_->mode(joint);
+  const modes::LinearMode<N>* next = machine_->mode(joint);
   if (next == nullptr) return false;
   if (mode_ != nullptr) tangents_.change(*mode_, *next);
   mode_ = next;
@@ -30,7 +30,7 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   bool usable = prepare(*mode_, cell);
   // A pulse may begin in contact, where bounds on released slips ask for the responses of the open mode.
   if (joint != 0 && !drives_.acting().empty()) {
-    const LinearMode<N>& open = *machine_->mode(0);
+    const modes::LinearMode<N>& open = *machine_->mode(0);
     usable = usable && prepare(open, cells_[open.index]);
   }
   cell_ = &cell;
@@ -43,7 +43,7 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
 template <int N>
 bool ExactMotion<N>::change(std::size_t joint) {
   if constexpr (N != Eigen::Dynamic) {
-    const LinearMode<N>* next = machine_->mode(joint);
+    const modes::LinearMode<N>* next = machine_->mode(joint);
     if (next == nullptr) return false;
     if (cells_.size() <= next->index) {
       cells_.resize(next->index + 1);
@@ -67,22 +67,23 @@ bool ExactMotion<N>::change(std::size_t joint) {
 }
 
 template <int N>
-const typename ExactMotion<N>::Transition& ExactMotion<N>::transition(const LinearMode<N>& to) {
+const typename ExactMotion<N>::Transition& ExactMotion<N>::transition(const modes::LinearMode<N>& to) {
   const std::size_t from = mode_->index;
   if (transitions_.size() <= from) transitions_.resize(from + 1);
   if (transitions_[from].size() <= to.index) transitions_[from].resize(to.index + 1);
   Transition& way = transitions_[from][to.index];
   if (way.change == nullptr)
     way = {&machine_->change(*mode_, to),
-           make_harmonic_change(to, cells_[from].shaft.response, cells_[to.index].shaft.response)};
+           modes::make_harmonic_change(to, cells_[from].shaft.response, cells_[to.index].shaft.response)};
   return way;
 }
 
 template <int N>
-bool ExactMotion<N>::prepare(const LinearMode<N>& mode, ModeCell& cell) const {
+bool ExactMotion<N>::prepare(const modes::LinearMode<N>& mode, ModeCell& cell) const {
   const auto make = [&](ModeResponse& response, const Drive& drive) {
     if (!response.made)
-      response.usable = make_harmonic_response(mode, drive.acceleration, drive.rate, response.response);
+      response.usable =
+          modes::make_harmonic_response(mode, drive.acceleration, drive.rate, response.response);
     response.made = true;
     return response.usable;
   };
@@ -93,7 +94,7 @@ bool ExactMotion<N>::prepare(const LinearMode<N>& mode, ModeCell& cell) const {
 }
 
 template <int N>
-typename ExactMotion<N>::State ExactMotion<N>::forced(const LinearMode<N>& mode, const ModeCell& cell,
+typename ExactMotion<N>::State ExactMotion<N>::forced(const modes::LinearMode<N>& mode, const ModeCell& cell,
                                                       const Instant& instant) const {
   State state = State::Zero(instant.free.size());
   state.template head<N>(mode.rest.size()) = mode.rest;
@@ -105,14 +106,14 @@ typename ExactMotion<N>::State ExactMotion<N>::forced(const LinearMode<N>& mode,
 template <int N>
 void ExactMotion<N>::ahead(Instant& instant, double duration_s) const {
   if (!(duration_s > 0)) return;
-  move_pairs(flow_of_pairs(*mode_, duration_s), instant.free);
+  modes::move_pairs(modes::flow_of_pairs(*mode_, duration_s), instant.free);
   drives_.turn(instant.phasors, duration_s);
 }
 
 template <int N>
 void ExactMotion<N>::ahead_by_table(Instant& instant, int k) const {
   const auto index = static_cast<std::size_t>(k);
-  move_pairs(mode_->pair_steps[index], instant.free);
+  modes::move_pairs(mode_->pair_steps[index], instant.free);
   turn_by_table(instant.phasors, index);
 }
 
@@ -120,18 +121,18 @@ template <int N>
 void ExactMotion<N>::ahead_by_interval(Instant& instant, double interval_s) {
   PairFlow& interval = cell_->interval;
   if (interval.duration_s != interval_s)
-    interval = {interval_s, flow_of_pairs(*mode_, interval_s), drives_.turns(interval_s)};
-  move_pairs(interval.pairs, instant.free);
+    interval = {interval_s, modes::flow_of_pairs(*mode_, interval_s), drives_.turns(interval_s)};
+  modes::move_pairs(interval.pairs, instant.free);
   drives_.turn(instant.phasors, interval.turns);
 }
 
 template <int N>
 typename ExactMotion<N>::GuardValue ExactMotion<N>::force(std::size_t t, const Instant& instant) const {
-  const TouchWatch<N>& touch = mode_->touches[t];
-  const ModalSum free = sum_of(touch.force_of_free.list, instant.free.data(), mode_->paired);
+  const modes::TouchWatch<N>& touch = mode_->touches[t];
+  const modes::ModalSum free = modes::sum_of(touch.force_of_free.list, instant.free.data(), mode_->paired);
   GuardValue force{touch.force_constant + free.value(), free.rate(), free.curvature()};
   for_each_response(*cell_, instant, [&](const auto& response, Complex phasor) {
-    const Complex z = product(response.at_force[t], phasor);
+    const Complex z = modes::product(response.at_force[t], phasor);
     force.value += z.real();
     force.rate -= response.rate * z.imag();
     force.curvature += response.force_curvature[t];
@@ -141,11 +142,11 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::force(std::size_t t, const I
 
 template <int N>
 typename ExactMotion<N>::CasingMotion ExactMotion<N>::casing(std::size_t c, const Instant& instant) const {
-  const CasingView<N>& view = mode_->casings[c];
+  const modes::CasingView<N>& view = mode_->casings[c];
   Eigen::Vector2d displacement = view.rest, velocity = Eigen::Vector2d::Zero();
   for_each_response(*cell_, instant, [&](const auto& response, Complex phasor) {
     for (Eigen::Index i = 0; i < 2; ++i) {
-      const Complex z = product(response.at_casing[c][static_cast<std::size_t>(i)], phasor);
+      const Complex z = modes::product(response.at_casing[c][static_cast<std::size_t>(i)], phasor);
       displacement(i) += z.real();
       velocity(i) -= response.rate * z.imag();
     }
@@ -168,7 +169,7 @@ typename ExactMotion<N>::State ExactMotion<N>::rate_of(const State& physical) co
 template <int N>
 double ExactMotion<N>::closing_acceleration(std::size_t i, const State& physical) const {
   const Eigen::Index n = mode_->rest.size();
-  const typename ExactTypes<N>::Row& row = mode_->closing[i];
+  const typename modes::ExactTypes<N>::Row& row = mode_->closing[i];
   double acceleration = row.dot(physical.transpose()) - row.template head<N>(n).dot(mode_->rest.transpose());
   drives_.add_closing(i, now_.phasors, acceleration);
   return acceleration;
@@ -176,7 +177,7 @@ double ExactMotion<N>::closing_acceleration(std::size_t i, const State& physical
 
 template <int N>
 typename ExactMotion<N>::GuardValue ExactMotion<N>::annular(std::size_t r, const State& sizes) const {
-  const AnnularGuard<N>& guard = mode_->annular_guards[r];
+  const modes::AnnularGuard<N>& guard = mode_->annular_guards[r];
   const auto& c = machine_->system().contacts[guard.contact];
   std::array<double, 2> d = guard.centre, v{};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -187,7 +188,7 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::annular(std::size_t r, const
   double curvature = guard.curvature_bound.dot(sizes.transpose());
   for_each_response(*cell_, now_, [&](const auto& response, Complex phasor) {
     for (std::size_t i = 0; i < 2; ++i) {
-      const Complex z = product(response.at_annular_guard[r][i], phasor);
+      const Complex z = modes::product(response.at_annular_guard[r][i], phasor);
       d[i] += z.real();
       v[i] -= response.rate * z.imag();
     }
@@ -201,13 +202,14 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::annular(std::size_t r, const
 
 template <int N>
 void ExactMotion<N>::step_by(double duration_s) {
-  step_by_series(table_steps(*mode_, fastest_rad_per_s(), duration_s, [this](int k) { step_by_table(k); }));
+  step_by_series(
+      modes::table_steps(*mode_, fastest_rad_per_s(), duration_s, [this](int k) { step_by_table(k); }));
 }
 
 template <int N>
 void ExactMotion<N>::step_by_series(double duration_s) {
   if (duration_s == 0) return;
-  move_by_series(*mode_, duration_s, now_.free);
+  modes::move_by_series(*mode_, duration_s, now_.free);
   tangents_.pass(duration_s);
   drives_.turn(now_.phasors, duration_s);
 }
@@ -218,7 +220,7 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   const auto expand = [&](double duration_s, int highest) {
     const auto count = static_cast<std::size_t>(highest) + 1;
     const auto even = std::span(storage).first(count + count % 2), terms = even.first(count);
-    expand_guard(mode_->guards[e], now_.free, even);
+    modes::expand_guard(mode_->guards[e], now_.free, even);
     for_each_response(*cell_, now_,
                       [&](const auto& response, Complex phasor) { response.expand(e, phasor, even); });
     numerics::scale_terms(duration_s * mode_->fastest_rad_per_s, terms);
@@ -236,7 +238,7 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
     // none was farther from the parabola's root than a twentieth, and none needed a second series, at 10.3
     // terms each in the mean. A series that reaches no farther than the parabola's root needs a second one in
     // 42 % of them, 15.3 terms in the mean.
-    stepped_s = guess_s - table_steps(*mode_, fastest, guess_s, [this](int k) { step_by_table(k); });
+    stepped_s = guess_s - modes::table_steps(*mode_, fastest, guess_s, [this](int k) { step_by_table(k); });
     size = fastest * (1.25 * (guess_s - stepped_s) + 0.05 * guess_s);
   }
   size += 1e-4;  // not zero where the root is here, and still the shortest of all series
@@ -252,14 +254,14 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
 template <int N>
 typename ExactMotion<N>::SlidingRate ExactMotion<N>::sliding_rate(std::size_t t) const {
   SlidingRate sliding;
-  for (const ModalTerm& pair : mode_->touches[t].sliding_of_free.list) {
+  for (const modes::ModalTerm& pair : mode_->touches[t].sliding_of_free.list) {
     const double u = now_.free(pair.u), v = now_.free(pair.v);
     sliding.rate += pair.rate[0] * u + pair.rate[1] * v;
-    sliding.curvature += mode_->paired ? pair.bound[0] * pair_size(u, v)
+    sliding.curvature += mode_->paired ? pair.bound[0] * modes::pair_size(u, v)
                                        : pair.bound[0] * std::abs(u) + pair.bound[1] * std::abs(v);
   }
   for_each_response(*cell_, now_, [&](const auto& response, Complex phasor) {
-    sliding.rate -= response.rate * product(response.at_sliding[t], phasor).imag();
+    sliding.rate -= response.rate * modes::product(response.at_sliding[t], phasor).imag();
     sliding.curvature += response.sliding_curvature[t];
   });
   return sliding;
@@ -267,8 +269,8 @@ typename ExactMotion<N>::SlidingRate ExactMotion<N>::sliding_rate(std::size_t t)
 
 /// Every run has entered the open mode first, so that its flow is there, and so are its responses.
 template <int N>
-double ExactMotion<N>::sliding_rate_bound(const TouchWatch<N>& touch, const State& physical) const {
-  const LinearMode<N>& open = *machine_->mode(0);
+double ExactMotion<N>::sliding_rate_bound(const modes::TouchWatch<N>& touch, const State& physical) const {
+  const modes::LinearMode<N>& open = *machine_->mode(0);
   const ModeCell& cell = cells_[open.index];
   const State free = open.to_free(physical - forced(open, cell, here()));
   const Eigen::Index n = mode_->rest.size();

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "rubsweep/integrate/exact/drives.hpp"
-#include "rubsweep/integrate/exact/harmonic_response.hpp"
-#include "rubsweep/integrate/exact/machine_modes.hpp"
-#include "rubsweep/integrate/exact/mode_change.hpp"
-#include "rubsweep/integrate/exact/mode_flow.hpp"
+#include "rubsweep/integrate/exact/modes/harmonic_response.hpp"
+#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
+#include "rubsweep/integrate/exact/modes/mode_change.hpp"
+#include "rubsweep/integrate/exact/modes/mode_flow.hpp"
 #include "rubsweep/integrate/exact/tangent_vectors.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"
@@ -25,7 +25,7 @@ namespace rubsweep::integrate::exact {
 template <int N>
 class ExactMotion {
  public:
-  using State = typename ExactTypes<N>::State;
+  using State = typename modes::ExactTypes<N>::State;
 
   /// A guard function (or its smooth substitute), its rate, and a bound on its second derivative within the
   /// mode's longest step.
@@ -33,7 +33,7 @@ class ExactMotion {
     double value = 0, rate = 0, curvature = 0;
   };
 
-  ExactMotion(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes);
+  ExactMotion(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes);
 
   /// Puts a state (u, u') into a joint mode. False where the mode has no closed form here: no equilibrium, or
   /// a harmonic force at an undamped resonance.
@@ -75,7 +75,7 @@ class ExactMotion {
   /// n zeros), else the size of each of its 2n components.
   State sizes() const;
   GuardValue guard(std::size_t e) const {
-    const LinearGuard<N>& guard = mode_->guards[e];
+    const modes::LinearGuard<N>& guard = mode_->guards[e];
     return whole_guard(guard,
                        guard.terms.slow_count > 0 ? with_fast(guard, slow_sum(guard)) : fast_sum(guard),
                        forced_guard(e));
@@ -90,7 +90,7 @@ class ExactMotion {
     GuardValue shaft, pulses;
     bool pulsed = false;
 
-    GuardValue with(double value, const ModalSum& free) const {
+    GuardValue with(double value, const modes::ModalSum& free) const {
       GuardValue guard{value, free.rate(), free.curvature()};
       add(shaft, guard);
       if (pulsed) add(pulses, guard);
@@ -107,18 +107,20 @@ class ExactMotion {
   /// The terms of slow pairs alone; those of slow and fast pairs, from the former; those of fast pairs alone.
   /// The first two are for guards that have slow pairs (`guard.terms.slow_count` > 0); in all others every
   /// pair counts as fast. Only a mode with a modal form tells slow from fast.
-  ModalSum slow_sum(const LinearGuard<N>& guard) const {
-    return sum_of(guard.terms.slow(), now_.free.data(), true);
+  modes::ModalSum slow_sum(const modes::LinearGuard<N>& guard) const {
+    return modes::sum_of(guard.terms.slow(), now_.free.data(), true);
   }
-  ModalSum with_fast(const LinearGuard<N>& guard, ModalSum slow) const;
-  ModalSum fast_sum(const LinearGuard<N>& guard) const {
-    return sum_of(guard.terms.fast(), now_.free.data(), mode_->paired);
+  modes::ModalSum with_fast(const modes::LinearGuard<N>& guard, modes::ModalSum slow) const;
+  modes::ModalSum fast_sum(const modes::LinearGuard<N>& guard) const {
+    return modes::sum_of(guard.terms.fast(), now_.free.data(), mode_->paired);
   }
   /// The guard with every fast pair at the top of its envelope instead of at its present value: never below
   /// the guard itself, and it moves as slowly as the slow pairs do. A step over which this stays negative is
   /// certified without a look at the fast pairs, however often they oscillate in it.
-  GuardValue slow_guard(const LinearGuard<N>& guard, const ModalSum& slow, const Forced& forced) const;
-  GuardValue whole_guard(const LinearGuard<N>& guard, const ModalSum& all, const Forced& forced) const {
+  GuardValue slow_guard(const modes::LinearGuard<N>& guard, const modes::ModalSum& slow,
+                        const Forced& forced) const;
+  GuardValue whole_guard(const modes::LinearGuard<N>& guard, const modes::ModalSum& all,
+                         const Forced& forced) const {
     return forced.with(guard.constant + all.value(), all);
   }
 
@@ -154,7 +156,7 @@ class ExactMotion {
 
   /// Bound on |d slip / dt| / length scale of a touching contact that has a `friction_rate`, within the
   /// mode's longest step from `physical`, the present state, without the contribution of friction.
-  double sliding_rate_bound(const TouchWatch<N>& touch, const State& physical) const;
+  double sliding_rate_bound(const modes::TouchWatch<N>& touch, const State& physical) const;
 
   void carry_no_tangents() { tangents_.clear(); }
   /// Carries tangent vectors of the state along from here on.
@@ -167,13 +169,13 @@ class ExactMotion {
   /// Tangent vectors where they are now, in the coordinates of `free()`.
   std::vector<State> tangents() { return tangents_.now(*mode_); }
   /// Products of each tangent vector with a linear function of the free vibration, times `unit`.
-  void put_tangent_sums(const ModalTerms& terms, double unit, ModalSums& sums) {
+  void put_tangent_sums(const modes::ModalTerms& terms, double unit, modes::ModalSums& sums) {
     tangents_.put_sums(*mode_, terms, unit, sums);
   }
 
-  const LinearMode<N>& mode() const { return *mode_; }
+  const modes::LinearMode<N>& mode() const { return *mode_; }
   std::size_t joint() const { return joint_; }
-  MachineModes<N>& machine() const { return *machine_; }
+  modes::MachineModes<N>& machine() const { return *machine_; }
   const State& free() const { return now_.free; }
 
  private:
@@ -182,19 +184,19 @@ class ExactMotion {
   /// Flow of a mode of pairs over some duration, and how far the phasors turn.
   struct PairFlow {
     double duration_s = -1;
-    typename ExactTypes<N>::Pairs pairs;
+    typename modes::ExactTypes<N>::Pairs pairs;
     Phasors turns;
   };
 
   struct ModeResponse {
     bool made = false, usable = false;
-    HarmonicResponse<N> response;
+    modes::HarmonicResponse<N> response;
   };
 
   /// Precomputed transition from one mode to another.
   struct Transition {
-    const ModeChange<N>* change = nullptr;  ///< null: not yet made
-    HarmonicChange<N> unbalance;
+    const modes::ModeChange<N>* change = nullptr;  ///< null: not yet made
+    modes::HarmonicChange<N> unbalance;
   };
 
   struct ModeCell {
@@ -205,9 +207,9 @@ class ExactMotion {
 
   /// Highest angular frequency of the free vibration and of the forces that act now.
   double fastest_rad_per_s() const { return drives_.fastest_rad_per_s(mode_->fastest_rad_per_s); }
-  bool prepare(const LinearMode<N>& mode, ModeCell& cell) const;
+  bool prepare(const modes::LinearMode<N>& mode, ModeCell& cell) const;
   /// From the present mode to one whose cell is prepared.
-  const Transition& transition(const LinearMode<N>& to);
+  const Transition& transition(const modes::LinearMode<N>& to);
   /// Visits the response of `cell` to every force that acts, and its phasor.
   template <class Visit>
   void for_each_response(const ModeCell& cell, const Instant& instant, const Visit& visit) const {
@@ -216,16 +218,16 @@ class ExactMotion {
     for (std::size_t k = 0; k < acting.size(); ++k)
       visit(cell.pulses[acting[k]].response, instant.phasors.pulses[k]);
   }
-  State forced(const LinearMode<N>& mode, const ModeCell& cell, const Instant& instant) const;
+  State forced(const modes::LinearMode<N>& mode, const ModeCell& cell, const Instant& instant) const;
   void turn_by_table(Phasors& phasors, std::size_t table_step) const;
   void step_by_series(double duration_s);
 
-  std::shared_ptr<MachineModes<N>> machine_;
+  std::shared_ptr<modes::MachineModes<N>> machine_;
   run::StateScale scale_;  ///< of sections
   Drives drives_;
   std::vector<ModeCell> cells_;
   std::vector<std::vector<Transition>> transitions_;  ///< by the indices of both modes
-  const LinearMode<N>* mode_ = nullptr;
+  const modes::LinearMode<N>* mode_ = nullptr;
   ModeCell* cell_ = nullptr;
   std::size_t joint_ = 0;
   long visits_ = 0;
@@ -238,14 +240,14 @@ inline typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
   if (!mode_->paired) return now_.free.cwiseAbs();
   const Eigen::Index n = mode_->rest.size();
   State sizes = State::Zero(2 * n);
-  for (Eigen::Index j = 0; j < n; ++j) sizes(j) = pair_size(now_.free(j), now_.free(n + j));
+  for (Eigen::Index j = 0; j < n; ++j) sizes(j) = modes::pair_size(now_.free(j), now_.free(n + j));
   return sizes;
 }
 
 template <int N>
 inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_guard(std::size_t e) const {
-  const auto of = [e](const HarmonicResponse<N>& response, Complex phasor) -> GuardValue {
-    const Complex z = product(response.at_guard[e], phasor);
+  const auto of = [e](const modes::HarmonicResponse<N>& response, Complex phasor) -> GuardValue {
+    const Complex z = modes::product(response.at_guard[e], phasor);
     return {z.real(), -response.rate * z.imag(), response.curvature[e]};
   };
   const auto& acting = drives_.acting();
@@ -257,25 +259,27 @@ inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_guard(std::size_t 
 }
 
 template <int N>
-inline ModalSum ExactMotion<N>::with_fast(const LinearGuard<N>& guard, ModalSum slow) const {
-  for (const ModalTerm& pair : guard.terms.fast()) slow += ModalSum(pair, now_.free.data(), true);
+inline modes::ModalSum ExactMotion<N>::with_fast(const modes::LinearGuard<N>& guard,
+                                                 modes::ModalSum slow) const {
+  for (const modes::ModalTerm& pair : guard.terms.fast())
+    slow += modes::ModalSum(pair, now_.free.data(), true);
   return slow;
 }
 
 template <int N>
-inline typename ExactMotion<N>::GuardValue ExactMotion<N>::slow_guard(const LinearGuard<N>& guard,
-                                                                      const ModalSum& slow,
+inline typename ExactMotion<N>::GuardValue ExactMotion<N>::slow_guard(const modes::LinearGuard<N>& guard,
+                                                                      const modes::ModalSum& slow,
                                                                       const Forced& forced) const {
   double value = guard.constant + slow.value();
-  for (const ModalTerm& pair : guard.terms.fast())
-    value += pair.envelope * pair_size(now_.free(pair.u), now_.free(pair.v));
+  for (const modes::ModalTerm& pair : guard.terms.fast())
+    value += pair.envelope * modes::pair_size(now_.free(pair.u), now_.free(pair.v));
   return forced.with(value, slow);
 }
 
 template <int N>
 inline void ExactMotion<N>::turn_by_table(Phasors& phasors, std::size_t table_step) const {
   const auto turn = [&](ModeResponse& of, Complex& phasor) {
-    phasor = product(phasor, of.response.turned_by(table_step, mode_->longest_step_s));
+    phasor = modes::product(phasor, of.response.turned_by(table_step, mode_->longest_step_s));
   };
   turn(cell_->shaft, phasors.shaft);
   const auto& acting = drives_.acting();
@@ -286,7 +290,7 @@ template <int N>
 inline void ExactMotion<N>::step_by_table(int k) {
   const auto index = static_cast<std::size_t>(k);
   if (mode_->paired) {
-    move_pairs(mode_->pair_steps[index], now_.free);
+    modes::move_pairs(mode_->pair_steps[index], now_.free);
   } else {
     now_.free = numerics::product_of<State>(mode_->steps.of(k), now_.free);
   }

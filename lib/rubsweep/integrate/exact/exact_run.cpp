@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "rubsweep/integrate/exact/joint_mode.hpp"
 #include "rubsweep/integrate/exact/joint_switch.hpp"
+#include "rubsweep/integrate/exact/modes/joint_mode.hpp"
 #include "rubsweep/integrate/exact/step_choice.hpp"
 #include "rubsweep/numerics/step_table.hpp"
 
@@ -29,7 +29,8 @@ constexpr double stretch_to_join = 16 * SlipWatch<2>::shortest_stretch;
 }  // namespace
 
 template <int N>
-ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps)
+ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes,
+                      long max_steps)
     : motion_(scene, modes),
       scale_(run::state_scale(scene)),
       clock_(run::TurnClock::in_seconds(scene, scale_)),
@@ -106,7 +107,7 @@ template <int N>
 bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const std::vector<Mode>& modes,
                        const run::TurnReport& report) {
   const State physical = physical_of(state);
-  const auto saturated = slip_.saturated_mode(motion_.machine(), joint_mode_of(modes), physical);
+  const auto saturated = slip_.saturated_mode(motion_.machine(), modes::joint_mode_of(modes), physical);
   if (!saturated) return false;
   clock_.go_to_phase(phase_rad);
   clock_.change_pulses();
@@ -155,7 +156,7 @@ template <int N>
 bool ExactRun<N>::enter_by_state(const State& physical) {
   if (!motion_.enter(0, physical)) return false;
   const std::size_t modes =
-      joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));
+      modes::joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));
   return modes == 0 || motion_.enter(slip_.with_ways(motion_.machine(), modes, physical), physical);
 }
 
@@ -276,7 +277,7 @@ bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
 template <int N>
 void ExactRun<N>::note_switches(run::TurnReport& report, std::size_t from, std::size_t to) {
   for (std::size_t i = 0; i < motion_.mode().modes.size(); ++i) {
-    const Mode before = mode_in_joint_mode(from, i), after = mode_in_joint_mode(to, i);
+    const Mode before = modes::mode_in_joint_mode(from, i), after = modes::mode_in_joint_mode(to, i);
     if (after == before) continue;
     ++effort_.switches;
     report.add({clock_.phase_rad(), static_cast<int>(i), before, after}, switches_wanted_);

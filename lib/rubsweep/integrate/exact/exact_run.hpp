@@ -23,7 +23,8 @@ template <int N>
 class ExactRun {
  public:
   /// `modes` must fit the scene.
-  ExactRun(const scene::Scene& scene, std::shared_ptr<MachineModes<N>> modes, long max_steps_per_revolution);
+  ExactRun(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes,
+           long max_steps_per_revolution);
 
   /// Integrates the next revolution. After `no_closed_form` the run stands where the revolution
   /// began, and the report means nothing. After `unsaturated` the turn is made up to `handover()`, and so is

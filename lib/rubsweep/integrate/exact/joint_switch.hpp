@@ -5,7 +5,7 @@
 #include "rubsweep/contact/contact_mode.hpp"
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/exact/exact_motion.hpp"
-#include "rubsweep/integrate/exact/joint_mode.hpp"
+#include "rubsweep/integrate/exact/modes/joint_mode.hpp"
 #include "rubsweep/integrate/exact/slip_watch.hpp"
 
 namespace rubsweep::integrate::exact {
@@ -24,15 +24,15 @@ std::size_t joint_mode_behind(const ExactMotion<N>& motion, const SlipWatch<N>& 
     const contact::Mode from = mode.modes[i];
     contact::Mode to = from;
     if (contact::linear(c.wall)) {
-      const auto kinematics = kinematics_of(c, here, motion.closing_acceleration(i, here));
+      const auto kinematics = modes::kinematics_of(c, here, motion.closing_acceleration(i, here));
       if (mode.guards[e].contact == i) to = contact::mode_through(from, mode.guards[e].next, kinematics);
       to = contact::mode_after(to, c.stiffness, c.damping, kinematics);
     }
     if (to == contact::Mode::open) continue;
-    const std::size_t backward = backward_in_joint_mode(i, contacts.size());
+    const std::size_t backward = modes::backward_in_joint_mode(i, contacts.size());
     const bool goes_backward = from != contact::Mode::open ? (motion.joint() & backward) != 0
                                                            : slip.goes_backward(motion.machine(), i, here);
-    joint += in_joint_mode(to, i) + (goes_backward ? backward : 0);
+    joint += modes::in_joint_mode(to, i) + (goes_backward ? backward : 0);
   }
   return joint;
 }

@@ -29,9 +29,9 @@ double peak_reach_s(const ExactMotion<N>& motion) {
 template <int N>
 class PeakWatch {
  public:
-  using State = typename ExactTypes<N>::State;
+  using State = typename modes::ExactTypes<N>::State;
 
-  explicit PeakWatch(const MachineModes<N>& modes, double length_m)
+  explicit PeakWatch(const modes::MachineModes<N>& modes, double length_m)
       : observed_(modes.system().observed), length_m_(length_m) {
     for (const auto& casing : modes.system().casings)
       casings_.push_back({casing.contact, casing.map, casing.sag, casing.rate});

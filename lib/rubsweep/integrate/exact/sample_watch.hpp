@@ -14,7 +14,7 @@ namespace rubsweep::integrate::exact {
 template <int N>
 class SampleWatch {
  public:
-  using State = typename ExactTypes<N>::State;
+  using State = typename modes::ExactTypes<N>::State;
 
   void begin(const run::TurnRequest& request, run::TurnReport& report, double period_s, Eigen::Index states) {
     next_ = 0;

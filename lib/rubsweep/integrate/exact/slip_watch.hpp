@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "rubsweep/integrate/exact/exact_motion.hpp"
-#include "rubsweep/integrate/exact/joint_mode.hpp"
-#include "rubsweep/integrate/exact/machine_modes.hpp"
+#include "rubsweep/integrate/exact/modes/joint_mode.hpp"
+#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
 #include "rubsweep/numerics/certified_step.hpp"
 #include "rubsweep/numerics/cubic_maximum.hpp"
 
@@ -23,7 +23,7 @@ namespace rubsweep::integrate::exact {
 template <int N>
 class SlipWatch {
  public:
-  using State = typename ExactTypes<N>::State;
+  using State = typename modes::ExactTypes<N>::State;
   using Guard = typename ExactMotion<N>::GuardValue;
 
   SlipWatch(const scene::Scene& scene, const std::vector<contact::SaturatedFriction>& friction)
@@ -40,28 +40,29 @@ class SlipWatch {
 
   /// Joint mode of these contact modes with the direction that every slip has at `physical`. Empty where the
   /// friction of a touching contact is not saturated there.
-  std::optional<std::size_t> saturated_mode(const MachineModes<N>& machine, std::size_t modes,
+  std::optional<std::size_t> saturated_mode(const modes::MachineModes<N>& machine, std::size_t modes,
                                             const State& physical) const {
     const std::size_t joint = with_ways(machine, modes, physical);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      if (mode_in_joint_mode(modes, i) == contact::Mode::open || contacts_[i].always()) continue;
+      if (modes::mode_in_joint_mode(modes, i) == contact::Mode::open || contacts_[i].always()) continue;
       if (!(std::abs(slip(machine, i, physical)) > contacts_[i].above_m_per_s)) return std::nullopt;
     }
     return joint;
   }
 
   /// The same whether or not friction is saturated.
-  std::size_t with_ways(const MachineModes<N>& machine, std::size_t modes, const State& physical) const {
+  std::size_t with_ways(const modes::MachineModes<N>& machine, std::size_t modes,
+                        const State& physical) const {
     std::size_t joint = modes;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      if (mode_in_joint_mode(modes, i) == contact::Mode::open) continue;
-      if (goes_backward(machine, i, physical)) joint += backward_in_joint_mode(i, contacts_.size());
+      if (modes::mode_in_joint_mode(modes, i) == contact::Mode::open) continue;
+      if (goes_backward(machine, i, physical)) joint += modes::backward_in_joint_mode(i, contacts_.size());
     }
     return joint;
   }
 
   /// Whether the slip of contact `i`, and its friction with it, goes backward at `physical`.
-  bool goes_backward(const MachineModes<N>& machine, std::size_t i, const State& physical) const {
+  bool goes_backward(const modes::MachineModes<N>& machine, std::size_t i, const State& physical) const {
     return !contacts_[i].always() && slip(machine, i, physical) < 0;
   }
 
@@ -73,7 +74,7 @@ class SlipWatch {
     longest_s_ = motion.mode().longest_step_s;
     may_reverse_ = false;
     for (std::size_t t = 0; t < motion.mode().touches.size(); ++t) {
-      const TouchWatch<N>& touch = motion.mode().touches[t];
+      const modes::TouchWatch<N>& touch = motion.mode().touches[t];
       Contact& c = contacts_[touch.contact];
       if (c.always()) {
         if (c.one_way) look_at_one_way(motion, t, physical);
@@ -93,7 +94,7 @@ class SlipWatch {
   /// longest step. Where the touch has a `friction_rate` the bound is one of the first derivative, which
   /// stands as the rate. For contacts that are not `always` saturated.
   Guard guard(const ExactMotion<N>& motion, std::size_t t, const State& physical) const {
-    const TouchWatch<N>& touch = motion.mode().touches[t];
+    const modes::TouchWatch<N>& touch = motion.mode().touches[t];
     const Contact& c = contacts_[touch.contact];
     const double value = c.above_m_per_s - touch.way * slip(touch, physical);
     if (!touch.friction_rate.empty()) return {value, rate_bound(motion, touch, physical), 0};
@@ -114,13 +115,13 @@ class SlipWatch {
   /// cubic through its values and rates at both ends.
   bool reversed_in(const ExactMotion<N>& motion, const State& physical, double duration_s) {
     bool reversed = false;
-    const auto before = [this](const TouchWatch<N>& touch) { return contacts_[touch.contact].last; };
-    std::array<ValueAndRate, most_exact_contacts> starts{};
+    const auto before = [this](const modes::TouchWatch<N>& touch) { return contacts_[touch.contact].last; };
+    std::array<ValueAndRate, modes::most_exact_contacts> starts{};
     std::size_t count = 0;
-    for (const TouchWatch<N>& touch : motion.mode().touches) starts[count++] = before(touch);
+    for (const modes::TouchWatch<N>& touch : motion.mode().touches) starts[count++] = before(touch);
     note(motion, physical);
     count = 0;
-    for (const TouchWatch<N>& touch : motion.mode().touches) {
+    for (const modes::TouchWatch<N>& touch : motion.mode().touches) {
       const ValueAndRate start = starts[count++], end = before(touch);
       const double largest =
           numerics::cubic_maximum(-start.value, -duration_s * start.rate, -end.value, -duration_s * end.rate);
@@ -152,7 +153,7 @@ class SlipWatch {
   };
 
   void look_at_one_way(const ExactMotion<N>& motion, std::size_t t, const State& physical) {
-    const TouchWatch<N>& touch = motion.mode().touches[t];
+    const modes::TouchWatch<N>& touch = motion.mode().touches[t];
     const double now = slip(touch, physical), longest_s = motion.mode().longest_step_s;
     may_reverse_ = may_reverse_ ||
                    (touch.friction_rate.empty() ? !stays_forward(now, motion.sliding_rate(t), longest_s)
@@ -166,7 +167,8 @@ class SlipWatch {
   }
 
   /// Bound on the rate of a slip within the mode's longest step, m/s^2.
-  double rate_bound(const ExactMotion<N>& motion, const TouchWatch<N>& touch, const State& physical) const {
+  double rate_bound(const ExactMotion<N>& motion, const modes::TouchWatch<N>& touch,
+                    const State& physical) const {
     double rate = motion.sliding_rate_bound(touch, physical), swing = 0;
     for (std::size_t k = 0; k < touch.friction_rate.size(); ++k) {
       const auto& other = motion.machine().system().contacts[k];
@@ -180,19 +182,19 @@ class SlipWatch {
 
   void note(const ExactMotion<N>& motion, const State& physical) {
     const State rate = motion.rate_of(physical);
-    for (const TouchWatch<N>& touch : motion.mode().touches)
+    for (const modes::TouchWatch<N>& touch : motion.mode().touches)
       contacts_[touch.contact].last = {slip(touch, physical),
                                        length_m_ * touch.sliding.dot(rate.transpose())};
   }
 
-  double slip(const MachineModes<N>& machine, std::size_t i, const State& physical) const {
+  double slip(const modes::MachineModes<N>& machine, std::size_t i, const State& physical) const {
     const Eigen::RowVectorXd& row = machine.system().contacts[i].second_row;
     double sliding = 0;
     for (Eigen::Index j = 0; j < row.size(); ++j) sliding += row(j) * physical(row.size() + j);
     return contacts_[i].surface_speed_m_per_s + length_m_ * sliding;
   }
 
-  double slip(const TouchWatch<N>& touch, const State& physical) const {
+  double slip(const modes::TouchWatch<N>& touch, const State& physical) const {
     return contacts_[touch.contact].surface_speed_m_per_s +
            length_m_ * touch.sliding.dot(physical.transpose());
   }

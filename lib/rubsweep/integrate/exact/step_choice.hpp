@@ -53,7 +53,7 @@ struct StepChoice {
 
 /// Narrows the choice by `linear`, guard `e` of the mode.
 template <int N>
-void limit_by_guard(const ExactMotion<N>& motion, const LinearGuard<N>& linear, std::size_t e,
+void limit_by_guard(const ExactMotion<N>& motion, const modes::LinearGuard<N>& linear, std::size_t e,
                     const StepLimits& limits, StepChoice& choice) {
   const auto limit = [&](const typename ExactMotion<N>::GuardValue& guard, double slow_step) {
     if (numerics::stays_below(guard.value, guard.rate, guard.curvature, choice.step_s)) return;
@@ -67,7 +67,7 @@ void limit_by_guard(const ExactMotion<N>& motion, const LinearGuard<N>& linear, 
   const auto forced = motion.forced_guard(e);
   if (linear.terms.slow_count == 0)
     return limit(motion.whole_guard(linear, motion.fast_sum(linear), forced), 0);
-  const ModalSum slow_terms = motion.slow_sum(linear);
+  const modes::ModalSum slow_terms = motion.slow_sum(linear);
   const auto slow = motion.slow_guard(linear, slow_terms, forced);
   if (numerics::stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
   const double slow_step = slow.value < 0 ? numerics::safe_step(slow.value, slow.rate, slow.curvature) : 0;
@@ -92,10 +92,10 @@ void limit_by_annular_guard(const ExactMotion<N>& motion, std::size_t r,
 /// The longest step of the motion that is certified.
 template <int N>
 StepChoice choose_step(const ExactMotion<N>& motion, const StepLimits& limits) {
-  const LinearMode<N>& mode = motion.mode();
+  const modes::LinearMode<N>& mode = motion.mode();
   StepChoice choice{.step_s = std::min(mode.longest_step_s, limits.until_s)};
   std::size_t e = 0;
-  for (const LinearGuard<N>& linear : mode.guards) limit_by_guard(motion, linear, e++, limits, choice);
+  for (const modes::LinearGuard<N>& linear : mode.guards) limit_by_guard(motion, linear, e++, limits, choice);
   if (mode.annular_guards.empty()) return choice;
   const auto sizes = motion.sizes();
   for (std::size_t r = 0; r < mode.annular_guards.size(); ++r)

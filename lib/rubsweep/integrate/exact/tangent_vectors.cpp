@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "rubsweep/integrate/exact/mode_flow.hpp"
+#include "rubsweep/integrate/exact/modes/mode_flow.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {
@@ -20,7 +20,7 @@ void TangentVectors<N>::clear() {
 }
 
 template <int N>
-void TangentVectors<N>::begin(const LinearMode<N>& mode, const run::StateScale& scale,
+void TangentVectors<N>::begin(const modes::LinearMode<N>& mode, const run::StateScale& scale,
                               const Eigen::MatrixXd& vectors) {
   lag_s_ = 0;
   const auto count = static_cast<std::size_t>(vectors.cols());
@@ -44,19 +44,20 @@ void TangentVectors<N>::begin(const LinearMode<N>& mode, const run::StateScale& 
 }
 
 template <int N>
-void TangentVectors<N>::change(const LinearMode<N>& from, const LinearMode<N>& to) {
+void TangentVectors<N>::change(const modes::LinearMode<N>& from, const modes::LinearMode<N>& to) {
   catch_up(from);
   std::visit([&](auto& list) { list.change(from, to); }, vectors_);
 }
 
 template <int N>
-void TangentVectors<N>::change(const LinearMode<N>& from, const typename ExactTypes<N>::Factor& by) {
+void TangentVectors<N>::change(const modes::LinearMode<N>& from,
+                               const typename modes::ExactTypes<N>::Factor& by) {
   catch_up(from);
   std::visit([&](auto& list) { list.move(by); }, vectors_);
 }
 
 template <int N>
-void TangentVectors<N>::add(const LinearMode<N>& mode, const State& physical) {
+void TangentVectors<N>::add(const modes::LinearMode<N>& mode, const State& physical) {
   catch_up(mode);
   std::visit(
       [&](auto& list) {
@@ -67,7 +68,7 @@ void TangentVectors<N>::add(const LinearMode<N>& mode, const State& physical) {
 }
 
 template <int N>
-std::vector<typename ExactTypes<N>::State> TangentVectors<N>::now(const LinearMode<N>& mode) {
+std::vector<typename modes::ExactTypes<N>::State> TangentVectors<N>::now(const modes::LinearMode<N>& mode) {
   catch_up(mode);
   std::vector<State> all;
   std::visit(
@@ -79,7 +80,7 @@ std::vector<typename ExactTypes<N>::State> TangentVectors<N>::now(const LinearMo
 }
 
 template <int N>
-void TangentVectors<N>::put(const LinearMode<N>& mode, const run::StateScale& scale,
+void TangentVectors<N>::put(const modes::LinearMode<N>& mode, const run::StateScale& scale,
                             Eigen::MatrixXd& vectors) {
   catch_up(mode);
   std::visit(
@@ -94,26 +95,26 @@ void TangentVectors<N>::put(const LinearMode<N>& mode, const run::StateScale& sc
 }
 
 template <int N>
-void TangentVectors<N>::put_sums(const LinearMode<N>& mode, const ModalTerms& terms, double unit,
-                                 ModalSums& sums) {
+void TangentVectors<N>::put_sums(const modes::LinearMode<N>& mode, const modes::ModalTerms& terms,
+                                 double unit, modes::ModalSums& sums) {
   catch_up(mode);
   std::visit([&](const auto& list) { list.see(terms, mode.paired, unit, sums); }, vectors_);
 }
 
 template <int N>
-void TangentVectors<N>::catch_up(const LinearMode<N>& mode) {
+void TangentVectors<N>::catch_up(const modes::LinearMode<N>& mode) {
   const double duration_s = std::exchange(lag_s_, 0);
   if (duration_s == 0) return;
   std::visit(
       [&](auto& list) {
         if (list.size() == 0) return;
         if (mode.paired) {
-          const int k = table_step_of(mode, duration_s);
+          const int k = modes::table_step_of(mode, duration_s);
           return k < numerics::exact_step_count ? list.move(mode.pair_steps[static_cast<std::size_t>(k)])
-                                                : list.move(flow_of_pairs(mode, duration_s));
+                                                : list.move(modes::flow_of_pairs(mode, duration_s));
         }
-        const double rest_s = table_steps(mode, mode.fastest_rad_per_s, duration_s,
-                                          [&](int k) { list.move(mode.steps.of(k)); });
+        const double rest_s = modes::table_steps(mode, mode.fastest_rad_per_s, duration_s,
+                                                 [&](int k) { list.move(mode.steps.of(k)); });
         if (rest_s != 0) list.move_by_series(mode, rest_s);  // else a step of the table
       },
       vectors_);

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "rubsweep/integrate/exact/linear_mode.hpp"
+#include "rubsweep/integrate/exact/modes/linear_mode.hpp"
 #include "rubsweep/integrate/exact/tangents_one_by_one.hpp"
 #include "rubsweep/integrate/exact/tangents_side_by_side.hpp"
 
@@ -20,27 +20,28 @@ class TangentVectors {
  public:
   void clear();
   /// Begins with one vector per column, as TurnRequest::tangent_vectors of sections in this scale, in `mode`.
-  void begin(const LinearMode<N>& mode, const run::StateScale& scale, const Eigen::MatrixXd& vectors);
+  void begin(const modes::LinearMode<N>& mode, const run::StateScale& scale, const Eigen::MatrixXd& vectors);
   /// The run has spent `duration_s` more in its mode.
   void pass(double duration_s) { lag_s_ += duration_s; }
   /// The run leaves mode `from` for `to`. The force is continuous there, so that tangent vectors go on
   /// without a jump (the saltation matrix is the identity); only their coordinates change.
-  void change(const LinearMode<N>& from, const LinearMode<N>& to);
+  void change(const modes::LinearMode<N>& from, const modes::LinearMode<N>& to);
   /// The same by the change between both modes.
-  void change(const LinearMode<N>& from, const typename ExactTypes<N>::Factor& by);
+  void change(const modes::LinearMode<N>& from, const typename modes::ExactTypes<N>::Factor& by);
   /// One more from here on, (u, u') with time in seconds.
-  void add(const LinearMode<N>& mode, const typename ExactTypes<N>::State& physical);
+  void add(const modes::LinearMode<N>& mode, const typename modes::ExactTypes<N>::State& physical);
   /// Where they are now in the coordinates of `mode`, the present one.
-  std::vector<typename ExactTypes<N>::State> now(const LinearMode<N>& mode);
+  std::vector<typename modes::ExactTypes<N>::State> now(const modes::LinearMode<N>& mode);
   /// Products of each with a linear function of the free vibration there, times `unit`.
-  void put_sums(const LinearMode<N>& mode, const ModalTerms& terms, double unit, ModalSums& sums);
+  void put_sums(const modes::LinearMode<N>& mode, const modes::ModalTerms& terms, double unit,
+                modes::ModalSums& sums);
   /// Where the first ones are now, as many as `vectors` has columns.
-  void put(const LinearMode<N>& mode, const run::StateScale& scale, Eigen::MatrixXd& vectors);
+  void put(const modes::LinearMode<N>& mode, const run::StateScale& scale, Eigen::MatrixXd& vectors);
 
  private:
-  using State = typename ExactTypes<N>::State;
+  using State = typename modes::ExactTypes<N>::State;
 
-  void catch_up(const LinearMode<N>& mode);
+  void catch_up(const modes::LinearMode<N>& mode);
 
   /// In the mode's coordinates.
   std::conditional_t<N == Eigen::Dynamic, std::variant<TangentsOneByOne<N>, TangentsSideBySide>,

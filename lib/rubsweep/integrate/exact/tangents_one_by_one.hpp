@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/integrate/exact/mode_flow.hpp"
+#include "rubsweep/integrate/exact/modes/mode_flow.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -13,7 +13,7 @@ namespace rubsweep::integrate::exact {
 template <int N>
 class TangentsOneByOne {
  public:
-  using Types = ExactTypes<N>;
+  using Types = modes::ExactTypes<N>;
   using State = typename Types::State;
 
   std::size_t size() const { return count_; }
@@ -27,7 +27,7 @@ class TangentsOneByOne {
   State get(std::size_t i) const { return list_[i]; }
 
   void move(const typename Types::Pairs& flow) {
-    for (State& z : in_use()) move_pairs(flow, z);
+    for (State& z : in_use()) modes::move_pairs(flow, z);
   }
   void move(const typename Types::Factor& flow) {
     for (State& z : in_use()) {
@@ -35,20 +35,20 @@ class TangentsOneByOne {
       z = moved_;
     }
   }
-  void move_by_series(const LinearMode<N>& mode, double duration_s) {
-    for (State& z : in_use()) exact::move_by_series(mode, duration_s, z);
+  void move_by_series(const modes::LinearMode<N>& mode, double duration_s) {
+    for (State& z : in_use()) modes::move_by_series(mode, duration_s, z);
   }
-  void change(const LinearMode<N>& from, const LinearMode<N>& to) {
+  void change(const modes::LinearMode<N>& from, const modes::LinearMode<N>& to) {
     for (State& z : in_use()) {
       from.put_from_free(z, moved_);
       to.put_to_free(moved_, z);
     }
   }
   /// `unit` times a linear function of every one, as of ModalSum.
-  void see(const ModalTerms& terms, bool paired, double unit, ModalSums& sums) const {
+  void see(const modes::ModalTerms& terms, bool paired, double unit, modes::ModalSums& sums) const {
     sums.resize(count_);
     for (std::size_t i = 0; i < count_; ++i) {
-      const ModalSum sum = sum_of(terms.list, list_[i].data(), paired);
+      const modes::ModalSum sum = modes::sum_of(terms.list, list_[i].data(), paired);
       sums.value[i] = unit * sum.value();
       sums.rate[i] = unit * sum.rate();
       sums.curvature[i] = unit * sum.curvature();

@@ -26,7 +26,7 @@ struct LaneSum {
   Lane value_u = -Lane{}, value_v = -Lane{}, rate_u = -Lane{}, rate_v = -Lane{}, bound_u = -Lane{},
        bound_v = -Lane{};
 
-  [[gnu::always_inline]] void add(const ModalTerm& term, const double* z, std::ptrdiff_t stride,
+  [[gnu::always_inline]] void add(const modes::ModalTerm& term, const double* z, std::ptrdiff_t stride,
                                   bool paired) {
     Lane u, v;
     std::memcpy(&u, z + term.u * stride, bytes);
@@ -113,7 +113,8 @@ void TangentsSideBySide::change(const Linear& from, const Linear& to) {
   change_by(to.inverse, to.diagonal_basis);
 }
 
-void TangentsSideBySide::see(const ModalTerms& terms, bool paired, double unit, ModalSums& sums) const {
+void TangentsSideBySide::see(const modes::ModalTerms& terms, bool paired, double unit,
+                             modes::ModalSums& sums) const {
   sums.resize(count_);
   const std::ptrdiff_t lanes = SideBySide::lanes(static_cast<std::ptrdiff_t>(count_));
   numerics::in_widest_lanes(
@@ -121,7 +122,8 @@ void TangentsSideBySide::see(const ModalTerms& terms, bool paired, double unit, 
         constexpr std::size_t width = bytes / sizeof(double);
         for (std::size_t i = 0; i < count_; i += width) {
           LaneSum<bytes> sum;
-          for (const ModalTerm& term : terms.list) sum.add(term, list_.data() + i, list_.stride(), paired);
+          for (const modes::ModalTerm& term : terms.list)
+            sum.add(term, list_.data() + i, list_.stride(), paired);
           const std::size_t some = std::min(width, count_ - i) * sizeof(double);
           const auto value = unit * (sum.value_u + sum.value_v), rate = unit * (sum.rate_u + sum.rate_v),
                      curvature = unit * (sum.bound_u + sum.bound_v);

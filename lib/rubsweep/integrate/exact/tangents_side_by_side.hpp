@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 
-#include "rubsweep/integrate/exact/linear_mode.hpp"
+#include "rubsweep/integrate/exact/modes/linear_mode.hpp"
 #include "rubsweep/numerics/aligned_matrix.hpp"
 #include "rubsweep/numerics/side_by_side.hpp"
 
@@ -13,9 +13,9 @@ namespace rubsweep::integrate::exact {
 /// once.
 class TangentsSideBySide {
  public:
-  using Types = ExactTypes<Eigen::Dynamic>;
+  using Types = modes::ExactTypes<Eigen::Dynamic>;
   using State = Types::State;
-  using Linear = LinearMode<Eigen::Dynamic>;
+  using Linear = modes::LinearMode<Eigen::Dynamic>;
 
   std::size_t size() const { return count_; }
   void clear() { count_ = 0; }
@@ -27,7 +27,7 @@ class TangentsSideBySide {
   void move(const Types::Factor& flow);
   void move_by_series(const Linear& mode, double duration_s);
   void change(const Linear& from, const Linear& to);
-  void see(const ModalTerms& terms, bool paired, double unit, ModalSums& sums) const;
+  void see(const modes::ModalTerms& terms, bool paired, double unit, modes::ModalSums& sums) const;
 
  private:
   numerics::SideBySide view(numerics::AlignedMatrix& of) const;

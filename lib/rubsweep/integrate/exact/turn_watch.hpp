@@ -13,9 +13,9 @@ namespace rubsweep::integrate::exact {
 template <int N>
 class TurnWatch {
  public:
-  using State = typename ExactTypes<N>::State;
+  using State = typename modes::ExactTypes<N>::State;
 
-  explicit TurnWatch(const MachineModes<N>& modes, const scene::Scene& scene, double period_s)
+  explicit TurnWatch(const modes::MachineModes<N>& modes, const scene::Scene& scene, double period_s)
       : peaks_(modes, scene.length_scale_m), scale_(run::state_scale(scene)), period_s_(period_s) {}
 
   void begin_turn(const run::TurnRequest& request, run::TurnReport& report, Eigen::Index states) {

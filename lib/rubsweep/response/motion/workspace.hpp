@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rubsweep/integrate/exact/mode_cache.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/numerics/modal_form_cache.hpp"
 #include "rubsweep/response/spectrum/full_spectrum.hpp"
 
@@ -9,7 +9,7 @@ namespace rubsweep::response::motion {
 /// Caches that one thread keeps from run to run. They change no result, only the work.
 struct Workspace {
   spectrum::SpectrumWorkspace spectrum;
-  integrate::exact::ModeCache modes;
+  integrate::exact::modes::ModeCache modes;
   numerics::ModalFormCache forms;  ///< of rotors in flight
 };
 

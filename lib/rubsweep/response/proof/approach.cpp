@@ -72,9 +72,9 @@ bool comes_near(const TurnMap& turn, std::span<const double> section, const Stab
 }
 
 bool comes_inside(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
-                  const SplitNorms& norms, const integrate::exact::Parts& radii, double most_turns) {
+                  const SplitNorms& norms, const integrate::exact::tube::Parts& radii, double most_turns) {
   const auto size_of = [&](const VectorXd& offset, std::size_t at) {
-    const integrate::exact::Parts parts = parts_of(norms, at, offset);
+    const integrate::exact::tube::Parts parts = parts_of(norms, at, offset);
     return std::max(parts.fast / radii.fast, parts.slow / radii.slow);
   };
   const auto near = [](std::size_t, const VectorXd&, double size) { return size <= 1; };

@@ -26,7 +26,7 @@ bool comes_near(const TurnMap& turn, std::span<const double> section, const Stab
 /// The same until both parts of `norms` are within `radii`, with the distance in the norm that has these
 /// radii as its ball. False after `most_turns`, too.
 bool comes_inside(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
-                  const SplitNorms& norms, const integrate::exact::Parts& radii, double most_turns);
+                  const SplitNorms& norms, const integrate::exact::tube::Parts& radii, double most_turns);
 
 /// Distance of a section from the orbit's first one in the adapted norm there.
 double adapted_distance(std::span<const double> section, const StableOrbit& orbit, const AdaptedNorms& norms);

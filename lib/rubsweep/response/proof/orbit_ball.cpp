@@ -6,14 +6,14 @@
 #include <cmath>
 #include <utility>
 
-#include "rubsweep/integrate/exact/exact_tube.hpp"
+#include "rubsweep/integrate/exact/tube/exact_tube.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using integrate::exact::Parts;
+using integrate::exact::tube::Parts;
 
 constexpr double largest_radius = 0.1;
 constexpr int most_halvings = 26;  ///< of it: down to 1.5e-9
@@ -30,7 +30,7 @@ VectorXd vector_of(const std::vector<double>& x) {
 class OrbitTubes {
  public:
   /// `defect`: distance of the orbit's last section from its first.
-  OrbitTubes(std::vector<integrate::exact::TurnTube> tubes, const Parts& defect)
+  OrbitTubes(std::vector<integrate::exact::tube::TurnTube> tubes, const Parts& defect)
       : tubes_(std::move(tubes)), defect_(defect) {}
 
   /// Largest of the radii 0.1 `shape`, 0.05 `shape`, ... at which the ball contracts. A tube that holds for
@@ -67,7 +67,7 @@ class OrbitTubes {
   /// made.
   Parts room_in(const Parts& radii) const {
     Parts room = radii;
-    for (const integrate::exact::TurnTube& tube : tubes_) {
+    for (const integrate::exact::tube::TurnTube& tube : tubes_) {
       const auto left = [&radii](double radius, const Parts& by) {
         return radius - by.fast * radii.fast - by.slow * radii.slow;
       };
@@ -80,25 +80,25 @@ class OrbitTubes {
   bool draws_together(const Parts& radii) const {
     const Parts room = room_in(radii);
     if (!(room.fast > 0) || (radii.slow > 0 && !(room.slow > 0))) return false;
-    return std::ranges::all_of(tubes_, [&](const integrate::exact::TurnTube& tube) {
+    return std::ranges::all_of(tubes_, [&](const integrate::exact::tube::TurnTube& tube) {
       const Parts deviation = tube.deviation(radii);
       return deviation.fast <= deviation_share * room.fast && deviation.slow <= deviation_share * room.slow;
     });
   }
 
-  std::vector<integrate::exact::TurnTube> tubes_;
+  std::vector<integrate::exact::tube::TurnTube> tubes_;
   Parts defect_;
 };
 
 }  // namespace
 
-std::optional<double> ball_radius(const scene::Scene& scene, integrate::exact::ModeCache& modes,
+std::optional<double> ball_radius(const scene::Scene& scene, integrate::exact::modes::ModeCache& modes,
                                   const std::vector<double>& section, const AdaptedNorms& norms) {
   std::vector<MatrixXd> unit;
   for (const MatrixXd& norm : norms.norm)
     unit.push_back(norm.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(norm.rows(), norm.cols())));
   std::vector<double> end = section;
-  auto turns = integrate::exact::turn_tubes(scene, modes, end, unit, norms.norm);
+  auto turns = integrate::exact::tube::turn_tubes(scene, modes, end, unit, norms.norm);
   if (!turns) return std::nullopt;
   const double defect = (norms.norm.front() * (vector_of(end) - vector_of(section))).norm();
   int halvings = unknown_halvings;
@@ -114,11 +114,11 @@ double turns_to_enter(const SplitNorms& norms, const Parts& distance, const Part
                   turns(distance.slow, radii.slow, norms.contraction.slow));
 }
 
-std::optional<Parts> split_ball_radii(const scene::Scene& scene, integrate::exact::ModeCache& modes,
+std::optional<Parts> split_ball_radii(const scene::Scene& scene, integrate::exact::modes::ModeCache& modes,
                                       const std::vector<double>& section, const SplitNorms& norms,
                                       const Parts& distance) {
   std::vector<double> end = section;
-  auto turns = integrate::exact::turn_tubes(scene, modes, end, norms.unit, norms.norm, norms.slow());
+  auto turns = integrate::exact::tube::turn_tubes(scene, modes, end, norms.unit, norms.norm, norms.slow());
   if (!turns) return std::nullopt;
   const OrbitTubes tubes(std::move(*turns), parts_of(norms, 0, vector_of(end) - vector_of(section)));
   std::optional<Parts> best;

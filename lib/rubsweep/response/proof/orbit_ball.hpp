@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/integrate/exact/mode_cache.hpp"
-#include "rubsweep/integrate/exact/turn_tube.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
+#include "rubsweep/integrate/exact/tube/turn_tube.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/response/proof/split_norms.hpp"
 #include "rubsweep/scene/scene.hpp"
@@ -17,20 +17,20 @@ namespace rubsweep::response::proof {
 /// contracts by `norms.contraction`, and the nonlinear deviation is at most nine tenths of the difference to
 /// 1. `section` is where the orbit's first turn starts. `scene` without a pulse. Empty where a turn has no
 /// closed form, a guard is grazed, or no radius above 1e-9 clearances holds.
-std::optional<double> ball_radius(const scene::Scene& scene, integrate::exact::ModeCache& modes,
+std::optional<double> ball_radius(const scene::Scene& scene, integrate::exact::modes::ModeCache& modes,
                                   const std::vector<double>& section, const AdaptedNorms& norms);
 
 /// Radii of the two parts of `norms` for sets about the sections with the same property: the ball of the norm
 /// max(|fast| / radii.fast, |slow| / radii.slow). Among several ratios of the radii it is the one whose set a
 /// motion at `distance` from the orbit is expected to enter first.
-std::optional<integrate::exact::Parts> split_ball_radii(const scene::Scene& scene,
-                                                        integrate::exact::ModeCache& modes,
-                                                        const std::vector<double>& section,
-                                                        const SplitNorms& norms,
-                                                        const integrate::exact::Parts& distance);
+std::optional<integrate::exact::tube::Parts> split_ball_radii(const scene::Scene& scene,
+                                                              integrate::exact::modes::ModeCache& modes,
+                                                              const std::vector<double>& section,
+                                                              const SplitNorms& norms,
+                                                              const integrate::exact::tube::Parts& distance);
 
 /// Turns that both parts need from `distance` to `radii` by the contraction of their norms.
-double turns_to_enter(const SplitNorms& norms, const integrate::exact::Parts& distance,
-                      const integrate::exact::Parts& radii);
+double turns_to_enter(const SplitNorms& norms, const integrate::exact::tube::Parts& distance,
+                      const integrate::exact::tube::Parts& radii);
 
 }  // namespace rubsweep::response::proof

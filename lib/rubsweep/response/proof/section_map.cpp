@@ -22,7 +22,7 @@ scene::Scene after_the_kick(scene::Scene scene) {
 }
 
 SceneMap::SceneMap(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-                   integrate::exact::ModeCache& modes, integrate::run::WorkBudget* budget)
+                   integrate::exact::modes::ModeCache& modes, integrate::run::WorkBudget* budget)
     : states_(2 * static_cast<std::size_t>(scene.structure.coordinates())),
       exact_(integrate::solver_of(scene, solver) == integrate::Solver::exact),
       run_(integrate::start(after_the_kick(scene), solver, modes)),

@@ -22,7 +22,7 @@ class SceneMap {
   /// Where there is a `budget`, revolutions are paid from it and fail once it is used up. It outlives the
   /// map.
   SceneMap(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
-           integrate::exact::ModeCache& modes, integrate::run::WorkBudget* budget = nullptr);
+           integrate::exact::modes::ModeCache& modes, integrate::run::WorkBudget* budget = nullptr);
 
   /// `section`: 2n numbers. False when the solver fails.
   bool operator()(std::span<double> section);

@@ -100,7 +100,7 @@ std::optional<SplitNorms> split_norms(const std::vector<MatrixXd>& transitions, 
   return norms;
 }
 
-integrate::exact::Parts parts_of(const SplitNorms& norms, std::size_t turn, const VectorXd& offset) {
+integrate::exact::tube::Parts parts_of(const SplitNorms& norms, std::size_t turn, const VectorXd& offset) {
   const VectorXd x = norms.norm[turn] * offset;
   return {x.head(norms.fast).norm(), x.tail(norms.slow()).norm()};
 }

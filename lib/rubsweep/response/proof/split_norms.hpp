@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/integrate/exact/turn_tube.hpp"
+#include "rubsweep/integrate/exact/tube/turn_tube.hpp"
 #include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::response::proof {
@@ -18,7 +18,7 @@ struct SplitNorms {
   std::vector<Eigen::MatrixXd> unit;  ///< their inverses
   Eigen::Index fast = 0;
   /// Contraction of either part by every turn, < 1; besides, the fast part drives the slow one.
-  integrate::exact::Parts contraction;
+  integrate::exact::tube::Parts contraction;
 
   Eigen::Index slow() const { return norm.front().rows() - fast; }
 };
@@ -35,6 +35,7 @@ std::optional<SplitNorms> split_norms(const std::vector<Eigen::MatrixXd>& transi
                                       const Eigen::MatrixXd& seen);
 
 /// Lengths of the two parts of `offset` from section `turn` of the orbit.
-integrate::exact::Parts parts_of(const SplitNorms& norms, std::size_t turn, const Eigen::VectorXd& offset);
+integrate::exact::tube::Parts parts_of(const SplitNorms& norms, std::size_t turn,
+                                       const Eigen::VectorXd& offset);
 
 }  // namespace rubsweep::response::proof
