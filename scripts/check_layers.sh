@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_layers.sh [LIB]: every folder of LIB/rubsweep includes only folders below it, quoted includes name files that
-# exist, and only config/ knows yaml-cpp. Lists each include that breaks a rule; exits 1 if there is any.
+# exist, and only config/yaml/ knows yaml-cpp. Lists each include that breaks a rule; exits 1 if there is any.
 set -euo pipefail
 lib=${1:-$(dirname "${BASH_SOURCE[0]}")/../lib}
 
@@ -42,7 +42,10 @@ declare -A below=(
   [ramp]='integrate line response/spectrum'
   [bench]='batch response'
   [ring]='batch numerics'
-  [config]='sweep'
+  [config/yaml]='batch model'
+  [config/machine]='config/yaml contact'
+  [config/study]='config/machine sweep'
+  [config]='config/study'
   [config/recording]='config recording'
   [config/ring]='config ring'
   [report]='sweep'
@@ -67,7 +70,7 @@ complain() {
 # check_include FILE:LINE FOLDER NAME OPENING, the last one " or <
 check_include() {
   local place=$1 folder=$2 name=$3 opening=$4
-  if [[ $name == yaml-cpp/* && $folder != config ]]; then complain "$place" "only config/ may include $name"; fi
+  if [[ $name == yaml-cpp/* && $folder != config/yaml ]]; then complain "$place" "only config/yaml/ may include $name"; fi
   if [[ $opening == '"' && ! -f $lib/$name ]]; then
     complain "$place" "there is no $name under $lib"
   elif [[ $name == rubsweep/* ]]; then

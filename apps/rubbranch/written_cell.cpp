@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/config/file.hpp"
 #include "rubsweep/config/number_at.hpp"
 #include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/error.hpp"
 #include "shared/program.hpp"
 
@@ -46,7 +46,7 @@ branch::orbits::ParameterRange usual_range(const std::string& parameter, double 
 WrittenCell::WrittenCell(const RubbranchArguments& arguments, const config::RunConfig& config)
     : arguments_(arguments),
       config_(config),
-      text_(config::read_config_bytes(arguments.config)),
+      text_(config::yaml::read_config_bytes(arguments.config)),
       prepared_(
           std::make_shared<const scene::PreparedMachine>(scene::prepare_machine(config.study.machine))) {}
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "rubsweep/config/place_axes.hpp"
+#include "rubsweep/config/study/place_axes.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 
@@ -56,10 +56,11 @@ std::optional<LineValues> values_of(const po::variables_map& given) {
 
 /// The quantity along the line must not have a fixed value as well.
 void refuse_place_along(const RublineArguments& arguments) {
-  for (const std::string_view key : {config::speed_rpm_key, config::unbalance_key, config::grade_key}) {
+  for (const std::string_view key :
+       {config::study::speed_rpm_key, config::study::unbalance_key, config::study::grade_key}) {
     if (arguments.along == key)
       throw UsageError(fmt::format("--along {}: a line runs along SI units, allowed: --along {}", key,
-                                   key == config::speed_rpm_key ? "speed_hz" : "eccentricity_m"));
+                                   key == config::study::speed_rpm_key ? "speed_hz" : "eccentricity_m"));
   }
   const bool along_unbalance = arguments.along == "whirl_ratio" || arguments.along == "eccentricity_m";
   if (arguments.along == "speed_hz" && arguments.place.speed_hz)

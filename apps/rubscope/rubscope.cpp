@@ -58,7 +58,7 @@ int look(const RubscopeArguments& arguments) {
   const auto config = compared
                           ? std::optional(config::read_cell_config(compared->config, compared->overrides))
                           : std::nullopt;
-  const std::string description = config::read_config_bytes(arguments.instrument);
+  const std::string description = config::yaml::read_config_bytes(arguments.instrument);
   const recording::Instrument instrument =
       config::recording::read_instrument_text(description, arguments.instrument.string());
   const std::string text = batch::read_input(file);

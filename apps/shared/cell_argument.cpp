@@ -7,7 +7,8 @@
 #include <optional>
 #include <string_view>
 
-#include "rubsweep/config/place_axes.hpp"
+#include "rubsweep/config/study/place_axes.hpp"
+#include "rubsweep/model/rpm.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
@@ -41,7 +42,7 @@ CellValues read_cell_values(const std::string& text) {
   if (values.by_minutes) first_text.remove_suffix(3);
   const auto first = number(first_text), second = number(whole.substr(comma + 1));
   if (!first || !second) refuse(text);
-  values.first = values.by_minutes ? *first / config::rpm_per_hz : *first;
+  values.first = values.by_minutes ? *first / model::rpm_per_hz : *first;
   values.second = *second;
   return values;
 }

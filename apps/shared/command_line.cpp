@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "rubsweep/config/nearest.hpp"
+#include "rubsweep/config/yaml/nearest.hpp"
 #include "rubsweep/model/magnitude.hpp"
 #include "shared/program.hpp"
 
@@ -28,7 +28,7 @@ std::string meant_instead_of(std::string_view given, const po::options_descripti
     if (option->long_name() != "config")
       names.push_back(option->long_name());  // the file, said without a name
   }
-  const auto meant = config::nearest(given, names);
+  const auto meant = config::yaml::nearest(given, names);
   return meant ? fmt::format(" (did you mean '--{}'?)", *meant) : "";
 }
 

@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "rubsweep/batch/result_files.hpp"
-#include "rubsweep/config/file.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::apps {
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 bool is_written_by_a_program(const fs::path& file, const std::function<std::string()>& written) {
   try {
-    return config::read_config_bytes(file) == written();
+    return config::yaml::read_config_bytes(file) == written();
   } catch (const ConfigError&) {  // needs what the command line adds
     return false;
   }

@@ -6,10 +6,11 @@
 #include <string>
 #include <variant>
 
-#include "rubsweep/config/place_axes.hpp"
 #include "rubsweep/config/slip_of.hpp"
+#include "rubsweep/config/study/place_axes.hpp"
 #include "rubsweep/model/balance.hpp"
 #include "rubsweep/model/physical_range.hpp"
+#include "rubsweep/model/rpm.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "shared/program.hpp"
 
@@ -42,7 +43,7 @@ PlaceArguments read_place(const po::variables_map& given) {
   refuse_two_of(given, {"whirl-ratio", "eccentricity-m", "unbalance-g-mm"});
   PlaceArguments place{.speed_hz = positive_number(given, "speed-hz")};
   if (const auto rpm = positive_number(given, "speed-rpm")) {
-    place.speed_hz = *rpm / config::rpm_per_hz;
+    place.speed_hz = *rpm / model::rpm_per_hz;
     place.by_minutes = true;
   }
   if (const auto ratio = not_negative_number(given, "whirl-ratio"))
@@ -62,9 +63,9 @@ scene::Unbalance unbalance_of(const PlaceArguments& place, const model::Machine&
 }
 
 void keep_units(const PlaceArguments& place, sweep::Study& study) {
-  if (place.by_minutes) study.grid.written_speed = config::in_rpm();
+  if (place.by_minutes) study.grid.written_speed = config::study::in_rpm();
   if (place.unbalance_g_mm)
-    study.grid.written_unbalance = config::in_g_mm(model::g_mm_per_metre(study.machine));
+    study.grid.written_unbalance = config::study::in_g_mm(model::g_mm_per_metre(study.machine));
 }
 
 void require_speed(std::string_view option, double speed_hz, const model::Machine& machine) {

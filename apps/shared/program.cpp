@@ -12,7 +12,7 @@
 #include <string>
 #include <system_error>
 
-#include "rubsweep/config/terminal_text.hpp"
+#include "rubsweep/config/yaml/terminal_text.hpp"
 #include "rubsweep/error.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
@@ -47,7 +47,7 @@ void flush_stdout() {
 }  // namespace
 
 void print_text(const std::string& text) {
-  const std::string shown = config::printable(text);
+  const std::string shown = config::yaml::printable(text);
   std::fwrite(shown.data(), 1, shown.size(), stdout);
 }
 

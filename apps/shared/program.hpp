@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/config/terminal_text.hpp"
+#include "rubsweep/config/yaml/terminal_text.hpp"
 
 namespace rubsweep::apps {
 
@@ -23,7 +23,7 @@ class UsageError : public std::runtime_error {
 /// end_on_interrupts says.
 int run_program(std::string_view name, const std::function<int()>& body);
 
-using config::say;
+using config::yaml::say;
 
 /// The same as say, on stdout.
 void print_text(const std::string& text);

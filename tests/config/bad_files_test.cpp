@@ -9,7 +9,7 @@ namespace {
 
 std::vector<std::string> stems(const std::string& extension) {
   std::vector<std::string> found;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(RUBSWEEP_TEST_DATA) + "/bad")) {
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(CONFIG_TEST_DATA) + "/bad")) {
     if (entry.path().extension() == extension) found.push_back(entry.path().stem().string());
   }
   std::sort(found.begin(), found.end());
@@ -20,7 +20,7 @@ class BadFile : public testing::TestWithParam<std::string> {};
 
 TEST_P(BadFile, GivesExactlyTheExpectedMessage) {
   // Bases are relative to the file, whose name in the message is its own alone.
-  std::filesystem::current_path(std::string(RUBSWEEP_TEST_DATA) + "/bad");
+  std::filesystem::current_path(std::string(CONFIG_TEST_DATA) + "/bad");
   const std::string name = GetParam() + ".yaml";
   EXPECT_EQ(message_of(test_file("bad/" + name), {}, name) + "\n",
             test_file("bad/" + GetParam() + ".expected"));

@@ -10,7 +10,7 @@
 namespace rubsweep::config {
 namespace {
 
-const std::filesystem::path minimal = std::string(RUBSWEEP_TEST_DATA) + "/minimal.yaml";
+const std::filesystem::path minimal = std::string(CONFIG_TEST_DATA) + "/minimal.yaml";
 const std::string one = "sweep.x={key: rotor.mass_kg, values: [2]}",
                   several = "sweep.x={key: rotor.mass_kg, values: [1, 2]}";
 

@@ -38,10 +38,9 @@ RunConfig awkward_config(std::mt19937_64& random) {
     }
     stop.stiffness_n_per_m = awkward(random);
     const double restitution = 1 / (1 + awkward(random) / 1e25);
-    const model::ContactDamping dampings[] = {model::NominalRestitution{restitution},
-                                              model::DeliveredRestitution{restitution},
-                                              model::ExplicitDamping{awkward(random)},
-                                              model::RestitutionByRotorMass{restitution}};
+    const model::ContactDamping dampings[] = {
+        model::NominalRestitution{restitution}, model::DeliveredRestitution{restitution},
+        model::ExplicitDamping{awkward(random)}, model::RestitutionByRotorMass{restitution}};
     stop.damping = dampings[random() % 4];
     const model::Friction frictions[] = {
         model::NoFriction{}, model::ConstantFriction{restitution},

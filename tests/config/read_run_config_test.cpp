@@ -8,7 +8,7 @@
 namespace rubsweep::config {
 namespace {
 
-const std::filesystem::path folder = RUBSWEEP_TEST_DATA;
+const std::filesystem::path folder = CONFIG_TEST_DATA;
 
 TEST(ReadRunConfig, ReadsEveryKey) {
   const RunConfig config = read_run_config(folder / "one_side.yaml", {});

@@ -10,6 +10,7 @@
 #include "config/support.hpp"
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/ring/read_ring_config.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -22,14 +23,11 @@ const Paths unused{
     "base",                          // many have it, and none any more once it was read
     "ring.modal_stiffness_n_per_m",  // the same as a natural frequency, which rings are known by
     // a layer may have what its segment has
-    "rotor.shaft.layers.inner_diameter_end_m",
-    "rotor.shaft.layers.mass_damping_per_s",
-    "rotor.shaft.layers.outer_diameter_end_m",
-    "rotor.shaft.layers.stiffness_damping_s",
-    "rotor.shaft.layers.stiffness_inner_diameter_m",
-    "rotor.shaft.layers.stiffness_outer_diameter_m",
+    "rotor.shaft.layers.inner_diameter_end_m", "rotor.shaft.layers.mass_damping_per_s",
+    "rotor.shaft.layers.outer_diameter_end_m", "rotor.shaft.layers.stiffness_damping_s",
+    "rotor.shaft.layers.stiffness_inner_diameter_m", "rotor.shaft.layers.stiffness_outer_diameter_m",
     "rotor.supports.fault.multiple",  // said by the geometry of the bearing
-    "stops.hertz.half_width",        // a second formula, to compare with numbers of the paper alone
+    "stops.hertz.half_width",         // a second formula, to compare with numbers of the paper alone
 };
 
 /// stops.0.casing becomes stops.casing, and all axes are one section.
@@ -43,18 +41,18 @@ std::string without_numbers(const std::string& path) {
   return std::find(of_axes.begin(), of_axes.end(), part) == of_axes.end() ? plain : "axis." + part;
 }
 
-void visit(const Node& node, const std::string& path,
-           const std::function<void(const Node&, const std::string&)>& see) {
+void visit(const yaml::Node& node, const std::string& path,
+           const std::function<void(const yaml::Node&, const std::string&)>& see) {
   see(node, path);
   for (std::size_t i = 0; i < node.items.size(); ++i) {
-    const std::string name = node.kind == Node::Kind::map ? node.keys[i].text : std::to_string(i);
+    const std::string name = node.kind == yaml::Node::Kind::map ? node.keys[i].text : std::to_string(i);
     visit(node.items[i], path.empty() ? name : path + "." + name, see);
   }
 }
 
 std::vector<fs::path> shipped() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(RUBSWEEP_TEST_DATA) / "../../configs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CONFIG_TEST_DATA) / "../../configs")) {
     // stop.yaml of a folder is what the stops of others share.
     if (entry.path().extension() == ".yaml" && entry.path().filename() != "stop.yaml")
       files.push_back(entry.path());
@@ -92,13 +90,13 @@ Paths known_in(const std::vector<std::string>& maps, const fs::path& file, bool 
 TEST(ShippedKeys, AreAllThatThereAre) {
   Paths known, used;
   for (const fs::path& file : shipped()) {
-    Diagnostics diagnostics(file, {});
-    const Node root = parse_config(read_config_bytes(file), file, "a map", {}, diagnostics);
+    yaml::Diagnostics diagnostics(file, {});
+    const yaml::Node root = parse_config(yaml::read_config_bytes(file), file, "a map", {}, diagnostics);
     diagnostics.throw_if_any();
     std::vector<std::string> maps;
-    visit(root, "", [&](const Node& node, const std::string& path) {
+    visit(root, "", [&](const yaml::Node& node, const std::string& path) {
       used.insert(without_numbers(path));
-      if (node.kind == Node::Kind::map && !path.ends_with("casings")) maps.push_back(path);
+      if (node.kind == yaml::Node::Kind::map && !path.ends_with("casings")) maps.push_back(path);
     });
     known.merge(known_in(maps, file, std::ranges::count(maps, "ring") == 1));
   }

@@ -15,7 +15,7 @@
 namespace rubsweep::config {
 
 inline std::string test_file(const std::string& name) {
-  std::ifstream stream(std::string(RUBSWEEP_TEST_DATA) + "/" + name, std::ios::binary);
+  std::ifstream stream(std::string(CONFIG_TEST_DATA) + "/" + name, std::ios::binary);
   EXPECT_TRUE(stream) << name;
   return {std::istreambuf_iterator<char>(stream), {}};
 }

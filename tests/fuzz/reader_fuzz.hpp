@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/config/text.hpp"
+#include "rubsweep/config/yaml/text.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::fuzz {
@@ -48,7 +48,7 @@ inline void check_message(std::string_view message) {
   while (!message.empty()) {
     const std::string_view line = message.substr(0, message.find('\n'));
     require(line.starts_with("fuzz.yaml:") || line.starts_with("--set ") || names_a_place(line));
-    for (const char c : line) require(!config::is_control(c));
+    for (const char c : line) require(!config::yaml::is_control(c));
     message.remove_prefix(std::min(line.size() + 1, message.size()));
   }
 }

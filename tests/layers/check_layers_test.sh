@@ -41,7 +41,7 @@ expect 'upwards with angle brackets' 1 'rubsweep/model/range.hpp:1: model may no
 source_file model/range.hpp '#include "rubsweep/model/gone.hpp"'
 expect 'absent file' 1 "rubsweep/model/range.hpp:1: there is no rubsweep/model/gone.hpp under $lib"
 source_file model/range.hpp '#include <yaml-cpp/yaml.h>'
-expect 'YAML outside config' 1 'rubsweep/model/range.hpp:1: only config/ may include yaml-cpp/yaml.h'
+expect 'YAML outside config' 1 'rubsweep/model/range.hpp:1: only config/yaml/ may include yaml-cpp/yaml.h'
 source_file model/range.hpp ''
 source_file attic/old.hpp ''
 expect 'unknown folder' 1 'rubsweep/attic/old.hpp: folder attic has no place in the layers'

@@ -6,10 +6,11 @@
 #include <cstddef>
 #include <iterator>
 
-#include "rubsweep/config/diagnostics.hpp"
 #include "rubsweep/config/file.hpp"
-#include "rubsweep/config/key_axis.hpp"
-#include "rubsweep/config/override.hpp"
+#include "rubsweep/config/study/key_axis.hpp"
+#include "rubsweep/config/yaml/diagnostics.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
+#include "rubsweep/config/yaml/override.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -39,13 +40,13 @@ LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::f
                    const std::vector<std::string>& said_elsewhere) {
   LineKeys keys;
   if (grid.axes.empty()) return keys;
-  Diagnostics diagnostics(file.string(), overrides);
-  const Node root = parse_config(read_config_bytes(file), file, "", overrides, diagnostics);
+  yaml::Diagnostics diagnostics(file.string(), overrides);
+  const yaml::Node root = parse_config(yaml::read_config_bytes(file), file, "", overrides, diagnostics);
   std::vector<std::string> named = overrides;
   named.insert(named.end(), said_elsewhere.begin(), said_elsewhere.end());
   std::size_t next = 0;
-  for (const std::string_view name : key_axis_names) {
-    const Node* node = find_node(root, fmt::format("sweep.{}", name));
+  for (const std::string_view name : study::key_axis_names) {
+    const yaml::Node* node = find_node(root, fmt::format("sweep.{}", name));
     if (node == nullptr) continue;
     const sweep::KeyAxis& axis = grid.axes.at(next++);
     if (const double factor = factor_of(axis, along); factor != 0) {

@@ -2,18 +2,18 @@
 
 #include <filesystem>
 
-#include "rubsweep/config/printer.hpp"
 #include "rubsweep/config/run_config.hpp"
-#include "rubsweep/config/value.hpp"
+#include "rubsweep/config/yaml/printer.hpp"
+#include "rubsweep/config/yaml/value.hpp"
 
 namespace rubsweep::config {
 
 /// `output`: {directory}.
-std::filesystem::path read_output(const Value& value);
-void print_output(Printer& printer, const std::filesystem::path& directory);
+std::filesystem::path read_output(const yaml::Value& value);
+void print_output(yaml::Printer& printer, const std::filesystem::path& directory);
 
 /// `output` of a rub configuration: {directory, warn_over_clearances}.
-void read_run_output(const Value& value, RunConfig& config);
-void print_run_output(Printer& printer, const RunConfig& config);
+void read_run_output(const yaml::Value& value, RunConfig& config);
+void print_run_output(yaml::Printer& printer, const RunConfig& config);
 
 }  // namespace rubsweep::config

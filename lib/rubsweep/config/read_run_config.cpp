@@ -1,28 +1,29 @@
 #include "rubsweep/config/read_run_config.hpp"
 
-#include "rubsweep/config/base.hpp"
-#include "rubsweep/config/captions.hpp"
-#include "rubsweep/config/diagnostics.hpp"
-#include "rubsweep/config/document.hpp"
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/output.hpp"
-#include "rubsweep/config/section.hpp"
-#include "rubsweep/config/study.hpp"
+#include "rubsweep/config/study/captions.hpp"
+#include "rubsweep/config/study/study.hpp"
 #include "rubsweep/config/unit_slips.hpp"
 #include "rubsweep/config/varied_study.hpp"
+#include "rubsweep/config/yaml/base.hpp"
+#include "rubsweep/config/yaml/diagnostics.hpp"
+#include "rubsweep/config/yaml/document.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
+#include "rubsweep/config/yaml/section.hpp"
 
 namespace rubsweep::config {
 namespace {
 
 constexpr std::string_view root_form = "a map with rotor, stops, sweep, output";
 
-RunConfig read_sections(const Value& root) {
-  Section section(root, root_form);
-  section.find(base_key);  // resolved before; still a name that a misspelt key may mean
+RunConfig read_sections(const yaml::Value& root) {
+  yaml::Section section(root, root_form);
+  section.find(yaml::base_key);  // resolved before; still a name that a misspelt key may mean
   RunConfig config;
-  config.study = read_study(section);
+  config.study = study::read_study(section);
   if (const auto value = section.require("output", "a map")) read_run_output(*value, config);
-  read_captions(section, config.captions);
+  study::read_captions(section, config.captions);
   section.refuse_unknown_keys();
   return config;
 }
@@ -30,13 +31,13 @@ RunConfig read_sections(const Value& root) {
 }  // namespace
 
 RunConfig read_run_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return read_run_config_text(read_config_bytes(file), file.string(), overrides);
+  return read_run_config_text(yaml::read_config_bytes(file), file.string(), overrides);
 }
 
 RunConfig read_run_config_text(std::string_view text, const std::string& name,
                                const std::vector<std::string>& overrides) {
-  Diagnostics diagnostics(name, overrides);
-  const Node root = parse_config(text, name, root_form, overrides, diagnostics);
+  yaml::Diagnostics diagnostics(name, overrides);
+  const yaml::Node root = parse_config(text, name, root_form, overrides, diagnostics);
   refuse_foreign(root, {"ring", "loads"}, {"rotor", "stops"}, "ringstab", diagnostics);
   RunConfig config = read_sections({root, "", diagnostics});
   if (diagnostics.count() == 0) refuse_unit_slips({root, "", diagnostics}, &config.study.machine);

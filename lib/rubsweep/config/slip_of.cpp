@@ -10,9 +10,10 @@
 #include <utility>
 #include <variant>
 
-#include "rubsweep/config/place_axes.hpp"
+#include "rubsweep/config/study/place_axes.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/model/balance.hpp"
+#include "rubsweep/model/rpm.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 
 namespace rubsweep::config {
@@ -126,8 +127,8 @@ std::optional<double> scale_of(const SlipRule& rule, double value, const model::
       scale = frequency_hz(value > rule.high * slow_hz);
       break;
     case Scale::frequency_rpm:
-      scale = frequency_hz(value > rule.high * slow_hz * rpm_per_hz);
-      if (scale) scale = *scale * rpm_per_hz;
+      scale = frequency_hz(value > rule.high * slow_hz * model::rpm_per_hz);
+      if (scale) scale = *scale * model::rpm_per_hz;
       break;
     case Scale::period_s:
       // Ten times faster than that is no slow shaft any more.
@@ -196,7 +197,8 @@ std::optional<Slip> slip_by(const SlipRule& rule, double value, const model::Mac
 std::optional<Slip> slip_of(Quantity quantity, double value, const model::Machine* machine,
                             std::size_t stop) {
   if (quantity == angle_deg) return radians(value);
-  if (quantity == support_stiffness_n_per_m && value < 0) return std::nullopt;  // a seal, which carries no weight
+  if (quantity == support_stiffness_n_per_m && value < 0)
+    return std::nullopt;  // a seal, which carries no weight
   for (const SlipRule& rule : rules) {
     if (rule.quantity != quantity) continue;
     if (auto slip = slip_by(rule, value, machine, stop)) return slip;

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <utility>
 
-#include "rubsweep/config/number.hpp"
-#include "rubsweep/config/override.hpp"
 #include "rubsweep/config/slip_of.hpp"
-#include "rubsweep/config/text.hpp"
+#include "rubsweep/config/yaml/number.hpp"
+#include "rubsweep/config/yaml/override.hpp"
+#include "rubsweep/config/yaml/text.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -65,7 +65,7 @@ constexpr std::array standings{
 
 /// A number in the configuration, and the question about it.
 struct Found {
-  Value value;
+  yaml::Value value;
   Slip slip;
 };
 
@@ -74,7 +74,7 @@ class Search {
   Search(const model::Machine* machine, bool certain) : machine_(machine), certain_(certain) {}
 
   /// Walks down the rest of a pattern; `index` is that of the first list that was met.
-  void walk(const Value& value, std::string_view pattern, Quantity quantity, std::size_t index = 0) {
+  void walk(const yaml::Value& value, std::string_view pattern, Quantity quantity, std::size_t index = 0) {
     if (pattern.empty()) {
       judge_axis(value, quantity, index);
       return;
@@ -83,10 +83,10 @@ class Search {
     const std::string_view name = pattern.substr(0, dot);
     const std::string_view rest = dot == std::string_view::npos ? "" : pattern.substr(dot + 1);
     for (std::size_t i = 0; i < value.node.items.size(); ++i) {
-      const bool list = value.node.kind == Node::Kind::list;
+      const bool list = value.node.kind == yaml::Node::Kind::list;
       if (list != (name == "*") || (!list && value.node.keys[i].text != name)) continue;
       const std::string key = list ? std::to_string(i) : value.node.keys[i].text;
-      walk({value.node.items[i], child_path(value.path, key), value.diagnostics}, rest, quantity,
+      walk({value.node.items[i], yaml::child_path(value.path, key), value.diagnostics}, rest, quantity,
            list ? i : index);
     }
   }
@@ -95,24 +95,24 @@ class Search {
 
  private:
   /// A single number, both ends, or a list.
-  void judge_axis(const Value& value, Quantity quantity, std::size_t index) {
+  void judge_axis(const yaml::Value& value, Quantity quantity, std::size_t index) {
     judge(value, quantity, index);
     for (const std::string_view end : {"from", "to"}) walk_to(value, end, quantity, index);
     walk_to(value, "values", quantity, index);
-    if (value.node.kind != Node::Kind::list) return;
+    if (value.node.kind != yaml::Node::Kind::list) return;
     for (std::size_t i = 0; i < value.node.items.size(); ++i) {
       judge({value.node.items[i], fmt::format("{}.{}", value.path, i), value.diagnostics}, quantity, index);
     }
   }
 
-  void walk_to(const Value& value, std::string_view name, Quantity quantity, std::size_t index) {
-    if (value.node.kind == Node::Kind::map) walk(value, name, quantity, index);
+  void walk_to(const yaml::Value& value, std::string_view name, Quantity quantity, std::size_t index) {
+    if (value.node.kind == yaml::Node::Kind::map) walk(value, name, quantity, index);
   }
 
-  void judge(const Value& value, Quantity quantity, std::size_t index) {
-    if (value.node.kind != Node::Kind::scalar) return;
-    const ParsedNumber parsed = parse_number(value.node.text);
-    if (parsed.error != NumberError::none) return;
+  void judge(const yaml::Value& value, Quantity quantity, std::size_t index) {
+    if (value.node.kind != yaml::Node::Kind::scalar) return;
+    const yaml::ParsedNumber parsed = yaml::parse_number(value.node.text);
+    if (parsed.error != yaml::NumberError::none) return;
     if (auto slip = slip_of(quantity, parsed.value, machine_, index); slip && slip->certain == certain_)
       found_.push_back({value, *std::move(slip)});
   }
@@ -122,32 +122,32 @@ class Search {
   std::vector<Found> found_;
 };
 
-std::vector<Found> search(const Value& root, const model::Machine* machine, bool certain) {
+std::vector<Found> search(const yaml::Value& root, const model::Machine* machine, bool certain) {
   Search found(machine, certain);
   for (const Standing& standing : standings) found.walk(root, standing.pattern, standing.quantity);
   return found.take();
 }
 
-double largest_of(const Node* axis) {
+double largest_of(const yaml::Node* axis) {
   double largest = -std::numeric_limits<double>::infinity();
-  const auto add = [&](const Node& node) {
-    const ParsedNumber number = parse_number(node.text);
-    if (node.kind == Node::Kind::scalar && number.error == NumberError::none)
+  const auto add = [&](const yaml::Node& node) {
+    const yaml::ParsedNumber number = yaml::parse_number(node.text);
+    if (node.kind == yaml::Node::Kind::scalar && number.error == yaml::NumberError::none)
       largest = std::max(largest, number.value);
   };
   if (axis == nullptr) return largest;
   add(*axis);
   for (const std::string_view end : {"from", "to"}) {
-    if (const Node* node = find_node(*axis, end)) add(*node);
+    if (const yaml::Node* node = find_node(*axis, end)) add(*node);
   }
-  if (const Node* values = find_node(*axis, "values")) std::ranges::for_each(values->items, add);
+  if (const yaml::Node* values = find_node(*axis, "values")) std::ranges::for_each(values->items, add);
   return largest;
 }
 
 /// Speeds where whirl ratios should be and the other way round.
-std::optional<std::string> swapped_axes(const Value& root) {
-  const Node* speeds = find_node(root.node, "sweep.speed_hz");
-  const Node* ratios = find_node(root.node, "sweep.whirl_ratio");
+std::optional<std::string> swapped_axes(const yaml::Value& root) {
+  const yaml::Node* speeds = find_node(root.node, "sweep.speed_hz");
+  const yaml::Node* ratios = find_node(root.node, "sweep.whirl_ratio");
   const double fastest = largest_of(speeds), largest = largest_of(ratios);
   if (!(fastest > 0 && fastest <= 1.5 && largest > 10)) return std::nullopt;
   return fmt::format("{}: sweep: speeds up to {} Hz and whirl ratios up to {} (the two axes swapped?)",
@@ -156,12 +156,12 @@ std::optional<std::string> swapped_axes(const Value& root) {
 
 }  // namespace
 
-void refuse_unit_slips(const Value& root, const model::Machine* machine) {
+void refuse_unit_slips(const yaml::Value& root, const model::Machine* machine) {
   for (const Found& found : search(root, machine, true))
     refuse(found.value, found.slip.wrong, found.slip.allowed);
 }
 
-std::vector<std::string> unit_questions(const Value& root, const model::Machine* machine) {
+std::vector<std::string> unit_questions(const yaml::Value& root, const model::Machine* machine) {
   std::vector<std::string> questions;
   if (auto swapped = swapped_axes(root)) return {*std::move(swapped)};
   std::string last_key;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/config/value.hpp"
+#include "rubsweep/config/yaml/value.hpp"
 #include "rubsweep/model/machine.hpp"
 
 namespace rubsweep::config {
@@ -13,10 +13,10 @@ namespace rubsweep::config {
 /// per minute), a shaft as soft as air (gigapascals). The library itself simulates all of these. `root` is a
 /// whole configuration whose values have been read without a problem, as `machine` if it is one of a rotor;
 /// what it does not hold is not judged.
-void refuse_unit_slips(const Value& root, const model::Machine* machine);
+void refuse_unit_slips(const yaml::Value& root, const model::Machine* machine);
 
 /// Questions about a configuration that is accepted: `file:line:column: key: ... (millimetres?)`, only the
 /// first number of a list or of equal questions.
-std::vector<std::string> unit_questions(const Value& root, const model::Machine* machine);
+std::vector<std::string> unit_questions(const yaml::Value& root, const model::Machine* machine);
 
 }  // namespace rubsweep::config

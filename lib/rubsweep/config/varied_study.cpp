@@ -9,15 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/config/key_axis.hpp"
-#include "rubsweep/config/number.hpp"
-#include "rubsweep/config/override.hpp"
-#include "rubsweep/config/place_axes.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/section.hpp"
-#include "rubsweep/config/study.hpp"
-#include "rubsweep/config/text.hpp"
+#include "rubsweep/config/study/key_axis.hpp"
+#include "rubsweep/config/study/place_axes.hpp"
+#include "rubsweep/config/study/study.hpp"
 #include "rubsweep/config/unit_slips.hpp"
+#include "rubsweep/config/yaml/number.hpp"
+#include "rubsweep/config/yaml/override.hpp"
+#include "rubsweep/config/yaml/section.hpp"
+#include "rubsweep/config/yaml/text.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -26,7 +26,7 @@ constexpr std::string_view allowed_keys =
     "a number of rotor, stops, kick, start, gravity_m_per_s2, solver or response, as --print-config names it";
 
 /// The study as a document without the keys that no axis may name.
-Node document_of(const sweep::Study& study) {
+yaml::Node document_of(const sweep::Study& study) {
   sweep::Study plain = study;
   plain.threshold.reset();
   plain.basin.reset();
@@ -35,35 +35,35 @@ Node document_of(const sweep::Study& study) {
   plain.grid = {.speed_hz = slowest < fastest ? std::vector{slowest, fastest} : std::vector{fastest},
                 .measure = study.grid.measure,
                 .unbalance = {study.grid.unbalance.front()}};
-  Diagnostics diagnostics("the printed study", {});
+  yaml::Diagnostics diagnostics("the printed study", {});
   auto document = parse_document(print_study(plain), -1, "", diagnostics);
   diagnostics.throw_if_any();
   return *std::move(document);
 }
 
 /// The study with these keys changed; problems with them are reported at `place`.
-sweep::Study read_varied(Node document, std::span<const sweep::KeyValue> keys, const SourcePosition& place,
-                         Diagnostics& diagnostics) {
+sweep::Study read_varied(yaml::Node document, std::span<const sweep::KeyValue> keys,
+                         const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
   const std::size_t problems = diagnostics.count();
-  for (const auto& [key, value] : keys) write_number(document, key, value, place, diagnostics);
+  for (const auto& [key, value] : keys) yaml::write_number(document, key, value, place, diagnostics);
   if (diagnostics.count() != problems) return {};
-  const Value root{document, "", diagnostics};
-  Section section(root);
-  sweep::Study study = read_study(section);
+  const yaml::Value root{document, "", diagnostics};
+  yaml::Section section(root);
+  sweep::Study study = study::read_study(section);
   section.refuse_unknown_keys();
   if (diagnostics.count() == problems) refuse_unit_slips(root, &study.machine);
   return study;
 }
 
-void place_all(Node& node, const SourcePosition& place) {
+void place_all(yaml::Node& node, const yaml::SourcePosition& place) {
   node.place = place;
-  for (Node::Key& key : node.keys) key.place = place;
-  for (Node& item : node.items) place_all(item, place);
+  for (yaml::Node::Key& key : node.keys) key.place = place;
+  for (yaml::Node& item : node.items) place_all(item, place);
 }
 
-bool holds_a_number(const Node& node) {
-  return node.kind == Node::Kind::scalar && !node.quoted &&
-         parse_number(node.text).error == NumberError::none;
+bool holds_a_number(const yaml::Node& node) {
+  return node.kind == yaml::Node::Kind::scalar && !node.quoted &&
+         yaml::parse_number(node.text).error == yaml::NumberError::none;
 }
 
 bool is_part_of_the_mass(const std::string& key) {
@@ -72,13 +72,14 @@ bool is_part_of_the_mass(const std::string& key) {
 
 /// A key of which nothing can be said yet may be one that the printed study leaves out. `by_mass`: the key
 /// whose eccentricities follow from the mass of the rotor, once for all cells.
-bool may_be_swept(const Node& document, const std::string& key, std::string_view by_mass,
-                  const SourcePosition& place, Diagnostics& diagnostics) {
-  constexpr std::array<std::string_view, 6> own_axes{"speed_hz",       speed_rpm_key, "whirl_ratio",
-                                                     "eccentricity_m", unbalance_key, grade_key};
+bool may_be_swept(const yaml::Node& document, const std::string& key, std::string_view by_mass,
+                  const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
+  constexpr std::array<std::string_view, 6> own_axes{"speed_hz",           study::speed_rpm_key,
+                                                     "whirl_ratio",        "eccentricity_m",
+                                                     study::unbalance_key, study::grade_key};
   const std::string first = key.substr(0, key.find('.'));
   const auto problem = [&](std::string_view wrong, std::string_view allowed) {
-    diagnostics.add(place, shown(key), wrong, allowed);
+    diagnostics.add(place, yaml::shown(key), wrong, allowed);
     return false;
   };
   if (std::ranges::find(own_axes, key) != own_axes.end())
@@ -88,14 +89,14 @@ bool may_be_swept(const Node& document, const std::string& key, std::string_view
   if (!by_mass.empty() && is_part_of_the_mass(key))
     return problem(fmt::format("is part of the mass that sweep.{} takes its eccentricities from", by_mass),
                    "another key, or sweep.eccentricity_m or sweep.whirl_ratio");
-  const Node* node = find_node(document, key);
+  const yaml::Node* node = find_node(document, key);
   if (node != nullptr && !holds_a_number(*node))
     return problem(fmt::format("{}, no number", describe(*node)), allowed_keys);
   return true;
 }
 
-void refuse_impossible(const sweep::KeyAxis& axis, const SourcePosition& place, Node document,
-                       std::string_view by_mass, Diagnostics& diagnostics) {
+void refuse_impossible(const sweep::KeyAxis& axis, const yaml::SourcePosition& place, yaml::Node document,
+                       std::string_view by_mass, yaml::Diagnostics& diagnostics) {
   for (const std::string& key : axis.keys) {
     if (!may_be_swept(document, key, by_mass, place, diagnostics)) return;
   }
@@ -109,55 +110,55 @@ void refuse_impossible(const sweep::KeyAxis& axis, const SourcePosition& place, 
 
 /// An axis over the same key would have no effect: what a study tries is written last.
 void refuse_swept(const sweep::Study& study, const std::vector<std::string>& keys,
-                  const SourcePosition& place, Diagnostics& diagnostics) {
+                  const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
   const std::vector<std::string> swept = sweep::key_names(study.grid);
   for (const std::string& key : keys) {
     if (std::ranges::find(swept, key) != swept.end())
-      diagnostics.add(place, shown(key), "is varied by an axis of the sweep as well", "one of the two");
+      diagnostics.add(place, yaml::shown(key), "is varied by an axis of the sweep as well", "one of the two");
   }
 }
 
-SourcePosition place_of_keys(const Node& axis) {
-  const Node* keys = find_node(axis, "key");
+yaml::SourcePosition place_of_keys(const yaml::Node& axis) {
+  const yaml::Node* keys = find_node(axis, "key");
   if (keys == nullptr) keys = find_node(axis, "keys");
   return keys->place;
 }
 
 }  // namespace
 
-void vary_keys(const Value& root, sweep::Study& study) {
+void vary_keys(const yaml::Value& root, sweep::Study& study) {
   if (study.grid.axes.empty() && !study.threshold && !study.basin) return;
-  Node document = document_of(study);
-  const Node& sweep = *find_node(root.node, "sweep");
-  const std::string_view by_mass = key_by_mass(sweep, study.machine);
+  yaml::Node document = document_of(study);
+  const yaml::Node& sweep = *find_node(root.node, "sweep");
+  const std::string_view by_mass = study::key_by_mass(sweep, study.machine);
   std::size_t next = 0;
-  for (const std::string_view name : key_axis_names) {
-    const Node* node = find_node(sweep, name);
+  for (const std::string_view name : study::key_axis_names) {
+    const yaml::Node* node = find_node(sweep, name);
     if (node == nullptr) continue;
     refuse_impossible(study.grid.axes.at(next++), place_of_keys(*node), document, by_mass, root.diagnostics);
   }
   if (study.threshold) {
-    const SourcePosition place = place_of_keys(*find_node(root.node, "study"));
+    const yaml::SourcePosition place = place_of_keys(*find_node(root.node, "study"));
     refuse_swept(study, study.threshold->axis.keys, place, root.diagnostics);
     refuse_impossible(study.threshold->axis, place, document, by_mass, root.diagnostics);
   }
   if (study.basin) {
-    const Node& over = *find_node(root.node, "study.over");
+    const yaml::Node& over = *find_node(root.node, "study.over");
     for (std::size_t i = 0; i < study.basin->over.size(); ++i) {
       const sweep::DrawnKey& drawn = study.basin->over[i];
-      const SourcePosition place = place_of_keys(over.items.at(i));
+      const yaml::SourcePosition place = place_of_keys(over.items.at(i));
       refuse_swept(study, {drawn.key}, place, root.diagnostics);
       refuse_impossible({{drawn.key}, {1}, {drawn.from, drawn.to}}, place, document, by_mass,
                         root.diagnostics);
     }
   }
-  study.with_keys =
-      [document = std::make_shared<const Node>(std::move(document))](std::span<const sweep::KeyValue> keys) {
-        Diagnostics diagnostics("the study with the keys of a cell", {});
-        sweep::Study varied = read_varied(*document, keys, SourcePosition{}, diagnostics);
-        diagnostics.throw_if_any();
-        return varied;
-      };
+  study.with_keys = [document = std::make_shared<const yaml::Node>(std::move(document))](
+                        std::span<const sweep::KeyValue> keys) {
+    yaml::Diagnostics diagnostics("the study with the keys of a cell", {});
+    sweep::Study varied = read_varied(*document, keys, yaml::SourcePosition{}, diagnostics);
+    diagnostics.throw_if_any();
+    return varied;
+  };
 }
 
 }  // namespace rubsweep::config

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rubsweep/config/value.hpp"
+#include "rubsweep/config/yaml/value.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::config {
@@ -9,6 +9,6 @@ namespace rubsweep::config {
 /// call writes the numbers over the printed study, as `--set` would over the printed configuration, and reads
 /// the result. Every value of every axis is tried by itself; the first of an axis that is not allowed, a key
 /// that does not exist and one that holds no number are problems of the place where the keys are named.
-void vary_keys(const Value& root, sweep::Study& study);
+void vary_keys(const yaml::Value& root, sweep::Study& study);
 
 }  // namespace rubsweep::config

@@ -7,11 +7,11 @@
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/table_file.hpp"
-#include "rubsweep/config/differing_keys.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
-#include "rubsweep/config/terminal_text.hpp"
+#include "rubsweep/config/yaml/differing_keys.hpp"
+#include "rubsweep/config/yaml/terminal_text.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/report/map_csv.hpp"
@@ -37,7 +37,7 @@ std::string keys_that_differ(const fs::path& config_file, const std::string& dig
     return fmt::format("\n  which keys differ is not known: {} cannot be read", config_file.string());
   }
   std::string text;
-  for (const std::string& line : config::differing_keys(study_there, study_here)) text += "\n  " + line;
+  for (const std::string& line : config::yaml::differing_keys(study_there, study_here)) text += "\n  " + line;
   return text;
 }
 
@@ -64,8 +64,9 @@ void require_whole_table(std::string_view program, const fs::path& path) {
         "with --fresh",
         damage.what()));
   }
-  config::say(fmt::format("{}: {}: has no checksum, so whether it is as it was written cannot be told\n",
-                          program, path.string()));
+  config::yaml::say(
+      fmt::format("{}: {}: has no checksum, so whether it is as it was written cannot be told\n", program,
+                  path.string()));
 }
 
 FinishedMap read_finished_map(std::string_view program, const fs::path& map, const sweep::Study& study,
@@ -92,7 +93,7 @@ FinishedMap read_finished_map(std::string_view program, const fs::path& map, con
 
 void warn(std::string_view program, const report::MapSummary& summary) {
   const std::string warning = summary.warning();
-  if (!warning.empty()) config::say(fmt::format("{}: {}", program, warning));
+  if (!warning.empty()) config::yaml::say(fmt::format("{}: {}", program, warning));
 }
 
 std::string map_is_there(std::string_view program) {

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "rubsweep/config/differing_keys.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
-#include "rubsweep/config/terminal_text.hpp"
+#include "rubsweep/config/yaml/differing_keys.hpp"
+#include "rubsweep/config/yaml/terminal_text.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::map {
@@ -21,7 +21,7 @@ std::string describe_difference(const batch::JournalHeader& there, const batch::
   std::string text = fmt::format("of another configuration (digest {}, this one has {}):", there.study_digest,
                                  here.study_digest);
   if (there.damaged_lines > 0) return text + "\n  which keys differ is not known: its header is damaged";
-  for (const std::string& line : config::differing_keys(there.study, here.study)) text += "\n  " + line;
+  for (const std::string& line : config::yaml::differing_keys(there.study, here.study)) text += "\n  " + line;
   return text;
 }
 
@@ -49,8 +49,8 @@ void refuse_journal_of_another(const std::filesystem::path& path, const batch::J
                     path.string(), describe_difference(there, here)));
   }
   if (there.damaged_lines > 0) {
-    config::say(fmt::format("{}: {} damaged lines before its records, which are used all the same\n",
-                            path.string(), there.damaged_lines));
+    config::yaml::say(fmt::format("{}: {} damaged lines before its records, which are used all the same\n",
+                                  path.string(), there.damaged_lines));
   }
 }
 

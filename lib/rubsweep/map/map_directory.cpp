@@ -12,7 +12,7 @@
 #include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/terminal_text.hpp"
+#include "rubsweep/config/yaml/terminal_text.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/map/derived_files.hpp"
 #include "rubsweep/map/journal_header.hpp"
@@ -129,7 +129,7 @@ std::vector<fs::path> MapDirectory::journals() const { return files(directory_, 
 void MapDirectory::lock(const std::string& program) {
   lock_share(program);
   if (!directory_lock_->guards()) {
-    config::say(
+    config::yaml::say(
         fmt::format("{}: {}: this file system has no locks: nothing keeps a second run away from it\n",
                     program, directory_.string()));
   }
@@ -220,7 +220,7 @@ void MapDirectory::read_journals() {
       continue;
     }
     if (const std::size_t damaged = finished.add(journal)) {
-      config::say(
+      config::yaml::say(
           fmt::format("{}: {} damaged records; their cells are computed again\n", journal.string(), damaged));
     }
   }

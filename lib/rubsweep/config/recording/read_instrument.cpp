@@ -8,7 +8,7 @@
 #include <string>
 
 #include "rubsweep/config/file.hpp"
-#include "rubsweep/config/section.hpp"
+#include "rubsweep/config/yaml/section.hpp"
 
 namespace rubsweep::config::recording {
 namespace {
@@ -20,18 +20,18 @@ using rubsweep::recording::Probe;
 using rubsweep::recording::RunOut;
 
 constexpr std::string_view root_form = "a map with probes, keyphasor or speed_hz, time or sampling_rate_hz";
-constexpr Words<Mark, 2> marks{{"dark", "bright"}, {Mark::dark, Mark::bright}};
+constexpr yaml::Words<Mark, 2> marks{{"dark", "bright"}, {Mark::dark, Mark::bright}};
 
 /// Least angle between two probes, in degrees, as of a simulated pair.
 constexpr double least_angle_deg = 10;
 
-void read_column(Section& section, std::string_view name, std::string& column) {
+void read_column(yaml::Section& section, std::string_view name, std::string& column) {
   if (const auto value = section.require(name, "the name of a column"))
     column = read_text(*value).value_or("");
 }
 
-Probe read_probe(const Value& value) {
-  Section section(value);
+Probe read_probe(const yaml::Value& value) {
+  yaml::Section section(value);
   Probe probe;
   probe.angle_deg = model::required;
   read_column(section, "column", probe.column);
@@ -45,8 +45,8 @@ Probe read_probe(const Value& value) {
   return probe;
 }
 
-Keyphasor read_keyphasor(const Value& value) {
-  Section section(value);
+Keyphasor read_keyphasor(const yaml::Value& value) {
+  yaml::Section section(value);
   Keyphasor keyphasor;
   read_column(section, "column", keyphasor.column);
   section.field("mark", keyphasor.mark, marks);
@@ -56,19 +56,19 @@ Keyphasor read_keyphasor(const Value& value) {
   return keyphasor;
 }
 
-RunOut read_run_out(const Value& value) {
-  Section section(value);
+RunOut read_run_out(const yaml::Value& value) {
+  yaml::Section section(value);
   RunOut run_out{model::required, model::required, false};
   section.field("from_s", run_out.from_s, model::any_finite);
   section.field("to_s", run_out.to_s, model::any_finite);
-  constexpr Words<bool, 2> kinds{{"waveform", "vector"}, {false, true}};
+  constexpr yaml::Words<bool, 2> kinds{{"waveform", "vector"}, {false, true}};
   section.field("subtract", run_out.vector, kinds);
   section.refuse_unknown_keys();
   return run_out;
 }
 
-Instrument read_root(const Value& root) {
-  Section section(root, root_form);
+Instrument read_root(const yaml::Value& root) {
+  yaml::Section section(root, root_form);
   Instrument instrument;
   if (section.find("time") && section.find("sampling_rate_hz"))
     section.require_exactly_one({"time", "sampling_rate_hz"});
@@ -82,7 +82,7 @@ Instrument read_root(const Value& root) {
   if (const auto value = section.find("run_out")) instrument.run_out = read_run_out(*value);
   if (const auto value = section.require("probes", "a list of one or two maps")) {
     if (const auto items = read_list(*value, 2)) {
-      for (const Value& item : *items) instrument.probes.push_back(read_probe(item));
+      for (const yaml::Value& item : *items) instrument.probes.push_back(read_probe(item));
     }
   }
   section.refuse_unknown_keys();
@@ -104,8 +104,8 @@ Instrument read_root(const Value& root) {
 }  // namespace
 
 Instrument read_instrument_text(std::string_view text, const std::string& name) {
-  Diagnostics diagnostics(name, {});
-  const Node root = parse_config(text, name, root_form, {}, diagnostics);
+  yaml::Diagnostics diagnostics(name, {});
+  const yaml::Node root = parse_config(text, name, root_form, {}, diagnostics);
   Instrument instrument = read_root({root, "", diagnostics});
   diagnostics.throw_if_any();
   return instrument;

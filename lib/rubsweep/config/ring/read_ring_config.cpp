@@ -5,17 +5,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "rubsweep/config/axis.hpp"
-#include "rubsweep/config/base.hpp"
-#include "rubsweep/config/captions.hpp"
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/output.hpp"
 #include "rubsweep/config/ring/ring.hpp"
 #include "rubsweep/config/ring/ring_chart.hpp"
 #include "rubsweep/config/ring/ring_load.hpp"
-#include "rubsweep/config/section.hpp"
-#include "rubsweep/config/sweep.hpp"
+#include "rubsweep/config/study/axis.hpp"
+#include "rubsweep/config/study/captions.hpp"
+#include "rubsweep/config/study/sweep.hpp"
 #include "rubsweep/config/unit_slips.hpp"
+#include "rubsweep/config/yaml/base.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
+#include "rubsweep/config/yaml/section.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/ring/normal_form.hpp"
 
@@ -25,7 +26,7 @@ namespace {
 constexpr std::string_view root_form = "a map with ring, loads, friction_coefficient, speed_rpm, output";
 
 /// Checks of the system as a whole.
-void check_system(const rubsweep::ring::System& system, const Section& section) {
+void check_system(const rubsweep::ring::System& system, const yaml::Section& section) {
   try {
     rubsweep::ring::normal_form(system);
   } catch (const ConfigError& error) {
@@ -37,9 +38,9 @@ void check_system(const rubsweep::ring::System& system, const Section& section) 
 /// Faster than any rotor turns; far beyond, eigenvalues are rounding.
 constexpr model::Range speeds_rpm{.low = 0, .high = 1e7};
 
-RingConfig read_sections(const Value& root) {
-  Section section(root, root_form);
-  section.find(base_key);  // resolved before; still a name that a misspelt key may mean
+RingConfig read_sections(const yaml::Value& root) {
+  yaml::Section section(root, root_form);
+  section.find(yaml::base_key);  // resolved before; still a name that a misspelt key may mean
   RingConfig config;
   rubsweep::ring::Study& study = config.study;
   study.system.friction_coefficient = model::required;
@@ -49,22 +50,22 @@ RingConfig read_sections(const Value& root) {
   }
   section.field("friction_coefficient", study.system.friction_coefficient, model::not_negative);
   section.field("preload_n", study.system.preload_n, model::not_negative);
-  if (const auto value = section.require("speed_rpm", axis_forms)) {
-    AxisValues axis = read_axis(*value, speeds_rpm);
+  if (const auto value = section.require("speed_rpm", study::axis_forms)) {
+    study::AxisValues axis = study::read_axis(*value, speeds_rpm);
     study.speeds_rpm = std::move(axis.values);
     study.spacing = axis.spacing;
     std::sort(study.speeds_rpm.begin(), study.speeds_rpm.end());
   }
   if (const auto value = section.find("chart")) study.chart = read_ring_chart(*value, study.system.loads);
   if (const auto value = section.require("output", "a map")) config.output_directory = read_output(*value);
-  read_captions(section, config.captions);
+  study::read_captions(section, config.captions);
   section.refuse_unknown_keys();
   const std::size_t lines = study.chart ? study.chart->values.size() : 0;
-  if (lines * study.speeds_rpm.size() > max_cells) {
+  if (lines * study.speeds_rpm.size() > study::max_cells) {
     section.refuse_together(
         "chart", {"chart", "speed_rpm"},
         fmt::format("{} x {} = {} points", study.speeds_rpm.size(), lines, lines * study.speeds_rpm.size()),
-        fmt::format("at most {}", max_cells));
+        fmt::format("at most {}", study::max_cells));
   }
   if (section.is_sound()) check_system(study.system, section);
   return config;
@@ -73,13 +74,13 @@ RingConfig read_sections(const Value& root) {
 }  // namespace
 
 RingConfig read_ring_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return read_ring_config_text(read_config_bytes(file), file.string(), overrides);
+  return read_ring_config_text(yaml::read_config_bytes(file), file.string(), overrides);
 }
 
 RingConfig read_ring_config_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides) {
-  Diagnostics diagnostics(name, overrides);
-  const Node root = parse_config(text, name, root_form, overrides, diagnostics);
+  yaml::Diagnostics diagnostics(name, overrides);
+  const yaml::Node root = parse_config(text, name, root_form, overrides, diagnostics);
   refuse_foreign(root, {"rotor", "stops"}, {"ring", "loads"}, "rubsweep", diagnostics);
   RingConfig config = read_sections({root, "", diagnostics});
   if (diagnostics.count() == 0) refuse_unit_slips({root, "", diagnostics}, nullptr);

@@ -2,16 +2,16 @@
 
 #include <numbers>
 
-#include "rubsweep/config/section.hpp"
+#include "rubsweep/config/yaml/section.hpp"
 
 namespace rubsweep::config::ring {
 namespace {
 
-constexpr IntegerRange nodal_diameters{2, 100};
+constexpr yaml::IntegerRange nodal_diameters{2, 100};
 constexpr model::Range thickness_ratios{.low = 0, .high = 1, .high_open = true};
 
-rubsweep::ring::Ring read_geometry(const Value& value, int diameters) {
-  Section section(value);
+rubsweep::ring::Ring read_geometry(const yaml::Value& value, int diameters) {
+  yaml::Section section(value);
   rubsweep::ring::RingGeometry geometry{model::required, model::required, model::required, model::required,
                                         model::required};
   section.field("radius_m", geometry.radius_m, model::positive);
@@ -28,7 +28,7 @@ rubsweep::ring::Ring read_geometry(const Value& value, int diameters) {
   return rubsweep::ring::ring(geometry, diameters);
 }
 
-rubsweep::ring::Ring read_modal(Section& section, int diameters) {
+rubsweep::ring::Ring read_modal(yaml::Section& section, int diameters) {
   rubsweep::ring::Ring ring{diameters, model::required, 0, model::required, {}};
   section.field("modal_mass_kg", ring.modal_mass_kg, model::positive);
   section.field("thickness_ratio", ring.thickness_ratio, thickness_ratios);
@@ -49,8 +49,8 @@ rubsweep::ring::Ring read_modal(Section& section, int diameters) {
 
 }  // namespace
 
-rubsweep::ring::Ring read_ring(const Value& value) {
-  Section section(value);
+rubsweep::ring::Ring read_ring(const yaml::Value& value) {
+  yaml::Section section(value);
   int diameters = 2;
   if (section.require("nodal_diameters", describe(nodal_diameters))) {
     section.field("nodal_diameters", diameters, nodal_diameters);
@@ -65,7 +65,7 @@ rubsweep::ring::Ring read_ring(const Value& value) {
   return ring;
 }
 
-void print_ring(Printer& printer, const rubsweep::ring::Ring& ring) {
+void print_ring(yaml::Printer& printer, const rubsweep::ring::Ring& ring) {
   printer.open("ring");
   printer.integer("nodal_diameters", ring.nodal_diameters);
   printer.number("modal_mass_kg", ring.modal_mass_kg);

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "rubsweep/config/axis.hpp"
 #include "rubsweep/config/ring/ring_load.hpp"
-#include "rubsweep/config/section.hpp"
+#include "rubsweep/config/study/axis.hpp"
+#include "rubsweep/config/yaml/section.hpp"
 
 namespace rubsweep::config::ring {
 namespace {
 
 using rubsweep::ring::Parameter;
 
-constexpr Words<Parameter, 5> parameters{
+constexpr yaml::Words<Parameter, 5> parameters{
     {"friction_coefficient", "angle_deg", "inclination_deg", "radial_stiffness_n_per_m",
      "tangential_stiffness_n_per_m"},
     {Parameter::friction_coefficient, Parameter::angle_deg, Parameter::inclination_deg,
@@ -45,11 +45,11 @@ bool knows(const rubsweep::ring::Load& load, Parameter parameter) {
 
 }  // namespace
 
-rubsweep::ring::ChartAxis read_ring_chart(const Value& value,
+rubsweep::ring::ChartAxis read_ring_chart(const yaml::Value& value,
                                           const std::vector<rubsweep::ring::Load>& loads) {
-  Section section(value, "a map with parameter, load, over");
+  yaml::Section section(value, "a map with parameter, load, over");
   rubsweep::ring::ChartAxis axis;
-  if (section.require("parameter", describe(parameters.texts))) {
+  if (section.require("parameter", yaml::describe(parameters.texts))) {
     section.field("parameter", axis.parameter, parameters);
   }
   if (const auto load = section.find("load")) {
@@ -59,8 +59,8 @@ rubsweep::ring::ChartAxis read_ring_chart(const Value& value,
       refuse(*load, "given beside parameter: friction_coefficient", "nothing, all loads rub alike");
     }
   }
-  if (const auto over = section.require("over", axis_forms)) {
-    AxisValues read = read_axis(*over, range_of(axis.parameter));
+  if (const auto over = section.require("over", study::axis_forms)) {
+    study::AxisValues read = study::read_axis(*over, range_of(axis.parameter));
     axis.values = std::move(read.values);
     axis.spacing = read.spacing;
   }
@@ -77,12 +77,13 @@ rubsweep::ring::ChartAxis read_ring_chart(const Value& value,
   return axis;
 }
 
-void print_ring_chart(Printer& printer, const rubsweep::ring::ChartAxis& axis, AxisPrint how) {
+void print_ring_chart(yaml::Printer& printer, const rubsweep::ring::ChartAxis& axis, study::AxisPrint how) {
   printer.open("chart");
   printer.field("parameter", axis.parameter, parameters);
   if (axis.load) printer.integer("load", static_cast<long>(*axis.load));
   printer.open("over");
-  print_axis_values(printer, axis.values, how == AxisPrint::as_written ? axis.spacing : std::nullopt);
+  study::print_axis_values(printer, axis.values,
+                           how == study::AxisPrint::as_written ? axis.spacing : std::nullopt);
   printer.close();
   printer.close();
 }

@@ -2,16 +2,17 @@
 
 #include <vector>
 
-#include "rubsweep/config/axis.hpp"
-#include "rubsweep/config/printer.hpp"
-#include "rubsweep/config/value.hpp"
+#include "rubsweep/config/study/axis.hpp"
+#include "rubsweep/config/yaml/printer.hpp"
+#include "rubsweep/config/yaml/value.hpp"
 #include "rubsweep/ring/chart.hpp"
 
 namespace rubsweep::config::ring {
 
 /// `chart`: {parameter, load, over}. `load` counts from 0, without it every load; `over` is an axis (see
 /// axis.hpp).
-rubsweep::ring::ChartAxis read_ring_chart(const Value& value, const std::vector<rubsweep::ring::Load>& loads);
-void print_ring_chart(Printer& printer, const rubsweep::ring::ChartAxis& axis, AxisPrint how);
+rubsweep::ring::ChartAxis read_ring_chart(const yaml::Value& value,
+                                          const std::vector<rubsweep::ring::Load>& loads);
+void print_ring_chart(yaml::Printer& printer, const rubsweep::ring::ChartAxis& axis, study::AxisPrint how);
 
 }  // namespace rubsweep::config::ring

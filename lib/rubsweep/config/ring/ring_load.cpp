@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "rubsweep/config/section.hpp"
+#include "rubsweep/config/yaml/section.hpp"
 
 namespace rubsweep::config::ring {
 namespace {
@@ -12,10 +12,10 @@ using rubsweep::ring::LoadKind;
 using rubsweep::ring::Motion;
 
 constexpr std::array<std::string_view, 2> kinds{"spring_mass", "beam"};
-constexpr Words<Motion, 3> motions{{"both", "radial", "tangential"},
-                                   {Motion::both, Motion::radial, Motion::tangential}};
+constexpr yaml::Words<Motion, 3> motions{{"both", "radial", "tangential"},
+                                         {Motion::both, Motion::radial, Motion::tangential}};
 
-Load read_spring_mass(Section& section, Motion motion) {
+Load read_spring_mass(yaml::Section& section, Motion motion) {
   double mass = model::required, radial = model::required, tangential = model::required;
   section.field("mass_kg", mass, motion == Motion::radial ? model::not_negative : model::positive);
   if (motion == Motion::tangential) radial = 0;
@@ -25,8 +25,8 @@ Load read_spring_mass(Section& section, Motion motion) {
   return rubsweep::ring::spring_mass(mass, radial, tangential);
 }
 
-Load read_beam_geometry(const Value& value, const std::optional<double>& ring_radius_m) {
-  Section section(value);
+Load read_beam_geometry(const yaml::Value& value, const std::optional<double>& ring_radius_m) {
+  yaml::Section section(value);
   rubsweep::ring::BeamGeometry geometry{model::required, model::required, model::required, model::required};
   section.field("density_kg_per_m3", geometry.density_kg_per_m3, model::positive);
   section.field("section_area_m2", geometry.section_area_m2, model::positive);
@@ -38,7 +38,7 @@ Load read_beam_geometry(const Value& value, const std::optional<double>& ring_ra
   return rubsweep::ring::beam(geometry, *ring_radius_m);
 }
 
-Load read_beam(Section& section, const std::optional<double>& ring_radius_m) {
+Load read_beam(yaml::Section& section, const std::optional<double>& ring_radius_m) {
   if (const auto geometry = section.find("geometry")) return read_beam_geometry(*geometry, ring_radius_m);
   double radial_mass = model::required, flexural_mass = model::required;
   double radial = model::required, tangential = model::required;
@@ -59,8 +59,8 @@ Load read_beam(Section& section, const std::optional<double>& ring_radius_m) {
   return load;
 }
 
-Load read_load(const Value& value, const std::optional<double>& ring_radius_m) {
-  Section section(value);
+Load read_load(const yaml::Value& value, const std::optional<double>& ring_radius_m) {
+  yaml::Section section(value);
   const auto kind = section.require_kind("kind", kinds);
   double angle = model::required, inclination = 0;
   Motion motion = Motion::both;
@@ -81,7 +81,7 @@ Load read_load(const Value& value, const std::optional<double>& ring_radius_m) {
   return load;
 }
 
-void print_stiffnesses(Printer& printer, const Load& load) {
+void print_stiffnesses(yaml::Printer& printer, const Load& load) {
   const bool beam = load.kind == LoadKind::beam;
   if (beam || load.motion != Motion::tangential) {
     printer.number("radial_stiffness_n_per_m", load.radial_stiffness_n_per_m);
@@ -93,15 +93,15 @@ void print_stiffnesses(Printer& printer, const Load& load) {
 
 }  // namespace
 
-std::vector<Load> read_ring_loads(const Value& value, const std::optional<double>& ring_radius_m) {
+std::vector<Load> read_ring_loads(const yaml::Value& value, const std::optional<double>& ring_radius_m) {
   std::vector<Load> loads;
   const auto items = read_list(value, max_ring_loads);
   if (!items) return loads;
-  for (const Value& item : *items) loads.push_back(read_load(item, ring_radius_m));
+  for (const yaml::Value& item : *items) loads.push_back(read_load(item, ring_radius_m));
   return loads;
 }
 
-void print_ring_loads(Printer& printer, const std::vector<Load>& loads) {
+void print_ring_loads(yaml::Printer& printer, const std::vector<Load>& loads) {
   printer.open("loads");
   for (const Load& load : loads) {
     printer.open_item();

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/config/printer.hpp"
-#include "rubsweep/config/value.hpp"
+#include "rubsweep/config/yaml/printer.hpp"
+#include "rubsweep/config/yaml/value.hpp"
 #include "rubsweep/ring/system.hpp"
 
 namespace rubsweep::config::ring {
@@ -16,10 +16,10 @@ inline constexpr model::Range inclinations{.low = -90, .high = 90};
 /// beam, by modal data {radial_mass_kg, flexural_mass_kg, rotary_mass_kg, both stiffnesses} or geometry
 /// {density_kg_per_m3, section_area_m2, second_moment_m4, youngs_modulus_pa}, as long as the radius of the
 /// ring. All: angle_deg, inclination_deg (0), motion (both).
-std::vector<rubsweep::ring::Load> read_ring_loads(const Value& value,
+std::vector<rubsweep::ring::Load> read_ring_loads(const yaml::Value& value,
                                                   const std::optional<double>& ring_radius_m);
 
 /// Beams as modal data, however they were given.
-void print_ring_loads(Printer& printer, const std::vector<rubsweep::ring::Load>& loads);
+void print_ring_loads(yaml::Printer& printer, const std::vector<rubsweep::ring::Load>& loads);
 
 }  // namespace rubsweep::config::ring

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "rubsweep/batch/directory.hpp"
-#include "rubsweep/config/terminal_text.hpp"
+#include "rubsweep/config/yaml/terminal_text.hpp"
 #include "rubsweep/map/derived_files.hpp"
 #include "rubsweep/map/families/family_digest.hpp"
 #include "rubsweep/map/journal_header.hpp"
@@ -22,7 +22,7 @@ FamilyJournal::FamilyJournal(const fs::path& directory, const sweep::Study& stud
   batch::make_directory(directory);
   lock_.emplace(directory / family_lock_file, batch::LockMode::exclusive, "rubbranch");
   if (!lock_->guards()) {
-    config::say(
+    config::yaml::say(
         fmt::format("rubbranch: {}: this file system has no locks: nothing keeps a second run away from it\n",
                     directory.string()));
   }
@@ -41,7 +41,7 @@ void FamilyJournal::read(const batch::JournalHeader& header, bool fresh) {
   });
   const std::size_t damaged = torn + unreadable;
   if (damaged > 0)
-    config::say(
+    config::yaml::say(
         fmt::format("{}: {} damaged records; what they held is computed again\n", path_.string(), damaged));
 }
 

@@ -1,0 +1,41 @@
+#include "rubsweep/config/machine/rotor.hpp"
+
+#include <array>
+#include <string_view>
+
+#include "rubsweep/config/machine/ross_file.hpp"
+#include "rubsweep/config/machine/rotor_kit.hpp"
+#include "rubsweep/config/yaml/section.hpp"
+#include "rubsweep/overloaded.hpp"
+
+namespace rubsweep::config::machine {
+namespace {
+
+/// In the order of model::Rotor, then those of other tools' files, which become one of these.
+constexpr std::array<std::string_view, 3> kinds{"jeffcott", "rotor_kit", "ross"};
+
+}  // namespace
+
+void read_rotor(const yaml::Value& value, model::Machine& machine) {
+  yaml::Section section(value);
+  const auto kind = section.require_kind("kind", kinds);
+  if (kind && kinds[*kind] == "rotor_kit") {
+    machine.rotor = read_rotor_kit(section);
+  } else if (kind && kinds[*kind] == "ross") {
+    machine.rotor = read_ross_rotor(section);
+  } else {
+    read_fields(section, machine.rotor.emplace<model::JeffcottRotor>());
+  }
+  section.refuse_unknown_keys();
+}
+
+void print_rotor(yaml::Printer& printer, const model::Machine& machine) {
+  printer.open("rotor");
+  printer.word("kind", kinds[machine.rotor.index()]);
+  std::visit(overloaded{[&](const model::JeffcottRotor& rotor) { print_fields(printer, rotor); },
+                        [&](const model::RotorKit& kit) { print_rotor_kit(printer, kit); }},
+             machine.rotor);
+  printer.close();
+}
+
+}  // namespace rubsweep::config::machine

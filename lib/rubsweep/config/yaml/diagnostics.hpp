@@ -1,0 +1,62 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rubsweep::config::yaml {
+
+/// Where something was written. Ordered by what outranks what: a base before the files that name it, a file
+/// from top to bottom, then every --set. Of two places that contradict each other the greater one was written
+/// over the other.
+struct SourcePosition {
+  int override_index = -1;  ///< which --set, from 0; -1: a file
+  int line = 1;             ///< of the file, from 1
+  int column = 1;           ///< byte of the line, from 1
+  int file = 0;             ///< which file: 0 is the configuration itself, others are its bases (Diagnostics)
+
+  bool operator==(const SourcePosition&) const = default;
+  std::strong_ordering operator<=>(const SourcePosition& other) const;
+};
+
+/// Collects every problem of one configuration, so that the user meets all of them at once.
+class Diagnostics {
+ public:
+  /// `file` and `overrides` are the names under which places are reported.
+  Diagnostics(std::string file, std::vector<std::string> overrides);
+
+  /// Adds another file, such as a base, and returns what SourcePosition::file is in it. A base is added after
+  /// the file that names it.
+  int add_file(std::string name);
+
+  /// Name of the file in which something stands, which relative paths there count from; of an override that
+  /// of the configuration.
+  const std::string& file_of(const SourcePosition& place) const;
+
+  /// `path` may be empty (the whole configuration), `allowed` too (nothing could be advised).
+  void add(const SourcePosition& place, std::string_view path, std::string_view wrong,
+           std::string_view allowed);
+
+  std::size_t count() const { return problems_.size(); }
+
+  /// `file:line:column`, or `--set key=value`.
+  std::string describe(const SourcePosition& place) const;
+
+  /// Throws ConfigError when there is a problem: one line for each, by place,
+  /// `file:line:column: path: what is wrong, allowed: what is allowed`, or `--set key=value: path: ...`.
+  void throw_if_any() const;
+
+ private:
+  struct Problem {
+    SourcePosition place;
+    std::string text;
+  };
+
+  std::vector<std::string> files_;
+  std::vector<std::string> overrides_;
+  std::vector<Problem> problems_;
+};
+
+}  // namespace rubsweep::config::yaml

@@ -1,0 +1,43 @@
+#include "rubsweep/config/yaml/terminal_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "rubsweep/config/yaml/text.hpp"
+
+namespace rubsweep::config::yaml {
+namespace {
+
+/// U+0080 to U+009F, of a whole character.
+bool is_second_control(std::string_view character) {
+  return character.size() == 2 && character[0] == '\xc2' && static_cast<unsigned char>(character[1]) < 0xa0;
+}
+
+}  // namespace
+
+std::size_t append_shown(std::string& result, std::string_view text, ControlCharacters kept) {
+  const std::size_t length = utf8_length(text);
+  const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+  const bool white = character == "\n" || character == "\t";
+  const bool control = is_control(character[0]) || is_second_control(character);
+  if (length > 0 && (!control || (white && kept == ControlCharacters::tabs_and_line_ends))) {
+    result += character;
+  } else {
+    for (const char byte : character) result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+  }
+  return character.size();
+}
+
+std::string printable(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();)
+    i += append_shown(result, text.substr(i), ControlCharacters::tabs_and_line_ends);
+  return result;
+}
+
+void say(const std::string& text) { std::fputs(printable(text).c_str(), stderr); }
+
+}  // namespace rubsweep::config::yaml
