@@ -31,7 +31,7 @@ TEST(LowDiscrepancy, HasAsManyDimensionsAsPrimes) {
   EXPECT_THROW(low_discrepancy_point(5, most_dimensions + 1), ConfigError);
 }
 
-TEST(Fraction, HasItsStandardError) {
+TEST(LowDiscrepancyFraction, HasItsStandardError) {
   EXPECT_EQ(fraction(1, 4), 0.25);
   EXPECT_NEAR(standard_error(0.5, 100), 0.05, 1e-15);
   EXPECT_EQ(standard_error(1, 100), 0);

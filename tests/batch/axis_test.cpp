@@ -10,13 +10,13 @@
 namespace rubsweep::batch {
 namespace {
 
-TEST(EvenlySpaced, WholeNumbersStayWhole) {
+TEST(AxisEvenlySpaced, WholeNumbersStayWhole) {
   const auto speeds = evenly_spaced(45, 240, 66);
   ASSERT_EQ(speeds.size(), 66u);
   for (std::size_t i = 0; i < speeds.size(); ++i) EXPECT_EQ(speeds[i], 45.0 + 3.0 * static_cast<double>(i));
 }
 
-TEST(EvenlySpaced, EndPointsAreExactAndNothingLiesOutside) {
+TEST(AxisEvenlySpaced, EndPointsAreExactAndNothingLiesOutside) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> value(-3, 3);
   for (int trial = 0; trial < 2000; ++trial) {
@@ -33,9 +33,9 @@ TEST(EvenlySpaced, EndPointsAreExactAndNothingLiesOutside) {
   }
 }
 
-TEST(EvenlySpaced, CountOfOneGivesTheFirst) { EXPECT_EQ(evenly_spaced(3, 7, 1), std::vector<double>{3}); }
+TEST(AxisEvenlySpaced, CountOfOneGivesTheFirst) { EXPECT_EQ(evenly_spaced(3, 7, 1), std::vector<double>{3}); }
 
-TEST(EvenlySpaced, NoValuesIsAnError) {
+TEST(AxisEvenlySpaced, NoValuesIsAnError) {
   EXPECT_EQ(message_of<ConfigError>([] { evenly_spaced(3, 7, 0); }),
             "count: 0 is out of range, allowed: a number >= 1");
 }

@@ -5,7 +5,7 @@
 namespace rubsweep::batch {
 namespace {
 
-TEST(CaptionLines, AreCommentsHoweverManyLinesANoteHas) {
+TEST(CaptionsCaptionLines, AreCommentsHoweverManyLinesANoteHas) {
   EXPECT_EQ(caption_lines({"T", "A", "one\n\nspeed_hz,class\n"}),
             "# title T\n# author A\n# note one\n# note\n# note speed_hz,class\n");
   EXPECT_EQ(caption_lines({}), "");

@@ -37,7 +37,7 @@ std::string fault(const std::string& text) {
   return message.substr(message.find("table.csv"));
 }
 
-TEST(CsvNumber, EveryBitPatternReadsBack) {
+TEST(CsvTableNumber, EveryBitPatternReadsBack) {
   std::mt19937_64 random(7);
   for (int i = 0; i < 200000; ++i) {
     const double value = std::bit_cast<double>(random());
@@ -47,7 +47,7 @@ TEST(CsvNumber, EveryBitPatternReadsBack) {
   }
 }
 
-TEST(CsvNumber, CornersReadBack) {
+TEST(CsvTableNumber, CornersReadBack) {
   using Limits = std::numeric_limits<double>;
   for (const double value : {0.0, -0.0, Limits::min(), Limits::denorm_min(), Limits::max(), Limits::epsilon(),
                              Limits::infinity(), -Limits::infinity(), 1e22, 1e23, 0.1, 5e-324}) {
@@ -55,14 +55,14 @@ TEST(CsvNumber, CornersReadBack) {
   }
 }
 
-TEST(CsvNumber, IsShort) {
+TEST(CsvTableNumber, IsShort) {
   EXPECT_EQ(csv_number(0.1), "0.1");
   EXPECT_EQ(csv_number(48), "48");
   EXPECT_EQ(csv_number(1e-7), "1e-07");
   EXPECT_EQ(csv_number(std::nan("")), "");
 }
 
-TEST(CsvRow, QuotesOnlyWhereNeeded) {
+TEST(CsvTableRow, QuotesOnlyWhereNeeded) {
   const auto row = [](std::vector<std::string> cells) { return csv_row(cells); };
   EXPECT_EQ(row({"45", "", "non_contact", " a b "}), "45,,non_contact, a b ");
   EXPECT_EQ(row({"a,b", "say \"x\"", "two\nlines"}), "\"a,b\",\"say \"\"x\"\"\",\"two\nlines\"");
@@ -70,7 +70,7 @@ TEST(CsvRow, QuotesOnlyWhereNeeded) {
   EXPECT_EQ(row({""}), "\"\"");
 }
 
-TEST(ReadCsv, KeepsCommentsHeaderAndCellsApart) {
+TEST(CsvTableRead, KeepsCommentsHeaderAndCellsApart) {
   const auto table = parse("# rubsweep 0.1\n#units: SI\nspeed_hz,class\n45,non_contact\n\n# later\n48,\n");
   EXPECT_EQ(table.comments, (std::vector<std::string>{"rubsweep 0.1", "units: SI", "later"}));
   EXPECT_EQ(table.header, (std::vector<std::string>{"speed_hz", "class"}));
@@ -79,13 +79,13 @@ TEST(ReadCsv, KeepsCommentsHeaderAndCellsApart) {
   EXPECT_EQ(table.path.filename(), "table.csv");
 }
 
-TEST(ReadCsv, AcceptsOtherLineEnds) {
+TEST(CsvTableRead, AcceptsOtherLineEnds) {
   const auto table = parse("# note\r\na,b\r\n1,\"2\"\r\n3,4");
   EXPECT_EQ(table.comments, std::vector<std::string>{"note"});
   EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"1", "2"}, {"3", "4"}}));
 }
 
-TEST(ReadCsv, ReadsBackAnyText) {
+TEST(CsvTableRead, ReadsBackAnyText) {
   std::mt19937 random(3);
   const std::string alphabet = "ab ,\"\n\r#\t";
   const auto random_cell = [&] {
@@ -110,7 +110,7 @@ TEST(ReadCsv, ReadsBackAnyText) {
   }
 }
 
-TEST(ReadCsv, NamesFileAndLineOfAFault) {
+TEST(CsvTableRead, NamesFileAndLineOfAFault) {
   EXPECT_EQ(fault("# c\na,b\n1,2\n3\n"), "table.csv:4: 1 cells, but the header has 2");
   EXPECT_EQ(fault("a,b\n\"1\n\",2\n1,2,3\n"), "table.csv:4: 3 cells, but the header has 2");
   EXPECT_EQ(fault("a,b\n1,\"2\n3,4\n"), "table.csv:2: a quoted cell is never closed");
@@ -120,12 +120,12 @@ TEST(ReadCsv, NamesFileAndLineOfAFault) {
   EXPECT_EQ(fault("# only\n"), "table.csv:2: no header line");
 }
 
-TEST(ReadCsv, AbsentFileIsAnError) {
+TEST(CsvTableRead, AbsentFileIsAnError) {
   EXPECT_EQ(message_of<IoError>([] { read_csv("/nowhere/map.csv"); }),
             "cannot read /nowhere/map.csv: No such file or directory");
 }
 
-TEST(CsvReader, FindsAColumnByItsName) {
+TEST(CsvTableReader, FindsAColumnByItsName) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "table.csv";
   write_whole_file(path, "speed_hz,class\n45,chaotic\n");
@@ -135,7 +135,7 @@ TEST(CsvReader, FindsAColumnByItsName) {
   EXPECT_TRUE(message.ends_with("table.csv: no column 'order', there are: speed_hz, class")) << message;
 }
 
-TEST(CsvReader, ReadsANumberExactlyOrRefusesIt) {
+TEST(CsvTableReader, ReadsANumberExactlyOrRefusesIt) {
   const double value = 0.1 + 0.2;
   const TemporaryDirectory directory;
   const auto path = directory.path() / "table.csv";
@@ -156,7 +156,7 @@ TEST(CsvReader, ReadsANumberExactlyOrRefusesIt) {
   EXPECT_EQ(refused(1), "table.csv:5: b: '+1' is not a number");
 }
 
-TEST(CsvReader, FindsItsRowsAgain) {
+TEST(CsvTableReader, FindsItsRowsAgain) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";
   write_whole_file(path, "# first\na,b\n1,one\n\n# second\r\n2,\"two\n\"\"lines\"\"\"\r\n3,three");

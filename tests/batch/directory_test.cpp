@@ -10,7 +10,7 @@
 namespace rubsweep::batch {
 namespace {
 
-TEST(MakeDirectory, MakesThoseAboveAsWell) {
+TEST(DirectoryMake, MakesThoseAboveAsWell) {
   const TemporaryDirectory directory;
   for (const char* name : {"a/b/c", "a/b/c/", "./d/../e"}) {
     make_directory(directory.path() / name);
@@ -22,14 +22,14 @@ TEST(MakeDirectory, MakesThoseAboveAsWell) {
   EXPECT_TRUE(std::filesystem::is_directory(directory.path() / "a/b/f"));
 }
 
-TEST(MakeDirectory, AFileInItsWayIsAnError) {
+TEST(DirectoryMake, AFileInItsWayIsAnError) {
   const TemporaryDirectory directory;
   std::ofstream(directory.path() / "file") << "text";
   EXPECT_THROW(make_directory(directory.path() / "file"), IoError);
   EXPECT_THROW(make_directory(directory.path() / "file/below"), IoError);
 }
 
-TEST(SyncDirectory, OfOneThatIsNotThereIsAnError) {
+TEST(DirectorySync, OfOneThatIsNotThereIsAnError) {
   const TemporaryDirectory directory;
   EXPECT_NO_THROW(sync_directory(directory.path()));
   EXPECT_THROW(sync_directory(directory.path() / "nowhere"), IoError);

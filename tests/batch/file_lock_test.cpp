@@ -20,7 +20,7 @@
 namespace rubsweep::batch {
 namespace {
 
-class LockFile : public testing::Test {
+class FileLockCases : public testing::Test {
  protected:
   void expect_taken(LockMode mode) {
     EXPECT_TRUE(std::regex_match(message_of<LockedError>([&] { FileLock(path_, mode, "second"); }),
@@ -32,7 +32,7 @@ class LockFile : public testing::Test {
   const std::filesystem::path path_ = directory_.path() / "map.lock";
 };
 
-TEST_F(LockFile, IsHeldUntilTheEndAndThenGone) {
+TEST_F(FileLockCases, IsHeldUntilTheEndAndThenGone) {
   {
     const FileLock lock(path_, LockMode::exclusive, "first");
     expect_taken(LockMode::exclusive);
@@ -43,7 +43,7 @@ TEST_F(LockFile, IsHeldUntilTheEndAndThenGone) {
   const FileLock again(path_, LockMode::exclusive, "first");
 }
 
-TEST_F(LockFile, CanBeShared) {
+TEST_F(FileLockCases, CanBeShared) {
   std::optional<FileLock> one(std::in_place, path_, LockMode::shared, "first");
   {
     const FileLock two(path_, LockMode::shared, "first");
@@ -56,7 +56,7 @@ TEST_F(LockFile, CanBeShared) {
 }
 
 /// The last to leave holds it alone to remove the file, which must not refuse one who comes meanwhile.
-TEST_F(LockFile, SharedByThoseWhoComeAndGoIsNeverRefused) {
+TEST_F(FileLockCases, SharedByThoseWhoComeAndGoIsNeverRefused) {
   const auto come_and_go = [&] {
     for (int i = 0; i < 3000; ++i) const FileLock lock(path_, LockMode::shared, "first");
   };
@@ -64,7 +64,7 @@ TEST_F(LockFile, SharedByThoseWhoComeAndGoIsNeverRefused) {
   EXPECT_NO_THROW(come_and_go());
 }
 
-TEST_F(LockFile, OfAProcessThatWasKilledMeansNothing) {
+TEST_F(FileLockCases, OfAProcessThatWasKilledMeansNothing) {
   const pid_t child = ::fork();
   if (child == 0) {
     const FileLock lock(path_, LockMode::exclusive, "killed");
@@ -79,7 +79,7 @@ TEST_F(LockFile, OfAProcessThatWasKilledMeansNothing) {
   expect_taken(LockMode::exclusive);
 }
 
-TEST_F(LockFile, FreedAtAnyMomentIsEitherHeldOrNot) {
+TEST_F(FileLockCases, FreedAtAnyMomentIsEitherHeldOrNot) {
   const std::jthread holder([&](const std::stop_token& end) {
     while (!end.stop_requested()) {
       try {
@@ -98,7 +98,7 @@ TEST_F(LockFile, FreedAtAnyMomentIsEitherHeldOrNot) {
   }
 }
 
-TEST_F(LockFile, CanBeWaitedFor) {
+TEST_F(FileLockCases, CanBeWaitedFor) {
   std::optional<FileLock> first(std::in_place, path_, LockMode::exclusive, "first");
   std::atomic<bool> freed = false;
   const std::jthread other([&] {
@@ -110,7 +110,7 @@ TEST_F(LockFile, CanBeWaitedFor) {
   first.reset();
 }
 
-TEST_F(LockFile, OfAnotherDirectoryUnderTheSameNameIsLeftAlone) {
+TEST_F(FileLockCases, OfAnotherDirectoryUnderTheSameNameIsLeftAlone) {
   const auto place = directory_.path() / "map", path = place / "map.lock";
   std::filesystem::create_directory(place);
   std::optional<FileLock> first(std::in_place, path, LockMode::exclusive, "first");
@@ -132,7 +132,7 @@ class OrdinaryUser {
   const bool root_ = ::geteuid() == 0;
 };
 
-TEST_F(LockFile, OfADeadOwnerMeansNothingEvenWhereItCannotBeWritten) {
+TEST_F(FileLockCases, OfADeadOwnerMeansNothingEvenWhereItCannotBeWritten) {
   for (const bool directory_is_shared : {true, false}) {
     std::filesystem::permissions(directory_.path(),
                                  std::filesystem::perms{directory_is_shared ? 0777U : 0755U});
@@ -148,7 +148,7 @@ TEST_F(LockFile, OfADeadOwnerMeansNothingEvenWhereItCannotBeWritten) {
   }
 }
 
-TEST_F(LockFile, ThatCannotBeIsAnError) {
+TEST_F(FileLockCases, ThatCannotBeIsAnError) {
   EXPECT_EQ(message_of<IoError>([] { FileLock("/nowhere/map.lock", LockMode::exclusive, "first"); }),
             "cannot lock /nowhere/map.lock: No such file or directory");
 }

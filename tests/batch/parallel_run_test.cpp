@@ -194,7 +194,7 @@ TEST(ParallelRun, NegativeThreadsAreAnError) {
             "threads: -1 is out of range, allowed: 0 (all) or a number >= 1");
 }
 
-TEST(RequireThreads, TellsWhatTheSystemDoesNotLetUsStart) {
+TEST(ParallelRunRequireThreads, TellsWhatTheSystemDoesNotLetUsStart) {
   require_threads(8);
   const pid_t child = ::fork();
   if (child == 0) {

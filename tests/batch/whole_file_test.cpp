@@ -19,7 +19,7 @@ std::ptrdiff_t entries(const std::filesystem::path& directory) {
   return std::distance(std::filesystem::directory_iterator(directory), {});
 }
 
-TEST(WriteWholeFile, HoldsExactlyTheTextAndNothingStaysBeside) {
+TEST(WholeFileWrite, HoldsExactlyTheTextAndNothingStaysBeside) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";
   const std::string long_text(300000, 'x');
@@ -31,7 +31,7 @@ TEST(WriteWholeFile, HoldsExactlyTheTextAndNothingStaysBeside) {
   }
 }
 
-TEST(WriteWholeFile, HasTheUsualPermissions) {
+TEST(WholeFileWrite, HasTheUsualPermissions) {
   const TemporaryDirectory directory;
   const mode_t mask = ::umask(022);
   write_whole_file(directory.path() / "map.csv", "text");
@@ -40,7 +40,7 @@ TEST(WriteWholeFile, HasTheUsualPermissions) {
             std::filesystem::perms(0644));
 }
 
-TEST(WriteWholeFile, ReplacesRatherThanOverwrites) {
+TEST(WholeFileWrite, ReplacesRatherThanOverwrites) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";
   write_whole_file(path, "old");
@@ -52,7 +52,7 @@ TEST(WriteWholeFile, ReplacesRatherThanOverwrites) {
   EXPECT_EQ(read_whole_file(path), "new");
 }
 
-TEST(WriteWholeFile, KeepsALinkAndRefusesWhatIsNoFile) {
+TEST(WholeFileWrite, KeepsALinkAndRefusesWhatIsNoFile) {
   const TemporaryDirectory directory;
   const auto target = directory.path() / "target", link = directory.path() / "link",
              pipe = directory.path() / "pipe";
@@ -67,12 +67,12 @@ TEST(WriteWholeFile, KeepsALinkAndRefusesWhatIsNoFile) {
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
-TEST(WriteWholeFile, MissingDirectoryIsAnError) {
+TEST(WholeFileWrite, MissingDirectoryIsAnError) {
   EXPECT_EQ(message_of<IoError>([] { write_whole_file("/nowhere/map.csv", "text"); }),
             "cannot write /nowhere/map.csv: No such file or directory");
 }
 
-TEST(WriteWholeFile, LeavesNothingWhenTheDiskIsFull) {
+TEST(WholeFileWrite, LeavesNothingWhenTheDiskIsFull) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";
   write_whole_file(path, "old");
@@ -85,7 +85,7 @@ TEST(WriteWholeFile, LeavesNothingWhenTheDiskIsFull) {
   EXPECT_EQ(entries(directory.path()), 1);
 }
 
-TEST(WriteWholeFile, LeavesNothingWhenTheNameIsTaken) {
+TEST(WholeFileWrite, LeavesNothingWhenTheNameIsTaken) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";
   std::filesystem::create_directory(path);

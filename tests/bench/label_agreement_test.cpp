@@ -49,7 +49,7 @@ TEST(LabelAgreement, WithoutTimeNothingIsCompared) {
   EXPECT_LT(none.compared, 4);
 }
 
-TEST(Spread, TakesBothEndsAndEvenSteps) {
+TEST(LabelAgreementSpread, TakesBothEndsAndEvenSteps) {
   EXPECT_EQ(spread(66, 4), (std::vector<std::size_t>{0, 22, 43, 65}));
   EXPECT_EQ(spread(3, 12), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ(spread(5, 1), (std::vector<std::size_t>{2}));

@@ -75,7 +75,7 @@ TEST(Reference, TakesAnythingFromTheConfigurationButWhatItStatesItself) {
   EXPECT_EQ(reference_options(base).max_steps_per_revolution, 1'000'000);
 }
 
-TEST(SectionDifference, IsTheLargestAndSeesNotANumber) {
+TEST(ReferenceSectionDifference, IsTheLargestAndSeesNotANumber) {
   const std::vector<double> a{1, -2, 3}, b{1.5, 0, 3};
   EXPECT_EQ(section_difference(a, b), 2);
   const std::vector<double> c{1, std::numeric_limits<double>::quiet_NaN(), 30};

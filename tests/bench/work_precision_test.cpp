@@ -69,7 +69,7 @@ TEST(WorkPrecision, AFailureIsALineWithoutATime) {
   EXPECT_EQ(lines[0].repeats, 1);
 }
 
-TEST(Median, OfOddAndEvenNumbers) {
+TEST(WorkPrecisionMedian, OfOddAndEvenNumbers) {
   EXPECT_EQ(median({3}), 3);
   EXPECT_EQ(median({9, 1, 2}), 2);
   EXPECT_EQ(median({4, 1, 2, 100}), 3);

@@ -16,9 +16,9 @@ std::vector<std::string> stems(const std::string& extension) {
   return found;
 }
 
-class BadFile : public testing::TestWithParam<std::string> {};
+class BadFilesEach : public testing::TestWithParam<std::string> {};
 
-TEST_P(BadFile, GivesExactlyTheExpectedMessage) {
+TEST_P(BadFilesEach, GivesExactlyTheExpectedMessage) {
   // Bases are relative to the file, whose name in the message is its own alone.
   std::filesystem::current_path(std::string(CONFIG_TEST_DATA) + "/bad");
   const std::string name = GetParam() + ".yaml";
@@ -26,7 +26,7 @@ TEST_P(BadFile, GivesExactlyTheExpectedMessage) {
             test_file("bad/" + GetParam() + ".expected"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Folder, BadFile, testing::ValuesIn(stems(".yaml")),
+INSTANTIATE_TEST_SUITE_P(Folder, BadFilesEach, testing::ValuesIn(stems(".yaml")),
                          [](const auto& parameter) { return parameter.param; });
 
 TEST(BadFiles, AllHaveTheirMessageAndNoneIsLeftOver) {

@@ -134,7 +134,7 @@ TEST(PrintConfig, FitsTheReaderAtItsLargest) {
   expect_round_trip(read_run_config_text(text, "large.yaml", {}));
 }
 
-TEST(PrintStudy, IsTheConfigurationWithoutItsOutput) {
+TEST(PrintConfigStudy, IsTheConfigurationWithoutItsOutput) {
   RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
   const std::string study = print_study(config.study);
   EXPECT_EQ(print_config(config), study + "output:\n  directory: results\n  warn_over_clearances: 10\n");

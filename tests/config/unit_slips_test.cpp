@@ -28,12 +28,12 @@ struct Case {
   const char *override, *question;
 };
 
-class QuestionOfAJeffcottRotor : public testing::TestWithParam<Case> {};
-TEST_P(QuestionOfAJeffcottRotor, NamesTheUnitThatExplainsTheNumber) {
+class UnitSlipsQuestionOfAJeffcottRotor : public testing::TestWithParam<Case> {};
+TEST_P(UnitSlipsQuestionOfAJeffcottRotor, NamesTheUnitThatExplainsTheNumber) {
   EXPECT_EQ(asked(of_minimal(GetParam().override), GetParam().override), GetParam().question);
 }
 INSTANTIATE_TEST_SUITE_P(
-    Rules, QuestionOfAJeffcottRotor,
+    Rules, UnitSlipsQuestionOfAJeffcottRotor,
     testing::Values(
         Case{"sweep.eccentricity_m=0.3", "sweep.eccentricity_m: 0.3 m is 300 clearances (millimetres?)"},
         Case{"sweep.eccentricity_m={from: 0.001, to: 2.95, count: 3}",
@@ -52,12 +52,12 @@ INSTANTIATE_TEST_SUITE_P(
              "kick.duration_s: 2 s is 60 periods of the rotor, long for a kick (milliseconds?)"},
         Case{"start.x_m=0.5", "start.x_m: 0.5 m is 500 clearances (millimetres?)"}));
 
-class QuestionOfAKit : public testing::TestWithParam<Case> {};
-TEST_P(QuestionOfAKit, NamesTheUnitThatExplainsTheNumber) {
+class UnitSlipsQuestionOfAKit : public testing::TestWithParam<Case> {};
+TEST_P(UnitSlipsQuestionOfAKit, NamesTheUnitThatExplainsTheNumber) {
   EXPECT_EQ(asked(of_kit(GetParam().override), GetParam().override), GetParam().question);
 }
 INSTANTIATE_TEST_SUITE_P(
-    Rules, QuestionOfAKit,
+    Rules, UnitSlipsQuestionOfAKit,
     testing::Values(
         Case{
             "rotor.shaft.0.density_kg_per_m3=7.85",

@@ -31,7 +31,7 @@ Kinematics random_state(RandomContact& random, double stiffness, double damping,
 
 double random_damping(RandomContact& random, int trial) { return trial % 7 == 0 ? 0 : random.damping(); }
 
-TEST(ModeOf, NamesThePieceThatTheForceLawIsOn) {
+TEST(ContactModeOf, NamesThePieceThatTheForceLawIsOn) {
   RandomContact random(1);
   std::array<int, mode_count> seen{};
   for (int trial = 0; trial < 40'000; ++trial) {
@@ -46,7 +46,7 @@ TEST(ModeOf, NamesThePieceThatTheForceLawIsOn) {
   for (const int count : seen) EXPECT_GT(count, 1000);
 }
 
-TEST(ModeOf, AtTheBoundaries) {
+TEST(ContactModeOf, AtTheBoundaries) {
   EXPECT_EQ(mode_of(1, 1, 0, 5), Mode::open);
   EXPECT_EQ(mode_of(1, 1, -0.0, -5), Mode::open);
   EXPECT_EQ(mode_of(2, 1, 1, 2), Mode::clamped);
@@ -55,11 +55,11 @@ TEST(ModeOf, AtTheBoundaries) {
   EXPECT_EQ(mode_of(2, 1, 1, std::nextafter(-2.0, 0.0)), Mode::sprung);
 }
 
-TEST(ModeOf, WithoutDampingEveryTouchIsSprung) {
+TEST(ContactModeOf, WithoutDampingEveryTouchIsSprung) {
   for (const double v : {-1e9, -1.0, 0.0, 1.0, 1e9}) EXPECT_EQ(mode_of(1, 0, 1e-9, v), Mode::sprung);
 }
 
-TEST(ForceInMode, ContinuesThePieceBeyondItsEnd) {
+TEST(ContactModeForceIn, ContinuesThePieceBeyondItsEnd) {
   EXPECT_EQ(force_in_mode(Mode::open, 2, 3, 1, 1).total_n, 0);
   EXPECT_EQ(force_in_mode(Mode::clamped, 2, 3, -1, 7).total_n, -4);
   EXPECT_EQ(force_in_mode(Mode::sprung, 2, 3, 1, -5).total_n, -13);
@@ -67,7 +67,7 @@ TEST(ForceInMode, ContinuesThePieceBeyondItsEnd) {
   EXPECT_EQ(force_in_mode(Mode::released, 2, 3, 1, 9).spring_n, 2);
 }
 
-TEST(GuardsOf, AreBelowZeroInsideTheMode) {
+TEST(ContactModeGuardsOf, AreBelowZeroInsideTheMode) {
   RandomContact random(2);
   for (int trial = 0; trial < 40'000; ++trial) {
     const double stiffness = random.stiffness(), damping = random_damping(random, trial);
@@ -77,7 +77,7 @@ TEST(GuardsOf, AreBelowZeroInsideTheMode) {
   }
 }
 
-TEST(GuardsOf, RateIsTheDifferenceQuotientAlongAMotion) {
+TEST(ContactModeGuardsOf, RateIsTheDifferenceQuotientAlongAMotion) {
   RandomContact random(3);
   for (int trial = 0; trial < 4000; ++trial) {
     const double stiffness = random.uniform(0.1, 10), damping = trial % 7 == 0 ? 0 : random.uniform(0.1, 10);
@@ -96,7 +96,7 @@ TEST(GuardsOf, RateIsTheDifferenceQuotientAlongAMotion) {
   }
 }
 
-TEST(GuardsOf, OnlyThoseOfTheMode) {
+TEST(ContactModeGuardsOf, OnlyThoseOfTheMode) {
   const Kinematics k{1, 1, 1};
   const auto next_modes = [&](Mode mode, double damping) {
     std::vector<Mode> next;
@@ -111,7 +111,7 @@ TEST(GuardsOf, OnlyThoseOfTheMode) {
   EXPECT_EQ(next_modes(Mode::sprung, 0), (std::vector{Mode::open}));
 }
 
-TEST(ModeAfter, FollowsAnySmoothMotionThroughTheModes) {
+TEST(ContactModeAfter, FollowsAnySmoothMotionThroughTheModes) {
   // Where a motion sampled finely changes its mode, the guards of the old mode must lead to the new one.
   RandomContact random(4);
   int changes = 0;
@@ -135,12 +135,12 @@ TEST(ModeAfter, FollowsAnySmoothMotionThroughTheModes) {
   EXPECT_GT(changes, 500);
 }
 
-TEST(ModeAfter, TouchStartsClampedWithDampingAndSprungWithout) {
+TEST(ContactModeAfter, TouchStartsClampedWithDampingAndSprungWithout) {
   EXPECT_EQ(mode_after(Mode::open, 1, 1, {0, 1, 0}), Mode::clamped);
   EXPECT_EQ(mode_after(Mode::open, 1, 0, {0, 1, 0}), Mode::sprung);
 }
 
-TEST(ModeAfter, PastZeroButFallingIsAReturnFromAGrazeAndNoEvent) {
+TEST(ContactModeAfter, PastZeroButFallingIsAReturnFromAGrazeAndNoEvent) {
   EXPECT_EQ(mode_after(Mode::open, 1, 1, {1e-9, -1, 0}), Mode::open);
   EXPECT_EQ(mode_after(Mode::open, 1, 0, {1e-9, -1, 0}), Mode::open);
   EXPECT_EQ(mode_after(Mode::sprung, 1, 0, {-1e-9, 1, 0}), Mode::sprung);
@@ -150,7 +150,7 @@ TEST(ModeAfter, PastZeroButFallingIsAReturnFromAGrazeAndNoEvent) {
   EXPECT_EQ(mode_after(Mode::released, 1, 1, {1, 0.5, -1}), Mode::released);  // K p + d v = 1.5, rate -0.5
 }
 
-TEST(ModeAfter, AtExactZerosTheRateDecides) {
+TEST(ContactModeAfter, AtExactZerosTheRateDecides) {
   EXPECT_EQ(mode_after(Mode::open, 1, 1, {0, 0, 1}), Mode::open);
   EXPECT_EQ(mode_after(Mode::open, 1, 1, {0, -1, 1}), Mode::open);
   EXPECT_EQ(mode_after(Mode::clamped, 1, 1, {1, 1, 0}), Mode::sprung);
@@ -162,7 +162,7 @@ TEST(ModeAfter, AtExactZerosTheRateDecides) {
   EXPECT_EQ(mode_after(Mode::sprung, 1, 0, {0, -1, 0}), Mode::open);
 }
 
-TEST(ModeAfter, HopsThroughSeveralModesAtOnce) {
+TEST(ContactModeAfter, HopsThroughSeveralModesAtOnce) {
   // A contact so short that one step saw it all: K p - d v, -(K p + d v) and -p are past zero and rising.
   const Kinematics gone{-0.1, -1, -2};
   EXPECT_EQ(mode_after(Mode::clamped, 1, 1, gone), Mode::open);
@@ -171,7 +171,7 @@ TEST(ModeAfter, HopsThroughSeveralModesAtOnce) {
   EXPECT_EQ(mode_after(Mode::open, 1, 1, {2, 1, 0}), Mode::sprung);
 }
 
-TEST(ModeAfter, ComesToRestFromEveryStateAndMode) {
+TEST(ContactModeAfter, ComesToRestFromEveryStateAndMode) {
   RandomContact random(5);
   for (int trial = 0; trial < 40'000; ++trial) {
     const double stiffness = random.stiffness(), damping = random_damping(random, trial);
@@ -183,7 +183,7 @@ TEST(ModeAfter, ComesToRestFromEveryStateAndMode) {
   }
 }
 
-TEST(Mode, Names) {
+TEST(ContactMode, Names) {
   EXPECT_EQ(to_string(Mode::open), "open");
   EXPECT_EQ(to_string(Mode::clamped), "clamped");
   EXPECT_EQ(to_string(Mode::sprung), "sprung");
@@ -191,7 +191,7 @@ TEST(Mode, Names) {
 }
 
 /// With a damping far below rounding both guards of sprung stand at p = 0: the speed says which one it is.
-TEST(ModeThrough, OutOfSprungTheClosingSpeedDecides) {
+TEST(ContactModeThrough, OutOfSprungTheClosingSpeedDecides) {
   const Kinematics separating{-1e-16, -1, 0}, closing{1e-17, 1, 0};
   EXPECT_EQ(mode_through(Mode::sprung, Mode::clamped, separating), Mode::released);
   EXPECT_EQ(mode_through(Mode::sprung, Mode::released, separating), Mode::released);
@@ -201,7 +201,7 @@ TEST(ModeThrough, OutOfSprungTheClosingSpeedDecides) {
   EXPECT_EQ(mode_through(Mode::released, Mode::open, separating), Mode::open);
 }
 
-TEST(ModeAfter, ARotorThatLeavesAnAllButUndampedWallIsFree) {
+TEST(ContactModeAfter, ARotorThatLeavesAnAllButUndampedWallIsFree) {
   for (const double penetration : {1e-17, 0.0, -1e-17, -1e-15})
     EXPECT_NE(mode_after(Mode::sprung, 2e6, 1e-12, {penetration, -0.3, 0}), Mode::clamped) << penetration;
   EXPECT_EQ(mode_after(Mode::sprung, 2e6, 1e-12, {-1e-15, -0.3, 0}), Mode::open);

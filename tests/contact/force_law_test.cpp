@@ -40,7 +40,7 @@ State random_state(RandomContact& random, const Law& law, int kind) {
   return {std::abs(p), kind % 4 == 2 ? on_clamp_line : -on_clamp_line};
 }
 
-TEST(Elastogap, IsTheMiddleOfNothingOscillatorAndTwiceTheSpring) {
+TEST(ForceLawElastogap, IsTheMiddleOfNothingOscillatorAndTwiceTheSpring) {
   RandomContact random(1);
   for (int trial = 0; trial < 20'000; ++trial) {
     const Law law = random_law(random);
@@ -52,7 +52,7 @@ TEST(Elastogap, IsTheMiddleOfNothingOscillatorAndTwiceTheSpring) {
   }
 }
 
-TEST(Elastogap, NeverPullsAndTheDamperNeverExceedsTheSpring) {
+TEST(ForceLawElastogap, NeverPullsAndTheDamperNeverExceedsTheSpring) {
   RandomContact random(2);
   for (int trial = 0; trial < 20'000; ++trial) {
     const Law law = random_law(random);
@@ -63,7 +63,7 @@ TEST(Elastogap, NeverPullsAndTheDamperNeverExceedsTheSpring) {
   }
 }
 
-TEST(Elastogap, NothingBeforeTouch) {
+TEST(ForceLawElastogap, NothingBeforeTouch) {
   for (const double p : {-0.0, 0.0, -1e-300, -1e-9, -1.0}) {
     for (const double v : {-1e300, -1.0, 0.0, 1.0, 1e300}) {
       EXPECT_EQ(elastogap(2e6, 100, p, v).spring_n, 0);
@@ -72,7 +72,7 @@ TEST(Elastogap, NothingBeforeTouch) {
   }
 }
 
-TEST(Elastogap, FiniteAtTheCornersOfTheState) {
+TEST(ForceLawElastogap, FiniteAtTheCornersOfTheState) {
   for (const double damping : {0.0, 100.0}) {
     for (const double p : {0.0, 4.9e-324, 1.0}) {
       for (const double v : {0.0, 4.9e-324, 1e308}) {
@@ -83,7 +83,7 @@ TEST(Elastogap, FiniteAtTheCornersOfTheState) {
   }
 }
 
-TEST(Elastogap, IsLipschitzInTheState) {
+TEST(ForceLawElastogap, IsLipschitzInTheState) {
   // Slopes are at most 2 K by p and d by v, in every mode; so no pair of states may be further apart in
   // force.
   RandomContact random(3);
@@ -101,7 +101,7 @@ TEST(Elastogap, IsLipschitzInTheState) {
   }
 }
 
-TEST(SmoothRamp, IsExactOutsideTheBlendAndAboveTheCornerInside) {
+TEST(ForceLawSmoothRamp, IsExactOutsideTheBlendAndAboveTheCornerInside) {
   for (const double y : {-2.0, -0.5, 0.5, 0.7, 2.0}) EXPECT_EQ(smooth_ramp(y, 1), std::max(y, 0.0));
   EXPECT_EQ(smooth_ramp(0, 1), 0.125);
   for (int i = -499; i < 500; ++i) {
@@ -111,7 +111,7 @@ TEST(SmoothRamp, IsExactOutsideTheBlendAndAboveTheCornerInside) {
   }
 }
 
-TEST(SmoothRampSlope, IsTheDifferenceQuotient) {
+TEST(ForceLawSmoothRampSlope, IsTheDifferenceQuotient) {
   for (const double width : {1e-9, 1e-3, 1.0, 1e4}) {
     for (int i = -300; i <= 300; ++i) {
       // Off the ends of the blend, where the second derivative jumps and a central difference halves the
@@ -123,7 +123,7 @@ TEST(SmoothRampSlope, IsTheDifferenceQuotient) {
   }
 }
 
-TEST(SmoothedElastogap, NeverPullsAndTheDamperNeverExceedsTheSpring) {
+TEST(ForceLawSmoothedElastogap, NeverPullsAndTheDamperNeverExceedsTheSpring) {
   RandomContact random(4);
   for (int trial = 0; trial < 40'000; ++trial) {
     const Law law = random_law(random);
@@ -138,7 +138,7 @@ TEST(SmoothedElastogap, NeverPullsAndTheDamperNeverExceedsTheSpring) {
   }
 }
 
-TEST(SmoothedElastogap, DiffersFromTheExactLawOnlyWithinTheBlend) {
+TEST(ForceLawSmoothedElastogap, DiffersFromTheExactLawOnlyWithinTheBlend) {
   RandomContact random(5);
   int inside_blend = 0;
   for (int trial = 0; trial < 40'000; ++trial) {
@@ -164,7 +164,7 @@ TEST(SmoothedElastogap, DiffersFromTheExactLawOnlyWithinTheBlend) {
 /// Difference of the slopes just right and just left of 0, for f given around 0.
 double kink(const auto& f, double h) { return (f(h) - f(0)) / h - (f(0) - f(-h)) / h; }
 
-TEST(SmoothedElastogap, HasNoKink) {
+TEST(ForceLawSmoothedElastogap, HasNoKink) {
   // In units of the contact: K = d = width = 1. Second derivatives are at most 4, so slopes may differ by 4
   // h.
   const double h = 1e-6, allowed = 4 * h + 1e-9;
@@ -184,7 +184,7 @@ TEST(SmoothedElastogap, HasNoKink) {
   EXPECT_NEAR(kink([&](double dv) { return law.exact(1, -1 + dv).total_n; }, h), 1, 1e-6);
 }
 
-TEST(SmoothedElastogap, ImpulseOfAnImpactConvergesWithTheSquareOfTheWidth) {
+TEST(ForceLawSmoothedElastogap, ImpulseOfAnImpactConvergesWithTheSquareOfTheWidth) {
   const double zeta = 0.2, exact = delivered_restitution(zeta);
   std::vector<double> errors;
   for (const double width : {0.1, 0.05, 0.025, 0.0125}) {

@@ -64,7 +64,7 @@ TEST(FrictionBounds, AreThoseOfADenseScan) {
   EXPECT_GT(driving, 10);
 }
 
-TEST(RefuseDriving, SaysWhichFrictionAndWhatIsAllowed) {
+TEST(FrictionBoundsRefuseDriving, SaysWhichFrictionAndWhatIsAllowed) {
   EXPECT_NO_THROW(refuse_driving(model::ConstantFriction{0.1}, "stops.0.friction"));
   try {
     refuse_driving(StribeckFriction{{0, 0, 0, -0.1, 100, 0}}, "stops.1.friction");

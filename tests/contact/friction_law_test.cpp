@@ -33,7 +33,7 @@ Gamma random_gamma(RandomContact& random) {
 /// A static coefficient of about 0.24 at about 0.01 m/s, a kinetic one of 0.1.
 constexpr Gamma stribeck_dip{0.15, 200, 10, 0.1, 200, 0.001};
 
-TEST(FrictionCoefficient, IsTheFormula) {
+TEST(FrictionLawCoefficient, IsTheFormula) {
   RandomContact random(1);
   for (int trial = 0; trial < 5000; ++trial) {
     const Gamma g = random_gamma(random);
@@ -43,7 +43,7 @@ TEST(FrictionCoefficient, IsTheFormula) {
   }
 }
 
-TEST(FrictionCoefficient, IsOdd) {
+TEST(FrictionLawCoefficient, IsOdd) {
   RandomContact random(2);
   for (int trial = 0; trial < 5000; ++trial) {
     const StribeckFriction friction{random_gamma(random)};
@@ -53,7 +53,7 @@ TEST(FrictionCoefficient, IsOdd) {
   }
 }
 
-TEST(FrictionCoefficient, PeaksWhereAndAsHighAsTheFormula) {
+TEST(FrictionLawCoefficient, PeaksWhereAndAsHighAsTheFormula) {
   double peak = 0, at = 0;
   long double true_peak = 0, true_at = 0;
   for (int i = 0; i < 20'000; ++i) {
@@ -71,7 +71,7 @@ TEST(FrictionCoefficient, PeaksWhereAndAsHighAsTheFormula) {
   EXPECT_LT(friction_slope(StribeckFriction{stribeck_dip}, at + 1e-4), 0);
 }
 
-TEST(FrictionCoefficient, SaturatesExactly) {
+TEST(FrictionLawCoefficient, SaturatesExactly) {
   const StribeckFriction friction{{0, 0, 0, 0.1, 100, 0}};
   EXPECT_LT(friction_coefficient(friction, 0.1), 0.1);
   for (const double v : {0.21, 2.0, 1e300}) {
@@ -81,13 +81,13 @@ TEST(FrictionCoefficient, SaturatesExactly) {
   }
 }
 
-TEST(FrictionCoefficient, IsContinuousWhereTheLibraryCallIsSkipped) {
+TEST(FrictionLawCoefficient, IsContinuousWhereTheLibraryCallIsSkipped) {
   const StribeckFriction friction{{0.3, 1, 1, 0.5, 1, 0}};
   EXPECT_EQ(friction_coefficient(friction, std::nextafter(20.0, 21.0)), friction_coefficient(friction, 20.0));
   EXPECT_EQ(std::tanh(20.0), 1);
 }
 
-TEST(FrictionCoefficient, ExtremesStayFinite) {
+TEST(FrictionLawCoefficient, ExtremesStayFinite) {
   const StribeckFriction steep{{0.3, 1e4, 1e2, 0.1, 1e4, 0}};
   const double smallest = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(friction_coefficient(steep, 0), 0);
@@ -102,7 +102,7 @@ TEST(FrictionCoefficient, ExtremesStayFinite) {
   EXPECT_EQ(friction_slope(steepest, 1e300), 0);
 }
 
-TEST(FrictionSlope, IsTheDifferenceQuotient) {
+TEST(FrictionLawSlope, IsTheDifferenceQuotient) {
   RandomContact random(3);
   for (int trial = 0; trial < 5000; ++trial) {
     const Gamma g = random_gamma(random);
@@ -115,7 +115,7 @@ TEST(FrictionSlope, IsTheDifferenceQuotient) {
   }
 }
 
-TEST(FrictionCoefficient, ConstantGoesByTheSignOfTheSlip) {
+TEST(FrictionLawCoefficient, ConstantGoesByTheSignOfTheSlip) {
   const model::ConstantFriction constant{0.2};
   for (const double v : {1e300, 2.0, 1e-300}) {
     EXPECT_EQ(friction_coefficient(constant, v), 0.2);
@@ -129,7 +129,7 @@ TEST(FrictionCoefficient, ConstantGoesByTheSignOfTheSlip) {
   EXPECT_EQ(dry_coefficient(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}}), 0);
 }
 
-TEST(FrictionCoefficient, OneWayNeverReverses) {
+TEST(FrictionLawCoefficient, OneWayNeverReverses) {
   const model::OneWayFriction one_way{0.2};
   for (const double v : {-1e300, -2.0, -0.0, 0.0, 1e-300, 3.0}) {
     EXPECT_EQ(friction_coefficient(one_way, v), 0.2);
@@ -139,14 +139,14 @@ TEST(FrictionCoefficient, OneWayNeverReverses) {
   EXPECT_FALSE(keeps_its_direction(model::ConstantFriction{0.2}));
 }
 
-TEST(FrictionCoefficient, NoneIsZero) {
+TEST(FrictionLawCoefficient, NoneIsZero) {
   for (const double v : {-1e300, -2.0, 0.0, 3.0}) {
     EXPECT_EQ(friction_coefficient(model::NoFriction{}, v), 0);
     EXPECT_EQ(friction_slope(model::NoFriction{}, v), 0);
   }
 }
 
-TEST(SaturatedFriction, IsTheLimitOfTheCurveFromItsSpeedOn) {
+TEST(FrictionLawSaturated, IsTheLimitOfTheCurveFromItsSpeedOn) {
   const model::Friction curve = model::StribeckFriction{{0.05, 40, 15, 0.1, 100, 0}};
   const auto limit = saturated_friction(curve);
   ASSERT_TRUE(limit);
@@ -156,12 +156,12 @@ TEST(SaturatedFriction, IsTheLimitOfTheCurveFromItsSpeedOn) {
   EXPECT_GT(std::abs(friction_coefficient(curve, 0.3 * limit->above_m_per_s) - 0.1), 1e-9);
 }
 
-TEST(SaturatedFriction, UnusedTermsDoNotMatter) {
+TEST(FrictionLawSaturated, UnusedTermsDoNotMatter) {
   EXPECT_NEAR(saturated_friction(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}})->above_m_per_s, 0.14,
               1e-12);
 }
 
-TEST(SaturatedFriction, ConstantHoldsWhileTheSlipIsForwardAndNoneAlways) {
+TEST(FrictionLawSaturated, ConstantHoldsWhileTheSlipIsForwardAndNoneAlways) {
   EXPECT_EQ(saturated_friction(model::ConstantFriction{0.2})->coefficient, 0.2);
   EXPECT_EQ(saturated_friction(model::ConstantFriction{0.2})->above_m_per_s, 0);
   EXPECT_LT(saturated_friction(model::ConstantFriction{0})->above_m_per_s, -1e300);
@@ -170,7 +170,7 @@ TEST(SaturatedFriction, ConstantHoldsWhileTheSlipIsForwardAndNoneAlways) {
   EXPECT_LT(saturated_friction(model::NoFriction{})->above_m_per_s, -1e300);
 }
 
-TEST(SaturatedFriction, ViscousFrictionNeverSaturates) {
+TEST(FrictionLawSaturated, ViscousFrictionNeverSaturates) {
   EXPECT_FALSE(saturated_friction(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0.01}}));
   EXPECT_FALSE(saturated_friction(model::StribeckFriction{{0, 0, 0, 0.1, 0, 0}}));
 }

@@ -14,7 +14,7 @@
 namespace rubsweep::contact {
 namespace {
 
-TEST(NominalDampingRatio, UnclampedOscillatorReboundsWithTheNominalRestitution) {
+TEST(RestitutionNominalDampingRatio, UnclampedOscillatorReboundsWithTheNominalRestitution) {
   for (const double e : {0.05, 0.3, 0.5, 0.7, 0.9, 0.999}) {
     const double zeta = nominal_damping_ratio(e);
     const auto unclamped = [zeta](double p, double v) { return p + 2 * zeta * v; };
@@ -23,14 +23,14 @@ TEST(NominalDampingRatio, UnclampedOscillatorReboundsWithTheNominalRestitution) 
   }
 }
 
-TEST(NominalDampingRatio, LimitsAreNoDampingAndCriticalDamping) {
+TEST(RestitutionNominalDampingRatio, LimitsAreNoDampingAndCriticalDamping) {
   EXPECT_EQ(nominal_damping_ratio(1), 0);
   EXPECT_FALSE(std::signbit(nominal_damping_ratio(1)));
   EXPECT_NEAR(nominal_damping_ratio(1e-300), 1, 2e-5);
   EXPECT_LT(nominal_damping_ratio(std::numeric_limits<double>::denorm_min()), 1);
 }
 
-TEST(DeliveredRestitution, OfTheNominalDamping) {
+TEST(RestitutionDelivered, OfTheNominalDamping) {
   // Four digits that other codes of the clamped law agree on.
   EXPECT_NEAR(delivered_restitution(nominal_damping_ratio(0.3)), 0.479, 5e-4);
   EXPECT_NEAR(delivered_restitution(nominal_damping_ratio(0.5)), 0.597, 5e-4);
@@ -38,7 +38,7 @@ TEST(DeliveredRestitution, OfTheNominalDamping) {
   EXPECT_NEAR(delivered_restitution(nominal_damping_ratio(0.9)), 0.904, 5e-4);
 }
 
-TEST(DeliveredRestitution, IsWhatASimulatedImpactReturns) {
+TEST(RestitutionDelivered, IsWhatASimulatedImpactReturns) {
   for (const double zeta : {0.0, 1e-3, 0.02, 0.11, 0.13498, 0.32671, 0.5, 0.8, 0.99, 0.999999}) {
     const auto clamped = [zeta](double p, double v) { return elastogap(1, 2 * zeta, p, v).total_n; };
     // After pi / sqrt(1 - zeta^2) at the latest the mass flies free, and a free mass keeps its speed.
@@ -47,7 +47,7 @@ TEST(DeliveredRestitution, IsWhatASimulatedImpactReturns) {
   }
 }
 
-TEST(DeliveredRestitution, FallsWithDampingAndNeverBelowTheNominal) {
+TEST(RestitutionDelivered, FallsWithDampingAndNeverBelowTheNominal) {
   double previous = 1;
   for (int i = 1; i < 1000; ++i) {
     const double zeta = i / 1000.0;
@@ -58,19 +58,19 @@ TEST(DeliveredRestitution, FallsWithDampingAndNeverBelowTheNominal) {
   }
 }
 
-TEST(DeliveredRestitution, AtCriticalDampingByHand) {
+TEST(RestitutionDelivered, AtCriticalDampingByHand) {
   // tan(clamp phase) = 2 sqrt 2, so p = 2/3 and v = 1/3 where the clamp lets go; then p = e^{-t} (2/3 + t),
   // whose acceleration vanishes at t = 4/3 with v = -e^{-4/3}.
   EXPECT_NEAR(delivered_restitution(1 - 1e-9), std::exp(-4.0 / 3), 1e-8);
 }
 
-TEST(DampingRatioDelivering, KnownValues) {
+TEST(RestitutionDampingRatioDelivering, KnownValues) {
   EXPECT_NEAR(damping_ratio_delivering(0.5), 0.32671, 5e-6);
   EXPECT_NEAR(damping_ratio_delivering(0.7), 0.13498, 5e-6);
   EXPECT_EQ(damping_ratio_delivering(1), 0);
 }
 
-TEST(DampingRatioDelivering, IsTheInverse) {
+TEST(RestitutionDampingRatioDelivering, IsTheInverse) {
   for (int i = 1; i <= 500; ++i) {
     const double e = 0.2636 + (1 - 0.2636) * i / 500.0;
     EXPECT_NEAR(delivered_restitution(damping_ratio_delivering(e)), e, 1e-15) << e;
@@ -80,7 +80,7 @@ TEST(DampingRatioDelivering, IsTheInverse) {
   }
 }
 
-TEST(DampingRatioDelivering, OutsideWhatTheClampCanDeliverIsAnError) {
+TEST(RestitutionDampingRatioDelivering, OutsideWhatTheClampCanDeliverIsAnError) {
   const std::string message =
       "restitution_delivered: the clamped contact delivers 0.263597 at the least, allowed: a number > "
       "0.263597 and "
@@ -90,14 +90,14 @@ TEST(DampingRatioDelivering, OutsideWhatTheClampCanDeliverIsAnError) {
   }
 }
 
-TEST(DampingConstant, IsCriticalAtRatioOne) {
+TEST(RestitutionDampingConstant, IsCriticalAtRatioOne) {
   // s^2 m + s d + K has a double root: d^2 = 4 m K.
   const double d = damping_constant(1, 0.8, 2e6);
   EXPECT_NEAR(d * d / (4 * 0.8 * 2e6), 1, 1e-15);
   EXPECT_DOUBLE_EQ(damping_constant(0.25, 0.8, 2e6), d / 4);
 }
 
-TEST(ReducedMass, Limits) {
+TEST(RestitutionReducedMass, Limits) {
   EXPECT_DOUBLE_EQ(reduced_mass(0.8, 0.8), 0.4);
   EXPECT_EQ(reduced_mass(0.8, 0.05), reduced_mass(0.05, 0.8));
   EXPECT_NEAR(1 / reduced_mass(0.8, 0.05), 1 / 0.8 + 1 / 0.05, 1e-14);

@@ -48,10 +48,10 @@ struct EventCell {
   int turns;
 };
 
-class Events : public testing::TestWithParam<EventCell> {};
+class HardMachinesEvents : public testing::TestWithParam<EventCell> {};
 
 /// Two contacts that change mode close together: the one that comes first is handled first.
-TEST_P(Events, NoneIsPassedOverOrLate) {
+TEST_P(HardMachinesEvents, NoneIsPassedOverOrLate) {
   const auto [machine, speed_hz, whirl_ratio, turns] = GetParam();
   const auto audit = audit::audit_events({read(machine).study.machine, speed_hz, whirl_ratio}, turns);
   EXPECT_GE(audit.touched, 5);
@@ -60,7 +60,7 @@ TEST_P(Events, NoneIsPassedOverOrLate) {
                                  << audit.difference->first_switch;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Events,
+INSTANTIATE_TEST_SUITE_P(Of, HardMachinesEvents,
                          testing::Values(EventCell{"four_stops", 138.50961428204522, 0.8830485153668182, 60},
                                          EventCell{"three_stops", 30.490615403801954, 0.6338227589241093, 60},
                                          EventCell{"two_stops", 55.65629421162545, 0.46841560218741296, 120}),
@@ -72,10 +72,10 @@ struct ProofCell {
   const char* not_this;  ///< what was once called proven
 };
 
-class Proofs : public testing::TestWithParam<ProofCell> {};
+class HardMachinesProofs : public testing::TestWithParam<ProofCell> {};
 
 /// The distance of a slowly decaying focus halves in the maximum norm by turning alone.
-TEST_P(Proofs, NameOnlyWhatTheRunComesTo) {
+TEST_P(HardMachinesProofs, NameOnlyWhatTheRunComesTo) {
   const auto& [machine, speed_hz, whirl_ratio, not_this] = GetParam();
   const std::string found = label(row_of(machine, speed_hz, whirl_ratio));
   EXPECT_NE(found, not_this);
@@ -85,7 +85,7 @@ TEST_P(Proofs, NameOnlyWhatTheRunComesTo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Of, Proofs,
+    Of, HardMachinesProofs,
     testing::Values(ProofCell{"focus_a", 142.567366660783, 0.5360785, "subharmonic 3 floquet"},
                     ProofCell{"focus_b", 108.01805551670208, 0.6724440334324026, "subharmonic 3 floquet"},
                     ProofCell{"focus_b", 112.66803696989342, 0.8502851858416605, "subharmonic 3 floquet"},

@@ -41,7 +41,7 @@ OneXSignal signal_of(const RunUp& run, std::span<const Complex> phasor, std::spa
   return {phasor, noise, run.angle, run.speed, sensor_angle_deg};
 }
 
-TEST(OneX, FitsWhatTheReadingsAddAndTellsTheLag) {
+TEST(BodeOneX, FitsWhatTheReadingsAddAndTellsTheLag) {
   const RunUp run = slow_run_up();
   const std::vector<Complex> nothing(run.x.size());
   for (const bool vertical : {false, true}) {
@@ -55,7 +55,7 @@ TEST(OneX, FitsWhatTheReadingsAddAndTellsTheLag) {
   }
 }
 
-TEST(OneX, IsThePhasorAtTheInstantAndItsTopThatOfTheCurve) {
+TEST(BodeOneX, IsThePhasorAtTheInstantAndItsTopThatOfTheCurve) {
   const RunUp run = slow_run_up();
   std::vector<Complex> phasor;
   for (const double hz : run.speed) phasor.push_back(steady(hz));
@@ -71,7 +71,7 @@ TEST(OneX, IsThePhasorAtTheInstantAndItsTopThatOfTheCurve) {
   EXPECT_NEAR(one.largest_amplitude_m, 1e-4 / (0.04 * std::sqrt(1 - 0.02 * 0.02)), 1e-13);
 }
 
-TEST(OneX, HasNoTopAtAnEnd) {
+TEST(BodeOneX, HasNoTopAtAnEnd) {
   const RunUp run = slow_run_up();
   std::vector<Complex> rising, falling;
   for (const double hz : run.speed) {
@@ -82,7 +82,7 @@ TEST(OneX, HasNoTopAtAnEnd) {
   EXPECT_FALSE(one_x(signal_of(run, falling, {}, 0), 5).speed_of_largest_hz);
 }
 
-TEST(OneX, TooShortForAWindow) {
+TEST(BodeOneX, TooShortForAWindow) {
   RunUp run{{}, {}, {0, 1, 2}, {1, 1, 1}};
   const std::vector<Complex> few(3);
   EXPECT_TRUE(one_x(signal_of(run, few, {}, 0), 5).plot.empty());

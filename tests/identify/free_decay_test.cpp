@@ -25,7 +25,7 @@ std::vector<double> decay(double hz, double ratio, double amplitude, double phas
   return x;
 }
 
-TEST(FitFreeDecay, RecoversExactSignals) {
+TEST(FreeDecayFit, RecoversExactSignals) {
   for (const double hz : {7.3, 30.0, 140.0}) {
     for (const double ratio : {0.0, 0.001, 0.02, 0.2}) {
       const FreeDecay fit = fit_free_decay(decay(hz, ratio, 3e-4, 0.7, 1000, 1e-4), 1e-3);
@@ -37,7 +37,7 @@ TEST(FitFreeDecay, RecoversExactSignals) {
   }
 }
 
-TEST(FitFreeDecay, NoiseMovesItByNoMoreThanNoiseCan) {
+TEST(FreeDecayFit, NoiseMovesItByNoMoreThanNoiseCan) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> noise(0, 1e-5);
   std::vector<double> x = decay(30, 0.02, 3e-4, 0, 1000);
@@ -48,14 +48,14 @@ TEST(FitFreeDecay, NoiseMovesItByNoMoreThanNoiseCan) {
   EXPECT_GT(fit.misfit, 0.01);
 }
 
-TEST(FitFreeDecay, TakesTheStrongestOfTwoModes) {
+TEST(FreeDecayFit, TakesTheStrongestOfTwoModes) {
   std::vector<double> x = decay(30, 0.01, 3e-4, 0, 2000);
   const std::vector<double> other = decay(188, 0.02, 1e-4, 1, 2000);
   for (std::size_t k = 0; k < x.size(); ++k) x[k] += other[k];
   EXPECT_NEAR(fit_free_decay(x, 1e-3).natural_frequency_hz, 30, 0.02);
 }
 
-TEST(FitFreeDecay, RefusesWhatCannotBeFitted) {
+TEST(FreeDecayFit, RefusesWhatCannotBeFitted) {
   EXPECT_THROW(fit_free_decay(std::vector<double>(10, 1.0), 1e-3), ConfigError);
   EXPECT_THROW(fit_free_decay(std::vector<double>(100, 1.0), 1e-3), ConfigError);
 }

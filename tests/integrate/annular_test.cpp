@@ -77,7 +77,7 @@ TEST(AnnularStopWithSag, FrictionThrowsTheRotorOutwards) {
   }
 }
 
-TEST(FullAnnularRub, StaysOnItsClosedForm) {
+TEST(AnnularFullRub, StaysOnItsClosedForm) {
   for (const run::Stepper stepper : adaptive::single_steppers()) {
     const FullRub rub;
     run::SolverOptions options;
@@ -97,7 +97,7 @@ TEST(FullAnnularRub, StaysOnItsClosedForm) {
   }
 }
 
-TEST(FullAnnularRub, IsReachedFromNearby) {
+TEST(AnnularFullRub, IsReachedFromNearby) {
   const FullRub rub;
   auto scene = rub.scene();
   scene.displacement_m *= 1.02;
@@ -107,7 +107,7 @@ TEST(FullAnnularRub, IsReachedFromNearby) {
   EXPECT_NEAR(std::abs(position(turn.section)), rub.radius, 1e-6);
 }
 
-TEST(DryWhip, WhirlsBackwardAtItsClosedFormFrequency) {
+TEST(AnnularDryWhip, WhirlsBackwardAtItsClosedFormFrequency) {
   // Without unbalance: w = zeta/mu + sqrt((zeta/mu)^2 + 1), r = 1 / (1 - 2 zeta w / (mu b)), for
   // mu > 2 zeta sqrt(1 + b) / b.
   const double zeta = 0.05, mu = 0.2, b = 20;
@@ -126,7 +126,7 @@ TEST(DryWhip, WhirlsBackwardAtItsClosedFormFrequency) {
   }
 }
 
-TEST(DryWhip, FeedsItselfOnlyAboveItsLeastFriction) {
+TEST(AnnularDryWhip, FeedsItselfOnlyAboveItsLeastFriction) {
   // Deep in the annular stop z'' + 2 zeta z' + (1 + b (1 + i mu)) z = 0 but for a constant: a backward whirl
   // grows when mu > 2 zeta sqrt(1 + b) / b.
   const double zeta = 0.05, b = 20, least = 2 * zeta * std::sqrt(1 + b) / b, whirl = std::sqrt(1 + b);

@@ -323,9 +323,9 @@ TEST(DryFriction, AWallWhoseTangentTheRingsPassesLetsTheRunGoOn) {
   }
 }
 
-class RandomDryFriction : public testing::TestWithParam<std::pair<bool, int>> {};
+class DryFrictionRandom : public testing::TestWithParam<std::pair<bool, int>> {};
 
-TEST_P(RandomDryFriction, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDifferences) {
+TEST_P(DryFrictionRandom, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDifferences) {
   const auto [annular, stops] = GetParam();
   std::mt19937 random(7);
   int stuck = 0, compared = 0, good = 0;
@@ -380,7 +380,7 @@ TEST_P(RandomDryFriction, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDiff
   EXPECT_GE(good, compared - compared / 25) << compared;
 }
 
-INSTANTIATE_TEST_SUITE_P(Stops, RandomDryFriction,
+INSTANTIATE_TEST_SUITE_P(Stops, DryFrictionRandom,
                          testing::Values(std::pair{false, 1}, std::pair{false, 2}, std::pair{true, 1}));
 
 TEST(DryFriction, RollingHasTheDerivativeOfDifferences) {

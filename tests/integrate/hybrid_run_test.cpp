@@ -51,18 +51,18 @@ void expect_reference(const test::OneSideRotor& rotor, int turns, int steps, dou
   EXPECT_EQ(turn.effort.taylor_turns + turn.effort.adaptive_turns, 0);
 }
 
-TEST(Exact, SetAToRounding) { expect_reference({}, 20, 1000, 1e-12); }
+TEST(HybridRunExact, SetAToRounding) { expect_reference({}, 20, 1000, 1e-12); }
 
-TEST(Exact, SetBToRounding) { expect_reference(test::set_b_rotor(), 6, 6000, 5e-12); }
+TEST(HybridRunExact, SetBToRounding) { expect_reference(test::set_b_rotor(), 6, 6000, 5e-12); }
 
-TEST(Exact, AnUndampedStopAndAnUndampedRotor) {
+TEST(HybridRunExact, AnUndampedStopAndAnUndampedRotor) {
   test::OneSideRotor rotor;
   rotor.damping_ratio = 0;
   rotor.casing_damping_ratio = 0;
   expect_reference(rotor, 6, 1500, 1e-11);
 }
 
-TEST(Exact, ACriticallyDampedCasing) {
+TEST(HybridRunExact, ACriticallyDampedCasing) {
   test::OneSideRotor rotor;
   rotor.casing_damping_ratio = 1;
   expect_reference(rotor, 6, 1500, 5e-12);
@@ -70,7 +70,7 @@ TEST(Exact, ACriticallyDampedCasing) {
   expect_reference(rotor, 3, 1500, 5e-12);
 }
 
-TEST(Exact, ACasingTunedToTheRotor) {
+TEST(HybridRunExact, ACasingTunedToTheRotor) {
   test::OneSideRotor rotor;  // 30 Hz, and the same damping: every mode of the free structure is double
   rotor.casing_mass_kg = 0.8;
   rotor.casing_stiffness_n_per_m = 0.8 * std::pow(2 * std::numbers::pi * 30, 2);
@@ -79,7 +79,7 @@ TEST(Exact, ACasingTunedToTheRotor) {
 }
 
 /// The kick's end falls on the end of a turn, where the run goes on without finding its mode anew.
-TEST(Exact, AKickThatEndsWithATurn) {
+TEST(HybridRunExact, AKickThatEndsWithATurn) {
   for (const int turns : {1, 2}) {
     model::Machine machine = test::machine_of({});
     machine.kick = model::Kick{.force_n = 20, .duration_s = turns / 80.0, .angle_deg = {}};
@@ -91,7 +91,7 @@ TEST(Exact, AKickThatEndsWithATurn) {
 }
 
 /// Any number of stops at any angle, with gravity: against rkf78 at a tight tolerance.
-TEST(Exact, StopsAllAround) {
+TEST(HybridRunExact, StopsAllAround) {
   model::Machine machine = test::machine_of({});
   machine.gravity_m_per_s2 = 9.81;
   machine.stops[0].geometry = model::OneSideGeometry{90};
@@ -110,7 +110,7 @@ TEST(Exact, StopsAllAround) {
   EXPECT_EQ(exact.effort.taylor_turns + exact.effort.adaptive_turns, 0);
 }
 
-TEST(Exact, TransitionIsTheDerivativeOfTheSection) {
+TEST(HybridRunExact, TransitionIsTheDerivativeOfTheSection) {
   auto scene = test::cell_of({}).scene;
   exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
@@ -146,7 +146,7 @@ TEST(Exact, TransitionIsTheDerivativeOfTheSection) {
 }
 
 /// No tangent vectors are better than wrong ones, or than those of the turn before.
-TEST(Exact, TangentVectorsThatWereNotMovedAreNotThere) {
+TEST(HybridRunExact, TangentVectorsThatWereNotMovedAreNotThere) {
   test::OneSideRotor rotor;
   exact::modes::ModeCache modes;
   run::TurnRequest asked;
@@ -188,7 +188,7 @@ TEST(Exact, TangentVectorsThatWereNotMovedAreNotThere) {
   EXPECT_EQ(turn.tangent_vectors.get(), nullptr);  // none were asked for
 }
 
-TEST(Exact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
+TEST(HybridRunExact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
   const auto scene = test::cell_of({}).scene;
   run::SolverOptions options;
   options.relative_tolerance = 1e-12;
@@ -220,7 +220,7 @@ TEST(Exact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
 }
 
 /// Looking closer must not change the motion.
-TEST(Exact, WatchingDoesNotMoveTheRotor) {
+TEST(HybridRunExact, WatchingDoesNotMoveTheRotor) {
   const auto scene = test::cell_of({}).scene;
   exact::modes::ModeCache modes;
   const auto plain = start_hybrid(scene, {}, modes), watched = start_hybrid(scene, {}, modes);
@@ -236,7 +236,7 @@ TEST(Exact, WatchingDoesNotMoveTheRotor) {
 }
 
 /// The force may be falling from the first instant on, and largest there.
-TEST(Exact, PeakForceOfATurnThatStartsInContact) {
+TEST(HybridRunExact, PeakForceOfATurnThatStartsInContact) {
   const auto scene = [] {
     auto without_kick = test::cell_of({}).scene;
     without_kick.pulses.clear();
@@ -265,7 +265,7 @@ TEST(Exact, PeakForceOfATurnThatStartsInContact) {
 
 /// A casing that rings a hundred times a turn where nothing touches it: x = (x0 cos + (v0 + z w x0) / wd sin)
 /// e^{-z w t} has its largest value at tan(wd t) = wd v0 / (w (w x0 + z v0)).
-TEST(Exact, PeakOfACasingThatRings) {
+TEST(HybridRunExact, PeakOfACasingThatRings) {
   scene::Scene scene = test::cell_of({}).scene;
   scene.pulses.clear();
   const double ratio = 0.03, rate = 100 * scene.speed_rad_per_s, mass = scene.structure.mass(2, 2);
@@ -292,7 +292,7 @@ TEST(Exact, PeakOfACasingThatRings) {
   EXPECT_NEAR(turn.peak_casing_displacement_m, peak, 5e-5 * peak);
 }
 
-TEST(Exact, PeaksDoNotDependOnSamples) {
+TEST(HybridRunExact, PeaksDoNotDependOnSamples) {
   const auto scene = test::cell_of({}).scene;
   exact::modes::ModeCache modes;
   const auto bare = start_hybrid(scene, {}, modes), sampled = start_hybrid(scene, {}, modes);
@@ -312,7 +312,7 @@ TEST(Exact, PeaksDoNotDependOnSamples) {
   EXPECT_GT(touched, 5);
 }
 
-TEST(Exact, FrictionThatIsNotSaturatedGoesToTaylorPiecesAndBack) {
+TEST(HybridRunExact, FrictionThatIsNotSaturatedGoesToTaylorPiecesAndBack) {
   test::OneSideRotor rotor;
   rotor.contact_radius_m = 1e-3;  // slip of 0.5 m/s, tanh of 100 s/m times less where the rotor moves back
   rotor.friction_steepness_s_per_m = 5;
@@ -327,7 +327,7 @@ TEST(Exact, FrictionThatIsNotSaturatedGoesToTaylorPiecesAndBack) {
 /// No cliff: whether a slip bound just holds or just fails changes the section by no more than the tolerance.
 /// Two stiff stops with casings whose modes nearly cancel in the slip: bounds on its rate are a hundred times
 /// what it does. The slip never comes near the end of saturation, and no turn is to be given up for it.
-TEST(Exact, LooseBoundsOnTheSlipShortenStretchesInsteadOfGivingTheTurnUp) {
+TEST(HybridRunExact, LooseBoundsOnTheSlipShortenStretchesInsteadOfGivingTheTurnUp) {
   test::OneSideRotor rotor;
   rotor.damping_ratio = 0.01;
   rotor.stiffness_n_per_m = 1.245e8;
@@ -351,7 +351,7 @@ TEST(Exact, LooseBoundsOnTheSlipShortenStretchesInsteadOfGivingTheTurnUp) {
   EXPECT_LT(difference(exact, run_adaptive(scene, 4, 1e-13)), 1e-8);
 }
 
-TEST(Exact, NearlySaturatedFrictionChangesTheSectionByTheTolerance) {
+TEST(HybridRunExact, NearlySaturatedFrictionChangesTheSectionByTheTolerance) {
   test::OneSideRotor rotor;
   run::SolverOptions options;
   options.relative_tolerance = 1e-11;
@@ -369,7 +369,7 @@ TEST(Exact, NearlySaturatedFrictionChangesTheSectionByTheTolerance) {
 }
 
 /// The rotor bounces for ever between undamped walls, and its energy stays.
-TEST(Exact, EnergyStaysOverTenThousandTurns) {
+TEST(HybridRunExact, EnergyStaysOverTenThousandTurns) {
   auto scene = test::one_mass_scene(1, 400, 0, 0.25, 1);
   scene.displacement_m << -1.5, 0.2;
   scene.contacts.push_back(test::wall_across_x(1, 1, 1e4, 0));
@@ -383,7 +383,7 @@ TEST(Exact, EnergyStaysOverTenThousandTurns) {
 }
 
 /// A half subharmonic: an even number of turns apart.
-TEST(Exact, APeriodicMotionStaysOnItsSectionForAHundredThousandTurns) {
+TEST(HybridRunExact, APeriodicMotionStaysOnItsSectionForAHundredThousandTurns) {
   const auto scene = test::cell_of({}).scene;
   exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
@@ -394,7 +394,7 @@ TEST(Exact, APeriodicMotionStaysOnItsSectionForAHundredThousandTurns) {
   for (std::size_t i = 0; i < early.size(); ++i) EXPECT_NEAR(turn.section[i], early[i], 1e-12);
 }
 
-TEST(Exact, AStructureWithoutSpringsIsLeftToTaylorPieces) {
+TEST(HybridRunExact, AStructureWithoutSpringsIsLeftToTaylorPieces) {
   auto scene = test::one_mass_scene(1, 0, 0, 1, 1);
   scene.velocity_m_per_s << 1, 0;
   scene.contacts.push_back(test::wall_across_x(1, 0.5, 1e3, 1));
@@ -403,7 +403,7 @@ TEST(Exact, AStructureWithoutSpringsIsLeftToTaylorPieces) {
   EXPECT_LT(difference(exact, adaptive), 1e-6);
 }
 
-TEST(Exact, PlansAreSharedOnlyWhereTheyFit) {
+TEST(HybridRunExact, PlansAreSharedOnlyWhereTheyFit) {
   exact::modes::ModeCache modes;
   test::OneSideRotor rotor;
   const auto first = test::cell_of(rotor).scene;
@@ -415,7 +415,7 @@ TEST(Exact, PlansAreSharedOnlyWhereTheyFit) {
   EXPECT_NE(modes.modes_of<4>(test::cell_of(rotor).scene), prepared);
 }
 
-TEST(Exact, TooFewStepsAreSaid) {
+TEST(HybridRunExact, TooFewStepsAreSaid) {
   run::SolverOptions options;
   options.max_steps_per_revolution = 3;
   exact::modes::ModeCache modes;
@@ -426,7 +426,7 @@ TEST(Exact, TooFewStepsAreSaid) {
 }
 
 /// A kick as long as half a free oscillation that nothing damps has no closed form; the turns after it have.
-TEST(Exact, AKickAtAResonanceHasNoClosedFormWhileItLasts) {
+TEST(HybridRunExact, AKickAtAResonanceHasNoClosedFormWhileItLasts) {
   const auto scene =
       test::cell_of({.damping_ratio = 0, .kick_n = 20, .kick_s = 1 / 60.0, .speed_hz = 75}).scene;
   run::SolverOptions options;

@@ -53,7 +53,7 @@ TEST(LineTables, ACellWithoutMotionHasOnlyItsRow) {
   EXPECT_EQ(tables.cascade_csv.find('\n') + 1, tables.cascade_csv.size());
 }
 
-TEST(LineSummary, PutsNeighboursOfOneMotionTogether) {
+TEST(LineTablesSummary, PutsNeighboursOfOneMotionTogether) {
   const std::vector<LineCell> cells{cell(1), cell(2), cell(3)};
   const std::vector points{
       point(Pass::kick, 0, MotionClass::non_contact), point(Pass::kick, 1, MotionClass::subharmonic, 3),

@@ -12,7 +12,7 @@
 namespace rubsweep::map {
 namespace {
 
-class JournalOfAStudy : public testing::Test {
+class JournalHeaderOfAStudy : public testing::Test {
  protected:
   const SmallMap map_;
   const std::filesystem::path path_ = map_.temporary.path() / "map.journal";
@@ -32,12 +32,12 @@ class JournalOfAStudy : public testing::Test {
   }
 };
 
-TEST_F(JournalOfAStudy, OfTheSameStudyAndBuildIsTaken) {
+TEST_F(JournalHeaderOfAStudy, OfTheSameStudyAndBuildIsTaken) {
   write(journal_header(study_));
   EXPECT_NO_THROW(refuse_journal_of_another(path_, journal_header(study_)));
 }
 
-TEST_F(JournalOfAStudy, OfAnotherStudyIsRefusedWithTheKeysThatDiffer) {
+TEST_F(JournalHeaderOfAStudy, OfAnotherStudyIsRefusedWithTheKeysThatDiffer) {
   write(journal_header(study_));
   const std::string message = refusal(journal_header(SmallMap::config({"rotor.mass_kg=0.9"}).study));
   for (const char* part :
@@ -45,20 +45,20 @@ TEST_F(JournalOfAStudy, OfAnotherStudyIsRefusedWithTheKeysThatDiffer) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
-TEST_F(JournalOfAStudy, OfAnotherBuildIsRefusedWithBothDigests) {
+TEST_F(JournalHeaderOfAStudy, OfAnotherBuildIsRefusedWithBothDigests) {
   write(journal_header(study_, "another"));
   const std::string message = refusal(journal_header(study_));
   EXPECT_NE(message.find("of another build of the program (digest another, this one has "), std::string::npos)
       << message;
 }
 
-TEST_F(JournalOfAStudy, WithAFirstLineThatIsDamagedIsTakenByTheOthers) {
+TEST_F(JournalHeaderOfAStudy, WithAFirstLineThatIsDamagedIsTakenByTheOthers) {
   write(journal_header(study_));
   damage(4);
   EXPECT_NO_THROW(refuse_journal_of_another(path_, journal_header(study_)));
 }
 
-TEST_F(JournalOfAStudy, WithoutAnyHeaderIsLeftAsItIs) {
+TEST_F(JournalHeaderOfAStudy, WithoutAnyHeaderIsLeftAsItIs) {
   write(journal_header(study_));
   damage(batch::read_whole_file(path_).size());
   const std::string before = batch::read_whole_file(path_);

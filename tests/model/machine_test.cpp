@@ -48,9 +48,9 @@ struct Case {
   std::string message;
 };
 
-TEST(Validate, TakesAValidMachine) { EXPECT_NO_THROW(validate(valid_machine())); }
+TEST(MachineValidate, TakesAValidMachine) { EXPECT_NO_THROW(validate(valid_machine())); }
 
-TEST(Validate, NamesEveryNumberThatIsMissing) {
+TEST(MachineValidate, NamesEveryNumberThatIsMissing) {
   const std::vector<Case> cases{
       {[](Machine& m) { std::get<model::JeffcottRotor>(m.rotor).mass_kg = required; },
        "rotor.mass_kg: missing, allowed: a number > 0"},
@@ -87,7 +87,7 @@ TEST(Validate, NamesEveryNumberThatIsMissing) {
   for (const Case& c : cases) EXPECT_EQ(message_after(c.change), c.message);
 }
 
-TEST(Validate, WhatAStartMayBe) {
+TEST(MachineValidate, WhatAStartMayBe) {
   const auto started = [](auto change) {
     return [change](Machine& m) {
       m.kick.reset();
@@ -108,7 +108,7 @@ TEST(Validate, WhatAStartMayBe) {
   for (const Case& c : cases) EXPECT_EQ(message_after(c.change), c.message);
 }
 
-TEST(Validate, NamesEveryNumberOutOfRange) {
+TEST(MachineValidate, NamesEveryNumberOutOfRange) {
   const std::vector<Case> cases{
       {[](Machine& m) { std::get<model::JeffcottRotor>(m.rotor).mass_kg = 0; },
        "rotor.mass_kg: 0 is out of range, allowed: a number > 0"},
@@ -147,7 +147,7 @@ TEST(Validate, NamesEveryNumberOutOfRange) {
   for (const Case& c : cases) EXPECT_EQ(message_after(c.change), c.message);
 }
 
-TEST(Validate, TakesTheEndsThatBelongToTheRanges) {
+TEST(MachineValidate, TakesTheEndsThatBelongToTheRanges) {
   Machine machine = valid_machine();
   std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
   machine.gravity_m_per_s2 = 0;
@@ -161,11 +161,11 @@ TEST(Validate, TakesTheEndsThatBelongToTheRanges) {
   EXPECT_NO_THROW(validate(machine));
 }
 
-TEST(Validate, WithoutStopsThereIsNothingToTouch) {
+TEST(MachineValidate, WithoutStopsThereIsNothingToTouch) {
   EXPECT_EQ(message_after([](Machine& m) { m.stops.clear(); }), "stops: at least one stop is needed");
 }
 
-TEST(Validate, ReportsTheFirstOfSeveral) {
+TEST(MachineValidate, ReportsTheFirstOfSeveral) {
   EXPECT_EQ(message_of<ConfigError>([] { validate(Machine{}); }),
             "rotor.mass_kg: missing, allowed: a number > 0");
 }

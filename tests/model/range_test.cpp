@@ -13,7 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
 
-TEST(Contains, ClosedEndsBelongToTheIntervalOpenEndsDoNot) {
+TEST(RangeContains, ClosedEndsBelongToTheIntervalOpenEndsDoNot) {
   const Range closed{.low = 1, .high = 3}, open{.low = 1, .high = 3, .low_open = true, .high_open = true};
   EXPECT_TRUE(contains(closed, 1));
   EXPECT_TRUE(contains(closed, 3));
@@ -27,14 +27,14 @@ TEST(Contains, ClosedEndsBelongToTheIntervalOpenEndsDoNot) {
   }
 }
 
-TEST(Contains, EveryEndIsOptional) {
+TEST(RangeContains, EveryEndIsOptional) {
   EXPECT_TRUE(contains(any_finite, -1e30));
   EXPECT_TRUE(contains(any_finite, 1e30));
   EXPECT_TRUE(contains(Range{.high = 2}, -1e30));
   EXPECT_FALSE(contains(Range{.high = 2}, 2.1));
 }
 
-TEST(Contains, NoMagnitudeOfWhichProductsAreNoNumbers) {
+TEST(RangeContains, NoMagnitudeOfWhichProductsAreNoNumbers) {
   EXPECT_TRUE(contains(positive, 1e-30));
   for (const double value : {1e-300, 9e-31, 1.1e30, 1e308, smallest}) {
     EXPECT_FALSE(contains(positive, value)) << value;
@@ -45,7 +45,7 @@ TEST(Contains, NoMagnitudeOfWhichProductsAreNoNumbers) {
   }
 }
 
-TEST(Contains, PositiveLeavesOutBothZeros) {
+TEST(RangeContains, PositiveLeavesOutBothZeros) {
   EXPECT_TRUE(contains(positive, smallest_magnitude));
   EXPECT_FALSE(contains(positive, 0.0));
   EXPECT_FALSE(contains(positive, -0.0));
@@ -54,7 +54,7 @@ TEST(Contains, PositiveLeavesOutBothZeros) {
   EXPECT_FALSE(contains(not_negative, -smallest));
 }
 
-TEST(Contains, NothingThatIsNotFinite) {
+TEST(RangeContains, NothingThatIsNotFinite) {
   for (const Range& range : {any_finite, positive, not_negative, Range{.low = -infinity, .high = infinity}}) {
     EXPECT_FALSE(contains(range, infinity));
     EXPECT_FALSE(contains(range, -infinity));
@@ -63,7 +63,7 @@ TEST(Contains, NothingThatIsNotFinite) {
   }
 }
 
-TEST(Describe, FinishesTheWordsAllowed) {
+TEST(RangeDescribe, FinishesTheWordsAllowed) {
   EXPECT_EQ(describe(any_finite), "a finite number");
   EXPECT_EQ(describe(positive), "a number > 0");
   EXPECT_EQ(describe(not_negative), "a number >= 0");

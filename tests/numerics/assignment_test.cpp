@@ -15,7 +15,7 @@ double total(const Eigen::MatrixXd& cost, const std::vector<Eigen::Index>& colum
   return sum;
 }
 
-TEST(CheapestAssignment, IsTheCheapestOfAllPermutations) {
+TEST(AssignmentCheapest, IsTheCheapestOfAllPermutations) {
   std::mt19937_64 engine(1);
   std::uniform_real_distribution<double> number(0, 1);
   for (int trial = 0; trial < 200; ++trial) {

@@ -24,13 +24,13 @@ double evaluate(const Quartic& q, double x) {
          4 * q[3] * x * x * x * y + q[4] * x * x * x * x;
 }
 
-TEST(QuarticThrough, ReproducesThePolynomial) {
+TEST(BernsteinRootQuarticThrough, ReproducesThePolynomial) {
   const Polynomial p{{0.3, -2, 1.5, 0.7, -0.4}};
   const Quartic q = p.bernstein();
   for (double x = 0; x <= 1; x += 0.01) EXPECT_NEAR(evaluate(q, x), p(x), 1e-14);
 }
 
-TEST(FirstRise, AgreesWithFineSampling) {
+TEST(BernsteinRootFirstRise, AgreesWithFineSampling) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
   int found = 0;
@@ -54,7 +54,7 @@ TEST(FirstRise, AgreesWithFineSampling) {
   EXPECT_GT(found, 200);
 }
 
-TEST(FirstRise, SeesAGrazeThatEndsDisagreeOn) {
+TEST(BernsteinRootFirstRise, SeesAGrazeThatEndsDisagreeOn) {
   // -(x - 0.37)^2 + h: both ends negative, above zero only within sqrt(h) of 0.37.
   const auto graze = [](double h) { return Polynomial{{h - 0.37 * 0.37, 0.74, -1, 0, 0}}; };
   const auto rise = bernstein_root(graze(1e-10).bernstein());
@@ -63,7 +63,7 @@ TEST(FirstRise, SeesAGrazeThatEndsDisagreeOn) {
   EXPECT_FALSE(bernstein_root(graze(-1e-10).bernstein()));
 }
 
-TEST(FirstRise, StartingAboveZeroMustFallFirst) {
+TEST(BernsteinRootFirstRise, StartingAboveZeroMustFallFirst) {
   EXPECT_FALSE(bernstein_root(Polynomial{{0.1, 1, 0, 0, 0}}.bernstein()));
   EXPECT_FALSE(bernstein_root(Polynomial{{0, 1, 0, 0, 0}}.bernstein()));
   EXPECT_FALSE(bernstein_root(Polynomial{{0.1, -1, 0, 0, 0}}.bernstein()));
@@ -73,14 +73,14 @@ TEST(FirstRise, StartingAboveZeroMustFallFirst) {
   EXPECT_NEAR(*rise, 0.2, 1e-10);
 }
 
-TEST(FirstRise, TakesTheFirstOfTwo) {
+TEST(BernsteinRootFirstRise, TakesTheFirstOfTwo) {
   // (x - 0.2)(x - 0.4)(x - 0.6) rises at 0.2 and 0.6.
   const auto rise = bernstein_root(Polynomial{{-0.048, 0.44, -1.2, 1, 0}}.bernstein());
   ASSERT_TRUE(rise);
   EXPECT_NEAR(*rise, 0.2, 1e-10);
 }
 
-TEST(ClearlyBelowZero, NeverHidesARiseOfTheCubic) {
+TEST(BernsteinRootClearlyBelowZero, NeverHidesARiseOfTheCubic) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   int hidden_chances = 0;

@@ -8,7 +8,7 @@
 namespace rubsweep::numerics {
 namespace {
 
-TEST(SafeStep, IsTheFirstRootOfTheParabola) {
+TEST(CertifiedStepSafe, IsTheFirstRootOfTheParabola) {
   for (const double rate : {-3.0, -0.1, 0.0, 0.2, 5.0}) {
     const double t = safe_step(-2, rate, 7);
     EXPECT_NEAR(-2 + rate * t + 3.5 * t * t, 0, 1e-14) << rate;
@@ -22,7 +22,7 @@ TEST(SafeStep, IsTheFirstRootOfTheParabola) {
 }
 
 /// cos t - c with |g''| <= 1 from many instants: no safe step passes a zero, grazes (c = 1) included.
-TEST(SafeStep, NeverPassesAZero) {
+TEST(CertifiedStepSafe, NeverPassesAZero) {
   for (const double c : {0.2, 0.9, 1.0, 1.0 + 1e-9}) {
     for (double t = 1.7; t < 6; t += 0.01) {
       const double value = std::cos(t) - c;
@@ -35,7 +35,7 @@ TEST(SafeStep, NeverPassesAZero) {
 
 /// Where a crossing is certain, the zero lies between the safe step and the latest crossing, and the function
 /// rises all the way.
-TEST(Crosses, TheZeroLiesBetweenItsBounds) {
+TEST(CertifiedStepCrosses, TheZeroLiesBetweenItsBounds) {
   int certain = 0;
   for (double t = 3.2; t < 6; t += 0.01) {
     const double c = 0.4, zero = 2 * std::numbers::pi - std::acos(c);
@@ -53,7 +53,7 @@ TEST(Crosses, TheZeroLiesBetweenItsBounds) {
   EXPECT_TRUE(crosses(0, 1, 1));
 }
 
-TEST(RootOfSeries, FindsTheZeroOfASine) {
+TEST(CertifiedStepRootOfSeries, FindsTheZeroOfASine) {
   for (const double start : {-0.7, -0.1, -1e-9, 0.2}) {
     std::array<double, 19> terms{};  // of sin(start + x)
     double factorial = 1;
@@ -65,7 +65,7 @@ TEST(RootOfSeries, FindsTheZeroOfASine) {
   }
 }
 
-TEST(NextRoot, IsExactForParabolas) {
+TEST(CertifiedStepNextRoot, IsExactForParabolas) {
   const double root = next_root(-0.5, 2, 3);
   EXPECT_NEAR(-0.5 + 2 * root + 1.5 * root * root, 0, 1e-15);
   EXPECT_NEAR(next_root(-1, 2, -100), 0.5, 1e-15);  // no root: Newton's

@@ -34,7 +34,7 @@ TEST(Eigenvalues, DoNotDependOnTheUnitOfTime) {
   EXPECT_EQ(in_unit(20), in_unit(30));
 }
 
-TEST(Eigenvectors, AreStretchedByTheirValues) {
+TEST(EigenvaluesEigenvectors, AreStretchedByTheirValues) {
   const Eigen::MatrixXd matrix{{0, 2, 1}, {-2, 0, 3}, {0, 0, 0.5}};
   const Eigenvectors found = eigenvectors(matrix);
   ASSERT_EQ(found.values.size(), 3);
@@ -45,7 +45,7 @@ TEST(Eigenvectors, AreStretchedByTheirValues) {
   }
 }
 
-TEST(GeneralModes, SaySoWhenTheIterationIsCutShort) {
+TEST(EigenvaluesGeneralModes, SaySoWhenTheIterationIsCutShort) {
   const Eigen::MatrixXd cyclic{{0, 0, 0, 1}, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
   EXPECT_FALSE(general_modes(cyclic, false, 0).converged);
   const GeneralModes found = general_modes(cyclic, true);

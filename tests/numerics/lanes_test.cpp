@@ -21,7 +21,7 @@ TEST(Lanes, AreAsManyAsAskedForAtMost) {
   }
 }
 
-TEST(WithKnownCount, CallsWithThatCount) {
+TEST(LanesWithKnownCount, CallsWithThatCount) {
   for (std::ptrdiff_t count = 1; count <= 6; ++count) {
     std::size_t seen = 0;
     with_known_count<6>(

@@ -15,7 +15,7 @@ using Eigen::Matrix2d;
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 
-TEST(GeneratorOf, HoldsTheEquationOfMotion) {
+TEST(MatrixFlowGeneratorOf, HoldsTheEquationOfMotion) {
   Matrix2d k, c;
   k << 4, -1, -2, 5;
   c << 0.3, 0, 0.1, 0.2;
@@ -65,7 +65,7 @@ TEST(MatrixFlow, TheTableHoldsTheFlowOfEveryStep) {
 }
 
 /// Against a grid a hundred times finer than the one the bound is made from.
-TEST(FlowBound, IsNeverExceededAndNotFarAbove) {
+TEST(MatrixFlowBound, IsNeverExceededAndNotFarAbove) {
   Matrix2d k, c;
   k << 4, -1, 30, 50;
   c << 0.1, 0, -2, 0.2;
@@ -83,7 +83,7 @@ TEST(FlowBound, IsNeverExceededAndNotFarAbove) {
   }
 }
 
-TEST(FlowBound, DoesNotDependOnTheUnitOfTime) {
+TEST(MatrixFlowBound, DoesNotDependOnTheUnitOfTime) {
   const Matrix2d k{{4e8, -1e8}, {3e9, 5e9}}, c{{1e3, 0}, {-2e3, 2e3}};
   const auto in_unit = [&](int order) {
     const double faster = std::ldexp(1.0, order);

@@ -24,7 +24,7 @@ std::vector<double> times(const std::vector<double>& a, const std::vector<double
   return c;
 }
 
-TEST(FirstRise, OfSimplePolynomials) {
+TEST(PolynomialRootFirstRise, OfSimplePolynomials) {
   EXPECT_NEAR(*first_rise_of(std::vector{-0.25, 1.0}, 0), 0.25, 1e-16);
   EXPECT_FALSE(first_rise_of(std::vector{0.25, -1.0}, 0));                   // falls
   EXPECT_FALSE(first_rise_of(std::vector{-1.0, 0.5}, 0));                    // not yet there
@@ -33,7 +33,7 @@ TEST(FirstRise, OfSimplePolynomials) {
   EXPECT_FALSE(first_rise_of(std::vector{-1.0}, 0));
 }
 
-TEST(FirstRise, AStartAtZeroIsNoRise) {
+TEST(PolynomialRootFirstRise, AStartAtZeroIsNoRise) {
   for (const double noise : {-1e-16, 0.0, 1e-16}) {
     EXPECT_FALSE(first_rise_of(std::vector{noise, -1.0, 0.5}, 1e-15));
     EXPECT_NEAR(*first_rise_of(std::vector{noise, -1.0, 2.0}, 1e-15), 0.5, 1e-15);
@@ -42,7 +42,7 @@ TEST(FirstRise, AStartAtZeroIsNoRise) {
 
 /// Polynomials of the length of a step's with one root: rising, and bent either way on the way up, some of
 /// which fall at first or at last.
-TEST(FirstRise, OfWhatRisesOrBendsOneWay) {
+TEST(PolynomialRootFirstRise, OfWhatRisesOrBendsOneWay) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> part(0, 1), place(0.05, 0.95);
   for (int trial = 0; trial < 300; ++trial) {
@@ -60,7 +60,7 @@ TEST(FirstRise, OfWhatRisesOrBendsOneWay) {
   }
 }
 
-TEST(FirstRise, TellsAGrazeFromATouch) {
+TEST(PolynomialRootFirstRise, TellsAGrazeFromATouch) {
   // -(x - 1/3)^2 + excess: two crossings sqrt(excess) from 1/3, or none.
   const double third = 1.0 / 3;
   for (const double excess : {1e-6, 1e-9, 1e-12}) {
@@ -72,7 +72,7 @@ TEST(FirstRise, TellsAGrazeFromATouch) {
 }
 
 /// Products of random factors with known roots, among them double ones and pairs close together.
-TEST(FirstRise, OfRandomProductsIsTheirFirstRisingRoot) {
+TEST(PolynomialRootFirstRise, OfRandomProductsIsTheirFirstRisingRoot) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> root(-0.6, 1.6), width(0.7, 1.5);
   int rises = 0;
@@ -110,7 +110,7 @@ TEST(FirstRise, OfRandomProductsIsTheirFirstRisingRoot) {
 
 /// However near the next root is, down to where rounding hides the rise, the residue is that of the sum
 /// itself.
-TEST(FirstRise, IsARootToRoundingBesideAnother) {
+TEST(PolynomialRootFirstRise, IsARootToRoundingBesideAnother) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(0.1, 0.9), width(0.7, 1.5);
   for (int trial = 0; trial < 400; ++trial) {
@@ -132,7 +132,7 @@ TEST(FirstRise, IsARootToRoundingBesideAnother) {
 }
 
 /// Nothing that a thousand points see is passed over.
-TEST(FirstRise, IsNotPassedOverInRandomPolynomials) {
+TEST(PolynomialRootFirstRise, IsNotPassedOverInRandomPolynomials) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
   constexpr int points = 1000;

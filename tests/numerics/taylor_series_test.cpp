@@ -24,7 +24,7 @@ Series cosine(double w, double start) {
   return a;
 }
 
-TEST(Series, SquareIsThatOfTheFunction) {
+TEST(TaylorSeries, SquareIsThatOfTheFunction) {
   const Series a = cosine(1.3, 0.4);
   Series square;
   for (int k = 0; k <= order; ++k) square.set(k, square_term(a, k));
@@ -33,7 +33,7 @@ TEST(Series, SquareIsThatOfTheFunction) {
   }
 }
 
-TEST(Series, InnerSumsOfEveryLengthAreTheSums) {
+TEST(TaylorSeries, InnerSumsOfEveryLengthAreTheSums) {
   const Series a = cosine(1.7, 0.3), b = cosine(2.3, 1.2);
   for (int k = 0; k <= order; ++k) {
     double sum = 0, square = 0;
@@ -46,7 +46,7 @@ TEST(Series, InnerSumsOfEveryLengthAreTheSums) {
   }
 }
 
-TEST(Power, IsTheProduct) {
+TEST(TaylorSeriesPower, IsTheProduct) {
   EXPECT_EQ(power(3, 0), 1);
   for (int k = 1; k <= order; ++k) {
     EXPECT_EQ(power(2, k), std::ldexp(1, k));
@@ -54,7 +54,7 @@ TEST(Power, IsTheProduct) {
   }
 }
 
-TEST(OneOver, IsTheReciprocalOnceAndTwice) {
+TEST(TaylorSeriesOneOver, IsTheReciprocalOnceAndTwice) {
   for (int k = 1; k <= order + 2; ++k) {
     EXPECT_EQ(one_over(k), 1.0 / k);
     EXPECT_EQ(one_over_twice(k)[0], 1.0 / k);
@@ -62,7 +62,7 @@ TEST(OneOver, IsTheReciprocalOnceAndTwice) {
   }
 }
 
-TEST(PutPowers, WritesAsManyAsAreAskedFor) {
+TEST(TaylorSeriesPutPowers, WritesAsManyAsAreAskedFor) {
   for (const int count : {0, 1, 2, 7, 8}) {
     std::array<double, 9> powers;
     powers.fill(-1);
@@ -72,7 +72,7 @@ TEST(PutPowers, WritesAsManyAsAreAskedFor) {
   }
 }
 
-TEST(LongestBelow, IsWhereTheTermReachesWhatIsAllowed) {
+TEST(TaylorSeriesLongestBelow, IsWhereTheTermReachesWhatIsAllowed) {
   EXPECT_EQ(longest_below(0.5, 1, 24, 1e-3), 0.5);  // 0.5^24 = 6e-8
   const double longest = longest_below(2, 1, 24, 1e-3);
   EXPECT_LE(std::pow(longest, 24), 1e-3);
@@ -80,7 +80,7 @@ TEST(LongestBelow, IsWhereTheTermReachesWhatIsAllowed) {
   EXPECT_EQ(longest_below(2, 0, 24, 1e-3), 2);
 }
 
-TEST(TanhSeries, FollowsTanhOfAMovingArgument) {
+TEST(TaylorSeriesTanh, FollowsTanhOfAMovingArgument) {
   for (const double start : {-3.0, -0.4, 0.0, 1.5, 12.0}) {
     const Series w = cosine(0.8, 0.2);
     TanhSeries tanh;

@@ -14,7 +14,7 @@ testing::AssertionResult says(const std::string& text, const std::string& part) 
   return testing::AssertionFailure() << "no \"" << part << "\" in\n" << text;
 }
 
-TEST(Explain, MovingCasing) {
+TEST(ExplainMachine, MovingCasing) {
   const std::string text = explain_machine(scene::one_side_machine(), 45);
   EXPECT_TRUE(
       says(text, "rotor: Jeffcott, moves in x and y (2 coordinates), 0.8 kg, 30 Hz, damping ratio 0.02\n"));
@@ -33,7 +33,7 @@ TEST(Explain, MovingCasing) {
   EXPECT_FALSE(says(text, "left out: friction"));
 }
 
-TEST(Explain, RotorKitSaysWhatItWasReducedTo) {
+TEST(ExplainMachine, RotorKitSaysWhatItWasReducedTo) {
   model::Machine machine = scene::light_shaft_machine();
   model::kit_of(machine)->shaft[0].density_kg_per_m3 = 7850;
   const std::string text = explain_machine(machine, 45);
@@ -48,14 +48,14 @@ TEST(Explain, RotorKitSaysWhatItWasReducedTo) {
   EXPECT_TRUE(says(explain_machine(machine, 45), "number of modes: auto, the smallest within 0.01\n"));
 }
 
-TEST(Explain, AContactThatIsFasterThanTheModesAreChosenForIsSaid) {
+TEST(ExplainMachine, AContactThatIsFasterThanTheModesAreChosenForIsSaid) {
   model::Machine machine = scene::light_shaft_machine();
   EXPECT_FALSE(says(explain_machine(machine, 45), "contact is faster"));
   machine.stops[0].stiffness_n_per_m *= 1e4;
   EXPECT_TRUE(says(explain_machine(machine, 45), "largest forces depend on rotor.modes\n"));
 }
 
-TEST(Explain, FaultyBearingsSayWhatCannotBeProven) {
+TEST(ExplainMachine, FaultyBearingsSayWhatCannotBeProven) {
   model::Machine machine = scene::light_shaft_machine();
   EXPECT_FALSE(says(explain_machine(machine, 45), "impulses"));
   model::kit_of(machine)->supports[1].fault = {.impulse_ns = 0.02, .multiple = 2, .angle_deg = 90};
@@ -67,7 +67,7 @@ TEST(Explain, FaultyBearingsSayWhatCannotBeProven) {
   EXPECT_TRUE(says(explain_machine(machine, 45), "no proof of a period"));
 }
 
-TEST(Explain, RigidCasingHasNoState) {
+TEST(ExplainMachine, RigidCasingHasNoState) {
   model::Machine machine = scene::one_side_machine();
   machine.stops[0].casing.reset();
   machine.gravity_m_per_s2 = 9.81;
@@ -81,14 +81,14 @@ TEST(Explain, RigidCasingHasNoState) {
   EXPECT_FALSE(says(text, "left out: gravity"));
 }
 
-TEST(Explain, EveryStopInTurn) {
+TEST(ExplainMachine, EveryStopInTurn) {
   const std::string text = explain_machine(scene::both_sides_machine(), 45);
   EXPECT_TRUE(says(text, "stop 0 (kicked): one side at 90 degrees"));
   EXPECT_TRUE(says(text, "stop 1: one side at -90 degrees"));
   EXPECT_TRUE(says(text, "states: 12 (6 coordinates and their rates)\n"));
 }
 
-TEST(Explain, FrictionSaturatedOrNotAtTheStatedSpeed) {
+TEST(ExplainMachine, FrictionSaturatedOrNotAtTheStatedSpeed) {
   model::Machine machine = scene::one_side_machine();
   // 0.0375 m at 2 pi 45 rad/s are 10.603 m/s.
   EXPECT_TRUE(says(explain_machine(machine, 45),
@@ -106,7 +106,7 @@ TEST(Explain, FrictionSaturatedOrNotAtTheStatedSpeed) {
   EXPECT_TRUE(says(explain_machine(machine, 45), "left out: friction (no stop has any)\n"));
 }
 
-TEST(Explain, DampingWithoutReboundAndWithoutLoss) {
+TEST(ExplainMachine, DampingWithoutReboundAndWithoutLoss) {
   model::Machine machine = scene::one_side_machine();
   machine.stops[0].damping = model::ExplicitDamping{1e4};
   EXPECT_TRUE(says(explain_machine(machine, 45),

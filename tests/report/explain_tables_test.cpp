@@ -18,7 +18,7 @@ TEST(ExplainTables, ShowsTheCoefficientsAtTheSpeedsOfTheSweep) {
   EXPECT_EQ(explain_tables(scene::light_shaft_machine(), {40}), "");
 }
 
-TEST(DescribeSparseTables, NamesThoseOfFewerThanFourSpeeds) {
+TEST(ExplainTablesDescribeSparse, NamesThoseOfFewerThanFourSpeeds) {
   model::Machine machine = scene::table_machine();
   EXPECT_EQ(describe_sparse_tables(machine), "");
   model::SupportTable& table = *model::kit_of(machine)->supports[1].table;

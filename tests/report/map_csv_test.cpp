@@ -80,16 +80,16 @@ constexpr const char* contract =
     "revolutions,"
     "status,start,peak_casing_displacement_m,peak_over_clearance,chaos_life_revolutions,chaos_escapes,kind";
 
-TEST(MapHeader, IsTheContract) { EXPECT_EQ(map_header(), contract); }
+TEST(MapCsvHeader, IsTheContract) { EXPECT_EQ(map_header(), contract); }
 
-TEST(MapLine, OfARowWithEverything) {
+TEST(MapCsvLine, OfARowWithEverything) {
   EXPECT_EQ(
       map_line(full_row()),
       "75,0.4,0.000336,subharmonic,2,oval,backward,observed,yes,,1.5,0.125,0.0025,1234.5,0.000456,2e-05,"
       "-0.5,0.0015,,,600,600,ok,kick,3e-04,2.5,,,subharmonic_2");
 }
 
-TEST(MapLine, HowTheRunStarted) {
+TEST(MapCsvLine, HowTheRunStarted) {
   Row row = full_row();
   EXPECT_EQ(by_column(map_line(row)).at("start"), "kick");
   row.start = sweep::RunStart::quiet;
@@ -101,7 +101,7 @@ TEST(MapLine, HowTheRunStarted) {
   EXPECT_TRUE(map_line(row).ends_with(",ok,contact,3e-04,2.5,,,subharmonic_2"));
 }
 
-TEST(MapLine, OfChaosHowLongItLasts) {
+TEST(MapCsvLine, OfChaosHowLongItLasts) {
   Row row = full_row();
   row.motion_class = response::motion::MotionClass::chaotic;
   row.survival = response::Survival{.turns = 1000, .escapes = 1};
@@ -110,13 +110,13 @@ TEST(MapLine, OfChaosHowLongItLasts) {
   EXPECT_EQ(cells.at("chaos_escapes"), "1");
 }
 
-TEST(MapLine, ASensitiveCellSaysSo) {
+TEST(MapCsvLine, ASensitiveCellSaysSo) {
   Row row = full_row();
   row.robust = false;
   EXPECT_EQ(by_column(map_line(row)).at("robust"), "no");
 }
 
-TEST(MapLine, CombSpacingAndExponentStandInTheirOwnColumns) {
+TEST(MapCsvLine, CombSpacingAndExponentStandInTheirOwnColumns) {
   Row row = full_row();
   EXPECT_EQ(by_column(map_line(row)).at("comb_spacing"), "");
   EXPECT_EQ(by_column(map_line(row)).at("lyapunov_per_revolution"), "");
@@ -133,11 +133,11 @@ TEST(MapLine, CombSpacingAndExponentStandInTheirOwnColumns) {
   EXPECT_EQ(by_column(map_line(row)).at("comb_spacing"), "");
 }
 
-TEST(MapLine, WhatDoesNotApplyIsEmpty) {
+TEST(MapCsvLine, WhatDoesNotApplyIsEmpty) {
   EXPECT_EQ(map_line(failed_row()), "60,0.5,,failed,,,,,,,,,,,,,,,,,,0,unreachable,,,,,,failed");
 }
 
-TEST(MapLine, ARotorAtRestHasNoOrbitWhirlOrDominantLine) {
+TEST(MapCsvLine, ARotorAtRestHasNoOrbitWhirlOrDominantLine) {
   Row row;
   row.motion_class = response::motion::MotionClass::non_contact;
   row.measures.emplace();
@@ -154,7 +154,7 @@ TEST(MapLine, ARotorAtRestHasNoOrbitWhirlOrDominantLine) {
   EXPECT_EQ(cells.at("proof"), "rest");
 }
 
-TEST(MapLine, NumbersReadBackToTheSameBits) {
+TEST(MapCsvLine, NumbersReadBackToTheSameBits) {
   std::mt19937_64 random(1);
   const auto awkward = [&] {
     return std::ldexp(static_cast<double>(random() >> 11), -53 - static_cast<int>(random() % 1000));

@@ -64,14 +64,14 @@ proof::SectionMap modulated_period_two(double rate) {
   };
 }
 
-TEST(ClassifyAperiodic, HenonsMapIsChaotic) {
+TEST(AperiodicClassify, HenonsMapIsChaotic) {
   const Aperiodic found = follow(henon, {0.1, 0.2});
   EXPECT_EQ(name(found), "chaotic");
   EXPECT_NEAR(found.exponent.value().per_revolution, 0.41922, found.exponent->error_bar);
   EXPECT_FALSE(found.returns_after);
 }
 
-TEST(ClassifyAperiodic, ATorusIsQuasiPeriodic) {
+TEST(AperiodicClassify, ATorusIsQuasiPeriodic) {
   for (const double stretch : {0.0, 0.5, 0.9}) {
     const Aperiodic found = follow(circle(2 * std::numbers::pi * 0.381966, stretch), {0.6, 0.9});
     EXPECT_EQ(name(found), "quasi_periodic") << stretch;
@@ -80,7 +80,7 @@ TEST(ClassifyAperiodic, ATorusIsQuasiPeriodic) {
   EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 0.05, 0, 0.1})), "quasi_periodic");
 }
 
-TEST(ClassifyAperiodic, AModulationThatStillDecaysIsUnsettled) {
+TEST(AperiodicClassify, AModulationThatStillDecaysIsUnsettled) {
   // Its exponent is as good as zero, its lines stay: only the closest return tells.
   const Aperiodic found = follow(modulated_period_two(-4e-4), {0.9, 0.05, 0, 0.1});
   EXPECT_EQ(name(found), "unsettled");
@@ -88,13 +88,13 @@ TEST(ClassifyAperiodic, AModulationThatStillDecaysIsUnsettled) {
   EXPECT_FALSE(found.returns_after);
 }
 
-TEST(ClassifyAperiodic, ASlowDepartureIsNeitherChaosNorATorus) {
+TEST(AperiodicClassify, ASlowDepartureIsNeitherChaosNorATorus) {
   const Aperiodic found = follow(modulated_period_two(8e-4), {0.9, 0.005, 0, 0.1});
   EXPECT_EQ(name(found), "unsettled");
   EXPECT_GT(found.exponent.value().per_revolution, found.exponent->error_bar);
 }
 
-TEST(ClassifyAperiodic, ADecayThatIsAlmostOverIsUnsettledAtTheFirstLook) {
+TEST(AperiodicClassify, ADecayThatIsAlmostOverIsUnsettledAtTheFirstLook) {
   int calls = 0;
   const auto map = [&calls, decay = modulated_period_two(-0.02)](std::span<double> s) {
     ++calls;
@@ -106,7 +106,7 @@ TEST(ClassifyAperiodic, ADecayThatIsAlmostOverIsUnsettledAtTheFirstLook) {
   EXPECT_EQ(calls, 2 * 640);
 }
 
-TEST(ClassifyAperiodic, ALongPeriodIsUnsettledAndNamed) {
+TEST(AperiodicClassify, ALongPeriodIsUnsettledAndNamed) {
   for (const int period : {14, 54, 127}) {
     const Aperiodic found = follow(circle(2 * std::numbers::pi / period, 0), {1, 0});
     EXPECT_EQ(name(found), "unsettled");
@@ -114,7 +114,7 @@ TEST(ClassifyAperiodic, ALongPeriodIsUnsettledAndNamed) {
   }
 }
 
-TEST(ClassifyAperiodic, ChaosThatEndsInAPeriodIsNotChaos) {
+TEST(AperiodicClassify, ChaosThatEndsInAPeriodIsNotChaos) {
   // Both companion and base count, so 700 turns of chaos are 1400 calls.
   int calls = 0;
   const proof::SectionMap map = [&calls](std::span<double> s) {
@@ -128,7 +128,7 @@ TEST(ClassifyAperiodic, ChaosThatEndsInAPeriodIsNotChaos) {
   EXPECT_TRUE(found.left_chaos);
 }
 
-TEST(ClassifyAperiodic, TurnsOfTheRunCountForChaosButNotForItsExponent) {
+TEST(AperiodicClassify, TurnsOfTheRunCountForChaosButNotForItsExponent) {
   for (const auto& [turns_before, more] : {std::pair{0U, 1280}, {300U, 980}, {900U, 640}, {2000U, 640}}) {
     int calls = 0;
     const proof::SectionMap map = [&calls](std::span<double> s) {
@@ -140,7 +140,7 @@ TEST(ClassifyAperiodic, TurnsOfTheRunCountForChaosButNotForItsExponent) {
   }
 }
 
-TEST(ClassifyAperiodic, ChaosThatLosesContactIsNotChaos) {
+TEST(AperiodicClassify, ChaosThatLosesContactIsNotChaos) {
   const Aperiodic found = follow(henon, {0.1, 0.2}, 300);
   EXPECT_EQ(name(found), "unsettled");
   EXPECT_FALSE(found.exponent);
@@ -151,7 +151,7 @@ TEST(ClassifyAperiodic, ChaosThatLosesContactIsNotChaos) {
   EXPECT_FALSE(follow(modulated_period_two(0), {0.9, 0.05, 0, 0.1}, 300).left_chaos);
 }
 
-TEST(ClassifyAperiodic, AShorterPauseIsContact) {
+TEST(AperiodicClassify, AShorterPauseIsContact) {
   int turns = 0;
   Eigen::Matrix<double, 2, Eigen::Dynamic> observed(2, 1);
   observed << 1, 0;
@@ -162,7 +162,7 @@ TEST(ClassifyAperiodic, AShorterPauseIsContact) {
             "chaotic");
 }
 
-TEST(ClassifyAperiodic, AMapThatFailsLeavesNoExponent) {
+TEST(AperiodicClassify, AMapThatFailsLeavesNoExponent) {
   // After the first look, which does not decide.
   int calls = 0;
   const proof::SectionMap map = [&calls](std::span<double> s) { return ++calls < 1500 && henon(s); };
@@ -171,7 +171,7 @@ TEST(ClassifyAperiodic, AMapThatFailsLeavesNoExponent) {
   EXPECT_FALSE(found.exponent);
 }
 
-TEST(ClassifyAperiodic, AModulationTooSmallToTellIsUnsettled) {
+TEST(AperiodicClassify, AModulationTooSmallToTellIsUnsettled) {
   EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 1e-3, 0, 0.1})), "quasi_periodic");
   // Returns within 7e-5 after 8 turns, and within 1e-5 after none that the first look knows.
   EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 2e-4, 0, 0.1})), "unsettled");
@@ -193,7 +193,7 @@ Aperiodic follow_with_growth(const std::function<double(int)>& growth, int& turn
   return found;
 }
 
-TEST(ClassifyAperiodic, AnExponentWithAWideBarIsNotZero) {
+TEST(AperiodicClassify, AnExponentWithAWideBarIsNotZero) {
   int turns = 0;
   // Waves longer than the blocks of every look, so that each block sees another mean.
   const auto slow = [](int turn) { return 0.05 * std::sin(2 * std::numbers::pi * turn / 400); };
@@ -203,7 +203,7 @@ TEST(ClassifyAperiodic, AnExponentWithAWideBarIsNotZero) {
   EXPECT_EQ(turns, 2560);
 }
 
-TEST(ClassifyAperiodic, WhatOneLookLeavesOpenTheNextMayDecide) {
+TEST(AperiodicClassify, WhatOneLookLeavesOpenTheNextMayDecide) {
   int turns = 0;
   const auto early = [](int turn) { return turn < 500 ? 0.05 : 0; };
   EXPECT_EQ(name(follow_with_growth(early, turns)), "quasi_periodic");
@@ -212,7 +212,7 @@ TEST(ClassifyAperiodic, WhatOneLookLeavesOpenTheNextMayDecide) {
   EXPECT_EQ(turns, 640);
 }
 
-TEST(ClassifyAperiodic, AReturnWhoseTrendIsUnknownIsNotDecided) {
+TEST(AperiodicClassify, AReturnWhoseTrendIsUnknownIsNotDecided) {
   // Two modulations that beat, cancelling in the middle of what the first look sees: no trend, but no
   // knowledge either.
   constexpr double beat = 0.01, cancel = 384;
@@ -235,7 +235,7 @@ TEST(ClassifyAperiodic, AReturnWhoseTrendIsUnknownIsNotDecided) {
   EXPECT_GT(calls, 2 * 640);
 }
 
-TEST(ClassifyAperiodic, BroadLinesAreNoTorus) {
+TEST(AperiodicClassify, BroadLinesAreNoTorus) {
   // Steps of a random walk along the circle, the same for every state: exponent zero, no lines.
   unsigned long bits = 1;
   int calls = 0;

@@ -38,7 +38,7 @@ void set_angle(std::span<double> point, double phi) {
   point[1] = std::sin(phi);
 }
 
-TEST(LargestExponent, OfTheLogisticMapIsLnTwo) {
+TEST(ExponentLargest, OfTheLogisticMapIsLnTwo) {
   const proof::SectionMap map = [](std::span<double> s) {
     s[0] = 4 * s[0] * (1 - s[0]);
     return true;
@@ -46,12 +46,12 @@ TEST(LargestExponent, OfTheLogisticMapIsLnTwo) {
   expect_exponent(map, {0.3}, 20000, std::numbers::ln2, 0.02);
 }
 
-TEST(LargestExponent, OfHenonsMap) {
+TEST(ExponentLargest, OfHenonsMap) {
   // J. C. Sprott, Chaos and Time-Series Analysis (2003): 0.41922 at a = 1.4, b = 0.3.
   expect_exponent([](std::span<double> s) { return henon(1.4, 0.3, s); }, {0.1, 0.2}, 50000, 0.41922, 0.01);
 }
 
-TEST(LargestExponent, OfArnoldsCatMap) {
+TEST(ExponentLargest, OfArnoldsCatMap) {
   const proof::SectionMap map = [](std::span<double> s) {
     const double x = angle(s.first(2)), y = angle(s.last(2));
     set_angle(s.first(2), 2 * x + y);
@@ -62,7 +62,7 @@ TEST(LargestExponent, OfArnoldsCatMap) {
                   std::log((3 + std::sqrt(5)) / 2), 1e-6);
 }
 
-TEST(LargestExponent, OfARotationIsZero) {
+TEST(ExponentLargest, OfARotationIsZero) {
   const proof::SectionMap map = [](std::span<double> s) {
     const std::complex<double> z = std::complex<double>(s[0], s[1]) * std::polar(1.0, std::numbers::phi);
     s[0] = z.real();
@@ -74,7 +74,7 @@ TEST(LargestExponent, OfARotationIsZero) {
   EXPECT_LT(exponent->error_bar, 1e-10);
 }
 
-TEST(LargestExponent, OfATorusThatStretchesUnevenlyIsZeroWithinAShortBar) {
+TEST(ExponentLargest, OfATorusThatStretchesUnevenlyIsZeroWithinAShortBar) {
   // Contributions of up to ln 9 either way; attracted to the circle.
   const proof::SectionMap map = [](std::span<double> s) {
     const double phi = angle(s), radius = std::hypot(s[0], s[1]);
@@ -86,7 +86,7 @@ TEST(LargestExponent, OfATorusThatStretchesUnevenlyIsZeroWithinAShortBar) {
   expect_exponent(map, {0.6, 0.9}, 6400, 0, 2e-6);
 }
 
-TEST(LargestExponent, OfAContractionIsItsSlowestRate) {
+TEST(ExponentLargest, OfAContractionIsItsSlowestRate) {
   const proof::SectionMap map = [](std::span<double> s) {
     s[0] *= 0.5;
     s[1] *= -0.9;
@@ -96,7 +96,7 @@ TEST(LargestExponent, OfAContractionIsItsSlowestRate) {
   expect_exponent(map, {1, 1, 1}, 200, std::log(0.9), 1e-6);
 }
 
-TEST(LargestExponent, OfAFixedPointIsItsLargestMultiplier) {
+TEST(ExponentLargest, OfAFixedPointIsItsLargestMultiplier) {
   // Henon's x = 1 - a x^2 + b x, multipliers -a x +- sqrt(a^2 x^2 + b).
   const double a = 0.2, b = 0.3;
   const double x = (-(1 - b) + std::sqrt((1 - b) * (1 - b) + 4 * a)) / (2 * a);
@@ -105,7 +105,7 @@ TEST(LargestExponent, OfAFixedPointIsItsLargestMultiplier) {
                   1e-6);
 }
 
-TEST(LargestExponent, OfAPeriodTwoOrbitIsHalfThatOfItsSecondIterate) {
+TEST(ExponentLargest, OfAPeriodTwoOrbitIsHalfThatOfItsSecondIterate) {
   // Henon: x1 + x2 = (1 - b) / a, x1 x2 = ((1 - b)^2 - a) / a^2; the product of the two Jacobians has trace
   // 4 a^2 x1 x2 + 2 b and determinant b^2.
   const double a = 0.9, b = 0.3;
@@ -124,7 +124,7 @@ TEST(LargestExponent, OfAPeriodTwoOrbitIsHalfThatOfItsSecondIterate) {
   expect_exponent(map(0.6), state, 2000, std::log(b) / 2, 5e-3);
 }
 
-TEST(LargestExponent, NoiseBelowTheSeparationDoesNotTurnAContractionIntoChaos) {
+TEST(ExponentLargest, NoiseBelowTheSeparationDoesNotTurnAContractionIntoChaos) {
   unsigned long bits = 1;
   const proof::SectionMap map = [&bits](std::span<double> s) {
     for (double& x : s) {
@@ -136,7 +136,7 @@ TEST(LargestExponent, NoiseBelowTheSeparationDoesNotTurnAContractionIntoChaos) {
   expect_exponent(map, {0.1, 0.2}, 2000, std::log(0.8), 0.01);
 }
 
-TEST(LargestExponent, IsEmptyWhenTheMapFails) {
+TEST(ExponentLargest, IsEmptyWhenTheMapFails) {
   int calls = 0;
   const proof::SectionMap map = [&calls](std::span<double>) { return ++calls < 100; };
   EXPECT_FALSE(test::largest_exponent(map, {1}, 60));
@@ -170,7 +170,7 @@ TEST(ExponentOf, RefusesFewerThanFortyContributions) {
 
 /// The mean of an oscillation that never comes round: smooth weights find it to a millionth where equal ones
 /// are a thousandth off.
-TEST(BumpMean, ConvergesFastOnQuasiPeriodicContributions) {
+TEST(ExponentBumpMean, ConvergesFastOnQuasiPeriodicContributions) {
   std::vector<double> contributions;
   double sum = 0;
   for (int k = 0; k < 400; ++k) {

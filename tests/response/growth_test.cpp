@@ -77,7 +77,7 @@ TEST(Growth, EndsWhereTheTurnFails) {
   EXPECT_FALSE(test::companion_growth(std::ref(map), section)(section));
 }
 
-TEST(FirstDisturbance, HasTheSeparationAndAShareOfEveryCoordinate) {
+TEST(GrowthFirstDisturbance, HasTheSeparationAndAShareOfEveryCoordinate) {
   for (std::size_t states = 1; states <= 24; ++states) {
     const Eigen::VectorXd away = first_disturbance(states);
     EXPECT_GT(away.cwiseAbs().minCoeff(), 0.1 * separation / std::sqrt(static_cast<double>(states)));
@@ -85,7 +85,7 @@ TEST(FirstDisturbance, HasTheSeparationAndAShareOfEveryCoordinate) {
   }
 }
 
-TEST(Companion, IsPulledBackAlongTheLineToTheBase) {
+TEST(GrowthCompanion, IsPulledBackAlongTheLineToTheBase) {
   const std::vector<double> base{1, 2};
   test::Companion companion(base);
   companion.state()[0] = 1 + 3e-3;
@@ -95,7 +95,7 @@ TEST(Companion, IsPulledBackAlongTheLineToTheBase) {
   EXPECT_NEAR(companion.state()[1], 2 - 0.8 * separation, 1e-15);
 }
 
-TEST(Companion, StartsAnewWhenItFallsOntoTheBase) {
+TEST(GrowthCompanion, StartsAnewWhenItFallsOntoTheBase) {
   const std::vector<double> base{1, 2};
   test::Companion companion(base);
   companion.state()[0] = 1;

@@ -49,7 +49,7 @@ Followed chaos_from(double start, double slope, int turns) {
   return motion;
 }
 
-TEST(Survive, CountsTheEscapesOfTheTentMapAtItsRate) {
+TEST(SurvivalSurvive, CountsTheEscapesOfTheTentMapAtItsRate) {
   for (const double slope : {2.004, 2.02, 2.1}) {
     const double life = slope / (slope - 2);
     double turns = 0;
@@ -73,7 +73,7 @@ TEST(Survive, CountsTheEscapesOfTheTentMapAtItsRate) {
   }
 }
 
-TEST(Survive, ChaosThatIsAnAttractorHasNoEscape) {
+TEST(SurvivalSurvive, ChaosThatIsAnAttractorHasNoEscape) {
   const auto logistic = [](std::span<double> s) {
     s[0] = 4 * s[0] * (1 - s[0]);
     s[0] = std::clamp(s[0], 1e-9, 1 - 1e-9);
@@ -91,7 +91,7 @@ TEST(Survive, ChaosThatIsAnAttractorHasNoEscape) {
 }
 
 /// Beyond its interior crisis chaos of the logistic map falls into the window of period three.
-TEST(Survive, APeriodIsAnEscapeToo) {
+TEST(SurvivalSurvive, APeriodIsAnEscapeToo) {
   const auto logistic = [](std::span<double> s) {
     s[0] = 3.8325 * s[0] * (1 - s[0]);
     return true;
@@ -107,7 +107,7 @@ TEST(Survive, APeriodIsAnEscapeToo) {
   EXPECT_LT(seen.turns, 4 * 2000);
 }
 
-TEST(Survive, AFailedTurnIsNoEscape) {
+TEST(SurvivalSurvive, AFailedTurnIsNoEscape) {
   Followed motion{.states = 1, .rows = {}, .contributions = {}};
   const double x = 0.3;
   for (int k = 0; k < 100; ++k) motion.add(std::span(&x, 1), 0.3, true);

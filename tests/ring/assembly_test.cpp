@@ -260,16 +260,16 @@ MatrixXd flexure_from_tangential(const System& system) {
   return map;
 }
 
-class Beams : public testing::TestWithParam<int> {};
+class AssemblyBeams : public testing::TestWithParam<int> {};
 
-TEST_P(Beams, AppendixAIsWhatTheEnergiesGive) {
+TEST_P(AssemblyBeams, AppendixAIsWhatTheEnergiesGive) {
   const Machine m = machine(GetParam(), {17, 140, -75}, {12, 0, -50});
   for (const double speed : {0.0, 7.3, 61.0}) {
     expect_equal(appendix_a(system_of(m), speed), from_energies(m, speed, Coordinate::flexure), 1e-12);
   }
 }
 
-TEST_P(Beams, LibraryIsWhatTheEnergiesGive) {
+TEST_P(AssemblyBeams, LibraryIsWhatTheEnergiesGive) {
   Machine m = machine(GetParam(), {17, 140, -75, 200}, {12, 0, -50, 90});
   m.preload = 3000;
   for (const double speed : {0.0, 7.3, 61.0}) {
@@ -277,16 +277,16 @@ TEST_P(Beams, LibraryIsWhatTheEnergiesGive) {
   }
 }
 
-TEST_P(Beams, LibraryIsAppendixAInAnotherCoordinate) {
+TEST_P(AssemblyBeams, LibraryIsAppendixAInAnotherCoordinate) {
   const Machine m = machine(GetParam(), {17, 140, -75}, {12, 0, -50});
   const System system = system_of(m);
   expect_equal(library(system, 31), in_coordinates(appendix_a(system, 31), flexure_from_tangential(system)),
                1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(NodalDiameters, Beams, testing::Values(2, 3, 7, 12));
+INSTANTIATE_TEST_SUITE_P(NodalDiameters, AssemblyBeams, testing::Values(2, 3, 7, 12));
 
-TEST(SpringMasses, LibraryIsAppendixB) {
+TEST(AssemblySpringMasses, LibraryIsAppendixB) {
   System system = spring_masses({60, 87, 200}, 0.2);
   system.preload_n = 500;
   system.loads[1] = at(87, spring_mass(150, 2e6, 3e5));
@@ -295,7 +295,7 @@ TEST(SpringMasses, LibraryIsAppendixB) {
   }
 }
 
-TEST(SpringMasses, TipEquationsAreWhatTheEnergiesGive) {
+TEST(AssemblySpringMasses, TipEquationsAreWhatTheEnergiesGive) {
   const Load load = spring_mass(100, 1e6, 2e6);
   const Unconstrained tip = spring_mass_energies(100, 1e6, 2e6, 1.5, 40);
   Eigen::Matrix2d expected;
@@ -306,7 +306,7 @@ TEST(SpringMasses, TipEquationsAreWhatTheEnergiesGive) {
   EXPECT_TRUE(tip.force.isApprox(Eigen::Vector2d(load.centrifugal_mass_kg * 1.5 * 1600, 0), 1e-13));
 }
 
-TEST(ReducedLoads, RadialAloneIsEquation1) {
+TEST(AssemblyReducedLoads, RadialAloneIsEquation1) {
   System system = spring_masses({0}, 0.2);
   system.loads[0].motion = Motion::radial;
   const Equations e = library(system, 30);
@@ -321,7 +321,7 @@ TEST(ReducedLoads, RadialAloneIsEquation1) {
   expect_equal(e, expected, 1e-13);
 }
 
-TEST(ReducedLoads, TangentialAloneDoesNotFeelTheRing) {
+TEST(AssemblyReducedLoads, TangentialAloneDoesNotFeelTheRing) {
   System system = spring_masses({25}, 0.2);
   system.loads[0].motion = Motion::tangential;
   const Equations e = library(system, 30);
@@ -332,7 +332,7 @@ TEST(ReducedLoads, TangentialAloneDoesNotFeelTheRing) {
   EXPECT_DOUBLE_EQ(e.stiffness(2, 2), 1e6 - 100 * 900.0);
 }
 
-TEST(Beam, PrintedMassesDetermineTheRotaryMass) {
+TEST(AssemblyBeam, PrintedMassesDetermineTheRotaryMass) {
   // Fig. 17b: J_b / m_r = k_t / k_r, both (I / S) pi^2 / (4 R^2).
   const Load load = beam(185.66, 100, 1.175e7, 1e6);
   EXPECT_NEAR(load.rotary_mass_kg / 185.66, 1e6 / 1.175e7, 1e-4);

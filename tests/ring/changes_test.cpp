@@ -16,7 +16,7 @@ std::vector<double> grid(double top_rpm, int count) {
   return batch::evenly_spaced(0.0, top_rpm * rpm, count);
 }
 
-TEST(FindChanges, WithoutFrictionAndSpeedOneLoadOnlyDivergesAndCouples) {
+TEST(ChangesFind, WithoutFrictionAndSpeedOneLoadOnlyDivergesAndCouples) {
   System system = spring_masses({60}, 0);
   system.loads[0].motion = Motion::radial;
   const auto changes = find_changes(normal_form(system), grid(1500, 301));
@@ -28,7 +28,7 @@ TEST(FindChanges, WithoutFrictionAndSpeedOneLoadOnlyDivergesAndCouples) {
   EXPECT_NEAR(changes[2].root.real(), 0, 1e-10);
 }
 
-TEST(FindChanges, PolishAndBisectionAgree) {
+TEST(ChangesFind, PolishAndBisectionAgree) {
   for (const double friction : {0.0, 0.1}) {
     const NormalForm form = normal_form(spring_masses({60, 87}, friction));
     const auto polished = find_changes(form, grid(1500, 301));
@@ -52,7 +52,7 @@ TEST(FindChanges, PolishAndBisectionAgree) {
   }
 }
 
-TEST(FindChanges, DoesNotDependOnTheSpeedsBetween) {
+TEST(ChangesFind, DoesNotDependOnTheSpeedsBetween) {
   const NormalForm form = normal_form(spring_masses({60, 87}));
   const auto coarse = find_changes(form, grid(1500, 301)), fine = find_changes(form, grid(1500, 1733));
   ASSERT_EQ(coarse.size(), fine.size());
@@ -61,7 +61,7 @@ TEST(FindChanges, DoesNotDependOnTheSpeedsBetween) {
   }
 }
 
-TEST(FindChanges, TheNumberOfUnstableRootsChangesThereWith50Digits) {
+TEST(ChangesFind, TheNumberOfUnstableRootsChangesThereWith50Digits) {
   int seen = 0;
   for (const std::vector<double>& angles : {std::vector<double>{60}, {60, 87}, {60, 110}}) {
     const System system = spring_masses(angles);
@@ -79,7 +79,7 @@ TEST(FindChanges, TheNumberOfUnstableRootsChangesThereWith50Digits) {
   EXPECT_GT(seen, 15);
 }
 
-TEST(FindChanges, RootsMergeThereWith50Digits) {
+TEST(ChangesFind, RootsMergeThereWith50Digits) {
   int seen = 0;
   for (const double friction : {0.0, 0.1}) {
     const System system = spring_masses({60, 87}, friction);
@@ -98,7 +98,7 @@ TEST(FindChanges, RootsMergeThereWith50Digits) {
   EXPECT_GT(seen, 6);
 }
 
-TEST(FindChanges, FrictionStartsWithTheRotation) {
+TEST(ChangesFind, FrictionStartsWithTheRotation) {
   System system = spring_masses({60});
   system.loads[0].motion = Motion::radial;
   const auto changes = find_changes(normal_form(system), grid(100, 11));
@@ -107,7 +107,7 @@ TEST(FindChanges, FrictionStartsWithTheRotation) {
   EXPECT_EQ(changes[0].after, (Signature{0, 0, 1}));
 }
 
-TEST(FindChanges, ANeutralPairOnAGridPointAtZeroIsNoOnset) {
+TEST(ChangesFind, ANeutralPairOnAGridPointAtZeroIsNoOnset) {
   System system = spring_masses({60}, 0.1);
   system.loads[0].motion = Motion::tangential;
   // The forward wave of the free ring stands still at exactly 17.2 rad/s.
@@ -115,7 +115,7 @@ TEST(FindChanges, ANeutralPairOnAGridPointAtZeroIsNoOnset) {
   EXPECT_TRUE(find_changes(normal_form(system), speeds).empty());
 }
 
-TEST(FindChanges, ASpeedExactlyOnAnOnsetDoesNotSpoilIt) {
+TEST(ChangesFind, ASpeedExactlyOnAnOnsetDoesNotSpoilIt) {
   System system = spring_masses({60});
   system.loads[0].motion = Motion::radial;
   const double onset = (std::sqrt(5 * 1e4 - 4 * 17.2 * 17.2) - 4 * 17.2) / 5;  // Omega_cs1
@@ -124,7 +124,7 @@ TEST(FindChanges, ASpeedExactlyOnAnOnsetDoesNotSpoilIt) {
   EXPECT_NEAR(changes[0].speed_rad_per_s, onset, 1e-12);
 }
 
-TEST(FindChanges, EqualLoadsDivergeTogether) {
+TEST(ChangesFind, EqualLoadsDivergeTogether) {
   System system = spring_masses({10, 20, 30});
   for (Load& load : system.loads) load.motion = Motion::tangential;
   const auto changes = find_changes(normal_form(system), std::vector<double>{99.8, 105});
@@ -133,7 +133,7 @@ TEST(FindChanges, EqualLoadsDivergeTogether) {
   EXPECT_EQ(changes[0].after.growing_real - changes[0].before.growing_real, 3);
 }
 
-TEST(FindChanges, OfRandomSystemsNeverFails) {
+TEST(ChangesFind, OfRandomSystemsNeverFails) {
   RandomSystems random(11, 4);
   for (int i = 0; i < 60; ++i) {
     const System system = random.next();

@@ -18,7 +18,7 @@ std::vector<std::optional<ChartLine>> chart(const System& system, const ChartAxi
       system, axis, batch::evenly_spaced(0.0, 1500 * rpm, 51), threads, [](const ChartLine&) {}, never);
 }
 
-TEST(RunChart, DoesNotDependOnTheNumberOfThreads) {
+TEST(ChartRun, DoesNotDependOnTheNumberOfThreads) {
   const ChartAxis axis{Parameter::inclination_deg, {}, batch::evenly_spaced(-90.0, 90.0, 13)};
   const auto one = chart(spring_masses({60, 90}), axis, 1), two = chart(spring_masses({60, 90}), axis, 2);
   ASSERT_EQ(one.size(), 13U);
@@ -36,7 +36,7 @@ TEST(RunChart, DoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-TEST(RunChart, HasTheOnsetsOfTheSingleRuns) {
+TEST(ChartRun, HasTheOnsetsOfTheSingleRuns) {
   const ChartAxis axis{Parameter::angle_deg, 1, {87, 110}};
   const auto lines = chart(spring_masses({60, 200}), axis, 1);
   for (const auto& line : lines) {
@@ -52,7 +52,7 @@ TEST(RunChart, HasTheOnsetsOfTheSingleRuns) {
   }
 }
 
-TEST(RunChart, ALineThatCannotBeSolvedIsALineWithAStatus) {
+TEST(ChartRun, ALineThatCannotBeSolvedIsALineWithAStatus) {
   System system = spring_masses({0});
   system.loads[0] = beam(300, 140, 1e7, 1e6);
   system.loads[0].inclination_deg = 45;
@@ -67,7 +67,7 @@ TEST(RunChart, ALineThatCannotBeSolvedIsALineWithAStatus) {
   EXPECT_TRUE(lines[1]->points.empty());
 }
 
-TEST(RunChart, StopsWhenTold) {
+TEST(ChartRun, StopsWhenTold) {
   const std::atomic<bool> now{true};
   const auto lines = run_chart(
       spring_masses({60}), {Parameter::friction_coefficient, {}, {0.1, 0.2}}, {1, 2}, 1,
@@ -75,7 +75,7 @@ TEST(RunChart, StopsWhenTold) {
   EXPECT_FALSE(lines[0] || lines[1]);
 }
 
-TEST(WithParameter, ChangesOneLoadOrAll) {
+TEST(ChartWithParameter, ChangesOneLoadOrAll) {
   const System system = spring_masses({60, 90});
   const System one = with_parameter(system, {Parameter::radial_stiffness_n_per_m, 1, {}}, 5);
   EXPECT_EQ(one.loads[0].radial_stiffness_n_per_m, 1e6);

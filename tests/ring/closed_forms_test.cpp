@@ -173,7 +173,7 @@ TEST(ClosedForms, DivergenceOfOneInclinedLoad) {
   }
 }
 
-TEST(CriticalSpeeds, AreFoundWhereTheClosedFormsSay) {
+TEST(ClosedFormsCriticalSpeeds, AreFoundWhereTheClosedFormsSay) {
   for (const std::vector<double>& angles : {std::vector<double>{60}, {60, 120}, {60, 240}}) {
     const System system = spring_masses(angles);
     const auto speeds = batch::evenly_spaced(0.0, 1500 * rpm, 301);

@@ -18,12 +18,12 @@ TEST(RouthHurwitz, CountsKnownRoots) {
   EXPECT_EQ(routh_hurwitz_sign_changes<double>({1, 0, 4}), std::nullopt);  // neutral
 }
 
-TEST(CharacteristicPolynomial, OfACompanionMatrixIsItsPolynomial) {
+TEST(RouthHurwitzCharacteristicPolynomial, OfACompanionMatrixIsItsPolynomial) {
   const std::vector<double> matrix{0, 1, 0, 0, 0, 1, -6, -11, -6};
   EXPECT_EQ(characteristic_polynomial(matrix, 3), (std::vector<double>{1, 6, 11, 6}));
 }
 
-TEST(CharacteristicPolynomial, OfOneRadialLoadIsThePapers) {
+TEST(RouthHurwitzCharacteristicPolynomial, OfOneRadialLoadIsThePapers) {
   // Eq. (2): A s^4 + B s^3 + C s^2 + D s + E.
   System system = spring_masses({0}, 0.1);
   system.loads[0].motion = Motion::radial;

@@ -93,7 +93,7 @@ TEST(TrackModes, TellsForwardFromBackwardWhereBothStartEqual) {
   EXPECT_GT(frequency(track, "ring backward", 100), frequency(track, "ring forward", 100) + 10);
 }
 
-TEST(DescribeMode, SaysWhatACurveLooksLikeAfterAVeering) {
+TEST(TrackDescribeMode, SaysWhatACurveLooksLikeAfterAVeering) {
   const System system = spring_masses({60});
   const Track track = track_of(system, 1000, 1001);
   // Before the veering near 252 rpm and after it.

@@ -42,7 +42,7 @@ void expect_smallest_gap_at_start(const Cell& cell) {
   for (int i = 0; i < 360; ++i) EXPECT_GE(at_start, row.dot(cell.quiet.displacement(i * pi / 180)) - 1e-17);
 }
 
-TEST(BuildCell, KicksLaterByThePhase) {
+TEST(BuildSceneCell, KicksLaterByThePhase) {
   model::Machine machine = one_side_machine();
   const Cell plain = build_cell(machine, 75, WhirlRatio{0.4});
   machine.kick->phase_deg = 70;
@@ -55,7 +55,7 @@ TEST(BuildCell, KicksLaterByThePhase) {
   EXPECT_EQ(build_cell(machine, 75, WhirlRatio{0.4}).scene.displacement_m, plain.scene.displacement_m);
 }
 
-TEST(BuildCell, IsTheSceneOfTheEquationsWrittenByHand) {
+TEST(BuildSceneCell, IsTheSceneOfTheEquationsWrittenByHand) {
   const test::OneSideRotor rotor;
   const test::OneSideEquations<double> by_hand(rotor);
   const Cell cell = build_cell(one_side_machine(), rotor.speed_hz, WhirlRatio{rotor.whirl_ratio});
@@ -89,7 +89,7 @@ TEST(BuildCell, IsTheSceneOfTheEquationsWrittenByHand) {
   }
 }
 
-TEST(BuildCell, QuietWhirlIsTheClosedFormAndStartsAtTheStopWhateverItsAngle) {
+TEST(BuildSceneCell, QuietWhirlIsTheClosedFormAndStartsAtTheStopWhateverItsAngle) {
   std::mt19937_64 random(1);
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);
@@ -112,14 +112,14 @@ TEST(BuildCell, QuietWhirlIsTheClosedFormAndStartsAtTheStopWhateverItsAngle) {
   }
 }
 
-TEST(BuildCell, StartsOnTheImaginaryAxisForAStopAbove) {
+TEST(BuildSceneCell, StartsOnTheImaginaryAxisForAStopAbove) {
   const Cell cell = build_cell(one_side_machine(), 75, WhirlRatio{0.4});
   const double a = 0.4e-3, w = 2 * pi * 75;
   EXPECT_LE(std::abs(start_position(cell) - Complex(0, a)), 1e-14 * a);
   EXPECT_LE(std::abs(start_velocity(cell) - Complex(-a * w, 0)), 1e-14 * a * w);
 }
 
-TEST(BuildCell, WhirlRatioAndEccentricitySayTheSame) {
+TEST(BuildSceneCell, WhirlRatioAndEccentricitySayTheSame) {
   std::mt19937_64 random(2);
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);
@@ -139,7 +139,7 @@ TEST(BuildCell, WhirlRatioAndEccentricitySayTheSame) {
   }
 }
 
-TEST(BuildCell, GravityShiftsTheMeanAndTheRemainingClearance) {
+TEST(BuildSceneCell, GravityShiftsTheMeanAndTheRemainingClearance) {
   model::Machine machine = one_side_machine();
   machine.gravity_m_per_s2 = 9.81;
   const double w0 = 2 * pi * 30;
@@ -162,7 +162,7 @@ TEST(BuildCell, GravityShiftsTheMeanAndTheRemainingClearance) {
   EXPECT_NEAR(build_cell(machine, 75, WhirlRatio{0.5}).scene.displacement_m(0), 0.5e-3, 1e-17);
 }
 
-TEST(BuildCell, SagThroughTheStopHasNoWhirlRatioButStartsAtTheWall) {
+TEST(BuildSceneCell, SagThroughTheStopHasNoWhirlRatioButStartsAtTheWall) {
   model::Machine machine = one_side_machine();
   machine.stops[0].geometry = model::OneSideGeometry{-90};
   machine.stops[0].clearance_m = 1e-4;
@@ -182,7 +182,7 @@ TEST(BuildCell, SagThroughTheStopHasNoWhirlRatioButStartsAtTheWall) {
   EXPECT_GT(scene.displacement_m(1), by_eccentricity.quiet.mean(1));
 }
 
-TEST(BuildCell, WhereTheQuietWhirlTouchesItStartsAtRestAndIsNotKicked) {
+TEST(BuildSceneCell, WhereTheQuietWhirlTouchesItStartsAtRestAndIsNotKicked) {
   model::Machine machine = one_side_machine();
   machine.gravity_m_per_s2 = 9.81;
   const Cell below = build_cell(machine, 75, WhirlRatio{0.9});
@@ -197,7 +197,7 @@ TEST(BuildCell, WhereTheQuietWhirlTouchesItStartsAtRestAndIsNotKicked) {
   EXPECT_TRUE((above.scene.harmonic_n / 1.2).isApprox(below.scene.harmonic_n / 0.9, 1e-14));
 }
 
-TEST(BuildCell, ARingHoldsASaggingRotorAtItsWall) {
+TEST(BuildSceneCell, ARingHoldsASaggingRotorAtItsWall) {
   model::Machine machine = one_side_machine();
   machine.gravity_m_per_s2 = 400;  // sags by 11 mm
   machine.stops[0].casing.reset();
@@ -214,7 +214,7 @@ TEST(BuildCell, ARingHoldsASaggingRotorAtItsWall) {
   }
 }
 
-TEST(BuildCell, ContactWithoutAKickFromAWhirlRatioOfOne) {
+TEST(BuildSceneCell, ContactWithoutAKickFromAWhirlRatioOfOne) {
   std::mt19937_64 random(3);
   for (int trial = 0; trial < 200; ++trial) {
     const double speed_hz = std::uniform_real_distribution(5.0, 300.0)(random);
@@ -225,14 +225,14 @@ TEST(BuildCell, ContactWithoutAKickFromAWhirlRatioOfOne) {
   }
 }
 
-TEST(BuildCell, ContactAtAnyStop) {
+TEST(BuildSceneCell, ContactAtAnyStop) {
   model::Machine machine = both_sides_machine();
   machine.stops[1].clearance_m = 0.5e-3;
   EXPECT_EQ(build_cell(machine, 75, WhirlRatio{0.49}).start, Start::quiet);
   EXPECT_EQ(build_cell(machine, 75, WhirlRatio{0.51}).start, Start::contact);
 }
 
-TEST(BuildCell, UnreachableAtAnUndampedResonance) {
+TEST(BuildSceneCell, UnreachableAtAnUndampedResonance) {
   std::mt19937_64 random(4);
   model::Machine machine = one_side_machine();
   std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
@@ -252,14 +252,14 @@ TEST(BuildCell, UnreachableAtAnUndampedResonance) {
   }
 }
 
-TEST(BuildCell, WhatOverflowsIsNoNumberThatSaysTheUnbalanceTheOtherWay) {
+TEST(BuildSceneCell, WhatOverflowsIsNoNumberThatSaysTheUnbalanceTheOtherWay) {
   model::Machine machine = one_side_machine();
   machine.stops[0].clearance_m = 1e-30;
   EXPECT_TRUE(std::isnan(build_cell(machine, 75, Eccentricity{1e290}).whirl_ratio));
   EXPECT_TRUE(std::isnan(build_cell(one_side_machine(), 1e-200, WhirlRatio{0.4}).eccentricity_m));
 }
 
-TEST(BuildCell, WithoutUnbalanceTheRotorRests) {
+TEST(BuildSceneCell, WithoutUnbalanceTheRotorRests) {
   for (const Unbalance& none : {Unbalance{WhirlRatio{0}}, Unbalance{Eccentricity{0}}}) {
     const Cell cell = build_cell(one_side_machine(), 75, none);
     EXPECT_EQ(cell.start, Start::quiet);
@@ -271,7 +271,7 @@ TEST(BuildCell, WithoutUnbalanceTheRotorRests) {
   }
 }
 
-TEST(BuildCell, KickPointsAtTheFirstStopUnlessItHasAnAngle) {
+TEST(BuildSceneCell, KickPointsAtTheFirstStopUnlessItHasAnAngle) {
   model::Machine machine = both_sides_machine();
   machine.stops[0].geometry = model::OneSideGeometry{30};
   const auto direction = [&] {
@@ -290,7 +290,7 @@ TEST(BuildCell, KickPointsAtTheFirstStopUnlessItHasAnAngle) {
   EXPECT_TRUE(build_cell(machine, 75, WhirlRatio{0.1}).scene.pulses.empty());
 }
 
-TEST(BuildCell, InARingKickAndPhaseGoAlongOffsetPlusSag) {
+TEST(BuildSceneCell, InARingKickAndPhaseGoAlongOffsetPlusSag) {
   model::Machine machine = one_side_machine();
   machine.stops[0].geometry = model::AnnularGeometry{{3e-4, 1e-4}};
   machine.stops[0].casing.reset();
@@ -306,7 +306,7 @@ TEST(BuildCell, InARingKickAndPhaseGoAlongOffsetPlusSag) {
   EXPECT_NEAR(along.dot(relative * cell.quiet.velocity(0)), 0, 1e-16);
 }
 
-TEST(BuildCell, EveryStopHasItsContactAndTheMovingOnesTheirCasing) {
+TEST(BuildSceneCell, EveryStopHasItsContactAndTheMovingOnesTheirCasing) {
   model::Machine machine = both_sides_machine();
   machine.stops[1].casing.reset();
   machine.stops.push_back(machine.stops[0]);
@@ -327,7 +327,7 @@ TEST(BuildCell, EveryStopHasItsContactAndTheMovingOnesTheirCasing) {
   EXPECT_EQ(scene.length_scale_m, 1e-3);
 }
 
-TEST(BuildCell, DampingTakesTheReducedMassOfRotorAndCasing) {
+TEST(BuildSceneCell, DampingTakesTheReducedMassOfRotorAndCasing) {
   model::Machine machine = one_side_machine();
   const auto damping = [&] {
     return build_cell(machine, 75, WhirlRatio{0.4}).scene.contacts[0].damping_ns_per_m;
@@ -350,20 +350,23 @@ TEST(BuildCell, DampingTakesTheReducedMassOfRotorAndCasing) {
   EXPECT_EQ(damping(), 12.5);
 }
 
-TEST(BuildCell, DampingWithTheMassOfTheRotorDeliversLessAgainstALightCasing) {
+TEST(BuildSceneCell, DampingWithTheMassOfTheRotorDeliversLessAgainstALightCasing) {
   model::Machine machine = one_side_machine();
-  // Against a casing of m_c the same d is sqrt(m / m') times nearer to critical. By hand from the closed form.
+  // Against a casing of m_c the same d is sqrt(m / m') times nearer to critical. By hand from the closed
+  // form.
   struct Case {
     double nominal, casing_kg, delivered;
   };
-  for (const Case& one : {Case{0.5, 2, 0.56}, Case{0.7, 0.1, 0.49}, Case{0.7, 0.03, 0.37}, Case{0.8, 0.012, 0.37}}) {
+  for (const Case& one :
+       {Case{0.5, 2, 0.56}, Case{0.7, 0.1, 0.49}, Case{0.7, 0.03, 0.37}, Case{0.8, 0.012, 0.37}}) {
     machine.stops[0].damping = model::RestitutionByRotorMass{one.nominal};
     machine.stops[0].casing->mass_kg = one.casing_kg;
     const double damping = build_cell(machine, 75, WhirlRatio{0.4}).scene.contacts[0].damping_ns_per_m;
     const double zeta = -std::log(one.nominal) / std::hypot(pi, std::log(one.nominal));
     EXPECT_NEAR(damping, 2 * zeta * std::sqrt(0.8 * 2e6), 1e-10);
     const double reduced = 0.8 * one.casing_kg / (0.8 + one.casing_kg);
-    EXPECT_NEAR(contact::delivered_restitution(damping / (2 * std::sqrt(reduced * 2e6))), one.delivered, 0.005);
+    EXPECT_NEAR(contact::delivered_restitution(damping / (2 * std::sqrt(reduced * 2e6))), one.delivered,
+                0.005);
   }
   // A mass of one's own takes the place of the rotor's, and a rigid casing leaves nothing to reduce.
   machine.stops[0].contact_mass_kg = 0.3;
@@ -378,7 +381,7 @@ TEST(BuildCell, DampingWithTheMassOfTheRotorDeliversLessAgainstALightCasing) {
   EXPECT_EQ(damping(), with_casing);
 }
 
-TEST(BuildCell, QuarterTurnsAreExact) {
+TEST(BuildSceneCell, QuarterTurnsAreExact) {
   const Eigen::Vector2d quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   model::Machine machine = one_side_machine();
   for (int quarter = -9; quarter <= 9; ++quarter) {
@@ -395,7 +398,7 @@ TEST(BuildCell, QuarterTurnsAreExact) {
   EXPECT_EQ(row, Eigen::RowVectorXd(Eigen::RowVector4d(0, 1, 0, -1)));
 }
 
-TEST(BuildCell, OtherAnglesAreUnitVectors) {
+TEST(BuildSceneCell, OtherAnglesAreUnitVectors) {
   model::Machine machine = one_side_machine();
   for (const double angle_deg : {-123.0, 1e-9, 45.0, 89.999999, 1e6 + 1}) {
     machine.stops[0].geometry = model::OneSideGeometry{angle_deg};
@@ -406,7 +409,7 @@ TEST(BuildCell, OtherAnglesAreUnitVectors) {
   }
 }
 
-TEST(BuildCell, RefusesAMachineThatIsNotValid) {
+TEST(BuildSceneCell, RefusesAMachineThatIsNotValid) {
   model::Machine machine = one_side_machine();
   machine.stops[0].clearance_m = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(message_of<ConfigError>([&] { build_cell(machine, 75, WhirlRatio{0.4}); }),

@@ -32,14 +32,14 @@ double sag_of_the_disc_m() {
   return 0.8 * gravity * (bending + 1 / (2 * 3e4));
 }
 
-TEST(Sag, IsThatOfTheWeightOnShaftAndSprings) {
+TEST(ConstantLoadSag, IsThatOfTheWeightOnShaftAndSprings) {
   const Eigen::Vector2d sag = sag_m(prepare_machine(heavy()), 0);
   EXPECT_EQ(sag.x(), 0);
   EXPECT_NEAR(sag.y(), -sag_of_the_disc_m(), 1e-9 * sag_of_the_disc_m());
   EXPECT_TRUE(sag_m(prepare_machine(light_shaft_machine()), 0).isZero(0));
 }
 
-TEST(StaticLoad, OfTheWeightMovesTheShaftAsTheWeightDoes) {
+TEST(ConstantLoadStatic, OfTheWeightMovesTheShaftAsTheWeightDoes) {
   model::Machine machine = light();
   model::kit_of(machine)->static_loads = {{.position_m = 0.2, .force_y_n = -0.8 * gravity}};
   const Eigen::Vector2d sag = sag_m(prepare_machine(machine), 0);

@@ -20,7 +20,7 @@ std::string refusal(const std::function<void(model::RotorKit&)>& change) {
   return message_of<ConfigError>([&] { prepare_machine(machine); });
 }
 
-TEST(PrepareMachine, RefusesNumbersThatNoShaftHas) {
+TEST(PreparedMachinePrepare, RefusesNumbersThatNoShaftHas) {
   EXPECT_NE(refusal([](auto& kit) { kit.shaft[0].outer_diameter_m = 1e-300; })
                 .find("rotor.shaft.0.outer_diameter_m: 1e-300 is out of range, allowed: a number >= 1e-06 "
                       "and <= 100"),
@@ -29,7 +29,7 @@ TEST(PrepareMachine, RefusesNumbersThatNoShaftHas) {
             std::string::npos);
 }
 
-TEST(PrepareMachine, AnotherKickLeavesTheStructure) {
+TEST(PreparedMachinePrepare, AnotherKickLeavesTheStructure) {
   const model::Machine machine = light_shaft_machine();
   model::Machine other = machine;
   *other.kick = {.force_n = 50, .duration_s = 0.002, .angle_deg = 30, .position_m = {}, .phase_deg = 40};
@@ -48,7 +48,7 @@ TEST(PrepareMachine, AnotherKickLeavesTheStructure) {
   EXPECT_EQ(taken_over.pulses[0].direction, anew.pulses.at(0).direction);
 }
 
-TEST(PreparedAt, IsTheMachineWithTheNumbersTypedIn) {
+TEST(PreparedMachineAt, IsTheMachineWithTheNumbersTypedIn) {
   for (const std::optional<int> modes : {std::optional<int>(2), std::optional<int>()}) {
     const PreparedMachine prepared = prepare_machine(table_machine(modes));
     for (std::size_t row = 0; row < table_speeds_hz.size(); ++row) {
@@ -65,7 +65,7 @@ TEST(PreparedAt, IsTheMachineWithTheNumbersTypedIn) {
   }
 }
 
-TEST(PreparedAt, NoCellIsBuiltBeyondATable) {
+TEST(PreparedMachineAt, NoCellIsBuiltBeyondATable) {
   const PreparedMachine prepared = prepare_machine(table_machine());
   for (const double speed_hz : {19.0, 121.0}) {
     EXPECT_THROW(prepared_at(prepared, speed_hz), ConfigError);
@@ -73,7 +73,7 @@ TEST(PreparedAt, NoCellIsBuiltBeyondATable) {
   }
 }
 
-TEST(PreparedAt, KeepsTheKickOfTheMachineThatAsks) {
+TEST(PreparedMachineAt, KeepsTheKickOfTheMachineThatAsks) {
   const PreparedMachine prepared = prepare_machine(table_machine());
   model::Machine other = prepared.machine;
   other.kick->force_n = 77;
@@ -82,12 +82,12 @@ TEST(PreparedAt, KeepsTheKickOfTheMachineThatAsks) {
   EXPECT_EQ(there.assembly.system.stiffness, prepared_at(prepared, 55).assembly.system.stiffness);
 }
 
-TEST(PreparedAt, LeavesAMachineWithoutTables) {
+TEST(PreparedMachineAt, LeavesAMachineWithoutTables) {
   const PreparedMachine prepared = prepare_machine(light_shaft_machine());
   EXPECT_EQ(prepared_at(prepared, 17).assembly.system.stiffness, prepared.assembly.system.stiffness);
 }
 
-TEST(PrepareMachine, AnotherKickMustBeAllowed) {
+TEST(PreparedMachinePrepare, AnotherKickMustBeAllowed) {
   model::Machine machine = light_shaft_machine();
   const PreparedMachine prepared = prepare_machine(machine);
   machine.kick->duration_s = -1;
@@ -97,7 +97,7 @@ TEST(PrepareMachine, AnotherKickMustBeAllowed) {
 }
 
 /// Every number at either end of what is allowed, one at a time: a prepared machine or a refusal.
-TEST(PrepareMachine, TakesOrRefusesEveryAllowedExtreme) {
+TEST(PreparedMachinePrepare, TakesOrRefusesEveryAllowedExtreme) {
   const auto with_a_few_of_everything = [] {
     model::Machine machine = light_shaft_machine();
     model::RotorKit& kit = *model::kit_of(machine);
@@ -145,7 +145,7 @@ TEST(PrepareMachine, TakesOrRefusesEveryAllowedExtreme) {
   EXPECT_GT(plans, 20);
 }
 
-TEST(PrepareMachine, ABowInAModeThatTheShaftHasNotIsRefused) {
+TEST(PreparedMachinePrepare, ABowInAModeThatTheShaftHasNotIsRefused) {
   EXPECT_NE(refusal([](auto& kit) {
               kit.elements = 1;
               kit.bow = model::Bow{.shape = model::BowMode{.mode = 40, .amplitude_m = 1e-5}, .phase_deg = 0};
@@ -153,7 +153,7 @@ TEST(PrepareMachine, ABowInAModeThatTheShaftHasNotIsRefused) {
             std::string::npos);
 }
 
-TEST(PrepareMachine, ACouplingNeedsShaftOnBothSides) {
+TEST(PreparedMachinePrepare, ACouplingNeedsShaftOnBothSides) {
   for (const double place : {1e-12, 0.4 - 1e-12}) {
     EXPECT_NE(
         refusal([&](auto& kit) {

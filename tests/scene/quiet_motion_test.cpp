@@ -106,7 +106,7 @@ TEST(QuietMotion, IsNotFiniteAtAnUndampedResonance) {
   EXPECT_FALSE(quiet_motion(system, w, force, Eigen::Vector2d::Zero()).amplitude.allFinite());
 }
 
-TEST(QuietPenetration, IsTheLargestOfTheSampledMotion) {
+TEST(QuietMotionPenetration, IsTheLargestOfTheSampledMotion) {
   const auto system = full_system(5);
   const QuietMotion motion = quiet_motion(system, 1.3, Eigen::Vector4cd(1, Complex(0, 1), 0.3, -2),
                                           Eigen::Vector4d(0.1, 0.2, -0.3, 0.4));
@@ -154,7 +154,7 @@ struct InsideAnnularStop {
   }
 };
 
-TEST(QuietPenetration, OfACircleInAnAnnularStopIsTheLargestOfTheSampledMotion) {
+TEST(QuietMotionPenetration, OfACircleInAnAnnularStopIsTheLargestOfTheSampledMotion) {
   InsideAnnularStop in;
   for (const double turn : {1.0, -1.0}) {
     const QuietMotion circle{Eigen::Vector2d(0.3, 0.2), Eigen::Vector2cd(0.7, Complex(0, -0.7 * turn))};
@@ -167,7 +167,7 @@ TEST(QuietPenetration, OfACircleInAnAnnularStopIsTheLargestOfTheSampledMotion) {
   }
 }
 
-TEST(QuietPenetration, OfAnEllipseInAnAnnularStopIsExactAboutTheCentreAndABoundElsewhere) {
+TEST(QuietMotionPenetration, OfAnEllipseInAnAnnularStopIsExactAboutTheCentreAndABoundElsewhere) {
   InsideAnnularStop in;
   QuietMotion ellipse{Eigen::Vector2d(0, 0), Eigen::Vector2cd(Complex(0.5, 0.2), Complex(-0.1, 0.4))};
   const auto [mean, amplitude] = quiet_penetration(ellipse, in.structure, in.contact);
@@ -180,7 +180,7 @@ TEST(QuietPenetration, OfAnEllipseInAnAnnularStopIsExactAboutTheCentreAndABoundE
   }
 }
 
-TEST(NearestWall, IsTheNormalOrTheDirectionOfTheMeanOffset) {
+TEST(QuietMotionNearestWall, IsTheNormalOrTheDirectionOfTheMeanOffset) {
   InsideAnnularStop in;
   QuietMotion motion{Eigen::Vector2d(0, 0), Eigen::Vector2cd(0, 0)};
   EXPECT_EQ(nearest_wall(motion, in.structure, in.contact), Eigen::Vector2d(0, 1));
@@ -192,7 +192,7 @@ TEST(NearestWall, IsTheNormalOrTheDirectionOfTheMeanOffset) {
   EXPECT_EQ(nearest_wall(motion, in.structure, in.contact), Eigen::Vector2d(-1, 0));
 }
 
-TEST(RelativeMap, IsRotorMinusCasing) {
+TEST(QuietMotionRelativeMap, IsRotorMinusCasing) {
   const auto system = full_system(2);
   Contact contact;
   EXPECT_EQ(relative_map(system, contact), system.points[0].map);

@@ -15,13 +15,13 @@ Assembly jeffcott(double mass_kg, double natural_frequency_hz, double casing_mas
   return assemble_jeffcott({mass_kg, natural_frequency_hz, 0.02}, {model::Casing{casing_mass_kg, 5e5, 0.1}});
 }
 
-TEST(RefuseUnusable, TakesWhatCanBeComputed) {
+TEST(AssemblyRefuseUnusable, TakesWhatCanBeComputed) {
   EXPECT_NO_THROW(refuse_unusable(jeffcott(0.8, 30)));
   // However far apart the masses of bodies are that do not share one.
   EXPECT_NO_THROW(refuse_unusable(jeffcott(1e9, 30, 1e-9)));
 }
 
-TEST(RefuseUnusable, NumbersThatOverflow) {
+TEST(AssemblyRefuseUnusable, NumbersThatOverflow) {
   const auto message = [](const Assembly& assembly) {
     return message_of<ConfigError>([&] { refuse_unusable(assembly); });
   };

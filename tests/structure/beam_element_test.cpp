@@ -44,7 +44,7 @@ double simply_supported(const model::ShaftSegment& s, int mode) {
   return std::sqrt(2 * r / (q + std::sqrt(q * q - 4 * p * r)));
 }
 
-TEST(TimoshenkoElement, SectionOfTubeAndRod) {
+TEST(BeamElementTimoshenko, SectionOfTubeAndRod) {
   const auto tube = steel_segment(1, 0.08, 0.03);
   EXPECT_NEAR(section_area_m2(tube), pi / 4 * (0.0064 - 0.0009), 1e-18);
   EXPECT_NEAR(section_moment_m4(tube), pi / 64 * (std::pow(0.08, 4) - std::pow(0.03, 4)), 1e-20);
@@ -54,7 +54,7 @@ TEST(TimoshenkoElement, SectionOfTubeAndRod) {
   EXPECT_LT(shear_coefficient(tube), shear_coefficient(steel_segment(1, 0.08)));
 }
 
-TEST(TimoshenkoElement, RigidMotionIsFreeAndWeighsWhatTheBeamWeighs) {
+TEST(BeamElementTimoshenko, RigidMotionIsFreeAndWeighsWhatTheBeamWeighs) {
   for (const double length : {0.01, 0.3}) {
     const auto segment = steel_segment(length, 0.05, 0.02);
     const BeamElement beam = timoshenko_element(segment, length);
@@ -74,7 +74,7 @@ TEST(TimoshenkoElement, RigidMotionIsFreeAndWeighsWhatTheBeamWeighs) {
   }
 }
 
-TEST(TimoshenkoElement, OneElementBendsExactlyUnderEndLoads) {
+TEST(BeamElementTimoshenko, OneElementBendsExactlyUnderEndLoads) {
   for (const double length : {0.05, 0.2, 2.0}) {
     const auto segment = steel_segment(length, 0.05);
     const BeamElement beam = timoshenko_element(segment, length);
@@ -98,7 +98,7 @@ std::vector<double> errors_of_8_16_32_elements(const model::ShaftSegment& segmen
   return error;
 }
 
-TEST(TimoshenkoElement, SimplySupportedBeamConvergesWithFourthOrderInBendingAndSecondInShear) {
+TEST(BeamElementTimoshenko, SimplySupportedBeamConvergesWithFourthOrderInBendingAndSecondInShear) {
   for (const int mode : {1, 2, 3}) {
     const auto slender = errors_of_8_16_32_elements(steel_segment(2, 0.002), mode);
     EXPECT_NEAR(std::log2(slender[0] / slender[1]), 4, 0.2) << mode;
@@ -110,7 +110,7 @@ TEST(TimoshenkoElement, SimplySupportedBeamConvergesWithFourthOrderInBendingAndS
   }
 }
 
-TEST(TimoshenkoElement, SlenderCantileverAndFreeBeamAreThoseOfEuler) {
+TEST(BeamElementTimoshenko, SlenderCantileverAndFreeBeamAreThoseOfEuler) {
   // First roots of cosh b cos b = -1 and of cosh b cos b = 1.
   const double cantilever[] = {1.8751040687119611, 4.694091132974175, 7.854757438237613};
   const double free[] = {4.730040744862704, 7.853204624095838, 10.995607838001671};
@@ -127,7 +127,7 @@ TEST(TimoshenkoElement, SlenderCantileverAndFreeBeamAreThoseOfEuler) {
   EXPECT_LT(loose(1), 1e-3 * loose(2));  // two rigid motions
 }
 
-TEST(ShearCoefficient, OfHutchinsonIsThePublishedOne) {
+TEST(BeamElementShearCoefficient, OfHutchinsonIsThePublishedOne) {
   auto segment = steel_segment(1, 0.08);
   segment.shear_modulus_pa = segment.youngs_modulus_pa / 2.6;  // nu = 0.3
   segment.shear_coefficient = model::ShearCoefficient::hutchinson;
@@ -161,7 +161,7 @@ Eigen::Matrix4d euler_stiffness(const model::ShaftSegment& s) {
   return s.youngs_modulus_pa * pi / 64 * std::pow(0.05, 4) / (l * l * l) * k;
 }
 
-TEST(TimoshenkoElement, WithoutShearAndRotaryInertiaIsEulersMatrixWrittenDown) {
+TEST(BeamElementTimoshenko, WithoutShearAndRotaryInertiaIsEulersMatrixWrittenDown) {
   auto segment = euler(0.3);
   segment.mass_damping_per_s = 0.7;
   segment.stiffness_damping_s = 2e-5;
@@ -173,7 +173,7 @@ TEST(TimoshenkoElement, WithoutShearAndRotaryInertiaIsEulersMatrixWrittenDown) {
   EXPECT_EQ(beam.gyroscopic, Eigen::Matrix4d(Eigen::Matrix4d::Zero()));
 }
 
-TEST(TimoshenkoElement, TheTwoFlagsOfTheRotationAreApart) {
+TEST(BeamElementTimoshenko, TheTwoFlagsOfTheRotationAreApart) {
   auto segment = euler(0.3);
   segment.gyroscopic = true;
   const BeamElement turning = timoshenko_element(segment, 0.3);
@@ -185,7 +185,7 @@ TEST(TimoshenkoElement, TheTwoFlagsOfTheRotationAreApart) {
   EXPECT_EQ(heavy.gyroscopic, Eigen::Matrix4d(Eigen::Matrix4d::Zero()));
 }
 
-TEST(LayeredElement, ARodInATubeIsTheRodThatTheyMake) {
+TEST(BeamElementLayered, ARodInATubeIsTheRodThatTheyMake) {
   model::ShaftSegment whole = steel_segment(0.2, 0.08);
   whole.shear_coefficient = model::ShearCoefficient::none;
   model::ShaftSegment parts = whole;
@@ -200,7 +200,7 @@ TEST(LayeredElement, ARodInATubeIsTheRodThatTheyMake) {
   EXPECT_NEAR(one.polar_inertia_kg_m2, two.polar_inertia_kg_m2, 1e-14 * one.polar_inertia_kg_m2);
 }
 
-TEST(TimoshenkoElement, StiffnessDiametersBendAndTheOthersWeigh) {
+TEST(BeamElementTimoshenko, StiffnessDiametersBendAndTheOthersWeigh) {
   const auto thin = steel_segment(0.2, 0.05, 0.01), thick = steel_segment(0.2, 0.08);
   auto apart = thick;
   apart.stiffness_outer_diameter_m = 0.05;
@@ -221,7 +221,7 @@ model::ShaftSegment printed_taper() {
 /// ROSS (github.com/petrobras/ross), ross/shaft_element.py: the element that its documentation prints. The
 /// stiffness by the midpoint rule of 2000 points along the true section: that program took its share of shear
 /// by the section of the left end there.
-TEST(TimoshenkoElement, ATaperIsThePrintedOne) {
+TEST(BeamElementTimoshenko, ATaperIsThePrintedOne) {
   const BeamElement beam = timoshenko_element(printed_taper(), 0.5);
   EXPECT_NEAR(beam.mass(0, 0), 11.36986417, 5e-9);
   EXPECT_NEAR(beam.mass(0, 1), 0.86197637, 5e-9);
@@ -234,7 +234,7 @@ TEST(TimoshenkoElement, ATaperIsThePrintedOne) {
   EXPECT_NEAR(beam.stiffness(1, 1), 12.23526167e6, 1e2);
 }
 
-TEST(TimoshenkoElement, ATaperThatDoesNotTaperIsTheStraightOne) {
+TEST(BeamElementTimoshenko, ATaperThatDoesNotTaperIsTheStraightOne) {
   const auto straight = steel_segment(0.2, 0.08, 0.03);
   auto taper = straight;
   taper.outer_diameter_end_m = 0.08;
@@ -248,7 +248,7 @@ TEST(TimoshenkoElement, ATaperThatDoesNotTaperIsTheStraightOne) {
 
 /// Parts of a solid cone give way at its tip as the whole one does: 64 F l^3 / (3 pi E d^3 D) by bending and
 /// 4 F l / (pi k G d D) by shear, clamped where it is D thick.
-TEST(TimoshenkoElement, PartsOfATaperBendAsTheCone) {
+TEST(BeamElementTimoshenko, PartsOfATaperBendAsTheCone) {
   auto cone = steel_segment(0.4, 0.06);
   cone.outer_diameter_end_m = 0.03;
   constexpr int parts = 64;

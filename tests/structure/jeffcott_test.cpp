@@ -42,7 +42,7 @@ void expect_point_at(const Point& point, Eigen::Index x, Eigen::Index n) {
   }
 }
 
-TEST(AssembleJeffcott, EveryEntryOfTheMatrices) {
+TEST(JeffcottAssemble, EveryEntryOfTheMatrices) {
   const LinearSystem system = assemble_jeffcott(rotor, {first, std::nullopt, second}).system;
   EXPECT_EQ(system.coordinates(), 6);
   expect_diagonal(system.mass, {0.8, 0.8, 0.05, 0.05, 0.03, 0.03});
@@ -52,7 +52,7 @@ TEST(AssembleJeffcott, EveryEntryOfTheMatrices) {
                   {6.031857894892402, 6.031857894892402, 31.622776601683796, 31.622776601683796, 0, 0});
 }
 
-TEST(AssembleJeffcott, PointsFollowTheStopsAndRigidCasingsHaveNone) {
+TEST(JeffcottAssemble, PointsFollowTheStopsAndRigidCasingsHaveNone) {
   const Assembly assembly = assemble_jeffcott(rotor, {first, std::nullopt, second});
   const LinearSystem& system = assembly.system;
   const auto& casing_points = assembly.casing_points;
@@ -66,7 +66,7 @@ TEST(AssembleJeffcott, PointsFollowTheStopsAndRigidCasingsHaveNone) {
   expect_point_at(system.points[static_cast<std::size_t>(casing_points[2].value())], 4, 6);
 }
 
-TEST(AssembleJeffcott, RigidCasingsHaveNoState) {
+TEST(JeffcottAssemble, RigidCasingsHaveNoState) {
   for (const Casings& casings : {Casings{}, Casings{std::nullopt}, Casings{std::nullopt, std::nullopt}}) {
     const Assembly assembly = assemble_jeffcott(rotor, casings);
     EXPECT_EQ(assembly.system.coordinates(), 2);
@@ -75,7 +75,7 @@ TEST(AssembleJeffcott, RigidCasingsHaveNoState) {
   }
 }
 
-TEST(AssembleJeffcott, FreeRotorDecaysAtItsFrequencyAndDampingRatio) {
+TEST(JeffcottAssemble, FreeRotorDecaysAtItsFrequencyAndDampingRatio) {
   // Root of m s^2 + c s + k: -zeta w0 +- i w0 sqrt(1 - zeta^2).
   const LinearSystem system = assemble_jeffcott(rotor, {}).system;
   const double m = system.mass(0, 0), c = system.damping(0, 0), k = system.stiffness(0, 0);
@@ -84,7 +84,7 @@ TEST(AssembleJeffcott, FreeRotorDecaysAtItsFrequencyAndDampingRatio) {
   EXPECT_NEAR(-root.real() / std::abs(root), 0.02, 1e-15);
 }
 
-TEST(AssembleJeffcott, UnbalanceTurnsFromXTowardsYWithForceMassTimesEccentricityTimesSpeedSquared) {
+TEST(JeffcottAssemble, UnbalanceTurnsFromXTowardsYWithForceMassTimesEccentricityTimesSpeedSquared) {
   const LinearSystem system = assemble_jeffcott(rotor, {first}).system;
   const double e = 3e-4, w = 471;
   for (const double phase : {0.0, 0.3, 1.9, 4.4}) {
@@ -96,7 +96,7 @@ TEST(AssembleJeffcott, UnbalanceTurnsFromXTowardsYWithForceMassTimesEccentricity
   }
 }
 
-TEST(AssembleJeffcott, WeightActsOnRotorAndMovingCasingsAlongMinusY) {
+TEST(JeffcottAssemble, WeightActsOnRotorAndMovingCasingsAlongMinusY) {
   const LinearSystem system = assemble_jeffcott(rotor, {first, std::nullopt, second}).system;
   Eigen::VectorXd weight(6);
   weight << 0, -0.8, 0, -0.05, 0, -0.03;

@@ -78,7 +78,7 @@ void expect_lowest(const Eigen::VectorXd& found, const std::vector<double>& prin
   }
 }
 
-TEST(WhirlFrequencies, OfTheTwoDiscRotorAsRossPrintsThem) {
+TEST(LateralSystemWhirlFrequencies, OfTheTwoDiscRotorAsRossPrintsThem) {
   // ROSS (github.com/petrobras/ross), docs/examples/example_05_09_01.rst, rad/s.
   expect_lowest(whirl(two_discs(1e6, 1e6), 0),
                 {86.65811435, 86.65811435, 274.31285391, 274.31285391, 716.78631221, 716.78631221}, 2e-7);
@@ -86,13 +86,13 @@ TEST(WhirlFrequencies, OfTheTwoDiscRotorAsRossPrintsThem) {
                 {85.389467, 87.7958637, 251.78460413, 294.71333087, 600.17936195, 827.07536193}, 2e-7);
 }
 
-TEST(WhirlFrequencies, OfAnisotropicBearingsAsTheBookPrintsThem) {
+TEST(LateralSystemWhirlFrequencies, OfAnisotropicBearingsAsTheBookPrintsThem) {
   // Example 5.9.2 of the same book: 0.8 MN/m in y; four digits.
   expect_lowest(whirl(two_discs(1e6, 0.8e6), 0), {82.65, 86.66, 254.52, 274.31, 679.49, 716.79}, 1e-4);
   expect_lowest(whirl(two_discs(1e6, 0.8e6), 4000), {82.33, 86.86, 239.64, 287.25, 583.49, 806.89}, 1e-4);
 }
 
-TEST(WhirlFrequencies, OfTheOverhungRotorAsTheBookPrintsThem) {
+TEST(LateralSystemWhirlFrequencies, OfTheOverhungRotorAsTheBookPrintsThem) {
   // Example 5.9.9: bearings at 0 and 1 m, disc at the end; four digits (ROSS, ross/tests/test_examples.py).
   model::RotorKit kit;
   kit.shaft = {steel_segment(1.5, 0.05)};
@@ -103,7 +103,7 @@ TEST(WhirlFrequencies, OfTheOverhungRotorAsTheBookPrintsThem) {
   expect_lowest(whirl(kit, 4000), {76.19, 103.91, 565.99, 634.23, 647.75, 1174.2}, 1e-3);
 }
 
-TEST(WhirlFrequencies, OverhungDiscOnALightShaftSplitsAsItsClosedForm) {
+TEST(LateralSystemWhirlFrequencies, OverhungDiscOnALightShaftSplitsAsItsClosedForm) {
   model::RotorKit kit;
   auto segment = steel_segment(0.4, 0.02);
   segment.density_kg_per_m3 = 1e-6;
@@ -144,7 +144,7 @@ TEST(WhirlFrequencies, OverhungDiscOnALightShaftSplitsAsItsClosedForm) {
   EXPECT_GT(found(1), rest(0) * 1.01);
 }
 
-TEST(PlaneModes, AreOrthogonalAndSolveTheProblem) {
+TEST(LateralSystemPlaneModes, AreOrthogonalAndSolveTheProblem) {
   const BeamShaft shaft = assemble_beam_shaft(two_discs(1e6, 1e6), {});
   const Eigen::MatrixXd stiffness = shaft.plane_stiffness(0);
   const PlaneModes modes = plane_modes(shaft.mass, stiffness, 5);
@@ -159,7 +159,7 @@ TEST(PlaneModes, AreOrthogonalAndSolveTheProblem) {
   }
 }
 
-TEST(PlaneModes, RefuseAShaftThatNothingHolds) {
+TEST(LateralSystemPlaneModes, RefuseAShaftThatNothingHolds) {
   model::RotorKit kit;
   kit.shaft = {steel_segment(1, 0.02)};
   kit.supports = {isotropic_support(0.5, 1e6)};
@@ -170,7 +170,7 @@ TEST(PlaneModes, RefuseAShaftThatNothingHolds) {
       ConfigError);
 }
 
-TEST(Project, EqualPlanesArePairsToTheLastBit) {
+TEST(LateralSystemProject, EqualPlanesArePairsToTheLastBit) {
   const BeamShaft shaft = assemble_beam_shaft(two_discs(1e6, 1e6), {});
   const PlaneModes modes = plane_modes(shaft.mass, shaft.plane_stiffness(0), 4);
   const LateralSystem system = project(shaft, {modes.shape, modes.shape});
@@ -184,7 +184,7 @@ TEST(Project, EqualPlanesArePairsToTheLastBit) {
   }
 }
 
-TEST(Project, CrossTermsKeepTheirPlaces) {
+TEST(LateralSystemProject, CrossTermsKeepTheirPlaces) {
   model::RotorKit kit = two_discs(1e6, 0.8e6);
   kit.supports[0].stiffness_xy_n_per_m = 3e5;
   kit.supports[0].stiffness_yx_n_per_m = -2e5;
@@ -197,7 +197,7 @@ TEST(Project, CrossTermsKeepTheirPlaces) {
   EXPECT_EQ(system.damping(last, last + 1), 0);
 }
 
-TEST(PlaneModes, NumbersWithoutModesAreRefused) {
+TEST(LateralSystemPlaneModes, NumbersWithoutModesAreRefused) {
   const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
   const auto message = [](const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
     return message_of<ConfigError>([&] { plane_modes(mass, stiffness, 2); });

@@ -25,7 +25,7 @@ Assembly jeffcott(double stationary, double rotating) {
 
 /// m z'' + c z' + c_r (z' - i w z) + k z = 0 has a forward whirl at sqrt(k/m) without growth where c w_n =
 /// c_r (w - w_n).
-TEST(InstabilityHz, OfAJeffcottRotorIsTheClosedForm) {
+TEST(StabilityInstabilityHz, OfAJeffcottRotorIsTheClosedForm) {
   for (const auto& [stationary, rotating] : {std::pair{0.02, 0.01}, {0.01, 0.04}, {0.05, 0.05}}) {
     const auto found = instability_hz(jeffcott(stationary, rotating), 400);
     ASSERT_TRUE(found);
@@ -38,7 +38,7 @@ TEST(InstabilityHz, OfAJeffcottRotorIsTheClosedForm) {
 }
 
 /// Roots of s^2 + 2 (z + zr) s + 1 - 2 i zr w = 0 in units of the natural frequency.
-TEST(GrowthPerS, IsTheRootOfTheComplexEquation) {
+TEST(StabilityGrowthPerS, IsTheRootOfTheComplexEquation) {
   const double stationary = 0.02, rotating = 0.03, natural = 60 * pi;
   for (const double speed : {0.0, 0.7, 1.6, 1.7, 5.0}) {
     const std::complex<double> half = stationary + rotating;
@@ -51,7 +51,7 @@ TEST(GrowthPerS, IsTheRootOfTheComplexEquation) {
 /// A slender shaft in bearings that hardly move, with ratios that are the same for every mode: its first mode
 /// is a Jeffcott rotor of its own, but for the little that discs in its middle and the thin shaft turn about
 /// a diameter.
-TEST(InstabilityHz, OfARotorKitIsThatOfItsFirstMode) {
+TEST(StabilityInstabilityHz, OfARotorKitIsThatOfItsFirstMode) {
   model::RotorKit kit;
   kit.shaft = {{{.outer_diameter_m = 0.01,
                  .youngs_modulus_pa = 2.06e11,

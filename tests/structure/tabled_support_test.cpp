@@ -11,7 +11,7 @@
 namespace rubsweep::structure {
 namespace {
 
-TEST(SupportAt, IsTheRowOfTheTableAtItsSpeeds) {
+TEST(TabledSupportAt, IsTheRowOfTheTableAtItsSpeeds) {
   const model::Machine machine = machine_at(scene::table_machine(), 55), typed = scene::typed_machine(2);
   for (std::size_t i = 0; i < 2; ++i) {
     const model::Support &found = model::kit_of(machine)->supports[i],
@@ -24,7 +24,7 @@ TEST(SupportAt, IsTheRowOfTheTableAtItsSpeeds) {
   }
 }
 
-TEST(SupportAt, RefusesSpeedsBeyondTheTable) {
+TEST(TabledSupportAt, RefusesSpeedsBeyondTheTable) {
   const model::Machine machine = scene::table_machine();
   for (const double speed_hz : {19.9, 120.5})
     EXPECT_NE(message_of<ConfigError>([&] {
@@ -51,7 +51,7 @@ TEST(TabledSupport, LacksNothingAtTheSpeedThatIsBuiltIn) {
   EXPECT_NEAR(some.damping(1, 1), 45 - 65, 1e-12);
 }
 
-TEST(RefuseChangingMass, LetsAMassThatStaysTheSamePass) {
+TEST(TabledSupportRefuseChangingMass, LetsAMassThatStaysTheSamePass) {
   model::Machine machine = scene::table_machine();
   model::SupportTable& table = *model::kit_of(machine)->supports[1].table;
   table.columns[8].assign(5, 0.3);

@@ -17,7 +17,7 @@ Basins tell_apart(const std::vector<SampledMotion>& motions) {
   return count.basins();
 }
 
-TEST(AttractorCount, CountsOrbitsFailedStartsAndWhatNeverRepeats) {
+TEST(AttractorsAttractorCount, CountsOrbitsFailedStartsAndWhatNeverRepeats) {
   const SampledMotion failed{"failed", true, false, false, {}};
   const SampledMotion chaos{"chaotic", false, true, false, {3, 2, 1}},
       more_chaos{"chaotic", false, true, false, {1, 1, 1}};
@@ -33,18 +33,18 @@ TEST(AttractorCount, CountsOrbitsFailedStartsAndWhatNeverRepeats) {
   EXPECT_NEAR(basins.attractors[0].standard_error, std::sqrt(3.0 / 7 * 4 / 7 / 7), 1e-15);
 }
 
-TEST(AttractorCount, ByAThousandthOfTheLargestLength) {
+TEST(AttractorsAttractorCount, ByAThousandthOfTheLargestLength) {
   EXPECT_EQ(tell_apart({orbit(2), orbit(2.0019)}).attractors.size(), 1u);
   EXPECT_EQ(tell_apart({orbit(2), orbit(2.0021)}).attractors.size(), 2u);
   EXPECT_EQ(tell_apart({orbit(2, 0.1), orbit(2, 0.1019)}).attractors.size(), 1u);
   EXPECT_EQ(tell_apart({orbit(2, 0.1), orbit(2, 0.1021)}).attractors.size(), 2u);
 }
 
-TEST(AttractorCount, EquallyFrequentOnesInTheOrderInWhichTheyAreMet) {
+TEST(AttractorsAttractorCount, EquallyFrequentOnesInTheOrderInWhichTheyAreMet) {
   EXPECT_EQ(tell_apart({orbit(5), orbit(4), orbit(4), orbit(5)}).numbers, (std::vector<int>{1, 2, 2, 1}));
 }
 
-TEST(AttractorCount, NothingOfNothing) {
+TEST(AttractorsAttractorCount, NothingOfNothing) {
   const Basins basins = tell_apart({});
   EXPECT_TRUE(basins.attractors.empty());
   EXPECT_TRUE(basins.numbers.empty());

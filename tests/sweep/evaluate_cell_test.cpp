@@ -22,7 +22,7 @@ Row evaluate(const Study& study, std::size_t cell = 0) {
   return evaluate_cell(study, cell, workspace);
 }
 
-TEST(RowOf, NothingThatIsNotFiniteIsOk) {
+TEST(EvaluateCellRowOf, NothingThatIsNotFiniteIsOk) {
   const Study study = one_side_study({75}, {0.4});
   const scene::Cell cell = scene::build_cell(study.machine, 75, scene::WhirlRatio{0.4});
   response::SettledRun run;
@@ -68,7 +68,7 @@ TEST(EvaluateCell, SupportsThatDoNotHoldAtASpeedAreNotAllowed) {
   EXPECT_EQ(evaluate(study, 1).status, "not_allowed");
 }
 
-TEST(RowOf, SaysThatTheRunEndedBeforeItsKick) {
+TEST(EvaluateCellRowOf, SaysThatTheRunEndedBeforeItsKick) {
   const Study study = one_side_study({75}, {0.4});
   scene::Cell cell = scene::build_cell(study.machine, 75, scene::WhirlRatio{0.4});
   ASSERT_EQ(cell.scene.pulses.size(), 1u);

@@ -68,14 +68,14 @@ TEST(Footprint, IsNeverMoreThanIsKnownWithoutTheMachine) {
   EXPECT_EQ(footprint(study, {2}).memory_bytes, most_memory_bytes(study, {2}));
 }
 
-TEST(TakePilotCells, SpreadsThemEvenlyAndLeavesTheOthers) {
+TEST(FootprintTakePilotCells, SpreadsThemEvenlyAndLeavesTheOthers) {
   Cells cells(10);
   std::iota(cells.begin(), cells.end(), std::size_t{100});
   EXPECT_EQ(take_pilot_cells(cells, 2), (Cells{102, 107}));
   EXPECT_EQ(cells, (Cells{100, 101, 103, 104, 105, 106, 108, 109}));
 }
 
-TEST(TakePilotCells, TakesNoMoreThanThereAre) {
+TEST(FootprintTakePilotCells, TakesNoMoreThanThereAre) {
   Cells cells{4, 5, 6};
   EXPECT_EQ(take_pilot_cells(cells, 7), (Cells{4, 5, 6}));
   EXPECT_EQ(cells, Cells{});

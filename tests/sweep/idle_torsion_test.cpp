@@ -21,7 +21,7 @@ std::string why(const model::Friction& friction, double speed_hz = 50) {
   return why_torsion_is_idle(scene::prepare_machine(twisting(friction)), speed_hz);
 }
 
-TEST(WhyTorsionIsIdle, SaysSoWhereNoFrictionAsksForTheSlip) {
+TEST(IdleTorsionWhyIs, SaysSoWhereNoFrictionAsksForTheSlip) {
   EXPECT_NE(why(model::NoFriction{}), "");
   EXPECT_NE(why(model::OneWayFriction{0.005}), "");
   EXPECT_NE(why(model::StribeckFriction{{0, 0, 0, 0.005, 100, 0}}), "");
@@ -36,7 +36,7 @@ TEST(WhyTorsionIsIdle, SaysSoWhereNoFrictionAsksForTheSlip) {
   EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(started), 50), "") << "hits of any strength";
 }
 
-TEST(WhyTorsionIsIdle, AsksEveryStop) {
+TEST(IdleTorsionWhyIs, AsksEveryStop) {
   // The smaller of two radii changes the slip by less and by more of itself.
   model::Machine machine = twisting(model::OneWayFriction{0.005});
   machine.stops.push_back(machine.stops[0]);
@@ -48,7 +48,7 @@ TEST(WhyTorsionIsIdle, AsksEveryStop) {
 }
 
 /// The statement is true: the row is nearly that of the rotor without torsion.
-TEST(WhyTorsionIsIdle, TheMotionIsTheSameWithoutTorsion) {
+TEST(IdleTorsionWhyIs, TheMotionIsTheSameWithoutTorsion) {
   ASSERT_NE(why(model::StribeckFriction{{0, 0, 0, 0.005, 100, 0}}, 60), "");
   Study study;
   study.machine = twisting(model::StribeckFriction{{0, 0, 0, 0.005, 100, 0}});

@@ -33,7 +33,7 @@ Study study_of_everything() {
   return study;
 }
 
-TEST(Growth, OfASweepThatRunsForEverThereIsNone) {
+TEST(MemoryGrowth, OfASweepThatRunsForEverThereIsNone) {
   // The allocator takes a page or two at any time; a leak grows in every stretch.
   constexpr std::size_t warm = 2000, stretch = 2000, stretches = 2, allowed_bytes = 64 * 1024;
   const Study study = study_of_everything();

@@ -27,7 +27,7 @@ model::Machine kicked() {
   return machine;
 }
 
-TEST(IsRobust, KicksALittleWeakerAndALittleStronger) {
+TEST(RobustnessIsRobust, KicksALittleWeakerAndALittleStronger) {
   std::vector<double> forces_n;
   EXPECT_EQ(is_robust(row(MotionClass::subharmonic, 2), kicked(),
                       [&](const model::Machine& machine) {
@@ -38,7 +38,7 @@ TEST(IsRobust, KicksALittleWeakerAndALittleStronger) {
   EXPECT_EQ(forces_n, (std::vector{200 * (1 - 1e-6), 200 * (1 + 1e-6)}));
 }
 
-TEST(RobustShare, CountsTheNeighboursThatKeepClassAndOrder) {
+TEST(RobustnessRobustShare, CountsTheNeighboursThatKeepClassAndOrder) {
   const Row found = row(MotionClass::subharmonic, 2);
   std::vector<double> forces_n;
   const auto share =
@@ -54,7 +54,7 @@ TEST(RobustShare, CountsTheNeighboursThatKeepClassAndOrder) {
       robust_share(row(MotionClass::failed), kicked(), {}, [](const model::Machine&) { return Row{}; }));
 }
 
-TEST(IsRobust, NotWhereEitherChangesClassOrOrder) {
+TEST(RobustnessIsRobust, NotWhereEitherChangesClassOrOrder) {
   const Row found = row(MotionClass::subharmonic, 2);
   for (const Row& other :
        {row(MotionClass::subharmonic, 3), row(MotionClass::non_contact), row(MotionClass::failed)}) {
@@ -68,7 +68,7 @@ TEST(IsRobust, NotWhereEitherChangesClassOrOrder) {
   }
 }
 
-TEST(IsRobust, SaysNothingWhereNoKickWasSimulated) {
+TEST(RobustnessIsRobust, SaysNothingWhereNoKickWasSimulated) {
   const auto never = [](const model::Machine&) -> Row {
     ADD_FAILURE() << "nothing to run";
     return {};
@@ -87,7 +87,7 @@ std::optional<bool> robust(Study study) {
   return evaluate_cell(study, 0, workspace).robust;
 }
 
-TEST(EvaluateCell, SaysWhetherItIsRobustWhenAsked) {
+TEST(RobustnessEvaluateCell, SaysWhetherItIsRobustWhenAsked) {
   // At rest again after a few turns, in the middle of the 1/2 tongue, and nothing to kick.
   EXPECT_EQ(robust(one_side_study({50}, {0.1})), true);
   EXPECT_EQ(robust(one_side_study({75}, {0.4})), true);
@@ -97,7 +97,7 @@ TEST(EvaluateCell, SaysWhetherItIsRobustWhenAsked) {
       << "off by default";
 }
 
-TEST(EvaluateCell, TheVerdictIsThatOfTheKickAsItIs) {
+TEST(RobustnessEvaluateCell, TheVerdictIsThatOfTheKickAsItIs) {
   Study study = one_side_study({75}, {0.4});
   response::motion::Workspace workspace;
   Row plain = evaluate_cell(study, 0, workspace);

@@ -121,7 +121,7 @@ TEST(EnergyBalance, HasNoForcingBesideTorsion) {
   EXPECT_TRUE(std::isnan(structure_energy(scene, zero, zero, 0).forcing_w));
 }
 
-TEST(SpringEnergy, IsTheIntegralOfTheSpringForce) {
+TEST(EnergySpring, IsTheIntegralOfTheSpringForce) {
   constexpr double stiffness = 3e6, width = 2e-6;
   for (const double smoothing : {0.0, width}) {
     double sum = 0;

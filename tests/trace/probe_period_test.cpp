@@ -31,7 +31,7 @@ std::vector<Complex> readings(const std::vector<Line>& lines, double speed_hz, d
   return z;
 }
 
-TEST(FindPeriod, IsTheSmallestNumberOfTurnsWhoseLinesExplainTheReadings) {
+TEST(ProbePeriodFind, IsTheSmallestNumberOfTurnsWhoseLinesExplainTheReadings) {
   for (const double speed_hz : {70.0, 61.3, 133.7}) {
     for (const int n : {1, 2, 3, 5, 12}) {
       const auto z = readings({{1, 4e-4}, {1.0 / n, 1e-3}, {-2.0 / n, 1e-4}}, speed_hz, 1e-3, 1200);
@@ -43,7 +43,7 @@ TEST(FindPeriod, IsTheSmallestNumberOfTurnsWhoseLinesExplainTheReadings) {
   }
 }
 
-TEST(FindPeriod, OfALineWithoutARatioIsNone) {
+TEST(ProbePeriodFind, OfALineWithoutARatioIsNone) {
   const auto z = readings({{1, 4e-4}, {std::sqrt(0.2), 1e-3}}, 70, 1e-3, 1200);
   const ProbePeriod found = find_period(z, 1e-3, 70, 0, 64, 12);
   EXPECT_FALSE(found.period);
@@ -51,7 +51,7 @@ TEST(FindPeriod, OfALineWithoutARatioIsNone) {
 }
 
 /// The noise explains what it leaves, and no more.
-TEST(FindPeriod, SeesThroughNoiseThatItKnowsOf) {
+TEST(ProbePeriodFind, SeesThroughNoiseThatItKnowsOf) {
   const double noise_m = 2e-5;
   const auto z = readings({{1, 4e-4}, {0.5, 3e-4}}, 70, 1e-3, 914, noise_m);
   const ProbePeriod known = find_period(z, 1e-3, 70, noise_m, 64, 12);
@@ -62,7 +62,7 @@ TEST(FindPeriod, SeesThroughNoiseThatItKnowsOf) {
 }
 
 /// At 70 rev/s and 1 ms the sampling rate is 100/7 orders: a line at order 10 is read at 10 - 100/7.
-TEST(FindPeriod, ALineAboveHalfTheSamplingRateIsFoldedWhereNoLineBelongs) {
+TEST(ProbePeriodFind, ALineAboveHalfTheSamplingRateIsFoldedWhereNoLineBelongs) {
   const auto z = readings({{1, 4e-4}, {10, 1e-4}}, 70, 1e-3, 914);
   EXPECT_FALSE(find_period(z, 1e-3, 70, 0, 64, 6).period);
   const auto spectrum = [&] {
@@ -77,7 +77,7 @@ TEST(FindPeriod, ALineAboveHalfTheSamplingRateIsFoldedWhereNoLineBelongs) {
   EXPECT_NEAR(at(10 - 100.0 / 7), 1e-4, 1e-12);
 }
 
-TEST(ProbeSpectrum, CoversWholePeriods) {
+TEST(ProbePeriodSpectrum, CoversWholePeriods) {
   response::spectrum::SpectrumWorkspace workspace;
   for (const int period : {1, 2, 3}) {
     const auto z = readings({{1, 4e-4}, {1.0 / period, 1e-3}}, 70, 1e-3, 1300);
@@ -93,7 +93,7 @@ TEST(ProbeSpectrum, CoversWholePeriods) {
   EXPECT_TRUE(probe_spectrum({}, 1e-3, 70, 64, 1, workspace).amplitude_m.empty());
 }
 
-TEST(PairOf, IsTheFirstAtOnePlaceFromTwoDirections) {
+TEST(ProbePeriodPairOf, IsTheFirstAtOnePlaceFromTwoDirections) {
   EXPECT_EQ(pair_of({0, 90}, {}), ProbePair(0, 1));
   EXPECT_EQ(pair_of({0, 180, 45}, {0.1, 0.1, 0.1}), ProbePair(0, 2));
   EXPECT_EQ(pair_of({0, 90, 85}, {0.1, 0.2, 0.2}), std::nullopt);
@@ -101,7 +101,7 @@ TEST(PairOf, IsTheFirstAtOnePlaceFromTwoDirections) {
   EXPECT_EQ(pair_of({0}, {0.1}), std::nullopt);
 }
 
-TEST(DisplacementOf, UndoesTheDirectionsOfThePair) {
+TEST(ProbePeriodDisplacementOf, UndoesTheDirectionsOfThePair) {
   const std::vector<double> angle_deg{30, -10, 100};
   const Complex z(3e-4, -7e-4);
   Eigen::MatrixXd read(1, 3);

@@ -20,7 +20,7 @@ TraceState state_with_two_stops() {
   return state;
 }
 
-TEST(TrajectoryCsv, HasTheRotorThenEveryStop) {
+TEST(TraceCsvTrajectory, HasTheRotorThenEveryStop) {
   const std::string energies =
       ",kinetic_energy_j,elastic_energy_j,contact_energy_j,forcing_power_w,damping_power_w,"
       "contact_damping_power_w,friction_power_w\n";
@@ -39,7 +39,7 @@ TEST(TrajectoryCsv, HasTheRotorThenEveryStop) {
                 "0.25,-1,0,0,1,2,3,4,-5,-6,-7\n");
 }
 
-TEST(SectionCsv, HasTheRotorThenTheCasings) {
+TEST(TraceCsvSection, HasTheRotorThenTheCasings) {
   Trace trace;
   trace.stops = 2;
   TraceState at_rest;
@@ -53,7 +53,7 @@ TEST(SectionCsv, HasTheRotorThenTheCasings) {
       "1,1250.5,0.001,-0.00025,0.5,-0.125,1e-05,2e-05,0,0,0.25,-1,0,0\n");
 }
 
-TEST(TrajectoryCsv, HasTheCoordinatesOfARotorKit) {
+TEST(TraceCsvTrajectory, HasTheCoordinatesOfARotorKit) {
   Trace trace;
   trace.vibration_coordinates = 2;
   TraceState state;
@@ -67,7 +67,7 @@ TEST(TrajectoryCsv, HasTheCoordinatesOfARotorKit) {
             "0,0,0,0,0,1,3,2,4,0,0,0,0,0,0,0\n");
 }
 
-TEST(EventsCsv, NamesTheModes) {
+TEST(TraceCsvEvents, NamesTheModes) {
   using contact::Mode;
   Trace trace;
   trace.switches = {{0.25, {.phase_rad = 1, .contact = 1, .from = Mode::open, .to = Mode::clamped}},
@@ -75,7 +75,7 @@ TEST(EventsCsv, NamesTheModes) {
   EXPECT_EQ(events_csv(trace), "t_s,stop,from,to\n0.25,1,open,clamped\n0.5,0,sprung,released\n");
 }
 
-TEST(SpectrumCsv, ListsOrdersUpwardsWithSignedFrequencies) {
+TEST(TraceCsvSpectrum, ListsOrdersUpwardsWithSignedFrequencies) {
   const response::spectrum::FullSpectrum spectrum{
       .turns = 2, .samples_per_revolution = 2, .amplitude_m = {1e-6, 2e-6, 3e-6, 4e-6}};
   EXPECT_EQ(spectrum_csv(spectrum, 75),

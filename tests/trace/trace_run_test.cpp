@@ -168,7 +168,7 @@ TEST(TraceRun, EventsAreTimedInTheirRevolution) {
   }
 }
 
-TEST(LastWindow, HoldsTheMeasuresOfTheMap) {
+TEST(TraceRunLastWindow, HoldsTheMeasuresOfTheMap) {
   sweep::Study study;
   study.machine = test::machine_of({});
   study.grid = {.speed_hz = {75}, .measure = sweep::UnbalanceMeasure::whirl_ratio, .unbalance = {0.4}};
@@ -200,7 +200,7 @@ TEST(LastWindow, HoldsTheMeasuresOfTheMap) {
   EXPECT_EQ(trace.last_contact_revolution, row.last_contact_revolution);
 }
 
-TEST(LastWindow, IsTheWholeRunWhereThatIsShorter) {
+TEST(TraceRunLastWindow, IsTheWholeRunWhereThatIsShorter) {
   const OneSideRotor rotor;
   const TraceOptions options = options_for(rotor, 3);
   const Trace trace = run(rotor, options);

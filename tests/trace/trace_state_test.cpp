@@ -38,7 +38,7 @@ OneSideState<double> near_the_wall(std::mt19937& random) {
   return state;
 }
 
-TEST(StateReader, GivesTheForcesThatTheEquationsOfMotionNeed) {
+TEST(TraceStateReader, GivesTheForcesThatTheEquationsOfMotionNeed) {
   // Slip of either sign, and a friction that tells one slip from another.
   const OneSideRotor rotor{.contact_radius_m = 0.0005, .friction_steepness_s_per_m = 2};
   const OneSideEquations<double> equations(rotor);
@@ -71,7 +71,7 @@ TEST(StateReader, GivesTheForcesThatTheEquationsOfMotionNeed) {
   EXPECT_LT(touching, 1500);
 }
 
-TEST(StateReader, SmoothedLawDiffersAtTheCornersOnly) {
+TEST(TraceStateReader, SmoothedLawDiffersAtTheCornersOnly) {
   const OneSideRotor rotor;
   const scene::Cell cell = test::cell_of(rotor);
   const StateReader sharp(cell.scene, located), soft(cell.scene, smoothed);
@@ -100,7 +100,7 @@ scene::Scene annular_scene() {
   return scene;
 }
 
-TEST(StateReader, ShowsWhatHoldsAContactThatSticks) {
+TEST(TraceStateReader, ShowsWhatHoldsAContactThatSticks) {
   scene::Scene scene = annular_scene();
   // The shaft's spring pulls along the normal; a force that turns acts along the tangent (-0.8, 0.6) at first
   // and against it half a turn later.
@@ -122,7 +122,7 @@ TEST(StateReader, ShowsWhatHoldsAContactThatSticks) {
   EXPECT_NEAR(kicked.read(sticking, 0.5).stops.at(0).friction_force_n, -50 + 60 * std::sqrt(0.5), 1e-7);
 }
 
-TEST(StateReader, SmoothedDryFrictionIsThatOfTheEquationsOfMotion) {
+TEST(TraceStateReader, SmoothedDryFrictionIsThatOfTheEquationsOfMotion) {
   scene::Scene scene = annular_scene();
   const StateReader reader(scene, smoothed);
   const double speed = scene.speed_rad_per_s, slip_m_per_s = 1e-6 * speed;
@@ -131,7 +131,7 @@ TEST(StateReader, SmoothedDryFrictionIsThatOfTheEquationsOfMotion) {
   EXPECT_NEAR(reader.read(creeping, 0).stops.at(0).friction_force_n, 0.2 * 500 * std::tanh(1), 1e-6);
 }
 
-TEST(StateReader, ReadsARingAlongTheOffsetDisplacement) {
+TEST(TraceStateReader, ReadsARingAlongTheOffsetDisplacement) {
   const scene::Scene scene = annular_scene();
   const StateReader reader(scene, located);
   const double speed = scene.speed_rad_per_s;
@@ -151,7 +151,7 @@ TEST(StateReader, ReadsARingAlongTheOffsetDisplacement) {
   EXPECT_EQ(centred.friction_force_n, 0);
 }
 
-TEST(StateReader, RefusesAStateOfAnotherSize) {
+TEST(TraceStateReader, RefusesAStateOfAnotherSize) {
   const scene::Scene scene = annular_scene();
   const StateReader reader(scene, located);
   EXPECT_EQ(reader.size(), 4u);

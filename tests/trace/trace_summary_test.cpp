@@ -13,7 +13,7 @@ response::spectrum::FullSpectrum spectrum_of(std::initializer_list<std::pair<int
   return spectrum;
 }
 
-TEST(LargestLines, AreSortedPeaksWithoutTheMean) {
+TEST(TraceSummaryLargestLines, AreSortedPeaksWithoutTheMean) {
   const auto lines = largest_lines(
       spectrum_of({{-8, 1e-5}, {-4, 3e-4}, {0, 5e-3}, {2, 7e-4}, {3, 6.9e-4}, {7, 1e-4}}), 3, 1e-3);
   ASSERT_EQ(lines.size(), 3u);
@@ -23,7 +23,7 @@ TEST(LargestLines, AreSortedPeaksWithoutTheMean) {
   EXPECT_EQ(lines[2].order, 1.75);
 }
 
-TEST(LargestLines, StopAtTheFloorOfSignificance) {
+TEST(TraceSummaryLargestLines, StopAtTheFloorOfSignificance) {
   EXPECT_EQ(largest_lines(spectrum_of({{4, 1e-3}, {-4, 0.9e-6}}), 5, 1e-6).size(),
             1u);  // 1e-3 of the largest
   EXPECT_EQ(largest_lines(spectrum_of({{4, 1e-3}, {-4, 1.1e-6}}), 5, 1e-6).size(), 2u);

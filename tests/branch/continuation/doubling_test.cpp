@@ -12,7 +12,7 @@ namespace {
 
 /// The two-cycle of the logistic map is born at 3, has the multiplier 4 + 2 r - r^2 and doubles at 1 +
 /// sqrt(6).
-TEST(DoubledStart, TheTwoCycleOfTheLogisticMap) {
+TEST(DoublingDoubledStart, TheTwoCycleOfTheLogisticMap) {
   const orbits::OrbitProblem single = test::logistic(1, 2, 3.2), doubled = test::logistic(2, 2, 3.6);
   const auto start = orbit_from(single, test::number(0.6), 2.5);
   ASSERT_TRUE(start);

@@ -14,9 +14,9 @@ namespace rubsweep::branch::continuation {
 namespace {
 
 /// The whole branch of period one between two speeds, from the orbit that touches nothing.
-class TwoMasses : public ::testing::Test {
+class GrazeTwoMasses : public ::testing::Test {
  protected:
-  TwoMasses() {
+  GrazeTwoMasses() {
     orbits::OrbitProblem problem = orbits::scene_orbits(
         [](double speed) -> std::optional<scene::Scene> { return test::two_mass_scene(speed); }, 1, {},
         modes_);
@@ -38,7 +38,7 @@ class TwoMasses : public ::testing::Test {
 };
 
 /// Closed form: the linear response has the amplitude 1 there.
-TEST_F(TwoMasses, GrazesWhereTheLinearResponseReachesTheStop) {
+TEST_F(GrazeTwoMasses, GrazesWhereTheLinearResponseReachesTheStop) {
   const auto grazes = of(EventKind::graze);
   ASSERT_EQ(grazes.size(), 2u);
   EXPECT_NEAR(grazes[0].point.parameter, 0.5818996390393, 1e-11);
@@ -55,7 +55,7 @@ TEST_F(TwoMasses, GrazesWhereTheLinearResponseReachesTheStop) {
 }
 
 /// Four digits by Krack and Gross's example and by shooting; the order along the branch as well.
-TEST_F(TwoMasses, TorusDoublingsAndFold) {
+TEST_F(GrazeTwoMasses, TorusDoublingsAndFold) {
   const auto tori = of(EventKind::neimark_sacker), doublings = of(EventKind::period_doubling),
              folds = of(EventKind::fold);
   ASSERT_EQ(tori.size(), 2u);  // one of them just above the graze
@@ -71,14 +71,14 @@ TEST_F(TwoMasses, TorusDoublingsAndFold) {
 }
 
 /// Damping alone contracts volumes: their product is exp(-trace(D) T), with a contact that has no damper.
-TEST_F(TwoMasses, ProductOfTheMultipliers) {
+TEST_F(GrazeTwoMasses, ProductOfTheMultipliers) {
   for (const BranchPoint& point : branch_.points) {
     const double expected = std::exp(-0.09 * 2 * std::numbers::pi / point.parameter);
     EXPECT_NEAR(point.multipliers.prod().real() / expected, 1, 1e-8) << point.parameter;
   }
 }
 
-TEST_F(TwoMasses, MultipliersAtAPublishedSpeed) {
+TEST_F(GrazeTwoMasses, MultipliersAtAPublishedSpeed) {
   orbits::OrbitProblem problem = orbits::scene_orbits(
       [](double speed) -> std::optional<scene::Scene> { return test::two_mass_scene(speed); }, 1, {}, modes_);
   const auto near = std::ranges::find_if(
@@ -95,7 +95,7 @@ TEST_F(TwoMasses, MultipliersAtAPublishedSpeed) {
 }
 
 /// Every point on the branch is an orbit of the scene however one looks at it.
-TEST_F(TwoMasses, FactsOfItsOrbits) {
+TEST_F(GrazeTwoMasses, FactsOfItsOrbits) {
   for (const BranchPoint& point : branch_.points) {
     EXPECT_TRUE(point.facts.feasible);
     EXPECT_EQ(point.facts.touched, point.facts.peak_displacement_m > 1) << point.parameter;

@@ -13,9 +13,9 @@ namespace rubsweep::branch::continuation {
 namespace {
 
 /// Fixed points of the logistic map: x = 1 - 1 / r.
-class LogisticSegment : public ::testing::Test {
+class SegmentLogistic : public ::testing::Test {
  protected:
-  LogisticSegment()
+  SegmentLogistic()
       : from_(orbit_from(problem_, test::number(0.6), 2.5).value()),
         to_(orbit_from(problem_, test::number(0.63), 2.7).value()) {}
 
@@ -23,7 +23,7 @@ class LogisticSegment : public ::testing::Test {
   BranchPoint from_, to_;
 };
 
-TEST_F(LogisticSegment, OrbitsInBetweenAtTheirDistance) {
+TEST_F(SegmentLogistic, OrbitsInBetweenAtTheirDistance) {
   const Segment segment(problem_, from_, to_);
   EXPECT_GT(segment.length(), 0.2);
   for (const double share : {0.25, 0.5, 0.9}) {
@@ -37,13 +37,13 @@ TEST_F(LogisticSegment, OrbitsInBetweenAtTheirDistance) {
   EXPECT_EQ(segment.at(segment.length())->parameter, 2.7);
 }
 
-TEST_F(LogisticSegment, NeighboursBelongTogetherAndOthersDoNot) {
+TEST_F(SegmentLogistic, NeighboursBelongTogetherAndOthersDoNot) {
   const Segment segment(problem_, from_, to_);
   EXPECT_TRUE(continuous(problem_, *segment.at(0.1), *segment.at(0.1 + 1e-9)));
   EXPECT_FALSE(continuous(problem_, from_, to_));
 }
 
-TEST_F(LogisticSegment, PassesThroughItsOwnPointsAlone) {
+TEST_F(SegmentLogistic, PassesThroughItsOwnPointsAlone) {
   const Segment segment(problem_, from_, to_);
   const auto on_it = segment.through(position_of(problem_, test::number(1 - 1 / 2.6), 2.6));
   ASSERT_TRUE(on_it);
@@ -53,7 +53,7 @@ TEST_F(LogisticSegment, PassesThroughItsOwnPointsAlone) {
 }
 
 /// Nothing happens below 3; a step over 3 has the doubling.
-TEST_F(LogisticSegment, EventsBetweenItsEnds) {
+TEST_F(SegmentLogistic, EventsBetweenItsEnds) {
   const auto none = events_between(problem_, from_, to_, true);
   ASSERT_TRUE(none);
   EXPECT_TRUE(none->empty());

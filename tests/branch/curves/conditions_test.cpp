@@ -31,7 +31,7 @@ MonodromyJet without_neighbours(MonodromyJet jet) {
 }
 
 /// x -> x + p x + a x^2 + b x^3, y -> y / 2 + x y: what is critical is x alone.
-TEST(SingularCondition, OfAFold) {
+TEST(ConditionsSingularCondition, OfAFold) {
   constexpr double a = 0.7, b = -0.4, p = 0.01;
   const auto monodromy = [](const VectorXd& x, double at) {
     return MatrixXd(
@@ -56,7 +56,7 @@ TEST(SingularCondition, OfAFold) {
 
 /// x -> -(1 + p) x + a x^2 + b x^3: the coefficient of the normal form is a^2 + b, of which `cubic` is six
 /// times.
-TEST(SingularCondition, OfAPeriodDoubling) {
+TEST(ConditionsSingularCondition, OfAPeriodDoubling) {
   constexpr double a = 0.7, b = -0.4;
   const auto monodromy = [](const VectorXd& x, double at) {
     return MatrixXd(MatrixXd::Constant(1, 1, -(1 + at) + 2 * a * x(0) + 3 * b * x(0) * x(0)));
@@ -71,7 +71,7 @@ TEST(SingularCondition, OfAPeriodDoubling) {
 
 /// A rotation by 1 with the modulus 1 + p + x, beside a multiplier 0.3, seen in skew coordinates: the product
 /// of the pair is (1 + p + x)^2.
-TEST(PairCondition, OfATorus) {
+TEST(ConditionsPairCondition, OfATorus) {
   constexpr double p = 0.02;
   Eigen::Matrix3d skew;
   skew << 1, 0.4, -0.2, 0, 1, 0.3, 0.5, 0, 1;
@@ -93,7 +93,7 @@ TEST(PairCondition, OfATorus) {
 /// M = (1 + p) R + x e e^T with R a rotation by 90 degrees and e the first axis: trace x, and the determinant
 /// does not know x to first order. Along (x, y) the slope is that of the closed form, whatever the basis of
 /// the pair's plane is.
-TEST(PairCondition, SlopeAlongTheState) {
+TEST(ConditionsPairCondition, SlopeAlongTheState) {
   const auto monodromy = [](const VectorXd& x, double at) {
     MatrixXd m(2, 2);
     m << x(0), -(1 + at) + x(1), 1 + at, x(1);
@@ -105,7 +105,7 @@ TEST(PairCondition, SlopeAlongTheState) {
   EXPECT_NEAR(condition->by_parameter(0), 2.2, 1e-8);
 }
 
-TEST(PairCondition, OneMultiplierIsNoPair) {
+TEST(ConditionsPairCondition, OneMultiplierIsNoPair) {
   const auto monodromy = [](const VectorXd&, double) { return MatrixXd(MatrixXd::Constant(1, 1, 1)); };
   EXPECT_FALSE(pair_condition(jet_of(monodromy, 1, 0)));
 }

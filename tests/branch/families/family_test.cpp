@@ -23,7 +23,7 @@ sweep::Study study() { return test::half_orbit_study({0.3, 0.4}); }
 /// The half orbit of set A at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz: the
 /// family is in the cells between, and ends at these folds, which continuation along the whole branch finds
 /// as well.
-TEST(Families, TheHalfOrbitOfAMap) {
+TEST(FamilyFamilies, TheHalfOrbitOfAMap) {
   const std::atomic<bool> stop{false};
   const std::vector<std::size_t> proven{7};  // 75 Hz, 0.4
   const Families families = families_of(study(), proven, 2, stop);
@@ -57,7 +57,7 @@ TEST(Families, TheHalfOrbitOfAMap) {
               1e-8);
 }
 
-TEST(Families, DoNotDependOnTheNumberOfThreads) {
+TEST(FamilyFamilies, DoNotDependOnTheNumberOfThreads) {
   const std::atomic<bool> stop{false};
   const std::vector<std::size_t> proven{2, 3, 7};
   const Families one = families_of(study(), proven, 1, stop), three = families_of(study(), proven, 3, stop);
@@ -76,7 +76,7 @@ TEST(Families, DoNotDependOnTheNumberOfThreads) {
 }
 
 /// Stopped after any number of records, families go on from them to what they are without.
-TEST(Families, GoOnFromWhatWasFound) {
+TEST(FamilyFamilies, GoOnFromWhatWasFound) {
   const std::vector<std::size_t> proven{2, 3, 7};
   std::atomic<bool> stop{false};
   std::vector<std::pair<std::size_t, std::string>> lines;
@@ -122,7 +122,7 @@ double least_whirl_ratio_of_a_circle(double speed_hz) {
 
 /// Circles and ovals in an annulus: two families of one map. The circle ends at the fold that its closed form
 /// has, on both axes.
-TEST(Families, CirclesAndOvalsInAnAnnulus) {
+TEST(FamilyFamilies, CirclesAndOvalsInAnAnnulus) {
   sweep::Study annulus;
   annulus.machine = response::testing::annular_machine();
   annulus.grid.speed_hz = {60, 80, 165, 170};
@@ -149,7 +149,7 @@ TEST(Families, CirclesAndOvalsInAnAnnulus) {
 }
 
 /// A cell whose kick leads to rest has no orbit to follow, whatever a map says.
-TEST(Families, ACellThatIsNotFound) {
+TEST(FamilyFamilies, ACellThatIsNotFound) {
   const std::atomic<bool> stop{false};
   sweep::Study at_rest = study();
   at_rest.machine.kick->force_n = 1;

@@ -35,7 +35,7 @@ Family family_in(const std::vector<std::size_t>& cells) {
   return family;
 }
 
-TEST(Neighbours, AtCornersAndInside) {
+TEST(OutlineNeighbours, AtCornersAndInside) {
   EXPECT_EQ(neighbours_of(grid(), 0), (std::vector<std::size_t>{1, 4}));
   EXPECT_EQ(neighbours_of(grid(), 5), (std::vector<std::size_t>{4, 6, 1, 9}));
   EXPECT_EQ(neighbours_of(grid(), 11), (std::vector<std::size_t>{10, 7}));

@@ -29,7 +29,7 @@ std::vector<ModeSwitch> operator+(std::vector<ModeSwitch> a, const std::vector<M
   return a;
 }
 
-TEST(SameSequence, WhereverTheOrbitBegins) {
+TEST(ContactSequenceSame, WhereverTheOrbitBegins) {
   EXPECT_TRUE(same_sequence(changes("ocsro"), changes("srocs")));
   EXPECT_FALSE(same_sequence(changes("ocsro"), changes("ocso")));
   EXPECT_TRUE(same_sequence({}, {}));
@@ -38,13 +38,13 @@ TEST(SameSequence, WhereverTheOrbitBegins) {
 
 /// Only the order of changes at one contact counts: two stops touch one after the other or the other way
 /// round.
-TEST(SameSequence, ContactByContact) {
+TEST(ContactSequenceSame, ContactByContact) {
   EXPECT_TRUE(same_sequence(changes("oso", 0, 0) + changes("oso", 1, 1),
                             changes("oso", 0, 1) + changes("oso", 1, 0)));
   EXPECT_FALSE(same_sequence(changes("oso", 0, 0), changes("oso", 0, 1)));
 }
 
-TEST(SequenceChange, AHit) {
+TEST(ContactSequenceChange, AHit) {
   const auto change = sequence_change(changes("ocsro") + changes("ocso", 3), changes("ocsro"), 6.28);
   ASSERT_TRUE(change);
   EXPECT_EQ(change->kind, SequenceChange::Kind::hit);
@@ -52,21 +52,21 @@ TEST(SequenceChange, AHit) {
   EXPECT_EQ(describe(*change), "hit at stop 0");
 }
 
-TEST(SequenceChange, TheOnlyHitOverTheEndOfThePeriod) {
+TEST(ContactSequenceChange, TheOnlyHitOverTheEndOfThePeriod) {
   const auto change = sequence_change(changes("so", 0.1) + changes("os", 6.2), {}, 6.28);
   ASSERT_TRUE(change);
   EXPECT_EQ(change->kind, SequenceChange::Kind::hit);
   EXPECT_NEAR(change->duration_rad, 0.18, 1e-12);
 }
 
-TEST(SequenceChange, AnInterruption) {
+TEST(ContactSequenceChange, AnInterruption) {
   const auto change = sequence_change(changes("ocscso"), changes("ocso"), 6.28);
   ASSERT_TRUE(change);
   EXPECT_EQ(change->kind, SequenceChange::Kind::interruption);
   EXPECT_NEAR(change->duration_rad, 0.1, 1e-12);
 }
 
-TEST(SequenceChange, AFlightThatPartsAHit) {
+TEST(ContactSequenceChange, AFlightThatPartsAHit) {
   const auto apart = changes("ocsrocsro"), together = changes("ocsrscsro");
   EXPECT_TRUE(is_richer(apart, together));
   const auto change = sequence_change(apart, together, 6.28);
@@ -76,7 +76,7 @@ TEST(SequenceChange, AFlightThatPartsAHit) {
   EXPECT_EQ(describe(*change), "flight within a hit at stop 0");
 }
 
-TEST(SequenceChange, NoneThatIsKnown) {
+TEST(ContactSequenceChange, NoneThatIsKnown) {
   EXPECT_FALSE(sequence_change(changes("ocsro"), changes("oscro"), 6.28));
   EXPECT_FALSE(sequence_change(changes("oso", 0, 0) + changes("oso", 1, 1), {}, 6.28));
 }

@@ -21,7 +21,7 @@ scene::Scene driven_mass(double damping) {
   return scene;
 }
 
-TEST(SectionGuards, AnOpenContactInClosedForm) {
+TEST(GuardMotionSection, AnOpenContactInClosedForm) {
   SectionGuards guards(driven_mass(0));
   const std::array section{0.9, 0.1, 0.2, -0.3};
   const auto guard = guards.at(section, {0, Mode::open, Mode::sprung});
@@ -33,7 +33,7 @@ TEST(SectionGuards, AnOpenContactInClosedForm) {
 }
 
 /// K p + d v over K, its rate by the acceleration of a sprung contact.
-TEST(SectionGuards, AForceThatEndsInUnitsOfLength) {
+TEST(GuardMotionSection, AForceThatEndsInUnitsOfLength) {
   SectionGuards guards(driven_mass(5));
   const std::array section{1.2, 0.0, -0.4, 0.0};
   const auto guard = guards.at(section, {0, Mode::sprung, Mode::released});
@@ -43,7 +43,7 @@ TEST(SectionGuards, AForceThatEndsInUnitsOfLength) {
   EXPECT_NEAR(guard->rate, -(50 * -0.4 + 5 * acceleration) / 50, 1e-14);
 }
 
-TEST(BegunAtPhase, TurnsForceAndImpulses) {
+TEST(GuardMotionBegunAtPhase, TurnsForceAndImpulses) {
   scene::Scene scene = driven_mass(0);
   scene.impulses.push_back({Eigen::Vector2d(1, 0), 2, 0.25});
   const scene::Scene later = begun_at_phase(scene, std::numbers::pi / 2);

@@ -32,9 +32,9 @@ double grazing_force(double w) {
   return std::abs(((k - m) * (2.0 * k - m) - k * k) / k);
 }
 
-class TwoMassPlane : public ::testing::Test {
+class ScenePlaneTwoMass : public ::testing::Test {
  protected:
-  TwoMassPlane() {
+  ScenePlaneTwoMass() {
     problem_ = scene_orbits([](double speed) { return driven(speed, 0.1); }, 1, {}, modes_);
     problem_.low = 0.4;
     problem_.high = 0.9;
@@ -59,7 +59,7 @@ class TwoMassPlane : public ::testing::Test {
   continuation::HalfBranch branch_;
 };
 
-TEST_F(TwoMassPlane, GrazesWhereTheLinearResponseReachesTheStop) {
+TEST_F(ScenePlaneTwoMass, GrazesWhereTheLinearResponseReachesTheStop) {
   orbits_.second = {0.005, 0.3};  // down to the resonance
   const auto first = start_at(continuation::EventKind::graze, 0),
              second = start_at(continuation::EventKind::graze, 1);
@@ -86,7 +86,7 @@ const curves::Meeting* find(const curves::Curve& curve, curves::MeetingKind kind
 
 /// The critical multiplier is there all along, with the others the product that damping gives; and the curves
 /// of folds and of doublings agree about the place where they meet.
-TEST_F(TwoMassPlane, FoldsAndDoublings) {
+TEST_F(ScenePlaneTwoMass, FoldsAndDoublings) {
   std::vector<Place> meetings;
   for (const auto& [kind, critical] : {std::pair{continuation::EventKind::fold, 1.0},
                                        std::pair{continuation::EventKind::period_doubling, -1.0}}) {
@@ -112,7 +112,7 @@ TEST_F(TwoMassPlane, FoldsAndDoublings) {
 }
 
 /// A doubling found again at another force by following the speed there.
-TEST_F(TwoMassPlane, CurveOfDoublingsAgreesWithABranchAtAnotherForce) {
+TEST_F(ScenePlaneTwoMass, CurveOfDoublingsAgreesWithABranchAtAnotherForce) {
   const auto start = start_at(continuation::EventKind::period_doubling, 0);
   ASSERT_TRUE(start);
   const curves::Curve curve = curves::follow_curve(start->system, start->point, {});
@@ -136,7 +136,7 @@ TEST_F(TwoMassPlane, CurveOfDoublingsAgreesWithABranchAtAnotherForce) {
 }
 
 /// The torus of the two masses at other forces: the pair on the unit circle has the modulus 1 all along.
-TEST_F(TwoMassPlane, Tori) {
+TEST_F(ScenePlaneTwoMass, Tori) {
   const auto start = start_at(continuation::EventKind::neimark_sacker, 1);
   ASSERT_TRUE(start);
   const curves::Curve curve = curves::follow_curve(start->system, start->point, {});

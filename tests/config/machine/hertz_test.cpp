@@ -68,7 +68,7 @@ TEST(Hertz, IterationsAreWrittenWhereThereAreSome) {
             std::string::npos);
 }
 
-TEST(FrictionCurve, IsSolvedForAndPrintedAsItWasGiven) {
+TEST(HertzFrictionCurve, IsSolvedForAndPrintedAsItWasGiven) {
   const std::string curve =
       "stops.0.friction={static: 0.3, kinetic: 0.2, peak_speed_m_per_s: 0.01, settle_speed_m_per_s: 0.2}";
   const RunConfig config = read_run_config_text(test_file("minimal.yaml"), "test.yaml", {curve});
@@ -79,7 +79,7 @@ TEST(FrictionCurve, IsSolvedForAndPrintedAsItWasGiven) {
   EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
 }
 
-TEST(FrictionCurve, ProblemsHaveTheirPlaces) {
+TEST(HertzFrictionCurve, ProblemsHaveTheirPlaces) {
   const auto message = [](const std::string& text) {
     return message_of(test_file("minimal.yaml"), {"stops.0.friction=" + text});
   };

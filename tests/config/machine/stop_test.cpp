@@ -73,7 +73,7 @@ TEST(Stop, NoNumberIsBeyondWhatProductsBear) {
     EXPECT_NE(message(key).find("in magnitude"), std::string::npos) << key;
 }
 
-TEST(Kick, IsShorterThanTheLongestRun) {
+TEST(StopKick, IsShorterThanTheLongestRun) {
   const std::string kick = "kick={force_n: 200, duration_s: 0.5}";
   EXPECT_EQ(message_of(test_file("minimal.yaml"), {kick, "response.max_revolutions=130"}), "no error");
   const std::string slow = message_of(test_file("minimal.yaml"), {kick, "sweep.speed_hz=300"});

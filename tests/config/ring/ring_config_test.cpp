@@ -89,14 +89,14 @@ struct Problem {
   std::string from, to, message;
 };
 
-class RingProblem : public testing::TestWithParam<Problem> {};
+class RingConfigProblem : public testing::TestWithParam<Problem> {};
 
-TEST_P(RingProblem, IsSaidWithPlaceAndWhatIsAllowed) {
+TEST_P(RingConfigProblem, IsSaidWithPlaceAndWhatIsAllowed) {
   EXPECT_EQ(problems_of(replaced(text, GetParam().from, GetParam().to)), GetParam().message);
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    All, RingProblem,
+    All, RingConfigProblem,
     testing::Values(
         Problem{"nodal_diameters: 3", "nodal_diameters: 1",
                 "ring.yaml:1:25: ring.nodal_diameters: 1 is out of range, allowed: an integer from 2 to 100"},

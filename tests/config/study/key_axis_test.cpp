@@ -24,7 +24,7 @@ std::string problem(const std::string& axes) {
   return message.substr(message.find("}}: ") == std::string::npos ? 0 : message.rfind("}}: ") + 4);
 }
 
-TEST(KeyAxes, ReadKeysTheirFactorsAndTheirValues) {
+TEST(KeyAxisAxes, ReadKeysTheirFactorsAndTheirValues) {
   const auto axes = with({"sweep.x={key: kick.force_n, from: 100, to: 400, count: 3, scale: log}",
                           "sweep.y={keys: [stops.0.restitution, gravity_m_per_s2], factors: [1, 9.81], "
                           "values: [0.5, 1]}"})
@@ -40,7 +40,7 @@ TEST(KeyAxes, ReadKeysTheirFactorsAndTheirValues) {
   EXPECT_EQ(axes[1].factors, (std::vector<double>{1, 9.81}));
 }
 
-TEST(KeyAxes, VaryTheStudyAsSetWould) {
+TEST(KeyAxisAxes, VaryTheStudyAsSetWould) {
   const auto study =
       with({"sweep.x={keys: [kick.force_n, stops.0.clearance_m], factors: [1, 1e-5], values: [100, 150]}"})
           .study;
@@ -49,19 +49,19 @@ TEST(KeyAxes, VaryTheStudyAsSetWould) {
   EXPECT_EQ(print_study(varied), print_study(set));
 }
 
-TEST(KeyAxes, ReachWhatThePrintedStudyLeavesOut) {
+TEST(KeyAxisAxes, ReachWhatThePrintedStudyLeavesOut) {
   const auto study = with({"sweep.x={key: kick.angle_deg, values: [0, 45]}"}).study;
   EXPECT_FALSE(study.machine.kick->angle_deg);
   EXPECT_EQ(study.with_keys(sweep::key_values(study.grid, 1)).machine.kick->angle_deg, 45);
 }
 
-TEST(KeyAxes, TakeBackWhatSaysTheSameByOtherMeans) {
+TEST(KeyAxisAxes, TakeBackWhatSaysTheSameByOtherMeans) {
   const auto study = with({"sweep.x={key: stops.0.restitution_delivered, values: [0.6]}"}).study;
   const auto varied = study.with_keys(sweep::key_values(study.grid, 0));
   EXPECT_EQ(std::get<model::DeliveredRestitution>(varied.machine.stops[0].damping).value, 0.6);
 }
 
-TEST(KeyAxes, CountInTheDigestAndReadBackAsTheyWerePrinted) {
+TEST(KeyAxisAxes, CountInTheDigestAndReadBackAsTheyWerePrinted) {
   const RunConfig plain = with({}), swept = with({"sweep.x={key: kick.force_n, values: [100, 150]}"}),
                   tied = with({"sweep.x={keys: [kick.force_n], factors: [2], values: [100, 150]}"});
   EXPECT_NE(study_digest(plain.study), study_digest(swept.study));
@@ -72,7 +72,7 @@ TEST(KeyAxes, CountInTheDigestAndReadBackAsTheyWerePrinted) {
   }
 }
 
-TEST(KeyAxes, AreRefusedBeforeTheRun) {
+TEST(KeyAxisAxes, AreRefusedBeforeTheRun) {
   EXPECT_EQ(problem("x: {key: kick.forc_n, values: [1]}").substr(0, 58),
             "kick.forc_n: unknown key (did you mean 'force_n'?), allowe");
   EXPECT_EQ(problem("x: {key: stops.0.restitution, values: [0.5, 1.5]}"),
@@ -96,7 +96,7 @@ TEST(KeyAxes, AreRefusedBeforeTheRun) {
             std::string::npos);
 }
 
-TEST(KeyAxes, NameTheirPlaceInTheFile) {
+TEST(KeyAxisAxes, NameTheirPlaceInTheFile) {
   const std::string text = test_file("minimal.yaml") + "kick: {force_n: 200, duration_s: 0.005}\n";
   std::string swept = text;
   const std::string mark = "sweep:\n";
@@ -105,7 +105,7 @@ TEST(KeyAxes, NameTheirPlaceInTheFile) {
             "test.yaml:11:26: kick.force_n: -1 is out of range, allowed: a number >= 0");
 }
 
-TEST(KeyAxes, NeedValuesThatALogarithmHas) {
+TEST(KeyAxisAxes, NeedValuesThatALogarithmHas) {
   EXPECT_NE(problem("x: {key: kick.force_n, from: 0, to: 9, count: 3, scale: log}").find("logarithmic"),
             std::string::npos);
 }

@@ -16,7 +16,7 @@ std::string problem(const std::string& text) {
   return "no error";
 }
 
-TEST(Json, BecomesTheTreeOfTheFile) {
+TEST(JsonDocument, BecomesTheTreeOfTheFile) {
   Diagnostics diagnostics("kit.yaml", {});
   const auto root = parse_json(
       "{\"b\": {\"x\": 1e11,\n  \"n\": [0, -1.5],\n  \"flag\": true, \"w\": null},\n \"a\": \"3\"}",
@@ -37,7 +37,7 @@ TEST(Json, BecomesTheTreeOfTheFile) {
   EXPECT_EQ(root->items[1].place.line, 4);
 }
 
-TEST(Json, WhatIsNoneSaysWhere) {
+TEST(JsonDocument, WhatIsNoneSaysWhere) {
   EXPECT_TRUE(problem("{\"a\": 1,\n \"b\": }").starts_with("rotor.json:2:7: rotor.file: no JSON: "))
       << problem("{\"a\": 1,\n \"b\": }");
   EXPECT_TRUE(problem("").starts_with("rotor.json:1:")) << problem("");

@@ -8,7 +8,7 @@
 namespace rubsweep::config::yaml {
 namespace {
 
-TEST(ParseNumber, TakesDecimalNumbers) {
+TEST(NumberParse, TakesDecimalNumbers) {
   const struct {
     const char* word;
     double value;
@@ -26,7 +26,7 @@ TEST(ParseNumber, TakesDecimalNumbers) {
   EXPECT_TRUE(std::signbit(parse_number("-0").value));
 }
 
-TEST(ParseNumber, RefusesOtherWords) {
+TEST(NumberParse, RefusesOtherWords) {
   for (const char* word :
        {"",    "-",    ".",   "e5",  "1_000", "0x10",  "1,5", "1e",  "1e+", "--1",  "+-1", "1 ", " 1",
         "1 2", "true", "yes", "0o7", "1:30",  "1.2.3", "1f",  "1d0", "one", "nano", "-in", "+"}) {
@@ -34,14 +34,14 @@ TEST(ParseNumber, RefusesOtherWords) {
   }
 }
 
-TEST(ParseNumber, TellsInfinityAndNan) {
+TEST(NumberParse, TellsInfinityAndNan) {
   for (const char* word :
        {".inf", "-.inf", "+.Inf", ".INF", ".nan", ".NaN", "inf", "-inf", "nan", "Infinity"}) {
     EXPECT_EQ(parse_number(word).error, NumberError::not_finite) << word;
   }
 }
 
-TEST(ParseNumber, TellsWhatNoDoubleHolds) {
+TEST(NumberParse, TellsWhatNoDoubleHolds) {
   for (const char* word : {"1e400", "-1e400", "1e-400"}) {
     EXPECT_EQ(parse_number(word).error, NumberError::does_not_fit) << word;
   }

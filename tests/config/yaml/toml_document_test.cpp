@@ -16,7 +16,7 @@ std::string problem(const std::string& text) {
   return "no error";
 }
 
-TEST(Toml, BecomesTheTreeOfTheFile) {
+TEST(TomlDocument, BecomesTheTreeOfTheFile) {
   Diagnostics diagnostics("kit.yaml", {});
   const auto root = parse_toml(
       "version = \"2.0\"\n[b]\nx = 1e11\nn = [ 0, 1.5,]\nflag = true\n[a]\nk = -3\n[b.material]\nE = 2\n",
@@ -38,7 +38,7 @@ TEST(Toml, BecomesTheTreeOfTheFile) {
   EXPECT_EQ(diagnostics.count(), 0U);
 }
 
-TEST(Toml, WhatIsNoneSaysWhere) {
+TEST(TomlDocument, WhatIsNoneSaysWhere) {
   EXPECT_TRUE(problem("a = 1\nb = = 2\n").starts_with("rotor.toml:2:5: rotor.file: no TOML: "))
       << problem("a = 1\nb = = 2\n");
   EXPECT_TRUE(problem("a = 1\na = 2\n").starts_with("rotor.toml:2:")) << problem("a = 1\na = 2\n");

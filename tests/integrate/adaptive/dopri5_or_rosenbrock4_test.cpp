@@ -38,7 +38,7 @@ double difference(const Finished& a, const Finished& b) {
   return largest;
 }
 
-TEST(AutomaticStepper, IsDopri5ToTheLastBitWhereFrictionIsSaturated) {
+TEST(Dopri5OrRosenbrock4AutomaticStepper, IsDopri5ToTheLastBitWhereFrictionIsSaturated) {
   const auto scene = test::cell_of({}).scene;
   const Finished automatic = run(scene, with(run::Stepper::automatic, 1e-8), 6);
   const Finished explicit_only = run(scene, with(run::Stepper::dopri5, 1e-8), 6);
@@ -47,7 +47,7 @@ TEST(AutomaticStepper, IsDopri5ToTheLastBitWhereFrictionIsSaturated) {
   EXPECT_EQ(automatic.effort.implicit_steps, 0);
 }
 
-TEST(AutomaticStepper, TurnsImplicitInSteepRollingAndSparesMostSteps) {
+TEST(Dopri5OrRosenbrock4AutomaticStepper, TurnsImplicitInSteepRollingAndSparesMostSteps) {
   const auto rolling = test::rolling_scene(1e5);
   const Finished automatic = run(rolling.scene, with(run::Stepper::automatic, 1e-6), 1);
   const Finished explicit_only = run(rolling.scene, with(run::Stepper::dopri5, 1e-6), 1);
@@ -59,12 +59,12 @@ TEST(AutomaticStepper, TurnsImplicitInSteepRollingAndSparesMostSteps) {
   EXPECT_LT(difference(explicit_only, reference), 1e-4);
 }
 
-TEST(AutomaticStepper, StaysExplicitInGentleRolling) {
+TEST(Dopri5OrRosenbrock4AutomaticStepper, StaysExplicitInGentleRolling) {
   EXPECT_EQ(run(test::rolling_scene(1e2).scene, with(run::Stepper::automatic, 1e-8), 1).effort.implicit_steps,
             0);
 }
 
-TEST(AutomaticStepper, SamplesInsideImplicitStepsFollowTheClosedForm) {
+TEST(Dopri5OrRosenbrock4AutomaticStepper, SamplesInsideImplicitStepsFollowTheClosedForm) {
   const auto rolling = test::rolling_scene(1e5);
   const run::Cursor advance = start_adaptive(rolling.scene, with(run::Stepper::automatic, 1e-6));
   run::TurnRequest asked;
@@ -79,7 +79,7 @@ TEST(AutomaticStepper, SamplesInsideImplicitStepsFollowTheClosedForm) {
   }
 }
 
-TEST(StiffFrictionRatio, GrowsWithTheFourthRootOfTheAccuracy) {
+TEST(Dopri5OrRosenbrock4StiffFrictionRatio, GrowsWithTheFourthRootOfTheAccuracy) {
   EXPECT_NEAR(run::stiff_friction_ratio(1e-8), 400, 1e-9);
   EXPECT_NEAR(run::stiff_friction_ratio(1e-4), 40, 1e-10);
 }

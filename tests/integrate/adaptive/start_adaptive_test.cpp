@@ -42,12 +42,12 @@ std::string stepper_name(const testing::TestParamInfo<run::Stepper>& stepper) {
 }
 
 /// The same closed forms for every stepper.
-class EveryStepper : public testing::TestWithParam<run::Stepper> {};
+class StartAdaptiveEveryStepper : public testing::TestWithParam<run::Stepper> {};
 
-INSTANTIATE_TEST_SUITE_P(Adaptive, EveryStepper,
+INSTANTIATE_TEST_SUITE_P(Adaptive, StartAdaptiveEveryStepper,
                          testing::ValuesIn(single_steppers().begin(), single_steppers().end()), stepper_name);
 
-TEST_P(EveryStepper, FreeOscillator) {
+TEST_P(StartAdaptiveEveryStepper, FreeOscillator) {
   const double m = 2, k = 50, zeta = 0.1, w0 = std::sqrt(k / m), wd = w0 * std::sqrt(1 - zeta * zeta);
   auto scene = test::one_mass_scene(m, k, 2 * zeta * m * w0, 0.7, 1e-3);
   scene.displacement_m << 3e-4, -2e-4;
@@ -59,7 +59,7 @@ TEST_P(EveryStepper, FreeOscillator) {
   EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 5) - z), 1e-7 * scene.length_scale_m);
 }
 
-TEST_P(EveryStepper, ForcedOscillatorFromRestWithConstantForce) {
+TEST_P(StartAdaptiveEveryStepper, ForcedOscillatorFromRestWithConstantForce) {
   const double m = 1, k = 400, c = 2, T = 0.25, w = 2 * std::numbers::pi / T, force = 0.3, load = -0.8;
   auto scene = test::one_mass_scene(m, k, c, T, 1e-3);
   scene.harmonic_n << force, -i * force;
@@ -75,7 +75,7 @@ TEST_P(EveryStepper, ForcedOscillatorFromRestWithConstantForce) {
 }
 
 /// Without damping z = F W / (m (w0^2 - W^2)) (sin W t / W - sin w0 t / w0), W the rate of the half-sine.
-TEST_P(EveryStepper, AKickOverSeveralTurns) {
+TEST_P(StartAdaptiveEveryStepper, AKickOverSeveralTurns) {
   const double m = 1, k = 400, T = 0.25, force = 0.3, duration = 2.4 * T;
   auto scene = test::one_mass_scene(m, k, 0, T, 1e-3);
   scene.pulses = {{Eigen::Vector2d(1, 0), force, duration}};
@@ -84,7 +84,7 @@ TEST_P(EveryStepper, AKickOverSeveralTurns) {
   EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 2) - x), 5e-8 * scene.length_scale_m);
 }
 
-TEST_P(EveryStepper, GyroscopicTermSplitsTheWhirlSpeeds) {
+TEST_P(StartAdaptiveEveryStepper, GyroscopicTermSplitsTheWhirlSpeeds) {
   // z'' - i g z' + k z = 0: whirl speeds g/2 +- sqrt(g^2/4 + k); x'' = -g y' - k x, y'' = g x' - k y.
   const double k = 100, g = 3, T = 0.5;
   auto scene = test::one_mass_scene(1, k, 0, T, 1e-3);
@@ -96,7 +96,7 @@ TEST_P(EveryStepper, GyroscopicTermSplitsTheWhirlSpeeds) {
   EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 4) - z), 1e-7 * scene.length_scale_m);
 }
 
-TEST_P(EveryStepper, KickLongerThanATurn) {
+TEST_P(StartAdaptiveEveryStepper, KickLongerThanATurn) {
   // x'' + w0^2 x = F sin(pi t / D): x = F/(w0^2 - p^2) (sin p t - p/w0 sin w0 t) while it lasts, then free.
   const double w0 = 9, T = 0.3, duration = 1.1, p = std::numbers::pi / duration, force = 0.02;
   auto scene = test::one_mass_scene(1, w0 * w0, 0, T, 1e-3);
@@ -109,7 +109,7 @@ TEST_P(EveryStepper, KickLongerThanATurn) {
   EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 6) - x), 5e-7 * scene.length_scale_m);
 }
 
-TEST_P(EveryStepper, RubbingRunAgreesWithTheLongDoubleReference) {
+TEST_P(StartAdaptiveEveryStepper, RubbingRunAgreesWithTheLongDoubleReference) {
   const test::OneSideRotor rotor;
   static const auto reference = test::long_double_sections(rotor, 12);
   const double tolerance = GetParam() == run::Stepper::rosenbrock4 ? 1e-8 : 1e-10;
@@ -126,7 +126,7 @@ TEST_P(EveryStepper, RubbingRunAgreesWithTheLongDoubleReference) {
 
 /// A single elastic shock with closed form, code_aster test SDND101: m = 100 kg, k = 1e4 N/m, wall K = 1e6
 /// N/m without gap, v(0) = 1 m/s into it.
-TEST_P(EveryStepper, SingleElasticShock) {
+TEST_P(StartAdaptiveEveryStepper, SingleElasticShock) {
   auto scene = test::one_mass_scene(100, 1e4, 0, 1, 1e-2);
   scene.contacts.push_back(test::wall_across_x(1, 0, 1e6, 0));
   scene.velocity_m_per_s << 1, 0;
@@ -144,7 +144,7 @@ TEST_P(EveryStepper, SingleElasticShock) {
   EXPECT_NEAR(turn.switches[1].phase_rad * seconds, pi / in_contact + pi / in_flight, 1e-9);  // back again
 }
 
-TEST_P(EveryStepper, SamplingDoesNotChangeTheRun) {
+TEST_P(StartAdaptiveEveryStepper, SamplingDoesNotChangeTheRun) {
   const auto cell = test::cell_of({});
   const run::Cursor plain = start_adaptive(cell.scene, with(GetParam(), 1e-8));
   const run::Cursor sampled = start_adaptive(cell.scene, with(GetParam(), 1e-8));
@@ -163,7 +163,7 @@ TEST_P(EveryStepper, SamplingDoesNotChangeTheRun) {
   }
 }
 
-TEST(Adaptive, SamplesOfAllSteppersAgree) {
+TEST(StartAdaptive, SamplesOfAllSteppersAgree) {
   const auto cell = test::cell_of({});
   const auto samples = [&](run::Stepper stepper) {
     const run::Cursor advance =
@@ -182,7 +182,7 @@ TEST(Adaptive, SamplesOfAllSteppersAgree) {
   }
 }
 
-TEST(Adaptive, ModesFollowTheRulesAndTheHitIsCountedOnce) {
+TEST(StartAdaptive, ModesFollowTheRulesAndTheHitIsCountedOnce) {
   const run::Cursor advance = start_adaptive(test::cell_of({}).scene, with(run::Stepper::dopri5, 1e-9));
   run::TurnRequest asked;
   run::TurnReport turn;
@@ -205,7 +205,7 @@ TEST(Adaptive, ModesFollowTheRulesAndTheHitIsCountedOnce) {
   EXPECT_GT(hits, 0);
 }
 
-TEST(Adaptive, GrazeIsAHitOnlyWhenThePeakPassesTheWall) {
+TEST(StartAdaptive, GrazeIsAHitOnlyWhenThePeakPassesTheWall) {
   // x = A cos(w0 t) from rest at -A: peak exactly A at half a period, wall at A -+ depth.
   for (const double depth : {-1e-9, 1e-9}) {
     for (const run::Stepper stepper : {run::Stepper::dopri5, run::Stepper::rkf78}) {
@@ -220,7 +220,7 @@ TEST(Adaptive, GrazeIsAHitOnlyWhenThePeakPassesTheWall) {
   }
 }
 
-TEST(Adaptive, TwoWallsHitAtOnceStaySymmetric) {
+TEST(StartAdaptive, TwoWallsHitAtOnceStaySymmetric) {
   auto scene = test::one_mass_scene(1, 100, 0, 0.5, 1e-3);
   for (const int sign : {1, -1}) {
     scene::Contact wall = test::wall_across_x(1, 1e-3, 1e5, 20);
@@ -240,7 +240,7 @@ TEST(Adaptive, TwoWallsHitAtOnceStaySymmetric) {
   EXPECT_EQ(hits % 2, 0);
 }
 
-TEST(Adaptive, StepLimitIsAnOutcome) {
+TEST(StartAdaptive, StepLimitIsAnOutcome) {
   run::SolverOptions options = with(run::Stepper::dopri5, 1e-12);
   options.max_steps_per_revolution = 20;
   run::TurnReport turn;
@@ -248,7 +248,7 @@ TEST(Adaptive, StepLimitIsAnOutcome) {
   EXPECT_EQ(turn.effort.steps + turn.effort.refused, 20);
 }
 
-TEST(Adaptive, EvaluationsOfATurnAreBoundedWhateverAStepAsksFor) {
+TEST(StartAdaptive, EvaluationsOfATurnAreBoundedWhateverAStepAsksFor) {
   // An extrapolation asks for dozens of evaluations a step.
   run::SolverOptions options = with(run::Stepper::bulirsch_stoer, 1e-13);
   options.max_steps_per_revolution = 20;
@@ -259,7 +259,7 @@ TEST(Adaptive, EvaluationsOfATurnAreBoundedWhateverAStepAsksFor) {
   EXPECT_LT(turn.effort.rhs_calls, 10 * run::most_evaluations_of_a_turn(options));
 }
 
-TEST(Adaptive, NonFiniteStatesAreAnOutcome) {
+TEST(StartAdaptive, NonFiniteStatesAreAnOutcome) {
   auto scene = test::one_mass_scene(1, 1, 0, 1, 1);
   scene.constant_n << std::numeric_limits<double>::infinity(), 0;
   for (const run::Stepper stepper :
@@ -271,7 +271,7 @@ TEST(Adaptive, NonFiniteStatesAreAnOutcome) {
   }
 }
 
-TEST(Adaptive, RunawayEndsAsAnOutcome) {
+TEST(StartAdaptive, RunawayEndsAsAnOutcome) {
   // Negative damping: e^{1e4 t} leaves the finite numbers within the turn.
   auto scene = test::one_mass_scene(1, 1, -1e4, 1, 1);
   scene.displacement_m << 1, 0;
@@ -280,7 +280,7 @@ TEST(Adaptive, RunawayEndsAsAnOutcome) {
   EXPECT_TRUE(outcome == run::Outcome::non_finite || outcome == run::Outcome::step_too_small);
 }
 
-TEST(Adaptive, EightCoordinatesTakeTheDynamicPath) {
+TEST(StartAdaptive, EightCoordinatesTakeTheDynamicPath) {
   // Three stops with casings: the two extra walls are out of reach and must change nothing.
   const test::OneSideRotor rotor;
   model::Machine machine = test::machine_of(rotor);

@@ -76,7 +76,7 @@ End after(const scene::Scene& scene, int turns, run::Stepper stepper = run::Step
   return {scale.displacement_m(turn.section), scale.velocity_m_per_s(turn.section)};
 }
 
-TEST(Twist, VibratesFreelyAgainstTheDrive) {
+TEST(TwistDynamics, VibratesFreelyAgainstTheDrive) {
   Disc disc;
   disc.e = 0;
   scene::Scene scene = scene_of(disc);
@@ -112,7 +112,7 @@ std::array<double, 6> by_mass_centre(const Disc& disc, double end_s) {
   return state;
 }
 
-TEST(Twist, OfAnUnbalancedDiscIsThatByItsMassCentre) {
+TEST(TwistDynamics, OfAnUnbalancedDiscIsThatByItsMassCentre) {
   for (const double g : {0.0, 9.81}) {
     Disc disc;
     disc.g = g;
@@ -127,7 +127,7 @@ TEST(Twist, OfAnUnbalancedDiscIsThatByItsMassCentre) {
   }
 }
 
-TEST(Twist, IsTheSameByEveryStepper) {
+TEST(TwistDynamics, IsTheSameByEveryStepper) {
   Disc disc;
   disc.J = 2e-4;
   const double expected = by_mass_centre(disc, 2 / disc.speed_hz)[2];
@@ -137,7 +137,7 @@ TEST(Twist, IsTheSameByEveryStepper) {
 
 /// Whole circle in an annular stop: |(k - m w^2) r + F + i (c w r + mu F)| = m e w^2 with F = K (r - C); the
 /// drive pays for damping and friction, torque = c w r^2 + mu F (R + r), and twists by it.
-TEST(Twist, FullAnnularRubTwistsTheRotorBackByItsTorque) {
+TEST(TwistDynamics, FullAnnularRubTwistsTheRotorBackByItsTorque) {
   Disc disc;
   disc.speed_hz = 25;
   disc.e = 1.2e-3;
@@ -172,7 +172,7 @@ TEST(Twist, FullAnnularRubTwistsTheRotorBackByItsTorque) {
 
 /// Kinetic energy of the mass centre and of the rotation, springs of shaft, drive and contact: what the drive
 /// puts in at its constant speed, less what dampers and friction take, over turns with hits.
-TEST(Twist, EnergyBalances) {
+TEST(TwistDynamics, EnergyBalances) {
   Disc disc;
   disc.J = 1e-4;
   disc.e = 3e-4;

@@ -43,13 +43,13 @@ struct AtTheWall {
 
 const std::size_t backward = modes::backward_in_joint_mode(0, 1);
 
-TEST(JointModeBehind, AHitIsClampedAndItsSlipGoesAsItDoesThere) {
+TEST(JointSwitchModeBehind, AHitIsClampedAndItsSlipGoesAsItDoesThere) {
   EXPECT_EQ(AtTheWall(5, 100).behind(0, 0), modes::in_joint_mode(Mode::clamped, 0));
   EXPECT_EQ(AtTheWall(-5, 100).behind(0, 0), modes::in_joint_mode(Mode::clamped, 0) + backward);
 }
 
 /// The surface moves forward, but the contact came with a slip that goes backward: it keeps it.
-TEST(JointModeBehind, AContactThatStaysKeepsTheWayOfItsSlip) {
+TEST(JointSwitchModeBehind, AContactThatStaysKeepsTheWayOfItsSlip) {
   AtTheWall wall(5, 0);
   wall.here(1) = 1.01;
   EXPECT_EQ(wall.behind(modes::in_joint_mode(Mode::clamped, 0) + backward, 0),
@@ -57,7 +57,7 @@ TEST(JointModeBehind, AContactThatStaysKeepsTheWayOfItsSlip) {
   EXPECT_EQ(wall.behind(modes::in_joint_mode(Mode::clamped, 0), 0), modes::in_joint_mode(Mode::sprung, 0));
 }
 
-TEST(JointModeBehind, AContactThatEndsLeavesNothing) {
+TEST(JointSwitchModeBehind, AContactThatEndsLeavesNothing) {
   AtTheWall wall(-5, -100);
   const std::size_t joint = modes::in_joint_mode(Mode::released, 0) + backward;
   ASSERT_TRUE(wall.motion.enter(joint, wall.here));

@@ -33,7 +33,7 @@ struct Approach {
   }
 };
 
-TEST(ChooseStep, FarFromTheWallItIsSafeAllAlong) {
+TEST(StepChoiceChoose, FarFromTheWallItIsSafeAllAlong) {
   for (const double gap : {0.9, 0.4, 0.1}) {
     const Approach start(gap, 100);
     const StepChoice choice = choose_step(start.motion, {.until_s = 1, .reach_s = start.motion.reach_s()});
@@ -48,7 +48,7 @@ TEST(ChooseStep, FarFromTheWallItIsSafeAllAlong) {
   }
 }
 
-TEST(ChooseStep, CloseToTheWallItNamesTheCrossingAndWhenAtTheLatest) {
+TEST(StepChoiceChoose, CloseToTheWallItNamesTheCrossingAndWhenAtTheLatest) {
   Approach near(1e-4, 300);
   const StepChoice choice = choose_step(near.motion, {.until_s = 1, .reach_s = near.motion.reach_s()});
   ASSERT_NE(choice.crossing, StepChoice::none);
@@ -58,7 +58,7 @@ TEST(ChooseStep, CloseToTheWallItNamesTheCrossingAndWhenAtTheLatest) {
   EXPECT_GT(near.motion.guard(0).rate, 0);
 }
 
-TEST(ChooseStep, NoLandingBeyondReachAndNothingBeyondTheBoundary) {
+TEST(StepChoiceChoose, NoLandingBeyondReachAndNothingBeyondTheBoundary) {
   const Approach near(1e-4, 300);
   EXPECT_EQ(choose_step(near.motion, {.until_s = 1, .reach_s = 1e-9}).crossing, StepChoice::none);
   const StepChoice cut = choose_step(near.motion, {.until_s = 1e-8, .reach_s = near.motion.reach_s()});

@@ -161,7 +161,7 @@ void check_jacobian() {
 TEST(Dynamics, JacobianOfEveryMode) { check_jacobian<false>(); }
 TEST(Dynamics, JacobianOfTheSmoothedLaw) { check_jacobian<true>(); }
 
-TEST(ScaledSystem, RefusesTheWrongSize) {
+TEST(DynamicsScaledSystem, RefusesTheWrongSize) {
   EXPECT_THROW(run::scale<2>(test::cell_of({}).scene), std::logic_error);
 }
 

@@ -5,7 +5,7 @@
 namespace rubsweep::integrate::run {
 namespace {
 
-TEST(WithCoordinates, UsualNumbersAreConstantsAndOthersAreNot) {
+TEST(CoordinatesWith, UsualNumbersAreConstantsAndOthersAreNot) {
   for (const int coordinates : {2, 4, 6}) {
     EXPECT_EQ(with_coordinates(coordinates, [](auto n) { return static_cast<int>(n()); }), coordinates);
   }

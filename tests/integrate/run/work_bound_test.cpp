@@ -41,7 +41,7 @@ TEST(WorkBound, NoTurnAloneReachesTheBoundOfItsRun) {
   EXPECT_LE(work(adaptive), most_work_of_a_run(usual, 4));
 }
 
-TEST(WorkBudget, IsUsedUpByWhatWasSpent) {
+TEST(WorkBoundBudget, IsUsedUpByWhatWasSpent) {
   WorkBudget budget(10);
   budget.spend(9);
   EXPECT_FALSE(budget.used_up());

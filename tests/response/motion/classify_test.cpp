@@ -274,7 +274,7 @@ TEST(Classify, RefusesWindowsWhoseSizesDoNotMatch) {
   refuses([](motion::Window& window) { window.section = window.section.first(window.section.size() - 4); });
 }
 
-TEST(SettleVerdict, WindowsThatAgreeDecide) {
+TEST(ClassifySettleVerdict, WindowsThatAgreeDecide) {
   for (const int n : {1, 2, 12}) {
     const auto previous = record(subharmonic(n)).verdict();
     auto last = record(subharmonic(n), turns).verdict();
@@ -289,7 +289,7 @@ TEST(SettleVerdict, WindowsThatAgreeDecide) {
   }
 }
 
-TEST(SettleVerdict, WindowsThatDifferInClassOrOrderAreUnsettled) {
+TEST(ClassifySettleVerdict, WindowsThatDifferInClassOrOrderAreUnsettled) {
   auto quiet_recording = record(circle(0.4 * clearance_m));
   quiet_recording.contact.assign(turns, {});
   const auto quiet = quiet_recording.verdict();
@@ -305,7 +305,7 @@ TEST(SettleVerdict, WindowsThatDifferInClassOrOrderAreUnsettled) {
   }
 }
 
-TEST(SettleVerdict, ADisagreementInEitherWindowIsNamed) {
+TEST(ClassifySettleVerdict, ADisagreementInEitherWindowIsNamed) {
   const auto good = record(circle(clearance_m)).verdict();
   const auto bad = circle_with_line(0.5, 0.1 * clearance_m).verdict();
   for (const auto& motion : {motion::settle_verdict(good, bad), motion::settle_verdict(bad, good)}) {

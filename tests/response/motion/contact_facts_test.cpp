@@ -7,7 +7,7 @@
 namespace rubsweep::response::motion {
 namespace {
 
-TEST(Together, AddsHitsAveragesSharesAndTakesTheLargestPeaks) {
+TEST(ContactFactsTogether, AddsHitsAveragesSharesAndTakesTheLargestPeaks) {
   const std::array<ContactFacts, 3> turns{
       {{1, 0.1, 2e-3, 50, 4e-5}, {0, 0, 3e-3, 0, 7e-5}, {2, 0.5, 1e-3, 80, 0}}};
   const ContactFacts all = together(turns);
@@ -18,7 +18,7 @@ TEST(Together, AddsHitsAveragesSharesAndTakesTheLargestPeaks) {
   EXPECT_EQ(all.peak_casing_displacement_m, 7e-5);
 }
 
-TEST(Together, OfNoTurnIsNothing) {
+TEST(ContactFactsTogether, OfNoTurnIsNothing) {
   EXPECT_EQ(together({}).hits, 0);
   EXPECT_EQ(together({}).contact_fraction, 0);
 }

@@ -39,7 +39,7 @@ constexpr Patience no_end{.start = 10'000, .most = 10'000};
 
 Patience turns(double most) { return {.start = most, .most = most}; }
 
-TEST(ComesNear, FollowsAllTheWay) {
+TEST(ApproachComesNear, FollowsAllTheWay) {
   const std::array<double, 2> near{0.02, 0};
   const Found at = orbit_near(near);
   const double distance = adapted_distance(near, at.orbit, at.norms);
@@ -50,7 +50,7 @@ TEST(ComesNear, FollowsAllTheWay) {
 }
 
 /// The distance in x halves after one sixth of a rotation, in which the spiral has shrunk by 2 %.
-TEST(ComesNear, ATransientThatMeetsAnEdgeLaterDoesNot) {
+TEST(ApproachComesNear, ATransientThatMeetsAnEdgeLaterDoesNot) {
   const std::array<double, 2> far{0.04, 0};
   const Found at = orbit_near(far);
   EXPECT_FALSE(comes_near(spiral, far, at.orbit, at.norms, {1e-6, 0}, no_end));
@@ -58,7 +58,7 @@ TEST(ComesNear, ATransientThatMeetsAnEdgeLaterDoesNot) {
 }
 
 /// The spiral is linear, so that half of the distance is enough.
-TEST(ComesNear, HalfWayIsEnoughWhereItIsForetold) {
+TEST(ApproachComesNear, HalfWayIsEnoughWhereItIsForetold) {
   const std::array<double, 2> near{0.02, 0};
   const Found at = orbit_near(near);
   const double half = std::ceil(std::log(0.5) / std::log(shrinks));
@@ -71,7 +71,7 @@ TEST(ComesNear, HalfWayIsEnoughWhereItIsForetold) {
 }
 
 /// Three times as long as the norm promises, and a start.
-TEST(ComesNear, GivesUpWhatComesNoNearer) {
+TEST(ApproachComesNear, GivesUpWhatComesNoNearer) {
   const std::array<double, 2> near{0.02, 0};
   const Found at = orbit_near(near);
   long made = 0;
@@ -84,7 +84,7 @@ TEST(ComesNear, GivesUpWhatComesNoNearer) {
 }
 
 /// Two decays at different rates, in norms apart: the slower one decides, unless its ball is large.
-TEST(ComesInside, EitherPartMustBeInItsBall) {
+TEST(ApproachComesInside, EitherPartMustBeInItsBall) {
   const TurnMap decay = [](std::span<double> s, Eigen::MatrixXd* disturbances) {
     const Eigen::Vector2d factors(0.5, 0.9);
     if (disturbances) *disturbances = factors.asDiagonal() * *disturbances;
@@ -103,7 +103,7 @@ TEST(ComesInside, EitherPartMustBeInItsBall) {
   EXPECT_TRUE(comes_inside(decay, here, *orbit, norms, {0.1, 0.1}, 0));
 }
 
-TEST(ComesNear, EitherMeasureWillDo) {
+TEST(ApproachComesNear, EitherMeasureWillDo) {
   const std::array<double, 2> near{0.02, 0};
   const Found at = orbit_near(near);
   EXPECT_TRUE(comes_near(spiral, near, at.orbit, at.norms, {0, 0.021}, turns(0)));

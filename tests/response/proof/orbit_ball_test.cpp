@@ -110,7 +110,7 @@ TEST(OrbitBall, FartherOutOtherModesOccur) {
 }
 
 /// A vibration along the wall may fill a ball far larger than that of all directions alike.
-TEST(SplitBall, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
+TEST(OrbitBallSplit, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
   HalfMotion motion;
   const auto norms = split_norms(motion.orbit.transitions, seen_by_contacts(motion.scene));
   ASSERT_TRUE(norms);
@@ -154,7 +154,7 @@ TEST(SplitBall, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
 }
 
 /// Friction that leaves its saturation ends the slow part's ball as any other.
-TEST(SplitBall, SlipsMustStaySaturatedForTheSlowPartToo) {
+TEST(OrbitBallSplit, SlipsMustStaySaturatedForTheSlowPartToo) {
   HalfMotion motion;
   const auto norms = split_norms(motion.orbit.transitions, seen_by_contacts(motion.scene));
   ASSERT_TRUE(norms);

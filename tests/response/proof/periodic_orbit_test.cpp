@@ -22,7 +22,7 @@ double logistic_after(double r, double x, int turns) {
   return x;
 }
 
-TEST(FindOrbit, FixedPointWithItsMultiplier) {
+TEST(PeriodicOrbitFind, FixedPointWithItsMultiplier) {
   const double r = 2.8, section = logistic_after(r, 0.3, 12);
   const auto orbit = find_orbit(logistic(r), {&section, 1}, 1);
   ASSERT_TRUE(orbit);
@@ -31,7 +31,7 @@ TEST(FindOrbit, FixedPointWithItsMultiplier) {
   EXPECT_NEAR(orbit->floquet_modulus, std::abs(2 - r), 1e-10);
 }
 
-TEST(FindOrbit, TwoCycleWithItsMultiplier) {
+TEST(PeriodicOrbitFind, TwoCycleWithItsMultiplier) {
   const double r = 3.3, section = logistic_after(r, 0.3, 40);
   const auto orbit = find_orbit(logistic(r), {&section, 1}, 2);
   ASSERT_TRUE(orbit);
@@ -39,20 +39,20 @@ TEST(FindOrbit, TwoCycleWithItsMultiplier) {
   EXPECT_NEAR(orbit->floquet_modulus, std::abs(4 + 2 * r - r * r), 1e-9);
 }
 
-TEST(FindOrbit, FewerTurnsAreTheOrder) {
+TEST(PeriodicOrbitFind, FewerTurnsAreTheOrder) {
   const double section = logistic_after(2.8, 0.3, 30);
   const auto orbit = find_orbit(logistic(2.8), {&section, 1}, 6);
   ASSERT_TRUE(orbit);
   EXPECT_EQ(orbit->order, 1);
 }
 
-TEST(FindOrbit, AnUnstableOrbitIsNoOrbit) {
+TEST(PeriodicOrbitFind, AnUnstableOrbitIsNoOrbit) {
   const double section = 1 - 1 / 3.3 + 1e-9;
   EXPECT_FALSE(find_orbit(logistic(3.3), {&section, 1}, 1));
 }
 
 /// First steps by derivatives that are a little wrong lead to the same orbit, whose own derivative is not.
-TEST(FindOrbit, GoesByRoughDerivativesUntilItIsNear) {
+TEST(PeriodicOrbitFind, GoesByRoughDerivativesUntilItIsNear) {
   const double r = 2.8, error = 1e-6, section = 1 - 1 / r + 1e-2;
   int rough = 0, exact = 0;
   const TurnMap roughly = [&](std::span<double> s, Eigen::MatrixXd* disturbances) {
@@ -81,7 +81,7 @@ TEST(FindOrbit, GoesByRoughDerivativesUntilItIsNear) {
 }
 
 /// One look from afar, where the slope is clear enough, instead of an iteration down to rounding.
-TEST(FindOrbit, GivesUpWhereTheTransientStandsOnASteepSlope) {
+TEST(PeriodicOrbitFind, GivesUpWhereTheTransientStandsOnASteepSlope) {
   int derivatives = 0;
   const auto counted = [&](double r) {
     return TurnMap([&derivatives, map = logistic(r)](std::span<double> s, Eigen::MatrixXd* disturbances) {
@@ -97,7 +97,7 @@ TEST(FindOrbit, GivesUpWhereTheTransientStandsOnASteepSlope) {
   EXPECT_EQ(derivatives, 2);
 }
 
-TEST(FindOrbit, AMultiplierOnTheUnitCircleIsNoOrbit) {
+TEST(PeriodicOrbitFind, AMultiplierOnTheUnitCircleIsNoOrbit) {
   const TurnMap rotation = [](std::span<double> s, Eigen::MatrixXd* disturbances) {
     Eigen::Matrix2d turn;
     turn << std::cos(1), -std::sin(1), std::sin(1), std::cos(1);
@@ -111,7 +111,7 @@ TEST(FindOrbit, AMultiplierOnTheUnitCircleIsNoOrbit) {
   EXPECT_FALSE(find_orbit(rotation, section, 1));
 }
 
-TEST(FindOrbit, ListsItsTurns) {
+TEST(PeriodicOrbitFind, ListsItsTurns) {
   const double r = 3.3, section = logistic_after(r, 0.3, 40);
   const auto orbit = find_orbit(logistic(r), {&section, 1}, 2);
   ASSERT_TRUE(orbit);
@@ -124,13 +124,13 @@ TEST(FindOrbit, ListsItsTurns) {
   }
 }
 
-TEST(FindOrbit, AMapThatFailsIsNoOrbit) {
+TEST(PeriodicOrbitFind, AMapThatFailsIsNoOrbit) {
   const TurnMap broken = [](std::span<double>, Eigen::MatrixXd*) { return false; };
   const double section = 0;
   EXPECT_FALSE(find_orbit(broken, {&section, 1}, 1));
 }
 
-TEST(Differentiate, CentralDifferencesOfAMap) {
+TEST(PeriodicOrbitDifferentiate, CentralDifferencesOfAMap) {
   const auto map = [](std::span<double> s) {
     const double x = s[0], y = s[1];
     s[0] = x * x * y;

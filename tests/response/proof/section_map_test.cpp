@@ -28,7 +28,7 @@ std::vector<double> section_after(const scene::Scene& scene, int turns,
 }
 
 /// Every turn is paid, by solvers that count from the start and by such that count from a restart.
-TEST(SceneMap, EndsWithItsBudget) {
+TEST(SectionMapScene, EndsWithItsBudget) {
   const auto cell = test::cell_of({});
   integrate::exact::modes::ModeCache modes;
   for (const auto method : {integrate::run::Method::exact, integrate::run::Method::adaptive}) {
@@ -49,7 +49,7 @@ TEST(SceneMap, EndsWithItsBudget) {
   }
 }
 
-TEST(SceneMap, RepeatsTheTurnsOfARun) {
+TEST(SectionMapScene, RepeatsTheTurnsOfARun) {
   const auto cell = test::cell_of({});
   integrate::run::SolverOptions solver;
   solver.relative_tolerance = 1e-11;
@@ -63,7 +63,7 @@ TEST(SceneMap, RepeatsTheTurnsOfARun) {
   }
 }
 
-TEST(SceneMap, HasNoMemoryAndNoPulse) {
+TEST(SectionMapScene, HasNoMemoryAndNoPulse) {
   const auto cell = test::cell_of({});
   integrate::exact::modes::ModeCache modes;
   SceneMap map(cell.scene, {}, modes);
@@ -83,7 +83,7 @@ TEST(SceneMap, HasNoMemoryAndNoPulse) {
   EXPECT_EQ(first, second);
 }
 
-TEST(SceneMap, SaysWhenTheSolverFailsAndRefusesOtherSections) {
+TEST(SectionMapScene, SaysWhenTheSolverFailsAndRefusesOtherSections) {
   const auto cell = test::cell_of({});
   integrate::run::SolverOptions solver;
   solver.max_steps_per_revolution = 1;
@@ -95,7 +95,7 @@ TEST(SceneMap, SaysWhenTheSolverFailsAndRefusesOtherSections) {
   EXPECT_THROW(map(section), SolverError);
 }
 
-TEST(SceneMap, ExponentOfTheHalfSubharmonicIsTheDecayOfItsTangentialMotion) {
+TEST(SectionMapScene, ExponentOfTheHalfSubharmonicIsTheDecayOfItsTangentialMotion) {
   // Under a wall at 90 degrees x is a linear oscillator that the normal motion drives and that drives
   // nothing: it decays by zeta omega0 T per turn, slower than anything else in this orbit. At every
   // tolerance.
@@ -115,7 +115,7 @@ TEST(SceneMap, ExponentOfTheHalfSubharmonicIsTheDecayOfItsTangentialMotion) {
   }
 }
 
-TEST(SceneMap, ExponentIsTheRateAtWhichSectionsApproachTheirOrbit) {
+TEST(SectionMapScene, ExponentIsTheRateAtWhichSectionsApproachTheirOrbit) {
   const auto cell = test::cell_of({});
   integrate::run::SolverOptions solver;
   solver.relative_tolerance = 1e-10;

@@ -82,7 +82,7 @@ TEST(SplitNorms, NoneWhereTheUnseenVibrationDecaysAtOnceOrGrows) {
 }
 
 /// One wall above: penetration is the rotor's y less the casing's.
-TEST(SeenByContacts, PenetrationsAndTheirRates) {
+TEST(SplitNormsSeenByContacts, PenetrationsAndTheirRates) {
   const MatrixXd rows = seen_by_contacts(test::cell_of({}).scene);
   ASSERT_EQ(rows.rows(), 2);
   ASSERT_EQ(rows.cols(), 8);

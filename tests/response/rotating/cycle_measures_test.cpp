@@ -50,7 +50,7 @@ motion::Measures measure(const RotatingArc& arc) {
   return measure_cycle(test::one_mass_scene(1, 1, 0, 1, length_m), arc, {}, workspace);
 }
 
-TEST(MeasureCycle, ReadsTheLinesOfAComb) {
+TEST(CycleMeasuresMeasure, ReadsTheLinesOfAComb) {
   const double spacing = 0.408547;
   const motion::Measures m = measure(arc_of(spacing, {{0, {0.5, 0.3}}, {-1, 0.9}, {-3, {0, 0.2}}, {1, 0.1}}));
   EXPECT_NEAR(m.comb_spacing.value(), spacing, 1e-12);
@@ -62,7 +62,7 @@ TEST(MeasureCycle, ReadsTheLinesOfAComb) {
   EXPECT_EQ(m.whirl, spectrum::WhirlKind::forward);
 }
 
-TEST(MeasureCycle, NamesBackwardAndMixedWhirlAndCircles) {
+TEST(CycleMeasuresMeasure, NamesBackwardAndMixedWhirlAndCircles) {
   const motion::Measures backward = measure(arc_of(1.83, {{-1, 0.9}, {0, 0.2}}));
   EXPECT_EQ(backward.whirl, spectrum::WhirlKind::backward);
   EXPECT_NEAR(backward.dominant.value().order, -0.83, 1e-12);
@@ -71,7 +71,7 @@ TEST(MeasureCycle, NamesBackwardAndMixedWhirlAndCircles) {
   EXPECT_EQ(measure(arc_of(0.7, {{0, 1}, {1, 0.03}})).orbit, spectrum::OrbitKind::oval);
 }
 
-TEST(MeasureCycle, LinesThatAWindowCannotTellFromZeroOrMinusOneCountAsThese) {
+TEST(CycleMeasuresMeasure, LinesThatAWindowCannotTellFromZeroOrMinusOneCountAsThese) {
   // 1 - 2 spacing is -0.999, 1 - spacing is 0.0005.
   const motion::Measures m = measure(arc_of(0.9995, {{-1, 5}, {-2, 0.25}, {0, 1}}));
   EXPECT_NEAR(m.amplitude_1x_backward_m, 0.25 * length_m, 1e-8);
@@ -79,7 +79,7 @@ TEST(MeasureCycle, LinesThatAWindowCannotTellFromZeroOrMinusOneCountAsThese) {
   EXPECT_EQ(m.whirl, spectrum::WhirlKind::forward);
 }
 
-TEST(MeasureCycle, HitsAreThoseOfAWindow) {
+TEST(CycleMeasuresMeasure, HitsAreThoseOfAWindow) {
   auto arc = arc_of(0.4, {{0, 1}, {-1, 0.5}});
   arc.hits = 3;
   arc.contact_fraction = 0.7;

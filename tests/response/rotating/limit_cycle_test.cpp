@@ -50,7 +50,7 @@ struct NormalForm {
 
 const VectorXd near_the_cycle{{0.6 * 0.97, 0.8 * 0.97, 0.01}};
 
-TEST(ProveLimitCycle, FindsPeriodStateAndModulus) {
+TEST(LimitCycleProve, FindsPeriodStateAndModulus) {
   const NormalForm form;
   const auto cycle = prove_limit_cycle(form.motion(), near_the_cycle, {1.005 * form.period()});
   ASSERT_TRUE(cycle);
@@ -61,7 +61,7 @@ TEST(ProveLimitCycle, FindsPeriodStateAndModulus) {
   EXPECT_NEAR(cycle->floquet_modulus, slower, 1e-8);
 }
 
-TEST(ProveLimitCycle, TakesTheFirstPeriodThatCloses) {
+TEST(LimitCycleProve, TakesTheFirstPeriodThatCloses) {
   const NormalForm form;
   const double once = form.period();
   const auto cycle =
@@ -70,7 +70,7 @@ TEST(ProveLimitCycle, TakesTheFirstPeriodThatCloses) {
   EXPECT_NEAR(cycle->once.angle_rad, once, 1e-8);
 }
 
-TEST(ProveLimitCycle, IsOfTheSmallestPeriod) {
+TEST(LimitCycleProve, IsOfTheSmallestPeriod) {
   const NormalForm form;
   for (const int k : {1, 2, 3, 5, 6, 12, 49}) {
     const auto cycle = prove_limit_cycle(form.motion(), near_the_cycle, {1.0002 * k * form.period()});
@@ -79,7 +79,7 @@ TEST(ProveLimitCycle, IsOfTheSmallestPeriod) {
   }
 }
 
-TEST(ProveLimitCycle, TakesNoDerivativeAgainNearBy) {
+TEST(LimitCycleProve, TakesNoDerivativeAgainNearBy) {
   const NormalForm form;
   RotatingMotion motion = form.motion();
   int at_first = 0, roughly = 0, exactly = 0;
@@ -102,7 +102,7 @@ TEST(ProveLimitCycle, TakesNoDerivativeAgainNearBy) {
 }
 
 /// A stepper's motion is no smoother than its tolerance.
-TEST(ProveLimitCycle, TheRoughFlowMayBeNoisy) {
+TEST(LimitCycleProve, TheRoughFlowMayBeNoisy) {
   const NormalForm form;
   RotatingMotion motion = form.motion();
   double noise = 2e-6;
@@ -115,7 +115,7 @@ TEST(ProveLimitCycle, TheRoughFlowMayBeNoisy) {
   EXPECT_NEAR(cycle->state.head(2).norm(), 1, 1e-9);
 }
 
-TEST(ProveLimitCycle, RefusesAnUnstableOne) {
+TEST(LimitCycleProve, RefusesAnUnstableOne) {
   for (const auto& [a, b] : {std::pair{-0.01, 0.3}, std::pair{0.1, -0.01}, std::pair{0.1, 1e-9}}) {
     NormalForm form;
     form.a = a;
@@ -124,7 +124,7 @@ TEST(ProveLimitCycle, RefusesAnUnstableOne) {
   }
 }
 
-TEST(ProveLimitCycle, RefusesATransientThatGoesElsewhere) {
+TEST(LimitCycleProve, RefusesATransientThatGoesElsewhere) {
   NormalForm form;
   form.push_out = 1;
   const VectorXd start{{0.94, 0, 0}};
@@ -134,7 +134,7 @@ TEST(ProveLimitCycle, RefusesATransientThatGoesElsewhere) {
 }
 
 /// Flows go forward only: one that was asked to go back read a state that is not there.
-TEST(ProveLimitCycle, RefusesATransientThatIsThrownAheadByMoreThanAPeriod) {
+TEST(LimitCycleProve, RefusesATransientThatIsThrownAheadByMoreThanAPeriod) {
   const NormalForm form;
   const VectorXd start{{0.54, 0.72, 0}}, along{{-0.8, 0.6, 0}};
   RotatingMotion motion = form.motion();
@@ -149,7 +149,7 @@ TEST(ProveLimitCycle, RefusesATransientThatIsThrownAheadByMoreThanAPeriod) {
   EXPECT_EQ(thrown, 1);
 }
 
-TEST(ProveLimitCycle, GivesUpATransientThatComesNoNearer) {
+TEST(LimitCycleProve, GivesUpATransientThatComesNoNearer) {
   NormalForm form;
   form.a = 1e-4;
   RotatingMotion standing = form.motion();
@@ -163,7 +163,7 @@ TEST(ProveLimitCycle, GivesUpATransientThatComesNoNearer) {
   EXPECT_LT(periods, 100);
 }
 
-TEST(ProveLimitCycle, RefusesWhatIsFarAwayAFixedPointAndAFailure) {
+TEST(LimitCycleProve, RefusesWhatIsFarAwayAFixedPointAndAFailure) {
   const NormalForm form;
   EXPECT_FALSE(prove_limit_cycle(form.motion(), VectorXd{{0.5, 0, 0}}, {form.period()}));
   EXPECT_FALSE(prove_limit_cycle(form.motion(), VectorXd{{1e-9, 0, 0}}, {form.period()}));

@@ -19,7 +19,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-TEST(FindRotatingEquilibrium, FullAnnularRubAndTheMultiplierOfItsSection) {
+TEST(RotatingEquilibriumFind, FullAnnularRubAndTheMultiplierOfItsSection) {
   const test::FullRub rub;
   const auto scene = rub.scene();
   const RotatingField field(scene, {});
@@ -57,7 +57,7 @@ RotatingEquations focus(double damping) {
           }};
 }
 
-TEST(FindRotatingEquilibrium, FindsAStablePointWithItsModulus) {
+TEST(RotatingEquilibriumFind, FindsAStablePointWithItsModulus) {
   const VectorXd start{{1.02, 0.99}};
   const auto circle = find_rotating_equilibrium(focus(0.1), start);
   ASSERT_TRUE(circle);
@@ -66,13 +66,13 @@ TEST(FindRotatingEquilibrium, FindsAStablePointWithItsModulus) {
   EXPECT_NEAR(numerics::spectral_radius(circle->transition), circle->floquet_modulus, 1e-12);
 }
 
-TEST(FindRotatingEquilibrium, RefusesAnUnstablePoint) {
+TEST(RotatingEquilibriumFind, RefusesAnUnstablePoint) {
   const VectorXd start{{1.002, 0.999}};
   EXPECT_FALSE(find_rotating_equilibrium(focus(-0.1), start));
   EXPECT_FALSE(find_rotating_equilibrium(focus(1e-9), start));
 }
 
-TEST(FindRotatingEquilibrium, RefusesAPointFarAway) {
+TEST(RotatingEquilibriumFind, RefusesAPointFarAway) {
   const VectorXd start{{1.3, 1}};
   EXPECT_FALSE(find_rotating_equilibrium(focus(0.1), start));
 }

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-TEST(Turned, TurnsEveryPairFromXToY) {
+TEST(RotatingFrameTurned, TurnsEveryPairFromXToY) {
   const VectorXd state{{1, 0, 0, 2}};
   const VectorXd quarter{{0, 1, -2, 0}};
   EXPECT_LT((turned(state, std::numbers::pi / 2) - quarter).norm(), 1e-15);
@@ -27,7 +27,7 @@ VectorXd initial(const scene::Scene& scene) {
   return Eigen::Map<const VectorXd>(state.data(), static_cast<Eigen::Index>(state.size()));
 }
 
-TEST(RotatingField, StandsStillOnTheClosedFormOfFullAnnularRub) {
+TEST(RotatingFrameField, StandsStillOnTheClosedFormOfFullAnnularRub) {
   const test::FullRub rub;
   const scene::Scene scene = rub.scene();
   const RotatingField field(scene, {});
@@ -38,7 +38,7 @@ TEST(RotatingField, StandsStillOnTheClosedFormOfFullAnnularRub) {
   EXPECT_NEAR(field.contact_force_n(state), rub.k_c * (rub.radius - 1), 1e-12);
 }
 
-TEST(RotatingField, IsTheSameFromEveryDirection) {
+TEST(RotatingFrameField, IsTheSameFromEveryDirection) {
   const auto cell = response::testing::annular_cell(120, 0.6);
   const RotatingField field(cell.scene, {});
   const VectorXd state{{1.2, 0.3, 0.1, -0.05, -0.2, 0.9, 0.1, 0.3}};
@@ -50,7 +50,7 @@ TEST(RotatingField, IsTheSameFromEveryDirection) {
 }
 
 /// Rate of y = turned(x, -phase) along a run of the adaptive solver, by differences.
-TEST(RotatingField, IsTheRateOfARunSeenFromTheShaft) {
+TEST(RotatingFrameField, IsTheRateOfARunSeenFromTheShaft) {
   auto scene = response::testing::annular_cell(120, 0.6).scene;
   scene.pulses.clear();
   integrate::run::SolverOptions options;
@@ -74,7 +74,7 @@ TEST(RotatingField, IsTheRateOfARunSeenFromTheShaft) {
   }
 }
 
-TEST(RotatingField, JacobianIsWhatDifferencesSay) {
+TEST(RotatingFrameField, JacobianIsWhatDifferencesSay) {
   const auto cell = response::testing::annular_cell(120, 0.6);
   for (const auto contact :
        {integrate::run::ContactHandling::located, integrate::run::ContactHandling::smoothed}) {

@@ -12,7 +12,7 @@
 namespace rubsweep::response::testing {
 namespace {
 
-TEST(RotationallySymmetric, ARotorInCentredRings) {
+TEST(SymmetryRotationallySymmetric, ARotorInCentredRings) {
   EXPECT_TRUE(rotating::rotationally_symmetric(annular_cell(110, 0.4).scene));
   EXPECT_TRUE(rotating::rotationally_symmetric(annular_cell(110, 0).scene));
   auto machine = annular_machine();
@@ -22,7 +22,7 @@ TEST(RotationallySymmetric, ARotorInCentredRings) {
       rotating::rotationally_symmetric(scene::build_cell(machine, 77.7, scene::WhirlRatio{0.3}).scene));
 }
 
-TEST(RotationallySymmetric, NotWithAnOffsetAFlatWallOrGravity) {
+TEST(SymmetryRotationallySymmetric, NotWithAnOffsetAFlatWallOrGravity) {
   EXPECT_FALSE(rotating::rotationally_symmetric(annular_cell(110, 0.4, 1e-9).scene));
   EXPECT_FALSE(rotating::rotationally_symmetric(
       scene::build_cell(scene::one_side_machine(), 75, scene::WhirlRatio{0.4}).scene));
@@ -36,7 +36,7 @@ TEST(RotationallySymmetric, NotWithAnOffsetAFlatWallOrGravity) {
       rotating::rotationally_symmetric(scene::build_cell(machine, 110, scene::WhirlRatio{0.4}).scene));
 }
 
-TEST(RotationallySymmetric, NotWithAnAnisotropicStructureOrForcing) {
+TEST(SymmetryRotationallySymmetric, NotWithAnAnisotropicStructureOrForcing) {
   const auto without = [](auto&& change) {
     auto scene = annular_cell(110, 0.4).scene;
     change(scene);
@@ -85,7 +85,7 @@ double turning_first_and_last_differ_by(const scene::Scene& scene) {
   return largest;
 }
 
-TEST(RotationallySymmetric, IsWhatTheMotionShows) {
+TEST(SymmetryRotationallySymmetric, IsWhatTheMotionShows) {
   EXPECT_LT(turning_first_and_last_differ_by(annular_cell(110, 0.4).scene), 1e-7);
   EXPECT_GT(turning_first_and_last_differ_by(annular_cell(110, 0.4, 1e-4).scene), 1e-3);
 }

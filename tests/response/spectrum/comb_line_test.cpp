@@ -16,7 +16,7 @@ std::optional<spectrum::SpectralLine> largest_of(const std::function<Complex(dou
   return spectrum::largest_comb_line(sample(z, 0, turns, per_turn), per_turn, spacing);
 }
 
-TEST(LargestCombLine, HasTheOrderAndAmplitudeThatStandBetweenTwoBins) {
+TEST(CombLineLargest, HasTheOrderAndAmplitudeThatStandBetweenTwoBins) {
   // 1 - 2 * 0.8431: half a bin from the nearest, where a plain spectrum shows 64 %.
   for (const double spacing : {0.8431, 1.8357, 2.6857}) {
     const auto line = largest_of(
@@ -27,7 +27,7 @@ TEST(LargestCombLine, HasTheOrderAndAmplitudeThatStandBetweenTwoBins) {
   }
 }
 
-TEST(LargestCombLine, IsTheLargerOfTwoThatBinsWouldSwap) {
+TEST(CombLineLargest, IsTheLargerOfTwoThatBinsWouldSwap) {
   // In bins of 1/128 the first stands on one, the second half a bin off: 0.9 against 0.64.
   const double spacing = 0.5 + 1.0 / 512;
   const auto line = largest_of(
@@ -37,14 +37,14 @@ TEST(LargestCombLine, IsTheLargerOfTwoThatBinsWouldSwap) {
   EXPECT_NEAR(line->amplitude_m, 1, 1e-6);
 }
 
-TEST(LargestCombLine, IsNeverTheMean) {
+TEST(CombLineLargest, IsNeverTheMean) {
   const auto line = largest_of([](double turn) { return 2.0 + 0.3 * phasor(1.5, turn); }, 0.5);
   ASSERT_TRUE(line);
   EXPECT_DOUBLE_EQ(line->order, 1.5);
   EXPECT_NEAR(line->amplitude_m, 0.3, 1e-4);
 }
 
-TEST(LargestCombLine, OfRestIsNone) {
+TEST(CombLineLargest, OfRestIsNone) {
   EXPECT_FALSE(largest_of([](double) { return Complex(0); }, 0.5));
 }
 

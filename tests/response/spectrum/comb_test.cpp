@@ -40,14 +40,14 @@ void expect_closed(const TimeFunction& z, double spacing) {
   EXPECT_NEAR(found->spacing, spacing, 1e-8);
 }
 
-TEST(FindComb, ReadsTheSpacingOfACombToEightDigits) {
+TEST(CombFind, ReadsTheSpacingOfACombToEightDigits) {
   for (const double spacing : {0.1813, 0.3333, 0.515, 0.6871, 0.94, 1.6180339887, 2.3}) {
     SCOPED_TRACE(spacing);
     expect_closed(comb(spacing, -3, {0.05, 0.2, 0.5, 0.8, 0.1, 0.03}), spacing);
   }
 }
 
-TEST(FindComb, HoldsAllTheEnergyOfACombThatIsWideEnough) {
+TEST(CombFind, HoldsAllTheEnergyOfACombThatIsWideEnough) {
   EXPECT_NEAR(comb_of(comb(0.515, -2, {0.2, 0.5, 0.8, 0.1}))->energy_share, 1, 1e-3);
   // 0.0745 turns of 128 are 9.5 bins: its lines overlap.
   const auto narrow = comb_of(comb(0.0745, -2, {0.2, 0.5, 0.8, 0.1}));
@@ -55,7 +55,7 @@ TEST(FindComb, HoldsAllTheEnergyOfACombThatIsWideEnough) {
   EXPECT_EQ(narrow->energy_share, 0);
 }
 
-TEST(FindComb, IsNotMisledByTheLargestLine) {
+TEST(CombFind, IsNotMisledByTheLargestLine) {
   // The largest lines off 1X are the second and the third of the comb.
   expect_closed(comb(0.2317, -2, {0.9, 0.3, 0.8}), 0.2317);
   expect_closed(comb(0.2317, -3, {0.9, 0, 0.3, 0.8}), 0.2317);
@@ -63,7 +63,7 @@ TEST(FindComb, IsNotMisledByTheLargestLine) {
   expect_closed(comb(0.4, -1, {0.9, 0, 0.5}), 0.4);
 }
 
-TEST(FindComb, OfADoubledPeriodIsHalf) {
+TEST(CombFind, OfADoubledPeriodIsHalf) {
   const double spacing = 0.6793;
   const auto main = comb(spacing, -2, {0.2, 0.8, 0.3});
   const auto with_halves = [&](double amplitude) {
@@ -75,12 +75,12 @@ TEST(FindComb, OfADoubledPeriodIsHalf) {
   expect_closed(with_halves(0.0005), spacing);
 }
 
-TEST(FindComb, OfAWhirlAtOneFrequencyIsItsDistanceFromTheShafts) {
+TEST(CombFind, OfAWhirlAtOneFrequencyIsItsDistanceFromTheShafts) {
   expect_closed([](double turn) { return 0.7 * phasor(-0.83, turn); }, 1.83);
   expect_closed([](double turn) { return 0.7 * phasor(-0.83, turn) + 0.2 * phasor(1, turn); }, 1.83);
 }
 
-TEST(FindComb, DoesNotCloseWithAThirdFrequency) {
+TEST(CombFind, DoesNotCloseWithAThirdFrequency) {
   const auto found = comb_of([](double turn) {
     return 0.8 * phasor(1, turn) + 0.6 * phasor(0.3819660113, turn) + 0.1 * phasor(0.7071067812, turn);
   });
@@ -91,7 +91,7 @@ TEST(FindComb, DoesNotCloseWithAThirdFrequency) {
   EXPECT_NEAR(found->energy_share, 1 / 1.01, 1e-3);
 }
 
-TEST(FindComb, DoesNotCloseWhileItStillGrowsOrShrinks) {
+TEST(CombFind, DoesNotCloseWhileItStillGrowsOrShrinks) {
   const auto settling = [](double rate) {
     return comb_of([rate](double turn) {
       return 0.8 * phasor(1, turn) + 0.3 * std::exp(rate * turn) * phasor(0.4, turn);
@@ -103,7 +103,7 @@ TEST(FindComb, DoesNotCloseWhileItStillGrowsOrShrinks) {
   EXPECT_NEAR(settling(-1e-3)->spacing, 0.6, 1e-3);
 }
 
-TEST(FindComb, DoesNotCloseInNoiseNorChaos) {
+TEST(CombFind, DoesNotCloseInNoiseNorChaos) {
   std::mt19937 bits(1);
   std::normal_distribution<double> normal;
   std::vector<Complex> z(turns * per_turn);
@@ -124,19 +124,19 @@ TEST(FindComb, DoesNotCloseInNoiseNorChaos) {
   EXPECT_FALSE(chaos->closed);
 }
 
-TEST(FindComb, DoesNotLookForPeriodsAboveAQuarterOfTheSamples) {
+TEST(CombFind, DoesNotLookForPeriodsAboveAQuarterOfTheSamples) {
   EXPECT_FALSE(comb_of(comb(1.0 / 33, -1, {0.3, 0.8}))->closed);
   EXPECT_TRUE(comb_of(comb(1.0 / 31, -1, {0.3, 0.8}))->closed);
 }
 
-TEST(FindComb, NeedsAMotionThatMovesInTheRotatingFrame) {
+TEST(CombFind, NeedsAMotionThatMovesInTheRotatingFrame) {
   EXPECT_FALSE(comb_of([](double) { return Complex(0); }));
   const auto circle = comb_of([](double turn) { return 0.8 * phasor(1, turn); });
   // Rounding alone moves, and does not return.
   EXPECT_FALSE(circle && circle->closed);
 }
 
-TEST(FindComb, RefusesSamplesThatDoNotFillThirtyTwoTurns) {
+TEST(CombFind, RefusesSamplesThatDoNotFillThirtyTwoTurns) {
   spectrum::SpectrumWorkspace workspace;
   EXPECT_THROW(spectrum::find_comb(std::vector<Complex>(31 * 64), 64, workspace), SolverError);
   EXPECT_THROW(spectrum::find_comb(std::vector<Complex>(64 * 64 + 1), 64, workspace), SolverError);

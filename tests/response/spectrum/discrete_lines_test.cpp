@@ -50,7 +50,7 @@ std::vector<Complex> noise(int count, unsigned seed) {
 
 const std::vector<Pure> torus{{0.3819660113, 1}, {0.7639320225, 0.3}, {0.1458980338, 0.2}};
 
-TEST(EnergyShares, OfALineStandInFiveBinsWhereverItFalls) {
+TEST(DiscreteLinesEnergyShares, OfALineStandInFiveBinsWhereverItFalls) {
   for (const double bins : {40.0, 40.25, 40.5}) {
     const auto found = shares(strobe({{bins / 256, 3}}, 0, 256));
     EXPECT_NEAR(std::accumulate(found.begin(), found.end(), 0.0), 1, 1e-12);
@@ -58,7 +58,7 @@ TEST(EnergyShares, OfALineStandInFiveBinsWhereverItFalls) {
   }
 }
 
-TEST(EnergyShares, LeaveTheMeanOut) {
+TEST(DiscreteLinesEnergyShares, LeaveTheMeanOut) {
   auto z = strobe(torus, 0, 256);
   const auto without = shares(z);
   for (Complex& value : z) value += Complex(100, -50);
@@ -69,7 +69,7 @@ TEST(EnergyShares, LeaveTheMeanOut) {
   EXPECT_EQ(spectrum::lines_holding(constant, 0.99), 0);
 }
 
-TEST(LinesHolding, CountsLinesByTheirEnergy) {
+TEST(DiscreteLinesHolding, CountsLinesByTheirEnergy) {
   // Energies 1, 0.09, 0.04 of 1.13: 88.5 %, 96.5 %, 100 %.
   const auto found = shares(strobe(torus, 0, 256));
   EXPECT_EQ(spectrum::lines_holding(found, 0.88), 1);
@@ -78,7 +78,7 @@ TEST(LinesHolding, CountsLinesByTheirEnergy) {
   EXPECT_GT(spectrum::lines_holding(shares(noise(256, 2)), 0.99), 30);
 }
 
-TEST(MovedShare, IsTheEnergyThatStandsElsewhere) {
+TEST(DiscreteLinesMovedShare, IsTheEnergyThatStandsElsewhere) {
   // The second line moves from order 0.3 to 0.7: 20 % of the energy.
   const auto before = shares(strobe({{0.1, 2}, {0.3, 1}}, 0, 250));
   const auto after = shares(strobe({{0.1, 2}, {0.7, 1}}, 0, 250));
@@ -92,12 +92,12 @@ TEST(MovedShare, IsTheEnergyThatStandsElsewhere) {
   EXPECT_THROW(spectrum::moved_share(before, std::vector<double>(100)), SolverError);
 }
 
-TEST(SameDiscreteLines, OnATorusWhateverItsPhase) {
+TEST(DiscreteLinesSame, OnATorusWhateverItsPhase) {
   EXPECT_TRUE(same(strobe(torus, 0, 256), strobe(torus, 256, 256)));
   EXPECT_TRUE(same(strobe(torus, 0, 256), strobe(torus, 12345, 256)));
 }
 
-TEST(SameDiscreteLines, NotWhenALineMovesOrChanges) {
+TEST(DiscreteLinesSame, NotWhenALineMovesOrChanges) {
   auto moved = torus, louder = torus;
   moved[1].order += 0.02;
   louder[1].amplitude *= 1.2;
@@ -107,7 +107,7 @@ TEST(SameDiscreteLines, NotWhenALineMovesOrChanges) {
   EXPECT_TRUE(same(strobe(torus, 0, 256), strobe(louder, 256, 256)));
 }
 
-TEST(SameDiscreteLines, NotInNoiseNorInChaos) {
+TEST(DiscreteLinesSame, NotInNoiseNorInChaos) {
   EXPECT_FALSE(same(noise(256, 1), noise(256, 2)));
   std::vector<Complex> henon;
   double x = 0.1, y = 0.2;
@@ -120,7 +120,7 @@ TEST(SameDiscreteLines, NotInNoiseNorInChaos) {
   EXPECT_FALSE(same({henon.begin(), henon.begin() + 256}, {henon.begin() + 256, henon.end()}));
 }
 
-TEST(SameDiscreteLines, NotWhenThereAreManyEvenIfTheyStay) {
+TEST(DiscreteLinesSame, NotWhenThereAreManyEvenIfTheyStay) {
   std::vector<Pure> many;
   for (int i = 0; i < 20; ++i) many.push_back({0.045 * i + 0.01, 1});
   EXPECT_FALSE(same(strobe(many, 0, 512), strobe(many, 512, 512)));

@@ -49,7 +49,7 @@ TEST(JointMode, AtTheWallTheDirectionDecides) {
   EXPECT_EQ(walls.joint(1, -1), 0u);
 }
 
-TEST(KinematicsOf, IsPenetrationAndItsRates) {
+TEST(JointModeKinematicsOf, IsPenetrationAndItsRates) {
   const BetweenWalls walls;
   const auto system = run::scale<Eigen::Dynamic>(walls.scene);
   const auto k = kinematics_of(system.contacts[1], State(-0.7, 9, -2, 9), -5);

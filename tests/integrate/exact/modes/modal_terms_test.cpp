@@ -11,7 +11,7 @@
 namespace rubsweep::integrate::exact::modes {
 namespace {
 
-TEST(PairSize, BoundsTheLengthByAtMostAnEighthMore) {
+TEST(ModalTermsPairSize, BoundsTheLengthByAtMostAnEighthMore) {
   for (double angle = 0; angle < 6.3; angle += 0.01) {
     const double size = pair_size(3 * std::cos(angle), 3 * std::sin(angle));
     EXPECT_GE(size, 3 * (1 - 1e-15)) << angle;
@@ -51,7 +51,7 @@ TEST(ModalTerms, WhereNothingIsSeenOnePairAddsNothing) {
 using State = ExactTypes<4>::State;
 
 /// All four modes of one stop.
-class EveryModeSeen : public testing::TestWithParam<std::size_t> {
+class ModalTermsEveryModeSeen : public testing::TestWithParam<std::size_t> {
  protected:
   MachineModes<4> plan_{test::cell_of({}).scene};
   const LinearMode<4>& mode_ = *plan_.mode(GetParam());
@@ -72,7 +72,7 @@ class EveryModeSeen : public testing::TestWithParam<std::size_t> {
   }
 };
 
-TEST_P(EveryModeSeen, SumsToTheWholeRow) {
+TEST_P(ModalTermsEveryModeSeen, SumsToTheWholeRow) {
   for (const auto& guard : mode_.guards) {
     const Eigen::RowVectorXd row = guard.physical * mode_.basis;
     const Eigen::RowVectorXd by_time = guard.physical * mode_.generator * mode_.basis;
@@ -82,7 +82,7 @@ TEST_P(EveryModeSeen, SumsToTheWholeRow) {
   }
 }
 
-TEST_P(EveryModeSeen, BoundsHoldOverTheLongestStep) {
+TEST_P(ModalTermsEveryModeSeen, BoundsHoldOverTheLongestStep) {
   for (const auto& guard : mode_.guards) {
     const ModalSum start = sum(guard.terms.list, some_vibration());
     double envelope = 0;
@@ -99,10 +99,10 @@ TEST_P(EveryModeSeen, BoundsHoldOverTheLongestStep) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OneStop, EveryModeSeen, testing::Range<std::size_t>(0, 4));
+INSTANTIATE_TEST_SUITE_P(OneStop, ModalTermsEveryModeSeen, testing::Range<std::size_t>(0, 4));
 
 /// A flight with its casing ringing: the guard is the penetration, and what stands for it is never below.
-TEST(SlowGuard, IsNeverBelowTheWhole) {
+TEST(ModalTermsSlowGuard, IsNeverBelowTheWhole) {
   auto scene = test::cell_of({}).scene;
   scene.pulses.clear();
   ExactMotion<4> motion(scene, std::make_shared<MachineModes<4>>(scene));

@@ -22,7 +22,7 @@ State some_vibration() {
 }
 
 /// All four modes of one stop: three are made of pairs, the released one moves by full matrices.
-class EveryMode : public testing::TestWithParam<std::size_t> {
+class ModeFlowEvery : public testing::TestWithParam<std::size_t> {
  protected:
   MachineModes<4> plan_{test::cell_of({}).scene};
   const LinearMode<4>& mode_ = *plan_.mode(GetParam());
@@ -33,7 +33,7 @@ class EveryMode : public testing::TestWithParam<std::size_t> {
   }
 };
 
-TEST_P(EveryMode, SeriesIsTheFlow) {
+TEST_P(ModeFlowEvery, SeriesIsTheFlow) {
   for (const double size : {1e-5, 0.01, 0.1, 0.5, 1.0}) {
     const double duration_s = size * numerics::longest_series / mode_.fastest_rad_per_s;
     State z = some_vibration();
@@ -44,7 +44,7 @@ TEST_P(EveryMode, SeriesIsTheFlow) {
   }
 }
 
-TEST_P(EveryMode, PairsFlowAnyDistance) {
+TEST_P(ModeFlowEvery, PairsFlowAnyDistance) {
   EXPECT_EQ(mode_.paired, GetParam() != 3);
   if (!mode_.paired) return;
   for (const double duration_s : {1e-6, 3e-4, 0.02}) {
@@ -54,7 +54,7 @@ TEST_P(EveryMode, PairsFlowAnyDistance) {
   }
 }
 
-TEST_P(EveryMode, TermsOfAGuardSumToItsValueAhead) {
+TEST_P(ModeFlowEvery, TermsOfAGuardSumToItsValueAhead) {
   const double duration_s = 0.4 / mode_.fastest_rad_per_s;
   std::array<double, 18> terms{};
   for (const auto& guard : mode_.guards) {
@@ -69,7 +69,7 @@ TEST_P(EveryMode, TermsOfAGuardSumToItsValueAhead) {
   }
 }
 
-TEST_P(EveryMode, KnowsTheStepsOfItsTable) {
+TEST_P(ModeFlowEvery, KnowsTheStepsOfItsTable) {
   for (int k = 0; k < numerics::exact_step_count; ++k) {
     const double duration_s = mode_.longest_step_s * numerics::exact_step_size(k);
     EXPECT_EQ(table_step_of(mode_, duration_s), k);
@@ -80,7 +80,7 @@ TEST_P(EveryMode, KnowsTheStepsOfItsTable) {
   EXPECT_EQ(table_step_of(mode_, 0), numerics::exact_step_count);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfOneStop, EveryMode, testing::Values(0, 1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(OfOneStop, ModeFlowEvery, testing::Values(0, 1, 2, 3));
 
 }  // namespace
 }  // namespace rubsweep::integrate::exact::modes

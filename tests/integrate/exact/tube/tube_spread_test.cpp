@@ -7,14 +7,14 @@
 namespace rubsweep::integrate::exact::tube {
 namespace {
 
-TEST(SpreadOf, UnitDisturbancesAreOneLengthDeflectionsAreAlone) {
+TEST(TubeSpreadOf, UnitDisturbancesAreOneLengthDeflectionsAreAlone) {
   const auto spread = spread_of({3, -4, 5, -6}, {2, 0});
   EXPECT_EQ(spread.width.fast, 5);
   EXPECT_EQ(spread.deflections, (std::vector<double>{5, 6}));
 }
 
 /// sin and cos of t, whose second derivatives are at most 1: the length is 1 all along.
-TEST(SpreadOver, BoundsWhatTheValuesDoInTheStep) {
+TEST(TubeSpreadOver, BoundsWhatTheValuesDoInTheStep) {
   for (const double duration : {0.01, 0.1, 0.5}) {
     const auto spread = spread_over({{0, 1, 0}, {1, 0, 1}, {1, 1, 1}}, {2, 0}, duration);
     EXPECT_GE(spread.width.fast, 1);
@@ -24,7 +24,7 @@ TEST(SpreadOver, BoundsWhatTheValuesDoInTheStep) {
   }
 }
 
-TEST(Raise, TakesTheLargerOfWhatBothHave) {
+TEST(TubeSpreadRaise, TakesTheLargerOfWhatBothHave) {
   TurnTube::Spread spread{{1, 7}, {2, 3}};
   raise(spread, {{4, 6}, {1, 5, 9}});
   EXPECT_EQ(spread.width.fast, 4);
