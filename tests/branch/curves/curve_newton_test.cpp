@@ -19,7 +19,7 @@ TEST(CurveNewton, FindsTheFoldOnAPlane) {
   const CurveCorrection found = correct(folds.system, guess, direction);
   ASSERT_TRUE(found.converged);
   EXPECT_LE(found.error, 1e-11);
-  const orbits::Place place = place_of(folds.system, found.at);
+  const orbits::PlanePoint place = place_of(folds.system, found.at);
   EXPECT_NEAR(place.second, 0.48 + 2e-3, 1e-15);
   EXPECT_NEAR(27 * place.first * place.first, 4 * std::pow(place.second, 3), 1e-11);
 }
@@ -60,7 +60,7 @@ TEST(CurveNewton, NothingToFind) {
   direction(1) = 1;
   EXPECT_TRUE(correct(folds.system, folds.at(0), direction).singular) << "p stays, and x may be anything";
   orbits::PlaneOrbits nowhere = test::cusp_plane();
-  nowhere.returns = [](const orbits::Place&, Eigen::VectorXd&, Eigen::MatrixXd*) {
+  nowhere.returns = [](const orbits::PlanePoint&, Eigen::VectorXd&, Eigen::MatrixXd*) {
     return orbits::Evaluation::failed;
   };
   const ExtendedSystem system{&nowhere, continuation::EventKind::fold, 1};

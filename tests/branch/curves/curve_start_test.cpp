@@ -32,10 +32,10 @@ TEST(CurveStart, FindsTheEventAgain) {
 TEST(CurveStart, NoneWhereThereIsNoSuchEvent) {
   const orbits::PlaneOrbits orbits = test::cusp_plane();
   const double r = 0.4;
-  const orbits::Place beside{-2 * r * r * r + 1e-3, 3 * r * r, 0};
+  const orbits::PlanePoint beside{-2 * r * r * r + 1e-3, 3 * r * r, 0};
   EXPECT_FALSE(curve_start(orbits, event_at(continuation::EventKind::fold, r), beside))
       << "a fold, but elsewhere";
-  const orbits::Place there{-2 * r * r * r, 3 * r * r, 0};
+  const orbits::PlanePoint there{-2 * r * r * r, 3 * r * r, 0};
   for (const continuation::EventKind kind :
        {continuation::EventKind::period_halving, continuation::EventKind::sequence,
         continuation::EventKind::stability})
@@ -47,7 +47,7 @@ TEST(CurveStart, AGrazeBeginsWhereItTouches) {
   orbits::PlaneOrbits orbits =
       test::plain_plane_of_one_number([](double p, double q, double x) { return 0.5 * (x + p + q); },
                                       [](double, double, double) { return 0.5; });
-  orbits.guard = [](const orbits::Place& at, const Eigen::VectorXd& x,
+  orbits.guard = [](const orbits::PlanePoint& at, const Eigen::VectorXd& x,
                     const orbits::ArmedGuard& guard) -> std::optional<orbits::GuardMotion> {
     if (guard.contact != 2) return std::nullopt;
     const double phase = at.phase_rad - 0.3;
@@ -57,7 +57,7 @@ TEST(CurveStart, AGrazeBeginsWhereItTouches) {
   EXPECT_FALSE(curve_start(orbits, event, {0.2, -0.2, 0})) << "it is not known what grazes";
   event.change = orbits::SequenceChange{.contact = 2, .middle_rad = 0.3001};
   EXPECT_FALSE(curve_start(orbits, event, {0.2, -0.2, 0})) << "nobody knows the state at a phase";
-  orbits.at_phase = [](const orbits::Place&, const Eigen::VectorXd& state, double&) {
+  orbits.at_phase = [](const orbits::PlanePoint&, const Eigen::VectorXd& state, double&) {
     return std::optional(state);
   };
   const auto start = curve_start(orbits, event, {0.2, -0.2, 0});

@@ -37,9 +37,9 @@ TEST(ExtendedSystem, PlacesAndStatesComeBack) {
   ASSERT_EQ(at.size(), 4);
   EXPECT_DOUBLE_EQ(at(2), 0.25) << "a share of the range";
   EXPECT_DOUBLE_EQ(at(3), 0.5);
-  EXPECT_EQ(place_of(fold, at), (orbits::Place{1, 0.25, 0})) << "the phase belongs to grazes alone";
+  EXPECT_EQ(place_of(fold, at), (orbits::PlanePoint{1, 0.25, 0})) << "the phase belongs to grazes alone";
   EXPECT_NEAR((state_of(fold, at) - state).norm(), 0, 1e-15);
-  EXPECT_EQ(place_of(graze, position_of(graze, {1, 0.25, 5}, state)), (orbits::Place{1, 0.25, 5}));
+  EXPECT_EQ(place_of(graze, position_of(graze, {1, 0.25, 5}, state)), (orbits::PlanePoint{1, 0.25, 5}));
 }
 
 /// Every row against differences of the residual.
@@ -86,7 +86,7 @@ TEST(ExtendedSystem, OfAGraze) {
   orbits::PlaneOrbits orbits =
       test::plain_plane_of_one_number([](double p, double q, double x) { return 0.5 * x + p + q; },
                                       [](double, double, double) { return 0.5; });
-  orbits.guard = [](const orbits::Place& at, const VectorXd& x,
+  orbits.guard = [](const orbits::PlanePoint& at, const VectorXd& x,
                     const orbits::ArmedGuard&) -> std::optional<orbits::GuardMotion> {
     return orbits::GuardMotion{x(0) - at.phase_rad * at.phase_rad, -2 * at.phase_rad, -2};
   };
@@ -123,7 +123,9 @@ TEST(ExtendedSystem, WhereThereIsNoMachine) {
   const ExtendedSystem system{&orbits, continuation::EventKind::fold, 2};
   const continuation::Position at = position_of(system, {0.4, 0.2, 0}, Eigen::Vector2d(0.11, 0.23));
   for (const orbits::Evaluation evaluation : {orbits::Evaluation::infeasible, orbits::Evaluation::failed}) {
-    orbits.returns = [evaluation](const orbits::Place&, VectorXd&, Eigen::MatrixXd*) { return evaluation; };
+    orbits.returns = [evaluation](const orbits::PlanePoint&, VectorXd&, Eigen::MatrixXd*) {
+      return evaluation;
+    };
     EXPECT_EQ(extend(system, at).evaluation, evaluation);
   }
 }

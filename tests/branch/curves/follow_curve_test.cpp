@@ -196,7 +196,7 @@ TEST(FollowCurve, EndsWhereThereIsNoMachineOrTheSolverFails) {
         std::pair{orbits::Evaluation::failed, continuation::Ending::failed}}) {
     orbits::PlaneOrbits orbits = cusp_plane();
     orbits.returns = [map = orbits.returns, evaluation = evaluation](
-                         const orbits::Place& at, Eigen::VectorXd& x, Eigen::MatrixXd* monodromy) {
+                         const orbits::PlanePoint& at, Eigen::VectorXd& x, Eigen::MatrixXd* monodromy) {
       return at.second > 0.8 ? evaluation : map(at, x, monodromy);
     };
     const double q = 0.48, x = std::sqrt(q / 3);

@@ -29,7 +29,7 @@ TEST(Meetings, ACuspOnAStepOverIt) {
 /// A change of the contacts at q = 0.12 is found to the same width, and called after the curve.
 TEST(Meetings, AGrazeOnACurveOfFolds) {
   test::FoldsOfACusp folds;
-  folds.orbits.facts = [](const orbits::Place& at, const Eigen::VectorXd&) {
+  folds.orbits.facts = [](const orbits::PlanePoint& at, const Eigen::VectorXd&) {
     orbits::OrbitFacts facts;
     if (at.second > 0.12)
       facts.switches = {{1, 0, contact::Mode::open, contact::Mode::sprung},
@@ -179,15 +179,17 @@ orbits::PlaneOrbits grazing(const Matrix& matrix) {
   orbits::PlaneOrbits orbits = test::plain_plane(
       [matrix](double p, double q, const Eigen::VectorXd& x) { return Eigen::VectorXd(matrix(p, q) * x); },
       [matrix](double p, double q, const Eigen::VectorXd&) { return Eigen::MatrixXd(matrix(p, q)); });
-  orbits.guard = [](const orbits::Place& at, const Eigen::VectorXd&, const orbits::ArmedGuard&) {
+  orbits.guard = [](const orbits::PlanePoint& at, const Eigen::VectorXd&, const orbits::ArmedGuard&) {
     return std::optional(orbits::GuardMotion{at.first - at.phase_rad * at.phase_rad, -2 * at.phase_rad, -2});
   };
-  orbits.at_phase = [](const orbits::Place&, const Eigen::VectorXd& x, double&) { return std::optional(x); };
+  orbits.at_phase = [](const orbits::PlanePoint&, const Eigen::VectorXd& x, double&) {
+    return std::optional(x);
+  };
   return orbits;
 }
 
 std::optional<CurveStart> graze_near(const orbits::PlaneOrbits& orbits, const Eigen::VectorXd& state,
-                                     const orbits::Place& place) {
+                                     const orbits::PlanePoint& place) {
   continuation::BranchEvent event;
   event.kind = continuation::EventKind::graze;
   event.point.state = state;
@@ -201,7 +203,7 @@ TEST(Meetings, OfGrazesWithMultipliersOnTheUnitCircle) {
     return Eigen::Matrix2d(Eigen::Vector2d(-1 - q, 0.3).asDiagonal());
   };
   const auto torus = [](double, double q) { return Eigen::Matrix2d((1 + q) * rotation(2)); };
-  const orbits::Place place{0, beside, 0};
+  const orbits::PlanePoint place{0, beside, 0};
   expect_one_at_the_origin(graze_near(grazing(flip), Eigen::Vector2d::Zero(), place), MeetingKind::graze_flip,
                            1e-10);
   expect_one_at_the_origin(graze_near(grazing(torus), Eigen::Vector2d::Zero(), place),
@@ -213,11 +215,13 @@ TEST(Meetings, AGrazeAtAFold) {
   orbits::PlaneOrbits orbits =
       test::plain_plane_of_one_number([](double p, double, double x) { return x + p - x * x; },
                                       [](double, double, double x) { return 1 - 2 * x; });
-  orbits.guard = [](const orbits::Place& at, const Eigen::VectorXd& x, const orbits::ArmedGuard&) {
+  orbits.guard = [](const orbits::PlanePoint& at, const Eigen::VectorXd& x, const orbits::ArmedGuard&) {
     return std::optional(
         orbits::GuardMotion{x(0) - at.second - at.phase_rad * at.phase_rad, -2 * at.phase_rad, -2});
   };
-  orbits.at_phase = [](const orbits::Place&, const Eigen::VectorXd& x, double&) { return std::optional(x); };
+  orbits.at_phase = [](const orbits::PlanePoint&, const Eigen::VectorXd& x, double&) {
+    return std::optional(x);
+  };
   expect_one_at_the_origin(
       graze_near(orbits, Eigen::VectorXd::Constant(1, beside), {beside * beside, beside, 0}),
       MeetingKind::graze_fold, 1e-10);
@@ -226,7 +230,7 @@ TEST(Meetings, AGrazeAtAFold) {
 /// A second contact is hit where q > 0.
 TEST(Meetings, TwoGrazesAtOnce) {
   orbits::PlaneOrbits orbits = grazing([](double, double) { return Eigen::Matrix2d(0.5 * rotation(1)); });
-  orbits.facts = [](const orbits::Place& at, const Eigen::VectorXd&) {
+  orbits.facts = [](const orbits::PlanePoint& at, const Eigen::VectorXd&) {
     orbits::OrbitFacts facts;
     if (at.second > 0)
       facts.switches = {{1, 1, contact::Mode::open, contact::Mode::sprung},
@@ -241,7 +245,7 @@ TEST(Meetings, TwoGrazesAtOnce) {
 /// derivative is 2 phase: beyond the cusp of this curve the guard only rises.
 TEST(Meetings, AGrazeThatDoesNotTurnBack) {
   orbits::PlaneOrbits orbits = grazing([](double, double) { return Eigen::Matrix2d(0.5 * rotation(1)); });
-  orbits.guard = [](const orbits::Place& at, const Eigen::VectorXd&, const orbits::ArmedGuard&) {
+  orbits.guard = [](const orbits::PlanePoint& at, const Eigen::VectorXd&, const orbits::ArmedGuard&) {
     const double t = at.phase_rad;
     return std::optional(
         orbits::GuardMotion{at.first + at.second * t + t * t * t / 3, at.second + t * t, 2 * t});

@@ -11,7 +11,7 @@ namespace rubsweep::test {
 template <class Map, class Slope>
 branch::orbits::PlaneOrbits plain_plane(const Map& map, const Slope& slope) {
   branch::orbits::PlaneOrbits orbits;
-  orbits.returns = [map, slope](const branch::orbits::Place& at, Eigen::VectorXd& x,
+  orbits.returns = [map, slope](const branch::orbits::PlanePoint& at, Eigen::VectorXd& x,
                                 Eigen::MatrixXd* monodromy) {
     if (monodromy) *monodromy = slope(at.first, at.second, x);
     x = map(at.first, at.second, x);
@@ -36,7 +36,8 @@ branch::orbits::PlaneOrbits plain_plane_of_one_number(const Map& map, const Slop
 /// The same orbits with their parameters in the other order.
 inline branch::orbits::PlaneOrbits exchanged(const branch::orbits::PlaneOrbits& orbits) {
   branch::orbits::PlaneOrbits other = orbits;
-  other.returns = [orbits](const branch::orbits::Place& at, Eigen::VectorXd& x, Eigen::MatrixXd* monodromy) {
+  other.returns = [orbits](const branch::orbits::PlanePoint& at, Eigen::VectorXd& x,
+                           Eigen::MatrixXd* monodromy) {
     return orbits.returns({at.second, at.first, at.phase_rad}, x, monodromy);
   };
   other.first = orbits.second;

@@ -36,14 +36,14 @@ std::vector<LabelCheck> check(const Families& families, const std::vector<std::s
   return check_labels(study(), labels, families, threads, stop, records);
 }
 
-Finding finding_outside(const Families& families) {
+CheckResult finding_outside(const Families& families) {
   std::vector<std::string> with_outside = labels();
   with_outside[3] = "subharmonic_2";
   for (const LabelCheck& found : check(families, with_outside)) {
     if (!found.inside) return found.finding;
   }
   ADD_FAILURE() << "nothing was looked at outside";
-  return Finding::reached;
+  return CheckResult::reached;
 }
 
 /// The half orbit in two: the first family ends before cell 3 in `end`, the second one has that cell.
@@ -61,7 +61,7 @@ TEST(Contradictions, TheMachineStaysWhereItsOrbitIsStable) {
     for (const LabelCheck& one : found) {
       EXPECT_TRUE(one.inside);
       EXPECT_EQ(one.family, 0u);
-      EXPECT_EQ(one.finding, one.cell == 2 ? Finding::reached : Finding::stays) << one.cell;
+      EXPECT_EQ(one.finding, one.cell == 2 ? CheckResult::reached : CheckResult::stays) << one.cell;
     }
   }
 }
@@ -72,7 +72,7 @@ TEST(Contradictions, TheMachineLeavesWhatIsNoOrbit) {
   families.list[0].orbits.at(1).state.setZero();
   const auto found = check(families, labels());
   ASSERT_EQ(found[0].cell, 1u);
-  EXPECT_EQ(found[0].finding, Finding::leaves);
+  EXPECT_EQ(found[0].finding, CheckResult::leaves);
   EXPECT_TRUE(contradicts(found[0].finding));
 }
 
@@ -83,13 +83,13 @@ TEST(Contradictions, ALabelOutsideWithoutAnOrbit) {
   auto found = check(families, with_outside);
   ASSERT_EQ(found.size(), 4u);
   EXPECT_FALSE(found[3].inside);
-  EXPECT_EQ(found[3].finding, Finding::unproven);
+  EXPECT_EQ(found[3].finding, CheckResult::unproven);
   EXPECT_EQ(found[3].end, "fold");
   families.not_followed = {4};
   found = check(families, with_outside);
   ASSERT_EQ(found.size(), 5u);
-  EXPECT_EQ(found[3].finding, Finding::not_found);
-  EXPECT_EQ(found[4].finding, Finding::not_found);
+  EXPECT_EQ(found[3].finding, CheckResult::not_found);
+  EXPECT_EQ(found[4].finding, CheckResult::not_found);
   EXPECT_EQ(found[4].family, std::nullopt);
   // A label of another kind is none to look at.
   with_outside[4] = "subharmonic_3";
@@ -99,11 +99,11 @@ TEST(Contradictions, ALabelOutsideWithoutAnOrbit) {
 TEST(Contradictions, OrbitsSideBySide) {
   Families families = parted("fold");
   families.list[1].ends = {{3, 2, 78, 0.4, "period_doubling"}};
-  EXPECT_EQ(finding_outside(families), Finding::ends_as_well);
+  EXPECT_EQ(finding_outside(families), CheckResult::ends_as_well);
   families.list[1].ends[0].kind = "point_limit";
-  EXPECT_EQ(finding_outside(families), Finding::not_followed);
+  EXPECT_EQ(finding_outside(families), CheckResult::not_followed);
   families = parted("step_too_small");
-  EXPECT_EQ(finding_outside(families), Finding::not_followed);
+  EXPECT_EQ(finding_outside(families), CheckResult::not_followed);
 }
 
 /// The second family's orbit goes on into cell 2. There it must be another one: the same means that the end
@@ -111,9 +111,9 @@ TEST(Contradictions, OrbitsSideBySide) {
 TEST(Contradictions, OneOrbitInTwoFamilies) {
   Families families = parted("fold");
   families.list[1].orbits.emplace(2, families.list[0].orbits.at(2));
-  EXPECT_EQ(finding_outside(families), Finding::same_orbit);
+  EXPECT_EQ(finding_outside(families), CheckResult::same_orbit);
   families.list[1].orbits.at(2).state *= 1.01;
-  EXPECT_EQ(finding_outside(families), Finding::another_orbit);
+  EXPECT_EQ(finding_outside(families), CheckResult::another_orbit);
 }
 
 TEST(Contradictions, GoOnFromWhatWasFound) {
@@ -122,8 +122,8 @@ TEST(Contradictions, GoOnFromWhatWasFound) {
   ASSERT_TRUE(known.read(2, "stays 3 1"));
   const auto found = check(half_orbit(), labels(), known);
   ASSERT_EQ(found.size(), 3u);
-  EXPECT_EQ(found[0].finding, Finding::leaves) << "as the records say";
-  EXPECT_EQ(found[2].finding, Finding::stays);
+  EXPECT_EQ(found[0].finding, CheckResult::leaves) << "as the records say";
+  EXPECT_EQ(found[2].finding, CheckResult::stays);
 }
 
 }  // namespace

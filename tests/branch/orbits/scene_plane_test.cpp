@@ -87,7 +87,7 @@ const curves::Meeting* find(const curves::Curve& curve, curves::MeetingKind kind
 /// The critical multiplier is there all along, with the others the product that damping gives; and the curves
 /// of folds and of doublings agree about the place where they meet.
 TEST_F(ScenePlaneTwoMass, FoldsAndDoublings) {
-  std::vector<Place> meetings;
+  std::vector<PlanePoint> meetings;
   for (const auto& [kind, critical] : {std::pair{continuation::EventKind::fold, 1.0},
                                        std::pair{continuation::EventKind::period_doubling, -1.0}}) {
     const auto start = start_at(kind, 0);

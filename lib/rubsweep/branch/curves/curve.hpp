@@ -11,7 +11,7 @@ namespace rubsweep::branch::curves {
 
 /// An orbit on a curve in the plane of two parameters. Lengths are those of the coordinates of its system.
 struct CurvePoint {
-  orbits::Place place;
+  orbits::PlanePoint place;
   double arclength = 0;  ///< from the event that the curve starts from; below 0 on its other side
   Eigen::VectorXd state;
   continuation::Position at;       ///< place and state in the coordinates

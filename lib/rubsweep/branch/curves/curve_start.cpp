@@ -13,10 +13,11 @@ constexpr double same_event = 1e-5;
 }  // namespace
 
 std::optional<CurveStart> curve_start(const orbits::PlaneOrbits& orbits,
-                                      const continuation::BranchEvent& event, const orbits::Place& place) {
+                                      const continuation::BranchEvent& event,
+                                      const orbits::PlanePoint& place) {
   if (!has_curve(event.kind)) return std::nullopt;
   CurveStart start{{&orbits, event.kind, event.point.state.size()}, {}};
-  orbits::Place begin = place;
+  orbits::PlanePoint begin = place;
   Eigen::VectorXd state = event.point.state;
   if (event.kind == continuation::EventKind::graze) {
     if (!event.change || !orbits.guard || !orbits.at_phase) return std::nullopt;

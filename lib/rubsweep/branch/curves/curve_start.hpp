@@ -16,6 +16,7 @@ struct CurveStart {
 /// event, whose phase is zero. Empty where the event's kind has no curve (has_curve()), or Newton's iteration
 /// does not find the event again in the plane.
 std::optional<CurveStart> curve_start(const orbits::PlaneOrbits& orbits,
-                                      const continuation::BranchEvent& event, const orbits::Place& place);
+                                      const continuation::BranchEvent& event,
+                                      const orbits::PlanePoint& place);
 
 }  // namespace rubsweep::branch::curves

@@ -13,7 +13,7 @@ namespace {
 
 using batch::csv_number;
 
-std::string place_cells(const orbits::Place& place) {
+std::string place_cells(const orbits::PlanePoint& place) {
   return csv_number(place.first) + ',' + csv_number(place.second);
 }
 

@@ -147,7 +147,7 @@ class Extender {
     extended.jacobian += left * (bent - open);
   }
 
-  orbits::GuardMotion guard_of(const orbits::Place& place, const VectorXd& state) const {
+  orbits::GuardMotion guard_of(const orbits::PlanePoint& place, const VectorXd& state) const {
     const auto guard = orbits_.guard(place, state, system_.guard);
     if (!guard) throw NotMade{orbits::Evaluation::infeasible};
     return *guard;
@@ -185,7 +185,7 @@ class Extender {
   const orbits::PlaneOrbits& orbits_;
   Index n_, extra_;
   const continuation::Position& at_;
-  orbits::Place place_;
+  orbits::PlanePoint place_;
   VectorXd state_;
   double parameter_step_, state_step_;
   MonodromyJet jet_;
@@ -199,7 +199,7 @@ bool has_curve(continuation::EventKind kind) {
          kind == continuation::EventKind::graze;
 }
 
-continuation::Position position_of(const ExtendedSystem& system, const orbits::Place& place,
+continuation::Position position_of(const ExtendedSystem& system, const orbits::PlanePoint& place,
                                    const VectorXd& state) {
   continuation::Position at(system.unknowns());
   at.head(system.states) = state / root_of(system.states);
@@ -208,7 +208,7 @@ continuation::Position position_of(const ExtendedSystem& system, const orbits::P
   return at;
 }
 
-orbits::Place place_of(const ExtendedSystem& system, const continuation::Position& at) {
+orbits::PlanePoint place_of(const ExtendedSystem& system, const continuation::Position& at) {
   const Index last = at.size() - 1;
   return {at(last - 1) * system.orbits->first.width(), at(last) * system.orbits->second.width(),
           system.kind == continuation::EventKind::graze ? at(system.states) : 0};

@@ -32,9 +32,9 @@ struct ExtendedSystem {
 /// Whether a kind of event goes on as a curve in two parameters, and is followed as one.
 bool has_curve(continuation::EventKind kind);
 
-continuation::Position position_of(const ExtendedSystem& system, const orbits::Place& place,
+continuation::Position position_of(const ExtendedSystem& system, const orbits::PlanePoint& place,
                                    const Eigen::VectorXd& state);
-orbits::Place place_of(const ExtendedSystem& system, const continuation::Position& at);
+orbits::PlanePoint place_of(const ExtendedSystem& system, const continuation::Position& at);
 Eigen::VectorXd state_of(const ExtendedSystem& system, const continuation::Position& at);
 
 /// Null vectors and normal form coefficients at a codimension-one point, for tests of meetings.

@@ -40,7 +40,7 @@ class CurveTask {
 
   bool holds(const CurveCorrection& found) const {
     const orbits::PlaneOrbits& orbits = *system_.orbits;
-    const orbits::Place place = place_of(system_, found.at);
+    const orbits::PlanePoint place = place_of(system_, found.at);
     return orbits.first.holds(place.first) && orbits.second.holds(place.second);
   }
 
@@ -48,7 +48,7 @@ class CurveTask {
   std::optional<CurveCorrection> correct_at_edge(const CurvePoint& here, const CurveCorrection& found) const {
     const orbits::PlaneOrbits& orbits = *system_.orbits;
     const continuation::Position& beyond = found.at;
-    const orbits::Place outside = place_of(system_, beyond);
+    const orbits::PlanePoint outside = place_of(system_, beyond);
     const std::array values{outside.first, outside.second};
     const std::array ranges{orbits.first, orbits.second};
     const Eigen::Index plane = beyond.size() - 2;

@@ -34,7 +34,7 @@ class Checker {
     std::vector<LabelCheck> checks;
     for (const auto& [cell, orbit] : family.orbits) {
       const bool reached = std::ranges::binary_search(family.reached, cell);
-      checks.push_back({cell, number, true, reached ? Finding::reached : Finding::stays, {}, {}});
+      checks.push_back({cell, number, true, reached ? CheckResult::reached : CheckResult::stays, {}, {}});
     }
     return checks;
   }
@@ -66,22 +66,23 @@ class Checker {
   }
 
  private:
-  Finding found_outside(const Family& family, const FamilyEnd& end) const {
+  CheckResult found_outside(const Family& family, const FamilyEnd& end) const {
     const auto other_number = family_of_[end.outside];
     if (!other_number) {
       const bool proven =
           std::ranges::find(families_.not_followed, end.outside) != families_.not_followed.end();
-      return proven ? Finding::not_found : Finding::unproven;
+      return proven ? CheckResult::not_found : CheckResult::unproven;
     }
-    if (!is_an_end(end.kind)) return Finding::not_followed;
+    if (!is_an_end(end.kind)) return CheckResult::not_followed;
     const Family& other = families_.list[*other_number];
     if (const auto there = other.orbits.find(end.inside); there != other.orbits.end()) {
       const bool same =
           same_orbit(study_, prepared_, end.inside, there->second, family.orbits.at(end.inside), workspace);
-      return same ? Finding::same_orbit : Finding::another_orbit;
+      return same ? CheckResult::same_orbit : CheckResult::another_orbit;
     }
     const FamilyEnd* on_the_way_in = other.end_between(end.outside, end.inside);
-    return on_the_way_in && is_an_end(on_the_way_in->kind) ? Finding::ends_as_well : Finding::not_followed;
+    return on_the_way_in && is_an_end(on_the_way_in->kind) ? CheckResult::ends_as_well
+                                                           : CheckResult::not_followed;
   }
 
   const sweep::Study& study_;
@@ -93,25 +94,25 @@ class Checker {
 
 }  // namespace
 
-std::string_view to_string(Finding finding) {
+std::string_view to_string(CheckResult finding) {
   switch (finding) {
-    case Finding::reached:
+    case CheckResult::reached:
       return "reached";
-    case Finding::stays:
+    case CheckResult::stays:
       return "stays";
-    case Finding::another_orbit:
+    case CheckResult::another_orbit:
       return "another_orbit";
-    case Finding::ends_as_well:
+    case CheckResult::ends_as_well:
       return "ends_as_well";
-    case Finding::leaves:
+    case CheckResult::leaves:
       return "leaves";
-    case Finding::same_orbit:
+    case CheckResult::same_orbit:
       return "same_orbit";
-    case Finding::not_followed:
+    case CheckResult::not_followed:
       return "not_followed";
-    case Finding::not_found:
+    case CheckResult::not_found:
       return "not_found";
-    case Finding::unproven:
+    case CheckResult::unproven:
       return "unproven";
   }
   return "";
@@ -127,8 +128,8 @@ std::vector<LabelCheck> check_labels(const sweep::Study& study, std::span<const 
   for (std::size_t number = 0; number < families.list.size(); ++number) {
     for (LabelCheck& check : checker.inside(number)) {
       const std::optional<bool> known = records.stays(families.list[number].seed, check.cell);
-      if (check.finding == Finding::stays && !known) to_run.push_back(checks.size());
-      if (check.finding == Finding::stays && known == false) check.finding = Finding::leaves;
+      if (check.finding == CheckResult::stays && !known) to_run.push_back(checks.size());
+      if (check.finding == CheckResult::stays && known == false) check.finding = CheckResult::leaves;
       checks.push_back(check);
     }
     std::ranges::copy(checker.outside(number), std::back_inserter(checks));
@@ -138,15 +139,15 @@ std::vector<LabelCheck> check_labels(const sweep::Study& study, std::span<const 
       [&](std::size_t i) {
         LabelCheck& check = checks[to_run[i]];
         const bool stays = checker.stays(check.cell, families.list[*check.family].orbits.at(check.cell));
-        check.finding = stays ? Finding::stays : Finding::leaves;
+        check.finding = stays ? CheckResult::stays : CheckResult::leaves;
       },
       [&](std::size_t i) {
         const LabelCheck& check = checks[to_run[i]];
-        records.keep_stays(seed_of(check), check.cell, check.finding == Finding::stays);
+        records.keep_stays(seed_of(check), check.cell, check.finding == CheckResult::stays);
       },
       stop);
   for (const std::size_t cell : families.not_followed)
-    checks.push_back({cell, {}, true, Finding::not_found, {}, {}});
+    checks.push_back({cell, {}, true, CheckResult::not_found, {}, {}});
   return checks;
 }
 

@@ -16,7 +16,7 @@
 namespace rubsweep::branch::families {
 
 /// Verdict on the label of a cell beside the domain of a family.
-enum class Finding {
+enum class CheckResult {
   reached,        ///< inside: the kick leads to the family's orbit
   stays,          ///< inside: the machine that starts on the family's orbit, without a kick, settles on it
   another_orbit,  ///< outside: the label is that of another orbit, which is there inside as well
@@ -29,20 +29,21 @@ enum class Finding {
   unproven,      ///< outside: the label rests on no proof, so that there is no orbit to compare
 };
 
-inline constexpr std::array all_findings{Finding::reached,      Finding::stays,     Finding::another_orbit,
-                                         Finding::ends_as_well, Finding::leaves,    Finding::same_orbit,
-                                         Finding::not_followed, Finding::not_found, Finding::unproven};
+inline constexpr std::array all_findings{
+    CheckResult::reached,      CheckResult::stays,     CheckResult::another_orbit,
+    CheckResult::ends_as_well, CheckResult::leaves,    CheckResult::same_orbit,
+    CheckResult::not_followed, CheckResult::not_found, CheckResult::unproven};
 
-std::string_view to_string(Finding finding);
+std::string_view to_string(CheckResult finding);
 
-constexpr bool contradicts(Finding finding) { return finding >= Finding::leaves; }
+constexpr bool contradicts(CheckResult finding) { return finding >= CheckResult::leaves; }
 
 /// One label that was looked at.
 struct LabelCheck {
   std::size_t cell = 0;
   std::optional<std::size_t> family;  ///< number in the list; empty: of a cell that no family has
   bool inside = true;                 ///< inside the family's domain; else just outside
-  Finding finding = Finding::reached;
+  CheckResult finding = CheckResult::reached;
   std::string_view end;                     ///< outside: what ends the family on the way there
   std::optional<std::size_t> other_family;  ///< outside: that which the kick leads to
 };

@@ -94,7 +94,7 @@ std::string contradictions_csv(const sweep::Grid& grid, std::span<const std::str
     return family ? fmt::format("{}", *family) : std::string();
   };
   for (const LabelCheck& check : checks) {
-    if (check.finding == Finding::reached) continue;
+    if (check.finding == CheckResult::reached) continue;
     text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_number(speed_of(grid, check.cell)),
                         csv_number(unbalance_of(grid, check.cell)), labels[check.cell], number(check.family),
                         check.inside ? "inside" : "outside", to_string(check.finding),
@@ -111,7 +111,7 @@ std::string contradictions_summary(const std::vector<LabelCheck>& checks) {
       count([](const LabelCheck& check) { return contradicts(check.finding); }),
       count([](const LabelCheck& check) { return check.inside; }),
       count([](const LabelCheck& check) { return !check.inside; }));
-  for (const Finding finding : all_findings) {
+  for (const CheckResult finding : all_findings) {
     const auto found = count([&](const LabelCheck& check) { return check.finding == finding; });
     if (found > 0) text += fmt::format("{:8}  {}\n", found, to_string(finding));
   }

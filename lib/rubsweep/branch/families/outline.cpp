@@ -12,7 +12,7 @@ namespace {
 using Corner = std::pair<long, long>;
 
 /// One side of a cell inside, on the edge of the domain; null `end`: the map ends there.
-struct Side {
+struct Edge {
   Corner from, to;
   const FamilyEnd* end = nullptr;
 };
@@ -48,15 +48,15 @@ class Tracer {
   }
 
   void add(long cell, long i, long j, Corner from, Corner to) {
-    Side side{from, to, nullptr};
+    Edge edge{from, to, nullptr};
     if (i >= 0 && i < speeds_ && j >= 0 && j < unbalances_) {
       const auto outside = static_cast<std::size_t>(j * speeds_ + i);
       if (family_.orbits.contains(outside)) return;
-      side.end = family_.end_between(static_cast<std::size_t>(cell), outside);
+      edge.end = family_.end_between(static_cast<std::size_t>(cell), outside);
     }
     starts_.emplace(from, sides_.size());
     ends_.emplace(to, sides_.size());
-    sides_.push_back(side);
+    sides_.push_back(edge);
   }
 
   bool comes_from_the_edge_of_the_map(std::size_t side) const {
@@ -78,7 +78,7 @@ class Tracer {
     return next;
   }
 
-  static bool turns_left(const Side& a, const Side& b) {
+  static bool turns_left(const Edge& a, const Edge& b) {
     const long ax = a.to.first - a.from.first, ay = a.to.second - a.from.second;
     const long bx = b.to.first - b.from.first, by = b.to.second - b.from.second;
     return ax * by - ay * bx > 0;
@@ -107,7 +107,7 @@ class Tracer {
 
   long speeds_, unbalances_;
   const Family& family_;
-  std::vector<Side> sides_;
+  std::vector<Edge> sides_;
   std::multimap<Corner, std::size_t> starts_, ends_;
   std::set<std::size_t> used_;
   std::vector<OutlineLine> lines_;

@@ -10,11 +10,11 @@
 namespace rubsweep::branch::orbits {
 
 /// A place in the plane of two parameters, and the shaft angle at which the turns of an orbit begin.
-struct Place {
+struct PlanePoint {
   double first = 0, second = 0;
   double phase_rad = 0;
 
-  bool operator==(const Place&) const = default;
+  bool operator==(const PlanePoint&) const = default;
 };
 
 /// The guard of one contact from one of its modes to another.
@@ -37,16 +37,18 @@ struct ParameterRange {
 
 /// Orbits of a map with two parameters: as OrbitProblem, whose members mean the same here.
 struct PlaneOrbits {
-  std::function<Evaluation(const Place&, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy)> returns;
+  std::function<Evaluation(const PlanePoint&, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy)> returns;
   /// May be left out.
-  std::function<std::optional<OrbitFacts>(const Place&, const Eigen::VectorXd& state)> facts;
+  std::function<std::optional<OrbitFacts>(const PlanePoint&, const Eigen::VectorXd& state)> facts;
   /// The guard at the start of a turn; empty where it cannot be told. May be left out where no graze is
   /// followed, as may `at_phase`.
-  std::function<std::optional<GuardMotion>(const Place&, const Eigen::VectorXd& state, const ArmedGuard&)>
+  std::function<std::optional<GuardMotion>(const PlanePoint&, const Eigen::VectorXd& state,
+                                           const ArmedGuard&)>
       guard;
   /// The state `phase_rad` >= 0 after the start of the orbit, at the sample next to it: the phase becomes
   /// that of the sample.
-  std::function<std::optional<Eigen::VectorXd>(const Place&, const Eigen::VectorXd& state, double& phase_rad)>
+  std::function<std::optional<Eigen::VectorXd>(const PlanePoint&, const Eigen::VectorXd& state,
+                                               double& phase_rad)>
       at_phase;
   int order = 1;
   ParameterRange first, second;

@@ -30,15 +30,15 @@ class ScenePlaneOrbits {
                    integrate::exact::modes::ModeCache& modes)
       : plane_(std::move(plane)), order_(order), solver_(solver), modes_(modes) {}
 
-  Evaluation returns(const Place& place, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
+  Evaluation returns(const PlanePoint& place, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
     return line_at(place).returns(place.first, state, monodromy);
   }
 
-  std::optional<OrbitFacts> facts(const Place& place, const Eigen::VectorXd& state) {
+  std::optional<OrbitFacts> facts(const PlanePoint& place, const Eigen::VectorXd& state) {
     return line_at(place).facts(place.first, state);
   }
 
-  std::optional<GuardMotion> guard(const Place& place, const Eigen::VectorXd& state,
+  std::optional<GuardMotion> guard(const PlanePoint& place, const Eigen::VectorXd& state,
                                    const ArmedGuard& armed) {
     if (!guards_ || !(guards_at_ == place)) {
       const auto scene = scene_at(place);
@@ -49,7 +49,7 @@ class ScenePlaneOrbits {
     return guards_->at(numbers(state), armed);
   }
 
-  std::optional<Eigen::VectorXd> at_phase(const Place& place, const Eigen::VectorXd& state,
+  std::optional<Eigen::VectorXd> at_phase(const PlanePoint& place, const Eigen::VectorXd& state,
                                           double& phase_rad) {
     const auto scene = scene_at(place);
     // With torsion the unbalance turns with the twist, which `begun_at_phase` does not.
@@ -73,7 +73,7 @@ class ScenePlaneOrbits {
     OrbitProblem orbits;
   };
 
-  const OrbitProblem& line_at(const Place& place) {
+  const OrbitProblem& line_at(const PlanePoint& place) {
     const Line* known = recent_.find(
         [&](const Line& line) { return line.second == place.second && line.phase_rad == place.phase_rad; });
     if (known != nullptr) return known->orbits;
@@ -89,7 +89,7 @@ class ScenePlaneOrbits {
     return line.orbits;
   }
 
-  std::optional<scene::Scene> scene_at(const Place& place) const {
+  std::optional<scene::Scene> scene_at(const PlanePoint& place) const {
     auto scene = plane_(place.first, place.second);
     if (!scene) return std::nullopt;
     return begun_at_phase(response::proof::after_the_kick(std::move(*scene)), place.phase_rad);
@@ -101,7 +101,7 @@ class ScenePlaneOrbits {
   integrate::exact::modes::ModeCache& modes_;
   numerics::RecentlyUsed<Line> recent_{3};  ///< a line and its neighbours for derivatives
   std::unique_ptr<SectionGuards> guards_;
-  Place guards_at_;
+  PlanePoint guards_at_;
 };
 
 }  // namespace

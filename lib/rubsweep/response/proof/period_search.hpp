@@ -39,7 +39,7 @@ class PeriodSearch {
   int largest_, kept_;
   int newest_ = -1;  ///< slot of the last section
   long turns_ = 0, last_touch_ = -1;
-  std::vector<double> rows_;  ///< ring of the last kept_ sections
+  std::vector<double> rows_;  ///< the last kept_ sections, as a circular buffer
   std::vector<Tried> tried_;  ///< by order
 };
 

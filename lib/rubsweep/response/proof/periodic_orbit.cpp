@@ -2,6 +2,7 @@
 
 #include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/newton.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int newton_iterations = 8;
+constexpr numerics::NewtonLimits newton_limits{.iterations = 8, .free_iterations = 1, .growth = 0.5};
 constexpr double closed = 1e-11;        ///< return error of an orbit found, in (clearance, clearance omega)
 constexpr double nearly_closed = 1e-5;  ///< from here on rough derivatives would cost a step more
 constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
@@ -41,36 +42,40 @@ std::optional<Return> return_of(const TurnMap& turn, const VectorXd& x, int orde
   return std::nullopt;
 }
 
-struct Closed {
+/// Newton's iteration for an orbit of `order` turns; see numerics::newton. The map is `roughly` until the
+/// return nearly closes.
+struct OrbitNewton {
+  const TurnMap &turn, &roughly;
+  const VectorXd& start;
   int order = 0;
-  VectorXd x;
-  MatrixXd monodromy;
-};
-
-std::optional<Closed> close(const TurnMap& turn, const TurnMap& roughly, const VectorXd& start, int order) {
   VectorXd x = start;
-  double last = 0;
+  std::optional<Return> back{};
+  VectorXd next_step{};
   bool exactly = false;
-  for (int i = 0; i < newton_iterations; ++i) {
-    const auto back = return_of(exactly ? turn : roughly, x, order);
+
+  std::optional<double> error(int, double) {
+    back = return_of(exactly ? turn : roughly, x, order);
+    if (back && !exactly && largest(back->defect) < closed) back = return_of(turn, x, order);
     if (!back) return std::nullopt;
     const double error = largest(back->defect);
-    const bool by_rough_map = !exactly;
     exactly = error < nearly_closed;
-    if (error < closed && by_rough_map) continue;
-    const MatrixXd slope = MatrixXd::Identity(x.size(), x.size()) - back->monodromy;
-    const VectorXd step = numerics::solve(slope, back->defect);
-    // The last step takes the error to rounding.
-    if (error < closed)
-      return Closed{back->order, step.allFinite() ? VectorXd(x + step) : x, back->monodromy};
-    if (i > 0 && error > last / 2) return std::nullopt;
-    if (numerics::spectral_radius(back->monodromy) > (i == 0 ? hopeless_from_afar : 1)) return std::nullopt;
-    last = error;
-    x += step;
-    if (!x.allFinite() || largest(x - start) > farthest_orbit) return std::nullopt;
+    next_step = numerics::solve(MatrixXd::Identity(x.size(), x.size()) - back->monodromy, back->defect);
+    return error;
   }
-  return std::nullopt;
-}
+
+  /// The last step takes the error to rounding.
+  bool converged(int, double error, double) {
+    if (!(error < closed)) return false;
+    if (next_step.allFinite()) x += next_step;
+    return true;
+  }
+
+  bool step(int i) {
+    if (numerics::spectral_radius(back->monodromy) > (i == 0 ? hopeless_from_afar : 1)) return false;
+    x += next_step;
+    return x.allFinite() && largest(x - start) <= farthest_orbit;
+  }
+};
 
 /// The orbit's own turns, one by one.
 bool list_turns(const TurnMap& turn, VectorXd x, StableOrbit& orbit) {
@@ -92,11 +97,11 @@ std::optional<StableOrbit> find_orbit(const TurnMap& turn, const TurnMap& roughl
                                       std::span<const double> section, int order) {
   const VectorXd start =
       Eigen::Map<const VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
-  const auto closed_orbit = close(turn, roughly, start, order);
-  if (!closed_orbit) return std::nullopt;
-  StableOrbit orbit{.order = closed_orbit->order, .sections = {}, .transitions = {}, .floquet_modulus = 0};
-  orbit.floquet_modulus = numerics::spectral_radius(closed_orbit->monodromy);
-  if (!(orbit.floquet_modulus < largest_floquet_modulus) || !list_turns(turn, closed_orbit->x, orbit))
+  OrbitNewton found{.turn = turn, .roughly = roughly, .start = start, .order = order};
+  if (!numerics::newton(found, newton_limits)) return std::nullopt;
+  StableOrbit orbit{.order = found.back->order, .sections = {}, .transitions = {}, .floquet_modulus = 0};
+  orbit.floquet_modulus = numerics::spectral_radius(found.back->monodromy);
+  if (!(orbit.floquet_modulus < largest_floquet_modulus) || !list_turns(turn, found.x, orbit))
     return std::nullopt;
   return orbit;
 }

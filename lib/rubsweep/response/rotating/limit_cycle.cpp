@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "rubsweep/numerics/eigenvalues.hpp"
 #include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/newton.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/response/proof/linear_convergence.hpp"
 #include "rubsweep/response/proof/patience.hpp"
@@ -17,7 +17,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int newton_iterations = 8;
+constexpr numerics::NewtonLimits newton_limits{.iterations = 8, .free_iterations = 3, .growth = 0.5};
 /// Return error of a guess: none of the 40 that were farther off, of 715 in figure 11, led to the cycle that
 /// the transient came to.
 constexpr double farthest_guess = 0.08;
@@ -83,41 +83,61 @@ struct Flows {
   const RotatingMotion::Flow &at_first, &then;
 };
 
+/// Newton's iteration for (state, period) of a cycle; see numerics::newton.
+struct CycleNewton {
+  const RotatingMotion& motion;
+  const Flows& flows;
+  const VectorXd& start;
+  double guess_rad = 0;
+  const Accuracy& wanted;
+  VectorXd x = start;
+  double period = guess_rad;
+  VectorXd across = motion.rate(start);
+  std::optional<RotatingArc> arc{};
+  std::optional<NewtonSteps> steps{};
+  VectorXd next_step{};
+  bool known = false;  ///< the derivative, from an arc before
+
+  std::optional<VectorXd> end_of_arc(int i) {
+    if (known) return motion.end(x, period);
+    if (!(arc = (i == 0 ? flows.at_first : flows.then)(x, period)) || !arc->end.allFinite())
+      return std::nullopt;
+    steps.emplace(*arc, motion.rate(arc->end), across);
+    return arc->end;
+  }
+
+  std::optional<double> error(int i, double last) {
+    known = last < wanted.known_within;
+    const std::optional<VectorXd> end = end_of_arc(i);
+    if (!end || !end->allFinite()) return std::nullopt;
+    next_step = steps->from(x, *end);
+    const double error = largest(*end - x);
+    if (error > (i == 0 ? farthest_guess : proof::farthest_orbit)) return std::nullopt;
+    return error;
+  }
+
+  /// The derivative is kept for as long as it gains much: the exact one then starts nearer.
+  bool converged(int, double error, double last) const {
+    const bool goes_on = known && error > share_of_closed * wanted.closed && error < last / 10;
+    return error < wanted.closed && !goes_on;
+  }
+
+  bool step(int) {
+    x += next_step.head(x.size());
+    period += next_step(x.size());
+    return x.allFinite() && largest(x - start) <= proof::farthest_orbit &&
+           std::abs(period - guess_rad) <= period_changes * guess_rad;
+  }
+};
+
 std::optional<Closed> close(const RotatingMotion& motion, const Flows& flows, const VectorXd& start,
                             double guess_rad, const Accuracy& wanted) {
-  const VectorXd across = motion.rate(start);
-  VectorXd x = start;
-  double period = guess_rad, last = std::numeric_limits<double>::infinity();
-  std::optional<RotatingArc> arc;
-  std::optional<NewtonSteps> steps;
-  for (int i = 0; i < newton_iterations; ++i) {
-    std::optional<VectorXd> end;
-    const bool known = last < wanted.known_within;
-    if (known) {
-      end = motion.end(x, period);
-    } else if ((arc = (i == 0 ? flows.at_first : flows.then)(x, period)) && arc->end.allFinite()) {
-      steps.emplace(*arc, motion.rate(arc->end), across);
-      end = arc->end;
-    }
-    if (!end || !end->allFinite()) return std::nullopt;
-    const double error = largest(*end - x);
-    const VectorXd step = steps->from(x, *end);
-    // The derivative is kept for as long as it gains much: the exact one then starts nearer.
-    const bool goes_on = known && error > share_of_closed * wanted.closed && error < last / 10;
-    if (error < wanted.closed && !goes_on) {
-      if (!step.allFinite()) return Closed{x, period, *arc, x, period};
-      return Closed{x, period, *arc, x + step.head(x.size()), period + step(x.size())};
-    }
-    if (error > (i == 0 ? farthest_guess : proof::farthest_orbit) || (i > 2 && error > last / 2))
-      return std::nullopt;
-    last = error;
-    x += step.head(x.size());
-    period += step(x.size());
-    if (!x.allFinite() || largest(x - start) > proof::farthest_orbit ||
-        !(std::abs(period - guess_rad) <= period_changes * guess_rad))
-      return std::nullopt;
-  }
-  return std::nullopt;
+  CycleNewton found{
+      .motion = motion, .flows = flows, .start = start, .guess_rad = guess_rad, .wanted = wanted};
+  if (!numerics::newton(found, newton_limits)) return std::nullopt;
+  const VectorXd &x = found.x, &step = found.next_step;
+  if (!step.allFinite()) return Closed{x, found.period, *found.arc, x, found.period};
+  return Closed{x, found.period, *found.arc, x + step.head(x.size()), found.period + step(x.size())};
 }
 
 /// Largest modulus of all multipliers but the trivial one; empty when that is not where it must be or another
