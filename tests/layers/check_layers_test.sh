@@ -31,7 +31,7 @@ expect 'nothing to check' 1 'no directory rubsweep'
 source_file error.hpp '#include <stdexcept>'
 source_file model/kick.hpp '#include "rubsweep/error.hpp"'
 source_file scene/scene.cpp '#include "rubsweep/model/kick.hpp"' '#include <vector>  // not "rubsweep/report/map.hpp"'
-source_file config/reader.cpp '  #  include <yaml-cpp/yaml.h>' '#include "rubsweep/scene/scene.cpp"'
+source_file config/yaml/reader.cpp '  #  include <yaml-cpp/yaml.h>' '#include "rubsweep/model/kick.hpp"'
 expect 'clean tree, also over two layers' 0
 
 source_file model/range.hpp '#pragma once' '' '#include "rubsweep/scene/scene.cpp"'
