@@ -11,7 +11,7 @@
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/cell_config.hpp"
-#include "rubsweep/config/file.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/config/recording/read_instrument.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"

@@ -13,7 +13,7 @@ TEST(Cells, ArePartedAndFreedOfBlanksAndQuotes) {
   EXPECT_EQ(cells_of(" a ;\"b c\";;d\r", ';'), (std::vector<std::string_view>{"a", "b c", "", "d"}));
 }
 
-TEST(NumberIn, ReadsPointsAndCommas) {
+TEST(CellNumberIn, ReadsPointsAndCommas) {
   EXPECT_EQ(number_in("-1.5e-3", point), -1.5e-3);
   EXPECT_EQ(number_in("+2", point), 2);
   EXPECT_EQ(number_in("-1,5e-3", comma), -1.5e-3);
@@ -24,7 +24,7 @@ TEST(NumberIn, ReadsPointsAndCommas) {
   for (const char* wrong : {"1.5", "1.234,5", "1,2,3"}) EXPECT_FALSE(number_in(wrong, comma)) << wrong;
 }
 
-TEST(TimeStampIn, CountsSeconds) {
+TEST(CellTimeStampIn, CountsSeconds) {
   EXPECT_EQ(time_stamp_in("01:02:03.25", point), 3723.25);
   EXPECT_EQ(time_stamp_in("01:02:03,25", comma), 3723.25);
   EXPECT_EQ(time_stamp_in("1970-01-02T00:00:01Z", point), 86401);

@@ -67,7 +67,7 @@ TEST_P(MatlabFile, FilesWithoutSignalsAreRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Versions, MatlabFile, testing::Values(MAT_FT_MAT5, MAT_FT_MAT73));
 
-TEST(DamagedMatlabFile, IsNamed) {
+TEST(MatlabFileDamaged, IsNamed) {
   const fs::path file = fs::temp_directory_path() / "matlab_file_test_damaged.mat";
   std::ofstream(file) << "MATLAB 5.0 MAT-file and nothing behind it";
   try {
