@@ -38,6 +38,7 @@ declare -A below=(
   [branch/families]='branch/continuation sweep'
   [trace]='batch response'
   [sweep]='basin response batch'
+  [design]='identify sweep'
   [line]='report trace'
   [ramp]='integrate line response/spectrum'
   [bench]='batch response'

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "design_check.hpp"
 #include "experiment.hpp"
 #include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/cell_config.hpp"
@@ -205,6 +206,7 @@ int perform(RubtraceArguments arguments) {
     const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);
     ramp->eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
   }
+  if (arguments.design_check) return run_design_check(arguments, config, directory_of(arguments, config));
   if (arguments.free_response || arguments.run_up || arguments.campbell) {
     return run_experiment(arguments, config, directory_of(arguments, config));
   }

@@ -4,15 +4,19 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/identify/experiment.hpp"
 #include "rubsweep/model/range.hpp"
+#include "rubsweep/model/rpm.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
 namespace {
+
+constexpr long most_kick_speeds = 1000;
 
 po::options_description visible_options() {
   po::options_description options("Options");
@@ -33,15 +37,24 @@ po::options_description visible_options() {
       "at steady speeds")(
       "campbell", po::value<std::string>()->value_name("FROM:TO[:COUNT]"),
       "instead: whirl frequencies without stops over COUNT (101) shaft speeds in Hz; critical speeds, "
-      "shapes")("duration-s", po::value<double>()->value_name("T")->default_value(2),
+      "shapes")("design-check",
+                "instead: vibration limit, clearances, dry whip, lock speeds and smallest kick over the operating "
+                "range")(
+      "operating-hz", po::value<std::string>()->value_name("FROM:TO"),
+      "of --design-check: operating range; default: the speeds of the sweep")(
+      "operating-rpm", po::value<std::string>()->value_name("FROM:TO"), "the same in revolutions per minute")(
+      "kick-speeds", po::value<long>()->value_name("N")->default_value(11),
+      "of --design-check: evenly spaced speeds at which kicks are tried, beside the lock speeds; 0: none")(
+      "duration-s", po::value<double>()->value_name("T")->default_value(2),
                 "length of the free response")(
       "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
       "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
       "they show")("noise-m", po::value<double>()->value_name("S")->default_value(0),
                    "standard deviation of the sensors' noise; likewise");
-  add_figure(
-      options,
-      "draw a trace, a Campbell diagram, a run-up (Bode plot) or one with stops as FILE.png, .svg or .pdf");
+  add_threads(options, "threads of --design-check; 0: one per processor");
+  add_figure(options,
+             "draw a trace, a Campbell diagram, a run-up (Bode plot), one with stops or a design check as FILE.png, .svg "
+             "or .pdf");
   add_output(options, "write there instead of output.directory + _trace");
   add_set(options);
   add_last(options);
@@ -108,6 +121,54 @@ CampbellSpeeds campbell_speeds_of(const std::string& text) {
                   text, most));
 }
 
+/// Whether the sensors are to look at a trace, too.
+bool asks_for_probes(const po::variables_map& given) {
+  return !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
+}
+
+design::SpeedRange operating_range_of(const char* option, const std::string& text, double per_hz) {
+  const auto numbers = numbers_between_colons(text);
+  if (!numbers || numbers->size() != 2 || (*numbers)[0] <= 0 || (*numbers)[1] <= (*numbers)[0]) {
+    throw UsageError(
+        fmt::format("--{}: '{}' is not allowed, allowed: FROM:TO with 0 < FROM < TO", option, text));
+  }
+  return {(*numbers)[0] / per_hz, (*numbers)[1] / per_hz};
+}
+
+/// The check of a design, and what belongs to it alone.
+void read_design_check(const po::variables_map& given, RubtraceArguments& arguments) {
+  const bool in_hz = given.count("operating-hz") != 0, in_rpm = given.count("operating-rpm") != 0;
+  if (given.count("design-check") == 0) {
+    if (in_hz || in_rpm) throw UsageError("--operating-hz and --operating-rpm belong to --design-check");
+    for (const char* name : {"kick-speeds", "threads"})
+      if (!given[name].defaulted()) throw UsageError(fmt::format("--{} belongs to --design-check", name));
+    return;
+  }
+  if (in_hz && in_rpm) throw UsageError("--operating-hz and --operating-rpm exclude each other");
+  DesignCheckArguments check;
+  if (in_hz || in_rpm) {
+    const char* option = in_hz ? "operating-hz" : "operating-rpm";
+    check.operating_option = fmt::format("--{}", option);
+    check.operating =
+        operating_range_of(option, given[option].as<std::string>(), in_hz ? 1 : model::rpm_per_hz);
+  }
+  const long kick_speeds = given["kick-speeds"].as<long>();
+  if (kick_speeds < 0 || kick_speeds > most_kick_speeds)
+    throw UsageError(fmt::format("--kick-speeds: allowed: a number from 0 to {}", most_kick_speeds));
+  check.kick_speeds = static_cast<int>(kick_speeds);
+  check.threads = threads_of(given);
+  arguments.design_check = std::move(check);
+}
+
+/// Throws UsageError where an option is given that belongs to something else than the experiment asked for.
+void refuse_options_of_others(const po::variables_map& given, const RubtraceArguments& arguments) {
+  const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
+  if (!sampled && !given["duration-s"].defaulted()) throw UsageError("--duration-s belongs to --free-response");
+  const bool experiment = arguments.campbell || arguments.run_up || arguments.design_check;
+  if (!sampled && experiment && asks_for_probes(given))
+    throw UsageError("--sample-s and --noise-m belong to a trace, --free-response or --run-up without stops");
+}
+
 /// The experiments without contact; false when a trace is wanted.
 bool read_experiment(const po::variables_map& given, RubtraceArguments& arguments) {
   arguments.free_response = given.count("free-response") != 0;
@@ -115,26 +176,21 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   if (given.count("campbell") != 0)
     arguments.campbell = campbell_speeds_of(given["campbell"].as<std::string>());
   arguments.with_stops = given.count("with-stops") != 0;
+  read_design_check(given, arguments);
   if (arguments.with_stops && !arguments.run_up) throw UsageError("--with-stops belongs to --run-up");
   if (arguments.figure && arguments.free_response)
-    throw UsageError("--figure belongs to a trace, to --campbell or to --run-up");
+    throw UsageError("--figure belongs to a trace, to --campbell, to --run-up or to --design-check");
   const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
   if (static_cast<int>(arguments.free_response) + arguments.run_up.has_value() +
-          arguments.campbell.has_value() >
+          arguments.campbell.has_value() + arguments.design_check.has_value() >
       1)
-    throw UsageError("--free-response, --run-up and --campbell exclude each other");
+    throw UsageError("--free-response, --run-up, --campbell and --design-check exclude each other");
   arguments.duration_s = positive_number(given, "duration-s").value();
   arguments.sample_s = positive_number(given, "sample-s").value();
   arguments.noise_m = not_negative_number(given, "noise-m").value();
-  if (!sampled) {
-    if (!given["duration-s"].defaulted()) throw UsageError("--duration-s belongs to --free-response");
-    const bool probes = !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
-    if (probes && (arguments.campbell || arguments.run_up))
-      throw UsageError(
-          "--sample-s and --noise-m belong to a trace, --free-response or --run-up without stops");
-    arguments.probes = probes;
-    if (!arguments.campbell && !arguments.run_up) return false;
-  }
+  refuse_options_of_others(given, arguments);
+  arguments.probes = !sampled && asks_for_probes(given);
+  if (!arguments.free_response && !arguments.campbell && !arguments.run_up && !arguments.design_check) return false;
   for (const char* name : {"speed-hz", "speed-rpm", "whirl-ratio", "revolutions", "last-revolutions"}) {
     if (given.count(name) != 0)
       throw UsageError(fmt::format("--{} belongs to a trace, not to an experiment", name));
@@ -146,6 +202,7 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
     }
     return true;
   }
+  if (arguments.design_check) return true;
   double duration_s = arguments.duration_s;
   if (auto& ramp = arguments.run_up) {
     if (!arguments.place.has_unbalance())
@@ -194,7 +251,8 @@ std::string rubtrace_help() {
       "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5 --figure /tmp/bode.png\n"
       "  rubtrace configs/minimal.yaml --run-up 20:60:1 --eccentricity-m 2e-4 --with-stops --figure "
       "/tmp/run_up.png\n"
-      "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n\n"
+      "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n"
+      "  rubtrace configs/gallery/bearing_table.yaml --design-check --figure /tmp/design.png\n\n"
       "From a whirl ratio of 1, where the quiet whirl itself reaches the wall, the run starts at rest and "
       "without a "
       "kick.\n\n"
@@ -230,6 +288,11 @@ std::string rubtrace_help() {
       "(the "
       "motions at\n"
       "steady speeds), rub.csv (where either rubs) and config.yaml.\n\n"
+      "A design check writes design_check.csv (each check with value, limit, margin and verdict), "
+      "unbalance_response.csv\n"
+      "(scaled, over the speed), lock_speeds.csv, kicks.csv and config.yaml. Its unbalance is --eccentricity-m or "
+      "--unbalance-g-mm;\n"
+      "default: four times the residual one of API 617.\n\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 the run failed, the files end at "
       "the\n"
       "failure, or there was nothing to run (motion.csv and config.yaml only). An interrupted run writes "

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "rubsweep/design/largest_over_speed.hpp"
 #include "rubsweep/ramp/speed_ramp.hpp"
 #include "shared/action.hpp"
 #include "shared/figure.hpp"
@@ -16,12 +17,21 @@ struct CampbellSpeeds {
   int count = 101;
 };
 
+/// A check of the design.
+struct DesignCheckArguments {
+  std::optional<design::SpeedRange> operating = {};  ///< empty: the speeds of the sweep
+  std::string operating_option = {};                 ///< that gave it
+  int kick_speeds = 11;
+  int threads = 0;
+};
+
 struct RubtraceArguments : StudyArguments {
-  PlaceArguments place = {};                    ///< of a trace; of a run-up its unbalance
+  PlaceArguments place = {};                    ///< of a trace; of a run-up or design check its unbalance
   bool free_response = false;                   ///< an experiment without contact instead of a trace
   std::optional<ramp::SpeedRamp> run_up = {};   ///< another one
   bool with_stops = false;                      ///< of the run-up
   std::optional<CampbellSpeeds> campbell = {};  ///< and another one
+  std::optional<DesignCheckArguments> design_check = {};
   double duration_s = 2;                        ///< of the free response
   double sample_s = 1e-3;                       ///< of the sensors
   double noise_m = 0;

@@ -8,6 +8,7 @@ from rubplot.pictures import (
     cascade,
     compare,
     curves,
+    design,
     identification,
     line,
     map,
@@ -23,6 +24,6 @@ from rubplot.published import figure
 
 ALL = tuple(
     module.SUBCOMMAND
-    for module in (map, threshold, compare, trace, line, cascade, branch, curves, basin, run_up, bode, campbell, identification,
+    for module in (map, threshold, compare, trace, line, cascade, branch, curves, basin, run_up, bode, campbell, design, identification,
                    scope, ring, ring_chart, work_precision, figure)
 )

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/identify/lock_speeds.hpp"
 #include "rubsweep/response/spectrum/orbit_shape.hpp"
 
 namespace rubsweep::identify {
@@ -52,14 +51,6 @@ std::string mode_shapes_csv(const Campbell& diagram) {
   return text;
 }
 
-std::string lock_speeds_csv(const std::vector<LockSpeed>& speeds) {
-  std::string text = "speed_hz,p,first_mode,q,second_mode\n";
-  for (const LockSpeed& lock : speeds)
-    text +=
-        fmt::format("{},{},{},{},{}\n", csv_number(lock.speed_hz), lock.p, lock.first, lock.q, lock.second);
-  return text;
-}
-
 std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& locks) {
   std::string text;
   for (const CampbellMode& mode : diagram.modes) {
@@ -83,6 +74,14 @@ std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& lo
 }
 
 }  // namespace
+
+std::string lock_speeds_csv(const std::vector<LockSpeed>& speeds) {
+  std::string text = "speed_hz,p,first_mode,q,second_mode\n";
+  for (const LockSpeed& lock : speeds)
+    text +=
+        fmt::format("{},{},{},{},{}\n", csv_number(lock.speed_hz), lock.p, lock.first, lock.q, lock.second);
+  return text;
+}
 
 CampbellTables tables_of(const Campbell& diagram) {
   const std::vector<LockSpeed> locks = lock_speeds(diagram);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "rubsweep/identify/campbell.hpp"
+#include "rubsweep/identify/lock_speeds.hpp"
 
 namespace rubsweep::identify {
 
@@ -17,5 +19,8 @@ struct CampbellTables {
 };
 
 CampbellTables tables_of(const Campbell& diagram);
+
+/// speed_hz, p, first_mode, q, second_mode.
+std::string lock_speeds_csv(const std::vector<LockSpeed>& speeds);
 
 }  // namespace rubsweep::identify

@@ -1,0 +1,101 @@
+#include "design_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/result_files.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/design/design_check.hpp"
+#include "rubsweep/design/design_page.hpp"
+#include "rubsweep/design/design_tables.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
+#include "shared/exit_code.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/place_arguments.hpp"
+#include "shared/premises.hpp"
+#include "shared/program.hpp"
+#include "shared/result_directory.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+/// Every file that a design check may leave.
+constexpr std::array<std::string_view, 5> file_names{
+    "config.yaml", "design_check.csv", "unbalance_response.csv", "lock_speeds.csv", "kicks.csv"};
+
+/// Speeds at which a rotor that is unstable without its stops is looked for.
+constexpr int premise_speeds = 121;
+
+design::SpeedRange operating_range(const DesignCheckArguments& arguments, const sweep::Study& study) {
+  if (arguments.operating) {
+    require_speed(arguments.operating_option, arguments.operating->from_hz, study.machine);
+    require_speed(arguments.operating_option, arguments.operating->to_hz, study.machine);
+    return *arguments.operating;
+  }
+  const auto [low, high] = std::ranges::minmax(study.grid.speed_hz);
+  if (low < high) return {low, high};
+  throw UsageError(
+      "--design-check: the sweep has one speed, and the operating range needs two: --operating-hz FROM:TO");
+}
+
+design::DesignQuestions questions_of(const RubtraceArguments& arguments, const sweep::Study& study) {
+  const DesignCheckArguments& asked = arguments.design_check.value();
+  design::DesignQuestions questions{
+      operating_range(asked, study), {}, asked.kick_speeds, batch::thread_count(asked.threads)};
+  if (arguments.place.has_unbalance()) {
+    const scene::Unbalance unbalance = unbalance_of(arguments.place, study.machine);
+    questions.eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
+  }
+  return questions;
+}
+
+void warn_of(const design::SpeedRange& operating, const sweep::Study& study) {
+  warn_of_premises_at("rubtrace", batch::evenly_spaced(operating.from_hz, operating.to_hz, premise_speeds),
+                      study, scene::prepare_machine(study.machine));
+}
+
+}  // namespace
+
+int run_design_check(const RubtraceArguments& arguments, const config::RunConfig& config,
+                     const std::filesystem::path& directory) {
+  const sweep::Study& study = config.study;
+  const design::DesignQuestions questions = questions_of(arguments, study);
+  batch::require_threads(questions.threads);
+  if (!arguments.quiet) warn_of(questions.operating, study);
+  const ResultDirectory made(directory, file_names);
+  end_on_interrupts("nothing was written");
+  const design::DesignCheck check = design::check_design(study, questions);
+  design::DesignTables tables = design::tables_of(check);
+  batch::ResultFiles files{{"config.yaml", config::print_config(config)},
+                           {"design_check.csv", std::move(tables.design_check_csv)},
+                           {"unbalance_response.csv", std::move(tables.unbalance_response_csv)},
+                           {"lock_speeds.csv", std::move(tables.lock_speeds_csv)},
+                           {"kicks.csv", std::move(tables.kicks_csv)}};
+  std::erase_if(files, [](const auto& file) { return file.second.empty(); });
+  {
+    const InterruptsWait whole_set;
+    batch::write_result_files(
+        files, file_names, directory,
+        {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
+    end_on_interrupts("the files are written, no figure is");
+  }
+  if (!arguments.quiet) print("{}{}", design::design_page(check), batch::files_line(files, directory));
+  if (arguments.figure) {
+    arguments.figure->draw(
+        "design", directory,
+        fmt::format("Design check, {:.4g} to {:.4g} Hz", check.operating.from_hz, check.operating.to_hz));
+    if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
+  }
+  return done;
+}
+
+}  // namespace rubsweep::apps

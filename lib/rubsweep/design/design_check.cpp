@@ -1,0 +1,158 @@
+#include "rubsweep/design/design_check.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/design/unbalance_response.hpp"
+#include "rubsweep/design/vibration_limit.hpp"
+#include "rubsweep/identify/campbell.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
+
+namespace rubsweep::design {
+namespace {
+
+constexpr int campbell_speeds = 101;
+constexpr int whip_speeds = 11;
+
+identify::Campbell modes_over(const SpeedRange& range, const model::Machine& machine) {
+  return identify::campbell(identify::free_rotor(machine),
+                            batch::evenly_spaced(range.from_hz, range.to_hz, campbell_speeds),
+                            2 * range.to_hz);
+}
+
+/// The speeds of a range, its ends among them.
+std::vector<double> within(const SpeedRange& range, const std::vector<double>& speeds_hz) {
+  std::vector<double> inside{range.from_hz};
+  for (const double speed_hz : speeds_hz)
+    if (speed_hz > range.from_hz && speed_hz < range.to_hz) inside.push_back(speed_hz);
+  inside.push_back(range.to_hz);
+  return inside;
+}
+
+std::vector<ProbeResponse> probe_responses(const scene::PreparedMachine& prepared, double eccentricity_m,
+                                           const std::vector<double>& speeds_hz) {
+  std::vector<ProbeResponse> probes;
+  for (const WatchedPlace& place : probe_places(prepared)) {
+    const auto axis_m = [&](double hz) {
+      return eccentricity_m * major_axis_at(unit_response(prepared, hz), place);
+    };
+    probes.push_back({place.position_m, largest_over_speed(speeds_hz, axis_m)});
+  }
+  return probes;
+}
+
+/// The worst of some speeds of the operating range.
+WhipMargin whip_margin(const scene::PreparedMachine& prepared, std::size_t stop,
+                       const SpeedRange& operating) {
+  const model::Stop& described = prepared.machine.stops[stop];
+  const double fastest_slip_m_per_s = described.contact_radius_m * 2 * std::numbers::pi * operating.to_hz;
+  WhipMargin worst{stop, largest_friction(described.friction, fastest_slip_m_per_s), {}};
+  for (const double speed_hz : batch::evenly_spaced(operating.from_hz, operating.to_hz, whip_speeds)) {
+    const std::optional<DryWhip> found = least_dry_whip(prepared, stop, speed_hz);
+    if (found && (!worst.needs || found->least_friction < worst.needs->least_friction)) worst.needs = found;
+  }
+  return worst;
+}
+
+std::vector<ResponseCurve> curves_over(const scene::PreparedMachine& prepared, double eccentricity_m,
+                                       const std::vector<double>& speeds_hz) {
+  const std::vector<WatchedPlace> probes = probe_places(prepared), stops = stop_places(prepared);
+  std::vector<ResponseCurve> curves;
+  for (std::size_t k = 0; k < probes.size(); ++k)
+    curves.push_back({true, k, probes[k].position_m, speeds_hz, {}});
+  for (std::size_t k = 0; k < stops.size(); ++k)
+    curves.push_back({false, k, stops[k].position_m, speeds_hz, {}});
+  for (const double speed_hz : speeds_hz) {
+    const scene::QuietMotion motion = unit_response(prepared, speed_hz);
+    for (ResponseCurve& curve : curves) {
+      const WatchedPlace& place = (curve.probe ? probes : stops)[curve.number];
+      curve.major_axis_m.push_back(eccentricity_m * major_axis_at(motion, place));
+    }
+  }
+  return curves;
+}
+
+/// Why no kicks can be tried; empty: they can.
+std::string why_no_kicks(const sweep::Study& study, const DesignQuestions& questions) {
+  if (questions.kick_speeds == 0) return "not asked for";
+  if (!study.machine.kick) return "the configuration has no kick";
+  return study.machine.kick->force_n > 0 ? "" : "the kick has no force";
+}
+
+std::vector<double> kicked_speeds(const DesignQuestions& questions,
+                                  const std::vector<identify::LockSpeed>& locks) {
+  const SpeedRange& range = questions.operating;
+  std::vector<double> speeds = batch::evenly_spaced(range.from_hz, range.to_hz, questions.kick_speeds);
+  for (const identify::LockSpeed& lock : locks) speeds.push_back(lock.speed_hz);
+  std::ranges::sort(speeds);
+  speeds.erase(std::ranges::unique(speeds).begin(), speeds.end());
+  return speeds;
+}
+
+void try_kicks(const sweep::Study& study, const scene::PreparedMachine& prepared,
+               const DesignQuestions& questions, DesignCheck& check) {
+  check.no_kicks = why_no_kicks(study, questions);
+  if (!check.no_kicks.empty()) return;
+  const std::atomic<bool> never{false};
+  check.kicks = kick_thresholds(study, prepared, check.scale * check.eccentricity_m,
+                                kicked_speeds(questions, check.locks), questions.threads, never);
+}
+
+}  // namespace
+
+double WhipMargin::margin() const {
+  if (!needs || friction == 0) return 1;
+  return 1 - friction / needs->least_friction;
+}
+
+const ProbeResponse& DesignCheck::worst_probe() const {
+  return *std::ranges::max_element(probes, {},
+                                   [](const ProbeResponse& probe) { return probe.major_axis_m.value; });
+}
+
+const KickThreshold* DesignCheck::smallest_kick() const {
+  const KickThreshold* smallest = nullptr;
+  for (const KickThreshold& kick : kicks)
+    if (kick.force_n && (smallest == nullptr || *kick.force_n < *smallest->force_n)) smallest = &kick;
+  return smallest;
+}
+
+SpeedRange whole_range(const model::Machine& machine, const SpeedRange& operating) {
+  constexpr double standstill = 1e-3;
+  double from_hz = standstill * operating.to_hz;
+  if (const model::RotorKit* kit = model::kit_of(machine); kit != nullptr && model::has_tables(*kit))
+    from_hz = std::max(from_hz, model::table_speeds_hz(*kit).low);
+  return {std::min(from_hz, operating.from_hz), operating.to_hz};
+}
+
+DesignCheck check_design(const sweep::Study& study, const DesignQuestions& questions) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  DesignCheck check;
+  check.operating = questions.operating;
+  check.whole = whole_range(study.machine, questions.operating);
+  structure::refuse_beyond_tables(study.machine, check.whole.from_hz, check.whole.to_hz);
+  check.eccentricity_m = questions.eccentricity_m ? *questions.eccentricity_m
+                                                  : analysis_eccentricity_m(study.machine, check.whole.to_hz);
+  check.vibration_limit_m = vibration_limit_m(check.whole.to_hz);
+  const identify::Campbell modes = modes_over(check.whole, study.machine);
+  const std::vector<double> speeds_hz = response_speeds(check.whole, modes.critical_speeds);
+  check.probes = probe_responses(prepared, check.eccentricity_m, within(check.operating, speeds_hz));
+  check.scale = scale_factor(check.vibration_limit_m, check.worst_probe().major_axis_m.value);
+  check.clearances = clearance_margins(prepared, check.scale * check.eccentricity_m, speeds_hz);
+  check.curves = curves_over(prepared, check.scale * check.eccentricity_m, speeds_hz);
+  for (std::size_t stop = 0; stop < study.machine.stops.size(); ++stop) {
+    if (std::holds_alternative<model::AnnularGeometry>(study.machine.stops[stop].geometry))
+      check.whips.push_back(whip_margin(prepared, stop, check.operating));
+  }
+  for (const identify::LockSpeed& lock : identify::lock_speeds(modes))
+    if (check.operating.contains(lock.speed_hz)) check.locks.push_back(lock);
+  try_kicks(study, prepared, questions, check);
+  return check;
+}
+
+}  // namespace rubsweep::design

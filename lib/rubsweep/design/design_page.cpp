@@ -1,0 +1,109 @@
+#include "rubsweep/design/design_page.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "rubsweep/design/vibration_limit.hpp"
+#include "rubsweep/model/rpm.hpp"
+
+namespace rubsweep::design {
+namespace {
+
+std::string_view verdict(bool met) { return met ? "ok" : "NOT MET"; }
+
+std::string speed(double hz) { return fmt::format("{:.5g} Hz ({:.5g} rpm)", hz, model::rpm_per_hz * hz); }
+
+std::string at(const std::optional<double>& position_m) {
+  return position_m ? fmt::format(" at {:.4g} m", *position_m) : "";
+}
+
+double um(double metres) { return 1e6 * metres; }
+
+std::string vibration_lines(const DesignCheck& check) {
+  std::string text =
+      fmt::format("vibration {:.4g} um peak to peak allowed at the probes\n", um(check.vibration_limit_m));
+  text += fmt::format("unbalance eccentricity {:.4g} um\n", um(check.eccentricity_m));
+  for (std::size_t k = 0; k < check.probes.size(); ++k) {
+    const ProbeResponse& probe = check.probes[k];
+    text += fmt::format("  probe {}{}: {:.4g} um at {}: {}\n", k, at(probe.position_m),
+                        um(probe.major_axis_m.value), speed(probe.major_axis_m.speed_hz),
+                        verdict(probe.major_axis_m.value <= check.vibration_limit_m));
+  }
+  return text + fmt::format("scale     x {:.4g}{}, eccentricity {:.4g} um in all that follows\n", check.scale,
+                            check.scale == largest_scale_factor ? ", the most" : "",
+                            um(check.scale * check.eccentricity_m));
+}
+
+std::string clearance_lines(const DesignCheck& check) {
+  std::string text = fmt::format("clearance major axis against {:.4g} % of the diametral clearance\n",
+                                 100 * clearance_share);
+  for (const ClearanceMargin& one : check.clearances) {
+    if (one.diametral_clearance_m == 0) {
+      text += fmt::format("  stop {}{}: the rotor rests on it at {}: NOT MET\n", one.stop, at(one.position_m),
+                          speed(one.speed_hz));
+      continue;
+    }
+    text +=
+        fmt::format("  stop {}{}: {:.4g} um of {:.4g} um at {}, margin {:.1f} %: {}\n", one.stop,
+                    at(one.position_m), um(one.major_axis_m), um(clearance_share * one.diametral_clearance_m),
+                    speed(one.speed_hz), 100 * one.margin, verdict(one.margin >= 0));
+  }
+  return text;
+}
+
+std::string whip_lines(const DesignCheck& check) {
+  std::string text = "dry whip  friction against the least that keeps it going\n";
+  if (check.whips.empty()) text += "  no annular stop\n";
+  for (const WhipMargin& one : check.whips) {
+    if (!one.needs) {
+      text += fmt::format("  stop {}: none at any friction: ok\n", one.stop);
+      continue;
+    }
+    text +=
+        fmt::format("  stop {}: friction {:.4g} of {:.4g}, {:.4g} Hz backward at {}, margin {:.1f} %: {}\n",
+                    one.stop, one.friction, one.needs->least_friction, one.needs->whirl_hz,
+                    speed(one.needs->speed_hz), 100 * one.margin(), verdict(one.margin() > 0));
+  }
+  return text;
+}
+
+std::string lock_lines(const DesignCheck& check) {
+  std::string text = "lock      speeds at which two modes can lock into a bouncing rub\n";
+  for (const identify::LockSpeed& lock : check.locks)
+    text += fmt::format("  {}: {} turns of mode {} to {} of mode {} in the turning frame\n",
+                        speed(lock.speed_hz), lock.p, lock.first, lock.q, lock.second);
+  return check.locks.empty() ? text + "  none in the operating range\n" : text;
+}
+
+std::string kick_lines(const DesignCheck& check) {
+  std::string text = "kick      the smallest that starts a lasting rub\n";
+  if (!check.no_kicks.empty()) return text + fmt::format("  not tried: {}\n", check.no_kicks);
+  std::size_t runs = 0, failed = 0;
+  for (const KickThreshold& kick : check.kicks) {
+    runs += kick.runs;
+    failed += kick.failed;
+  }
+  const KickThreshold* smallest = check.smallest_kick();
+  if (smallest == nullptr)
+    text += fmt::format("  none at any of {} speeds\n", check.kicks.size());
+  else if (*smallest->force_n == 0)
+    text += fmt::format("  none is needed at {}: {}\n", speed(smallest->speed_hz), smallest->motion);
+  else
+    text += fmt::format("  {:.4g} N at {}: {}\n", *smallest->force_n, speed(smallest->speed_hz),
+                        smallest->motion);
+  return text + fmt::format("  {} runs at {} speeds{}\n", runs, check.kicks.size(),
+                            failed > 0 ? fmt::format(", {} failed", failed) : "");
+}
+
+}  // namespace
+
+std::string design_page(const DesignCheck& check) {
+  return fmt::format("operating {} to {}, clearances from {} on\n", speed(check.operating.from_hz),
+                     speed(check.operating.to_hz), speed(check.whole.from_hz)) +
+         vibration_lines(check) + clearance_lines(check) + whip_lines(check) + lock_lines(check) +
+         kick_lines(check);
+}
+
+}  // namespace rubsweep::design

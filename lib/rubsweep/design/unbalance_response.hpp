@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rubsweep/contact/wall.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
+#include "rubsweep/scene/quiet_motion.hpp"
+#include "rubsweep/structure/linear_system.hpp"
+
+namespace rubsweep::design {
+
+/// A place at which the motion of the shaft is looked at.
+struct WatchedPlace {
+  std::optional<double> position_m;  ///< along the shaft; empty: of a Jeffcott rotor
+  contact::RelativeMap map;          ///< 2 x n: displacement in x and y = map * q, in metres
+};
+
+/// Places of the probes, one for each place along the shaft that has sensors; the rotor itself where there
+/// are none.
+std::vector<WatchedPlace> probe_places(const scene::PreparedMachine& prepared);
+
+/// Places of the stops in their order, the motion against the casing.
+std::vector<WatchedPlace> stop_places(const scene::PreparedMachine& prepared);
+
+/// The quiet motion of a machine that turns at a speed > 0 with an eccentricity of 1 m, without its bow and
+/// its couplings out of line. Where supports follow the speed, in the coordinates that serve all speeds. The
+/// tables must reach the speed.
+scene::QuietMotion unit_response(const scene::PreparedMachine& prepared, double speed_hz);
+
+/// Major axis of the ellipse that a place goes through, from end to end, in the unit of the motion. Not
+/// finite at an undamped resonance.
+double major_axis_at(const scene::QuietMotion& motion, const WatchedPlace& place);
+
+}  // namespace rubsweep::design

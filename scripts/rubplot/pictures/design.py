@@ -1,0 +1,142 @@
+"""A design check: unbalance response at probes and stops, kicks over the speed, and what each check says."""
+
+import os
+import re
+from itertools import groupby
+
+from rubplot import captions, configuration, csv_table, shown_units
+from rubplot.failure import require_readable
+from rubplot.gnuplot import Picture
+from rubplot.subcommand import Subcommand
+
+MOST_CURVES = 8  # of probes and of stops each
+MOST_ROWS = 14
+CHECKS = {"vibration": "vibration", "clearance": "clearance", "dry_whip": "dry whip", "kick": "smallest kick"}
+
+
+def picture(given):
+    directory = given.source
+    names = ("design_check.csv", "unbalance_response.csv", "lock_speeds.csv", "config.yaml")
+    files = {name: os.path.join(directory, name) for name in names}
+    require_readable(*files.values())
+    config = configuration.read_configuration(files["config.yaml"])
+    speed = shown_units.axis(config, "speed_hz")
+    probes, stops = curves(files["unbalance_response.csv"])
+    locks = [csv_table.number(row, "speed_hz") for row in csv_table.read_table(files["lock_speeds.csv"], "speed_hz")]
+    kicks = kick_rows(os.path.join(directory, "kicks.csv"))
+    checks = check_rows(files["design_check.csv"])
+    limits = [row[2] for _, rows in probes for row in rows if row[2] is not None]
+    return Picture(
+        "design.gp",
+        (captions.headed(given.heading, config), str(len(probes)), str(len(stops)), captions.byline(config), speed.label),
+        {
+            **{f"probe_{i}": response_lines(rows, speed.factor, 1e6) for i, (_, rows) in enumerate(probes)},
+            **{f"stop_{i}": share_lines(rows, speed.factor) for i, (_, rows) in enumerate(stops)},
+            "limit": limit_lines(probes[0][1] if probes else [], speed.factor),
+            "kicks": kick_lines(kicks, speed.factor),
+            "quiet": mark_lines([hz for hz, force in kicks if force is None], speed.factor),
+            "locks": mark_lines(dict.fromkeys(locks), speed.factor),
+            "labels.gp": [
+                *(f'probe_name_{i} = "{place}"' for i, (place, _) in enumerate(probes)),
+                *(f'stop_name_{i} = "{place}"' for i, (place, _) in enumerate(stops)),
+                f"limit = {1e6 * limits[0] if limits else 0:.17g}",
+                f"any_kicks = {any(force is not None for _, force in kicks):d}",
+                f"any_quiet = {any(force is None for _, force in kicks):d}",
+                f"any_locks = {len(locks) > 0:d}",
+                *text_lines(checks, config),
+            ],
+        },
+    )
+
+
+def curves(path):
+    """The curves of probes and of stops, each its place and its rows (speed_hz, major_axis_m, limit_m or None)."""
+    rows = csv_table.read_table(path, "place", "position_m", "speed_hz", "major_axis_m", "limit_m")
+    found = {"probe": [], "stop": []}
+    for place, of_place in groupby(rows, key=lambda row: row["place"]):
+        _require_place(path, place)
+        numbers = [tuple(csv_table.number(row, name) for name in ("speed_hz", "major_axis_m", "limit_m")) for row in of_place]
+        found[place.split(" ")[0]].append((place, numbers))
+    return found["probe"][:MOST_CURVES], found["stop"][:MOST_CURVES]
+
+
+def check_rows(path):
+    """The rows of the checks; of each place and kind that there is."""
+    rows = list(csv_table.read_table(path, "check", "place", "speed_hz", "value", "margin", "verdict"))
+    for row in rows:
+        if row["check"] not in CHECKS:
+            raise csv_table.TableError(f"{path}: '{row['check']}' is no check")
+        if row["check"] != "kick" or row["place"]:
+            _require_place(path, row["place"])
+    return rows
+
+
+def _require_place(path, place):
+    if not re.fullmatch(r"(probe|stop) \d+", place):
+        raise csv_table.TableError(f"{path}: '{place}' is no place")
+
+
+def kick_rows(path):
+    """Speed and smallest force, None where no kick starts a rub; nothing where no kicks were tried."""
+    if not os.path.exists(path):
+        return []
+    return [(csv_table.number(row, "speed_hz"), csv_table.number(row, "force_n"))
+            for row in csv_table.read_table(path, "speed_hz", "force_n")]
+
+
+def response_lines(rows, per_hz, per_metre):
+    return ("%.17g %.17g" % (per_hz * hz, per_metre * axis) for hz, axis, _ in rows)
+
+
+def share_lines(rows, per_hz):
+    """The axis as a share of its limit in per cent; nothing where the rotor rests on the stop."""
+    return ("%.17g %.17g" % (per_hz * hz, 100 * axis / limit) for hz, axis, limit in rows if limit)
+
+
+def limit_lines(rows, per_hz):
+    """The limit of the probes where there is one: over the operating range."""
+    return ("%.17g %.17g" % (per_hz * hz, 1e6 * limit) for hz, _, limit in rows if limit is not None)
+
+
+def kick_lines(kicks, per_hz):
+    """A block for each stretch of speeds at which some kick starts a rub."""
+    for hz, force in kicks:
+        yield "" if force is None else "%.17g %.17g" % (per_hz * hz, force)
+
+
+def mark_lines(speeds, per_hz):
+    """Marks on the axis of speeds; one below the picture where there is none, as gnuplot warns of empty files."""
+    return ["%.17g 0" % (per_hz * hz) for hz in speeds] or ["0 -1"]
+
+
+def text_lines(checks, config):
+    """The table of the checks as gnuplot's labels, the columns below each other."""
+    for number, row in enumerate([None, *checks[:MOST_ROWS]]):
+        cells = ("check", "where", "speed", "margin", "") if row is None else check_cells(row, config)
+        colour = "#AA3311" if row is not None and row["verdict"] == "not_met" else "black"
+        for column, cell in zip((0.565, 0.685, 0.765, 0.855, 0.94), cells):
+            yield (f"set label '{cell}' at screen {column}, {0.405 - 0.0245 * number:.4f} left noenhanced "
+                   f"font '{':Bold' if row is None else ''},17' textcolor rgb '{colour}'")
+
+
+def check_cells(row, config):
+    """What the table says of one check: name, place, speed, margin or value, verdict."""
+    speed, margin = csv_table.number(row, "speed_hz"), csv_table.number(row, "margin")
+    if row["check"] == "kick":
+        margin_text = "%.4g N" % csv_table.number(row, "value")
+    else:
+        margin_text = "" if margin is None else "%.1f %%" % (100 * margin)
+    return (CHECKS[row["check"]], row["place"], "" if speed is None else shown_units.speed_text(config, speed),
+            margin_text, {"ok": "ok", "not_met": "not met"}.get(row["verdict"], ""))
+
+
+SUBCOMMAND = Subcommand(
+    name="design",
+    summary="a design check (rubtrace --design-check)",
+    description="""Draws what rubtrace --design-check wrote into DIR: the scaled unbalance response at the probes and at
+the stops, the smallest kicks that start a lasting rub, lock speeds, and the margin of each check.""",
+    source="DIR",
+    heading="Design check",
+    picture=picture,
+    examples=("results/my_design", "results/my_design --output design.pdf"),
+)

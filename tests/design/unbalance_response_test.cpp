@@ -1,0 +1,59 @@
+#include "rubsweep/design/unbalance_response.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene/kit_machine.hpp"
+#include "scene/table_machine.hpp"
+
+namespace rubsweep::design {
+namespace {
+
+/// Radius of the quiet whirl of a Jeffcott rotor over its eccentricity.
+double amplification(double speed_ratio, double damping_ratio) {
+  const double square = speed_ratio * speed_ratio;
+  return square / std::hypot(1 - square, 2 * damping_ratio * speed_ratio);
+}
+
+TEST(UnbalanceResponse, OfAJeffcottRotorIsACircleOfItsClosedForm) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(scene::one_side_machine());
+  for (const double hz : {10.0, 29.0, 30.0, 80.0}) {
+    const scene::QuietMotion motion = unit_response(prepared, hz);
+    const double diameter = 2 * amplification(hz / 30, 0.02);
+    EXPECT_NEAR(major_axis_at(motion, probe_places(prepared).at(0)), diameter, 1e-9 * diameter) << hz;
+    EXPECT_NEAR(major_axis_at(motion, stop_places(prepared).at(0)), diameter, 1e-9 * diameter) << hz;
+  }
+}
+
+TEST(UnbalanceResponse, ProbesAtOnePlaceAreOne) {
+  model::Machine machine = scene::light_shaft_machine();
+  model::RotorKit& kit = *model::kit_of(machine);
+  EXPECT_EQ(probe_places(scene::prepare_machine(machine)).size(), 1u) << "the rotor itself";
+  kit.sensors = {
+      {.position_m = 0.1, .angle_deg = 0}, {.position_m = 0.1, .angle_deg = 90}, {.position_m = 0.3}};
+  const auto places = probe_places(scene::prepare_machine(machine));
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_EQ(places[0].position_m, 0.1);
+  EXPECT_EQ(places[1].position_m, 0.3);
+}
+
+/// The shapes that serve all speeds against the reduction of the very speed.
+TEST(UnbalanceResponse, OfATableIsThatOfTheNumbersTypedIn) {
+  model::Machine by_table = scene::table_machine(4);
+  model::kit_of(by_table)->damping_ratio = {0};
+  const scene::PreparedMachine prepared = scene::prepare_machine(by_table);
+  for (std::size_t row = 0; row < scene::table_speeds_hz.size(); ++row) {
+    model::Machine typed = scene::typed_machine(row, 6);
+    model::kit_of(typed)->damping_ratio = {0};
+    const scene::PreparedMachine there = scene::prepare_machine(typed);
+    const double hz = scene::table_speeds_hz[row];
+    const double expected = major_axis_at(unit_response(there, hz), stop_places(there)[0]);
+    EXPECT_NEAR(major_axis_at(unit_response(prepared, hz), stop_places(prepared)[0]), expected,
+                5e-4 * expected)
+        << hz;
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::design

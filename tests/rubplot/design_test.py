@@ -1,0 +1,63 @@
+import figures
+
+import os
+
+from rubplot import csv_table
+from rubplot.pictures import design
+
+CHECKS = """check,place,position_m,speed_hz,value,limit,unit,margin,verdict
+vibration,probe 0,0.25,50,1e-05,2.54e-05,m,0.6063,ok
+clearance,stop 0,0.29,30,3e-04,1.5e-4,m,-1,not_met
+dry_whip,stop 0,,50,0.25,,1,1,ok
+kick,,,60,17.5,,N,,
+"""
+RESPONSE = """place,position_m,speed_hz,major_axis_m,limit_m
+probe 0,0.25,10,1e-06,
+probe 0,0.25,50,1e-05,2.54e-05
+probe 0,0.25,90,2e-05,2.54e-05
+stop 0,0.29,10,3e-06,1.5e-4
+stop 0,0.29,50,3e-04,1.5e-4
+stop 0,0.29,90,3e-05,1.5e-4
+"""
+
+
+class Design(figures.FigureTest):
+    def setUp(self):
+        super().setUp()
+        self.write("config.yaml", "title: Pump\nsweep:\n  speed_hz: {from: 50, to: 90, count: 5}\n")
+        self.write("design_check.csv", CHECKS)
+        self.write("unbalance_response.csv", RESPONSE)
+        self.write("lock_speeds.csv", "speed_hz,p,first_mode,q,second_mode\n60,3,2,1,1\n60,3,1,1,2\n")
+        self.write("kicks.csv", "speed_hz,force_n,motion,runs,failed\n50,,,8,0\n60,17.5,chaotic,12,0\n90,20,chaotic,9,0\n")
+
+    def test_the_picture_says_what_it_shows(self):
+        words = figures.words(self.draw("design", "--heading", "Design check"))
+        for word in ("Pump: Design check", "probes (µm peak to peak)", "limit 25.4 µm, operating range",
+                     "probe 0", "stop 0", "axis / allowed at stops (%)", "kick that starts a rub (N)",
+                     "lock speed", "none of the kicks", "clearance", "not met", "-100.0 %", "17.5 N", "60 Hz", "dry whip"):
+            self.assertIn(word, words)
+
+    def test_texts_leave_each_other_room(self):
+        self.assertEqual(figures.over_each_other(self.draw("design")), [])
+
+    def test_without_kicks_and_lock_speeds_there_are_none_in_the_legend(self):
+        os.remove(os.path.join(self.directory, "kicks.csv"))
+        self.write("lock_speeds.csv", "speed_hz,p,first_mode,q,second_mode\n")
+        words = figures.words(self.draw("design"))
+        for word in ("lock speed", "none of the kicks"):
+            self.assertNotIn(word, words)
+
+    def test_a_share_is_of_the_limit_and_missing_where_there_is_no_clearance(self):
+        self.assertEqual(list(design.share_lines([(50, 3e-4, 1.5e-4), (60, 1e-4, 0.0)], 1)), ["50 200"])
+
+    def test_a_curve_of_kicks_breaks_where_none_starts_a_rub(self):
+        self.assertEqual(list(design.kick_lines([(50, 2.0), (60, None), (70, 4.0)], 60)), ["3000 2", "", "4200 4"])
+
+    def test_what_is_no_place_is_refused(self):
+        for name, text in (("unbalance_response.csv", RESPONSE.replace("stop 0", "stop '0")),
+                           ("design_check.csv", CHECKS.replace("stop 0", "stop")),
+                           ("design_check.csv", CHECKS.replace("kick,", "kicks,"))):
+            self.write("bad_" + name, text)
+            read = design.curves if name.startswith("unbalance") else design.check_rows
+            with self.assertRaises(csv_table.TableError):
+                read(os.path.join(self.directory, "bad_" + name))
