@@ -87,14 +87,14 @@ refused() {
   expect_exit 1 "$kit" "$@"
   expect_contains stderr "rubtrace: $text"
 }
-refused '--free-response, --run-up and --campbell exclude each other' --free-response --run-up 10:20:1
-refused '--free-response, --run-up and --campbell exclude each other' --campbell 10:20 --run-up 10:20:1
+refused '--free-response, --run-up, --campbell and --design-check exclude each other' --free-response --run-up 10:20:1
+refused '--free-response, --run-up, --campbell and --design-check exclude each other' --campbell 10:20 --run-up 10:20:1
 for range in 10 10:x 20:10 -1:10 10:20:1 10:20:2.5 10:20:30:40; do
   refused "--campbell: '$range' is not allowed, allowed: FROM:TO" --campbell="$range"
 done
 refused '--eccentricity-m belongs to a trace or a run-up' --campbell 10:20 --eccentricity-m 1e-5
 refused '--duration-s belongs to --free-response' --campbell 10:20 --duration-s 3
-refused '--figure belongs to a trace, to --campbell or to --run-up' --free-response --figure x.png
+refused '--figure belongs to a trace, to --campbell, to --run-up or to --design-check' --free-response --figure x.png
 refused '--figure: allowed: a name that ends with .png, .svg or .pdf' --campbell 10:20 --figure x.gif
 refused '--speed-hz belongs to a trace' --free-response --speed-hz 3
 refused '--duration-s belongs to --free-response' --speed-hz 3 --whirl-ratio 0.1 --duration-s 1

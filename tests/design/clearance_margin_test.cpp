@@ -34,6 +34,7 @@ TEST(ClearanceMargin, OffsetAndWeightTakeFromTheClearance) {
   EXPECT_NEAR(clearance_margins(scene::prepare_machine(machine), 1e-6, to_120_hz)[0].diametral_clearance_m,
               1e-3, 1e-12);
   machine.stops[0].geometry = model::OneSideGeometry{-90};
+  machine.stops[0].casing.reset();
   machine.gravity_m_per_s2 = 9.81;
   const double sag_m = 9.81 / std::pow(2 * std::numbers::pi * 30, 2);
   EXPECT_NEAR(clearance_margins(scene::prepare_machine(machine), 1e-6, to_120_hz)[0].diametral_clearance_m,
@@ -96,7 +97,7 @@ TEST(ClearanceMargin, TakesTheMajorAxisAndNotTheMotionAlongX) {
     farthest_m = std::max(farthest_m, std::hypot((there(0) * turned).real(), (there(1) * turned).real()));
   }
   EXPECT_NEAR(found.major_axis_m, 2 * 1e-6 * farthest_m, 1e-5 * found.major_axis_m);
-  EXPECT_GT(found.major_axis_m, 1.3 * 2 * 1e-6 * std::abs(there(0)));
+  EXPECT_GT(found.major_axis_m, 1.25 * 2 * 1e-6 * std::abs(there(0)));
 }
 
 }  // namespace

@@ -31,26 +31,27 @@ do for [format in formats] {
   set tics nomirror out
   set grid linecolor rgb "#E4E4E4"
   set xrange [S_min:S_max]
-  set key top left Left reverse samplen 2.5 spacing 1.2 opaque noenhanced
+  # Above the panels, so that nothing is behind it.
+  set key at graph 0, graph 1.02 bottom left horizontal Left reverse samplen 2.2 spacing 1.1 noopaque noenhanced font ",17"
 
   set lmargin at screen 0.07
   set rmargin at screen 0.50
-  set tmargin at screen 0.92
-  set bmargin at screen 0.55
+  set tmargin at screen 0.87
+  set bmargin at screen 0.565
   set yrange [0:*]
   set xlabel ARG5
   # Not as labels of the axes: beside a fixed margin these may come over the numbers.
-  set label 1004 "probes (µm peak to peak)" at screen 0.015, 0.735 center rotate by 90
+  set label 1004 "probes (µm peak to peak)" at screen 0.015, 0.72 center rotate by 90
   plot for [i = 0:probes - 1] probe(i) using 1:2 with lines linewidth 2 dashtype dash(i) linecolor rgb colours[i + 1] \
       title value(sprintf("probe_name_%d", i)), \
-    "limit" using 1:2 with lines linewidth 3 linecolor rgb border title sprintf("limit %.3g µm, operating range", limit)
+    "limit" using 1:2 with lines linewidth 3 linecolor rgb border title sprintf("limit %.3g µm", limit)
   unset label
 
-  set tmargin at screen 0.455
+  set tmargin at screen 0.415
   set bmargin at screen 0.115
   set logscale y
-  set yrange [*:*<200]
-  set label 1004 "axis / allowed at stops (%)" at screen 0.015, 0.285 center rotate by 90
+  set yrange [*:150<*]
+  set label 1004 "axis / allowed at stops (%)" at screen 0.015, 0.265 center rotate by 90
   plot for [i = 0:stops - 1] stop(i) using 1:2 with lines linewidth 2 dashtype dash(i) linecolor rgb colours[i + 1] \
       title value(sprintf("stop_name_%d", i)), \
     100 with lines linewidth 3 linecolor rgb border title "limit"
@@ -59,12 +60,11 @@ do for [format in formats] {
 
   set lmargin at screen 0.575
   set rmargin at screen 0.975
-  set tmargin at screen 0.92
-  set bmargin at screen 0.55
+  set tmargin at screen 0.87
+  set bmargin at screen 0.565
   set yrange [0:*]
-  set label 1004 "kick that starts a rub (N)" at screen 0.52, 0.735 center rotate by 90
+  set label 1004 "kick that starts a rub (N)" at screen 0.52, 0.72 center rotate by 90
   if (any_kicks) {
-    set key top left
     plot "kicks" using 1:2 with linespoints linewidth 2 pointtype 7 pointsize 1.2 linecolor rgb colours[1] \
         title "smallest kick", \
       "quiet" using 1:2 with points pointtype 2 pointsize 1.6 linewidth 2 \
