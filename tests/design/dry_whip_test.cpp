@@ -123,7 +123,7 @@ TEST(DryWhip, NeedsAReceptanceBeyondResonanceAndAStiffWall) {
   EXPECT_DOUBLE_EQ(friction_of_dry_whip({-1, 0.1}, 1.1).value(), 0.1);
 }
 
-TEST(LargestFriction, IsThatOfEveryForm) {
+TEST(DryWhip, LargestFrictionIsThatOfEveryForm) {
   EXPECT_EQ(largest_friction(model::NoFriction{}, 10), 0);
   EXPECT_EQ(largest_friction(model::ConstantFriction{0.2}, 10), 0.2);
   EXPECT_NEAR(largest_friction(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0.01}}, 10), 0.2, 1e-12)

@@ -19,13 +19,13 @@ TEST(VibrationLimit, FallsWithTheRootOfTheSpeedBeyond) {
   EXPECT_NEAR(vibration_limit_m(24000 / 60.0), 17.9605e-6, 1e-10);
 }
 
-TEST(AnalysisEccentricity, OfAJeffcottRotorDependsOnTheSpeedAlone) {
+TEST(VibrationLimit, EccentricityOfTheAnalysisOfAJeffcottRotorDependsOnTheSpeedAlone) {
   // 4 x 6350 W / N g mm on a rotor of W kg.
   EXPECT_NEAR(analysis_eccentricity_m(scene::one_side_machine(), 12000 / 60.0), 4 * 6350.0 / 12000 * 1e-6,
               1e-15);
 }
 
-TEST(AnalysisEccentricity, OfAKitIsForTheMassOfTheWholeRotor) {
+TEST(VibrationLimit, EccentricityOfTheAnalysisOfAKitIsForTheMassOfTheWholeRotor) {
   model::Machine machine = scene::light_shaft_machine();
   model::RotorKit& kit = *model::kit_of(machine);
   kit.discs[0].eccentricity_ratio = 0.5;
@@ -34,7 +34,7 @@ TEST(AnalysisEccentricity, OfAKitIsForTheMassOfTheWholeRotor) {
   EXPECT_THROW(analysis_eccentricity_m(machine, 100), ConfigError);
 }
 
-TEST(ScaleFactor, BringsTheResponseToTheLimitButNeverMoreThanSixfold) {
+TEST(VibrationLimit, ScaleFactorBringsTheResponseToTheLimitButNeverMoreThanSixfold) {
   EXPECT_DOUBLE_EQ(scale_factor(25e-6, 10e-6), 2.5);
   EXPECT_DOUBLE_EQ(scale_factor(25e-6, 50e-6), 0.5);
   EXPECT_DOUBLE_EQ(scale_factor(25e-6, 1e-6), 6);

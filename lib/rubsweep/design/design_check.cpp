@@ -90,7 +90,7 @@ std::vector<double> kicked_speeds(const DesignQuestions& questions,
   std::vector<double> speeds = batch::evenly_spaced(range.from_hz, range.to_hz, questions.kick_speeds);
   for (const identify::LockSpeed& lock : locks) speeds.push_back(lock.speed_hz);
   std::ranges::sort(speeds);
-  speeds.erase(std::ranges::unique(speeds).begin(), speeds.end());
+  speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
   return speeds;
 }
 

@@ -22,7 +22,7 @@ std::vector<double> response_speeds(const SpeedRange& range,
     }
   }
   std::ranges::sort(speeds);
-  speeds.erase(std::ranges::unique(speeds).begin(), speeds.end());
+  speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
   return speeds;
 }
 
