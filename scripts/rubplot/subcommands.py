@@ -24,6 +24,6 @@ from rubplot.published import figure
 
 ALL = tuple(
     module.SUBCOMMAND
-    for module in (map, threshold, compare, trace, line, cascade, branch, curves, basin, run_up, bode, campbell, design, identification,
-                   scope, ring, ring_chart, work_precision, figure)
+    for module in (map, threshold, compare, trace, line, cascade, branch, curves, basin, run_up, bode, campbell, design,
+                   identification, scope, ring, ring_chart, work_precision, figure)
 )
