@@ -63,12 +63,13 @@ std::vector<double> frequencies_rad_per_s(const WhirlInStop& whirl) {
 
 /// Whirls to look at, ascending up to `fastest`, closer where something happens.
 std::vector<double> whirls_up_to(double fastest, const WhirlInStop& whirl) {
-  constexpr int steps = 64;
   std::vector<double> ends = frequencies_rad_per_s(whirl);
   if (ends.empty()) return {};
   // Damping and gyroscopic moments move the ends a little: the outer ones have room.
   ends.insert(ends.begin(), ends.front() / 4);
   ends.push_back(2 * ends.back());
+  // Many ends part the whirls closely enough by themselves.
+  const int steps = std::max(8, 512 / static_cast<int>(ends.size()));
   std::vector<double> whirls;
   for (std::size_t k = 1; k < ends.size(); ++k) {
     for (int step = 0; step < steps; ++step)
