@@ -84,6 +84,7 @@ def _column_of_meanings(lines):
 
 
 def _paragraphs(text):
+    text = re.sub(r"\n+(?=Exit codes: )", "\n\n", text)  # a paragraph of their own, wherever they stand
     return [part.split("\n") for part in re.split(r"\n{2,}", text.strip("\n"))]
 
 

@@ -53,6 +53,11 @@ class Help(unittest.TestCase):
         self.assertEqual(self.read.rest, [["Writes DIR:", "  a.csv  a row", "         for each"]])
         self.assertEqual(self.read.exit_codes, "0 done; 1 usage; 128+signal when interrupted.")
 
+    def test_exit_codes_behind_a_line(self):
+        read = help_text.parse(TEXT.replace("for each\n\nExit", "for each\nExit"))
+        self.assertEqual(read.exit_codes, self.read.exit_codes)
+        self.assertEqual(read.rest, self.read.rest)
+
     def test_a_help_without_exit_codes_is_refused(self):
         with self.assertRaisesRegex(ValueError, "exit_codes"):
             help_text.parse(TEXT.split("Exit codes")[0])

@@ -13,7 +13,7 @@ files() {
 
 files >/tmp/before
 apt-get update -qq
-apt-get install -y -qq "$package" >/tmp/apt.log 2>&1 || { cat /tmp/apt.log; exit 1; }
+apt-get install -y -qq --install-recommends "$package" >/tmp/apt.log 2>&1 || { cat /tmp/apt.log; exit 1; }
 dpkg --verify rubsweep
 dpkg -L rubsweep >/tmp/listed
 echo "installed: $(wc -l </tmp/listed) files and folders, $(dpkg-query -W -f='${Installed-Size}' rubsweep) KiB"
