@@ -28,6 +28,12 @@ TEST(LockSpeeds, OfAJeffcottRotorAreTwoThreeAndFiveTimesItsFrequency) {
   }
 }
 
+TEST(LockSpeeds, NoneOfAModeThatIsDampedAway) {
+  Campbell diagram = campbell(free_rotor(scene::one_side_machine()), batch::evenly_spaced(0, 200, 37), 400);
+  for (CampbellPoint& point : diagram.modes.front().points) point.damping_ratio = 0.6;
+  EXPECT_TRUE(lock_speeds(diagram).empty());
+}
+
 Campbell split(double forward_slope) {
   Campbell diagram;
   for (const double speed : {0.0, 10.0, 20.0, 30.0, 40.0}) {

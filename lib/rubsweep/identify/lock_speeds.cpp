@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t most_modes = 4;
 constexpr std::array<std::pair<int, int>, 3> orders{{{2, 1}, {3, 1}, {3, 2}}};
 constexpr int halvings = 60;
+constexpr double most_damping_ratio = 0.5;  ///< a mode damped more is gone before it comes round
 
 double signed_hz(const CampbellPoint& point) {
   return point.forward_share >= 0.5 ? point.frequency_hz : -point.frequency_hz;
@@ -22,16 +23,20 @@ double signed_hz(const CampbellPoint& point) {
 struct Branch {
   int number = 0;
   std::vector<double> speed_hz;
+  std::vector<double> damping_ratio;
   numerics::Pchip signed_hz;
+
+  bool lasts_at(std::size_t k) const { return damping_ratio[k] <= most_damping_ratio; }
 };
 
 Branch branch_of(const CampbellMode& mode) {
-  std::vector<double> speeds, frequencies;
+  std::vector<double> speeds, frequencies, ratios;
   for (const CampbellPoint& point : mode.points) {
     speeds.push_back(point.speed_hz);
     frequencies.push_back(signed_hz(point));
+    ratios.push_back(point.damping_ratio);
   }
-  return {mode.number, speeds, numerics::Pchip(speeds, frequencies)};
+  return {mode.number, speeds, ratios, numerics::Pchip(speeds, frequencies)};
 }
 
 /// Adds where the two lock, one root at most in each piece of the diagram.
@@ -41,6 +46,7 @@ void add_roots(const Branch& first, const Branch& second, int p, int q, std::vec
   };
   const std::size_t points = std::min(first.speed_hz.size(), second.speed_hz.size());
   for (std::size_t k = 0; k < points; ++k) {
+    if (!first.lasts_at(k) || !second.lasts_at(k)) continue;
     const double end = first.speed_hz[k];
     if (excess(end) == 0 && end > 0) found.push_back({first.number, second.number, p, q, end});
     if (k == 0 || !(excess(first.speed_hz[k - 1]) * excess(end) < 0)) continue;
