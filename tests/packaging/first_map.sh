@@ -39,7 +39,7 @@ done
 # Configurations that lie beside others, with bases above them.
 for one in "$examples"/*.yaml "$examples"/*/*.yaml; do
   case $one in
-    */reference/stop.yaml) continue ;; # a part of others
+    */stop.yaml) continue ;; # a part of others
     */ring_*) checked=ringstab ;;
     *) checked=rubsweep ;;
   esac
