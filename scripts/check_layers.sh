@@ -26,6 +26,7 @@ declare -A below=(
   [integrate]='integrate/adaptive integrate/exact integrate/taylor'
   [identify]='batch scene numerics response/spectrum'
   [response/spectrum]='.'
+  [fit]='batch identify'
   [recording]='.'
   [scope]='batch identify recording response/spectrum'
   [response/motion]='response/spectrum integrate'

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace rubsweep::recording {
 namespace {
@@ -176,12 +177,19 @@ std::vector<double> smoothed_marks_s(std::span<const double> marks_s, double res
   const Eigen::VectorXd marks =
       (Eigen::Map<const Eigen::VectorXd>(marks_s.data(), count).array() - marks_s.front()) / resolution_s;
   constexpr double bound = 0.52;
+  // The first curve within the bounds may lie at them all along: the next one, which holds it, is nearer to
+  // the truth.
   std::optional<Eigen::VectorXd> fit;
-  for (int degree = 1; degree <= 4 && count >= 4 * degree && !fit; ++degree)
-    fit = within(polynomials(count, degree), marks, bound);
+  bool held = false;
+  for (int degree = 1; degree <= 5 && count >= 4 * degree && !(fit && held); ++degree) {
+    held = fit.has_value();
+    if (auto next = within(polynomials(count, degree), marks, bound)) fit = std::move(next);
+  }
   constexpr Eigen::Index marks_a_piece = 4;
-  for (Eigen::Index pieces = 2; count >= marks_a_piece * pieces && !fit; pieces *= 2)
-    fit = within(splines(count, pieces), marks, bound);
+  for (Eigen::Index pieces = 2; count >= marks_a_piece * pieces && !(fit && held); pieces *= 2) {
+    held = fit.has_value();
+    if (auto next = within(splines(count, pieces), marks, bound)) fit = std::move(next);
+  }
   if (!fit) return smoothed;
   for (Eigen::Index k = 0; k < count; ++k)
     smoothed[static_cast<std::size_t>(k)] = marks_s.front() + resolution_s * (*fit)(k);

@@ -23,9 +23,9 @@ struct TurnMarks {
 TurnMarks numbered_marks(std::span<const double> marks_s);
 
 /// Instants of the marks freed of the sampling, which moves each of them by up to half of `resolution_s` to
-/// either side. Time over turns is the simplest curve that is never farther from the marks: a polynomial of
-/// degree 1 to 4, else a cubic spline of 2, 4, 8, ... equal pieces with four marks or more each. Marks stay
-/// as they are where there is none, or the resolution is 0.
+/// either side. Curves of time over turns are tried from the simplest on: polynomials of degree 1 to 5, then
+/// cubic splines of 2, 4, 8, ... equal pieces with four marks or more each. Taken is the one behind the first
+/// that is never farther from the marks. Marks stay as they are where there is none, or the resolution is 0.
 std::vector<double> smoothed_marks_s(std::span<const double> marks_s, double resolution_s);
 
 }  // namespace rubsweep::recording

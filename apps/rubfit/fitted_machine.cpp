@@ -1,0 +1,182 @@
+#include "fitted_machine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "rubsweep/config/number_at.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/identify/linear_run.hpp"
+#include "shared/program.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+/// Names that are no keys, and the places where they are said otherwise.
+constexpr std::array<std::string_view, 4> own_names{fit::eccentricity_name, fit::mark_name, fit::hit_name,
+                                                    fit::rate_name};
+
+bool is_key(const std::string& name) { return std::ranges::find(own_names, name) == own_names.end(); }
+
+/// Values over a printed configuration.
+config::RunConfig changed(const std::string& text, const std::vector<fit::Parameter>& parameters,
+                          const Eigen::VectorXd& values) {
+  std::vector<std::string> overrides;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (is_key(parameters[i].name))
+      overrides.push_back(
+          fmt::format("{}={:.17g}", parameters[i].name, values(static_cast<Eigen::Index>(i))));
+  }
+  return config::read_run_config_text(text, "the fitted configuration", overrides);
+}
+
+bool allowed(const std::string& text, const std::string& key, double value) {
+  try {
+    config::read_run_config_text(text, "the fitted configuration", {fmt::format("{}={:.17g}", key, value)});
+    return true;
+  } catch (const ConfigError&) {
+    return false;
+  }
+}
+
+/// The bound, drawn in towards the start until the configuration takes it.
+double drawn_in(const std::string& text, const std::string& key, double start, double bound) {
+  if (allowed(text, key, bound)) return bound;
+  double good = 0, bad = 1;
+  constexpr int halvings = 20;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = (good + bad) / 2;
+    (allowed(text, key, start + middle * (bound - start)) ? good : bad) = middle;
+  }
+  return start + good * (bound - start);
+}
+
+/// Number under a key; of a list that has one number or equal ones, such as damping ratios of all modes, that
+/// number.
+std::optional<double> start_of(const config::RunConfig& config, const std::string& key) {
+  if (const auto number = config::number_at(config, key)) return number;
+  const auto first = config::number_at(config, key + ".0");
+  for (int i = 1; first; ++i) {
+    const auto next = config::number_at(config, fmt::format("{}.{}", key, i));
+    if (!next) break;
+    if (*next != *first) return std::nullopt;
+  }
+  return first;
+}
+
+double own_start(const RubfitArguments& arguments, const std::string& name) {
+  if (name == fit::eccentricity_name) return arguments.eccentricity_m;
+  if (name == fit::mark_name) return arguments.mark_deg;
+  if (name == fit::hit_name) return arguments.hit_s;
+  return arguments.rate_hz_per_s.value_or(0);
+}
+
+/// Middle of two bounds, of one sign and a decade or more apart by their logarithms.
+double middle(double low, double high) {
+  return low > 0 && high > 10 * low ? std::sqrt(low * high) : (low + high) / 2;
+}
+
+fit::Parameter parameter_of(const RubfitArguments& arguments, const FittedKey& key,
+                            const config::RunConfig& config, const std::string& text) {
+  constexpr double factor = 20, half_turn_deg = 180;
+  const bool own = !is_key(key.name), angle = key.name.ends_with("_deg");
+  const std::optional<double> there = own ? own_start(arguments, key.name) : start_of(config, key.name);
+  if (!there)
+    throw UsageError(fmt::format(
+        "--fit {}: is no number of the configuration, allowed: a key that --print-config shows, {}", key.name,
+        fmt::join(own_names, ", ")));
+  fit::Parameter parameter{.name = key.name, .start = key.start.value_or(*there)};
+  if (key.low && !key.start && (parameter.start <= *key.low || parameter.start >= *key.high))
+    parameter.start = middle(*key.low, *key.high);
+  if (!key.low && !angle && parameter.start == 0)
+    throw UsageError(
+        fmt::format("--fit {}: begins at 0, allowed: with bounds, {}=LOW:HIGH", key.name, key.name));
+  const double start = parameter.start;
+  parameter.low = key.low.value_or(angle ? start - half_turn_deg : std::min(start / factor, start * factor));
+  parameter.high =
+      key.high.value_or(angle ? start + half_turn_deg : std::max(start / factor, start * factor));
+  if (!own) {
+    parameter.low = drawn_in(text, key.name, start, parameter.low);
+    parameter.high = drawn_in(text, key.name, start, parameter.high);
+  }
+  if (!(parameter.low < parameter.high))
+    throw UsageError(fmt::format("--fit {}: nothing else than {} is allowed there", key.name, start));
+  constexpr double angle_scale_deg = 30;
+  parameter.scale = angle        ? angle_scale_deg
+                    : start != 0 ? std::abs(start)
+                                 : (parameter.high - parameter.low) / 10;
+  return parameter;
+}
+
+std::vector<fit::MeasuredData> data_of(const RubfitArguments& arguments,
+                                       const std::vector<double>& angle_deg) {
+  std::vector<fit::MeasuredData> data;
+  for (const auto& file : arguments.ring_downs)
+    data.push_back({file.string(), fit::read_ring_down(file, arguments.from_s), false});
+  for (const auto& file : arguments.run_ups)
+    data.push_back({file.string(), fit::read_run_up(file), arguments.run_out});
+  for (const auto& file : arguments.steady)
+    data.push_back({file.string(), fit::read_steady(file, angle_deg), arguments.run_out});
+  for (const auto& file : arguments.ramped_speeds)
+    data.push_back(
+        {file.string(),
+         fit::as_run_up(fit::read_steady(file, angle_deg), *arguments.rate_hz_per_s, arguments.window_turns),
+         arguments.run_out});
+  return data;
+}
+
+}  // namespace
+
+fit::MachineFit machine_fit_of(const RubfitArguments& arguments, const config::RunConfig& config) {
+  const auto text = std::make_shared<const std::string>(config::print_config(config));
+  fit::MachineFit problem{
+      .parameters = {},
+      .data =
+          data_of(arguments, identify::sensor_rows(scene::prepare_machine(config.study.machine)).angle_deg),
+      .eccentricity_m = arguments.eccentricity_m,
+      .mark_deg = arguments.mark_deg,
+      .hit_s = arguments.hit_s,
+      .machine = {}};
+  for (const FittedKey& key : arguments.keys)
+    problem.parameters.push_back(parameter_of(arguments, key, config, *text));
+  const bool rotating =
+      arguments.run_ups.size() + arguments.steady.size() + arguments.ramped_speeds.size() > 0;
+  if (rotating && arguments.eccentricity_m == 0 &&
+      std::ranges::find(arguments.keys, fit::eccentricity_name, &FittedKey::name) == arguments.keys.end())
+    throw UsageError("--eccentricity-m: is needed with 1X, or --fit eccentricity_m=LOW:HIGH");
+  problem.machine = [text, parameters = problem.parameters](const Eigen::VectorXd& values) {
+    return scene::prepare_machine(changed(*text, parameters, values).study.machine);
+  };
+  return problem;
+}
+
+fit::MachineFit without(const fit::MachineFit& problem, const std::vector<std::string>& names) {
+  fit::MachineFit less = problem;
+  std::erase_if(less.parameters, [&](const fit::Parameter& parameter) {
+    return std::ranges::find(names, parameter.name) != names.end();
+  });
+  less.machine = [whole = problem, parameters = less.parameters](const Eigen::VectorXd& values) {
+    Eigen::VectorXd all(static_cast<Eigen::Index>(whole.parameters.size()));
+    for (std::size_t i = 0; i < whole.parameters.size(); ++i) {
+      const auto found = std::ranges::find(parameters, whole.parameters[i].name, &fit::Parameter::name);
+      all(static_cast<Eigen::Index>(i)) =
+          found == parameters.end() ? whole.parameters[i].start : values(found - parameters.begin());
+    }
+    return whole.machine(all);
+  };
+  return less;
+}
+
+std::string fitted_config(const fit::MachineFit& problem, const config::RunConfig& config,
+                          const Eigen::VectorXd& values) {
+  return config::print_config(changed(config::print_config(config), problem.parameters, values));
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "fitted_machine.hpp"
+#include "rubfit_arguments.hpp"
+#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/batch/result_files.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/fit/fit_tables.hpp"
+#include "shared/exit_code.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/kept_files.hpp"
+#include "shared/program.hpp"
+#include "shared/result_directory.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+/// Every file that a fit may leave.
+constexpr std::array<std::string_view, 4> file_names{"config.yaml", "parameters.csv", "correlation.csv",
+                                                     "fitted.csv"};
+
+/// Says on a terminal how far a fit is. How many steps it takes nobody knows: a start takes ten or so.
+class Steps {
+ public:
+  explicit Steps(bool shown) : shown_(shown && isatty(STDERR_FILENO) != 0) {}
+  ~Steps() {
+    if (shown_ && any_) say("\n");
+  }
+  Steps(const Steps&) = delete;
+  Steps& operator=(const Steps&) = delete;
+
+  void operator()(int start, int step, double cost, int starts) {
+    if (!shown_) return;
+    const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    constexpr double usual_steps = 10;
+    const double done = start + std::min(1.0, step / usual_steps);
+    const std::string left =
+        done > 0 ? batch::hours_minutes_seconds(elapsed_s * std::max(0.0, starts - done) / done) : "?";
+    say(fmt::format("\rstart {} of {}, step {}, sum of squares {:.6g}, about {} left ", start + 1, starts,
+                    step, 2 * cost, left));
+    any_ = true;
+  }
+
+ private:
+  bool shown_, any_ = false;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+int run(const RubfitArguments& arguments) {
+  const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
+  ask("rubfit", config.questions, arguments.quiet);
+  const fit::MachineFit problem = machine_fit_of(arguments, config);
+  const std::filesystem::path directory = results_directory(arguments, config.output_directory, "_fit");
+  const ResultDirectory made(directory, file_names);
+  const std::atomic<bool>& stop = catch_interrupts();
+  fit::LeastSquaresOptions options{
+      .robust_beyond = arguments.robust_beyond, .starts = arguments.starts, .stop = &stop};
+  fit::MachineFitResult result;
+  {
+    Steps steps(!arguments.quiet);
+    options.on_iteration = [&](int start, int step, double cost) {
+      steps(start, step, cost, arguments.starts);
+    };
+    result = fit::fit_machine(problem, options);
+  }
+  fit::FitTables tables = fit::tables_of(problem, result);
+  if (!arguments.without.empty() && !result.fit.stopped) {
+    options.on_iteration = {};
+    tables.summary +=
+        fit::comparison_text(result, fit::fit_machine(without(problem, arguments.without), options),
+                             fmt::format("{}", fmt::join(arguments.without, ", ")));
+  }
+  const batch::ResultFiles files{{"config.yaml", fitted_config(problem, config, result.fit.value)},
+                                 {"parameters.csv", std::move(tables.parameters_csv)},
+                                 {"correlation.csv", std::move(tables.correlation_csv)},
+                                 {"fitted.csv", std::move(tables.residuals_csv)}};
+  batch::write_result_files(files, file_names, directory, {"rubfit", config::study_digest(config.study), {}});
+  if (!arguments.quiet) print("{}{}", tables.summary, batch::files_line(files, directory));
+  if (result.fit.stopped) {
+    say("rubfit: interrupted; the best so far is written\n");
+    return 128 + caught_signal();
+  }
+  return result.fit.converged ? done : some_cells_failed;
+}
+
+int perform(const RubfitArguments& arguments) {
+  if (answered("rubfit", arguments.action, rubfit_help)) return done;
+  return run(arguments);
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  using namespace rubsweep::apps;
+  return run_program("rubfit", [&] { return perform(parse_rubfit_arguments(argc, argv)); });
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/action.hpp"
+
+namespace rubsweep::apps {
+
+/// A number to be found: KEY, KEY=START or KEY=LOW:HIGH, KEY=LOW:START:HIGH.
+struct FittedKey {
+  std::string name;
+  std::optional<double> low = {}, start = {}, high = {};
+};
+
+struct RubfitArguments : StudyArguments {
+  std::vector<FittedKey> keys = {};
+  std::vector<std::filesystem::path> ring_downs = {}, run_ups = {}, steady = {}, ramped_speeds = {};
+  std::optional<double> rate_hz_per_s = {};
+  double window_turns = 0;
+  double eccentricity_m = 0, mark_deg = 0, hit_s = 0, from_s = 0;
+  bool run_out = false;
+  int starts = 1;
+  double robust_beyond = 0;
+  std::vector<std::string> without = {};  ///< names left out of a second fit
+};
+
+/// Throws UsageError (program.hpp).
+RubfitArguments parse_rubfit_arguments(int argc, const char* const* argv);
+
+/// Text of --help.
+std::string rubfit_help();
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,166 @@
+#include "rubsweep/fit/fit_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/fit/residual_test.hpp"
+#include "rubsweep/overloaded.hpp"
+
+namespace rubsweep::fit {
+namespace {
+
+using batch::csv_number;
+
+/// One series of a file's numbers: a sensor's signal, or real or imaginary parts of its 1X.
+struct Series {
+  std::string kind, part;
+  Eigen::Index sensor = 0, begin = 0;
+  std::vector<double> at;
+};
+
+std::vector<Series> phasor_series(const std::string& kind, const std::vector<double>& at,
+                                  Eigen::Index sensors) {
+  std::vector<Series> series;
+  const auto count = static_cast<Eigen::Index>(at.size());
+  for (const char* part : {"real", "imaginary"})
+    for (Eigen::Index i = 0; i < sensors; ++i)
+      series.push_back({kind, part, i, static_cast<Eigen::Index>(series.size()) * count, at});
+  return series;
+}
+
+std::vector<Series> series_of(const MeasuredData& data) {
+  return std::visit(
+      overloaded{[](const RingDown& ring) {
+                   std::vector<Series> series;
+                   for (Eigen::Index i = 0; i < ring.signal_m.cols(); ++i)
+                     series.push_back({"ring_down", "signal", i, i * ring.signal_m.rows(), ring.t_s});
+                   return series;
+                 },
+                 [](const RunUp& run) {
+                   std::vector<double> speeds;
+                   for (const double t : run.t_s)
+                     speeds.push_back(run.ramp.from_hz + run.ramp.rate_hz_per_s * t);
+                   return phasor_series("run_up", speeds, run.phasor_m.cols());
+                 },
+                 [](const Steady& steady) {
+                   return phasor_series("steady", steady.speed_hz, steady.phasor_m.cols());
+                 }},
+      data.data);
+}
+
+/// Sentence on the residuals of a series; empty where they are noise.
+std::string doubt_of(const Series& series, std::span<const double> residuals) {
+  const ResidualTest test = test_residuals(residuals);
+  if (test.white) return {};
+  if (test.line_stands_out && series.kind == "ring_down") {
+    const double step_s = (series.at.back() - series.at.front()) / static_cast<double>(series.at.size() - 1);
+    return fmt::format("a vibration of {:.4g} Hz remains, {:.2g} % of what is left", test.line / step_s,
+                       100 * test.line_share);
+  }
+  return fmt::format("neighbours hang together, correlation {:.2f}", test.first_correlation);
+}
+
+std::string parameters_csv(const MachineFit& problem, const MachineFitResult& result) {
+  std::string text = "parameter,value,standard_error,low_95,high_95,start,at_bound\n";
+  for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const double value = result.fit.value(k), half = result.uncertainty.half_width(k);
+    text += fmt::format("{},{},{},{},{},{},{}\n", problem.parameters[i].name, csv_number(value),
+                        csv_number(result.uncertainty.standard_error(k)), csv_number(value - half),
+                        csv_number(value + half), csv_number(problem.parameters[i].start),
+                        result.fit.at_bound[i] ? 1 : 0);
+  }
+  return text;
+}
+
+std::string correlation_csv(const MachineFit& problem, const MachineFitResult& result) {
+  std::string text = "parameter";
+  for (const Parameter& parameter : problem.parameters) text += ',' + parameter.name;
+  text += '\n';
+  for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+    text += problem.parameters[i].name;
+    for (std::size_t j = 0; j < problem.parameters.size(); ++j)
+      text += ',' + csv_number(result.uncertainty.correlation(static_cast<Eigen::Index>(i),
+                                                              static_cast<Eigen::Index>(j)));
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+FitTables tables_of(const MachineFit& problem, const MachineFitResult& result) {
+  FitTables tables{parameters_csv(problem, result),
+                   correlation_csv(problem, result),
+                   "data,kind,sensor,part,at,measured_m,modelled_m\n",
+                   {}};
+  const LeastSquaresFit& fit = result.fit;
+  tables.summary = fmt::format(
+      "fit       {} numbers of data, {} parameters; {} after {} steps; {} of {} starts lead there\n",
+      fit.residuals.size(), problem.parameters.size(),
+      fit.stopped     ? "stopped"
+      : fit.converged ? "settled"
+                      : "not settled",
+      fit.iterations, fit.agreeing, fit.starts);
+  for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    tables.summary += fmt::format(
+        "          {} = {:.6g} +- {:.2g} (95 %: {:.6g} to {:.6g}){}\n", problem.parameters[i].name,
+        fit.value(k), result.uncertainty.standard_error(k), fit.value(k) - result.uncertainty.half_width(k),
+        fit.value(k) + result.uncertainty.half_width(k),
+        fit.at_bound[i] ? ", AT ITS BOUND: the interval does not hold" : "");
+  }
+  for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double correlation =
+          result.uncertainty.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      if (std::abs(correlation) > 0.95)
+        tables.summary += fmt::format("          {} and {} go together, correlation {:.3f}\n",
+                                      problem.parameters[j].name, problem.parameters[i].name, correlation);
+    }
+  }
+  for (const std::string& sentence : untold_combinations(result.uncertainty, problem.parameters))
+    tables.summary += fmt::format("warning   {}\n", sentence);
+  for (std::size_t d = 0; d < problem.data.size(); ++d) {
+    const ModelledData both = modelled(problem, d, fit.value);
+    const double left = std::sqrt((both.measured_m - both.modelled_m).squaredNorm() /
+                                  static_cast<double>(both.measured_m.size()));
+    tables.summary += fmt::format(
+        "left      {:.3g} um of {:.3g} um in {}\n", 1e6 * left,
+        1e6 * std::sqrt(both.measured_m.squaredNorm() / static_cast<double>(both.measured_m.size())),
+        problem.data[d].name);
+    for (const Series& series : series_of(problem.data[d])) {
+      std::vector<double> residuals;
+      for (std::size_t k = 0; k < series.at.size(); ++k) {
+        const Eigen::Index row = series.begin + static_cast<Eigen::Index>(k);
+        residuals.push_back(both.measured_m(row) - both.modelled_m(row));
+        tables.residuals_csv += fmt::format(
+            "{},{},{},{},{},{},{}\n", d, series.kind, series.sensor, series.part, csv_number(series.at[k]),
+            csv_number(both.measured_m(row)), csv_number(both.modelled_m(row)));
+      }
+      const std::string doubt = doubt_of(series, residuals);
+      if (!doubt.empty())
+        tables.summary += fmt::format("warning   something is missing in the {} of sensor {}: {}\n",
+                                      series.part, series.sensor, doubt);
+    }
+  }
+  return tables;
+}
+
+std::string comparison_text(const MachineFitResult& with, const MachineFitResult& less,
+                            const std::string& without) {
+  // Differences of 2, 6 and 10 by Kass and Raftery, J. Am. Stat. Assoc. 90 (1995).
+  const double difference = less.bic - with.bic;
+  const char* words = difference > 10   ? "the data need it"
+                      : difference > 6  ? "the data speak strongly for it"
+                      : difference > 2  ? "the data speak for it"
+                      : difference > -2 ? "the data do not tell"
+                                        : "the data speak against it";
+  return fmt::format("compared  without {}: {} (Schwarz' criterion {:+.1f})\n", without, words, difference);
+}
+
+}  // namespace rubsweep::fit

@@ -1,0 +1,206 @@
+#include "rubsweep/fit/machine_fit.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/fit/free_vibration.hpp"
+#include "rubsweep/identify/linear_run.hpp"
+#include "rubsweep/overloaded.hpp"
+
+namespace rubsweep::fit {
+namespace {
+
+using Complex = std::complex<double>;
+
+double named(const MachineFit& problem, const Eigen::VectorXd& values, const char* name, double otherwise) {
+  for (std::size_t i = 0; i < problem.parameters.size(); ++i)
+    if (problem.parameters[i].name == name) return values(static_cast<Eigen::Index>(i));
+  return otherwise;
+}
+
+/// Real and imaginary parts one below the other, sensor by sensor.
+Eigen::VectorXd stacked(const Eigen::MatrixXcd& phasors) {
+  const Eigen::Map<const Eigen::VectorXcd> all(phasors.data(), phasors.size());
+  Eigen::VectorXd parts(2 * all.size());
+  parts << all.real(), all.imag();
+  return parts;
+}
+
+struct Pair {
+  Eigen::VectorXd measured, modelled;
+};
+
+/// The scale of the kick and an offset of each sensor, by least squares.
+Pair with_scale(const Eigen::MatrixXd& measured, const Eigen::MatrixXd& shape) {
+  const Eigen::MatrixXd centred = measured.rowwise() - measured.colwise().mean();
+  const Eigen::MatrixXd moved = shape.rowwise() - shape.colwise().mean();
+  const double square = moved.squaredNorm();
+  const double scale = square > 0 ? (moved.array() * centred.array()).sum() / square : 0;
+  const Eigen::MatrixXd model = (scale * moved).rowwise() + measured.colwise().mean();
+  return {Eigen::Map<const Eigen::VectorXd>(measured.data(), measured.size()),
+          Eigen::Map<const Eigen::VectorXd>(model.data(), model.size())};
+}
+
+Pair with_run_out(const Eigen::MatrixXcd& measured, Eigen::MatrixXcd model, bool run_out) {
+  if (run_out) model.rowwise() += (measured - model).colwise().mean().eval();
+  return {stacked(measured), stacked(model)};
+}
+
+Pair pair_of(const MachineFit& problem, const MeasuredData& data, const scene::PreparedMachine& machine,
+             const Eigen::VectorXd& values) {
+  const identify::SensorRows sensors = identify::sensor_rows(machine);
+  const auto rows_for = [&](Eigen::Index count) {
+    if (count > sensors.rows.rows())
+      throw ConfigError(data.name + ": has " + std::to_string(count) +
+                        " sensors, allowed: as many as the configuration, " +
+                        std::to_string(sensors.rows.rows()) + ", or fewer");
+    return Eigen::MatrixXd(sensors.rows.topRows(count));
+  };
+  const double eccentricity_m = named(problem, values, eccentricity_name, problem.eccentricity_m);
+  const Complex turn =
+      std::polar(1.0, named(problem, values, mark_name, problem.mark_deg) * std::numbers::pi / 180);
+  return std::visit(
+      overloaded{[&](const RingDown& ring) {
+                   const double hit_s = named(problem, values, hit_name, problem.hit_s);
+                   std::vector<double> since_s = ring.t_s;
+                   for (double& t : since_s) t -= hit_s;
+                   return with_scale(ring.signal_m,
+                                     free_vibration(machine, rows_for(ring.signal_m.cols()), since_s));
+                 },
+                 [&](const RunUp& run) {
+                   Ramp ramp = run.ramp;
+                   std::vector<double> t_s = run.t_s;
+                   const double rate = named(problem, values, rate_name, ramp.rate_hz_per_s);
+                   if (rate != ramp.rate_hz_per_s) {
+                     // The speeds stay, the instants follow.
+                     for (double& t : t_s) t = t * ramp.rate_hz_per_s / rate;
+                     ramp.rate_hz_per_s = rate;
+                   }
+                   return with_run_out(run.phasor_m,
+                                       turn * ramp_phasors(machine, rows_for(run.phasor_m.cols()),
+                                                           eccentricity_m, ramp, t_s, run.window_turns),
+                                       data.run_out);
+                 },
+                 [&](const Steady& steady) {
+                   Eigen::MatrixXcd model(steady.phasor_m.rows(), steady.phasor_m.cols());
+                   const Eigen::MatrixXd rows = rows_for(steady.phasor_m.cols());
+                   for (Eigen::Index k = 0; k < model.rows(); ++k)
+                     model.row(k) = turn * steady_phasors(machine, rows, eccentricity_m,
+                                                          steady.speed_hz[static_cast<std::size_t>(k)]);
+                   return with_run_out(steady.phasor_m, model, data.run_out);
+                 }},
+      data.data);
+}
+
+int eliminated_of(const MeasuredData& data) {
+  return std::visit(
+      overloaded{
+          [](const RingDown& ring) { return 1 + static_cast<int>(ring.signal_m.cols()); },
+          [&](const RunUp& run) { return data.run_out ? 2 * static_cast<int>(run.phasor_m.cols()) : 0; },
+          [&](const Steady& steady) {
+            return data.run_out ? 2 * static_cast<int>(steady.phasor_m.cols()) : 0;
+          }},
+      data.data);
+}
+
+/// Residuals of all files, each over its noise.
+Eigen::VectorXd residuals_of(const MachineFit& problem, const std::vector<double>& noise_m,
+                             const Eigen::VectorXd& values) {
+  const scene::PreparedMachine machine = problem.machine(values);
+  std::vector<Eigen::VectorXd> parts;
+  Eigen::Index count = 0;
+  for (std::size_t i = 0; i < problem.data.size(); ++i) {
+    const Pair pair = pair_of(problem, problem.data[i], machine, values);
+    parts.push_back((pair.measured - pair.modelled) / noise_m[i]);
+    count += parts.back().size();
+  }
+  Eigen::VectorXd all(count);
+  Eigen::Index begin = 0;
+  for (const Eigen::VectorXd& part : parts) {
+    all.segment(begin, part.size()) = part;
+    begin += part.size();
+  }
+  return all;
+}
+
+/// A hundredth of the size of the data: what the first fit weighs them by.
+double rough_noise_m(const MachineFit& problem, const MeasuredData& data,
+                     const scene::PreparedMachine& machine, const Eigen::VectorXd& values) {
+  const Eigen::VectorXd measured = pair_of(problem, data, machine, values).measured;
+  const double mean = measured.mean();
+  return std::max(0.01 * std::sqrt((measured.array() - mean).square().mean() + mean * mean * 1e-6), 1e-300);
+}
+
+}  // namespace
+
+MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOptions& options) {
+  LeastSquares squares{problem.parameters, {}};
+  Eigen::VectorXd start(static_cast<Eigen::Index>(problem.parameters.size()));
+  for (Eigen::Index i = 0; i < start.size(); ++i)
+    start(i) = problem.parameters[static_cast<std::size_t>(i)].start;
+  std::vector<double> noise_m;
+  const scene::PreparedMachine first = problem.machine(start);
+  for (const MeasuredData& data : problem.data) noise_m.push_back(rough_noise_m(problem, data, first, start));
+  MachineFitResult result;
+  const auto fit = [&](const LeastSquaresOptions& how) {
+    squares.residuals = [&problem, noise_m](const Eigen::VectorXd& values) {
+      return residuals_of(problem, noise_m, values);
+    };
+    result.fit = least_squares(squares, how);
+    result.data.clear();
+    int begin = 0;
+    for (std::size_t i = 0; i < problem.data.size(); ++i) {
+      const auto count = static_cast<int>(
+          pair_of(problem, problem.data[i], problem.machine(result.fit.value), result.fit.value)
+              .measured.size());
+      result.data.push_back({problem.data[i].name, begin, count, eliminated_of(problem.data[i]), noise_m[i]});
+      begin += count;
+    }
+  };
+  fit(options);
+  const int starts = result.fit.starts, agreeing = result.fit.agreeing;
+  LeastSquaresOptions again = options;
+  again.starts = 1;
+  // The first fit may have followed the noisy data and left much of the others: a few rounds find the noise
+  // of each.
+  constexpr int most_rounds = 4;
+  constexpr double settled = 0.05;
+  double change = problem.data.size() > 1 ? INFINITY : 0;
+  for (int round = 0; round < most_rounds && change > settled && !result.fit.stopped; ++round) {
+    change = 0;
+    for (std::size_t i = 0; i < noise_m.size(); ++i) {
+      const DataResidual& data = result.data[i];
+      const auto part = result.fit.residuals.segment(data.begin, data.count);
+      const double factor =
+          std::max(std::sqrt(part.squaredNorm() / std::max(data.count - data.eliminated, 1)), 1e-9);
+      noise_m[i] *= factor;
+      change = std::max(change, std::abs(std::log(factor)));
+    }
+    for (Eigen::Index i = 0; i < start.size(); ++i)
+      squares.parameters[static_cast<std::size_t>(i)].start = result.fit.value(i);
+    fit(again);
+  }
+  result.fit.starts = starts;
+  result.fit.agreeing = agreeing;
+  int eliminated = 0;
+  for (const DataResidual& data : result.data) eliminated += data.eliminated;
+  result.uncertainty = uncertainty_of(result.fit, eliminated);
+  result.bic = static_cast<double>(problem.parameters.size()) *
+               std::log(static_cast<double>(result.fit.residuals.size()));
+  for (const DataResidual& data : result.data) {
+    const double square = result.fit.residuals.segment(data.begin, data.count).squaredNorm() / data.count;
+    result.bic += data.count * std::log(square * data.noise_m * data.noise_m);
+  }
+  return result;
+}
+
+ModelledData modelled(const MachineFit& problem, std::size_t data, const Eigen::VectorXd& values) {
+  const Pair pair = pair_of(problem, problem.data[data], problem.machine(values), values);
+  return {pair.measured, pair.modelled};
+}
+
+}  // namespace rubsweep::fit

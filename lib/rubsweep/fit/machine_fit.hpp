@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/fit/least_squares.hpp"
+#include "rubsweep/fit/measured_data.hpp"
+#include "rubsweep/fit/uncertainty.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
+
+namespace rubsweep::fit {
+
+/// Numbers beside the keys of a configuration that may be looked for.
+inline constexpr const char* eccentricity_name = "eccentricity_m";  ///< of the run-ups and steady 1X
+inline constexpr const char* mark_name =
+    "mark_deg";  ///< angle of the configuration's mark when the measured one passes
+inline constexpr const char* hit_name = "hit_s";  ///< instant of the ring-downs at which the kick began
+inline constexpr const char* rate_name = "rate_hz_per_s";  ///< of run-ups, in place of the measured one
+
+struct MachineFit {
+  std::vector<Parameter> parameters;  ///< keys of the configuration, or names from above
+  std::vector<MeasuredData> data;
+  double eccentricity_m = 0, mark_deg = 0, hit_s = 0;  ///< where they are no parameters
+  /// Machine with these values of the parameters that are keys (in their order), else the names from above
+  /// are skipped. Throws ConfigError for values that are not allowed.
+  std::function<scene::PreparedMachine(const Eigen::VectorXd&)> machine;
+};
+
+/// Residuals of one file of data.
+struct DataResidual {
+  std::string name;
+  int begin = 0, count = 0;  ///< place among all residuals
+  int eliminated = 0;        ///< offsets and scales that were fitted with every step
+  double noise_m = 0;        ///< root mean square of its residuals, by which they were divided
+};
+
+struct MachineFitResult {
+  LeastSquaresFit fit;
+  Uncertainty uncertainty;
+  std::vector<DataResidual> data;
+  double bic = 0;  ///< Schwarz' criterion, up to a constant of the data
+};
+
+/// Fits the parameters to all data together. Data of different files count by their own noise, which is
+/// estimated from a first fit. Offsets of ring-downs, their common scale (nobody knows how hard it was
+/// struck), and run-out where asked for, are eliminated at every step.
+MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOptions& options);
+
+/// Model beside the data: real parts, and imaginary ones of 1X, in metres, in the order of the residuals.
+struct ModelledData {
+  Eigen::VectorXd measured_m, modelled_m;
+};
+ModelledData modelled(const MachineFit& problem, std::size_t data, const Eigen::VectorXd& values);
+
+}  // namespace rubsweep::fit

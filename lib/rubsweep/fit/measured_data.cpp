@@ -1,0 +1,170 @@
+#include "rubsweep/fit/measured_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::fit {
+namespace {
+
+using Complex = std::complex<double>;
+using batch::CsvReader;
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// Numbers of a row; an empty cell is refused.
+double number(const CsvReader& table, std::size_t column) {
+  const double value = table.number(column);
+  if (std::isfinite(value)) return value;
+  throw ConfigError(fmt::format("{}:{}: {}: is no number, allowed: a finite number", table.path().string(),
+                                table.place().line, table.header()[column]));
+}
+
+bool has(const CsvReader& table, const std::string& name) {
+  return std::ranges::find(table.header(), name) != table.header().end();
+}
+
+Eigen::MatrixXcd matrix_of(const std::vector<std::vector<Complex>>& rows) {
+  Eigen::MatrixXcd matrix(static_cast<Eigen::Index>(rows.size()),
+                          static_cast<Eigen::Index>(rows.front().size()));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < rows[i].size(); ++j)
+      matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = rows[i][j];
+  return matrix;
+}
+
+void require_rows(const std::filesystem::path& file, std::size_t rows, std::size_t fewest) {
+  if (rows < fewest)
+    throw ConfigError(
+        fmt::format("{}: has {} rows of such data, allowed: {} or more", file.string(), rows, fewest));
+}
+
+/// Least squares line through speeds over time.
+Ramp even_ramp(const std::filesystem::path& file, const std::vector<double>& t_s,
+               const std::vector<double>& speed_hz) {
+  constexpr double even = 0.02;
+  const auto count = static_cast<double>(t_s.size());
+  double t = 0, f = 0, tt = 0, tf = 0, largest = 0;
+  for (std::size_t k = 0; k < t_s.size(); ++k) {
+    t += t_s[k] / count;
+    f += speed_hz[k] / count;
+  }
+  for (std::size_t k = 0; k < t_s.size(); ++k) {
+    tt += (t_s[k] - t) * (t_s[k] - t);
+    tf += (t_s[k] - t) * (speed_hz[k] - f);
+  }
+  const double rate = tf / tt;
+  for (std::size_t k = 0; k < t_s.size(); ++k)
+    largest = std::max(largest, std::abs(speed_hz[k] - f - rate * (t_s[k] - t)));
+  const double change = std::abs(rate * (t_s.back() - t_s.front()));
+  if (!(largest <= even * change))
+    throw ConfigError(
+        fmt::format("{}: the speed is {:.3g} Hz off an even change of {:.3g} Hz, allowed: 2 % of it",
+                    file.string(), largest, change));
+  return {f - rate * t, rate};
+}
+
+}  // namespace
+
+RingDown read_ring_down(const std::filesystem::path& file, double from_s) {
+  CsvReader table(file);
+  const std::size_t time = table.column("t_s");
+  std::vector<std::size_t> sensors;
+  for (int i = 0; i == 0 || has(table, fmt::format("sensor_{}_m", i)); ++i)
+    sensors.push_back(table.column(fmt::format("sensor_{}_m", i)));
+  RingDown data;
+  std::vector<double> values;
+  while (table.next()) {
+    const double t = number(table, time);
+    if (t < from_s) continue;
+    if (!data.t_s.empty() && !(t > data.t_s.back()))
+      throw ConfigError(fmt::format("{}:{}: t_s: does not rise, allowed: more than {}", file.string(),
+                                    table.place().line, data.t_s.back()));
+    data.t_s.push_back(t);
+    for (const std::size_t sensor : sensors) values.push_back(number(table, sensor));
+  }
+  require_rows(file, data.t_s.size(), 8);
+  const auto columns = static_cast<Eigen::Index>(sensors.size());
+  data.signal_m = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+      values.data(), static_cast<Eigen::Index>(data.t_s.size()), columns);
+  return data;
+}
+
+RunUp read_run_up(const std::filesystem::path& file) {
+  CsvReader table(file);
+  const std::size_t time = table.column("t_s"), speed = table.column("speed_hz"),
+                    order = table.column("order");
+  std::vector<std::size_t> amplitudes{table.column("x_amplitude_m")}, phases{table.column("x_phase_deg")};
+  if (has(table, "y_amplitude_m")) {
+    amplitudes.push_back(table.column("y_amplitude_m"));
+    phases.push_back(table.column("y_phase_deg"));
+  }
+  RunUp data{.ramp = {}, .t_s = {}, .phasor_m = {}, .window_turns = 2};
+  std::vector<double> speeds;
+  std::vector<std::vector<Complex>> rows;
+  for (bool taken = true; table.next();) {
+    if (number(table, order) != 1) continue;
+    if (taken) {
+      data.t_s.push_back(number(table, time));
+      speeds.push_back(number(table, speed));
+      rows.emplace_back();
+      for (std::size_t i = 0; i < amplitudes.size(); ++i)
+        rows.back().push_back(std::polar(number(table, amplitudes[i]), number(table, phases[i]) * degree));
+    }
+    taken = !taken;
+  }
+  require_rows(file, rows.size(), 16);
+  data.ramp = even_ramp(file, data.t_s, speeds);
+  data.phasor_m = matrix_of(rows);
+  return data;
+}
+
+Steady read_steady(const std::filesystem::path& file, const std::vector<double>& angle_deg) {
+  CsvReader table(file);
+  const std::size_t speed = table.column("speed_hz");
+  std::vector<std::size_t> amplitudes, phases;
+  for (std::size_t i = 0;
+       i == 0 || (i < angle_deg.size() && has(table, fmt::format("sensor_{}_amplitude_m", i))); ++i) {
+    amplitudes.push_back(table.column(fmt::format("sensor_{}_amplitude_m", i)));
+    phases.push_back(table.column(fmt::format("sensor_{}_phase_deg", i)));
+  }
+  Steady data;
+  std::vector<std::vector<Complex>> rows;
+  while (table.next()) {
+    data.speed_hz.push_back(number(table, speed));
+    if (!(data.speed_hz.back() > 0))
+      throw ConfigError(fmt::format("{}:{}: speed_hz: is {}, allowed: above 0", file.string(),
+                                    table.place().line, data.speed_hz.back()));
+    rows.emplace_back();
+    for (std::size_t i = 0; i < amplitudes.size(); ++i)
+      rows.back().push_back(
+          std::polar(number(table, amplitudes[i]), (number(table, phases[i]) - angle_deg[i]) * degree));
+  }
+  require_rows(file, rows.size(), 1);
+  data.phasor_m = matrix_of(rows);
+  return data;
+}
+
+RunUp as_run_up(const Steady& steady, double rate_hz_per_s, double window_turns) {
+  const bool rising = rate_hz_per_s > 0;
+  if (rate_hz_per_s == 0 ||
+      !std::ranges::is_sorted(steady.speed_hz, [&](double a, double b) { return rising ? a < b : a > b; }))
+    throw ConfigError(
+        "the speeds of a run-up do not all change in the direction of its rate, allowed: rising speeds with "
+        "a rate above 0, falling ones with one below");
+  RunUp data{.ramp = {steady.speed_hz.front(), rate_hz_per_s},
+             .t_s = {},
+             .phasor_m = steady.phasor_m,
+             .window_turns = window_turns};
+  for (const double speed : steady.speed_hz)
+    data.t_s.push_back((speed - steady.speed_hz.front()) / rate_hz_per_s);
+  return data;
+}
+
+}  // namespace rubsweep::fit

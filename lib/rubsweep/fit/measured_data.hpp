@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "rubsweep/fit/ramp_phasor.hpp"
+
+namespace rubsweep::fit {
+
+/// Readings after an impulse at standstill: samples x sensors, in metres.
+struct RingDown {
+  std::vector<double> t_s;
+  Eigen::MatrixXd signal_m;
+};
+
+/// 1X during a run-up or coast-down with an even change of speed: A of Re(A e^{i phi}), phi = 0 at the mark;
+/// points x sensors.
+struct RunUp {
+  Ramp ramp;
+  std::vector<double> t_s;
+  Eigen::MatrixXcd phasor_m;
+  double window_turns = 0;  ///< that each point is the mean of
+};
+
+/// 1X at steady speeds: speeds x sensors.
+struct Steady {
+  std::vector<double> speed_hz;
+  Eigen::MatrixXcd phasor_m;
+};
+
+/// One file of data; sensors in the order of the configuration's sensors (of a Jeffcott rotor x and y).
+struct MeasuredData {
+  std::string name;  ///< of the file
+  std::variant<RingDown, RunUp, Steady> data;
+  bool run_out = false;  ///< a constant of every sensor is eliminated from 1X
+};
+
+/// Table with t_s and sensor_0_m, sensor_1_m, ...: as rubtrace writes sensors.csv. Times before `from_s` are
+/// left out. Throws IoError with file:line for what is no such table, as the others do, ConfigError for fewer
+/// than 8 rows.
+RingDown read_ring_down(const std::filesystem::path& file, double from_s);
+
+/// bode.csv of rubscope: t_s, speed_hz, order, x_amplitude_m, x_phase_deg and perhaps y; of order 1 every
+/// second row is taken, since each is the mean of two turns. Throws ConfigError where the speed does not
+/// change evenly to 2 % of the change.
+RunUp read_run_up(const std::filesystem::path& file);
+
+/// bode.csv of rubtrace, or any table of speed_hz, sensor_0_amplitude_m, sensor_0_phase_deg, ...; a phase
+/// counts from the instant at which the mark passes its sensor, which looks in direction `angle_deg`.
+Steady read_steady(const std::filesystem::path& file, const std::vector<double>& angle_deg);
+
+/// The same speeds as a run-up of this rate, each a mean of `window_turns`.
+RunUp as_run_up(const Steady& steady, double rate_hz_per_s, double window_turns);
+
+}  // namespace rubsweep::fit

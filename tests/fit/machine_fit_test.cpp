@@ -1,0 +1,125 @@
+#include "rubsweep/fit/machine_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "rubsweep/fit/fit_tables.hpp"
+#include "rubsweep/fit/free_vibration.hpp"
+#include "rubsweep/identify/linear_run.hpp"
+#include "scene/one_side_machine.hpp"
+
+namespace rubsweep::fit {
+namespace {
+
+/// A Jeffcott rotor of this frequency and damping ratio, the first two parameters.
+scene::PreparedMachine rotor(const Eigen::VectorXd& values) {
+  model::Machine machine = scene::one_side_machine();
+  auto& jeffcott = std::get<model::JeffcottRotor>(machine.rotor);
+  jeffcott.natural_frequency_hz = values(0);
+  jeffcott.damping_ratio = values(1);
+  return scene::prepare_machine(machine);
+}
+
+const Eigen::VectorXd truth = Eigen::Vector2d(31, 0.015);
+
+/// Parameters begin off the truth, by as much as a data sheet is.
+const std::vector<Parameter> rotor_parameters{{"frequency", 30, 25, 36, 30},
+                                              {"ratio", 0.02, 1e-3, 0.2, 0.02}};
+
+double noise(double size_m) {
+  static std::mt19937_64 random(11);
+  return std::normal_distribution<double>(0, size_m)(random);
+}
+
+MeasuredData ring_down(double noise_m) {
+  RingDown data;
+  for (int k = 0; k < 1500; ++k) data.t_s.push_back(0.006 + 1e-3 * k);
+  const scene::PreparedMachine machine = rotor(truth);
+  std::vector<double> since_s = data.t_s;
+  for (double& t : since_s) t -= 0.001;
+  data.signal_m = 0.7 * free_vibration(machine, identify::sensor_rows(machine).rows, since_s);
+  for (double& value : data.signal_m.reshaped()) value += 1e-4 + noise(noise_m);
+  return {"ring", data, false};
+}
+
+MeasuredData run_up(double noise_m) {
+  RunUp data{.ramp = {20, 4}, .t_s = {}, .phasor_m = {}, .window_turns = 2};
+  for (int k = 0; k < 90; ++k) data.t_s.push_back(0.06 * k);
+  const scene::PreparedMachine machine = rotor(truth);
+  data.phasor_m = std::polar(1.0, 0.5) *
+                  ramp_phasors(machine, identify::sensor_rows(machine).rows, 2e-5, data.ramp, data.t_s, 2);
+  for (auto& value : data.phasor_m.reshaped()) value += std::complex<double>(noise(noise_m), noise(noise_m));
+  return {"run", data, false};
+}
+
+void expect_told(const MachineFitResult& result, Eigen::Index parameter, double value) {
+  EXPECT_LT(std::abs(result.fit.value(parameter) - value), 4 * result.uncertainty.standard_error(parameter))
+      << parameter;
+}
+
+TEST(MachineFit, RingDownTellsFrequencyAndDamping) {
+  MachineFit problem{.parameters = rotor_parameters, .data = {ring_down(2e-5)}, .machine = rotor};
+  problem.parameters.push_back({hit_name, 0, -0.005, 0.005, 1e-3});
+  const MachineFitResult result = fit_machine(problem, {});
+  expect_told(result, 0, 31);
+  expect_told(result, 1, 0.015);
+  expect_told(result, 2, 0.001);
+  EXPECT_LT(result.uncertainty.standard_error(0), 0.02);
+  const FitTables tables = tables_of(problem, result);
+  EXPECT_EQ(tables.summary.find("something is missing"), std::string::npos) << tables.summary;
+  EXPECT_TRUE(tables.parameters_csv.starts_with(
+      "parameter,value,standard_error,low_95,high_95,start,at_bound\nfrequency,"));
+  EXPECT_EQ(std::ranges::count(tables.residuals_csv, '\n'), 1 + 2 * 1500);
+}
+
+TEST(MachineFit, WhatIsMissingIsNamed) {
+  MeasuredData data = ring_down(2e-6);
+  auto& ring = std::get<RingDown>(data.data);
+  for (Eigen::Index k = 0; k < ring.signal_m.rows(); ++k)
+    ring.signal_m(k, 1) += 8e-6 * std::sin(2 * 3.14159265358979 * 50 * ring.t_s[static_cast<std::size_t>(k)]);
+  MachineFit problem{.parameters = rotor_parameters, .data = {data}, .hit_s = 0.001, .machine = rotor};
+  const std::string summary = tables_of(problem, fit_machine(problem, {})).summary;
+  EXPECT_NE(summary.find("of sensor 1: a vibration of 50"), std::string::npos) << summary;
+}
+
+TEST(MachineFit, RunUpTellsUnbalanceAndMarkToo) {
+  MachineFit problem{.parameters = rotor_parameters, .data = {run_up(5e-6)}, .machine = rotor};
+  problem.parameters.push_back({eccentricity_name, 1e-5, 1e-6, 1e-4, 1e-5});
+  problem.parameters.push_back({mark_name, 0, -180, 180, 30});
+  const MachineFitResult result = fit_machine(problem, {});
+  expect_told(result, 0, 31);
+  expect_told(result, 1, 0.015);
+  expect_told(result, 2, 2e-5);
+  expect_told(result, 3, 0.5 * 180 / 3.14159265358979);
+  EXPECT_TRUE(untold_combinations(result.uncertainty, problem.parameters).empty());
+}
+
+TEST(MachineFit, DataOfTwoKindsCountByTheirNoise) {
+  MachineFit problem{.parameters = rotor_parameters,
+                     .data = {ring_down(2e-4), run_up(5e-7)},
+                     .eccentricity_m = 2e-5,
+                     .mark_deg = 0.5 * 180 / 3.14159265358979,
+                     .hit_s = 0.001,
+                     .machine = rotor};
+  const MachineFitResult both = fit_machine(problem, {});
+  expect_told(both, 0, 31);
+  expect_told(both, 1, 0.015);
+  problem.data.erase(problem.data.begin());
+  const MachineFitResult good = fit_machine(problem, {});
+  EXPECT_NEAR(both.uncertainty.standard_error(0) / good.uncertainty.standard_error(0), 1, 0.3);
+}
+
+TEST(MachineFit, AParameterTooFewIsFoundOut) {
+  MachineFit problem{
+      .parameters = rotor_parameters, .data = {run_up(2e-7)}, .eccentricity_m = 2e-5, .machine = rotor};
+  problem.parameters.push_back({mark_name, 0, -180, 180, 30});
+  const MachineFitResult with = fit_machine(problem, {});
+  problem.parameters.pop_back();
+  EXPECT_NE(comparison_text(with, fit_machine(problem, {}), "mark_deg").find("the data need it"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace rubsweep::fit

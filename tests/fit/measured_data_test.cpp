@@ -1,0 +1,72 @@
+#include "rubsweep/fit/measured_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::fit {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MeasuredDataTest : public testing::Test {
+ protected:
+  void TearDown() override { fs::remove(file_); }
+  const fs::path& write(const std::string& text) {
+    std::ofstream(file_) << text;
+    return file_;
+  }
+  std::string fault(const std::string& text, double from_s = 0) {
+    try {
+      read_ring_down(write(text), from_s);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "none";
+  }
+  const fs::path file_ = fs::temp_directory_path() / "measured_data_test.csv";
+};
+
+TEST_F(MeasuredDataTest, RingDown) {
+  std::string text = "t_s,sensor_0_m,sensor_1_m\n";
+  for (int k = 0; k < 12; ++k) text += std::to_string(k) + "," + std::to_string(10 * k) + ",1\n";
+  const RingDown data = read_ring_down(write(text), 2);
+  EXPECT_EQ(data.t_s.size(), 10u);
+  EXPECT_EQ(data.signal_m(1, 0), 30);
+  EXPECT_EQ(data.signal_m(1, 1), 1);
+  EXPECT_NE(fault(text, 9).find("has 3 rows"), std::string::npos);
+  EXPECT_NE(fault(text + "11,3,4\n").find(":14: t_s: does not rise"), std::string::npos);
+  EXPECT_NE(fault(text + "12,,4\n").find(":14: sensor_0_m: is no number"), std::string::npos);
+  EXPECT_NE(fault("time,x\n").find("t_s"), std::string::npos);
+}
+
+TEST_F(MeasuredDataTest, RunUpTakesEverySecondRowOfOrderOne) {
+  std::string text = "t_s,speed_hz,order,x_amplitude_m,x_phase_deg\n";
+  for (int k = 0; k < 40; ++k)
+    text += std::to_string(0.1 * k) + "," + std::to_string(20 + 0.4 * k) + ",1,2e-5,-90\n";
+  const std::string other = text + "0,20,2,1,0\n";
+  const RunUp data = read_run_up(write(other));
+  EXPECT_EQ(data.t_s.size(), 20u);
+  EXPECT_NEAR(data.ramp.from_hz, 20, 1e-4);
+  EXPECT_NEAR(data.ramp.rate_hz_per_s, 4, 1e-4);
+  EXPECT_NEAR(std::abs(data.phasor_m(3, 0) - std::complex<double>(0, -2e-5)), 0, 1e-15);
+  EXPECT_THROW(read_run_up(write(text + "4.1,80,1,1,0\n5,90,1,1,0\n5.1,99,1,1,1\n")), ConfigError);
+}
+
+TEST_F(MeasuredDataTest, SteadyPhasesCountFromTheSensor) {
+  const Steady data =
+      read_steady(write("speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,"
+                        "sensor_1_phase_deg\n20,1e-5,0,2e-5,-30\n21,1e-5,0,2e-5,-30\n"),
+                  {0, 90});
+  EXPECT_NEAR(std::arg(data.phasor_m(0, 1)), -120 * 3.14159265358979 / 180, 1e-12);
+  const RunUp run = as_run_up(data, 4, 1);
+  EXPECT_EQ(run.t_s, (std::vector<double>{0, 0.25}));
+  EXPECT_THROW(as_run_up(data, -4, 1), ConfigError);
+}
+
+}  // namespace
+}  // namespace rubsweep::fit

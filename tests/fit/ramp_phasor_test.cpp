@@ -1,0 +1,89 @@
+#include "rubsweep/fit/ramp_phasor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <numbers>
+
+#include "rubsweep/error.hpp"
+#include "rubsweep/identify/linear_run.hpp"
+#include "scene/kit_machine.hpp"
+
+namespace rubsweep::fit {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// A bowed kit whose discs have gyroscopic moments, off the middle.
+model::Machine bowed_kit() {
+  model::Machine machine = scene::light_shaft_machine();
+  auto& kit = std::get<model::RotorKit>(machine.rotor);
+  kit.discs.front().position_m = 0.12;
+  kit.discs.front().polar_inertia_kg_m2 = 2e-3;
+  kit.discs.front().diametral_inertia_kg_m2 = 1.2e-3;
+  kit.supports.front().stiffness_y_n_per_m = 3.6e4;
+  kit.modes = 1;
+  kit.bow = model::Bow{.shape = model::BowMode{.mode = 1, .amplitude_m = 2e-5}, .phase_deg = 70};
+  return machine;
+}
+
+/// 1X of two runs by a Runge-Kutta method, one a quarter turn behind.
+Eigen::MatrixXcd by_steps(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
+                          identify::LinearRun run) {
+  run.driven = identify::Driven::in_phase;
+  const Eigen::MatrixXd real = identify::run_linear(prepared, run, rows);
+  run.driven = identify::Driven::quarter_behind;
+  const Eigen::MatrixXd behind = identify::run_linear(prepared, run, rows);
+  Eigen::MatrixXcd phasor(real.rows(), real.cols());
+  for (Eigen::Index k = 0; k < real.rows(); ++k)
+    for (Eigen::Index i = 0; i < real.cols(); ++i)
+      phasor(k, i) = Complex(real(k, i), behind(k, i)) *
+                     std::polar(1.0, -identify::shaft_angle_rad(run, static_cast<double>(k) * run.sample_s));
+  return phasor;
+}
+
+TEST(RampPhasor, IsThatOfStepsUpAndDown) {
+  for (const model::Machine& machine : {scene::one_side_machine(), bowed_kit()}) {
+    const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+    const Eigen::MatrixXd rows = identify::sensor_rows(prepared).rows;
+    for (const double rate : {4.0, -4.0}) {
+      const identify::LinearRun run{.from_hz = rate > 0 ? 15.0 : 45.0,
+                                    .rate_hz_per_s = rate,
+                                    .eccentricity_m = 1e-5,
+                                    .sample_s = 5e-3,
+                                    .samples = 1500};
+      std::vector<double> t_s;
+      for (int k = 0; k < run.samples; ++k) t_s.push_back(k * run.sample_s);
+      const Eigen::MatrixXcd steps = by_steps(prepared, rows, run);
+      const Eigen::MatrixXcd found = ramp_phasors(prepared, rows, 1e-5, {run.from_hz, rate}, t_s, 0);
+      // The steps begin on the motion of a steady speed.
+      EXPECT_LT((found - steps).bottomRows(1300).cwiseAbs().maxCoeff(), 2e-3 * steps.cwiseAbs().maxCoeff())
+          << rate;
+    }
+  }
+}
+
+TEST(RampPhasor, AWindowIsTheMeanOverIt) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(scene::one_side_machine());
+  const Eigen::MatrixXd rows = identify::sensor_rows(prepared).rows;
+  const Ramp ramp{20, 4};
+  std::vector<double> fine;
+  for (int k = 0; k <= 400; ++k) fine.push_back(2.6 + (k - 200) / 400.0 * 2 / (20 + 4 * 2.6));
+  const Eigen::MatrixXcd inside = ramp_phasors(prepared, rows, 1e-5, ramp, fine, 0);
+  const Eigen::MatrixXcd mean = ramp_phasors(prepared, rows, 1e-5, ramp, {2.6}, 2);
+  EXPECT_LT((mean.row(0) - inside.colwise().mean()).cwiseAbs().maxCoeff(),
+            2e-3 * inside.cwiseAbs().maxCoeff());
+  EXPECT_GT((mean.row(0) - inside.row(200)).cwiseAbs().maxCoeff(), 1e-3 * inside.cwiseAbs().maxCoeff());
+}
+
+TEST(RampPhasor, ASlowRampIsASteadySpeed) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(bowed_kit());
+  const Eigen::MatrixXd rows = identify::sensor_rows(prepared).rows;
+  const auto steady = steady_phasors(prepared, rows, 1e-5, 25);
+  const auto slow = ramp_phasors(prepared, rows, 1e-5, {25, 1e-4}, {0}, 0);
+  EXPECT_LT((slow.row(0) - steady).norm(), 1e-4 * steady.norm());
+  EXPECT_THROW(ramp_phasors(prepared, rows, 1e-5, {5, -1}, {0, 6}, 0), ConfigError);
+}
+
+}  // namespace
+}  // namespace rubsweep::fit
