@@ -6,8 +6,8 @@ from typing import Dict, Tuple
 
 @dataclass(frozen=True)
 class Word:
-    """An option. `kind` says what stands behind it: nothing (""), "folder", "file", "key" (of a configuration), "word"
-    (one of `words`) or "text"."""
+    """An option. `kind` says what stands behind it: nothing (""), "folder", "file", "word" (one of `words`) or
+    "text"."""
 
     name: str
     kind: str

@@ -6,22 +6,20 @@ told by its name, and has the options of each picture behind it.
 
 import os
 import re
-import subprocess
 import sys
 
 import completion_bash
 import completion_fish
 import completion_zsh
 import help_text
-import man_page
 from completed import Completed, Word
 
 # Values that are no files: words to choose from, by the option that takes them.
 _WORDS = {"progress": ("auto", "always", "never"), "formats": ("png", "svg", "pdf")}
 _FOLDERS = ("DIR",)
-_FILES = ("FILE", "FILE.csv")
+_FILES = ("FILE", "FILE.csv", "FILE.yaml", "CONFIG.yaml")
 # Programs that read no configuration of their own: what stands on their command line.
-_SOURCES = {"rubreport": "folder", "rubsweep-compare": "table", "rubplot": "file"}
+_SOURCES = {"rubreport": "folder", "rubsweep-compare": "table", "rubplot": "file", "rubscope": "file"}
 
 
 def completed(name, read):
@@ -66,9 +64,7 @@ def _plot_options(text):
 def _read(name, program):
     if name != "rubplot":
         return completed(name, help_text.help_of(program))
-    ask = lambda *words: subprocess.run([program, *words], check=True, capture_output=True, text=True).stdout
-    overview = ask("--help")
-    return completed_pictures(name, overview, {one: ask(one, "--help") for one in man_page.pictures_of(overview)})
+    return completed_pictures(name, *help_text.help_of_pictures(program))
 
 
 def main(arguments):

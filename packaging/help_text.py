@@ -34,6 +34,19 @@ def help_of(program):
     return parse(subprocess.run([program, "--help"], check=True, capture_output=True, text=True).stdout)
 
 
+def pictures_of(overview):
+    """Names of the pictures in the help of rubplot."""
+    listed = overview.split("pictures:\n")[1].split("\n\n")[0]
+    return [line.split()[0] for line in listed.split("\n")]
+
+
+def help_of_pictures(program):
+    """The overview of rubplot, the program in this file, and the help of each of its pictures by name."""
+    ask = lambda *words: subprocess.run([program, *words], check=True, capture_output=True, text=True).stdout
+    overview = ask("--help")
+    return overview, {one: ask(one, "--help") for one in pictures_of(overview)}
+
+
 def parse(text):
     """Parts of a help. Raises ValueError where one that every program has is missing."""
     read = Help()

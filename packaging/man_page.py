@@ -5,7 +5,6 @@ rubplot, whose pictures have a help each, is told by its name.
 """
 
 import re
-import subprocess
 import sys
 
 import help_text
@@ -37,12 +36,6 @@ def page_of_pictures(name, version, overview, pictures, others):
     for picture, text in pictures.items():
         parts += [f".SS {_escaped(picture)}", *_as_written(text.rstrip("\n").split("\n"))]
     return "\n".join([*parts, *_see_also(name, others)])
-
-
-def pictures_of(overview):
-    """Names of the pictures in the help of rubplot."""
-    listed = overview.split("pictures:\n")[1].split("\n\n")[0]
-    return [line.split()[0] for line in listed.split("\n")]
 
 
 def _head(name, version, purpose):
@@ -110,9 +103,7 @@ def main(arguments):
     name, version, program, others, output = arguments
     others = others.split(",")
     if name == "rubplot":
-        asked = lambda *words: subprocess.run([program, *words], check=True, capture_output=True, text=True).stdout
-        overview = asked("--help")
-        text = page_of_pictures(name, version, overview, {one: asked(one, "--help") for one in pictures_of(overview)}, others)
+        text = page_of_pictures(name, version, *help_text.help_of_pictures(program), others)
     else:
         text = page(name, version, help_text.help_of(program), others)
     with open(output, "w", encoding="utf-8") as file:

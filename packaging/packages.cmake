@@ -39,7 +39,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # Packages that rubsweepConfig.cmake looks for, as scripts/bootstrap.sh installs it.
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libboost1.81-dev, libboost-program-options1.81-dev, libeigen3-dev, libfftw3-dev, libtbb-dev, "
-  "libyaml-cpp-dev, libfmt-dev, zlib1g-dev, pkg-config")
+  "libyaml-cpp-dev, libfmt-dev, zlib1g-dev, libtomlplusplus-dev, nlohmann-json3-dev, libceres-dev, "
+  "libmatio-dev, libsndfile1-dev, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS rubsweep)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "library of rubsweep: headers, archives, CMake package
 Headers and static libraries of the simulator of rotors that rub, and a CMake

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "rubsweep/config/number_at.hpp"
 #include "rubsweep/config/print_config.hpp"
@@ -132,10 +132,17 @@ std::vector<fit::MeasuredData> data_of(const RubfitArguments& arguments,
   return data;
 }
 
+/// The machine of a printed configuration with values of these parameters.
+auto machine_of(std::string text, std::vector<fit::Parameter> parameters) {
+  return [text = std::move(text), parameters = std::move(parameters)](const Eigen::VectorXd& values) {
+    return scene::prepare_machine(changed(text, parameters, values).study.machine);
+  };
+}
+
 }  // namespace
 
 fit::MachineFit machine_fit_of(const RubfitArguments& arguments, const config::RunConfig& config) {
-  const auto text = std::make_shared<const std::string>(config::print_config(config));
+  const std::string text = config::print_config(config);
   fit::MachineFit problem{
       .parameters = {},
       .data =
@@ -145,32 +152,26 @@ fit::MachineFit machine_fit_of(const RubfitArguments& arguments, const config::R
       .hit_s = arguments.hit_s,
       .machine = {}};
   for (const FittedKey& key : arguments.keys)
-    problem.parameters.push_back(parameter_of(arguments, key, config, *text));
+    problem.parameters.push_back(parameter_of(arguments, key, config, text));
   const bool rotating =
       arguments.run_ups.size() + arguments.steady.size() + arguments.ramped_speeds.size() > 0;
   if (rotating && arguments.eccentricity_m == 0 &&
       std::ranges::find(arguments.keys, fit::eccentricity_name, &FittedKey::name) == arguments.keys.end())
     throw UsageError("--eccentricity-m: is needed with 1X, or --fit eccentricity_m=LOW:HIGH");
-  problem.machine = [text, parameters = problem.parameters](const Eigen::VectorXd& values) {
-    return scene::prepare_machine(changed(*text, parameters, values).study.machine);
-  };
+  if (rotating && arguments.eccentricity_m == 0 &&
+      std::ranges::find(arguments.without, fit::eccentricity_name) != arguments.without.end())
+    throw UsageError("--compare-without eccentricity_m: needs --eccentricity-m, what it is without a fit");
+  problem.machine = machine_of(text, problem.parameters);
   return problem;
 }
 
-fit::MachineFit without(const fit::MachineFit& problem, const std::vector<std::string>& names) {
+fit::MachineFit without(const fit::MachineFit& problem, const config::RunConfig& config,
+                        const std::vector<std::string>& names) {
   fit::MachineFit less = problem;
   std::erase_if(less.parameters, [&](const fit::Parameter& parameter) {
     return std::ranges::find(names, parameter.name) != names.end();
   });
-  less.machine = [whole = problem, parameters = less.parameters](const Eigen::VectorXd& values) {
-    Eigen::VectorXd all(static_cast<Eigen::Index>(whole.parameters.size()));
-    for (std::size_t i = 0; i < whole.parameters.size(); ++i) {
-      const auto found = std::ranges::find(parameters, whole.parameters[i].name, &fit::Parameter::name);
-      all(static_cast<Eigen::Index>(i)) =
-          found == parameters.end() ? whole.parameters[i].start : values(found - parameters.begin());
-    }
-    return whole.machine(all);
-  };
+  less.machine = machine_of(config::print_config(config), less.parameters);
   return less;
 }
 

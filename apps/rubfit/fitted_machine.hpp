@@ -15,8 +15,9 @@ namespace rubsweep::apps {
 /// data do.
 fit::MachineFit machine_fit_of(const RubfitArguments& arguments, const config::RunConfig& config);
 
-/// The same with some parameters left at their starts.
-fit::MachineFit without(const fit::MachineFit& problem, const std::vector<std::string>& names);
+/// The same with some parameters left as the configuration and the command line have them.
+fit::MachineFit without(const fit::MachineFit& problem, const config::RunConfig& config,
+                        const std::vector<std::string>& names);
 
 /// The configuration with the values that were found, as YAML.
 std::string fitted_config(const fit::MachineFit& problem, const config::RunConfig& config,

@@ -77,9 +77,11 @@ int run(const RubfitArguments& arguments) {
   fit::FitTables tables = fit::tables_of(problem, result);
   if (!arguments.without.empty() && !result.fit.stopped) {
     options.on_iteration = {};
-    tables.summary +=
-        fit::comparison_text(result, fit::fit_machine(without(problem, arguments.without), options),
-                             fmt::format("{}", fmt::join(arguments.without, ", ")));
+    const fit::MachineFitResult less = fit::fit_machine(without(problem, config, arguments.without), options);
+    // An interrupted second fit leaves the first one whole.
+    if (!less.fit.stopped)
+      tables.summary +=
+          fit::comparison_text(result, less, fmt::format("{}", fmt::join(arguments.without, ", ")));
   }
   const batch::ResultFiles files{{"config.yaml", fitted_config(problem, config, result.fit.value)},
                                  {"parameters.csv", std::move(tables.parameters_csv)},
@@ -87,7 +89,7 @@ int run(const RubfitArguments& arguments) {
                                  {"fitted.csv", std::move(tables.residuals_csv)}};
   batch::write_result_files(files, file_names, directory, {"rubfit", config::study_digest(config.study), {}});
   if (!arguments.quiet) print("{}{}", tables.summary, batch::files_line(files, directory));
-  if (result.fit.stopped) {
+  if (stop) {
     say("rubfit: interrupted; the best so far is written\n");
     return 128 + caught_signal();
   }

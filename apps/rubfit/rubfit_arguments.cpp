@@ -117,8 +117,8 @@ std::string rubfit_help() {
       "  parameters.csv   values with standard errors and 95 % intervals\n"
       "  correlation.csv  of the parameters\n"
       "  fitted.csv       data and model\n\n"
-      "Ctrl-C writes the best that was found so far.\n"
-      "\nExit codes: 0 done; 1 usage; 2 a configuration or data that cannot be used; 3 input/output; 4 no "
+      "Ctrl-C writes the best that was found so far.\n\n"
+      "Exit codes: 0 done; 1 usage; 2 a configuration or data that cannot be used; 3 input/output; 4 no "
       "fit.\n",
       text_of(visible_options()));
 }

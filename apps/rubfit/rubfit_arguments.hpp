@@ -9,7 +9,7 @@
 
 namespace rubsweep::apps {
 
-/// A number to be found: KEY, KEY=START or KEY=LOW:HIGH, KEY=LOW:START:HIGH.
+/// A number to be found: KEY, KEY=LOW:HIGH or KEY=LOW:START:HIGH.
 struct FittedKey {
   std::string name;
   std::optional<double> low = {}, start = {}, high = {};

@@ -11,9 +11,9 @@
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/cell_config.hpp"
-#include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/config/recording/read_instrument.hpp"
 #include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/recording/recording.hpp"
 #include "rubsweep/recording/recording_file.hpp"
@@ -58,6 +58,7 @@ int look(const RubscopeArguments& arguments) {
   const auto config = compared
                           ? std::optional(config::read_cell_config(compared->config, compared->overrides))
                           : std::nullopt;
+  if (config) ask("rubscope", config->questions, arguments.quiet);
   const std::string description = config::yaml::read_config_bytes(arguments.instrument);
   const recording::Instrument instrument =
       config::recording::read_instrument_text(description, arguments.instrument.string());

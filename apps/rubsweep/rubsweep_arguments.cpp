@@ -4,6 +4,7 @@
 
 #include <charconv>
 
+#include "map_options.hpp"
 #include "rubsweep/report/map_columns.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
@@ -16,27 +17,22 @@ constexpr std::size_t most_shards = 10000;
 
 po::options_description visible_options() {
   po::options_description options("Options");
-  add_output(options, "write there instead of output.directory");
-  add_figure(options, "also draw the map as FILE.png, .svg or .pdf");
-  options.add_options()("fade",
-                        "of --figure: cells fade by robust_share, of response.robustness probability");
+  add_map_files(options);
   add_threads(options, "threads; 0: one per processor");
   add_set(options);
   options.add_options()("motion-kinds",
                         "instead: print the kinds of motion, their colours and signs, as CSV")(
       "status", po::value<std::string>()->value_name("DIR"),
       "instead: say how far the map in DIR is, of which shards, and who is at work");
-  options.add_options()("fresh",
-                        "forget what earlier runs finished, a finished map included, and start over")(
+  add_fresh(options);
+  options.add_options()(
       "shard", po::value<std::string>()->value_name("I/N"),
       "compute the I-th of N parts of the map alone; others may run at the same time, on any machine")(
       "merge", "run nothing, put the finished shards of a map together");
   add_verify(
       options,
       "run nothing, say whether the results in a directory, of any program, are whole and belong together");
-  options.add_options()(
-      "report",
-      "also write DIR/report.html, a page that shows the map and the motion of each cell at a click");
+  add_report(options);
   add_actions(options, "say what is simulated, what is left out and why, run nothing");
   add_progress(options);
   add_last(options);

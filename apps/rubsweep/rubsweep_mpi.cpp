@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "map_options.hpp"
 #include "map_outcome.hpp"
 #include "mpi_leader.hpp"
 #include "mpi_messages.hpp"
@@ -41,16 +42,11 @@ namespace fs = std::filesystem;
 /// Options that make sense here, as rubsweep reads them.
 po::options_description options_of_a_map() {
   po::options_description options("Options");
-  add_output(options, "write there instead of output.directory");
-  add_figure(options, "also draw the map as FILE.png, .svg or .pdf");
-  options.add_options()("fade",
-                        "of --figure: cells fade by robust_share, of response.robustness probability");
+  add_map_files(options);
   add_threads(options, "threads of each process; 0: one per processor");
   add_set(options);
-  options.add_options()("fresh",
-                        "forget what earlier runs finished, a finished map included, and start over")(
-      "report",
-      "also write DIR/report.html, a page that shows the map and the motion of each cell at a click");
+  add_fresh(options);
+  add_report(options);
   add_progress(options);
   add_last(options);
   return options;
@@ -70,7 +66,8 @@ std::string help() {
       "on --threads threads. rubsweep --help explains the columns and classes of the map.\n\n"
       "Exit codes: 0 done; 1 usage; 2 bad configuration, or DIR holds cells or a map of another one; 3 "
       "input/output;\n"
-      "4 done, but some cells failed; 6 another process is at work in DIR; 70 out of memory or a fault of the "
+      "4 done, but some cells failed; 6 another process is at work in DIR; 70 out of memory or a fault of "
+      "the "
       "program; 128+signal\n"
       "when interrupted.\n",
       text_of(options_of_a_map()));

@@ -58,9 +58,10 @@ design::DesignQuestions questions_of(const RubtraceArguments& arguments, const s
   return questions;
 }
 
-void warn_of(const design::SpeedRange& operating, const sweep::Study& study) {
+void warn_of(const design::SpeedRange& operating, const sweep::Study& study,
+             const scene::PreparedMachine& prepared) {
   warn_of_premises_at("rubtrace", batch::evenly_spaced(operating.from_hz, operating.to_hz, premise_speeds),
-                      study, scene::prepare_machine(study.machine));
+                      study, prepared);
 }
 
 }  // namespace
@@ -70,10 +71,11 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
   const sweep::Study& study = config.study;
   const design::DesignQuestions questions = questions_of(arguments, study);
   batch::require_threads(questions.threads);
-  if (!arguments.quiet) warn_of(questions.operating, study);
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  if (!arguments.quiet) warn_of(questions.operating, study, prepared);
   const ResultDirectory made(directory, file_names);
   end_on_interrupts("nothing was written");
-  const design::DesignCheck check = design::check_design(study, questions);
+  const design::DesignCheck check = design::check_design(study, prepared, questions);
   design::DesignTables tables = design::tables_of(check);
   batch::ResultFiles files{{"config.yaml", config::print_config(config)},
                            {"design_check.csv", std::move(tables.design_check_csv)},

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <filesystem>
@@ -58,8 +57,7 @@ Outcome outcome_of(identify::ExperimentTables tables) {
 }
 
 Outcome campbell_diagram(const CampbellSpeeds& asked, const model::Machine& machine) {
-  structure::refuse_beyond_tables(machine, std::min(asked.from_hz, asked.to_hz),
-                                  std::max(asked.from_hz, asked.to_hz));
+  structure::refuse_beyond_tables(machine, asked.from_hz, asked.to_hz);
   const std::vector<double> speeds_hz = batch::evenly_spaced(asked.from_hz, asked.to_hz, asked.count);
   identify::CampbellTables tables =
       identify::tables_of(identify::campbell(identify::free_rotor(machine), speeds_hz, 2 * asked.to_hz));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,61 @@ namespace rubsweep::apps {
 namespace {
 
 constexpr long most_kick_speeds = 1000;
+
+constexpr std::string_view examples =
+    "Examples:\n"
+    "  rubtrace configs/benchmark/one_side.yaml --speed-hz 75 --whirl-ratio 0.3\n"
+    "  rubtrace configs/minimal.yaml --speed-rpm 3240 --unbalance-g-mm 240 --output /tmp/trace\n"
+    "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
+    "/tmp/trace\n"
+    "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --figure /tmp/trace.png\n"
+    "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
+    "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
+    "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5 --figure /tmp/bode.png\n"
+    "  rubtrace configs/minimal.yaml --run-up 20:60:1 --eccentricity-m 2e-4 --with-stops --figure "
+    "/tmp/run_up.png\n"
+    "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n"
+    "  rubtrace configs/gallery/bearing_table.yaml --design-check --figure /tmp/design.png\n\n";
+
+constexpr std::string_view written_files =
+    "Writes into DIR, stops counted from 0, times from the start of the kick, or of the run:\n"
+    "  trajectory.csv  displacement and velocity of the rotor; casing, gap and forces of every stop "
+    "(forces on\n"
+    "                  the casing); N revolutions of response.samples_per_revolution samples\n"
+    "  section.csv     the state once per revolution, at the phase of smallest quiet gap, from revolution "
+    "0\n"
+    "  events.csv      changes of contact mode: open, clamped, sprung, released; none with contact: "
+    "smoothed\n"
+    "  sensors.csv     with --sample-s or --noise-m: what the sensors of a rotor kit read; of a Jeffcott "
+    "rotor "
+    "x and y\n"
+    "  probe_spectrum.csv  full spectrum of the last of these readings, of two sensors at one place\n"
+    "  spectrum.csv    full spectrum of the last whole periods in response.window_revolutions revolutions\n"
+    "  motion.csv      the row that a map holds of this cell, with its own number of revolutions\n"
+    "  config.yaml     the complete configuration, its sweep reduced to this cell\n"
+    "An experiment writes sensors.csv (what the sensors of a rotor kit read; of a Jeffcott rotor x and y), "
+    "bode.csv "
+    "(run-up:\n"
+    "1X amplitude and phase over speed), identification.csv (quantity, sensor, value) and config.yaml. A "
+    "Campbell\n"
+    "diagram is campbell.csv (frequency and damping of each whirl mode over speed), critical_speeds.csv, "
+    "mode_shapes.csv\n"
+    "(along the shaft, at the first critical speed of each mode), lock_speeds.csv (where two modes can "
+    "lock into a "
+    "bouncing rub)\n"
+    "and config.yaml; modes that come below "
+    "twice "
+    "TO.\n"
+    "A run-up with stops writes envelope.csv, orbits.csv, spectrogram.csv (of orders), quasi_static.csv "
+    "(the "
+    "motions at\n"
+    "steady speeds), rub.csv (where either rubs) and config.yaml.\n\n"
+    "A design check writes design_check.csv (each check with value, limit, margin and verdict), "
+    "unbalance_response.csv\n"
+    "(scaled, over the speed), lock_speeds.csv, kicks.csv and config.yaml. Its unbalance is --eccentricity-m "
+    "or "
+    "--unbalance-g-mm;\n"
+    "default: four times the residual one of API 617.\n\n";
 
 po::options_description visible_options() {
   po::options_description options("Options");
@@ -37,23 +93,23 @@ po::options_description visible_options() {
       "at steady speeds")(
       "campbell", po::value<std::string>()->value_name("FROM:TO[:COUNT]"),
       "instead: whirl frequencies without stops over COUNT (101) shaft speeds in Hz; critical speeds, "
-      "shapes")("design-check",
-                "instead: vibration limit, clearances, dry whip, lock speeds and smallest kick over the operating "
-                "range")(
-      "operating-hz", po::value<std::string>()->value_name("FROM:TO"),
-      "of --design-check: operating range; default: the speeds of the sweep")(
+      "shapes")(
+      "design-check",
+      "instead: vibration limit, clearances, dry whip, lock speeds and smallest kick over the operating "
+      "range")("operating-hz", po::value<std::string>()->value_name("FROM:TO"),
+               "of --design-check: operating range; default: the speeds of the sweep")(
       "operating-rpm", po::value<std::string>()->value_name("FROM:TO"), "the same in revolutions per minute")(
       "kick-speeds", po::value<long>()->value_name("N")->default_value(11),
       "of --design-check: evenly spaced speeds at which kicks are tried, beside the lock speeds; 0: none")(
-      "duration-s", po::value<double>()->value_name("T")->default_value(2),
-                "length of the free response")(
+      "duration-s", po::value<double>()->value_name("T")->default_value(2), "length of the free response")(
       "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
       "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
       "they show")("noise-m", po::value<double>()->value_name("S")->default_value(0),
                    "standard deviation of the sensors' noise; likewise");
   add_threads(options, "threads of --design-check; 0: one per processor");
   add_figure(options,
-             "draw a trace, a Campbell diagram, a run-up (Bode plot), one with stops or a design check as FILE.png, .svg "
+             "draw a trace, a Campbell diagram, a run-up (Bode plot), one with stops or a design check as "
+             "FILE.png, .svg "
              "or .pdf");
   add_output(options, "write there instead of output.directory + _trace");
   add_set(options);
@@ -163,7 +219,8 @@ void read_design_check(const po::variables_map& given, RubtraceArguments& argume
 /// Throws UsageError where an option is given that belongs to something else than the experiment asked for.
 void refuse_options_of_others(const po::variables_map& given, const RubtraceArguments& arguments) {
   const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
-  if (!sampled && !given["duration-s"].defaulted()) throw UsageError("--duration-s belongs to --free-response");
+  if (!sampled && !given["duration-s"].defaulted())
+    throw UsageError("--duration-s belongs to --free-response");
   const bool experiment = arguments.campbell || arguments.run_up || arguments.design_check;
   if (!sampled && experiment && asks_for_probes(given))
     throw UsageError("--sample-s and --noise-m belong to a trace, --free-response or --run-up without stops");
@@ -190,7 +247,8 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   arguments.noise_m = not_negative_number(given, "noise-m").value();
   refuse_options_of_others(given, arguments);
   arguments.probes = !sampled && asks_for_probes(given);
-  if (!arguments.free_response && !arguments.campbell && !arguments.run_up && !arguments.design_check) return false;
+  if (!arguments.free_response && !arguments.campbell && !arguments.run_up && !arguments.design_check)
+    return false;
   for (const char* name : {"speed-hz", "speed-rpm", "whirl-ratio", "revolutions", "last-revolutions"}) {
     if (given.count(name) != 0)
       throw UsageError(fmt::format("--{} belongs to a trace, not to an experiment", name));
@@ -240,64 +298,16 @@ std::string rubtrace_help() {
       "--unbalance-g-mm G) [options]\n"
       "One cell of a map under the lens: the motion from the start of the kick, all its revolutions.\n\n"
       "{}\n"
-      "Examples:\n"
-      "  rubtrace configs/benchmark/one_side.yaml --speed-hz 75 --whirl-ratio 0.3\n"
-      "  rubtrace configs/minimal.yaml --speed-rpm 3240 --unbalance-g-mm 240 --output /tmp/trace\n"
-      "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
-      "/tmp/trace\n"
-      "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --figure /tmp/trace.png\n"
-      "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
-      "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
-      "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5 --figure /tmp/bode.png\n"
-      "  rubtrace configs/minimal.yaml --run-up 20:60:1 --eccentricity-m 2e-4 --with-stops --figure "
-      "/tmp/run_up.png\n"
-      "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n"
-      "  rubtrace configs/gallery/bearing_table.yaml --design-check --figure /tmp/design.png\n\n"
+      "{}"
       "From a whirl ratio of 1, where the quiet whirl itself reaches the wall, the run starts at rest and "
       "without a "
       "kick.\n\n"
-      "Writes into DIR, stops counted from 0, times from the start of the kick, or of the run:\n"
-      "  trajectory.csv  displacement and velocity of the rotor; casing, gap and forces of every stop "
-      "(forces on\n"
-      "                  the casing); N revolutions of response.samples_per_revolution samples\n"
-      "  section.csv     the state once per revolution, at the phase of smallest quiet gap, from revolution "
-      "0\n"
-      "  events.csv      changes of contact mode: open, clamped, sprung, released; none with contact: "
-      "smoothed\n"
-      "  sensors.csv     with --sample-s or --noise-m: what the sensors of a rotor kit read; of a Jeffcott "
-      "rotor "
-      "x and y\n"
-      "  probe_spectrum.csv  full spectrum of the last of these readings, of two sensors at one place\n"
-      "  spectrum.csv    full spectrum of the last whole periods in response.window_revolutions revolutions\n"
-      "  motion.csv      the row that a map holds of this cell, with its own number of revolutions\n"
-      "  config.yaml     the complete configuration, its sweep reduced to this cell\n"
-      "An experiment writes sensors.csv (what the sensors of a rotor kit read; of a Jeffcott rotor x and y), "
-      "bode.csv "
-      "(run-up:\n"
-      "1X amplitude and phase over speed), identification.csv (quantity, sensor, value) and config.yaml. A "
-      "Campbell\n"
-      "diagram is campbell.csv (frequency and damping of each whirl mode over speed), critical_speeds.csv, "
-      "mode_shapes.csv\n"
-      "(along the shaft, at the first critical speed of each mode), lock_speeds.csv (where two modes can "
-      "lock into a "
-      "bouncing rub)\n"
-      "and config.yaml; modes that come below "
-      "twice "
-      "TO.\n"
-      "A run-up with stops writes envelope.csv, orbits.csv, spectrogram.csv (of orders), quasi_static.csv "
-      "(the "
-      "motions at\n"
-      "steady speeds), rub.csv (where either rubs) and config.yaml.\n\n"
-      "A design check writes design_check.csv (each check with value, limit, margin and verdict), "
-      "unbalance_response.csv\n"
-      "(scaled, over the speed), lock_speeds.csv, kicks.csv and config.yaml. Its unbalance is --eccentricity-m or "
-      "--unbalance-g-mm;\n"
-      "default: four times the residual one of API 617.\n\n"
+      "{}"
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 the run failed, the files end at "
       "the\n"
       "failure, or there was nothing to run (motion.csv and config.yaml only). An interrupted run writes "
       "nothing.\n",
-      text_of(visible_options()));
+      text_of(visible_options()), examples, written_files);
 }
 
 }  // namespace rubsweep::apps

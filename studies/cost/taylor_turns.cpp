@@ -40,8 +40,8 @@ const std::vector<Motion> motions{
     {"benchmark/annulus", set_c, 80, 0.6, "set C, 80 Hz, 0.6: circle"},
     {"benchmark/annulus", set_c, 165, 0.6, "set C, 165 Hz, 0.6: oval"},
     {"benchmark/annulus", set_c, 120, 0.6, "set C, 120 Hz, 0.6: weak oval"},
-    {"benchmark/annulus_offset", {}, 184.3, 0.66, "figure 12, 184.3 Hz, 0.66: always touching"},
-    {"benchmark/annulus_offset", {}, 91.4, 0.98, "figure 12, 91.4 Hz, 0.98: chaotic"},
+    {"benchmark/annulus_offset", {}, 184.3, 0.66, "offset, 184.3 Hz, 0.66: always touching"},
+    {"benchmark/annulus_offset", {}, 91.4, 0.98, "offset, 91.4 Hz, 0.98: chaotic"},
 };
 
 constexpr int early = 6, settling = 300, turns = 300, repeats = 5;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # rubbranch: what it writes, what it prints and how it ends.
 source "$(dirname "$0")/support.sh"
-figure06=$top/configs/benchmark/one_side.yaml
+one_side=$top/configs/benchmark/one_side.yaml
 
 # Command line.
 expect_help cell along from to curve curve-from curve-to switch points map fresh threads
@@ -25,39 +25,39 @@ expect_exit 3 no_such_file.yaml --cell 70,0.4
 rm -rf results
 
 # The half orbit of set A: closed between two folds, the same from two cells.
-expect_exit 0 "$figure06" --cell 75,0.4 --output first
+expect_exit 0 "$one_side" --cell 75,0.4 --output first
 expect_empty stderr
 expect_files first branch.csv config.yaml events.csv
 expect_matches stdout '^branch 0  order 2, speed_hz .* ends closed and closed$'
 [[ $(count_rows first/events.csv "kind == 'fold'") == 2 ]] || fail 'not two folds'
 [[ $(count_rows first/branch.csv "order != 2 or feasible != 1") == 0 ]] || fail 'an orbit of another order'
 [[ $(count_rows first/branch.csv "(floquet_modulus < 1) != (stable == 1)") == 0 ]] || fail 'stability and multipliers differ'
-expect_exit 0 "$figure06" --cell 84,0.4 --output second
+expect_exit 0 "$one_side" --cell 84,0.4 --output second
 folds() { cells "$1/events.csv" kind parameter | awk -F, '$1 == "fold" { printf "%.9g\n", $2 }' | sort; }
 expect_same <(folds first) <(folds second)
 
 # Along the unbalance, with the orbit of twice the period, and along any number of the configuration.
-expect_exit 0 "$figure06" --cell 4500rpm,0.4 --output minutes
+expect_exit 0 "$one_side" --cell 4500rpm,0.4 --output minutes
 expect_same minutes/branch.csv first/branch.csv
-expect_exit 0 "$figure06" --cell 75,0.3 --along whirl_ratio --switch --output doubled
+expect_exit 0 "$one_side" --cell 75,0.3 --along whirl_ratio --switch --output doubled
 expect_matches stdout '^branch 1  order 4, whirl_ratio .* ends period_halving and left_range$'
-expect_exit 0 "$figure06" --cell 75,0.4 --along stops.0.casing.mass_kg --from 0.04 --to 0.06 --output casing
+expect_exit 0 "$one_side" --cell 75,0.4 --along stops.0.casing.mass_kg --from 0.04 --to 0.06 --output casing
 expect_matches stdout '^branch 0  order 2, stops.0.casing.mass_kg 0.04 to 0.06, .* ends left_range and left_range$'
 
 # On axes over keys --cell says a place on the two that have several values.
 masses='x: {key: stops.0.casing.mass_kg, values: [0.05, 0.055]}'
 speeds='speed_hz: {values: [74, 75]}, whirl_ratio: {values: [0.4]}'
-expect_exit 0 "$figure06" --set "sweep={$speeds, $masses}" --cell 75,0.055 --from 74 --to 76 --output on_axes
-expect_exit 0 "$figure06" --set stops.0.casing.mass_kg=0.055 --cell 75,0.4 --from 74 --to 76 --output written
+expect_exit 0 "$one_side" --set "sweep={$speeds, $masses}" --cell 75,0.055 --from 74 --to 76 --output on_axes
+expect_exit 0 "$one_side" --set stops.0.casing.mass_kg=0.055 --cell 75,0.4 --from 74 --to 76 --output written
 expect_same <(grep -v '^#' on_axes/branch.csv) <(grep -v '^#' written/branch.csv)
-expect_exit 0 "$figure06" --set "sweep={$speeds, $masses}" --set stops.0.casing.mass_kg=0.055 --cell 75,0.4 \
+expect_exit 0 "$one_side" --set "sweep={$speeds, $masses}" --set stops.0.casing.mass_kg=0.055 --cell 75,0.4 \
   --from 74 --to 76 --output held
 expect_same <(grep -v '^#' held/branch.csv) <(grep -v '^#' written/branch.csv)
-expect_exit 2 "$figure06" --set "sweep={$speeds, $masses, y: {key: kick.force_n, values: [100, 200]}}" --cell 75,0.055
+expect_exit 2 "$one_side" --set "sweep={$speeds, $masses, y: {key: kick.force_n, values: [100, 200]}}" --cell 75,0.055
 expect_contains stderr '--cell: X,Y say the place on two axes of the sweep, and 3 of its axes have several values'
 
 # The parameter of a branch does not change an orbit: the same one by the speed of another configuration.
-expect_exit 0 "$figure06" --cell 75,0.4 --along kick.force_n --from 190 --to 210 --output kick
+expect_exit 0 "$one_side" --cell 75,0.4 --along kick.force_n --from 190 --to 210 --output kick
 [[ $(cells kick/branch.csv floquet_modulus | awk '{ printf "%.6f\n", $1 }' | sort -u | wc -l) == 1 ]] ||
   fail 'the kick changes an orbit that is there without it'
 
@@ -85,12 +85,12 @@ expect_figure() {
 expect_figure branch doubled picture 'order 4, unstable' 'period-doubling'
 
 # A curve in two parameters: folds that stay folds, and the plane that must be one.
-expect_usage_error '--curve-from and --curve-to belong to --curve' "$figure06" --cell 75,0.4 --curve-to 0.5
-expect_exit 2 "$figure06" --cell 75,0.4 --along whirl_ratio --curve eccentricity_m
+expect_usage_error '--curve-from and --curve-to belong to --curve' "$one_side" --cell 75,0.4 --curve-to 0.5
+expect_exit 2 "$one_side" --cell 75,0.4 --along whirl_ratio --curve eccentricity_m
 expect_contains stderr 'is the parameter of --along whirl_ratio'
-expect_exit 2 "$figure06" --cell 75,0.4 --curve whirl_ratio --curve-from 0.5
+expect_exit 2 "$one_side" --cell 75,0.4 --curve whirl_ratio --curve-from 0.5
 expect_contains stderr 'must hold that of the cell, 0.4'
-expect_exit 0 "$figure06" --cell 75,0.4 --curve whirl_ratio --curve-from 0.3 --curve-to 0.5 --output plane
+expect_exit 0 "$one_side" --cell 75,0.4 --curve whirl_ratio --curve-from 0.3 --curve-to 0.5 --output plane
 expect_empty stderr
 expect_files plane branch.csv config.yaml curves.csv events.csv meetings.csv
 expect_matches stdout '^curve 0   fold of order 2, speed_hz .* ends left_range and left_range$'
@@ -107,7 +107,7 @@ expect_usage_error 'gravity_m_per_s2 is 0 here, which says no range' "$minimal" 
 expect_exit 2 "$minimal" --cell 70,0.4 --along response.max_revolutions
 expect_contains stderr '--along response.max_revolutions: is no part of the machine'
 expect_exit 3 --map no_such_map
-"${rubsweep%/*}/rubsweep" "$figure06" --quiet --output map \
+"${rubsweep%/*}/rubsweep" "$one_side" --quiet --output map \
   --set 'sweep={speed_hz: {from: 60, to: 95, count: 8}, whirl_ratio: {values: [0.3, 0.4]}}' || fail 'no map'
 expect_exit 0 --map map --threads 2
 expect_empty stderr
@@ -149,7 +149,7 @@ expect_contains stderr 'sweep.refine: most cells of a refined map are not comput
 
 # However a call ends, the same command goes on, and the files are those of an undisturbed one, on any number of threads.
 expect_usage_error '--fresh goes with --map' "$minimal" --cell 70,0.4 --fresh
-"${rubsweep%/*}/rubsweep" "$figure06" --quiet --output wide \
+"${rubsweep%/*}/rubsweep" "$one_side" --quiet --output wide \
   --set 'sweep={speed_hz: {from: 60, to: 95, count: 30}, whirl_ratio: {values: [0.3, 0.35, 0.4]}}' || fail 'no map'
 expect_exit 0 --map wide --output whole
 expect_files wide config.yaml map.csv
@@ -210,7 +210,7 @@ expect_exit 0 --map wide --output full
 expect_contains stderr 'goes on with'
 expect_same_families full whole
 # Nothing of it passes to another map.
-"${rubsweep%/*}/rubsweep" "$figure06" --quiet --output narrow \
+"${rubsweep%/*}/rubsweep" "$one_side" --quiet --output narrow \
   --set 'sweep={speed_hz: {from: 75, to: 80, count: 2}, whirl_ratio: {values: [0.4]}}' || fail 'no map'
 expect_exit 2 --map narrow --output other
 expect_contains stderr 'other/families.journal: holds finished cells of another configuration'

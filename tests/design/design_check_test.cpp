@@ -22,8 +22,12 @@ double amplification(double hz) {
   return ratio * ratio / std::hypot(1 - ratio * ratio, 2 * 0.02 * ratio);
 }
 
+DesignCheck checked(const sweep::Study& study, const DesignQuestions& questions) {
+  return check_design(study, scene::prepare_machine(study.machine), questions);
+}
+
 TEST(DesignCheck, OfAJeffcottRotorIsItsClosedForms) {
-  const DesignCheck check = check_design(study_of(scene::one_side_machine()), {{50, 160}, {}, 0, 1});
+  const DesignCheck check = checked(study_of(scene::one_side_machine()), {{50, 160}, {}, 0, 1});
   const double eccentricity_m = 4 * 6350.0 / (160 * 60) * 1e-6;
   EXPECT_NEAR(check.eccentricity_m, eccentricity_m, 1e-18);
   EXPECT_EQ(check.vibration_limit_m, 25.4e-6) << "9600 rpm";
@@ -44,13 +48,13 @@ TEST(DesignCheck, OfAJeffcottRotorIsItsClosedForms) {
 }
 
 TEST(DesignCheck, LocksAreThoseOfTheOperatingRange) {
-  const DesignCheck check = check_design(study_of(scene::one_side_machine()), {{70, 100}, {}, 0, 1});
+  const DesignCheck check = checked(study_of(scene::one_side_machine()), {{70, 100}, {}, 0, 1});
   ASSERT_EQ(check.locks.size(), 1u);
   EXPECT_EQ(check.locks[0].p, 2);
 }
 
 TEST(DesignCheck, KicksAreTriedAtEvenSpeedsAndAtLockSpeeds) {
-  const DesignCheck check = check_design(study_of(scene::one_side_machine()), {{70, 100}, 5e-5, 2, 1});
+  const DesignCheck check = checked(study_of(scene::one_side_machine()), {{70, 100}, 5e-5, 2, 1});
   EXPECT_EQ(check.eccentricity_m, 5e-5);
   ASSERT_EQ(check.kicks.size(), 3u);
   EXPECT_EQ(check.kicks[0].speed_hz, 70);
@@ -58,7 +62,7 @@ TEST(DesignCheck, KicksAreTriedAtEvenSpeedsAndAtLockSpeeds) {
   EXPECT_EQ(check.kicks[2].speed_hz, 100);
   model::Machine machine = scene::one_side_machine();
   machine.kick.reset();
-  EXPECT_EQ(check_design(study_of(machine), {{70, 100}, {}, 2, 1}).no_kicks, "the configuration has no kick");
+  EXPECT_EQ(checked(study_of(machine), {{70, 100}, {}, 2, 1}).no_kicks, "the configuration has no kick");
 }
 
 TEST(DesignCheck, MarginOfDryWhip) {
@@ -68,7 +72,7 @@ TEST(DesignCheck, MarginOfDryWhip) {
   machine.stops[0].friction = model::ConstantFriction{0.01};
   const double b = 2e6 / (0.8 * std::pow(2 * std::numbers::pi * 30, 2));
   const double least = 2 * 0.02 * std::sqrt(1 + b) / b;
-  const DesignCheck check = check_design(study_of(machine), {{50, 160}, {}, 0, 1});
+  const DesignCheck check = checked(study_of(machine), {{50, 160}, {}, 0, 1});
   EXPECT_NEAR(check.whips.at(0).margin(), 1 - 0.01 / least, 1e-9);
   EXPECT_EQ(WhipMargin({0, 0.3, {}}).margin(), 1);
   EXPECT_EQ(WhipMargin({0, 0, DryWhip{}}).margin(), 1);
@@ -78,9 +82,9 @@ TEST(DesignCheck, BeginsWhereTablesBegin) {
   const model::Machine machine = scene::table_machine();
   EXPECT_EQ(whole_range(machine, {50, 110}).from_hz, 20);
   EXPECT_NEAR(whole_range(scene::one_side_machine(), {50, 110}).from_hz, 0.11, 1e-15);
-  const DesignCheck check = check_design(study_of(machine), {{50, 110}, {}, 0, 1});
+  const DesignCheck check = checked(study_of(machine), {{50, 110}, {}, 0, 1});
   EXPECT_GT(check.clearances.at(0).speed_hz, 20);
-  EXPECT_THROW(check_design(study_of(machine), {{50, 130}, {}, 0, 1}), ConfigError);
+  EXPECT_THROW(checked(study_of(machine), {{50, 130}, {}, 0, 1}), ConfigError);
 }
 
 }  // namespace

@@ -54,6 +54,11 @@ class Job(unittest.TestCase):
         with open(os.path.join(self.folder, "difference.png"), "rb") as file:
             self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
 
+    def test_a_map_of_another_grid_differs(self):
+        self.change("count: 6", "count: 7")
+        code, said = self.run_shell(job())
+        self.assertEqual(code, DIFFERENT, said)
+
     def test_a_wrong_machine_ends_the_job(self):
         self.change("mass_kg: 0.8", "mass_kg: -1")
         code, said = self.run_shell(job())

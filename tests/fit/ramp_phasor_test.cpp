@@ -7,7 +7,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/identify/linear_run.hpp"
-#include "scene/kit_machine.hpp"
+#include "scene/table_machine.hpp"
 
 namespace rubsweep::fit {
 namespace {
@@ -61,6 +61,27 @@ TEST(RampPhasor, IsThatOfStepsUpAndDown) {
           << rate;
     }
   }
+}
+
+TEST(RampPhasor, SupportsFollowTheirTables) {
+  const scene::PreparedMachine tabled = scene::prepare_machine(scene::table_machine());
+  const Eigen::MatrixXd rows = identify::sensor_rows(tabled).rows;
+  for (const std::size_t row : {0u, 4u}) {
+    const double hz = scene::table_speeds_hz[row];
+    const auto typed = steady_phasors(scene::prepare_machine(scene::typed_machine(row)), rows, 1e-5, hz);
+    const auto steady = steady_phasors(tabled, rows, 1e-5, hz);
+    // Two modes and the static deflections of the middle speed stand for the motion at all speeds.
+    EXPECT_LT((steady - typed).norm(), 2e-2 * typed.norm()) << hz;
+  }
+  const identify::LinearRun run{
+      .from_hz = 25, .rate_hz_per_s = 4, .eccentricity_m = 1e-5, .sample_s = 5e-3, .samples = 1500};
+  std::vector<double> t_s;
+  for (int k = 0; k < run.samples; ++k) t_s.push_back(k * run.sample_s);
+  const Eigen::MatrixXcd steps = by_steps(tabled, rows, run);
+  const Eigen::MatrixXcd found = ramp_phasors(tabled, rows, 1e-5, {25, 4}, t_s, 0);
+  EXPECT_LT((found - steps).bottomRows(1300).cwiseAbs().maxCoeff(), 2e-3 * steps.cwiseAbs().maxCoeff());
+  EXPECT_THROW(steady_phasors(tabled, rows, 1e-5, 10), ConfigError);
+  EXPECT_THROW(ramp_phasors(tabled, rows, 1e-5, {25, 4}, {0, 30}, 0), ConfigError);
 }
 
 TEST(RampPhasor, AWindowIsTheMeanOverIt) {

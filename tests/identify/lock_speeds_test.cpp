@@ -34,6 +34,24 @@ TEST(LockSpeeds, NoneOfAModeThatIsDampedAway) {
   EXPECT_TRUE(lock_speeds(diagram).empty());
 }
 
+TEST(LockSpeeds, NoneOfAPieceAtWhoseBeginningAModeIsDampedAway) {
+  const double speeds[]{50, 65};  // the lock at 60 Hz is between them
+  for (const double damped_at_hz : speeds) {
+    Campbell diagram = campbell(free_rotor(scene::one_side_machine()), std::vector<double>{50, 65, 80}, 400);
+    for (CampbellPoint& point : diagram.modes.front().points)
+      if (point.speed_hz == damped_at_hz) point.damping_ratio = 0.6;
+    EXPECT_TRUE(lock_speeds(diagram).empty()) << damped_at_hz;
+  }
+}
+
+/// A mode that is named backward after forward jumps from -f to f: no speed lies between.
+TEST(LockSpeeds, NoneWhereAModeChangesItsDirection) {
+  Campbell diagram = campbell(free_rotor(scene::one_side_machine()), batch::evenly_spaced(0, 200, 37), 400);
+  for (CampbellPoint& point : diagram.modes.front().points)
+    if (point.speed_hz < 40) point.forward_share = 1 - point.forward_share;
+  EXPECT_EQ(lock_speeds(diagram).size(), 3u);
+}
+
 Campbell split(double forward_slope) {
   Campbell diagram;
   for (const double speed : {0.0, 10.0, 20.0, 30.0, 40.0}) {

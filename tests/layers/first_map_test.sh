@@ -3,7 +3,8 @@
 # programs need, and with NINJA its target does not compile them either: the first map is there sooner.
 set -euo pipefail
 program=$1
-folders='bench branch/orbits branch/continuation branch/curves branch/families config/ring identify line map/families ramp ring'
+folders='bench branch/orbits branch/continuation branch/curves branch/families config/recording config/ring'
+folders+=' design fit identify line map/families ramp recording ring scope'
 any_of=${folders// /|}
 
 # refuse WHAT LINE...: complains of the lines, where there are any.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# clean_root_test.sh BUILD SOURCE: installs the package of BUILD in a Debian 12 root that mmdebstrap makes, computes a first
+# clean_root_test.sh BUILD: installs the package of BUILD in a Debian 12 root that mmdebstrap makes, computes a first
 # map there with figure and report, and purges the package without a trace. Minutes, and Debian's packages by network.
 # 77: there is no mmdebstrap.
 set -euo pipefail

@@ -54,7 +54,7 @@ class Pictures(unittest.TestCase):
     OVERVIEW = "usage: rubplot PICTURE\n\nDraws. Much.\n\npictures:\n  map     maps\n  trace   runs\n\nexit codes: 0 done"
 
     def test_names(self):
-        self.assertEqual(man_page.pictures_of(self.OVERVIEW), ["map", "trace"])
+        self.assertEqual(help_text.pictures_of(self.OVERVIEW), ["map", "trace"])
 
     def test_each_picture_has_a_part(self):
         text = man_page.page_of_pictures("rubplot", "1", self.OVERVIEW, {"map": "usage: rubplot map", "trace": "t"}, ["rubplot"])

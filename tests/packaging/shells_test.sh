@@ -72,6 +72,7 @@ for shell in bash zsh fish; do
   expect "$shell" 'rubsweep my' my.yaml
   refuse "$shell" 'rubsweep ' other.txt
   expect "$shell" 'rubsweep-compare ma' map.csv
+  expect "$shell" 'rubscope ma' map.csv
   expect "$shell" 'rubsweep --status fo' folder
   refuse "$shell" 'rubsweep --status ' my.yaml
   expect "$shell" 'rubplot ma' map

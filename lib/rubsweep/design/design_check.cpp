@@ -130,8 +130,8 @@ SpeedRange whole_range(const model::Machine& machine, const SpeedRange& operatin
   return {std::min(from_hz, operating.from_hz), operating.to_hz};
 }
 
-DesignCheck check_design(const sweep::Study& study, const DesignQuestions& questions) {
-  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine& prepared,
+                         const DesignQuestions& questions) {
   DesignCheck check;
   check.operating = questions.operating;
   check.whole = whole_range(study.machine, questions.operating);

@@ -10,6 +10,7 @@
 #include "rubsweep/design/kick_threshold.hpp"
 #include "rubsweep/design/largest_over_speed.hpp"
 #include "rubsweep/identify/lock_speeds.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::design {
@@ -31,8 +32,9 @@ struct ProbeResponse {
 /// Dry whip in one stop.
 struct WhipMargin {
   std::size_t stop = 0;
-  double friction = 0;           ///< the largest coefficient of the stop
-  std::optional<DryWhip> needs;  ///< the least of the operating range; empty: none at any friction
+  double friction = 0;  ///< the largest coefficient of the stop
+  std::optional<DryWhip>
+      needs;  ///< the least of 11 speeds of the operating range; empty: none at any friction
 
   double margin()
       const;  ///< 1 - friction / least friction; 1 where there is no dry whip; below 0: it may whip
@@ -71,9 +73,10 @@ struct DesignCheck {
 /// thousandth of the maximum continuous speed.
 SpeedRange whole_range(const model::Machine& machine, const SpeedRange& operating);
 
-/// Checks a design: the unbalance response, scaled, at probes and stops, dry whip, lock speeds and kicks.
-/// Throws ConfigError where a table does not reach a speed, or no disc stands off the axis and no
-/// eccentricity is given.
-DesignCheck check_design(const sweep::Study& study, const DesignQuestions& questions);
+/// Checks a design, whose machine is `prepared`: the unbalance response, scaled, at probes and stops, dry
+/// whip, lock speeds and kicks. Throws ConfigError where a table does not reach a speed, or no disc stands
+/// off the axis and no eccentricity is given.
+DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine& prepared,
+                         const DesignQuestions& questions);
 
 }  // namespace rubsweep::design

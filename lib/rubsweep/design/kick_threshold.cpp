@@ -1,5 +1,6 @@
 #include "rubsweep/design/kick_threshold.hpp"
 
+#include <map>
 #include <utility>
 
 #include "rubsweep/batch/parallel_run.hpp"
@@ -40,11 +41,16 @@ class KickedCell {
 KickThreshold threshold_at(double speed_hz, double force_n, KickedCell& cell) {
   constexpr double tolerance = 0.01;
   KickThreshold found{.speed_hz = speed_hz, .force_n = {}, .motion = {}};
+  std::map<double, sweep::Probe>
+      known;  // the search for the threshold asks again for the ends of its interval
   const auto probe = [&](double force) {
-    const sweep::Probe probed = cell.kicked_with(force);
-    ++found.runs;
-    found.failed += probed.failed;
-    return probed;
+    const auto [at, is_new] = known.try_emplace(force);
+    if (is_new) {
+      at->second = cell.kicked_with(force);
+      found.failed += at->second.failed;
+      found.runs = known.size();
+    }
+    return at->second;
   };
   double before_n = 0;
   if (const sweep::Probe quiet = probe(0); quiet.rubs) {

@@ -7,6 +7,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/fit/mode_set.hpp"
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::fit {
 namespace {
@@ -27,6 +28,7 @@ Complex answer(Complex value, double t, double duration_s) {
 
 Eigen::MatrixXd free_vibration(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
                                const std::vector<double>& since_s) {
+  structure::refuse_beyond_tables(prepared.machine, 0, 0);
   const auto pulses = scene::build_cell(prepared, 1, scene::Eccentricity{0}).scene.pulses;
   if (pulses.empty())
     throw ConfigError("kick: is not there, allowed with a ring-down: where and how it was struck");

@@ -1,30 +1,29 @@
 #include "rubsweep/fit/mode_set.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/structure/system_at.hpp"
 
 namespace rubsweep::fit {
 
 ModeSet modes_at(const scene::PreparedMachine& prepared, double speed_rad_per_s) {
-  const auto& assembly = prepared.assembly;
-  const Eigen::Index n = assembly.system.coordinates();
-  Eigen::MatrixXd damping = assembly.system.damping, stiffness = assembly.system.stiffness;
-  if (assembly.gyroscopic.size() > 0) damping += speed_rad_per_s * assembly.gyroscopic;
-  if (assembly.circulatory.size() > 0) stiffness += speed_rad_per_s * assembly.circulatory;
-  const Eigen::PartialPivLU<Eigen::MatrixXd> mass(assembly.system.mass);
+  const structure::LinearSystem system = structure::system_at(prepared.assembly, speed_rad_per_s);
+  const Eigen::Index n = system.coordinates();
+  const Eigen::PartialPivLU<Eigen::MatrixXd> mass(system.mass);
   // Rates in units of a typical one, so that both halves of a state are of one size.
-  const double typical = std::sqrt(mass.solve(stiffness).norm());
-  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  system.topRightCorner(n, n) = typical * Eigen::MatrixXd::Identity(n, n);
-  system.bottomLeftCorner(n, n) = -mass.solve(stiffness) / typical;
-  system.bottomRightCorner(n, n) = -mass.solve(damping);
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(system);
-  if (solver.info() != Eigen::Success) throw SolverError("modes: the eigenvalue iteration does not converge");
-  ModeSet modes{solver.eigenvalues(), solver.eigenvectors(), {}, {}};
+  const double typical = std::sqrt(mass.solve(system.stiffness).norm());
+  Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  generator.topRightCorner(n, n) = typical * Eigen::MatrixXd::Identity(n, n);
+  generator.bottomLeftCorner(n, n) = -mass.solve(system.stiffness) / typical;
+  generator.bottomRightCorner(n, n) = -mass.solve(system.damping);
+  numerics::GeneralModes found = numerics::general_modes(generator, true);
+  if (!found.converged) throw SolverError("modes: the eigenvalue iteration does not converge");
+  ModeSet modes{std::move(found.values), std::move(found.vectors), {}, {}};
   modes.vectors.bottomRows(n) *= typical;
   const Eigen::PartialPivLU<Eigen::MatrixXcd> inverse(modes.vectors);
   modes.inverse = inverse.inverse();

@@ -10,6 +10,8 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/fit/mode_set.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
+#include "rubsweep/structure/system_at.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::fit {
 namespace {
@@ -42,9 +44,9 @@ class Ramped {
         unbalance_n_(eccentricity_m * prepared.assembly.system.unbalance_kg) {
     const auto& assembly = prepared.assembly;
     bow_n_ = assembly.bow_n.size() > 0 ? assembly.bow_n : Eigen::VectorXcd::Zero(unbalance_n_.size());
-    const bool changing = assembly.gyroscopic.size() > 0 || assembly.circulatory.size() > 0;
+    const bool changing =
+        assembly.gyroscopic.size() > 0 || assembly.circulatory.size() > 0 || !assembly.tables.empty();
     stretch_s_ = changing ? std::max((end_s - begin_s) / most_stretches, 1e-9) : INFINITY;
-    begin_s_ = begin_s;
     start(begin_s);
   }
 
@@ -84,10 +86,11 @@ class Ramped {
     for (Eigen::Index k = 0; k < modes_->values.size(); ++k) {
       // The nearest that the stretch, or without stretches any speed, comes to the mode.
       const Complex value = modes_->values(k);
-      const double nearest = std::isfinite(stretch_s_)
-                                 ? std::min(std::abs(value - Complex(0, speed(t))),
-                                            std::abs(value - Complex(0, speed(t + stretch_s_))))
-                                 : std::abs(value.real());
+      double nearest = std::abs(value.real());
+      if (std::isfinite(stretch_s_)) {
+        const auto [low, high] = std::minmax(speed(t), speed(t + stretch_s_));
+        nearest = std::abs(value - Complex(0, std::clamp(value.imag(), low, high)));
+      }
       follows_[static_cast<std::size_t>(k)] = std::abs(gain()) < far_from_resonance * nearest * nearest;
     }
   }
@@ -139,7 +142,7 @@ class Ramped {
   const scene::PreparedMachine& prepared_;
   Ramp ramp_;
   Eigen::VectorXcd unbalance_n_, bow_n_;
-  double stretch_s_ = 0, begin_s_ = 0, stretch_begin_s_ = 0, now_s_ = 0;
+  double stretch_s_ = 0, stretch_begin_s_ = 0, now_s_ = 0;
   std::optional<ModeSet> modes_;
   Eigen::VectorXcd unbalance_, bow_, state_;
   std::vector<bool> follows_;
@@ -171,6 +174,10 @@ Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eige
   std::ranges::sort(nodes, {}, &Node::t_s);
   Eigen::MatrixXcd phasors = Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(t_s.size()), rows.rows());
   if (nodes.empty()) return phasors;
+  const auto [low_hz, high_hz] = std::minmax(ramp.from_hz + ramp.rate_hz_per_s * nodes.front().t_s,
+                                             ramp.from_hz + ramp.rate_hz_per_s * nodes.back().t_s);
+  structure::refuse_beyond_tables(prepared.machine, low_hz, high_hz);
+  structure::refuse_changing_mass(prepared.machine, "a ramp");
   Ramped run(prepared, eccentricity_m, ramp, nodes.front().t_s, nodes.back().t_s);
   for (const Node& node : nodes)
     phasors.row(node.point) += node.weight * (rows.cast<Complex>() * run.advance(node.t_s)).transpose();
@@ -179,11 +186,10 @@ Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eige
 
 Eigen::RowVectorXcd steady_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
                                    double eccentricity_m, double speed_hz) {
+  structure::refuse_beyond_tables(prepared.machine, speed_hz, speed_hz);
   const auto& assembly = prepared.assembly;
-  structure::LinearSystem system = assembly.system;
   const double w = 2 * pi * speed_hz;
-  if (assembly.gyroscopic.size() > 0) system.damping += w * assembly.gyroscopic;
-  if (assembly.circulatory.size() > 0) system.stiffness += w * assembly.circulatory;
+  const structure::LinearSystem system = structure::system_at(assembly, w);
   Eigen::VectorXcd force = eccentricity_m * w * w * system.unbalance_kg;
   if (assembly.bow_n.size() > 0) force += assembly.bow_n;
   const scene::QuietMotion quiet =

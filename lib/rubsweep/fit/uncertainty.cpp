@@ -4,22 +4,13 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <utility>
 
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::fit {
-
-double student_975(int degrees_of_freedom) {
-  constexpr std::array<double, 4> exact{12.7062, 4.30265, 3.18245, 2.77645};
-  if (degrees_of_freedom <= 4) return exact[static_cast<std::size_t>(std::max(degrees_of_freedom, 1) - 1)];
-  // Cornish and Fisher's expansion about the normal quantile (Abramowitz and Stegun 26.7.5).
-  const double z = 1.959963984540054, n = degrees_of_freedom;
-  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4 * n) + (5 * z5 + 16 * z3 + 3 * z) / (96 * n * n) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n);
-}
 
 Uncertainty uncertainty_of(const LeastSquaresFit& fit, int eliminated) {
   const Eigen::Index count = fit.value.size();
@@ -47,7 +38,8 @@ Uncertainty uncertainty_of(const LeastSquaresFit& fit, int eliminated) {
   for (Eigen::Index i = 0; i < count; ++i)
     found.standard_error(i) =
         length(i) > 0 ? found.residual_rms * std::sqrt(covariance(i, i)) / length(i) : INFINITY;
-  found.half_width = student_975(found.degrees_of_freedom) * found.standard_error;
+  const boost::math::students_t student(found.degrees_of_freedom);
+  found.half_width = boost::math::quantile(student, 0.975) * found.standard_error;
   found.correlation = covariance;
   for (Eigen::Index i = 0; i < count; ++i)
     for (Eigen::Index j = 0; j < count; ++j)
@@ -72,10 +64,11 @@ std::vector<std::string> untold_combinations(const Uncertainty& uncertainty,
       if (std::abs(uncertainty.direction(i, k)) > share)
         names.push_back(parameters[static_cast<std::size_t>(i)].name);
     }
-    sentences.push_back(names.size() == 1
-                            ? fmt::format("the data do not tell {}", names.front())
-                            : fmt::format("the data do not tell {} apart (singular value {:.1e})",
-                                          fmt::join(names, ", "), uncertainty.singular(k)));
+    std::string sentence = names.size() == 1
+                               ? fmt::format("the data do not tell {}", names.front())
+                               : fmt::format("the data do not tell {} apart (singular value {:.1e})",
+                                             fmt::join(names, ", "), uncertainty.singular(k));
+    if (std::ranges::find(sentences, sentence) == sentences.end()) sentences.push_back(std::move(sentence));
   }
   return sentences;
 }

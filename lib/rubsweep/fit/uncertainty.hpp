@@ -32,7 +32,4 @@ inline constexpr double untold = 1e-3;
 std::vector<std::string> untold_combinations(const Uncertainty& uncertainty,
                                              const std::vector<Parameter>& parameters);
 
-/// Quantile 0.975 of Student's distribution, degrees of freedom >= 1; within 0.1 % from 3 on.
-double student_975(int degrees_of_freedom);
-
 }  // namespace rubsweep::fit

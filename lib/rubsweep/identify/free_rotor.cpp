@@ -28,8 +28,7 @@ FreeRotor free_jeffcott(const model::JeffcottRotor& rotor) {
   return free;
 }
 
-/// Adds a shape to those of one plane: the static deflection by a force between `rows`, less what the others
-/// make of it.
+/// Adds a shape to those of one plane: the static deflection by `force`, less what the others make of it.
 void add_deflection(const structure::BeamShaft& shaft, std::size_t plane, const Eigen::VectorXd& force,
                     structure::Reduction& modes) {
   constexpr double nothing = 1e-9;
@@ -87,16 +86,7 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
     free.x.row(node) = free.system.scatter(0, modes.bases[0].row(2 * node).transpose()).transpose();
     free.y.row(node) = free.system.scatter(1, modes.bases[1].row(2 * node).transpose()).transpose();
   }
-  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
-    if (!kit.supports[i].table) continue;
-    const Eigen::VectorXd gap = structure::support_gap(shaft, kit, i);
-    structure::TabledSupport tabled = structure::tabled_support(kit.supports[i]);
-    tabled.map.resize(2, n);
-    for (std::size_t plane = 0; plane < 2; ++plane)
-      tabled.map.row(static_cast<Eigen::Index>(plane)) =
-          free.system.scatter(plane, modes.bases[plane].transpose() * gap).transpose();
-    free.tables.push_back(std::move(tabled));
-  }
+  free.tables = structure::tabled_supports(shaft, kit, modes.bases, free.system, n);
   // The mass matrix in place of the gyroscopic one, which couples the planes; the mean of both where they
   // differ.
   shaft.gyroscopic = (shaft.plane_mass(0) + shaft.plane_mass(1)) / 2;

@@ -27,6 +27,10 @@ struct Branch {
   numerics::Pchip signed_hz;
 
   bool lasts_at(std::size_t k) const { return damping_ratio[k] <= most_damping_ratio; }
+  /// Whether the mode lasts and whirls one way all along the piece that ends at point k.
+  bool lasts_up_to(std::size_t k) const {
+    return lasts_at(k - 1) && lasts_at(k) && signed_hz(speed_hz[k - 1]) * signed_hz(speed_hz[k]) > 0;
+  }
 };
 
 Branch branch_of(const CampbellMode& mode) {
@@ -46,10 +50,11 @@ void add_roots(const Branch& first, const Branch& second, int p, int q, std::vec
   };
   const std::size_t points = std::min(first.speed_hz.size(), second.speed_hz.size());
   for (std::size_t k = 0; k < points; ++k) {
-    if (!first.lasts_at(k) || !second.lasts_at(k)) continue;
     const double end = first.speed_hz[k];
+    if (!first.lasts_at(k) || !second.lasts_at(k)) continue;
     if (excess(end) == 0 && end > 0) found.push_back({first.number, second.number, p, q, end});
-    if (k == 0 || !(excess(first.speed_hz[k - 1]) * excess(end) < 0)) continue;
+    if (k == 0 || !first.lasts_up_to(k) || !second.lasts_up_to(k)) continue;
+    if (!(excess(first.speed_hz[k - 1]) * excess(end) < 0)) continue;
     double low = first.speed_hz[k - 1], high = end;
     for (int i = 0; i < halvings; ++i) {
       const double middle = low + (high - low) / 2;

@@ -37,6 +37,8 @@ WhirlProblem::WhirlProblem(const FreeRotor& rotor) : mass_(rotor.system.mass) {
   gyroscopic_ = normalised(mass_, rotor.system.gyroscopic);
   circulatory_ = rotor.circulatory.size() > 0 ? normalised(mass_, rotor.circulatory)
                                               : Eigen::MatrixXd::Zero(stiffness_.rows(), stiffness_.cols());
+  if (!(stiffness_.diagonal().minCoeff() > 0))
+    throw ConfigError("rotor.supports: they do not hold the shaft at some speed of their tables");
   rad_per_s_ = stiffness_.diagonal().cwiseSqrt();
   const auto slowness = rad_per_s_.cwiseInverse().asDiagonal();
   if (!rotor.tables.empty()) tabled_ = rotor;

@@ -25,8 +25,8 @@ double assurance(const WhirlMode& a, const WhirlMode& b);
 
 /// The eigenproblem (root^2 mass + root (damping + speed gyroscopic) + stiffness + speed circulatory) shape =
 /// 0 of a rotor. It is solved for states (w p, p') of mass-normalised coordinates p, w the frequency that
-/// each has alone: all numbers are then rates, and the slowest modes come out as well as the fastest. Where supports
-/// follow the speed, the frequencies alone are those of the supports that the matrices hold.
+/// each has alone: all numbers are then rates, and the slowest modes come out as well as the fastest. Where
+/// supports follow the speed, w is that at the speed of the modes.
 class WhirlProblem {
  public:
   explicit WhirlProblem(const FreeRotor& rotor);

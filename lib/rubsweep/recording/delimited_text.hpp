@@ -13,7 +13,7 @@ namespace rubsweep::recording {
 /// '#' or '%', byte order mark, line ends of any system. A unit stands in brackets behind the name or in a
 /// line of its own below the names; names that end with _s or _m are in seconds or metres. A first column of
 /// time stamps (12:30:01.25, with or without a date before it) becomes seconds since the first one; it may
-/// pass midnight once where it has no date. Throws ConfigError with `name`:line:column for a cell that is no
+/// pass midnight where it has no date. Throws ConfigError with `name`:line:column for a cell that is no
 /// number, a row that is too short or too long, and a text without numbers.
 Channels read_delimited_text(std::string_view text, const std::string& name);
 

@@ -62,6 +62,16 @@ Clock clock_of(const Channels& channels, const Instrument& instrument, const std
                       time.name, time.values[k - 1], time.values[k], usual));
     }
   }
+  const double mean = (time.values[last] - time.values[0]) / static_cast<double>(last);
+  for (std::size_t k = 1; k <= last; ++k) {
+    const double off = time.values[k] - time.values[0] - mean * static_cast<double>(k);
+    if (std::abs(off) > largest_jitter * mean)
+      throw ConfigError(
+          fmt::format("{}: '{}' has {:.10g} {:.3g} steps off its place, allowed: an even sampling rate",
+                      channels.line.empty() ? fmt::format("{}: {}", name, channels.place_of(k))
+                                            : fmt::format("{}:{}", name, channels.line[k]),
+                      time.name, time.values[k], off / mean));
+  }
   const double span_s = unit_s * (time.values[last] - time.values[0]);
   return {unit_s * time.values[0], static_cast<double>(last) / span_s};
 }
@@ -71,6 +81,9 @@ std::vector<double> turn_begins_s(const Channels& channels, const Instrument& in
                                   const std::string& name, std::vector<std::string>& findings) {
   const std::size_t count = channels.rows();
   const double last_s = clock.first_s + static_cast<double>(count - 1) / clock.rate_hz;
+  if (!instrument.keyphasor && *instrument.speed_hz > clock.rate_hz / 2)
+    throw ConfigError(
+        name + ": has fewer than two readings a turn at speed_hz, allowed: up to half the sampling rate");
   if (!instrument.keyphasor) return steady_turns_s(clock.first_s, last_s, instrument.speed_hz.value());
   const Keyphasor& keyphasor = *instrument.keyphasor;
   const Channel& channel = find(channels, keyphasor.column, name);

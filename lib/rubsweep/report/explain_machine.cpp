@@ -166,8 +166,14 @@ std::string explain_faults(const model::RotorKit& kit) {
   return text;
 }
 
-std::string explain_rotating_damping(const scene::PreparedMachine& prepared, const model::RotorKit& kit) {
+/// At another speed supports by tables are others: where the whirl is unstable is then said of the sweep
+/// alone.
+std::string explain_rotating_damping(const scene::PreparedMachine& prepared, const model::RotorKit& kit,
+                                     bool by_tables) {
   if (!model::has_rotating_damping(kit)) return "";
+  if (by_tables)
+    return fmt::format("  damping that turns with the shaft: ratio {} and so on by mode\n",
+                       kit.rotating_damping_ratio.front());
   const double highest_hz = 20 * prepared.reduction->frequency_hz[0](0);
   const auto from_hz = structure::instability_hz(prepared.assembly, highest_hz);
   return fmt::format(
@@ -177,14 +183,14 @@ std::string explain_rotating_damping(const scene::PreparedMachine& prepared, con
               : fmt::format("stable up to {:.4g} Hz", highest_hz));
 }
 
-std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit) {
+std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit, bool by_tables) {
   const structure::Reduction& reduction = *prepared.reduction;
   std::string text = fmt::format(
       "rotor: kit, shaft of {:.6g} m in {} or more Timoshenko elements, {} discs, {} supports, {} "
       "couplings{}{}\n",
       model::shaft_length_m(kit), kit.elements, kit.discs.size(), kit.supports.size(), kit.couplings.size(),
       kit.bow ? ", residual bow" : "", kit.torsion ? ", torsion against the drive (1 coordinate)" : "");
-  text += explain_rotating_damping(prepared, kit);
+  text += explain_rotating_damping(prepared, kit, by_tables);
   const std::string faults = explain_faults(kit);
   text += faults;
   text += "  reduced in x to " + explain_plane(reduction, 0);
@@ -212,7 +218,7 @@ std::string explain_rotating_damping(const model::JeffcottRotor& rotor) {
       rotor.natural_frequency_hz * (1 + rotor.damping_ratio / rotor.rotating_damping_ratio));
 }
 
-std::string explain_rotor(const scene::PreparedMachine& prepared) {
+std::string explain_rotor(const scene::PreparedMachine& prepared, bool by_tables) {
   return std::visit(
       overloaded{
           [](const model::JeffcottRotor& rotor) {
@@ -222,7 +228,7 @@ std::string explain_rotor(const scene::PreparedMachine& prepared) {
                        rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio) +
                    explain_rotating_damping(rotor);
           },
-          [&](const model::RotorKit& kit) { return explain_kit(prepared, kit); }},
+          [&](const model::RotorKit& kit) { return explain_kit(prepared, kit, by_tables); }},
       prepared.machine.rotor);
 }
 
@@ -261,7 +267,8 @@ std::string explain_machine(const model::Machine& machine, double speed_hz) {
   const scene::PreparedMachine prepared = scene::prepare_machine(structure::machine_at(machine, speed_hz));
   const scene::Cell cell = scene::build_cell(prepared, speed_hz, scene::WhirlRatio{0});
   const auto coordinates = cell.scene.structure.coordinates();
-  std::string text = explain_rotor(prepared);
+  const model::RotorKit* kit = model::kit_of(machine);
+  std::string text = explain_rotor(prepared, kit != nullptr && model::has_tables(*kit));
   for (std::size_t i = 0; i < machine.stops.size(); ++i) text += explain_stop(prepared, cell, i);
   text += explain_kick(machine);
   text += fmt::format("states: {} ({} coordinates and their rates)\n", 2 * coordinates, coordinates);

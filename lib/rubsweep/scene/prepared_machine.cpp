@@ -39,7 +39,8 @@ class StructuresAtSpeeds {
     refuse_invalid(machine);
     structure::KitAssembly kit = structure::assemble_kit_for_speed(machine);
     structure::refuse_unusable(kit.assembly);
-    auto made = std::make_unique<Structure>(std::move(kit.assembly), std::move(kit.reduction));
+    // With braces: clang 14 makes no aggregate with parentheses.
+    std::unique_ptr<const Structure> made(new Structure{std::move(kit.assembly), std::move(kit.reduction)});
     const std::lock_guard lock(mutex_);
     return *known_.try_emplace(speed_hz, std::move(made)).first->second;
   }

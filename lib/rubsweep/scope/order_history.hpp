@@ -24,8 +24,8 @@ struct OrderPoint {
 };
 
 /// A Bode plot of an order that is a multiple of 1/8: one point a turn, of the least number of turns from
-/// `turns` on in which the order goes round a whole number of times. Over these turns the mean and an even
-/// change of it are taken out.
+/// `turns` on in which the order goes round a whole number of times. Over these turns
+/// the mean adds nothing to it.
 std::vector<OrderPoint> order_history(const recording::Recording& recording, double order, int turns = 2);
 
 /// t_s, speed_hz, order, x_amplitude_m, x_phase_deg, y_amplitude_m, y_phase_deg of several orders; phases

@@ -99,6 +99,8 @@ std::string doubt_text(const Verdict& verdict, double mean_speed_hz) {
         "periods of more than {} turns cannot be told by {} turns; {:.2g} s more would tell up to {}\n",
         verdict.longest_period, verdict.turns, (3 * max_period - verdict.turns) / mean_speed_hz, max_period);
   }
+  if (!verdict.period)
+    return fmt::format("lines of {:.2g} um or more stand beside every period\n", 1e6 * verdict.visible_m);
   return fmt::format("no line of {:.2g} um or more belongs to another period\n", 1e6 * verdict.visible_m);
 }
 
@@ -174,8 +176,9 @@ std::string run_text(const std::vector<OrderPoint>& points, bool y, std::string&
 ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const std::vector<double>& orders) {
   const std::vector<double> speeds_hz = recording::turn_speeds_hz(recording.turn_begin_s);
   const double mean_hz = recording.turns() / (recording.turn_begin_s.back() - recording.turn_begin_s.front());
-  const double sample_noise_m = verdict.noise_m * std::sqrt(static_cast<double>(verdict.turns)) *
-                                std::sqrt(double{samples_per_revolution});
+  // A line of one probe has the noise of half as many numbers as one of two.
+  const double numbers = (recording.plane ? 1.0 : 2.0) * verdict.turns * samples_per_revolution;
+  const double sample_noise_m = verdict.noise_m * std::sqrt(numbers);
   ScopeTables tables{.turns_csv = turns_csv(recording, speeds_hz),
                      .orbit_csv = orbit_csv(verdict, recording.plane),
                      .lines_csv = lines_csv(verdict),

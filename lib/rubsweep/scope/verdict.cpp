@@ -205,7 +205,9 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
     verdict.motion = same ? MeasuredClass::quasi_periodic : MeasuredClass::aperiodic;
     // The last turns alone: as many lines as a figure can show, each with that much more noise.
     verdict.turns = std::min(turns, most_aperiodic_turns);
-    verdict.noise_m *= std::sqrt(static_cast<double>(turns) / verdict.turns);
+    const double fewer = std::sqrt(static_cast<double>(turns) / verdict.turns);
+    verdict.noise_m *= fewer;
+    verdict.visible_m *= fewer;
     const auto last = displacement_m.last(static_cast<std::size_t>(verdict.turns) *
                                           static_cast<std::size_t>(samples_per_revolution));
     verdict.orbit_m.assign(last.begin(), last.end());

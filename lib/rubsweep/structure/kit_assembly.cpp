@@ -47,7 +47,8 @@ class KitBuilder {
     if (!kit_.static_loads.empty()) add_static_loads();
     add_faults();
     add_points();
-    add_tables();
+    result_.assembly.tables =
+        tabled_supports(shaft_, kit_, result_.reduction.bases, lateral_, system().coordinates());
     add_casings();
     return std::move(result_);
   }
@@ -196,20 +197,6 @@ class KitBuilder {
     for (const double position : sensors_) assembly.sensor_points.push_back(add_point(position));
     assembly.observed_point = add_point(sensors_.empty() ? stops_.front() : sensors_.front());
     assembly.kick_point = add_point(kick_);
-  }
-
-  void add_tables() {
-    for (std::size_t i = 0; i < kit_.supports.size(); ++i) {
-      const model::Support& support = kit_.supports[i];
-      if (!support.table) continue;
-      const Eigen::VectorXd gap = support_gap(shaft_, kit_, i);
-      TabledSupport tabled = tabled_support(support);
-      tabled.map.setZero(2, system().coordinates());
-      for (std::size_t plane = 0; plane < 2; ++plane)
-        tabled.map.row(static_cast<Eigen::Index>(plane)).head(lateral()) =
-            lateral_.scatter(plane, basis(plane).transpose() * gap).transpose();
-      result_.assembly.tables.push_back(std::move(tabled));
-    }
   }
 
   /// Along the normal of a flat stop; in an annular stop the mean of both planes.

@@ -223,6 +223,22 @@ LateralSystem reduced_system(const BeamShaft& shaft, const model::RotorKit& kit,
   return system;
 }
 
+std::vector<TabledSupport> tabled_supports(const BeamShaft& shaft, const model::RotorKit& kit,
+                                           const PlaneBases& bases, const LateralSystem& system,
+                                           Eigen::Index coordinates) {
+  std::vector<TabledSupport> supports;
+  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
+    if (!kit.supports[i].table) continue;
+    const Eigen::VectorXd gap = support_gap(shaft, kit, i);
+    TabledSupport& tabled = supports.emplace_back(tabled_support(kit.supports[i]));
+    tabled.map.setZero(2, coordinates);
+    for (std::size_t plane = 0; plane < 2; ++plane)
+      tabled.map.row(static_cast<Eigen::Index>(plane)).head(system.coordinates()) =
+          system.scatter(plane, bases[plane].transpose() * gap).transpose();
+  }
+  return supports;
+}
+
 RotatingDamping rotating_damping(const BeamShaft& shaft, const model::RotorKit& kit,
                                  const Reduction& reduction, const LateralSystem& system) {
   const auto& ratios = kit.rotating_damping_ratio;

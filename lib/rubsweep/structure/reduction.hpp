@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rubsweep/structure/lateral_system.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::structure {
 
@@ -33,6 +34,11 @@ Reduction reduce(const BeamShaft& shaft, const model::RotorKit& kit, const std::
 
 /// The reduced rotor with its support damping and its structural damping, 2 ratio w m of each shape.
 LateralSystem reduced_system(const BeamShaft& shaft, const model::RotorKit& kit, const Reduction& reduction);
+
+/// Supports that follow the speed, in the coordinates of `system`, the first of `coordinates`.
+std::vector<TabledSupport> tabled_supports(const BeamShaft& shaft, const model::RotorKit& kit,
+                                           const PlaneBases& bases, const LateralSystem& system,
+                                           Eigen::Index coordinates);
 
 /// Contributions of damping that turns with the shaft in the coordinates of `system`: to the damping, and,
 /// times the speed, to the stiffness.

@@ -58,10 +58,10 @@ bool grows(const LinearSystem& system) {
   return any_grows(rates_per_s(system.mass, system.damping, system.stiffness));
 }
 
-std::optional<double> instability_hz(const Assembly& assembly, double highest_hz, double lowest_hz) {
+std::optional<double> instability_hz(const Assembly& assembly, double highest_hz) {
   const auto grows_at = [&](double hz) { return grows(assembly, 2 * std::numbers::pi * hz); };
-  if (grows_at(lowest_hz)) return lowest_hz;
-  const auto on_grid = [&](int k) { return lowest_hz + (highest_hz - lowest_hz) * k / grid_speeds; };
+  if (grows_at(0)) return 0;
+  const auto on_grid = [&](int k) { return highest_hz * k / grid_speeds; };
   for (int k = 1; k <= grid_speeds; ++k) {
     double above = on_grid(k);
     if (!grows_at(above)) continue;

@@ -15,8 +15,8 @@ bool grows(const Assembly& assembly, double speed_rad_per_s);
 /// The same of a system whose matrices are those of one speed already.
 bool grows(const LinearSystem& system);
 
-/// The lowest speed from `lowest_hz` to `highest_hz` from which on a free vibration grows, found on a grid of 200
-/// speeds and bisected to 1e-9 of it: empty where there is none, `lowest_hz` where the rotor is unstable there.
-std::optional<double> instability_hz(const Assembly& assembly, double highest_hz, double lowest_hz = 0);
+/// The lowest speed up to `highest_hz` from which on a free vibration grows, found on a grid of 200 speeds
+/// and bisected to 1e-9 of it: empty where there is none, 0 where the rotor is unstable at rest.
+std::optional<double> instability_hz(const Assembly& assembly, double highest_hz);
 
 }  // namespace rubsweep::structure

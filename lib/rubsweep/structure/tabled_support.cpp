@@ -1,11 +1,14 @@
 #include "rubsweep/structure/tabled_support.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/model/rpm.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -15,19 +18,12 @@ SupportCurves curves_of(const model::SupportTable& table, std::index_sequence<co
   return {numerics::Pchip(table.speed_hz, table.columns[column])...};
 }
 
-std::string number(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
 void refuse_beyond(const model::SupportTable& table, double speed_hz, const std::string& path) {
   const double low = table.speed_hz.front(), high = table.speed_hz.back();
   if (speed_hz >= low && speed_hz <= high) return;
-  throw ConfigError(path + "table: does not reach " + number(speed_hz) + " Hz, allowed: speeds from " +
-                    number(low) + " to " + number(high) + " Hz (" + number(60 * low) + " to " +
-                    number(60 * high) + " rpm)");
+  throw ConfigError(
+      fmt::format("{}table: does not reach {} Hz, allowed: speeds from {} to {} Hz ({} to {} rpm)", path,
+                  speed_hz, low, high, model::rpm_per_hz * low, model::rpm_per_hz * high));
 }
 
 std::string path_of(std::size_t support) { return "rotor.supports." + std::to_string(support) + "."; }

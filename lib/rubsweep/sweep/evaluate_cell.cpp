@@ -132,14 +132,10 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const s
 /// The row of a place, with the runs that robustness needs.
 Row evaluate_place(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
                    response::motion::Workspace& workspace) {
-  if (prepared.at_speeds) {
-    const auto there = with_supports_at(prepared, place.speed_hz);
-    return there ? evaluate_place(study, *there, place, workspace) : not_allowed(place);
-  }
   Row row = evaluate(study, prepared, place, workspace);
   const auto with_kick_of = [&](const model::Machine& machine) {
     // Only the kick differs: the structure stays.
-    return evaluate(study, scene::PreparedMachine{machine, prepared.assembly, prepared.reduction}, place,
+    return evaluate(study, {machine, prepared.assembly, prepared.reduction, prepared.at_speeds}, place,
                     workspace);
   };
   if (study.robustness == Robustness::on) row.robust = is_robust(row, study.machine, with_kick_of);

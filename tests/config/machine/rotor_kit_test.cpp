@@ -36,9 +36,6 @@ TEST(RotorKit, ReadsEveryKey) {
   EXPECT_EQ(kit.supports[1].pedestal->stiffness_y_n_per_m, 1.1e5);
   EXPECT_EQ(kit.couplings.at(0).angular_stiffness_nm_per_rad, 1e3);
   EXPECT_EQ(kit.sensors.at(0).angle_deg, 45);
-  ASSERT_TRUE(kit.bow);
-  EXPECT_EQ(std::get<model::BowPoints>(kit.bow->shape).deflection_m, (std::vector<double>{0, 1e-5, 0}));
-  EXPECT_EQ(kit.bow->phase_deg, 30);
   ASSERT_TRUE(kit.torsion);
   EXPECT_EQ(kit.torsion->drive_damping_nms_per_rad, 0.1);
   EXPECT_EQ(kit.damping_ratio, (std::vector<double>{0.02, 0.01}));
@@ -50,14 +47,11 @@ TEST(RotorKit, ReadsEveryKey) {
 }
 
 TEST(RotorKit, OtherForms) {
-  const model::Machine machine =
-      read_with({"rotor.modes=auto", "rotor.damping_ratio=0.03", "rotor.bow={mode: 2, amplitude_m: 1e-4}"});
+  const model::Machine machine = read_with({"rotor.modes=auto", "rotor.damping_ratio=0.03"});
   const model::RotorKit& kit = *model::kit_of(machine);
   EXPECT_FALSE(kit.modes);
   EXPECT_EQ(kit.damping_ratio, (std::vector<double>{0.03}));
   EXPECT_EQ(kit.rotating_damping_ratio, (std::vector<double>{0}));
-  EXPECT_EQ(std::get<model::BowMode>(kit.bow->shape).mode, 2);
-  EXPECT_EQ(std::get<model::BowMode>(kit.bow->shape).amplitude_m, 1e-4);
 }
 
 /// A pedestal does not turn.
@@ -101,10 +95,6 @@ TEST(RotorKit, ProblemsHaveTheirPlaces) {
   EXPECT_NE(
       message("rotor.shaft.1.inner_diameter_m=0.02").find("rotor.shaft.1.inner_diameter_m: no wall is left"),
       std::string::npos);
-  EXPECT_NE(message("rotor.bow={mode: 1}").find("rotor.bow.amplitude_m: missing"), std::string::npos);
-  EXPECT_NE(message("rotor.bow={phase_deg: 1}")
-                .find("rotor.bow: one key is missing, allowed: exactly one of mode, position_m"),
-            std::string::npos);
   EXPECT_NE(message("rotor.supports.0.fault={impulse_ns: 1}")
                 .find("rotor.supports.0.fault.multiple: missing, allowed: a number > 0 and <= 1000"),
             std::string::npos);

@@ -30,7 +30,7 @@ TEST(SupportTable, FromAFileIsPrintedInlineAndReadsBackTheSame) {
   const std::string folder = testing::TempDir() + "support_table";
   std::filesystem::create_directories(folder + "/tables");
   std::ofstream(folder + "/tables/film.csv")
-      << "# of a supplier\n\nspeed_rpm , kxx_n_per_mm, "
+      << "\xEF\xBB\xBF# of a supplier\n\nspeed_rpm , kxx_n_per_mm, "
          "kyy_n_per_mm,cxx_ns_per_m\r\n1200,30,31,5\r\n4800,33.3,32,6\n";
   const std::string text =
       replaced(test_file("bad/table_missing.yaml"), "tables/no_such_table.csv", "tables/film.csv");

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "rubsweep/config/machine/bow.hpp"
 #include "rubsweep/config/machine/rotor_parts.hpp"
 #include "rubsweep/config/machine/shaft_segment.hpp"
 #include "rubsweep/config/machine/support_table.hpp"
@@ -119,58 +120,9 @@ void read_support(yaml::Section& section, model::Support& support, const model::
   refuse_problem(section, model::housing_problem(support));
 }
 
-std::vector<model::Housing> read_housings(const yaml::Value& list) {
-  std::vector<model::Housing> housings;
-  const auto items = read_list(list, most_parts);
-  if (!items) return housings;
-  for (const yaml::Value& item : *items) {
-    yaml::Section section(item);
-    read_fields(section, housings.emplace_back());
-    section.refuse_unknown_keys();
-  }
-  return housings;
-}
-
-std::vector<double> read_number_list(const yaml::Value& value, const model::Range& range) {
-  std::vector<double> numbers;
-  const auto items = read_list(value, most_parts);
-  if (!items) return numbers;
-  for (const yaml::Value& item : *items) {
-    if (const auto number = read_number(item, range)) numbers.push_back(*number);
-  }
-  return numbers;
-}
-
-model::BowPoints read_bow_points(yaml::Section& section, const model::Range& range) {
-  model::BowPoints points;
-  if (const auto positions = section.require("position_m", "a list of numbers")) {
-    points.position_m = read_number_list(*positions, range);
-  }
-  if (const auto deflections = section.require("deflection_m", "a list of numbers")) {
-    points.deflection_m = read_number_list(*deflections, model::physical::deflection_m);
-  }
-  return points;
-}
-
-model::Bow read_bow(const yaml::Value& value, const model::Range& range) {
-  yaml::Section section(value);
-  model::Bow bow;
-  section.require_exactly_one({"mode", "position_m"});
-  if (section.find("mode")) {
-    auto& mode = bow.shape.emplace<model::BowMode>();
-    section.field("mode", mode.mode, mode_counts);
-    section.field("amplitude_m", mode.amplitude_m, model::physical::amplitude_m);
-  } else if (section.is_sound()) {
-    bow.shape = read_bow_points(section, range);
-  }
-  section.field("phase_deg", bow.phase_deg, model::any_finite);
-  section.refuse_unknown_keys();
-  return bow;
-}
-
 void read_damping_ratio(const yaml::Value& value, std::vector<double>& ratios) {
   if (value.node.kind == yaml::Node::Kind::list) {
-    ratios = read_number_list(value, model::RotorKit::damping_ratio_range);
+    ratios = read_number_list(value, model::RotorKit::damping_ratio_range, most_parts);
   } else if (const auto ratio = read_number(value, model::RotorKit::damping_ratio_range)) {
     ratios = {*ratio};
   }
@@ -234,21 +186,6 @@ void print_parts(yaml::Printer& printer, std::string_view name, const std::vecto
   printer.close();
 }
 
-void print_bow(yaml::Printer& printer, const model::Bow& bow) {
-  printer.open("bow");
-  std::visit(overloaded{[&](const model::BowMode& mode) {
-                          printer.integer("mode", mode.mode);
-                          printer.number("amplitude_m", mode.amplitude_m);
-                        },
-                        [&](const model::BowPoints& points) {
-                          printer.numbers("position_m", points.position_m);
-                          printer.numbers("deflection_m", points.deflection_m);
-                        }},
-             bow.shape);
-  printer.number("phase_deg", bow.phase_deg);
-  printer.close();
-}
-
 }  // namespace
 
 model::Range places(const model::RotorKit& kit) {
@@ -299,7 +236,7 @@ model::RotorKit read_rotor_kit(yaml::Section& section) {
   list("discs", kit.discs, read_inertia);
   const auto supports = section.require("supports", "a list of maps");
   list("point_masses", kit.point_masses, nothing_more);
-  if (const auto value = section.find("housings")) kit.housings = read_housings(*value);
+  list("housings", kit.housings, nothing_more);
   list("supports", kit.supports,
        [&](yaml::Section& part, model::Support& support) { read_support(part, support, kit); });
   list("couplings", kit.couplings, nothing_more);

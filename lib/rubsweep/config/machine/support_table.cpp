@@ -25,7 +25,7 @@ constexpr std::string_view table_forms =
 /// Name of a column and how many SI units its numbers count in.
 struct Name {
   std::string_view text;
-  double per_si = 0;
+  double in_si = 0;
 };
 
 /// In the order of model::support_coefficients; the second name of each is printed.
@@ -53,7 +53,10 @@ std::string_view trimmed(std::string_view text) {
 class TableFile {
  public:
   TableFile(const yaml::Value& name, std::string_view text, int file)
-      : name_(name), rest_(text), file_(file) {}
+      : name_(name), rest_(text), file_(file) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+  }
 
   yaml::Node read() {
     yaml::Node table{yaml::Node::Kind::map, name_.node.place};
@@ -138,17 +141,17 @@ yaml::Node* child(yaml::Node* map, std::string_view name) {
                                   : &map->items[static_cast<std::size_t>(found - map->keys.begin())];
 }
 
-std::vector<double> read_column(const yaml::Value& value, const model::Range& range, double per_si) {
+std::vector<double> read_column(const yaml::Value& value, const model::Range& range, double in_si) {
   std::vector<double> numbers;
   const auto items = read_list(value, model::SupportTable::most_points);
   if (!items) return numbers;
   for (const yaml::Value& item : *items) {
     const auto number = read_number(item, model::any_finite);
     if (!number) continue;
-    if (!model::contains(range, *number * per_si))
+    if (!model::contains(range, *number * in_si))
       refuse(item, fmt::format("{} is out of range", yaml::shown(item.node.text)),
-             model::describe(range, *number * per_si));
-    numbers.push_back(*number * per_si);
+             model::describe(range, *number * in_si));
+    numbers.push_back(*number * in_si);
   }
   return numbers;
 }
@@ -178,7 +181,7 @@ std::optional<std::vector<double>> find_column(yaml::Section& section, std::size
                                                std::size_t points) {
   std::optional<std::vector<double>> found;
   std::string_view first;
-  for (const auto& [name, per_si] : names[column]) {
+  for (const auto& [name, in_si] : names[column]) {
     const auto value = name.empty() ? std::nullopt : section.find(name);
     if (!value) continue;
     if (found) {
@@ -186,8 +189,8 @@ std::optional<std::vector<double>> find_column(yaml::Section& section, std::size
       continue;
     }
     first = name;
-    found = read_column(*value, model::range_of_column(column), per_si);
-    if (value->node.kind == yaml::Node::Kind::list && value->node.items.size() != points)
+    found = read_column(*value, model::range_of_column(column), in_si);
+    if (points > 0 && value->node.kind == yaml::Node::Kind::list && value->node.items.size() != points)
       refuse(*value, fmt::format("holds {} numbers", value->node.items.size()),
              fmt::format("{}, as many as there are speeds", points));
   }

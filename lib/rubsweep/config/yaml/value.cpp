@@ -193,4 +193,14 @@ std::optional<std::vector<Value>> read_list(const Value& value, std::size_t long
   return items;
 }
 
+std::vector<double> read_number_list(const Value& value, const model::Range& range, std::size_t longest) {
+  std::vector<double> numbers;
+  const auto items = read_list(value, longest);
+  if (!items) return numbers;
+  for (const Value& item : *items) {
+    if (const auto number = read_number(item, range)) numbers.push_back(*number);
+  }
+  return numbers;
+}
+
 }  // namespace rubsweep::config::yaml

@@ -59,4 +59,7 @@ inline constexpr std::size_t max_text_bytes = 4096;
 /// Items of a list that holds at least one and at most `longest` of them, path "list.0", "list.1", ...
 std::optional<std::vector<Value>> read_list(const Value& value, std::size_t longest);
 
+/// Numbers of such a list, each within `range`, without those that added a problem.
+std::vector<double> read_number_list(const Value& value, const model::Range& range, std::size_t longest);
+
 }  // namespace rubsweep::config::yaml
