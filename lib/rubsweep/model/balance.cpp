@@ -3,11 +3,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "rubsweep/model/shaft_matrices.hpp"
+
 namespace rubsweep::model {
 
 double unbalanced_mass_kg(const Machine& machine) {
   const RotorKit* kit = kit_of(machine);
   if (kit == nullptr) return std::get<JeffcottRotor>(machine.rotor).mass_kg;
+  if (kit->matrices) return unbalanced_mass_kg(*kit->matrices);
   double mass_kg = 0;
   for (const Disc& disc : kit->discs) mass_kg += disc.mass_kg * std::abs(disc.eccentricity_ratio);
   return mass_kg;
@@ -16,6 +19,7 @@ double unbalanced_mass_kg(const Machine& machine) {
 double rotor_mass_kg(const Machine& machine) {
   const RotorKit* kit = kit_of(machine);
   if (kit == nullptr) return std::get<JeffcottRotor>(machine.rotor).mass_kg;
+  if (kit->matrices) return rotor_mass_kg(*kit->matrices);
   double mass_kg = 0;
   for (const Disc& disc : kit->discs) mass_kg += disc.mass_kg;
   for (const ShaftSegment& part : kit->shaft) mass_kg += model::mass_kg(part);

@@ -12,6 +12,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/model/disc_inertia.hpp"
 #include "rubsweep/model/magnitude.hpp"
+#include "rubsweep/model/shaft_matrices.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::model {
@@ -109,7 +110,25 @@ void validate(const BowPoints& points, const std::string& path, double length_m)
   }
 }
 
+/// Matrices do not tell the shaft's own stiffness, nor its inertia against torsion.
+void refuse_beside_matrices(const RotorKit& kit, const std::string& path) {
+  const std::pair<const char*, bool> excluded[]{{"shaft", !kit.shaft.empty()},
+                                                {"discs", !kit.discs.empty()},
+                                                {"point_masses", !kit.point_masses.empty()},
+                                                {"housings", !kit.housings.empty()},
+                                                {"couplings", !kit.couplings.empty()},
+                                                {"bow", kit.bow.has_value()},
+                                                {"torsion", kit.torsion.has_value()}};
+  for (const auto& [name, given] : excluded) {
+    if (given) throw ConfigError(fmt::format("{}{}: is given beside matrices, allowed: nothing", path, name));
+  }
+}
+
 void validate_shaft(const RotorKit& kit, const std::string& path) {
+  if (kit.matrices) {
+    refuse_beside_matrices(kit, path);
+    return validate(*kit.matrices, path);
+  }
   if (kit.shaft.empty()) throw ConfigError(path + "shaft: at least one segment is needed");
   for (std::size_t i = 0; i < kit.shaft.size(); ++i) {
     const ShaftSegment& segment = kit.shaft[i];
@@ -164,6 +183,7 @@ std::optional<PartProblem> housing_problem(const Support& support) {
 }
 
 double shaft_length_m(const RotorKit& kit) {
+  if (kit.matrices) return shaft_length_m(*kit.matrices);
   double length = 0;
   for (const auto& segment : kit.shaft) length += segment.length_m;
   return length;
@@ -248,7 +268,7 @@ void validate(const RotorKit& kit, const std::string& path) {
     if (kit.supports[i].table) validate(*kit.supports[i].table, name + "table.");
   }
   for (const int plane : {0, 1}) {
-    if (supports_hold(kit, plane)) continue;
+    if (kit.matrices || supports_hold(kit, plane)) continue;  // the stiffness matrix holds, or its factors say no
     throw ConfigError(
         fmt::format("{}supports: they leave the shaft{} free to move in {}, allowed: supports that hold it",
                     path, kit.housings.empty() ? "" : " or a housing", plane == 0 ? "x" : "y"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +13,8 @@
 #include "rubsweep/model/support_table.hpp"
 
 namespace rubsweep::model {
+
+struct ShaftMatrices;
 
 /// Rigid disc on the shaft. Its unbalance is given per metre of the cell's eccentricity e: the centre of mass
 /// stands eccentricity_ratio * e off the shaft's axis, the axis of inertia leans by skew_rad_per_m * e.
@@ -219,8 +222,11 @@ struct Sensor {
   }
 };
 
-/// Shaft line made of stations: Timoshenko beam segments with discs, supports and couplings.
+/// Shaft line made of stations: Timoshenko beam segments with discs, supports and couplings. Or matrices of
+/// another program in place of shaft, discs, point masses, housings and couplings, and of what supports they hold;
+/// these exclude a bow and torsion, and stops, sensors, loads and supports stand at their nodes.
 struct RotorKit {
+  std::shared_ptr<const ShaftMatrices> matrices;
   std::vector<ShaftSegment> shaft;
   std::vector<Disc> discs;
   std::vector<Support> supports;
@@ -254,7 +260,7 @@ bool supports_hold(const RotorKit& kit, int plane);
 /// Problem of a support that is at or on a housing beside things that exclude it. Empty: none.
 std::optional<PartProblem> housing_problem(const Support& support);
 
-/// Sum of the lengths of the segments.
+/// Sum of the lengths of the segments, or the place of the last node of the matrices.
 double shaft_length_m(const RotorKit& kit);
 
 /// Whether some damping turns with the shaft.

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/numerics/lu.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/structure/beam_element.hpp"
+#include "rubsweep/structure/matrix_shaft.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -19,10 +21,8 @@ std::complex<double> phasor(double amplitude, double phase_deg) {
   return std::polar(amplitude, phase_deg * std::numbers::pi / 180);
 }
 
-std::vector<double> stations_of(const model::RotorKit& kit, std::vector<double> stations) {
-  double end = 0;
-  stations.push_back(end);
-  for (const auto& segment : kit.shaft) stations.push_back(end += segment.length_m);
+/// Places where something stands that is not part of the shaft itself.
+void add_places(const model::RotorKit& kit, std::vector<double>& stations) {
   for (const auto& disc : kit.discs) stations.push_back(disc.position_m);
   for (const auto& support : kit.supports) {
     if (!support.at_housing) stations.push_back(support.position_m);
@@ -39,6 +39,13 @@ std::vector<double> stations_of(const model::RotorKit& kit, std::vector<double> 
                           }},
                kit.bow->shape);
   }
+}
+
+std::vector<double> stations_of(const model::RotorKit& kit, std::vector<double> stations) {
+  double end = 0;
+  stations.push_back(end);
+  for (const auto& segment : kit.shaft) stations.push_back(end += segment.length_m);
+  add_places(kit, stations);
   std::sort(stations.begin(), stations.end());
   const auto same = [&](double a, double b) { return b - a <= same_place * end; };
   stations.erase(std::unique(stations.begin(), stations.end(), same), stations.end());
@@ -197,18 +204,52 @@ void add_point_masses(const model::RotorKit& kit, BeamShaft& shaft) {
     add_to_both(shaft.added_mass, shaft.housings[i], kit.housings[i].mass_kg, kit.housings[i].mass_y_kg);
 }
 
-}  // namespace
-
-Eigen::Index BeamShaft::deflection(double position_m) const {
+std::optional<Eigen::Index> find_deflection(const std::vector<double>& node_position_m, double position_m) {
   // Tolerance a little above the distance at which two stations are one, whatever the rounding of either.
   const double tolerance = (1 + 1e-3) * same_place * node_position_m.back();
   for (std::size_t node = 0; node < node_position_m.size(); ++node) {
     if (std::abs(node_position_m[node] - position_m) <= tolerance) return static_cast<Eigen::Index>(2 * node);
   }
+  return std::nullopt;
+}
+
+/// The matrices of a kit, with coordinates for the pedestals of the supports beside them.
+BeamShaft assemble_matrices(const model::RotorKit& kit, std::vector<double> stations) {
+  BeamShaft shaft = matrix_shaft(*kit.matrices);
+  add_places(kit, stations);
+  for (const double station : stations) {
+    if (!find_deflection(shaft.node_position_m, station))
+      throw ConfigError("rotor.degrees_of_freedom: has no node at " + std::to_string(station) +
+                        " m, where a stop, kick, sensor, load or support stands, allowed: such places at nodes");
+  }
+  const Eigen::Index first = shaft.coordinates();
+  Eigen::Index n = first;
+  for (const auto& support : kit.supports) n += support.pedestal ? 1 : 0;
+  const auto enlarge = [&](Eigen::MatrixXd& matrix) { matrix.conservativeResizeLike(Eigen::MatrixXd::Zero(n, n)); };
+  for (Eigen::MatrixXd* matrix : {&shaft.mass, &shaft.gyroscopic, &shaft.damping, &shaft.elastic, &shaft.added_mass[0],
+                                  &shaft.added_mass[1]})
+    enlarge(*matrix);
+  for (PlanePairs* pairs : {&shaft.support_stiffness, &shaft.support_damping}) {
+    for (auto& row : *pairs) std::ranges::for_each(row, enlarge);
+  }
+  shaft.unbalance_kg.conservativeResizeLike(Eigen::VectorXcd::Zero(n));
+  shaft.weight_kg.conservativeResizeLike(Eigen::VectorXd::Zero(n));
+  add_supports(kit, first, shaft);
+  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
+    if (const auto at = shaft.pedestals[i]) shaft.weight_kg(*at) = kit.supports[i].pedestal->mass_kg;
+  }
+  return shaft;
+}
+
+}  // namespace
+
+Eigen::Index BeamShaft::deflection(double position_m) const {
+  if (const auto found = find_deflection(node_position_m, position_m)) return *found;
   throw SolverError("beam shaft: there is no node at a station");
 }
 
 BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<double>& stations_m) {
+  if (kit.matrices) return assemble_matrices(kit, stations_m);
   const Mesh mesh = mesh_of(kit, stations_of(kit, stations_m));
   BeamShaft shaft;
   shaft.node_position_m = mesh.node_position_m;

@@ -47,7 +47,8 @@ struct BeamShaft {
 };
 
 /// Mesh and matrices of a valid kit. Nodes stand at the ends of segments, at every part, and at `stations_m`,
-/// with elements between them no longer than the shaft's length / kit.elements.
+/// with elements between them no longer than the shaft's length / kit.elements. Those of a kit with matrices are the
+/// nodes of these; throws ConfigError where a part or one of `stations_m` is at none of them.
 BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<double>& stations_m);
 
 /// Displacement of a support against what it stands on, per coordinate of one plane, n.
