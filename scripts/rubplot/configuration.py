@@ -1,7 +1,7 @@
 """Reads config.yaml as the programs write it beside their results, which is what --print-config prints.
 
-That file is the merged configuration with every default: block style, one value per line. Nothing else is YAML here;
-files that people write are for the programs alone to read.
+That file is the merged configuration with every default: block style, one value per line, and matrices in blocks of
+lines. Nothing else is YAML here; files that people write are for the programs alone to read.
 """
 
 import re
@@ -28,10 +28,15 @@ _LINE = re.compile(r"(?P<indent> *)(?P<item>- )?(?P<key>[a-z0-9_]+):(?: (?P<valu
 def read_configuration(path):
     """The values of a file; items of lists are numbered: stops.0.casing.mass_kg -> '0.05'."""
     values = Configuration(path)
+    block = None  # key and lines of a text in several lines, such as a matrix
     open_keys = []  # (column, key) from the outermost to the one of this line; a dash stands two columns before its key
     with open(path, encoding="utf-8", errors="replace") as file:
         for line_number, line in enumerate(file, 1):
             line = line.rstrip("\r\n")
+            if block is not None and line.startswith(" " * (open_keys[-1][0] + 2)):
+                values[block] += line.strip() + "\n"
+                continue
+            block = None
             if not line or line.startswith("#"):
                 continue
             match = _LINE.fullmatch(line)
@@ -44,7 +49,9 @@ def read_configuration(path):
             _close_down_to(open_keys, column)
             open_keys.append((column, match["key"]))
             if match["value"]:
-                values[".".join(str(key) for _, key in open_keys)] = match["value"]
+                path_of_key = ".".join(str(key) for _, key in open_keys)
+                block = path_of_key if match["value"] == "|" else None
+                values[path_of_key] = "" if block else match["value"]
     return values
 
 

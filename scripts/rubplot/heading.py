@@ -51,7 +51,7 @@ def _value(config, path, factor=1.0):
 
 
 def _rotor(config, identified_hz):
-    if config.get("rotor.kind") == "rotor_kit" or "rotor.shaft.0.length_m" in config:
+    if config.get("rotor.kind") in ("rotor_kit", "matrices") or "rotor.shaft.0.length_m" in config:
         return "rotor kit" if identified_hz is None else "rotor kit, identified %.4g Hz" % identified_hz
     known = _values(config, ("rotor.mass_kg", "", " kg"), ("rotor.natural_frequency_hz", "", " Hz"),
                     ("rotor.damping_ratio", "ζ = ", ""))

@@ -52,6 +52,12 @@ class ReadConfiguration(FileTest):
             },
         )
 
+    def test_takes_a_block_of_lines_as_one_value(self):
+        self.assertEqual(
+            self.read("rotor:\n  kind: matrices\n  mass: |\n    %%Matrix\n    1 1 2\n  modes: 3\nsweep: 1\n"),
+            {"rotor.kind": "matrices", "rotor.mass": "%%Matrix\n1 1 2\n", "rotor.modes": "3", "sweep": "1"},
+        )
+
     def test_refuses_what_no_program_writes(self):
         for text in ("a: 1\n  - 2\n", "just words\n", "\tb: 1\n", "A: 1\n"):
             with self.assertRaisesRegex(configuration.ConfigurationError, r"config.yaml:\d+: not as a program writes it"):

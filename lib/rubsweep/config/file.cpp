@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "rubsweep/config/machine/shaft_matrices.hpp"
 #include "rubsweep/config/machine/support_table.hpp"
 #include "rubsweep/config/yaml/base.hpp"
 #include "rubsweep/config/yaml/override.hpp"
@@ -38,6 +39,7 @@ yaml::Node parse_config(std::string_view text, const std::filesystem::path& file
   apply_overrides(*root, overrides, diagnostics);
   refuse_base_of_override(*root, diagnostics);
   machine::resolve_tables(*root, diagnostics);
+  machine::resolve_matrices(*root, diagnostics);
   return *std::move(root);
 }
 

@@ -15,8 +15,9 @@
 namespace rubsweep::config {
 namespace {
 
-void print(yaml::Printer& printer, const sweep::Study& study, study::AxisPrint how) {
-  machine::print_rotor(printer, study.machine);
+void print(yaml::Printer& printer, const sweep::Study& study, study::AxisPrint how,
+           machine::MatrixPrint matrices = machine::MatrixPrint::inside) {
+  machine::print_rotor(printer, study.machine, matrices);
   machine::print_stops(printer, study.machine.stops);
   if (study.machine.kick) study::print_kick(printer, *study.machine.kick);
   if (study.machine.start) study::print_start(printer, *study.machine.start);
@@ -29,10 +30,10 @@ void print(yaml::Printer& printer, const sweep::Study& study, study::AxisPrint h
 
 }  // namespace
 
-std::string print_config(const RunConfig& config) {
+std::string print_config(const RunConfig& config, machine::MatrixPrint matrices) {
   yaml::Printer printer;
   study::print_captions(printer, config.captions);
-  print(printer, config.study, study::AxisPrint::as_written);
+  print(printer, config.study, study::AxisPrint::as_written, matrices);
   print_run_output(printer, config);
   return printer.yaml();
 }

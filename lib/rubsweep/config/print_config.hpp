@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "rubsweep/config/machine/shaft_matrices.hpp"
 #include "rubsweep/config/run_config.hpp"
 #include "rubsweep/sweep/study.hpp"
 
@@ -10,8 +11,9 @@ namespace rubsweep::config {
 /// The complete configuration as YAML, defaults included, that reads back as an equal one: axes as they were
 /// written, by ends and count and in the units of the person. Configurations that are written alike give
 /// equal bytes. What is optional and has no value of its own (kick, kick.angle_deg, contact_mass_kg) is left
-/// out. Throws ConfigError when the output directory is not UTF-8.
-std::string print_config(const RunConfig& config);
+/// out. Matrices of a rotor are written as texts, or as the names of files beside the configuration. Throws
+/// ConfigError when the output directory is not UTF-8.
+std::string print_config(const RunConfig& config, machine::MatrixPrint matrices = machine::MatrixPrint::inside);
 
 /// Everything that decides the numbers of a map, nothing else: without captions and `output`, and with every
 /// axis as its values in SI units, so that equal studies give equal bytes however their files were written.

@@ -67,7 +67,8 @@ bool holds_a_number(const yaml::Node& node) {
 }
 
 bool is_part_of_the_mass(const std::string& key) {
-  return key == "rotor.mass_kg" || key.starts_with("rotor.discs.") || key.starts_with("rotor.shaft.");
+  return key == "rotor.mass_kg" || key.starts_with("rotor.discs.") || key.starts_with("rotor.shaft.") ||
+         key.starts_with("rotor.unbalance.");
 }
 
 /// A key of which nothing can be said yet may be one that the printed study leaves out. `by_mass`: the key

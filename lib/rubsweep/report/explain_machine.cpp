@@ -10,6 +10,7 @@
 #include "rubsweep/contact/restitution.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/report/describe_modes.hpp"
+#include "rubsweep/report/explain_matrices.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/scene/constant_load.hpp"
 #include "rubsweep/structure/stability.hpp"
@@ -183,13 +184,17 @@ std::string explain_rotating_damping(const scene::PreparedMachine& prepared, con
               : fmt::format("stable up to {:.4g} Hz", highest_hz));
 }
 
-std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit, bool by_tables) {
-  const structure::Reduction& reduction = *prepared.reduction;
-  std::string text = fmt::format(
+std::string explain_shaft(const model::RotorKit& kit) {
+  return fmt::format(
       "rotor: kit, shaft of {:.6g} m in {} or more Timoshenko elements, {} discs, {} supports, {} "
       "couplings{}{}\n",
       model::shaft_length_m(kit), kit.elements, kit.discs.size(), kit.supports.size(), kit.couplings.size(),
       kit.bow ? ", residual bow" : "", kit.torsion ? ", torsion against the drive (1 coordinate)" : "");
+}
+
+std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit, bool by_tables) {
+  const structure::Reduction& reduction = *prepared.reduction;
+  std::string text = kit.matrices ? explain_matrices(kit) : explain_shaft(kit);
   text += explain_rotating_damping(prepared, kit, by_tables);
   const std::string faults = explain_faults(kit);
   text += faults;

@@ -100,7 +100,14 @@ TEST(Document, BoundsTheNumberOfValues) {
 TEST(Document, BoundsTheSize) {
   EXPECT_EQ(problem_of("#" + std::string(max_document_bytes - 1, ' ')), "no problem");
   EXPECT_EQ(problem_of("#" + std::string(max_document_bytes, ' ')),
-            "f:1:1: too large, allowed: at most 1000000 bytes");
+            "f:1:1: too large, allowed: at most 16000000 bytes");
+}
+
+TEST(Document, BoundsTheTextThatAliasesCopy) {
+  std::string text = "- &a '" + std::string(max_document_bytes / 4, 'x') + "'\n- *a\n- *a\n";
+  EXPECT_EQ(problem_of(text), "no problem");
+  EXPECT_EQ(problem_of(text + "- *a\n- *a\n"),
+            "f:5:3: aliases copy too much text, allowed: at most 16000000 bytes");
 }
 
 TEST(Document, SurvivesRunsOfEveryIndicator) {

@@ -38,6 +38,15 @@ TEST(Printer, IndentsMapsAndListsOfMaps) {
             "d: [1, 2e-08, -0]\n");
 }
 
+TEST(Printer, WritesLinesAsABlock) {
+  Printer printer;
+  printer.open("a");
+  printer.block("text", "%%one 1\n2 3\n");
+  printer.close();
+  printer.block("b", "last\n");
+  EXPECT_EQ(printer.yaml(), "a:\n  text: |\n    %%one 1\n    2 3\nb: |\n  last\n");
+}
+
 TEST(Printer, QuotesTextOnlyWhereNeeded) {
   const auto printed = [](std::string_view text) {
     Printer printer;

@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "rubsweep/config/machine/matrix_rotor.hpp"
 #include "rubsweep/config/machine/ross_file.hpp"
 #include "rubsweep/config/machine/rotor_kit.hpp"
 #include "rubsweep/config/yaml/section.hpp"
@@ -12,7 +13,7 @@ namespace rubsweep::config::machine {
 namespace {
 
 /// In the order of model::Rotor, then those of other tools' files, which become one of these.
-constexpr std::array<std::string_view, 3> kinds{"jeffcott", "rotor_kit", "ross"};
+constexpr std::array<std::string_view, 4> kinds{"jeffcott", "rotor_kit", "ross", "matrices"};
 
 }  // namespace
 
@@ -23,17 +24,20 @@ void read_rotor(const yaml::Value& value, model::Machine& machine) {
     machine.rotor = read_rotor_kit(section);
   } else if (kind && kinds[*kind] == "ross") {
     machine.rotor = read_ross_rotor(section);
+  } else if (kind && kinds[*kind] == "matrices") {
+    machine.rotor = read_matrix_rotor(section);
   } else {
     read_fields(section, machine.rotor.emplace<model::JeffcottRotor>());
   }
   section.refuse_unknown_keys();
 }
 
-void print_rotor(yaml::Printer& printer, const model::Machine& machine) {
+void print_rotor(yaml::Printer& printer, const model::Machine& machine, MatrixPrint matrices) {
+  const model::RotorKit* by_matrices = model::kit_of(machine);
   printer.open("rotor");
-  printer.word("kind", kinds[machine.rotor.index()]);
+  printer.word("kind", by_matrices != nullptr && by_matrices->matrices ? "matrices" : kinds[machine.rotor.index()]);
   std::visit(overloaded{[&](const model::JeffcottRotor& rotor) { print_fields(printer, rotor); },
-                        [&](const model::RotorKit& kit) { print_rotor_kit(printer, kit); }},
+                        [&](const model::RotorKit& kit) { print_rotor_kit(printer, kit, matrices); }},
              machine.rotor);
   printer.close();
 }

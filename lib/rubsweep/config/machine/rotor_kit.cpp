@@ -142,15 +142,6 @@ void read_modes(const yaml::Value& value, model::RotorKit& kit) {
   }
 }
 
-void refuse_tables(const yaml::Value& supports, yaml::Section& section, const model::RotorKit& kit) {
-  if (!model::has_tables(kit)) return;
-  const model::Range common = model::table_speeds_hz(kit);
-  if (!(common.low <= common.high))
-    refuse(supports, "have tables without a common speed", "tables that overlap");
-  if (const auto bow = section.find("bow"); bow && std::holds_alternative<model::BowMode>(kit.bow->shape))
-    refuse(*bow, "is a mode, and the modes follow the tables of the supports", "position_m and deflection_m");
-}
-
 template <class Part>
 void print_inner(yaml::Printer& printer, std::string_view name, const std::optional<Part>& part) {
   if (!part) return;
@@ -190,7 +181,8 @@ void print_parts(yaml::Printer& printer, std::string_view name, const std::vecto
 
 model::Range places(const model::RotorKit& kit) {
   const double length_m = model::shaft_length_m(kit);
-  return std::isfinite(length_m) ? model::Range{.low = 0, .high = length_m} : model::not_negative;
+  const bool known = kit.matrices || !kit.shaft.empty();
+  return known && std::isfinite(length_m) ? model::Range{.low = 0, .high = length_m} : model::not_negative;
 }
 
 void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit) {
@@ -203,6 +195,20 @@ void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit)
                        plane == 0 ? "x" : "y"),
            kit.housings.empty() ? "supports that hold the shaft" : "supports that hold all of them");
   }
+}
+
+void read_supports(const yaml::Value& supports, model::RotorKit& kit) {
+  kit.supports = read_parts<model::Support>(
+      supports, places(kit), [&](yaml::Section& part, model::Support& support) { read_support(part, support, kit); });
+}
+
+void refuse_tables(const yaml::Value& supports, yaml::Section& section, const model::RotorKit& kit) {
+  if (!model::has_tables(kit)) return;
+  const model::Range common = model::table_speeds_hz(kit);
+  if (!(common.low <= common.high))
+    refuse(supports, "have tables without a common speed", "tables that overlap");
+  if (const auto bow = section.find("bow"); bow && std::holds_alternative<model::BowMode>(kit.bow->shape))
+    refuse(*bow, "is a mode, and the modes follow the tables of the supports", "position_m and deflection_m");
 }
 
 void read_kit_rest(yaml::Section& section, model::RotorKit& kit) {
@@ -237,8 +243,7 @@ model::RotorKit read_rotor_kit(yaml::Section& section) {
   const auto supports = section.require("supports", "a list of maps");
   list("point_masses", kit.point_masses, nothing_more);
   list("housings", kit.housings, nothing_more);
-  list("supports", kit.supports,
-       [&](yaml::Section& part, model::Support& support) { read_support(part, support, kit); });
+  if (supports) read_supports(*supports, kit);
   list("couplings", kit.couplings, nothing_more);
   read_kit_rest(section, kit);
   if (supports && section.is_sound()) refuse_loose_shaft(*supports, kit);
@@ -246,8 +251,9 @@ model::RotorKit read_rotor_kit(yaml::Section& section) {
   return kit;
 }
 
-void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit) {
+void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit, MatrixPrint matrices) {
   const auto nothing = [](const auto&) {};
+  if (kit.matrices) print_shaft_matrices(printer, *kit.matrices, matrices);
   print_parts(printer, "shaft", kit.shaft,
               [&](const model::ShaftSegment& segment) { print_segment(printer, segment); });
   print_parts(printer, "discs", kit.discs, nothing);
@@ -274,7 +280,7 @@ void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit) {
     printer.word("modes", automatic);
   }
   printer.number("modes_up_to_hz", kit.modes_up_to_hz);
-  printer.integer("elements", kit.elements);
+  if (!kit.matrices) printer.integer("elements", kit.elements);
 }
 
 }  // namespace rubsweep::config::machine

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rubsweep/config/machine/shaft_matrices.hpp"
 #include "rubsweep/config/yaml/printer.hpp"
 #include "rubsweep/config/yaml/section.hpp"
 #include "rubsweep/model/rotor_kit.hpp"
@@ -15,10 +16,16 @@ model::RotorKit read_rotor_kit(yaml::Section& section);
 /// known.
 void read_kit_rest(yaml::Section& section, model::RotorKit& kit);
 
+/// The list `supports`; shaft and housings must be known.
+void read_supports(const yaml::Value& supports, model::RotorKit& kit);
+
+/// A problem of supports whose tables have no speed in common, or exclude what stands in `section` beside them.
+void refuse_tables(const yaml::Value& supports, yaml::Section& section, const model::RotorKit& kit);
+
 /// A problem of `supports` where they do not hold the shaft.
 void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit);
 
-void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit);
+void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit, MatrixPrint matrices = MatrixPrint::inside);
 
 /// Allowed positions along the shaft: between its ends.
 model::Range places(const model::RotorKit& kit);

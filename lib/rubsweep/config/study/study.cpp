@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include "rubsweep/config/machine/matrix_rotor.hpp"
 #include "rubsweep/config/machine/rotor.hpp"
 #include "rubsweep/config/machine/rotor_kit.hpp"
 #include "rubsweep/config/machine/stop.hpp"
@@ -41,6 +42,9 @@ sweep::Study read_study(yaml::Section& root) {
     refuse_dry_friction_beside_torsion(*value, study.machine);
   }
   if (const auto value = root.find("kick")) study.machine.kick = read_kick(*value, shaft);
+  for (const std::string_view name : {"stops", "kick"}) {
+    if (const auto value = root.find(name); value && kit != nullptr) machine::refuse_between_nodes(*value, *kit);
+  }
   if (const auto value = root.find("start")) {
     study.machine.start = read_start(*value, study.machine.stops);
     if (study.machine.kick) refuse(*value, "is given beside a kick", "one of the two");

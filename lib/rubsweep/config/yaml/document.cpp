@@ -25,13 +25,15 @@ struct Refusal {
 struct Extent {
   std::size_t nodes = 1;
   std::size_t depth = 1;  // of maps and lists, the node itself included
+  std::size_t bytes = 0;  // of copies of scalars
 };
 
 Extent extent_of(const Node& node) {
-  Extent extent{1, node.kind == Node::Kind::list || node.kind == Node::Kind::map ? 1U : 0U};
+  Extent extent{1, node.kind == Node::Kind::list || node.kind == Node::Kind::map ? 1U : 0U, node.text.size()};
   for (const Node& item : node.items) {
     const Extent inner = extent_of(item);
     extent.nodes += inner.nodes;
+    extent.bytes += inner.bytes;
     extent.depth = std::max(extent.depth, inner.depth + 1);
   }
   return extent;
@@ -105,6 +107,9 @@ class TreeBuilder : public YAML::EventHandler {
 
   void count(const SourcePosition& place, const Extent& extent) {
     nodes_ += extent.nodes;
+    copied_bytes_ += extent.bytes;
+    if (copied_bytes_ > max_document_bytes)
+      throw Refusal{place, "aliases copy too much text", fmt::format("at most {} bytes", max_document_bytes)};
     if (nodes_ > max_document_nodes) {
       throw Refusal{place, "too many values", fmt::format("at most {}", max_document_nodes)};
     }
@@ -128,7 +133,8 @@ class TreeBuilder : public YAML::EventHandler {
   void complete(Node node, YAML::anchor_t anchor, const Extent& extent) {
     count(node.place, extent);
     if (anchor != 0) {
-      count(node.place, {extent_of(node).nodes, 0});  // the copy kept for aliases
+      const Extent copy = extent_of(node);  // kept for aliases
+      count(node.place, {copy.nodes, 0, copy.bytes});
       anchors_.insert_or_assign(anchor, node);
     }
     if (open_.empty()) {
@@ -169,7 +175,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   Source source_;
   int documents_ = 0;
-  std::size_t nodes_ = 0;
+  std::size_t nodes_ = 0, copied_bytes_ = 0;
   Node root_;
   std::vector<std::pair<Node, YAML::anchor_t>> open_;
   std::map<YAML::anchor_t, Node> anchors_;

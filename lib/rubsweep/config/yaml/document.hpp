@@ -28,7 +28,7 @@ struct Node {
 };
 
 /// Limits that keep any input, hostile ones included, within small time and memory.
-inline constexpr std::size_t max_document_bytes = 1'000'000;
+inline constexpr std::size_t max_document_bytes = 16'000'000;
 inline constexpr std::size_t max_document_depth = 32;
 inline constexpr std::size_t max_document_nodes = 100'000;
 

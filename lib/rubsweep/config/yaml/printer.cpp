@@ -76,6 +76,18 @@ void Printer::texts(std::string_view name, std::span<const std::string> values) 
   line(name, "[" + list + "]");
 }
 
+void Printer::block(std::string_view name, std::string_view lines) {
+  line(name, "|");
+  const std::string indent(2 * depth_ + 2, ' ');
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    yaml_ += indent;
+    yaml_ += lines.substr(0, end);
+    yaml_ += '\n';
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+  }
+}
+
 void Printer::open(std::string_view name) {
   line(name, "");
   ++depth_;

@@ -27,6 +27,9 @@ class Printer {
   /// YAML file can hold it.
   void text(std::string_view name, std::string_view value);
 
+  /// Lines of plain text as they are, the last one ended.
+  void block(std::string_view name, std::string_view lines);
+
   void open(std::string_view name);  ///< a map or a list; close() ends it
   void open_item();                  ///< a map as the next item of a list; close() ends it
   void close();

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "batch/temporary_directory.hpp"
+#include "config/support.hpp"
+#include "rubsweep/config/machine/matrix_market.hpp"
+#include "rubsweep/config/machine/shaft_matrices.hpp"
+#include "rubsweep/model/shaft_matrices.hpp"
+
+namespace rubsweep::config::machine {
+
+/// A directory with the files of a matrix rotor and a configuration that reads them; the disc at 0.5 m.
+class MatrixFiles {
+ public:
+  std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(directory_.path() / name, std::ios::binary) << text;
+  }
+
+  void write(const model::ShaftMatrices& matrices) const {
+    for (const auto& [name, text] : matrix_files(matrices)) write(std::string(name), text);
+  }
+
+  /// `changes`: replacements of parts of the configuration.
+  RunConfig read(const std::vector<std::string>& overrides = {}) const {
+    return read_run_config_text(yaml(), path("my.yaml"), overrides);
+  }
+
+  /// The message, without the directory.
+  std::string message(const std::vector<std::string>& overrides = {}) const {
+    std::string found = message_of(yaml(), overrides, path("my.yaml"));
+    const std::string directory = directory_.path().string() + "/";
+    for (std::size_t at = found.find(directory); at != std::string::npos; at = found.find(directory))
+      found.erase(at, directory.size());
+    return found;
+  }
+
+  static std::string yaml() {
+    return "rotor:\n  kind: matrices\n  mass: {file: mass.mtx}\n  stiffness: {file: stiffness.mtx}\n"
+           "  damping: {file: damping.mtx}\n  gyroscopic: {file: gyroscopic.mtx}\n"
+           "  degrees_of_freedom: {file: degrees_of_freedom.csv}\n  unbalance: {file: unbalance.csv}\n"
+           "stops:\n  - {kind: annular, position_m: 0.5, clearance_m: 1e-4, stiffness_n_per_m: 1e7, "
+           "restitution: 0.8, "
+           "contact_radius_m: 0.025}\n"
+           "sweep: {speed_hz: {values: [30]}, whirl_ratio: {values: [0.5]}}\noutput: {directory: results}\n";
+  }
+
+ private:
+  TemporaryDirectory directory_;
+};
+
+}  // namespace rubsweep::config::machine
