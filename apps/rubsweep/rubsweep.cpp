@@ -6,7 +6,10 @@
 
 #include "map_outcome.hpp"
 #include "merge.hpp"
+#include "rubsweep/batch/captions.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/result_files.hpp"
+#include "rubsweep/config/exported_matrices.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
@@ -26,6 +29,7 @@
 #include "shared/missing_cells.hpp"
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
+#include "shared/result_directory.hpp"
 #include "shared/verdict.hpp"
 
 namespace rubsweep::apps {
@@ -96,6 +100,20 @@ int verify(const RubsweepArguments& arguments) {
                         arguments.quiet);
 }
 
+int export_matrices(const RubsweepArguments& arguments, const config::RunConfig& config) {
+  const batch::ResultFiles files = config::exported_matrices(config);
+  const std::filesystem::path& directory = *arguments.matrices;
+  std::error_code none_there;
+  if (std::filesystem::equivalent(arguments.config, directory / "rotor.yaml", none_there))
+    throw UsageError(
+        "--export-matrices: rotor.yaml would replace the configuration that was read, allowed: another DIR");
+  const ResultDirectory made(directory, config::exported_matrix_files);
+  batch::write_result_files(files, config::exported_matrix_files, directory,
+                            {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
+  if (!arguments.quiet) print("{}", batch::files_line(files, directory));
+  return done;
+}
+
 int perform(const RubsweepArguments& arguments) {
   if (arguments.verified) return verify(arguments);
   if (answered("rubsweep", arguments.action, rubsweep_help)) return done;
@@ -109,6 +127,7 @@ int perform(const RubsweepArguments& arguments) {
   }
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
   ask("rubsweep", config.questions, arguments.quiet);
+  if (arguments.matrices) return export_matrices(arguments, config);
   const sweep::Study& study = config.study;
   const int threads = batch::thread_count(arguments.threads);
   return act(

@@ -23,7 +23,9 @@ po::options_description visible_options() {
   options.add_options()("motion-kinds",
                         "instead: print the kinds of motion, their colours and signs, as CSV")(
       "status", po::value<std::string>()->value_name("DIR"),
-      "instead: say how far the map in DIR is, of which shards, and who is at work");
+      "instead: say how far the map in DIR is, of which shards, and who is at work")(
+      "export-matrices", po::value<std::string>()->value_name("DIR"),
+      "instead: write the rotor kit as matrices of all its elements into DIR, with a configuration that reads them");
   add_fresh(options);
   options.add_options()(
       "shard", po::value<std::string>()->value_name("I/N"),
@@ -95,6 +97,11 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
   arguments.threads = threads_of(given);
   arguments.progress = progress_of(given);
   read_division(given, arguments);
+  if (given.count("export-matrices") != 0) {
+    if (arguments.action != Action::run || arguments.merge || arguments.shard || arguments.report || arguments.figure)
+      throw UsageError("--export-matrices runs nothing: it excludes every other question, --shard and pictures");
+    arguments.matrices = given["export-matrices"].as<std::string>();
+  }
   return arguments;
 }
 
@@ -118,7 +125,8 @@ std::string rubsweep_help() {
       "  rubsweep --status results/benchmark/one_side\n"
       "  rubsweep configs/benchmark/one_side.yaml --report\n"
       "  rubsweep configs/benchmark/one_side.yaml --figure map.png\n"
-      "  rubsweep --verify results/benchmark/one_side\n\n"
+      "  rubsweep --verify results/benchmark/one_side\n"
+      "  rubsweep configs/rotor_kit.yaml --export-matrices /tmp/matrices\n\n"
       "On a terminal the map is also shown in characters, with commands that look closer.\n\n"
       "Writes DIR/map.csv (one row per cell, speed fastest) and DIR/config.yaml (the complete "
       "configuration);\n"

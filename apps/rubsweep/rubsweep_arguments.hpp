@@ -24,6 +24,8 @@ struct RubsweepArguments : StudyArguments {
   std::optional<std::filesystem::path> verified = {};
   bool motion_kinds = false;                         ///< only print the table of motions and their colours
   std::optional<std::filesystem::path> status = {};  ///< only say how far the map in this directory is
+  /// Directory that only gets the matrices of the rotor.
+  std::optional<std::filesystem::path> matrices = {};
 };
 
 /// Throws UsageError (program.hpp).
