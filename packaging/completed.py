@@ -6,8 +6,8 @@ from typing import Dict, Tuple
 
 @dataclass(frozen=True)
 class Word:
-    """An option. `kind` says what stands behind it: nothing (""), "folder", "file", "word" (one of `words`) or
-    "text"."""
+    """An option. `kind` says what stands behind it: nothing (""), "folder", "file", "key" (of a configuration),
+    "setting" (such a key and =), "word" (one of `words`) or "text"."""
 
     name: str
     kind: str
@@ -25,6 +25,11 @@ class Completed:
     options: Tuple[Word, ...]
     pictures: Dict[str, Tuple[Word, ...]] = field(default_factory=dict)
     summaries: Dict[str, str] = field(default_factory=dict)
+
+
+def asked_for_keys(name):
+    """The program that knows the keys of the configurations that the program `name` reads."""
+    return "ringstab" if name == "ringstab" else "rubsweep"
 
 
 ENDINGS = {"configuration": "yaml", "table": "csv"}  # of the files that are meant

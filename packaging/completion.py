@@ -18,6 +18,7 @@ from completed import Completed, Word
 _WORDS = {"progress": ("auto", "always", "never"), "formats": ("png", "svg", "pdf")}
 _FOLDERS = ("DIR",)
 _FILES = ("FILE", "FILE.csv", "FILE.yaml", "CONFIG.yaml")
+_KEYS = {"set": "setting", "along": "key", "curve": "key"}
 # Programs that read no configuration of their own: what stands on their command line.
 _SOURCES = {"rubreport": "folder", "rubsweep-compare": "table", "rubplot": "file", "rubscope": "file"}
 
@@ -38,6 +39,8 @@ def _word(option):
     name, value = option.name, option.value
     if name in _WORDS:
         return Word(name, "word", _WORDS[name], option.meaning)
+    if name in _KEYS:
+        return Word(name, _KEYS[name], (), option.meaning)
     return Word(name, _kind(value), (), option.meaning)
 
 

@@ -4,6 +4,13 @@ from completed import ENDINGS
 
 _HEAD = """\
 # Completion of the programs of rubsweep in bash; made of their --help.
+_rubsweep_keys() {
+  local program=rubsweep end=''
+  [[ $1 != ringstab ]] || program=ringstab
+  [[ $2 == key ]] || end='='
+  "$program" --keys 2>/dev/null | sed -n "/^[a-z]/{s/\\.N/.0/g;s/$/$end/p}"
+}
+
 _rubsweep() {
   local word=$2 before=$3 options values source kind
   case ${1##*/} in
@@ -17,6 +24,10 @@ _TAIL = """\
     '') ;;
     text) return ;;
     folder) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -- "$word"); return ;;
+    key | setting)
+      [[ $kind == key ]] || compopt -o nospace
+      mapfile -t COMPREPLY < <(compgen -W "$(_rubsweep_keys "${1##*/}" "$kind")" -- "$word")
+      return ;;
     file) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
     *) mapfile -t COMPREPLY < <(compgen -W "${kind//,/ }" -- "$word"); return ;;
   esac

@@ -1,7 +1,8 @@
 """Completion for fish: a file for each program."""
 
-from completed import ENDINGS
+from completed import ENDINGS, asked_for_keys
 
+_KEYS = "({program} --keys 2>/dev/null | string match -r \\'^[a-z].*\\' | string replace -a .N .0 | string replace -r \\'$\\' \\'{end}\\')"
 _VALUES = {"folder": " -x -a '(__fish_complete_directories)'", "file": " -r -F", "text": " -x", "": ""}
 
 
@@ -29,6 +30,9 @@ def _source(one):
 
 
 def _option(name, condition, word):
+    if word.kind in ("key", "setting"):
+        keys = _KEYS.format(program=asked_for_keys(name), end="=" if word.kind == "setting" else "")
+        return f"complete -c {name}{condition} -l {word.name} -x -a '{keys}' -d '{_quoted(word.meaning)}'"
     values = f" -x -a '{' '.join(word.words)}'" if word.kind == "word" else _VALUES[word.kind]
     return f"complete -c {name}{condition} -l {word.name}{values} -d '{_quoted(word.meaning)}'"
 

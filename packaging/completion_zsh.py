@@ -4,7 +4,14 @@ import re
 
 from completed import ENDINGS
 
-_ACTIONS = {"folder": "_files -/", "file": "_files"}
+_ACTIONS = {"folder": "_files -/", "file": "_files", "key": " _rubsweep_keys", "setting": " _rubsweep_keys -S ="}
+_KEYS = """\
+_rubsweep_keys() {
+  local program=rubsweep
+  [[ $service != ringstab ]] || program=ringstab
+  compadd "$@" -- ${(f)"$($program --keys 2>/dev/null | sed -n '/^[a-z]/{s/\\.N/.0/g;p}')"}
+}
+"""
 
 
 def script(everything):
@@ -12,7 +19,7 @@ def script(everything):
     names = " ".join(one.name for one in everything)
     cases = "".join(_pictures(one) if one.pictures else f"  {one.name})\n{_arguments(one.options, one.source, 4)}    ;;\n"
                     for one in everything)
-    return f"#compdef {names}\n# Made of the --help of the programs.\ncase $service in\n{cases}esac\n"
+    return f"#compdef {names}\n# Made of the --help of the programs.\n{_KEYS}case $service in\n{cases}esac\n"
 
 
 def _pictures(one):

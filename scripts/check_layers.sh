@@ -48,6 +48,7 @@ declare -A below=(
   [config/machine]='config/yaml contact structure'
   [config/study]='config/machine sweep'
   [config]='config/study'
+  [config/keys]='config'
   [config/recording]='config recording'
   [config/ring]='config ring'
   [report]='sweep'

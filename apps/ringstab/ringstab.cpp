@@ -113,6 +113,10 @@ int verify(const fs::path& directory, bool quiet) {
 int perform(const RingstabArguments& arguments) {
   if (arguments.verified) return verify(*arguments.verified, arguments.quiet);
   if (answered("ringstab", arguments.action, ringstab_help)) return done;
+  if (arguments.key_answer) {
+    print("{}", *arguments.key_answer);
+    return done;
+  }
   const config::ring::RingConfig config =
       config::ring::read_ring_config(arguments.config, arguments.overrides);
   ask("ringstab", config.questions, arguments.quiet);

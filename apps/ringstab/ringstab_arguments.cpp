@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "rubsweep/config/keys/ring_form.hpp"
 #include "shared/command_line.hpp"
+#include "shared/key_questions.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -13,6 +15,7 @@ po::options_description visible_options() {
   add_threads(options, "threads of a chart; 0: one per processor");
   add_set(options);
   add_verify(options, "run nothing, say whether the results in a directory are whole and belong together");
+  add_key_questions(options);
   add_actions(options, "say what is modelled and how it is solved, run nothing");
   add_progress(options);
   add_last(options);
@@ -28,6 +31,11 @@ RingstabArguments parse_ringstab_arguments(int argc, const char* const* argv) {
     verification.verified = std::move(directory);
     verification.quiet = given.count("quiet") != 0;
     return verification;
+  }
+  if (auto answer = key_answer(given, config::keys::ring_form(), "Configuration of ringstab")) {
+    RingstabArguments question;
+    question.key_answer = std::move(answer);
+    return question;
   }
   RingstabArguments arguments{study_arguments(given, "ringstab")};
   if (arguments.action == Action::help || arguments.action == Action::version) return arguments;

@@ -12,6 +12,7 @@ namespace rubsweep::apps {
 struct RingstabArguments : StudyArguments {
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;
+  std::optional<std::string> key_answer = {};  ///< only print what keys there are
   /// Only say whether the results in this directory are whole.
   std::optional<std::filesystem::path> verified = {};
 };

@@ -117,6 +117,10 @@ int export_matrices(const RubsweepArguments& arguments, const config::RunConfig&
 int perform(const RubsweepArguments& arguments) {
   if (arguments.verified) return verify(arguments);
   if (answered("rubsweep", arguments.action, rubsweep_help)) return done;
+  if (arguments.key_answer) {
+    print("{}", *arguments.key_answer);
+    return done;
+  }
   if (arguments.motion_kinds) {
     print("{}", report::motion_kinds_csv());
     return done;

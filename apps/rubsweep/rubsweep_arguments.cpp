@@ -5,8 +5,10 @@
 #include <charconv>
 
 #include "map_options.hpp"
+#include "rubsweep/config/keys/run_form.hpp"
 #include "rubsweep/report/map_columns.hpp"
 #include "shared/command_line.hpp"
+#include "shared/key_questions.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
@@ -35,6 +37,7 @@ po::options_description visible_options() {
       options,
       "run nothing, say whether the results in a directory, of any program, are whole and belong together");
   add_report(options);
+  add_key_questions(options);
   add_actions(options, "say what is simulated, what is left out and why, run nothing");
   add_progress(options);
   add_last(options);
@@ -87,6 +90,11 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
     status.status = given["status"].as<std::string>();
     return status;
   }
+  if (auto answer = key_answer(given, config::keys::run_form(), "Configuration of rubsweep")) {
+    RubsweepArguments question;
+    question.key_answer = std::move(answer);
+    return question;
+  }
   if (asks_for("motion-kinds", given)) {
     RubsweepArguments kinds;
     kinds.motion_kinds = true;
@@ -125,6 +133,7 @@ std::string rubsweep_help() {
       "  rubsweep --status results/benchmark/one_side\n"
       "  rubsweep configs/benchmark/one_side.yaml --report\n"
       "  rubsweep configs/benchmark/one_side.yaml --figure map.png\n"
+      "  rubsweep --keys stops.0.friction\n"
       "  rubsweep --verify results/benchmark/one_side\n"
       "  rubsweep configs/rotor_kit.yaml --export-matrices /tmp/matrices\n\n"
       "On a terminal the map is also shown in characters, with commands that look closer.\n\n"

@@ -32,6 +32,26 @@ std::string meant_instead_of(std::string_view given, const po::options_descripti
   return meant ? fmt::format(" (did you mean '--{}'?)", *meant) : "";
 }
 
+/// Arguments with -h, -o and -j in full, -j4 as well.
+std::vector<std::string> spelt_out(int argc, const char* const* argv) {
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "-h") {
+      words.emplace_back("--help");
+    } else if (word == "-o") {
+      words.emplace_back("--output");
+    } else if (word == "-j") {
+      words.emplace_back("--threads");
+    } else if (word.starts_with("-j") && word.find_first_not_of("0123456789", 2) == std::string_view::npos) {
+      words.push_back(fmt::format("--threads={}", word.substr(2)));
+    } else {
+      words.emplace_back(word);
+    }
+  }
+  return words;
+}
+
 }  // namespace
 
 void add_output(po::options_description& options, const char* meaning) {
@@ -65,7 +85,8 @@ void add_verify(po::options_description& options, const char* meaning) {
 }
 
 void add_last(po::options_description& options) {
-  options.add_options()("quiet", "print errors only")("help", "print this and exit")(
+  options.add_options()("quiet", "print errors only")(
+      "help", "print this and exit; -h, -o and -j are short for --help, --output and --threads")(
       "version", "print the version and exit");
 }
 
@@ -81,7 +102,11 @@ po::variables_map read_command_line(int argc, const char* const* argv, const po:
   try {
     // No guessing: --thread is an error, not --threads.
     const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).style(style).run(),
+    po::store(po::command_line_parser(spelt_out(argc, argv))
+                  .options(options)
+                  .positional(positional)
+                  .style(style)
+                  .run(),
               given);
   } catch (const po::unknown_option& error) {
     throw UsageError(error.what() + meant_instead_of(error.get_option_name(), options));

@@ -14,6 +14,27 @@ for example in "${examples[@]}"; do
   expect_exit 0 "$top/configs/${words[0]}" "${words[@]:1}" --check
 done
 
+# Short names of options.
+expect_exit 0 -h
+expect_matches stdout '^Examples:$'
+expect_exit 0 "${quick[@]}" -j 1 -o short
+expect_files short config.yaml map.csv
+expect_exit 0 "${quick[@]}" -j2 -o short --quiet
+expect_usage_error '--threads: allowed: a number from 0 to 1024' "$minimal" -j 100000
+expect_usage_error "unrecognised option '-x'" "$minimal" -x
+
+# Keys and schema are answers, alone.
+expect_exit 0 --keys stops.0.friction
+[[ $(head -n 1 stdout) == stops.N.friction ]] || fail 'keys of another section'
+expect_matches stdout '^    >= 0; in s/m; default 0$'
+expect_exit 0 --keys
+expect_matches stdout '^rotor\.mass_kg$'
+expect_exit 0 --schema
+expect_contains stdout '"$schema":"http://json-schema.org/draft-07/schema#"'
+expect_usage_error "--keys: there is no key 'stops.0.clearence_m' (did you mean" --keys stops.0.clearence_m
+expect_usage_error '--keys: is asked for alone' --keys kick --check
+expect_usage_error '--schema: is asked for alone, allowed: without CONFIG.yaml' "$minimal" --schema
+
 expect_usage_error 'a configuration file is needed'
 expect_usage_error 'a configuration file is needed' --quiet
 expect_usage_error "unrecognised option '--nope'" "$minimal" --nope

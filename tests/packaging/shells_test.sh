@@ -53,6 +53,7 @@ refuse() {
 }
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+PATH=$(dirname "$1"):$PATH
 tried=0
 for shell in bash zsh fish; do
   command -v "$shell" >/dev/null || continue
@@ -69,6 +70,9 @@ for shell in bash zsh fish; do
     expect "$shell" "$name --" "${options[@]}"
   done
   expect "$shell" 'rubsweep --progress ' auto always never
+  expect "$shell" 'rubsweep --set stops.0.cl' stops.0.clearance_m=
+  expect "$shell" 'rubbranch --along kick.f' kick.force_n
+  expect "$shell" 'ringstab --set loads.0.a' loads.0.angle_deg=
   expect "$shell" 'rubsweep my' my.yaml
   refuse "$shell" 'rubsweep ' other.txt
   expect "$shell" 'rubsweep-compare ma' map.csv

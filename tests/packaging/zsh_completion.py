@@ -21,9 +21,9 @@ compadd() {
   if [[ ${@[1,(i)(-|--)]} == *-(O|A|D)\ * ]]; then builtin compadd "$@"; return; fi
   typeset -a __hits; local __prefix= __suffix=
   builtin compadd -A __hits "$@"
-  local i; for ((i = 1; i < $#; i++)); do [[ ${@[i]} == -p ]] && __prefix=${@[i+1]}; done
+  local i; for ((i = 1; i < $#; i++)); do { [[ ${@[i]} == -p ]] && __prefix=${@[i+1]}; [[ ${@[i]} == -S ]] && __suffix=${@[i+1]} }; done
   [[ ${@[(r)-f]} == -f ]] && for ((i = 1; i <= $#__hits; i++)); do [[ -d $__prefix$__hits[i] ]] && __hits[i]+=/; done
-  for i in $__hits; do print -r -- "<<$__prefix$i>>"; done
+  for i in $__hits; do print -r -- "<<$__prefix$i$__suffix>>"; done
   builtin compadd "$@"
 }
 offer() { compstate[insert]= ; compstate[list]= ; _main_complete ; compstate[insert]= ; compstate[list]= ; print "<<<end>>>" }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "rubsweep/config/keys/form.hpp"
+#include "shared/command_line.hpp"
+
+namespace rubsweep::apps {
+
+/// --keys and --schema, of programs that read a kind of configuration first.
+void add_key_questions(po::options_description& options);
+
+/// Answer to --keys, of all keys or of those below the path that stands in place of the configuration, or to
+/// --schema; empty where neither is given. Throws UsageError.
+std::optional<std::string> key_answer(const po::variables_map& given, const config::keys::Form& configuration,
+                                      std::string_view title);
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,22 @@
+#include "rubsweep/config/keys/fields.hpp"
+#include "rubsweep/config/keys/machine_form.hpp"
+#include "rubsweep/model/rotor.hpp"
+
+namespace rubsweep::config::keys {
+
+Form rotor_form() {
+  const char* meaning =
+      "kind of rotor: one disc on a massless shaft (jeffcott), a shaft line, or a file of ROSS";
+  std::vector<Key> jeffcott = fields_of<model::JeffcottRotor>(
+      {{"mass_kg", "mass of the disc: the modal mass there"},
+       {"natural_frequency_hz", "undamped natural frequency, sqrt(k/m)/(2 pi)"},
+       {"damping_ratio", "damping as a fraction of critical damping, c / (2 sqrt(k m)); of a kit by mode"},
+       {"rotating_damping_ratio",
+        "the same of the damping that turns with the shaft, in its material and joints"}});
+  jeffcott.back().since = "0.1.0+";
+  return any_of({map_of(joined({{must("kind", word({"jeffcott"}), meaning)}, std::move(jeffcott)})),
+                 map_of(joined({{must("kind", word({"rotor_kit"}), meaning)}, rotor_kit_keys()})),
+                 map_of(joined({{must("kind", word({"ross"}), meaning)}, ross_keys()}))});
+}
+
+}  // namespace rubsweep::config::keys
