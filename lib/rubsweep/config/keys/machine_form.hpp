@@ -16,6 +16,9 @@ std::vector<Key> rotor_kit_keys();
 /// Keys of `rotor` beside kind: ross.
 std::vector<Key> ross_keys();
 
+/// Keys of `rotor` beside kind: matrices.
+std::vector<Key> matrix_keys();
+
 /// `hertz` of a stop.
 Form hertz_form();
 

@@ -6,7 +6,7 @@ namespace rubsweep::config::keys {
 
 Form rotor_form() {
   const char* meaning =
-      "kind of rotor: one disc on a massless shaft (jeffcott), a shaft line, or a file of ROSS";
+      "kind of rotor: one disc on a massless shaft (jeffcott), a shaft line, a file of ROSS, or matrices";
   std::vector<Key> jeffcott = fields_of<model::JeffcottRotor>(
       {{"mass_kg", "mass of the disc: the modal mass there"},
        {"natural_frequency_hz", "undamped natural frequency, sqrt(k/m)/(2 pi)"},
@@ -16,7 +16,8 @@ Form rotor_form() {
   jeffcott.back().since = "0.1.0+";
   return any_of({map_of(joined({{must("kind", word({"jeffcott"}), meaning)}, std::move(jeffcott)})),
                  map_of(joined({{must("kind", word({"rotor_kit"}), meaning)}, rotor_kit_keys()})),
-                 map_of(joined({{must("kind", word({"ross"}), meaning)}, ross_keys()}))});
+                 map_of(joined({{must("kind", word({"ross"}), meaning)}, ross_keys()})),
+                 map_of(joined({{must("kind", word({"matrices"}), meaning)}, matrix_keys()}))});
 }
 
 }  // namespace rubsweep::config::keys
