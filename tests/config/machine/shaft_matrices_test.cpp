@@ -57,7 +57,7 @@ TEST(ShaftMatrices, AreReadFromAMatlabFile) {
   {
     mat_t* file = Mat_CreateVer(files.path("model.mat").c_str(), nullptr, MAT_FT_MAT5);
     ASSERT_NE(file, nullptr);
-    for (const auto& [name, matrix] : {std::pair("mass", written.mass), {"K", written.stiffness}}) {
+    for (auto [name, matrix] : {std::pair("mass", written.mass), {"K", written.stiffness}}) {
       std::array<std::size_t, 2> size{4, 4};
       matvar_t* variable = Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size.data(), matrix.data(), 0);
       Mat_VarWrite(file, variable, MAT_COMPRESSION_NONE);

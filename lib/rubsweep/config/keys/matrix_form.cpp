@@ -49,9 +49,9 @@ Key matrix_unbalance() {
                    must("direction", column(word({"x", "y", "rx", "ry"})), "along or about an axis"),
                    must("real_kg", column(number(model::any_finite)), "per metre of eccentricity"),
                    must("imaginary_kg", column(number(model::any_finite)), "the same, a quarter turn on")}),
-           list_of(
-               map_of(std::move(of_node), {{.ways = {{.required = {"node"}}, {.required = {"position_m"}}}}}),
-               1, model::RotorKit::most_parts)}),
+           list_of(map_of(std::move(of_node), {{.ways = {{.required = {"node"}, .optional = {}},
+                                                         {.required = {"position_m"}, .optional = {}}}}}),
+                   1, model::RotorKit::most_parts)}),
       "unbalance by nodes, or of each degree of freedom");
 }
 
