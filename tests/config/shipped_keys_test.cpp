@@ -22,7 +22,6 @@ using Paths = std::set<std::string>;
 const Paths unused{
     "base",                          // many have it, and none any more once it was read
     "ring.modal_stiffness_n_per_m",  // the same as a natural frequency, which rings are known by
-    "rotor.degrees_of_freedom.weight_kg",  // the mass matrix says it, but for fluid
     // a layer may have what its segment has
     "rotor.shaft.layers.inner_diameter_end_m", "rotor.shaft.layers.mass_damping_per_s",
     "rotor.shaft.layers.outer_diameter_end_m", "rotor.shaft.layers.stiffness_damping_s",

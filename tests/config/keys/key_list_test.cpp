@@ -37,7 +37,7 @@ TEST(KeyList, NumbersOfAPathAreThoseOfAnyItem) {
 TEST(KeyList, WordsOfAlternativesComeTogether) {
   const auto kinds = below(key_list(run_form()), "rotor.kind");
   ASSERT_EQ(kinds.size(), 1u);
-  EXPECT_EQ(kinds[0].allowed, "jeffcott or rotor_kit or ross");
+  EXPECT_EQ(kinds[0].allowed, "jeffcott or rotor_kit or ross or matrices");
 }
 
 TEST(KeyList, KeysThatExcludeEachOtherSaySo) {

@@ -68,10 +68,10 @@ TEST(ShaftMatrices, AreReadFromAMatlabFile) {
   expect_same(matrices_of(files.read(
                   {"rotor.mass={file: model.mat}", "rotor.stiffness={file: model.mat, variable: K}"})),
               written);
-  EXPECT_EQ(
-      files.message({"rotor.mass={file: model.mat, variable: M}"}),
-      "--set rotor.mass={file: model.mat, variable: M}: rotor.mass.variable: the file holds no 'M', allowed: "
-      "variable: with one of mass, K");
+  EXPECT_EQ(files.message({"rotor.mass={file: model.mat, variable: M}"}),
+            "--set rotor.mass={file: model.mat, variable: M}: rotor.mass.variable: the file holds no 'M' "
+            "(did you mean 'K'?), allowed: "
+            "variable: with one of mass, K");
   EXPECT_EQ(files.message({"rotor.mass.variable=M"}),
             "--set rotor.mass.variable=M: rotor.mass.variable: is given for a file that is not MATLAB's, "
             "allowed: a file "
