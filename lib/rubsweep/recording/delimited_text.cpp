@@ -174,7 +174,7 @@ Channels read_delimited_text(std::string_view text, const std::string& name) {
   if (table.line.size() < 2) refuse(name, table.line.front(), 1, "is the only row of numbers", "two or more");
   if (stamps) count_from_first(table.channels.front().values);
   name_channels(table.channels, preamble, style->separator);
-  if (stamps) table.channels.front().unit = "s";
+  if (stamps) table.channels.front().unit = std::string("s");
   return table;
 }
 
