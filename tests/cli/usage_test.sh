@@ -10,7 +10,8 @@ expect_matches stdout '^Examples:$'
 mapfile -t examples < <(sed ':a;/\\$/{N;s/ *\\\n */ /;ba}' stdout | sed -n 's,^  rubsweep configs/,,p')
 ((${#examples[@]} >= 3)) || fail 'fewer than three examples'
 for example in "${examples[@]}"; do
-  eval "words=(${example% --explain})"  # as a shell takes its quotes
+  example=${example% --explain} example=${example% --export-matrices *}  # neither goes with --check
+  eval "words=($example)"  # as a shell takes its quotes
   expect_exit 0 "$top/configs/${words[0]}" "${words[@]:1}" --check
 done
 

@@ -97,11 +97,20 @@ class Writer {
 
   std::string any_of(const Form& form, const std::string& path, bool part) {
     std::vector<std::string> forms;
+    int maps = 0;
     for (const Form& one : form.forms) {
-      const bool named = one.kind == Kind::map && !one.keys.empty() && one.keys[0].name == "kind";
-      forms.push_back(value(one, named ? path + "." + one.keys[0].form.words[0] : path, part));
+      maps += one.kind == Kind::map;
+      forms.push_back(value(one, path_of_form(one, path, maps), part));
     }
     return "{\"anyOf\":[" + joined(forms) + "]}";
+  }
+
+  /// Maps that stand at the same place are different definitions.
+  static std::string path_of_form(const Form& form, const std::string& path, int map) {
+    if (form.kind != Kind::map) return path;
+    const bool named = !form.keys.empty() && form.keys[0].name == "kind";
+    if (named) return path + "." + form.keys[0].form.words[0];
+    return map == 1 ? path : fmt::format("{}.form{}", path, map);
   }
 
   void define(const Form& form, const std::string& path, bool part) {
