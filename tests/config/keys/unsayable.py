@@ -29,6 +29,10 @@ RULES = {
     "loads of a ring have what their motion knows": r"inclination_deg|does not have it by its motion|rotary_mass_kg|given beside parameter"
     r"|masses and a friction|needs the length of the beam|mass_kg: 0|is not below radius_m|chart\.load: .* out of range|chart\.over",
     "a table of a support has rising speeds and as many coefficients of each kind": r"\.table\b",
+    "matrices have the rows of their degrees of freedom and the symmetry of a rotor's": r"rotor\.\w+: (line \d+: |is \d+ x|is zero|is not)"
+    r"|rotor\.(mass|stiffness|damping|gyroscopic): (has|couples|acts|turns|is positive)"
+    r"|rotor\.(degrees_of_freedom|unbalance)\.\w+: holds|and no r?[xy],|stands twice|is no degree of freedom|no node|two positions"
+    r"|neither x nor y|does not turn with|degrees of freedom without position_m",
     "a file of ROSS is there and describes a rotor": r"\.toml|\.json|rotor\.file|rotor\.unbalance",
     "`base` names a file that is there": r"yaml:\d+:\d+: (\S+\.)?base: ",
 }

@@ -6,6 +6,7 @@
 #include "rubsweep/config/keys/machine_form.hpp"
 #include "rubsweep/model/physical_range.hpp"
 #include "rubsweep/model/rotor_kit.hpp"
+#include "rubsweep/model/shaft_matrices.hpp"
 
 namespace rubsweep::config::keys {
 
@@ -18,19 +19,25 @@ Form text_or_file(std::size_t most_bytes) {
                may("variable", text(), "name of the matrix in a file of MATLAB", "(the key)")})});
 }
 
-Form column(Form item) { return list_of(std::move(item), 1, model::RotorKit::most_parts); }
+constexpr std::size_t most_rows = model::ShaftMatrices::most_degrees_of_freedom;
+
+Form column(Form item) { return list_of(std::move(item), 1, most_rows); }
+
+Form or_none(const model::Range& range) { return any_of({number(range), word({"none"})}); }
 
 Form file_alone(const char* meaning) { return map_of({must("file", text(), meaning)}); }
 
 Key degrees_of_freedom() {
-  const Form place = any_of({number(model::not_negative), word({"-"}), text(0)});
+  const model::Range places{.low = 0, .high = model::physical::length_m.high};
   return must(
       "degrees_of_freedom",
       any_of({file_alone("table with the columns node, direction, position_m and weight_kg"),
               map_of({must("node", column(text()), "name of the node"),
                       must("direction", column(word({"x", "y", "rx", "ry"})), "along or about an axis"),
-                      must("position_m", column(place), "place along the shaft; none of a body beside it"),
-                      may("weight_kg", column(place), "mass that gravity pulls", "(of the mass matrix)")})}),
+                      must("position_m", column(or_none(places)),
+                           "place along the shaft; none: of a body beside it"),
+                      may("weight_kg", column(or_none(model::any_finite)), "mass that gravity pulls",
+                          "(of the mass matrix)")})}),
       "degrees of freedom in the order of the rows");
 }
 
@@ -51,7 +58,7 @@ Key matrix_unbalance() {
                    must("imaginary_kg", column(number(model::any_finite)), "the same, a quarter turn on")}),
            list_of(map_of(std::move(of_node), {{.ways = {{.required = {"node"}, .optional = {}},
                                                          {.required = {"position_m"}, .optional = {}}}}}),
-                   1, model::RotorKit::most_parts)}),
+                   1, most_rows)}),
       "unbalance by nodes, or of each degree of freedom");
 }
 

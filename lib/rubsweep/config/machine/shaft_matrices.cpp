@@ -91,9 +91,10 @@ std::optional<model::Direction> read_direction(const yaml::Value& value) {
   return index ? std::optional(static_cast<model::Direction>(*index)) : std::nullopt;
 }
 
+/// An empty cell of a file, or the word.
 bool says_nothing(const yaml::Node& node) {
-  return node.kind == yaml::Node::Kind::null ||
-         (node.kind == yaml::Node::Kind::scalar && (node.text.empty() || node.text == no_place));
+  return node.kind == yaml::Node::Kind::scalar &&
+         (node.text == no_place || (node.text.empty() && !node.quoted));
 }
 
 std::optional<double> read_or_nothing(const yaml::Value& value, const model::Range& range) {
