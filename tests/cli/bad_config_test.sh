@@ -61,7 +61,7 @@ for diameter in 1e-300 1e100; do
   sed "s/outer_diameter_m: 0.01/outer_diameter_m: $diameter/" "$kit" >kit.yaml
   for action in --check --explain --quiet; do
     expect_exit 2 kit.yaml "$action" --output out
-    expect_matches stderr '^kit\.yaml:9:[0-9]+: rotor\.shaft\.0\.outer_diameter_m: 1e[-+]?[0-9]+ is out of range, allowed: a number >= 1e-06 and <= 100$'
+    expect_matches stderr '^kit\.yaml:10:[0-9]+: rotor\.shaft\.0\.outer_diameter_m: 1e[-+]?[0-9]+ is out of range, allowed: a number >= 1e-06 and <= 100$'
     expect_missing out
   done
 done

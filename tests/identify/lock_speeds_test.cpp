@@ -48,7 +48,7 @@ TEST(LockSpeeds, NoneOfAPieceAtWhoseBeginningAModeIsDampedAway) {
 TEST(LockSpeeds, NoneWhereAModeChangesItsDirection) {
   Campbell diagram = campbell(free_rotor(scene::one_side_machine()), batch::evenly_spaced(0, 200, 37), 400);
   for (CampbellPoint& point : diagram.modes.front().points)
-    if (point.speed_hz < 40) point.forward_share = 1 - point.forward_share;
+    if (point.speed_hz < 20) point.forward_share = 1 - point.forward_share;
   EXPECT_EQ(lock_speeds(diagram).size(), 3u);
 }
 

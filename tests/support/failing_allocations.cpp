@@ -1,6 +1,7 @@
 // Loaded before a program (LD_PRELOAD), lets one of its allocations fail, and with FAIL_ALL every later one
 // as well: FAIL_ALLOCATION is its number from 1. With COUNT_ALLOCATIONS=FILE, how many there were is written
-// there at the end.
+// there at the end. What libraries allocate before the program begins is not counted: without room for its
+// emergency pool libstdc++ cannot throw.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -23,9 +24,11 @@ namespace {
 std::atomic<long> allocations{0};
 std::atomic<long> failing{-1};  ///< -1: not yet read
 std::atomic<bool> all_after{false};
+std::atomic<bool> begun{false};
 
 /// std::getenv allocates nothing.
 bool fails() {
+  if (!begun) return false;
   if (failing < 0) {
     const char* number = std::getenv("FAIL_ALLOCATION");
     all_after = std::getenv("FAIL_ALL") != nullptr;
@@ -37,15 +40,17 @@ bool fails() {
   return true;
 }
 
-struct AtTheEnd {
-  ~AtTheEnd() {
+/// The loader makes it after all libraries that the program names, and before the program's own.
+struct FromBeginningToEnd {
+  FromBeginningToEnd() { begun = true; }
+  ~FromBeginningToEnd() {
     const char* file = std::getenv("COUNT_ALLOCATIONS");
     if (file == nullptr) return;
     const int descriptor = ::open(file, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     ::dprintf(descriptor, "%ld\n", allocations.load());
     ::close(descriptor);
   }
-} at_the_end;
+} from_beginning_to_end;
 
 }  // namespace
 

@@ -22,7 +22,7 @@ using Complex = std::complex<double>;
 /// A mode follows the speed where |rate of the shaft| / |distance from resonance|^2 is below this: what is
 /// left out is the square of it.
 constexpr double far_from_resonance = 1e-4;
-constexpr int most_stretches = 64;
+constexpr int stretches = 64, stretches_of_tables = 128;
 constexpr double longest_step_rad = 2;
 
 struct GaussPoint {
@@ -46,7 +46,8 @@ class Ramped {
     bow_n_ = assembly.bow_n.size() > 0 ? assembly.bow_n : Eigen::VectorXcd::Zero(unbalance_n_.size());
     const bool changing =
         assembly.gyroscopic.size() > 0 || assembly.circulatory.size() > 0 || !assembly.tables.empty();
-    stretch_s_ = changing ? std::max((end_s - begin_s) / most_stretches, 1e-9) : INFINITY;
+    const int count = assembly.tables.empty() ? stretches : stretches_of_tables;
+    stretch_s_ = changing ? std::max((end_s - begin_s) / count, 1e-9) : INFINITY;
     start(begin_s);
   }
 
@@ -88,7 +89,7 @@ class Ramped {
       const Complex value = modes_->values(k);
       double nearest = std::abs(value.real());
       if (std::isfinite(stretch_s_)) {
-        const auto [low, high] = std::minmax(speed(t), speed(t + stretch_s_));
+        const auto [low, high] = std::minmax({speed(t), speed(t + stretch_s_)});
         nearest = std::abs(value - Complex(0, std::clamp(value.imag(), low, high)));
       }
       follows_[static_cast<std::size_t>(k)] = std::abs(gain()) < far_from_resonance * nearest * nearest;
@@ -174,8 +175,8 @@ Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eige
   std::ranges::sort(nodes, {}, &Node::t_s);
   Eigen::MatrixXcd phasors = Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(t_s.size()), rows.rows());
   if (nodes.empty()) return phasors;
-  const auto [low_hz, high_hz] = std::minmax(ramp.from_hz + ramp.rate_hz_per_s * nodes.front().t_s,
-                                             ramp.from_hz + ramp.rate_hz_per_s * nodes.back().t_s);
+  const auto [low_hz, high_hz] = std::minmax({ramp.from_hz + ramp.rate_hz_per_s * nodes.front().t_s,
+                                              ramp.from_hz + ramp.rate_hz_per_s * nodes.back().t_s});
   structure::refuse_beyond_tables(prepared.machine, low_hz, high_hz);
   structure::refuse_changing_mass(prepared.machine, "a ramp");
   Ramped run(prepared, eccentricity_m, ramp, nodes.front().t_s, nodes.back().t_s);

@@ -52,9 +52,9 @@ TEST(MatrixMarket, NamesTheLineOfEachProblem) {
   EXPECT_EQ(
       problem("1 2 3\n"),
       "m.mtx:1:1: rotor.mass: does not begin as a Matrix Market file, allowed: %%MatrixMarket matrix, then "
-      "coordinate or array, real or integer, general, symmetric, skew-symmetric");
+      "coordinate or array, real or integer, general, symmetric or skew-symmetric");
   EXPECT_EQ(problem("%%MatrixMarket matrix coordinate complex general\n"),
-            "m.mtx:1:34: rotor.mass: 'complex' is not read, allowed: real or integer");
+            "m.mtx:1:34: rotor.mass: 'complex' is not read, allowed: real, integer");
   EXPECT_EQ(problem("%%MatrixMarket matrix array real hermitian\n"),
             "m.mtx:1:34: rotor.mass: 'hermitian' is not read, allowed: general, symmetric, skew-symmetric");
   EXPECT_EQ(problem(head + "2 2\n"),
