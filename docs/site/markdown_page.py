@@ -1,0 +1,58 @@
+"""A document in Markdown as the body of a web page: rendered by cmark-gfm, as GitHub shows it, with headings that can be linked
+to by the names that scripts/check_documents.sh knows, and with links to other documents as links to their pages."""
+
+import html
+import posixpath
+import re
+import subprocess
+
+
+def render(text):
+    """The HTML of a text, its headings with names."""
+    body = subprocess.run(["cmark-gfm", "--extension", "table"], input=text, check=True, capture_output=True, text=True).stdout
+    used = {}
+
+    def named(match):
+        name = anchor(match[2])
+        used[name] = used.get(name, -1) + 1
+        unique = name if used[name] == 0 else f"{name}-{used[name]}"
+        return f'<h{match[1]} id="{unique}">{match[2]}</h{match[1]}>'
+
+    return re.sub(r"<h([1-6])>(.*?)</h\1>", named, body, flags=re.DOTALL)
+
+
+def anchor(heading):
+    """The name of a heading, given as HTML: its letters in lower case, digits, and dashes for blanks."""
+    text = html.unescape(re.sub(r"<[^>]*>", "", heading)).lower()
+    return re.sub(r"[^\w -]", "", text).replace(" ", "-")
+
+
+def title_of(body):
+    """The text of the first heading. Raises ValueError where there is none."""
+    heading = re.search(r"<h1[^>]*>(.*?)</h1>", body, flags=re.DOTALL)
+    if not heading:
+        raise ValueError("a document without a heading")
+    return html.unescape(re.sub(r"<[^>]*>", "", heading[1]))
+
+
+def page_of(document):
+    """The place of a document's page below the top of the site; the first page is that of README.md."""
+    return "index.html" if document == "README.md" else posixpath.splitext(document)[0] + ".html"
+
+
+def linked_files(body, document):
+    """Files of the repository that a rendered document links to or shows."""
+    folder = posixpath.dirname(document)
+    targets = re.findall(r'(?:href|src)="([^"#]+)', body)
+    return [posixpath.normpath(posixpath.join(folder, html.unescape(target))) for target in targets if "://" not in target]
+
+
+def with_page_links(body, document):
+    """The body with links to pages in place of those to documents."""
+    folder = posixpath.dirname(document)
+
+    def to_page(match):
+        target = posixpath.normpath(posixpath.join(folder, match[1]))
+        return f'href="{posixpath.relpath(page_of(target), folder or ".")}'
+
+    return re.sub(r'href="((?![a-z]+:)[^"#]+\.md)(?=["#])', to_page, body)
