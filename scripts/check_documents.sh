@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # check_documents.sh [TOP]: every relative link of the documents in TOP names a file that is there and, behind a #, a heading
 # of it; no line but those of tables and links is wider than 120 characters; no sentence of docs/method.md has more than 30
-# words. Lists what is not so; exits 1 if there is any.
+# words; no sentence but those of the changes begins with Of, What or Those in place of a noun. Lists what is not so; exits 1
+# if there is any.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
@@ -28,20 +29,26 @@ check_link() {
   fi
 }
 
-# long_sentences FILE: line of its paragraph and number of words of every sentence of more than 30. Code, tables and headings
-# are none, an item of a list ends at the next. A formula counts its terms that have a letter or a digit.
-long_sentences() {
+# sentences FILE: line of its paragraph, number of words and first word of every sentence that has more than 30 of them or, if
+# it is no question, begins with Of, What or Those. Code, tables, headings and generated parts are none, an item of a list
+# ends at the next. A formula counts its terms that have a letter or a digit.
+sentences() {
   awk '
-    function finish(   i, n, words, word) {
+    function finish(   i, n, words, word, first) {
       n = split(paragraph, words, " ")
       for (i = 1; i <= n; ++i) {
+        if (first == "" && words[i] ~ /[[:alpha:]]/) first = words[i]
         if (words[i] ~ /[[:alnum:]]/) ++word
         if (i < n && !(words[i] ~ /[.?!][])"*`]*$/ && words[i + 1] ~ /^[[:upper:]`*"([]/)) continue
-        if (word > 30) print start, word
+        gsub(/[*_(]/, "", first)
+        nounless = first ~ /^(Of|What|Those)$/ && words[i] !~ /[?]/
+        if (word > 30 || nounless) print start, word, nounless ? first : ""
         word = 0
+        first = ""
       }
       paragraph = ""
     }
+    /^<!-- Made by/ { exit }
     /^(    |[|#!]|[[:space:]]*$)/ { finish(); next }
     /^ *([-*]|[0-9]+\.) / { finish() }
     { if (paragraph == "") start = FNR; paragraph = paragraph " " $0 }
@@ -55,10 +62,11 @@ for file in *.md docs/*.md results/*.md; do
   while IFS= read -r line; do
     complain "$file:$line" 'wider than 120 characters'
   done < <(awk 'length > 120 && !/^\|/ { print FNR }' "$file")
+  [[ $file != CHANGELOG.md ]] || continue
+  while read -r line words first; do
+    [[ $file != docs/method.md ]] || ((words <= 30)) || complain "$file:$line" "a sentence of $words words, allowed: 30"
+    [[ -z $first ]] || complain "$file:$line" "a sentence begins with $first in place of a noun"
+  done < <(sentences "$file")
 done
-
-[[ ! -e docs/method.md ]] || while read -r line words; do
-  complain "docs/method.md:$line" "a sentence of $words words, allowed: 30"
-done < <(long_sentences docs/method.md)
 
 exit "$broken"

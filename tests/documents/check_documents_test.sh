@@ -43,3 +43,22 @@ Others ${words% }."
 expect 'a sentence over two lines' 1 'docs/method.md:5: a sentence of 31 words, allowed: 30'
 method "Some ${words% }."
 expect 'no long sentence' 0
+
+method 'Whatever they meet, guards hold. What do they hold? See below.
+
+| What | is in a table |
+
+    What is in code
+
+<!-- Made by a program; what follows is not written by hand. -->
+
+What a program says.'
+printf '# Changes\n\nWhat a user sees.\n' >"$top/CHANGELOG.md"
+expect 'questions, tables, code, generated text and changes' 0
+method '- *Guards.* Of two the first
+  counts. *What* else
+
+1. What is left.'
+expect 'no nouns' 1 'docs/method.md:5: a sentence begins with Of in place of a noun' \
+  'docs/method.md:5: a sentence begins with What in place of a noun' \
+  'docs/method.md:8: a sentence begins with What in place of a noun'
