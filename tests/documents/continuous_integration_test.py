@@ -1,4 +1,5 @@
-"""continuous_integration_test.py TOP PROGRAMS: the shell of the job in docs/continuous-integration.md does what it says."""
+"""continuous_integration_test.py TOP PROGRAMS: the shell of the job in docs/continuous-integration.md does what it says, and the
+workflow of this repository names scripts and targets that are there."""
 
 import os
 import re
@@ -64,6 +65,27 @@ class Job(unittest.TestCase):
         code, said = self.run_shell(job())
         self.assertEqual(code, WRONG, said)
         self.assertIn("rotor.mass_kg", said)
+
+
+class Workflow(unittest.TestCase):
+    def setUp(self):
+        with open(os.path.join(TOP, ".github", "workflows", "debian.yaml"), encoding="utf-8") as file:
+            self.text = file.read()
+
+    def test_its_scripts_are_there(self):
+        scripts = re.findall(r"(?:scripts|tests)/[\w/.]+\.sh", self.text)
+        self.assertGreater(len(scripts), 2)
+        self.assertEqual([name for name in scripts if not os.access(os.path.join(TOP, name), os.R_OK)], [])
+
+    def test_its_targets_are_there(self):
+        made = ""
+        for folder in ("docs", "packaging"):
+            with open(os.path.join(TOP, folder, "CMakeLists.txt"), encoding="utf-8") as file:
+                made += file.read()
+        targets = re.findall(r"--target (\w+)", self.text)
+        self.assertEqual(sorted(targets), ["docs", "packages"])
+        for target in targets:
+            self.assertRegex(made, rf"add_custom_target\({target}\b")
 
 
 if __name__ == "__main__":
