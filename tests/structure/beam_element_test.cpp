@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "structure/steel.hpp"
+#include "structure/written_elements.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -261,6 +262,55 @@ TEST(BeamElementTimoshenko, PartsOfATaperBendAsTheCone) {
   const double bending = 64 * std::pow(0.4, 3) / (3 * pi * 211e9 * std::pow(0.06, 3) * 0.03);
   const double shear = 4 * 0.4 / (pi * shear_coefficient(cone) * 81.2e9 * 0.06 * 0.03);
   EXPECT_NEAR(flexibility(2 * parts - 2, 2 * parts - 2), bending + shear, 2e-4 * (bending + shear));
+}
+
+void expect_written(const BeamElement& beam, const WrittenElement& written) {
+  const Eigen::Matrix4d mass = written.translation + written.rotary, gyroscopic = 2 * written.rotary;
+  EXPECT_LT((beam.mass - mass).norm(), 1e-13 * mass.norm());
+  EXPECT_LT((beam.gyroscopic - gyroscopic).norm(), 1e-12 * gyroscopic.norm());
+  EXPECT_LT((beam.stiffness - written.stiffness).norm(), 1e-13 * written.stiffness.norm());
+}
+
+model::ShaftSegment tube(model::ShearCoefficient coefficient = model::ShearCoefficient::cowper) {
+  auto segment = steel_segment(0.3, 0.05, 0.02);
+  segment.shear_coefficient = coefficient;
+  return segment;
+}
+
+TEST(BeamElementTimoshenko, WithEitherShearCoefficientIsTheMatrixWrittenDown) {
+  expect_written(timoshenko_element(tube(), 0.3), written_tube);
+  expect_written(timoshenko_element(tube(model::ShearCoefficient::hutchinson), 0.3), written_hutchinson_tube);
+}
+
+TEST(BeamElementTimoshenko, ATaperIsTheMatrixWrittenDown) {
+  auto taper = steel_segment(0.3, 0.06, 0.01);
+  taper.outer_diameter_end_m = 0.04;
+  taper.inner_diameter_end_m = 0.02;
+  expect_written(timoshenko_element(taper, 0.3), written_taper);
+}
+
+/// Each section has flags and damping of its own: the sleeve turns without rotary inertia and damps by its
+/// mass, the tube under it has no gyroscopic moment and damps by its stiffness.
+TEST(BeamElementLayered, ATubeInASleeveIsTheSumWrittenDown) {
+  auto segment = tube();
+  segment.gyroscopic = false;
+  segment.stiffness_damping_s = 3e-6;
+  model::ShaftLayer sleeve = steel_segment(0.3, 0.08, 0.05);
+  sleeve.youngs_modulus_pa = 70e9;
+  sleeve.shear_modulus_pa = 26e9;
+  sleeve.density_kg_per_m3 = 2700;
+  sleeve.rotary_inertia = false;
+  sleeve.mass_damping_per_s = 0.8;
+  segment.layers.push_back(sleeve);
+  const BeamElement beam = layered_element(segment, 0.3, 0, 1);
+  const Eigen::Matrix4d mass = written_tube.translation + written_tube.rotary + written_sleeve.translation;
+  const Eigen::Matrix4d stiffness = written_tube.stiffness + written_sleeve.stiffness;
+  const Eigen::Matrix4d damping = 3e-6 * written_tube.stiffness + 0.8 * written_sleeve.translation;
+  const Eigen::Matrix4d gyroscopic = 2 * written_sleeve.rotary;
+  EXPECT_LT((beam.mass - mass).norm(), 1e-13 * mass.norm());
+  EXPECT_LT((beam.stiffness - stiffness).norm(), 1e-13 * stiffness.norm());
+  EXPECT_LT((beam.damping - damping).norm(), 1e-13 * damping.norm());
+  EXPECT_LT((beam.gyroscopic - gyroscopic).norm(), 1e-12 * gyroscopic.norm());
 }
 
 }  // namespace
