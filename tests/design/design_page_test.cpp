@@ -48,10 +48,12 @@ TEST(DesignPage, SaysWhatThereIsNot) {
   check.whips.clear();
   check.locks.clear();
   check.kicks.resize(1);
+  check.scale = 0.5;
   std::string page = design_page(check);
   expect_line(page, "  no annular stop");
   expect_line(page, "  none in the operating range");
   expect_line(page, "  none at any of 1 speeds");
+  expect_line(page, "scale     x 0.5, the least, eccentricity 1 um in all that follows");
   check.kicks[0].force_n = 0;
   check.kicks[0].motion = "synchronous 1";
   expect_line(design_page(check), "  none is needed at 50 Hz (3000 rpm): synchronous 1");

@@ -34,9 +34,10 @@ TEST(VibrationLimit, EccentricityOfTheAnalysisOfAKitIsForTheMassOfTheWholeRotor)
   EXPECT_THROW(analysis_eccentricity_m(machine, 100), ConfigError);
 }
 
-TEST(VibrationLimit, ScaleFactorBringsTheResponseToTheLimitButNeverMoreThanSixfold) {
+TEST(VibrationLimit, ScaleFactorBringsTheResponseToTheLimitFromHalfToSixfold) {
   EXPECT_DOUBLE_EQ(scale_factor(25e-6, 10e-6), 2.5);
-  EXPECT_DOUBLE_EQ(scale_factor(25e-6, 50e-6), 0.5);
+  EXPECT_DOUBLE_EQ(scale_factor(25e-6, 40e-6), 0.625);
+  EXPECT_DOUBLE_EQ(scale_factor(25e-6, 60e-6), 0.5);
   EXPECT_DOUBLE_EQ(scale_factor(25e-6, 1e-6), 6);
   EXPECT_DOUBLE_EQ(scale_factor(25e-6, 0), 6);
 }

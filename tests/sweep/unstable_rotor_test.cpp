@@ -68,6 +68,30 @@ TEST(UnstableRotor, EveryRowSaysSoWhateverItsClassAndStart) {
   EXPECT_EQ(evaluate_cell(study, 0, workspace).status.find(unstable_rotor), std::string::npos);
 }
 
+/// Films by a table that push sideways more and more with the speed pass the limit between two speeds.
+TEST(UnstableRotor, FollowsTheTableOfASupport) {
+  Study study = bouncing_shaft(0);
+  const double limit = limit_n_per_m();
+  model::SupportTable table;
+  table.speed_hz = {10, 30, 40, 60};
+  table.columns.fill(std::vector<double>(4, 0));
+  table.columns[0] = table.columns[3] = std::vector<double>(4, 1e6);
+  table.columns[1] = {0.5 * limit, 0.9 * limit, 1.1 * limit, 1.5 * limit};
+  table.columns[2] = {-0.5 * limit, -0.9 * limit, -1.1 * limit, -1.5 * limit};
+  table.columns[4] = table.columns[7] = std::vector<double>(4, 200);
+  for (model::Support& support : model::kit_of(study.machine)->supports)
+    support = model::with_table(support, table);
+  study.grid.speed_hz = {20, 30, 40, 50};
+  EXPECT_TRUE(where(study).starts_with("unstable rotor: at 2 of 4 speeds looked at, from 40 to 50 Hz"))
+      << where(study);
+  EXPECT_NE(report::explain_study(study).find(where(study)), std::string::npos);
+  response::motion::Workspace workspace;
+  for (std::size_t cell = 0; cell < 4; ++cell) {
+    const bool said = evaluate_cell(study, cell, workspace).status.find(unstable_rotor) != std::string::npos;
+    EXPECT_EQ(said, cell >= 2) << cell;
+  }
+}
+
 /// 30 Hz, 0.02 against 0.05: unstable from 42 Hz on.
 TEST(UnstableRotor, OnlyTheSpeedsAboveTheLimitOfDampingThatTurns) {
   Study study = one_side_study({30, 41, 43, 60}, {0.3});

@@ -21,6 +21,11 @@ std::string at(const std::optional<double>& position_m) {
 
 double um(double metres) { return 1e6 * metres; }
 
+std::string_view end_of_scale(double scale) {
+  if (scale == largest_scale_factor) return ", the most";
+  return scale == smallest_scale_factor ? ", the least" : "";
+}
+
 std::string vibration_lines(const DesignCheck& check) {
   std::string text =
       fmt::format("vibration {:.4g} um peak to peak allowed at the probes\n", um(check.vibration_limit_m));
@@ -32,8 +37,7 @@ std::string vibration_lines(const DesignCheck& check) {
                         verdict(probe.major_axis_m.value <= check.vibration_limit_m));
   }
   return text + fmt::format("scale     x {:.4g}{}, eccentricity {:.4g} um in all that follows\n", check.scale,
-                            check.scale == largest_scale_factor ? ", the most" : "",
-                            um(check.scale * check.eccentricity_m));
+                            end_of_scale(check.scale), um(check.scale * check.eccentricity_m));
 }
 
 std::string clearance_lines(const DesignCheck& check) {

@@ -28,7 +28,8 @@ double analysis_eccentricity_m(const model::Machine& machine, double max_continu
 }
 
 double scale_factor(double limit_m, double response_m) {
-  return response_m * largest_scale_factor > limit_m ? limit_m / response_m : largest_scale_factor;
+  if (response_m * largest_scale_factor <= limit_m) return largest_scale_factor;
+  return std::max(limit_m / response_m, smallest_scale_factor);
 }
 
 }  // namespace rubsweep::design

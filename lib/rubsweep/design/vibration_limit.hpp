@@ -15,9 +15,10 @@ double vibration_limit_m(double max_continuous_hz);
 double analysis_eccentricity_m(const model::Machine& machine, double max_continuous_hz);
 
 /// Factor from the response that was computed to the one that clearances must bear (API 617, 9th edition; API
-/// RP 684): limit / response at the probe that moves most within the operating range, at most 6. Both in
-/// metres peak to peak, `response_m` >= 0.
+/// RP 684): limit / response at the probe that moves most within the operating range, at least 1/2 (as ROSS takes
+/// these clauses: a rotor that moves more than twice as much as it may is not judged by less than half of its
+/// unbalance) and at most 6. Both in metres peak to peak, `response_m` >= 0.
 double scale_factor(double limit_m, double response_m);
-inline constexpr double largest_scale_factor = 6;
+inline constexpr double smallest_scale_factor = 0.5, largest_scale_factor = 6;
 
 }  // namespace rubsweep::design

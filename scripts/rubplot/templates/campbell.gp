@@ -56,7 +56,9 @@ do for [format in formats] {
     set xrange [P_min - margin:P_max + margin]
     set yrange [-1.25:1.55]
     set xlabel "place along the shaft (mm)"
-    if (P_max - P_min > 1200) { set xtics (P_max - P_min > 6000 ? 2000 : 500) }
+    # In parentheses it would be a list of one tick.
+    step = P_max - P_min > 6000 ? 2000 : 500
+    if (P_max - P_min > 1200) { set xtics step }
     set label 5 "deflection / largest" at screen 0.628, 0.49 center rotate by 90
     set key at graph 0.5, graph 0.99 center top Left reverse opaque samplen 2 spacing 1.2 maxrows 2 font ",16"
     set arrow 1 from first P_min, first 0 to first P_max, first 0 nohead linewidth 3 linecolor rgb "#AAAAAA" back
