@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "rubsweep/structure/beam_element.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
 #include "scene/kit_machine.hpp"
 #include "scene/one_side_machine.hpp"
+#include "scene/table_machine.hpp"
 #include "structure/steel.hpp"
 
 namespace rubsweep::identify {
@@ -192,6 +194,30 @@ TEST(Campbell, AGridThatHitsACriticalSpeedFindsItOnce) {
   machine.rotor = model::JeffcottRotor{.mass_kg = 1, .natural_frequency_hz = 30, .damping_ratio = 0};
   const Campbell found = campbell(free_rotor(machine), speeds(29, 31, 3), 100);
   EXPECT_EQ(found.critical_speeds.size(), 2u);
+}
+
+/// A short stiff rotor bounces at sqrt(2 k / m), k by a table: its critical speed is where that is the speed.
+TEST(Campbell, CriticalSpeedsFollowTheTableOfASupport) {
+  model::Machine machine = scene::table_machine();
+  model::RotorKit& kit = *model::kit_of(machine);
+  kit.shaft[0].outer_diameter_m = 0.2;
+  kit.shaft[0].density_kg_per_m3 = 1;
+  kit.damping_ratio = {0};
+  model::SupportTable table = scene::film_table();
+  table.columns[3] = table.columns[0];
+  for (const std::size_t none : {1U, 2U, 4U, 5U, 6U, 7U}) table.columns[none].assign(5, 0);
+  for (model::Support& support : kit.supports) support = model::with_table(support, table);
+  const structure::SupportCurves curves = structure::curves_of(table);
+  const double mass_kg = 0.8 + pi / 4 * 0.2 * 0.2 * 0.4;
+  double low = 20, high = 120;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = (low + high) / 2;
+    (std::sqrt(2 * curves[0](middle) / mass_kg) > 2 * pi * middle ? low : high) = middle;
+  }
+  const Campbell diagram = campbell(free_rotor(machine), speeds(20, 120, 11), 100);
+  ASSERT_EQ(diagram.critical_speeds.size(), 2u);  // backward and forward
+  for (const CriticalSpeed& critical : diagram.critical_speeds)
+    EXPECT_NEAR(critical.speed_hz, low, 2e-4 * low);
 }
 
 }  // namespace

@@ -59,22 +59,31 @@ class Shapes(unittest.TestCase):
 
 
 class Shaft(figures.FigureTest):
-    def test_the_whole_shaft_is_shown_however_fast_it_turns(self):
-        # The axis of the shaft is longer, in mm, than that of the speeds in Hz.
-        positions = [0.0, 0.4, 0.8, 1.2]
-        self.write("config.yaml", "rotor:\n  supports:\n    - position_m: 0\n    - position_m: 1.2\n")
+    def draw_shaft(self, positions):
+        self.write("config.yaml", "rotor:\n  supports:\n    - position_m: 0\n    - position_m: %s\n" % positions[-1])
         self.write("campbell.csv", "mode,speed_hz,frequency_hz,whirl\n" +
                    "".join(f"1,{speed},25,forward\n" for speed in (0, 15, 30)))
         self.write("critical_speeds.csv", "mode,speed_hz,whirl\n1,25,forward\n")
         self.write("mode_shapes.csv", "mode,frequency_hz,whirl,position_m,x_real,y_real,x_imag,y_imag\n" +
-                   "".join(f"1,25,forward,{place},{place / 1.2},0,0,0\n" for place in positions))
-        root = self.draw("campbell")
+                   "".join(f"1,25,forward,{place},{place / positions[-1]},0,0,0\n" for place in positions))
+        return self.draw("campbell")
+
+    def test_the_whole_shaft_is_shown_however_fast_it_turns(self):
+        # The axis of the shaft is longer, in mm, than that of the speeds in Hz.
+        root = self.draw_shaft([0.0, 0.4, 0.8, 1.2])
         words = figures.words(root)
         self.assertEqual(figures.over_each_other(root), [])
         for label in ("place along the shaft (mm)", "shaft speed (Hz)", "whirl frequency (Hz)"):
             self.assertIn(label, words)
         self.assertIn("1200", words)
         self.assertIn("0", words)
+
+    def test_places_along_a_long_shaft_are_numbered(self):
+        for longest, places in ((1.6, ("500", "1000", "1500")), (7.0, ("2000", "4000", "6000"))):
+            root = self.draw_shaft([longest * part / 4 for part in range(5)])
+            self.assertEqual(figures.over_each_other(root), [])
+            for place in places:
+                self.assertIn(place, figures.words(root))
 
     def test_lock_speeds_are_marked_and_named(self):
         self.write("config.yaml", "rotor:\n  kind: jeffcott\n")

@@ -11,7 +11,7 @@ namespace {
 
 std::string place_of(const model::Support& support) {
   return support.at_housing ? fmt::format("housing {}", *support.at_housing)
-                            : fmt::format("{} m", support.position_m);
+                            : fmt::format("{:.6g} m", support.position_m);
 }
 
 std::string explain_coefficients(const model::SupportTable& table, double speed_hz) {

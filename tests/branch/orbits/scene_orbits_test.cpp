@@ -5,12 +5,17 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 
 #include "rubsweep/branch/continuation/follow.hpp"
+#include "rubsweep/branch/orbits/settled_start.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
+#include "scene/table_machine.hpp"
 #include "support/annular_scene.hpp"
 
 namespace rubsweep::branch::orbits {
@@ -125,6 +130,97 @@ TEST(SceneOrbits, ImpulsesThatDifferFromTurnToTurnHaveNoOrbits) {
       },
       1, {}, modes);
   EXPECT_THROW(continuation::orbit_from(problem, Eigen::VectorXd::Zero(4), 1.2), ConfigError);
+}
+
+/// A short stiff rotor on two equal films that push back alone, by a table: its quiet circle is that of
+/// m z'' + 2 c z' + 2 k z = m_d e w^2 e^{iwt}, and the slope of its radius over the speed has k'(w) and
+/// c'(w).
+TEST(SceneOrbits, SlopesOverTheSpeedGoThroughTheTableOfASupport) {
+  using std::numbers::pi;
+  constexpr double eccentricity_m = 1e-4, disc_kg = 0.8, mass_kg = disc_kg + pi / 4 * 0.2 * 0.2 * 0.4;
+  model::Machine machine = scene::table_machine(2);
+  model::RotorKit& kit = *model::kit_of(machine);
+  kit.shaft[0].outer_diameter_m = 0.2;
+  kit.shaft[0].density_kg_per_m3 = 1;
+  kit.damping_ratio = {0};
+  model::SupportTable table = scene::film_table();
+  table.columns[3] = table.columns[0];
+  table.columns[7] = table.columns[4];
+  for (const std::size_t cross : {1U, 2U, 5U, 6U}) table.columns[cross].assign(5, 0);
+  for (model::Support& support : kit.supports) support = model::with_table(support, table);
+  const structure::SupportCurves curves = structure::curves_of(table);
+  const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+  const auto scene_at = [&](double hz) {
+    return scene::build_cell(prepared, hz, scene::Eccentricity{eccentricity_m}).scene;
+  };
+  integrate::exact::modes::ModeCache modes;
+  OrbitProblem problem =
+      scene_orbits([&](double hz) -> std::optional<scene::Scene> { return scene_at(hz); }, 1, {}, modes);
+  problem.low = 20;
+  problem.high = 120;
+  problem.parameter_scale = 100;
+  for (const double hz : {27.3, 33.0, 66.6, 101.0}) {
+    const scene::Scene scene = scene_at(hz);
+    const auto section = integrate::run::scaled_initial_state(scene);
+    const auto n = static_cast<Eigen::Index>(section.size());
+    const auto point =
+        continuation::orbit_from(problem, Eigen::Map<const Eigen::VectorXd>(section.data(), n), hz);
+    ASSERT_TRUE(point) << hz;
+    const double w = 2 * pi * hz, k = curves[0](hz), c = curves[4](hz);
+    const std::complex<double> i(0, 1), stiff = 2 * k - mass_kg * w * w + 2.0 * i * c * w;
+    const std::complex<double> stiff_slope =
+        2 * curves[0].slope(hz) - 4 * pi * mass_kg * w + 2.0 * i * (curves[4].slope(hz) * w + 2 * pi * c);
+    const double radius_m = disc_kg * eccentricity_m * w * w / std::abs(stiff);
+    const double slope_m_per_hz = radius_m * (4 * pi / w - (stiff_slope / stiff).real());
+    EXPECT_NEAR(point->facts.amplitude_m, radius_m, 2e-4 * radius_m) << hz;
+    // At t = 0 the rotor is nearest to the wall, straight above: its height is the radius.
+    const Eigen::RowVectorXd height =
+        scene.length_scale_m *
+        scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map.row(1);
+    const double found = height.dot(point->tangent.head(n / 2).transpose()) *
+                         std::sqrt(static_cast<double>(n)) / (point->tangent(n) * problem.parameter_scale);
+    EXPECT_NEAR(found, slope_m_per_hz, 1e-3 * std::abs(slope_m_per_hz)) << hz;
+  }
+}
+
+/// Largest distance from the mean position, and the largest multiplier.
+struct Rub {
+  double amplitude_m = 0, modulus = 0;
+};
+
+/// Rub of the family at a speed, found from the motion that the cell settles on.
+Rub rub_at(const std::function<scene::Cell(double)>& cell_at, double hz) {
+  response::motion::Workspace workspace;
+  const SettledStart settled = settle_on_orbit(cell_at(hz), {}, {}, workspace);
+  if (!settled.order) return {};
+  OrbitProblem problem =
+      scene_orbits([&](double at) -> std::optional<scene::Scene> { return cell_at(at).scene; },
+                   *settled.order, {}, workspace.modes);
+  problem.low = hz - 1;
+  problem.high = hz + 1;
+  const auto point = continuation::orbit_from(problem, settled.state, hz);
+  if (!point || !point->facts.touched) return {};
+  return {point->facts.amplitude_m, std::abs(point->multipliers(0))};
+}
+
+/// Rubs of one turn and of two at speeds of a table and beside them, in coordinates that serve all speeds,
+/// and with the numbers of each speed typed in, in those of that speed.
+TEST(SceneOrbits, RubsFollowTheTableOfASupport) {
+  model::Machine machine = scene::table_machine(6);
+  model::kit_of(machine)->damping_ratio = {0};
+  const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+  for (const auto& place :
+       {scene::Place{55, scene::Eccentricity{1.26e-3}}, scene::Place{57.5, scene::Eccentricity{1.26e-3}},
+        scene::Place{80, scene::Eccentricity{1.526e-3}}}) {
+    const double hz = place.speed_hz;
+    const Rub followed =
+        rub_at([&](double at) { return scene::build_cell(prepared, at, place.unbalance); }, hz);
+    const Rub typed_in =
+        rub_at([&](double at) { return scene::build_cell(machine, at, place.unbalance); }, hz);
+    ASSERT_GT(typed_in.amplitude_m, 0) << hz;
+    EXPECT_NEAR(followed.amplitude_m, typed_in.amplitude_m, 1e-3 * typed_in.amplitude_m) << hz;
+    EXPECT_NEAR(followed.modulus, typed_in.modulus, 0.02 * typed_in.modulus) << hz;
+  }
 }
 
 }  // namespace
