@@ -1,0 +1,122 @@
+"""What rubfit fitted: the data of each file beside the model, and the numbers that were found."""
+
+import cmath
+import math
+import os
+
+from rubplot import csv_table, shown_units
+from rubplot.failure import Failure, require_readable
+from rubplot.gnuplot import Picture
+from rubplot.subcommand import Subcommand
+
+# Most files of data, and sensors of each, that a picture shows; more would not be told apart.
+MOST_FILES, MOST_SENSORS = 3, 4
+# Titles of the panels of a file, and of the axis of its points.
+_KINDS = {
+    "ring_down": ("ring-down", "time (s)"),
+    "run_up": ("1X on a ramp", "shaft speed (Hz)"),
+    "steady": ("1X at steady speeds", "shaft speed (Hz)"),
+    "rub": ("lines of a rub", "order"),
+}
+
+
+class FittedFile:
+    """One file of data; `series` holds for each sensor the rows (at, measured, modelled), complex but of a ring-down."""
+
+    def __init__(self, rows):
+        self.kind = rows[0]["kind"]
+        if self.kind not in _KINDS:
+            raise Failure(f"fitted.csv: a kind of data called '{self.kind}', allowed: {', '.join(_KINDS)}")
+        parts = {}
+        for row in rows:
+            both = tuple(csv_table.number(row, name) for name in ("measured_m", "modelled_m"))
+            parts.setdefault(row["sensor"], {}).setdefault(row["part"], []).append((csv_table.number(row, "at"), *both))
+        self.series = {sensor: self._joined(found) for sensor, found in sorted(parts.items(), key=lambda item: int(item[0]))}
+        largest = max(abs(value) for rows_of in self.series.values() for _, *both in rows_of for value in both)
+        self.per_metre, self.unit = shown_units.of_length(largest)
+
+    @staticmethod
+    def _joined(parts):
+        if "signal" in parts:
+            return parts["signal"]
+        return [(at, complex(real, imaginary[0]), complex(model, imaginary[1]))
+                for (at, real, model), (_, *imaginary) in zip(parts["real"], parts["imaginary"])]
+
+    def leaves_nothing(self):
+        """Whether a ring-down is fitted to the last bit, so that what is left has no range."""
+        return self.kind == "ring_down" and all(measured == model for rows in self.series.values() for _, measured, model in rows)
+
+    def upper(self, sensor):
+        """The reading, or the amplitude: at, measured, modelled."""
+        for at, measured, modelled in self.series[sensor]:
+            values = (measured, modelled) if self.kind == "ring_down" else (abs(measured), abs(modelled))
+            yield " ".join("%.17g" % number for number in (at, *(self.per_metre * value for value in values)))
+
+    def lower(self, sensor):
+        """What is left of a reading; of 1X the phases, which go on where they pass a whole turn."""
+        before = None
+        for at, measured, modelled in self.series[sensor]:
+            if self.kind == "ring_down":
+                yield f"{at:.17g} {self.per_metre * (measured - modelled):.17g} nan"
+                continue
+            model = math.degrees(cmath.phase(modelled))
+            if before is not None and self.kind != "rub":
+                model -= 360 * round((model - before) / 360)
+            before = model
+            phase = math.degrees(cmath.phase(measured))
+            yield f"{at:.17g} {phase - 360 * round((phase - model) / 360):.17g} {model:.17g}"
+
+
+class Fit:
+    """A directory that rubfit wrote."""
+
+    def __init__(self, directory):
+        files = {name: os.path.join(directory, f"{name}.csv") for name in ("fitted", "parameters")}
+        require_readable(*files.values())
+        rows = {}
+        for row in csv_table.read_table(files["fitted"], "data", "kind", "sensor", "part", "at", "measured_m", "modelled_m"):
+            rows.setdefault(int(row["data"]), []).append(row)
+        if not rows:
+            raise Failure(f"{files['fitted']}: holds no data")
+        self.files = [FittedFile(rows[number]) for number in sorted(rows)][:MOST_FILES]
+        self.left_out = len(rows) - len(self.files)
+        self.found = [self._sentence(row) for row in csv_table.read_table(files["parameters"])]
+
+    @staticmethod
+    def _sentence(row):
+        value, low, high = (csv_table.number(row, name) for name in ("value", "low_95", "high_95"))
+        half = (high - low) / 2
+        if not math.isfinite(half):
+            return f"{row['parameter']} = {value:.6g}, not told"
+        return f"{row['parameter']} = {value:.6g} ± {half:.2g}" + (" (at its bound)" if row["at_bound"] == "1" else "")
+
+
+def picture(given):
+    fit = Fit(given.source)
+    files, panels = {}, []
+    for column, data in enumerate(fit.files):
+        sensors = list(data.series)[:MOST_SENSORS]
+        title, axis = _KINDS[data.kind]
+        panels += [f'title_{column} = "{title}"', f'axis_{column} = "{axis}"', f'unit_{column} = "{data.unit}"',
+                   f'kind_{column} = "{data.kind}"', f"sensors_{column} = {len(sensors)}", f"nothing_left_{column} = {int(data.leaves_nothing())}"]
+        for i, sensor in enumerate(sensors):
+            panels.append(f'name_{column}_{i} = "sensor {sensor}"')
+            files[f"upper_{column}_{i}"] = data.upper(sensor)
+            files[f"lower_{column}_{i}"] = data.lower(sensor)
+    panels.append(f"found = {len(fit.found)}")
+    panels += [f'found_{i} = "{sentence}"' for i, sentence in enumerate(fit.found)]
+    files["panels.gp"] = panels
+    return Picture("fit.gp", (given.heading, str(len(fit.files))), files)
+
+
+SUBCOMMAND = Subcommand(
+    name="fit",
+    summary="data and model of a fit (rubfit)",
+    description="""Draws what rubfit wrote into DIR: of each file of data, three at most, the readings or the amplitude and
+phase of 1X as points and the fitted model as lines, of a ring-down what is left, of a rub the lines of its spectrum; below,
+the numbers that were found with half the width of their 95 % intervals.""",
+    source="DIR",
+    heading="Fit",
+    picture=picture,
+    examples=("results/kit_fit", "results/kit_fit --output fit.svg --heading 'Kit 2, Monday'"),
+)
