@@ -64,6 +64,12 @@ class Site(unittest.TestCase):
         wrong = [pair for pair in sorted(pairs) if pair[0] not in [path for path, _ in links_of(pair[1], text_of(pair[1]))]]
         self.assertEqual(wrong, [])
 
+    def test_documents_that_headers_name_are_linked(self):
+        for page in ("library/index.html", "library/namespacerubsweep_1_1identify.html"):
+            named = {path for path, _ in links_of(page, text_of(page)) if path.startswith("docs/")}
+            self.assertIn("docs/method.html", named)
+            self.assertEqual(named - set(self.documents), set())
+
     def test_links_of_header_pages_lead_to_headings(self):
         page = "library/settle_8hpp.html"
         back = [(path, name) for path, name in links_of(page, text_of(page)) if not path.startswith("library/") and name]
@@ -93,9 +99,10 @@ class Parts(unittest.TestCase):
         self.assertEqual(named, [(("x", "X"), "settle.html")])
 
     def test_a_page_of_doxygen_is_changed_once(self):
-        page = '<div class="contents">\n<p>Settles.</p>'
+        page = '<div class="contents">\n<p>Settles as <code>docs/method.md</code> and docs/a-b.md say.</p>'
         once = with_documents(page, [("../docs/method.html#x", "Method: X")])
         self.assertIn('that name it: <a href="../docs/method.html#x">Method: X</a>', once)
+        self.assertIn('as <a href="../docs/method.html"><code>docs/method.md</code></a> and <a href="../docs/a-b.html">', once)
         self.assertEqual(with_documents(once, [("../docs/method.html#x", "Method: X")]), once)
 
 
