@@ -79,6 +79,7 @@ def parser_of(one):
                             f"(default: {','.join(output.DEFAULT_FORMATS)})")
         parser.add_argument("--heading", metavar="TEXT", default=one.heading,
                             help="(default: '%(default)s')" if one.heading else "(default: what the picture shows)")
+    subcommand.add_units(one, parser)
     one.options(parser)
     return parser
 

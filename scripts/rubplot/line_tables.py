@@ -66,11 +66,11 @@ class Line:
             raise Failure(f"{self.files['line.csv']}: no row of pass {row['pass']} at {row['value']}")
         return self._kinds[row["pass"], row["value"]]
 
-    def clearance_mm(self):
-        """As a text; "nan" where it changes along the line."""
+    def clearance(self):
+        """In the unit of the picture, as a text; "nan" where it changes along the line."""
         if self.along == "stops.0.clearance_m":
             return "nan"
-        return "%.17g" % (1e3 * configuration.number(self.config["stops.0.clearance_m"]))
+        return "%.17g" % (shown_units.millimetres()[0] * configuration.number(self.config["stops.0.clearance_m"]))
 
     def has_fixed_wall(self):
         """Whether the first stop is flat and its direction the same along the line."""

@@ -38,7 +38,7 @@ def read_plane(source, identified_hz=None):
     natural_hz = identified_hz
     if "rotor.natural_frequency_hz" in config:
         natural_hz = configuration.number(config["rotor.natural_frequency_hz"])
-    if across != "speed_hz" or shown_units.in_rpm(config):
+    if across != "speed_hz" or shown_units.in_rpm(config) or shown_units.asks_for_speed():
         natural_hz = None
     return Plane(map_file, config, across, up, natural_hz)
 

@@ -1,13 +1,19 @@
-"""The units and scales in which a person wrote the axes of a sweep, so that pictures show the same."""
+"""The units and scales in which a person wrote the axes of a sweep, so that pictures show the same, and the units that the
+command line asks for instead."""
 
+import contextlib
 import math
 from dataclasses import dataclass
+from typing import Optional
 
 from rubplot import configuration
 
 RPM_PER_HZ = 60
 # The unit of lengths by the size of the motion in metres, so that the numbers at an axis stay short.
 _LENGTHS = ((2e-8, 1e9, "nm"), (2e-5, 1e6, "µm"), (math.inf, 1e3, "mm"))
+# Names of --length-unit; a mil is a thousandth of an inch.
+LENGTH_UNITS = {"mm": (1e3, "mm"), "um": (1e6, "µm"), "mil": (1 / 25.4e-6, "mil")}
+SPEED_UNITS = ("hz", "rpm")
 
 # Keys of a sweep that say the same as a column of map.csv in another unit: column, what stands at the axis.
 _WRITTEN = {
@@ -29,9 +35,37 @@ class Axis:
     logarithmic: bool = False
 
 
+@dataclass(frozen=True)
+class Choice:
+    """Units that were asked for: one of SPEED_UNITS and of LENGTH_UNITS, None for those of configuration and size."""
+
+    speed: Optional[str] = None
+    length: Optional[str] = None
+    peak_to_peak: bool = False
+
+
+_choice = Choice()
+
+
+@contextlib.contextmanager
+def chosen(choice):
+    """Everything that is laid out meanwhile is in these units."""
+    global _choice
+    before, _choice = _choice, choice
+    try:
+        yield
+    finally:
+        _choice = before
+
+
 def axis(config, column, largest=None):
     """How the axis that is this column is shown; `largest` is its largest value in SI units where it is the axis of a
     map, by which the factor of an unbalance is known: how many g mm a metre is, only the programs know of every rotor."""
+    if column == "speed_hz" and _choice.speed:
+        scales = [config.get(f"sweep.{key}.scale") for key in ("speed_hz", "speed_rpm")]
+        if _choice.speed == "rpm":
+            return Axis(_WRITTEN["speed_rpm"][1], RPM_PER_HZ, "log" in scales)
+        return Axis(_LABELS["speed_hz"], 1.0, "log" in scales)
     for key, (si_column, label) in _WRITTEN.items():
         written = _largest(config, f"sweep.{key}")
         if si_column != column or written is None:
@@ -44,10 +78,30 @@ def axis(config, column, largest=None):
 
 def of_length(largest_m):
     """The number of units in a metre and their name, for lengths up to this one."""
+    if _choice.length:
+        return LENGTH_UNITS[_choice.length]
     return next((factor, word) for limit, factor, word in _LENGTHS if largest_m < limit)
 
 
+def of_amplitude(largest_m):
+    """The same for amplitudes, half of what a motion spans: peak to peak where that was asked for."""
+    factor, word = of_length(2 * largest_m if _choice.peak_to_peak else largest_m)
+    return (2 * factor, f"{word} peak to peak") if _choice.peak_to_peak else (factor, word)
+
+
+def millimetres():
+    """Pictures that are in millimetres unless another unit was asked for: the number in a metre and the name."""
+    return LENGTH_UNITS[_choice.length or "mm"]
+
+
+def asks_for_speed():
+    """Whether a unit of speeds was asked for."""
+    return _choice.speed is not None
+
+
 def in_rpm(config):
+    if _choice.speed:
+        return _choice.speed == "rpm"
     return _largest(config, "sweep.speed_rpm") is not None
 
 

@@ -22,3 +22,9 @@ class Bode(figures.FigureTest):
                      "sensor 1", "resonance 20 Hz"):
             self.assertIn(word, figures.words(root))
         self.assertEqual(figures.over_each_other(root), [])
+
+    def test_rpm_and_mil_peak_to_peak_where_they_are_asked_for(self):
+        root = self.draw("bode", "--speed-unit", "rpm", "--length-unit", "mil", "--peak-to-peak")
+        for word in ("1X amplitude (mil peak to peak)", "shaft speed (rpm)", "resonance 1200 rpm"):
+            self.assertIn(word, figures.words(root))
+        self.assertEqual(figures.over_each_other(root), [])

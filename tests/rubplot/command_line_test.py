@@ -44,6 +44,8 @@ class WrongCalls(figures.FileTest):
         self.expect(2, "unrecognized arguments: y", "line", "x", "y")
         self.expect(2, "'gif' is not allowed, allowed: png, svg, pdf", "line", "x", "--formats", "png,gif")
         self.expect(2, "allowed: a name that ends with .png, .svg or .pdf", "line", "x", "--output", "x.gif")
+        self.expect(2, "argument --speed-unit: invalid choice: 'kph'", "map", "x", "--speed-unit", "kph")
+        self.expect(2, "argument --length-unit: invalid choice: 'inch'", "bode", "x", "--length-unit", "inch")
         self.expect(2, "invalid int value: 'ten'", "trace", "x", "--revolutions", "ten")
         complaint = self.expect(2, "there is no figure 'xyz', allowed: all, ", "figure", "xyz")
         self.assertTrue(complaint.endswith("Try: rubplot figure --help\n"))

@@ -28,6 +28,29 @@ class Axes(unittest.TestCase):
         self.assertAlmostEqual(shown_units.axis(config, "eccentricity_m", 2e-5).factor, 315000)
         self.assertEqual(shown_units.axis(config, "kick.force_n"), shown_units.Axis("kick.force_n", 1, True))
 
+    def test_a_unit_that_is_asked_for_is_shown_whatever_was_written(self):
+        written = {"sweep.speed_rpm.from": "3000", "sweep.speed_rpm.to": "12000", "sweep.speed_rpm.scale": "log"}
+        with shown_units.chosen(shown_units.Choice(speed="hz")):
+            self.assertEqual(shown_units.axis(written, "speed_hz"), shown_units.Axis("shaft speed (Hz)", 1, True))
+            self.assertEqual(shown_units.speed_text(written, 50), "50 Hz")
+        with shown_units.chosen(shown_units.Choice(speed="rpm")):
+            self.assertEqual(shown_units.axis({}, "speed_hz"), shown_units.Axis("shaft speed (rpm)", 60))
+            self.assertEqual(shown_units.axis({}, "whirl_ratio").factor, 1)
+            self.assertEqual(shown_units.speed_text({}, 50), "3000 rpm")
+        self.assertEqual(shown_units.speed_text({}, 50), "50 Hz")
+
+    def test_lengths_and_amplitudes_in_the_unit_that_is_asked_for(self):
+        self.assertEqual(shown_units.of_length(1e-6), (1e6, "µm"))
+        self.assertEqual(shown_units.millimetres(), (1e3, "mm"))
+        with shown_units.chosen(shown_units.Choice(length="mil", peak_to_peak=True)):
+            factor, word = shown_units.of_amplitude(12.7e-6)
+            self.assertAlmostEqual(12.7e-6 * factor, 1)
+            self.assertEqual(word, "mil peak to peak")
+            self.assertAlmostEqual(25.4e-6 * shown_units.millimetres()[0], 1)
+        # Twice the size may want the next unit.
+        with shown_units.chosen(shown_units.Choice(peak_to_peak=True)):
+            self.assertEqual(shown_units.of_amplitude(1.5e-5), (2e3, "mm peak to peak"))
+
 
 if __name__ == "__main__":
     unittest.main()

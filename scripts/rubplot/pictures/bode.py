@@ -28,7 +28,7 @@ class Bode:
                 self._resonance[int(csv_table.number(row, "sensor"))] = csv_table.number(row, "value")
         largest_m = max(csv_table.number(row, f"sensor_{i}_amplitude_m") for row in self._rows for i in self.sensors)
         self.speed = shown_units.axis(self.config, "speed_hz")
-        self.per_metre, self.unit = shown_units.of_length(largest_m)
+        self.per_metre, self.unit = shown_units.of_amplitude(largest_m)
 
     def lines(self, sensor):
         """Speed, amplitude in `unit`, phase in degrees; the phase goes on where it passes a whole turn."""
@@ -84,5 +84,6 @@ component that turns with the shaft over its speed.""",
     source="DIR",
     heading="Run-up without stops",
     picture=picture,
+    units=("speed", "length", "peak_to_peak"),
     examples=("results/my_run_up", "results/my_run_up --formats png,pdf"),
 )

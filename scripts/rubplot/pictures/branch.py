@@ -33,7 +33,7 @@ class Branches:
         return sorted({int(csv_table.number(row, "order")) for row in self._points})
 
     def line_lines(self, order, stable):
-        """Parameter and amplitude in mm of the pieces that are so, an empty line behind each. A piece reaches to the first
+        """Parameter and amplitude of the pieces that are so, an empty line behind each. A piece reaches to the first
         orbit beyond it, so that no gap is left."""
         before, drawing = None, False
         for row in self._points:
@@ -53,7 +53,7 @@ class Branches:
             yield ""
 
     def mark_lines(self, kind):
-        """Parameter and amplitude in mm of the events of one kind."""
+        """Parameter and amplitude of the events of one kind."""
         return [self._at(row) for row in self._events if row["kind"] == kind]
 
     def is_logarithmic(self):
@@ -62,7 +62,7 @@ class Branches:
 
     def _at(self, row):
         parameter = self.axis.factor * csv_table.number(row, "parameter")
-        return f"{parameter:.17g} {1e3 * csv_table.number(row, 'amplitude_m'):.17g}"
+        return f"{parameter:.17g} {shown_units.millimetres()[0] * csv_table.number(row, 'amplitude_m'):.17g}"
 
 
 def picture(given):
@@ -81,6 +81,7 @@ def picture(given):
             " ".join(marks),
             branches.axis.label,
             "logx" if branches.is_logarithmic() else "",
+            shown_units.millimetres()[1],
         ),
         files | pieces,
     )
@@ -94,5 +95,6 @@ ones dashed, events marked.""",
     source="DIR",
     heading="Orbits along a parameter",
     picture=picture,
+    units=("speed", "length"),
     examples=("results/benchmark/one_side_branch", "results/my_branch --output branch.pdf --heading 'The 1/2 orbit'"),
 )

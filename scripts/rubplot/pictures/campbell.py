@@ -190,5 +190,6 @@ and of a rotor kit the mode shapes along the shaft.""",
     source="DIR",
     heading="Campbell diagram",
     picture=picture,
+    units=("speed",),
     examples=("results/my_campbell", "results/my_campbell --output campbell.svg"),
 )

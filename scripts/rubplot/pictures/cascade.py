@@ -124,5 +124,6 @@ the left.""",
     source="DIR",
     heading="Cascade of full spectra",
     picture=picture,
+    units=("speed",),
     examples=("results/my_line", "results/my_line --output cascade.pdf"),
 )

@@ -89,5 +89,6 @@ SUBCOMMAND = Subcommand(
 units of the configuration beside the first map.""",
     source="CELLS.csv",
     picture=picture,
+    units=("speed",),
     examples=("cells.csv --output difference.pdf",),
 )

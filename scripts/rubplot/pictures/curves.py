@@ -104,6 +104,7 @@ marked and named.""",
     source="DIR",
     heading="Where orbits end, in two parameters",
     picture=picture,
+    units=("speed",),
     options=options,
     examples=("results/my_curve", "results/my_curve --map results/benchmark/one_side --output curves.pdf"),
 )

@@ -138,5 +138,6 @@ the stops, the smallest kicks that start a lasting rub, lock speeds, and the mar
     source="DIR",
     heading="Design check",
     picture=picture,
+    units=("speed",),
     examples=("results/my_design", "results/my_design --output design.pdf"),
 )

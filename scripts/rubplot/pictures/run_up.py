@@ -107,5 +107,6 @@ motions, where it rubs, and the spectrogram over orders.""",
     source="DIR",
     heading="Run-up through rub",
     picture=picture,
+    units=("speed",),
     examples=("results/my_run_up", "results/my_run_down --heading 'Run-down through rub' --output run_down.pdf"),
 )

@@ -75,7 +75,7 @@ class Scope:
 
     def speed(self):
         for *_, t_s, speed_hz in self.section:
-            yield f"{t_s:.17g} {speed_hz:.17g}"
+            yield f"{t_s:.17g} {shown_units.axis({}, 'speed_hz').factor * speed_hz:.17g}"
 
     def label(self):
         period = self.measures.get("period_turns")
@@ -101,9 +101,11 @@ class ScopeRun:
         self._rows = {order: [row for row in rows if self._number(row, "order") == order] for order in self.orders}
         self._waterfall = list(csv_table.read_table(files["waterfall"]))
         measures = {row["quantity"]: row["value"] for row in csv_table.read_table(files["measures"])}
-        self.resonances = sorted({"%.4g" % float(measures[f"resonance_{name}_hz"]) for name in self.directions if f"resonance_{name}_hz" in measures}, key=float)
+        per_hz = shown_units.axis({}, "speed_hz").factor
+        self.resonances = sorted({"%.4g" % (per_hz * float(measures[f"resonance_{name}_hz"])) for name in self.directions if f"resonance_{name}_hz" in measures}, key=float)
         largest = max(self._number(row, f"{name}_amplitude_m") for row in rows for name in self.directions)
-        self.per_metre, self.unit = shown_units.of_length(largest)
+        self.per_metre, self.unit = shown_units.of_amplitude(largest)
+        self.speed = shown_units.axis({}, "speed_hz")
 
     def curve(self, order, direction):
         """Speed, amplitude, phase (which goes on where it passes a whole turn), and both as x and y of a polar plot."""
@@ -115,7 +117,7 @@ class ScopeRun:
             if before is not None:
                 phase -= 360 * round((phase - before) / 360)
             before = phase
-            yield f"{self._number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g} {amplitude * math.cos(angle):.17g} {amplitude * math.sin(angle):.17g}"
+            yield f"{self.speed.factor * self._number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g} {amplitude * math.cos(angle):.17g} {amplitude * math.sin(angle):.17g}"
 
     def spectra(self):
         """Order, speed, amplitude; an empty line behind each spectrum."""
@@ -124,7 +126,7 @@ class ScopeRun:
             if before not in (None, row["t_s"]):
                 yield ""
             before = row["t_s"]
-            yield f"{self._number(row, 'order'):.17g} {self._number(row, 'speed_hz'):.17g} {self.per_metre * self._number(row, 'amplitude_m'):.17g}"
+            yield f"{self._number(row, 'order'):.17g} {self.speed.factor * self._number(row, 'speed_hz'):.17g} {self.per_metre * self._number(row, 'amplitude_m'):.17g}"
 
     def files(self):
         curves = [(order, direction) for order in self.orders[:4] for direction in self.directions]
@@ -137,7 +139,7 @@ class ScopeRun:
 def run_picture(given):
     run = ScopeRun(given.source)
     count, files = run.files()
-    return Picture("scope_run.gp", (given.heading, str(count), run.unit, " ".join(run.resonances)), files)
+    return Picture("scope_run.gp", (given.heading, str(count), run.unit, " ".join(run.resonances), run.speed.label), files)
 
 
 def picture(given):
@@ -153,6 +155,7 @@ def picture(given):
             "1" if scope.plane else "0",
             "%.17g" % scope.widest() if scope.plane else "0",
             "1" if scope.simulated else "0",
+            shown_units.axis({}, "speed_hz").label,
         ),
         {
             "orbit": scope.closed_orbit(),
@@ -174,5 +177,6 @@ of --compare. Of a run-up: amplitude and phase over the speed, a polar plot, and
     source="DIR",
     heading="Recording",
     picture=picture,
+    units=("speed", "length", "peak_to_peak"),
     examples=("measured_scope", "measured_scope --heading 'Kit 2, Monday'"),
 )

@@ -75,5 +75,6 @@ study.kind threshold, over the same axes as `rubplot map`, with contours.""",
     source="DIR|MAP.csv",
     heading="Smallest kick after which rub goes on",
     picture=picture,
+    units=("speed",),
     examples=("results/benchmark/threshold_one_side", "results/benchmark/threshold_one_side/map.csv --output threshold.svg"),
 )

@@ -38,6 +38,7 @@ section points are those of the end of the run.""",
     several_sources=True,
     heading="One cell under the lens",
     picture=picture,
+    units=("speed", "length"),
     options=options,
     examples=("results/my_trace --output cell.pdf", "results/calm results/rub --revolutions -20 --heading 'Calm and rub'"),
 )

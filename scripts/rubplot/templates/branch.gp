@@ -1,5 +1,5 @@
 # Draws the branches that pictures/branch.py lays out.
-# Arguments: HEADING ORDERS PIECES MARKS LABEL SCALE
+# Arguments: HEADING ORDERS PIECES MARKS LABEL SCALE UNIT
 # Files: those named in PIECES, stable_N and unstable_N of orders N in ORDERS, and one of every kind in MARKS; SCALE: logx or
 # nothing.
 
@@ -26,7 +26,7 @@ set title heading
 set xlabel x_label noenhanced
 # Not as the label of the axis, which may come over the numbers at it.
 set lmargin at screen 0.1
-set label 100 "amplitude (mm)" at screen 0.02, graph 0.5 center rotate by 90
+set label 100 "amplitude (" . ARG7 . ")" at screen 0.02, graph 0.5 center rotate by 90
 set tics nomirror out
 set grid linecolor rgb "#E4E4E4"
 set key at screen 0.79, graph 1 left top Left reverse samplen 2 spacing 1.4

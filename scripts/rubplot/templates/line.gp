@@ -1,6 +1,6 @@
 # Draws the bifurcation diagram that pictures/line.py lays out.
-# Arguments: HEADING PRESENT PASSES LABEL CLEARANCE_MM DIRECTION SCALE
-# Files: section and peaks; CLEARANCE_MM is nan where it changes along the line; SCALE: logx or nothing; PRESENT: the kinds in them, a blank around each.
+# Arguments: HEADING PRESENT PASSES LABEL CLEARANCE DIRECTION SCALE UNIT
+# Files: section and peaks; CLEARANCE is nan where it changes along the line; SCALE: logx or nothing; PRESENT: the kinds in them, a blank around each.
 
 heading = ARG1
 present = ARG2
@@ -53,7 +53,7 @@ do for [format in formats] {
   set bmargin at screen 0.42
   set format x ""
   # Not as labels of the axes: beside a fixed margin these may come over the numbers.
-  set label 3 "section, " . direction . " (mm)" at screen 0.015, 0.64 center rotate by 90
+  set label 3 "section, " . direction . " (" . ARG8 . ")" at screen 0.015, 0.64 center rotate by 90
   set yrange [low - space:high + space]
   set key at screen 0.765, graph 1 left top Left reverse samplen 1 spacing 1.3
   if (wall) {
@@ -75,7 +75,7 @@ do for [format in formats] {
   set yrange [0:*]
   set format x "% h"
   set xlabel x_label noenhanced
-  set label 3 "largest displacement (mm)" at screen 0.015, 0.245 center rotate by 90
+  set label 3 "largest displacement (" . ARG8 . ")" at screen 0.015, 0.245 center rotate by 90
   set key at screen 0.765, graph 1
   plot for [p = 1:3] "peaks" using ($3 == p - 1 ? $1 : NaN):2 with linespoints pointtype mark[p] \
       pointsize size_of[p] linecolor rgb pass_colour[p] linewidth 1.2 title (is_shown(pass[p]) ? pass_legend[p] : "")

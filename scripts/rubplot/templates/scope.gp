@@ -1,6 +1,6 @@
 # Draws the recording that pictures/scope.py lays out.
-# Arguments: HEADING LABEL UNIT PLANE WIDEST COMPARED
-# Files: orbit and section (x, y in UNIT; of one probe turns and x), spectrum (order, amplitude, noise), speed (s, Hz);
+# Arguments: HEADING LABEL UNIT PLANE WIDEST COMPARED SPEED_LABEL
+# Files: orbit and section (x, y in UNIT; of one probe turns and x), spectrum (order, amplitude, noise), speed (s, speed);
 # where COMPARED is 1 simulated (as orbit) and simulated_spectrum (order, amplitude).
 
 heading = ARG1
@@ -83,7 +83,7 @@ do for [format in formats] {
   set tmargin at screen 0.41
   set bmargin at screen 0.11
   set xlabel "time (s)"
-  set label 2 "shaft speed (Hz)" at screen 0.51, 0.26 center rotate by 90
+  set label 2 ARG7 at screen 0.51, 0.26 center rotate by 90
   stats "speed" using 2 name "S" nooutput
   pad = S_max - S_min > 1e-6 * S_max ? 0.1 * (S_max - S_min) : 0.01 * S_max
   set yrange [S_min - pad:S_max + pad]

@@ -1,5 +1,5 @@
 # Draws the run-up that pictures/scope.py lays out.
-# Arguments: HEADING CURVES UNIT RESONANCES
+# Arguments: HEADING CURVES UNIT RESONANCES SPEED_LABEL
 # Files: curve_N for each of the CURVES (speed, amplitude in UNIT, phase in degrees, x and y of the polar plot), names.gp,
 # spectra (order, speed, amplitude).
 
@@ -50,7 +50,7 @@ do for [format in formats] {
   plot for [i = 0:curves - 1] file(i) using 1:2 with lines linewidth 2 linecolor rgb colours[i + 1] \
       title value(sprintf("name_%d", i)), \
     NaN with lines dashtype 2 linewidth 1.2 linecolor rgb mark \
-      title (words(resonances) ? sprintf("resonance %s Hz", word(resonances, 1)) : "")
+      title (words(resonances) ? sprintf("resonance %s %s", word(resonances, 1), strstrt(ARG5, "rpm") ? "rpm" : "Hz") : "")
   unset label 1
   unset key
 
@@ -59,7 +59,7 @@ do for [format in formats] {
   set format x "% h"
   set yrange [*:*]
   set ytics 90
-  set xlabel "shaft speed (Hz)"
+  set xlabel ARG5
   set label 2 "phase of 1X (deg)" at screen 0.02, 0.29 center rotate by 90
   plot for [i = 0:(curves > 1 ? 1 : 0)] file(i) using 1:3 with lines linewidth 2 linecolor rgb colours[i + 1]
   do for [k = 1:words(resonances)] { unset arrow k }
@@ -87,7 +87,7 @@ do for [format in formats] {
   set yrange [V_min:V_max]
   set xtics 2
   set xlabel "order"
-  set label 2 "shaft speed (Hz)" at screen 0.53, 0.26 center rotate by 90
+  set label 2 ARG5 at screen 0.53, 0.26 center rotate by 90
   set logscale cb
   set cbrange [1e-3 * S_max:S_max]
   set format cb "10^{%L}"
