@@ -68,13 +68,13 @@ void warn_of(const design::SpeedRange& operating, const sweep::Study& study,
 
 int run_design_check(const RubtraceArguments& arguments, const config::RunConfig& config,
                      const std::filesystem::path& directory) {
+  end_on_interrupts("nothing was written");
   const sweep::Study& study = config.study;
   const design::DesignQuestions questions = questions_of(arguments, study);
   batch::require_threads(questions.threads);
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   if (!arguments.quiet) warn_of(questions.operating, study, prepared);
   const ResultDirectory made(directory, file_names);
-  end_on_interrupts("nothing was written");
   const design::DesignCheck check = design::check_design(study, prepared, questions);
   design::DesignTables tables = design::tables_of(check);
   batch::ResultFiles files{{"config.yaml", config::print_config(config)},
