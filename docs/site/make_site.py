@@ -14,6 +14,7 @@ from markdown_page import linked_files, page_of, render, title_of, with_page_lin
 # Pages in the order of the menu, with what they are called there. Other documents are reached by their links.
 MENU = [("README.md", "Start"), ("docs/tutorial.md", "Five lessons"), ("docs/user-guide.md", "User guide"),
         ("docs/gallery.md", "Gallery"), ("docs/keys.md", "Every key"), ("docs/known-limits.md", "Known limits"),
+        ("docs/other-programs.md", "Tables in other programs"),
         ("docs/method.md", "Method"), ("docs/validation.md", "Validation"), ("docs/performance.md", "Performance"),
         ("docs/continuous-integration.md", "Hosted CI"), ("docs/for-helpers.md", "For helpers"),
         ("docs/architecture.md", "Architecture"), ("results/README.md", "Results"), ("CONTRIBUTING.md", "Contributing"),

@@ -1,0 +1,77 @@
+"""other_programs_test.py TOP PROGRAMS: runs docs/other-programs.md in an empty directory, section by section.
+
+The block behind "Save this as `NAME`:" is that file; dialogues are those of dialogue.py. A section is left out, and the
+test says so, where its program is not installed; exits with 77 where none is."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from dialogue import blocks, environment_of, is_dialogue, wrong_answers
+
+# Section -> the program that it needs, with modules of Python.
+NEEDED = {"pandas": ("python3", "pandas"), "NumPy and xarray": ("python3", "xarray, pandas, numpy"), "R": ("Rscript", None),
+          "MATLAB and Octave": ("octave-cli", None)}
+
+
+def python_with(modules):
+    """A Python that has these modules, the one of the system where another comes first; None without."""
+    for path in (shutil.which("python3"), "/usr/bin/python3"):
+        if path and subprocess.run([path, "-c", f"import {modules}"], capture_output=True).returncode == 0:
+            return path
+    return None
+
+
+def found(program, modules):
+    return python_with(modules) if modules else shutil.which(program)
+
+
+def wrong_section(text, work, environment):
+    """Everything in a section that is not as promised."""
+    for before, block in blocks(text):
+        if name := re.search(r"Save this as `([^`]+)`:$", before):
+            with open(os.path.join(work, name[1]), "w", encoding="utf-8") as file:
+                file.write("\n".join(block) + "\n")
+        elif is_dialogue(block):
+            yield from wrong_answers(block, work, environment)
+        else:
+            yield f"a block that is neither file nor dialogue: {block[0]}"
+
+
+def main(top, programs):
+    with open(os.path.join(top, "docs", "other-programs.md"), encoding="utf-8") as file:
+        sections = re.split(r"^## ", file.read(), flags=re.MULTILINE)[1:]
+    titles = [section.splitlines()[0] for section in sections]
+    if titles[1:] != list(NEEDED):
+        print(f"sections {titles}, expected one of files and those of {list(NEEDED)}")
+        return 1
+    places = {title: found(*need) for title, need in NEEDED.items()}
+    for title, place in places.items():
+        if not place:
+            print(f"skipped: {title}: {' with '.join(filter(None, NEEDED[title]))} is not installed")
+    if not any(places.values()):
+        return 77
+    wrong = []
+    with tempfile.TemporaryDirectory() as work, tempfile.TemporaryDirectory() as first:
+        os.symlink(os.path.join(top, "configs"), os.path.join(work, "configs"))
+        environment = environment_of(programs)
+        environment["PATH"] = os.pathsep.join([first, environment["PATH"]])
+        wrong += wrong_section(sections[0], work, environment)
+        for title, section in zip(titles[1:], sections[1:]):
+            if not places[title]:
+                continue
+            python = os.path.join(first, "python3")
+            if os.path.lexists(python):
+                os.remove(python)
+            if NEEDED[title][1]:
+                os.symlink(places[title], python)
+            wrong += wrong_section(section, work, environment)
+    print("\n".join(wrong))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
