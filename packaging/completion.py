@@ -15,7 +15,8 @@ import help_text
 from completed import Completed, Word
 
 # Values that are no files: words to choose from, by the option that takes them.
-_WORDS = {"progress": ("auto", "always", "never"), "formats": ("png", "svg", "pdf")}
+_WORDS = {"progress": ("auto", "always", "never"), "formats": ("png", "svg", "pdf"),
+          "init": ("one_side", "both_sides", "annular", "rotor_kit", "ross")}
 _FOLDERS = ("DIR",)
 _FILES = ("FILE", "FILE.csv", "FILE.yaml", "CONFIG.yaml")
 _KEYS = {"set": "setting", "along": "key", "curve": "key"}

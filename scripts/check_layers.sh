@@ -49,6 +49,7 @@ declare -A below=(
   [config/study]='config/machine sweep'
   [config]='config/study'
   [config/keys]='config'
+  [config/templates]='.'
   [config/recording]='config recording'
   [config/ring]='config ring'
   [report]='sweep'

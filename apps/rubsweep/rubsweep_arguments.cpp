@@ -1,11 +1,16 @@
 #include "rubsweep_arguments.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
+#include <string_view>
+#include <vector>
 
 #include "map_options.hpp"
 #include "rubsweep/config/keys/run_form.hpp"
+#include "rubsweep/config/templates/templates.hpp"
+#include "rubsweep/config/yaml/value.hpp"
 #include "rubsweep/report/map_columns.hpp"
 #include "shared/command_line.hpp"
 #include "shared/key_questions.hpp"
@@ -22,8 +27,11 @@ po::options_description visible_options() {
   add_map_files(options);
   add_threads(options, "threads; 0: one per processor");
   add_set(options);
-  options.add_options()("motion-kinds",
-                        "instead: print the kinds of motion, their colours and signs, as CSV")(
+  options.add_options()("init", po::value<std::string>()->value_name("KIND"),
+                        "instead: print a commented configuration to begin with: one_side, both_sides, annular, "
+                        "rotor_kit or ross")(
+      "motion-kinds",
+      "instead: print the kinds of motion, their colours and signs, as CSV")(
       "status", po::value<std::string>()->value_name("DIR"),
       "instead: say how far the map in DIR is, of which shards, and who is at work")(
       "export-matrices", po::value<std::string>()->value_name("DIR"),
@@ -56,6 +64,14 @@ map::Share shard_of(const std::string& text) {
   }
   throw UsageError(
       fmt::format("--shard: '{}' is not allowed, allowed: I/N with 1 <= I <= N <= {}", text, most_shards));
+}
+
+std::string begun_configuration(const std::string& kind) {
+  namespace templates = config::templates;
+  if (auto text = templates::template_text(kind)) return *std::move(text);
+  const std::vector<std::string_view> names = templates::template_names();
+  throw UsageError(fmt::format("--init: {}, allowed: {}", config::yaml::describe_unknown(kind, names),
+                               fmt::join(names, ", ")));
 }
 
 void read_division(const po::variables_map& given, RubsweepArguments& arguments) {
@@ -95,6 +111,11 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
     question.key_answer = std::move(answer);
     return question;
   }
+  if (asks_for("init", given)) {
+    RubsweepArguments beginning;
+    beginning.key_answer = begun_configuration(given["init"].as<std::string>());
+    return beginning;
+  }
   if (asks_for("motion-kinds", given)) {
     RubsweepArguments kinds;
     kinds.motion_kinds = true;
@@ -133,6 +154,7 @@ std::string rubsweep_help() {
       "  rubsweep --status results/benchmark/one_side\n"
       "  rubsweep configs/benchmark/one_side.yaml --report\n"
       "  rubsweep configs/benchmark/one_side.yaml --figure map.png\n"
+      "  rubsweep --init one_side > my.yaml\n"
       "  rubsweep --keys stops.0.friction\n"
       "  rubsweep --verify results/benchmark/one_side\n"
       "  rubsweep configs/rotor_kit.yaml --export-matrices /tmp/matrices\n\n"

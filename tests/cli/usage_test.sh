@@ -2,7 +2,7 @@
 # The command line: help, version, and what ends with 1 before any file is read.
 source "$(dirname "$0")/support.sh"
 
-expect_help threads fresh shard merge report figure check explain print-config progress
+expect_help threads init fresh shard merge report figure check explain print-config progress
 expect_exit 0 --help
 expect_matches stdout '^Examples:$'
 

@@ -70,6 +70,7 @@ for shell in bash zsh fish; do
     expect "$shell" "$name --" "${options[@]}"
   done
   expect "$shell" 'rubsweep --progress ' auto always never
+  expect "$shell" 'rubsweep --init ' one_side both_sides annular rotor_kit ross
   expect "$shell" 'rubsweep --set stops.0.cl' stops.0.clearance_m=
   expect "$shell" 'rubbranch --along kick.f' kick.force_n
   expect "$shell" 'ringstab --set loads.0.a' loads.0.angle_deg=
