@@ -10,6 +10,7 @@
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/exported_matrices.hpp"
+#include "rubsweep/config/place_of_key.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
@@ -20,6 +21,7 @@
 #include "rubsweep/report/motion_kinds_csv.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/footprint.hpp"
+#include "rubsweep/sweep/untouched_walls.hpp"
 #include "rubsweep_arguments.hpp"
 #include "shared/child_process.hpp"
 #include "shared/exit_code.hpp"
@@ -114,6 +116,19 @@ int export_matrices(const RubsweepArguments& arguments, const config::RunConfig&
   return done;
 }
 
+/// A run says of a weak kick that it is one; before it there is time to say what it might be.
+void ask_of_weak_kick(const RubsweepArguments& arguments, const sweep::Study& study,
+                      const scene::PreparedMachine& prepared) {
+  const auto least_n = sweep::least_kick_force_n(study, prepared);
+  if (!least_n) return;
+  constexpr std::string_view key = "kick.force_n";
+  ask("rubsweep",
+      {fmt::format("{}: {}: {} N reach no wall from any cell (more than {:.3g} N?)",
+                   config::place_of_key(arguments.config, arguments.overrides, key), key, study.machine.kick->force_n,
+                   *least_n)},
+      arguments.quiet);
+}
+
 int perform(const RubsweepArguments& arguments) {
   if (arguments.verified) return verify(arguments);
   if (answered("rubsweep", arguments.action, rubsweep_help)) return done;
@@ -139,7 +154,9 @@ int perform(const RubsweepArguments& arguments) {
       {.size =
            [&] {
              // Throws where no structure can be computed of these numbers.
-             warn_of_premises("rubsweep", study, scene::prepare_machine(study.machine));
+             const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+             warn_of_premises("rubsweep", study, prepared);
+             ask_of_weak_kick(arguments, study, prepared);
              return fmt::format("{} cells", sweep::cell_count(study.grid));
            },
        .explanation =

@@ -38,6 +38,19 @@ expect_empty stderr
 "$rubtrace" "$minimal" --speed-hz 60 --eccentricity-m 0.3 --revolutions 2 --output slip >stdout 2>stderr || true
 expect_contains stderr 'rubtrace: question: the unbalance: 0.3 m is 300 clearances (millimetres?)'
 
+# A kick too weak is asked about with its place, and the exit code stays.
+sed 's/force_n: 200/force_n: 4/' "$minimal" >weak.yaml
+expect_exit 0 weak.yaml --check
+expect_matches stdout '^weak\.yaml: ok, 24 cells$'
+expect_matches stderr '^rubsweep: question: weak\.yaml:[0-9]+:[0-9]+: kick\.force_n: 4 N reach no wall from any cell \(more than [0-9.]+ N\?\)$'
+more=$(sed -E 's/.*more than ([0-9.]+) N.*/\1/' stderr)
+expect_exit 0 weak.yaml --check --set "kick.force_n=$(awk "BEGIN {print 1.02 * $more}")"
+expect_empty stderr
+# Places of other questions, in the file.
+printf 'base: %s\nrotor: {damping_ratio: 0.5}\n' "$minimal" >damped.yaml
+expect_exit 0 damped.yaml --check
+expect_contains stderr 'rubsweep: question: damped.yaml:2:24: rotor.damping_ratio: 0.5 of critical damping is much for a rotor (per cent?)'
+
 # A motion beyond 100 clearances asks what was meant.
 expect_exit 0 "$minimal" --set sweep.eccentricity_m=2 --output far
 expect_contains stderr 'question: what was the unbalance meant to be?'

@@ -50,6 +50,19 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"stops.0.angle_deg=-3.14", "stops.0.angle_deg: -3.14 degrees is -0.9995 pi (radians?)"},
         Case{"kick={force_n: 1, duration_s: 2}",
              "kick.duration_s: 2 s is 60 periods of the rotor, long for a kick (milliseconds?)"},
+        Case{"rotor.damping_ratio=0.5",
+             "rotor.damping_ratio: 0.5 of critical damping is much for a rotor (per cent?)"},
+        Case{"sweep.speed_hz={from: 60, to: 1200, count: 3}",
+             "sweep.speed_hz.to: 1200 Hz is over 20 times the lowest natural frequency (revolutions per minute?)"},
+        Case{"stops.0.clearance_m=0.02",
+             "stops.0.clearance_m: 0.02 m is 0.5333 of contact_radius_m (millimetres?)"},
+        Case{"stops.0.clearance_m=0.5e-6",
+             "stops.0.clearance_m: 5e-07 m is less than a micrometre (millimetres?)"},
+        Case{"stops.0.friction={coefficient: 10}",
+             "stops.0.friction.coefficient: 10 is more friction than surfaces have that slide on (per cent?)"},
+        // 2 F T / (pi m w) = 1 mm for 47.4 N and 5 ms.
+        Case{"kick={force_n: 2.0e4, duration_s: 0.005}",
+             "kick.force_n: 20000 N would move the rotor by 422 clearances (millinewtons?)"},
         Case{"start.x_m=0.5", "start.x_m: 0.5 m is 500 clearances (millimetres?)"}));
 
 class UnitSlipsQuestionOfAKit : public testing::TestWithParam<Case> {};

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+#include <variant>
+
 #include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "sweep/one_side_study.hpp"
@@ -42,6 +45,31 @@ TEST(UntouchedWalls, AWeakKickIsNamedAndReallyTouchesNothing) {
   // One cell near enough to the wall, or one speed, is enough to say nothing.
   study.grid.unbalance = {0.1, 0.999};
   EXPECT_EQ(why(study), "");
+}
+
+/// A Jeffcott rotor is thrown no farther than v / w by an impulse of m v, so that 2 F T / (pi m w) is the clearance
+/// that the whirl leaves.
+TEST(UntouchedWalls, TheLeastForceIsThatOfTheImpulse) {
+  Study study = one_side_study({75}, {0.4});
+  study.machine.kick->force_n = 2;
+  const auto& rotor = std::get<model::JeffcottRotor>(study.machine.rotor);
+  const double w = 2 * std::numbers::pi * rotor.natural_frequency_hz, m = rotor.mass_kg;
+  const double left_m = 0.6 * study.machine.stops.front().clearance_m;
+  const double impulse_force_n = left_m * std::numbers::pi * m * w / (2 * study.machine.kick->duration_s);
+  const auto least = least_kick_force_n(study, scene::prepare_machine(study.machine));
+  ASSERT_TRUE(least);
+  // The whirl adds to the velocity, too, and damping takes a little: the same within a third.
+  EXPECT_GT(*least, impulse_force_n / 1.5);
+  EXPECT_LT(*least, impulse_force_n * 1.1);
+  study.machine.kick->force_n = *least;
+  EXPECT_EQ(why(study), "");
+  study.machine.kick->force_n = *least / 1.02;
+  EXPECT_NE(why(study), "");
+  // Nothing is asked for where the kick is strong enough, or is none.
+  study.machine.kick->force_n = 1000;
+  EXPECT_FALSE(least_kick_force_n(study, scene::prepare_machine(study.machine)));
+  study.machine.kick->force_n = 0;
+  EXPECT_FALSE(least_kick_force_n(study, scene::prepare_machine(study.machine)));
 }
 
 TEST(UntouchedWalls, FaultyBearingsMayMoveTheRotorAllTheSame) {

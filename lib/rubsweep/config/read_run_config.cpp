@@ -2,6 +2,7 @@
 
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/output.hpp"
+#include "rubsweep/config/plan_questions.hpp"
 #include "rubsweep/config/study/captions.hpp"
 #include "rubsweep/config/study/study.hpp"
 #include "rubsweep/config/unit_slips.hpp"
@@ -44,6 +45,8 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
   if (diagnostics.count() == 0) vary_keys({root, "", diagnostics}, config.study);
   diagnostics.throw_if_any();
   config.questions = unit_questions({root, "", diagnostics}, &config.study.machine);
+  // A number in another unit makes all the rest odd.
+  if (config.questions.empty()) config.questions = plan_questions({root, "", diagnostics}, config.study);
   return config;
 }
 

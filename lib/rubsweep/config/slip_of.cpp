@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -24,14 +25,15 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Scale that a number is compared with.
 enum class Scale {
   one,
-  frequency_hz,     ///< the lowest natural frequency
-  frequency_rpm,    ///< the same in revolutions per minute
-  period_s,         ///< of that frequency
-  clearance,        ///< of the stop
-  clearance_g_mm,   ///< unbalance whose eccentricity is that clearance
-  contact_radius,   ///< of the stop
-  rotor_stiffness,  ///< of a Jeffcott rotor
-  weight_per_mm     ///< stiffness that gives way by one millimetre under the rotor's weight
+  frequency_hz,      ///< the lowest natural frequency
+  frequency_rpm,     ///< the same in revolutions per minute
+  period_s,          ///< of that frequency
+  clearance,         ///< of the stop
+  clearance_g_mm,    ///< unbalance whose eccentricity is that clearance
+  contact_radius,    ///< of the stop
+  rotor_stiffness,   ///< of a Jeffcott rotor
+  clearance_blow_n,  ///< force of the kick that moves a Jeffcott rotor by the clearance of the stop
+  weight_per_mm      ///< stiffness that gives way by one millimetre under the rotor's weight
 };
 
 /// A plausible number lies between `low` and `high` times its scale, both included unless said otherwise.
@@ -52,7 +54,11 @@ using enum Quantity;
 constexpr std::array rules{
     SlipRule{speed_hz, Scale::frequency_hz, 0, 100, false, 0, true,
              "{0} Hz is over {3} times the lowest natural frequency", "revolutions per minute", 1. / 60},
+    SlipRule{speed_hz, Scale::frequency_hz, 0, 20, false, 0, false,
+             "{0} Hz is over {3} times the lowest natural frequency", "revolutions per minute", 1. / 60},
     SlipRule{speed_rpm, Scale::frequency_rpm, 0, 100, false, 0, true,
+             "{0} revolutions per minute is over {3} times the lowest natural frequency", "", 0},
+    SlipRule{speed_rpm, Scale::frequency_rpm, 0, 20, false, 0, false,
              "{0} revolutions per minute is over {3} times the lowest natural frequency", "", 0},
     SlipRule{whirl_ratio, Scale::one, 0, 10, false, 0, false, "{0} times the clearance is no quiet motion",
              "per cent", 0.01},
@@ -62,6 +68,10 @@ constexpr std::array rules{
              "{0} g mm is an eccentricity of {1:.4g} clearances", "", 0},
     SlipRule{clearance_m, Scale::contact_radius, 0, 1, true, 0, true,
              "{0} m is no less than contact_radius_m", "millimetres", 1e-3},
+    SlipRule{clearance_m, Scale::contact_radius, 0, 0.3, false, 0, false,
+             "{0} m is {1:.4g} of contact_radius_m", "millimetres", 1e-3},
+    SlipRule{clearance_m, Scale::one, 1e-6, infinite, false, 0, false, "{0} m is less than a micrometre",
+             "millimetres", 1e3},
     SlipRule{contact_radius_m, Scale::one, 0, 10, false, 0, true, "{0} m is no radius of a shaft",
              "millimetres", 1e-3},
     SlipRule{contact_stiffness_n_per_m, Scale::rotor_stiffness, 0.1, infinite, false, 0, false,
@@ -71,6 +81,12 @@ constexpr std::array rules{
              1e3},
     SlipRule{damping_ratio, Scale::one, 0, 1, true, 0, true,
              "{0} of critical damping leaves the rotor no vibration", "per cent", 0.01},
+    SlipRule{damping_ratio, Scale::one, 0, 0.4, false, 0, false,
+             "{0} of critical damping is much for a rotor", "per cent", 0.01},
+    SlipRule{friction_coefficient, Scale::one, 0, 1.5, false, 0, false,
+             "{0} is more friction than surfaces have that slide on", "per cent", 0.01},
+    SlipRule{kick_force_n, Scale::clearance_blow_n, 0, 200, false, 0, false,
+             "{0} N would move the rotor by {1:.3g} clearances", "millinewtons", 1e-3},
     SlipRule{kick_duration_s, Scale::period_s, 0, 100, false, 0, true,
              "{1:.4g} periods of the rotor are no kick", "milliseconds", 1e-3},
     SlipRule{kick_duration_s, Scale::period_s, 0, 20, false, 0.1, false,
@@ -110,6 +126,16 @@ std::optional<double> lowest_frequency_hz(const model::Machine& machine) {
 /// kicks of a kit are never judged, and its structure need not be computed.
 constexpr double slow_hz = 10;
 
+/// Force whose half sine moves an undamped Jeffcott rotor by the clearance, by its impulse if it is short,
+/// else by its stiffness; empty without a kick or a Jeffcott rotor.
+std::optional<double> clearance_blow_n(const model::Machine& machine, const model::Stop* stop) {
+  const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor);
+  if (rotor == nullptr || stop == nullptr || !machine.kick) return std::nullopt;
+  const double w = 2 * std::numbers::pi * rotor->natural_frequency_hz;
+  const double short_blow = 2 / std::numbers::pi * w * machine.kick->duration_s, long_push = 2;
+  return stop->clearance_m * rotor->mass_kg * w * w / std::min(short_blow, long_push);
+}
+
 std::optional<double> scale_of(const SlipRule& rule, double value, const model::Machine* machine,
                                std::size_t stop) {
   if (rule.scale == Scale::one) return 1;
@@ -147,6 +173,9 @@ std::optional<double> scale_of(const SlipRule& rule, double value, const model::
     case Scale::rotor_stiffness:
       if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine->rotor))
         scale = rotor->mass_kg * std::pow(2 * std::numbers::pi * rotor->natural_frequency_hz, 2);
+      break;
+    case Scale::clearance_blow_n:
+      scale = clearance_blow_n(*machine, at);
       break;
     case Scale::weight_per_mm:
       scale = model::rotor_mass_kg(*machine) * 9.81 / 1e-3;

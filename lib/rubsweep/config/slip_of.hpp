@@ -22,6 +22,8 @@ enum class Quantity {
   angle_deg,
   damping_ratio,
   kick_duration_s,
+  kick_force_n,
+  friction_coefficient,
   gravity_m_per_s2,
   displacement_m,
   diameter_m,

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -74,6 +75,28 @@ std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMa
       "ratio below "
       "1), which are all non_contact; to change that, raise kick.force_n\n",
       kick->force_n, kick->duration_s);
+}
+
+std::optional<double> least_kick_force_n(const Study& study, const scene::PreparedMachine& prepared) {
+  const auto& kick = prepared.machine.kick;
+  if (!kick || kick->force_n == 0 || why_walls_stay_untouched(study, prepared).empty()) return std::nullopt;
+  const auto may_touch = [&](double force_n) {
+    model::Machine machine = prepared.machine;
+    machine.kick->force_n = force_n;
+    return why_walls_stay_untouched(study, scene::prepare_other_kick(prepared, machine)).empty();
+  };
+  constexpr double most = 1e9, within = 1.01;
+  double below_n = kick->force_n, above_n = 2 * below_n;
+  while (!may_touch(above_n)) {
+    if (above_n > most * kick->force_n) return std::nullopt;
+    below_n = above_n;
+    above_n *= 2;
+  }
+  while (above_n > within * below_n) {
+    const double middle_n = std::sqrt(below_n * above_n);
+    (may_touch(middle_n) ? above_n : below_n) = middle_n;
+  }
+  return above_n;
 }
 
 }  // namespace rubsweep::sweep

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "rubsweep/scene/prepared_machine.hpp"
@@ -14,5 +15,10 @@ namespace rubsweep::sweep {
 /// all over a large one, and at the largest unbalance that leaves a clearance there. Empty too where the grid
 /// has axes over keys.
 std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMachine& prepared);
+
+/// Where a weak kick is why, force in newtons from which on that bound lets some cell touch, within 1 %: a kick
+/// below it touches nothing, one above may. Empty where there is another reason or none, where the kick has no
+/// force, and where no force up to 1e9 times its own is enough.
+std::optional<double> least_kick_force_n(const Study& study, const scene::PreparedMachine& prepared);
 
 }  // namespace rubsweep::sweep
