@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "rubsweep/config/machine/jeffcott.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study/key_axis.hpp"
 #include "rubsweep/config/study/place_axes.hpp"
@@ -96,6 +97,35 @@ bool may_be_swept(const yaml::Node& document, const std::string& key, std::strin
   return true;
 }
 
+/// A rotor given by constants is kept by its frequency and damping ratio, which an axis over its mass would
+/// leave as they are: refused, as the constants would be expected to stay. Empty where the key changes none
+/// of them.
+std::string_view key_of_constants(const yaml::Node& root, std::string_view key) {
+  const auto is_given = [&](std::string_view name) {
+    const yaml::Node* rotor = find_node(root, "rotor");
+    return std::ranges::find(rotor->keys, name, &yaml::Node::Key::text) != rotor->keys.end();
+  };
+  const yaml::Node* kind = find_node(root, "rotor.kind");
+  if (kind == nullptr || kind->text != "jeffcott") return "";
+  const bool stiffness = is_given(machine::rotor_stiffness_key),
+             damping = is_given(machine::rotor_damping_key);
+  if (key == "rotor.mass_kg" && stiffness) return machine::rotor_stiffness_key;
+  const bool changes_ratio =
+      key == "rotor.mass_kg" || key == "rotor.natural_frequency_hz" || key == "rotor.stiffness_n_per_m";
+  return changes_ratio && damping ? machine::rotor_damping_key : "";
+}
+
+/// Refuses an axis over such a key; true where it did.
+bool refuse_constants(const yaml::Node& root, const std::string& key, const yaml::SourcePosition& place,
+                      yaml::Diagnostics& diagnostics) {
+  const std::string_view constant = key_of_constants(root, key);
+  if (constant.empty()) return false;
+  diagnostics.add(place, yaml::shown(key),
+                  fmt::format("is varied beside rotor.{}, which it would change", constant),
+                  "natural_frequency_hz and damping_ratio of a rotor whose mass or stiffness is varied");
+  return true;
+}
+
 void refuse_impossible(const sweep::KeyAxis& axis, const yaml::SourcePosition& place, yaml::Node document,
                        std::string_view by_mass, yaml::Diagnostics& diagnostics) {
   for (const std::string& key : axis.keys) {
@@ -132,16 +162,22 @@ void vary_keys(const yaml::Value& root, sweep::Study& study) {
   yaml::Node document = document_of(study);
   const yaml::Node& sweep = *find_node(root.node, "sweep");
   const std::string_view by_mass = study::key_by_mass(sweep, study.machine);
+  const auto refuse_axis = [&](const sweep::KeyAxis& axis, const yaml::SourcePosition& place) {
+    for (const std::string& key : axis.keys) {
+      if (refuse_constants(root.node, key, place, root.diagnostics)) return;
+    }
+    refuse_impossible(axis, place, document, by_mass, root.diagnostics);
+  };
   std::size_t next = 0;
   for (const std::string_view name : study::key_axis_names) {
     const yaml::Node* node = find_node(sweep, name);
     if (node == nullptr) continue;
-    refuse_impossible(study.grid.axes.at(next++), place_of_keys(*node), document, by_mass, root.diagnostics);
+    refuse_axis(study.grid.axes.at(next++), place_of_keys(*node));
   }
   if (study.threshold) {
     const yaml::SourcePosition place = place_of_keys(*find_node(root.node, "study"));
     refuse_swept(study, study.threshold->axis.keys, place, root.diagnostics);
-    refuse_impossible(study.threshold->axis, place, document, by_mass, root.diagnostics);
+    refuse_axis(study.threshold->axis, place);
   }
   if (study.basin) {
     const yaml::Node& over = *find_node(root.node, "study.over");
@@ -149,8 +185,7 @@ void vary_keys(const yaml::Value& root, sweep::Study& study) {
       const sweep::DrawnKey& drawn = study.basin->over[i];
       const yaml::SourcePosition place = place_of_keys(over.items.at(i));
       refuse_swept(study, {drawn.key}, place, root.diagnostics);
-      refuse_impossible({{drawn.key}, {1}, {drawn.from, drawn.to}}, place, document, by_mass,
-                        root.diagnostics);
+      refuse_axis({{drawn.key}, {1}, {drawn.from, drawn.to}}, place);
     }
   }
   study.with_keys = [document = std::make_shared<const yaml::Node>(std::move(document))](

@@ -1,10 +1,10 @@
 """Rules of the reader that the schema does not say, as docs/keys.md lists them, each with what the reader says then."""
 
 RULES = {
-    "keys that an axis or a study goes over name numbers of the same file": r"^.*yaml:\d+:\d+: \w+: unknown key, allowed: rotor, stops, kick|cannot hold",
+    "keys that an axis or a study goes over name numbers of the same file": r"^.*yaml:\d+:\d+: \w+: unknown key, allowed: rotor, stops, kick|cannot hold|is varied beside",
     "numbers that no machine has are slips of units": r"times the lowest natural frequency|of critical damping|contact_radius_m|is no radius"
     r"|is no diameter|softer than|lighter than|are no kick|is no gravity",
-    "a number that is not 0 has a magnitude of 1e-30 or more": r"in magnitude",
+    "a number that is not 0 has a magnitude of 1e-30 or more": r"in magnitude|beyond all numbers",
     "a run holds two windows, and max_order fits into half a window": r"two windows|does not resolve max_order|half a window",
     "a kick is shorter than a run": r"are no shorter than a run",
     "the rest position lies inside an annular stop": r"not inside the annular stop",

@@ -132,7 +132,7 @@ TEST_F(Base, OverridesWorkOnTheMergedResult) {
       "--set base=machine.yaml: base: an override is no file and has no base, allowed: a base named in a "
       "file\n"
       "--set rotor.base=x: rotor.base: unknown key, allowed: kind, mass_kg, natural_frequency_hz, "
-      "damping_ratio, rotating_damping_ratio");
+      "stiffness_n_per_m, damping_ratio, damping_ns_per_m, rotating_damping_ratio");
 }
 
 TEST_F(Base, ProblemsNameTheFileThatWroteThem) {

@@ -14,7 +14,14 @@ Form rotor_form() {
        {"rotating_damping_ratio",
         "the same of the damping that turns with the shaft, in its material and joints"}});
   jeffcott.back().since = "0.1.0+";
-  return any_of({map_of(joined({{must("kind", word({"jeffcott"}), meaning)}, std::move(jeffcott)})),
+  for (Key& key :
+       newer({must("stiffness_n_per_m", number(model::positive), "stiffness of the shaft at the disc"),
+              must("damping_ns_per_m", number(model::not_negative), "damping constant of the disc")}))
+    jeffcott.push_back(std::move(key));
+  const Choice frequency{{{{"natural_frequency_hz"}, {}}, {{"stiffness_n_per_m"}, {}}}},
+      damping{{{{"damping_ratio"}, {}}, {{"damping_ns_per_m"}, {}}}};
+  return any_of({map_of(joined({{must("kind", word({"jeffcott"}), meaning)}, std::move(jeffcott)}),
+                        {frequency, damping}),
                  map_of(joined({{must("kind", word({"rotor_kit"}), meaning)}, rotor_kit_keys()})),
                  map_of(joined({{must("kind", word({"ross"}), meaning)}, ross_keys()})),
                  map_of(joined({{must("kind", word({"matrices"}), meaning)}, matrix_keys()}))});

@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "rubsweep/config/machine/jeffcott.hpp"
 #include "rubsweep/config/machine/matrix_rotor.hpp"
 #include "rubsweep/config/machine/ross_file.hpp"
 #include "rubsweep/config/machine/rotor_kit.hpp"
@@ -27,7 +28,7 @@ void read_rotor(const yaml::Value& value, model::Machine& machine) {
   } else if (kind && kinds[*kind] == "matrices") {
     machine.rotor = read_matrix_rotor(section);
   } else {
-    read_fields(section, machine.rotor.emplace<model::JeffcottRotor>());
+    machine.rotor = read_jeffcott(section);
   }
   section.refuse_unknown_keys();
 }

@@ -7,7 +7,7 @@
 
 namespace rubsweep::config::machine {
 
-/// `rotor`: {kind: jeffcott, mass_kg, natural_frequency_hz, damping_ratio}, all required, or {kind:
+/// `rotor`: {kind: jeffcott, ...}, see jeffcott.hpp, or {kind:
 /// rotor_kit, ...}, see rotor_kit.hpp, or {kind: ross, ...}, see ross_file.hpp, or {kind: matrices, ...}, see
 /// matrix_rotor.hpp. Fills machine.rotor.
 void read_rotor(const yaml::Value& value, model::Machine& machine);

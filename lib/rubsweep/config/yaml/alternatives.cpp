@@ -25,13 +25,14 @@ constexpr std::array<std::string_view, 3> grade{"balance_grade_mm_per_s", "rated
 constexpr std::array<std::string_view, 1> rated_hz{"rated_speed_hz"}, rated_rpm{"rated_speed_rpm"};
 constexpr std::array<std::string_view, 1> modal_stiffness{"modal_stiffness_n_per_m"},
     frequency_hz{"natural_frequency_hz"}, frequency_rad_per_s{"natural_frequency_rad_per_s"};
+constexpr std::array<std::string_view, 1> damping_ratio{"damping_ratio"};
 constexpr std::array<std::string_view, 1> values{"values"}, one_key{"key"};
 constexpr std::array<std::string_view, 2> tied_keys{"keys", "factors"};
 constexpr std::array<std::string_view, 1> kick{"kick"}, start{"start"};
 constexpr std::array<std::string_view, 4> spaced{"from", "to", "count", "scale"};
 
 /// Alternative spellings, each by the keys that belong to it; at most four, the empty ones do not count.
-constexpr std::array<std::array<Keys, 4>, 10> alternatives{{
+constexpr std::array<std::array<Keys, 4>, 12> alternatives{{
     {stribeck, curve, coefficient, one_way},
     {stiffness, hertz},
     {nominal, by_rotor_mass, delivered, damping},
@@ -39,6 +40,8 @@ constexpr std::array<std::array<Keys, 4>, 10> alternatives{{
     {ratio, eccentricity, unbalance, grade},
     {rated_hz, rated_rpm},
     {modal_stiffness, frequency_hz, frequency_rad_per_s},
+    {frequency_hz, stiffness},
+    {damping_ratio, damping},
     {values, spaced},
     {one_key, tied_keys},
     {kick, start},

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+
+#include "rubsweep/config/yaml/section.hpp"
+#include "rubsweep/model/rotor.hpp"
+
+namespace rubsweep::config::machine {
+
+/// Keys of a Jeffcott rotor by its constants k and c, in place of natural_frequency_hz and damping_ratio.
+inline constexpr std::string_view rotor_stiffness_key = "stiffness_n_per_m",
+                                  rotor_damping_key = "damping_ns_per_m";
+
+/// Keys of `rotor` beside kind: jeffcott: mass_kg m; natural_frequency_hz or stiffness_n_per_m k, of which
+/// the frequency is sqrt(k / m) / (2 pi); damping_ratio or damping_ns_per_m c, of which the ratio is c / (2
+/// sqrt(k m)); rotating_damping_ratio.
+model::JeffcottRotor read_jeffcott(yaml::Section& section);
+
+}  // namespace rubsweep::config::machine
