@@ -14,7 +14,7 @@ RULES = {
     r"|logarithmic scale",
     "the values of a scan ascend": r"does not ascend|is no scan",
     "a contact by Hertz is longer than wide, and the rotor fits into the hole": r"wider than long|does not fit into the hole|gives a stiffness of",
-    "parts stand on the shaft, and only parts of a kit have a place": r"position_m: .*(out of range|missing|unknown key)|deflection_m: ",
+    "parts stand on the shaft, and only parts of a kit have a place": r"position_m(\.\d+)?: .*(out of range|missing|unknown key)|deflection_m: ",
     "a section has a wall, a disc a body, a bearing room for a shaft": r"no wall is left|no disc is left|no room for a shaft|taper",
     "no body has a polar moment of more than twice its diametral one": r"twice the diametral one",
     "supports hold the shaft and the housings": r"free to move|no housings|on_housing: |at_housing: ",
