@@ -1,0 +1,225 @@
+// fit_coverage TRIALS SEED: simulated recordings with noise, fitted as rubfit does; how often the truth lies
+// inside the 95 % intervals, parameter by parameter, and how often a fit without the bow is found out. The
+// fits know nothing of the truth; signals of run-ups and ring-downs come from Runge-Kutta steps, which the
+// fits do not use.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "rubsweep/fit/machine_fit.hpp"
+#include "rubsweep/identify/linear_run.hpp"
+#include "rubsweep/recording/recording.hpp"
+#include "rubsweep/scope/order_history.hpp"
+#include "scene/kit_machine.hpp"
+
+namespace {
+
+using namespace rubsweep;
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
+std::mt19937_64 random_numbers;
+double noise(double size) { return std::normal_distribution<double>(0, size)(random_numbers); }
+
+struct Score {
+  int inside = 0, trials = 0;
+  double sum = 0;  ///< of (value - truth) / standard error
+};
+std::map<std::string, Score> scores;
+
+void count(const std::string& experiment, const fit::MachineFit& problem, const fit::MachineFitResult& result,
+           const std::vector<double>& truth) {
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    Score& score = scores[experiment + ' ' + problem.parameters[i].name];
+    const double off = result.fit.value(k) - truth[i];
+    score.inside += std::abs(off) <= result.uncertainty.half_width(k);
+    score.sum += off / result.uncertainty.standard_error(k);
+    ++score.trials;
+  }
+}
+
+scene::PreparedMachine jeffcott(double frequency_hz, double ratio) {
+  model::Machine machine = scene::one_side_machine();
+  auto& rotor = std::get<model::JeffcottRotor>(machine.rotor);
+  rotor.natural_frequency_hz = frequency_hz;
+  rotor.damping_ratio = ratio;
+  return scene::prepare_machine(machine);
+}
+
+void ring_down() {
+  static const scene::PreparedMachine truth = jeffcott(31, 0.015);
+  static const Eigen::MatrixXd signal = identify::run_linear(
+      truth, {.kick = true, .sample_s = 1e-3, .samples = 1500}, identify::sensor_rows(truth).rows);
+  constexpr int first = 8;
+  fit::RingDown data;
+  for (int k = first; k < signal.rows(); ++k) data.t_s.push_back(k * 1e-3 + 0.0013);
+  data.signal_m = signal.bottomRows(signal.rows() - first);
+  for (double& value : data.signal_m.reshaped()) value += 5e-5 + noise(2e-5);
+  fit::MachineFit problem{.parameters = {{"frequency", 30, 25, 36, 30},
+                                         {"ratio", 0.02, 1e-3, 0.2, 0.02},
+                                         {fit::hit_name, 0, -0.005, 0.005, 1e-3}},
+                          .data = {{"ring-down", data, false}},
+                          .machine = [](const Eigen::VectorXd& at) { return jeffcott(at(0), at(1)); }};
+  count("ring-down", problem, fit::fit_machine(problem, {}), {31, 0.015, 0.0013});
+}
+
+/// A kit with gyroscopic moments, damping by modes alone.
+model::Machine kit_machine() {
+  model::Machine machine = scene::light_shaft_machine();
+  auto& kit = std::get<model::RotorKit>(machine.rotor);
+  kit.discs.front().position_m = 0.15;
+  kit.discs.front().polar_inertia_kg_m2 = 1e-3;
+  kit.discs.front().diametral_inertia_kg_m2 = 6e-4;
+  kit.bow = model::Bow{.shape = model::BowMode{.mode = 1, .amplitude_m = 1e-5}, .phase_deg = 0};
+  return machine;
+}
+
+/// The prepared kit with its stiffness, damping and bow scaled: its parameters without a reduction for each
+/// of them.
+scene::PreparedMachine scaled(const scene::PreparedMachine& kit, double stiffness, double damping,
+                              Complex bow) {
+  scene::PreparedMachine changed = kit;
+  changed.assembly.system.stiffness *= stiffness;
+  changed.assembly.system.damping *= damping;
+  changed.assembly.bow_n *= bow * stiffness;
+  return changed;
+}
+
+/// A recording of a run-up as an instrument has it: noise, run-out, a keyphasor and a clock that is 20 ppm
+/// off.
+recording::Channels run_up_recording(const Eigen::MatrixXd& signal, const identify::LinearRun& run,
+                                     double mark_rad) {
+  recording::Channels table;
+  table.channels = {{"X", "m", {}}, {"Y", "m", {}}, {"KP", "V", {}}};
+  const Complex x(noise(2e-6), noise(2e-6)), y(noise(2e-6), noise(2e-6));
+  for (Eigen::Index k = 0; k < signal.rows(); ++k) {
+    const double phi = identify::shaft_angle_rad(run, static_cast<double>(k) * run.sample_s);
+    const Complex turn = std::polar(1.0, phi);
+    table.channels[0].values.push_back(signal(k, 0) + (x * turn).real() + noise(2e-6));
+    table.channels[1].values.push_back(signal(k, 1) + (y * turn).real() + noise(2e-6));
+    const double turns = (phi - mark_rad) / (2 * pi);
+    table.channels[2].values.push_back(turns - std::floor(turns) < 0.08 ? -12 : -2);
+  }
+  return table;
+}
+
+void run_up() {
+  constexpr double stiffness = 1.03, damping = 0.8, bow = 1.5, bow_deg = 40, eccentricity_m = 2e-5,
+                   mark_rad = 0.7;
+  static const scene::PreparedMachine start = scene::prepare_machine(kit_machine());
+  static const scene::PreparedMachine truth =
+      scaled(start, stiffness, damping, std::polar(bow, bow_deg * pi / 180));
+  static const identify::LinearRun run{.from_hz = 24,
+                                       .rate_hz_per_s = 4,
+                                       .eccentricity_m = eccentricity_m,
+                                       .sample_s = 1 / (5000 * (1 + 20e-6)),
+                                       .samples = 28000};
+  static const Eigen::MatrixXd signal = [] {
+    identify::LinearRun driven = run;
+    driven.driven = identify::Driven::in_phase;
+    return identify::run_linear(truth, driven, identify::sensor_rows(truth).rows);
+  }();
+  const recording::Instrument instrument{.sampling_rate_hz = 5000,
+                                         .probes = {{"X", 0}, {"Y", 90}},
+                                         .keyphasor = recording::Keyphasor{.column = "KP"}};
+  const auto read = recording::make_recording(run_up_recording(signal, run, mark_rad), instrument, "run-up");
+  const auto file = std::filesystem::temp_directory_path() / "fit_coverage_bode.csv";
+  std::ofstream(file) << scope::bode_csv(read, {1});
+  fit::MachineFit problem{.parameters = {{"stiffness", 1, 0.8, 1.25, 1},
+                                         {"damping", 1, 0.1, 10, 1},
+                                         {fit::eccentricity_name, 1e-5, 1e-6, 1e-4, 1e-5},
+                                         {fit::mark_name, 0, -180, 180, 30},
+                                         {"bow", 1, 0, 20, 1},
+                                         {"bow_deg", 0, -180, 180, 30}},
+                          .data = {{"run-up", fit::read_run_up(file), true}},
+                          .machine = [](const Eigen::VectorXd& at) {
+                            return scaled(start, at(0), at(1), std::polar(at(4), at(5) * pi / 180));
+                          }};
+  const fit::MachineFitResult result = fit::fit_machine(problem, {});
+  // The measured mark passes when the shaft has turned by mark_rad, which is where the model then stands.
+  count("run-up", problem, result, {stiffness, damping, eccentricity_m, mark_rad * 180 / pi, bow, bow_deg});
+  problem.parameters.resize(4);
+  problem.machine = [](const Eigen::VectorXd& at) { return scaled(start, at(0), at(1), 0); };
+  const fit::MachineFitResult straight = fit::fit_machine(problem, {});
+  Score& score = scores["run-up: a model without the bow is found out"];
+  score.inside += straight.bic - result.bic > 10;
+  ++score.trials;
+}
+
+scene::PreparedMachine with_unbalance(const std::vector<scene::PreparedMachine>& each, Complex first,
+                                      Complex second) {
+  scene::PreparedMachine machine = each[0];
+  machine.assembly.system.unbalance_kg =
+      first * each[0].assembly.system.unbalance_kg + second * each[1].assembly.system.unbalance_kg;
+  return machine;
+}
+
+void two_discs() {
+  static const std::vector<scene::PreparedMachine> each = [] {
+    std::vector<scene::PreparedMachine> machines;
+    for (const int disc : {0, 1}) {
+      model::Machine machine = scene::light_shaft_machine();
+      auto& kit = std::get<model::RotorKit>(machine.rotor);
+      kit.modes = 2;
+      kit.discs = {{.position_m = 0.1,
+                    .mass_kg = 0.8,
+                    .polar_inertia_kg_m2 = 4e-4,
+                    .diametral_inertia_kg_m2 = 2e-4,
+                    .eccentricity_ratio = disc == 0 ? 1.0 : 0.0},
+                   {.position_m = 0.27,
+                    .mass_kg = 0.8,
+                    .polar_inertia_kg_m2 = 4e-4,
+                    .diametral_inertia_kg_m2 = 2e-4,
+                    .eccentricity_ratio = disc == 1 ? 1.0 : 0.0}};
+      kit.sensors = {{0.08, 0}, {0.08, 90}, {0.3, 0}, {0.3, 90}};
+      machines.push_back(scene::prepare_machine(machine));
+    }
+    return machines;
+  }();
+  const scene::PreparedMachine truth = with_unbalance(each, std::polar(2.0, 0.5), std::polar(1.2, -1.1));
+  fit::Steady data{.speed_hz = {15, 32}, .phasor_m = {}};
+  data.phasor_m.resize(2, 4);
+  const Eigen::MatrixXd rows = identify::sensor_rows(truth).rows;
+  for (Eigen::Index k = 0; k < 2; ++k)
+    data.phasor_m.row(k) = fit::steady_phasors(truth, rows, 1e-5, data.speed_hz[static_cast<std::size_t>(k)]);
+  for (Complex& value : data.phasor_m.reshaped()) value += Complex(noise(3e-7), noise(3e-7));
+  fit::MachineFit problem{.parameters = {{"first", 1, 0.05, 20, 1},
+                                         {"first_deg", 0, -180, 180, 30},
+                                         {"second", 1, 0.05, 20, 1},
+                                         {"second_deg", 0, -180, 180, 30}},
+                          .data = {{"steady", data, false}},
+                          .eccentricity_m = 1e-5,
+                          .machine = [](const Eigen::VectorXd& at) {
+                            return with_unbalance(each, std::polar(at(0), at(1) * pi / 180),
+                                                  std::polar(at(2), at(3) * pi / 180));
+                          }};
+  count("two discs", problem, fit::fit_machine(problem, {}), {2, 0.5 * 180 / pi, 1.2, -1.1 * 180 / pi});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    fmt::print(stderr, "usage: fit_coverage TRIALS SEED\n");
+    return 1;
+  }
+  random_numbers.seed(std::strtoull(argv[2], nullptr, 10));
+  for (int trial = 0; trial < std::atoi(argv[1]); ++trial) {
+    ring_down();
+    run_up();
+    two_discs();
+  }
+  fmt::print("what,trials,inside,share,mean_offset_in_standard_errors\n");
+  for (const auto& [name, score] : scores)
+    fmt::print("{},{},{},{:.3f},{:.2f}\n", name, score.trials, score.inside,
+               1.0 * score.inside / score.trials, score.sum / score.trials);
+}
