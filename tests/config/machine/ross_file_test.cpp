@@ -220,6 +220,18 @@ TEST(RossFile, TablesGoThroughTheirPoints) {
   }
 }
 
+/// 3000 and 11000 revolutions per minute as ROSS saves them, the ends of a sweep too, and two other speeds.
+TEST(RossFile, SpeedsOfWholeRevolutionsPerMinuteAreThose) {
+  const RossFiles files;
+  const std::string table =
+      "kxx = [1e6, 2e6, 3e6, 4e6]\nfrequency = [314.1592653591, 350.0, 400.00001, 1151.917306316]";
+  const model::RotorKit kit =
+      files.kit(ross_shafts(3, 0.2) + ross_bearing(0, 0, table) + ross_bearing(1, 3, table), "rotor.toml",
+                {"sweep={speed_rpm: {values: [3000, 11000]}, whirl_ratio: {values: [0.5]}}"});
+  EXPECT_EQ(kit.supports.at(0).table->speed_hz,
+            (std::vector<double>{50, 350 / (2 * pi), 400.00001 / (2 * pi), 11000.0 / 60}));
+}
+
 TEST(RossFile, UnbalanceIsThatOfTheDiscsThatAreNamed) {
   const RossFiles files;
   const std::string text = small_ross() + ross_disc(1, 2, 5, 0.01, 0.01);

@@ -9,6 +9,7 @@
 #include "rubsweep/config/yaml/section.hpp"
 #include "rubsweep/config/yaml/words.hpp"
 #include "rubsweep/model/disc_inertia.hpp"
+#include "rubsweep/model/rpm.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
@@ -102,6 +103,14 @@ std::vector<double> read_numbers_or_one(yaml::Section& section, std::string_view
   return numbers;
 }
 
+/// Tables are made at whole revolutions per minute and saved in rad/s to some ten digits. A speed that is whole
+/// to nine is taken as that, so that a sweep may begin and end with the table.
+double speed_hz_of(double rad_per_s) {
+  constexpr double nine_digits = 1e-9;
+  const double hz = rad_per_s / (2 * std::numbers::pi), rpm = model::rpm_per_hz * hz, whole = std::round(rpm);
+  return std::abs(rpm - whole) <= nine_digits * whole ? whole / model::rpm_per_hz : hz;
+}
+
 /// Speeds of a table in Hz; empty where the element has none.
 std::vector<double> read_speeds_hz(yaml::Section& section) {
   constexpr std::array<std::string_view, 3> names{"frequency", "speed", "w"};
@@ -113,7 +122,7 @@ std::vector<double> read_speeds_hz(yaml::Section& section) {
       section.refuse_together(name, {found, name}, "says the speeds a second time", "one of them");
     found = name;
     speeds = read_numbers_or_one(section, name, model::not_negative);
-    for (double& speed : speeds) speed /= 2 * std::numbers::pi;
+    for (double& speed : speeds) speed = speed_hz_of(speed);
   }
   for (std::size_t i = 1; i < speeds.size(); ++i) {
     if (speeds[i] > speeds[i - 1]) continue;
