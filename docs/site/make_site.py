@@ -16,6 +16,7 @@ MENU = [("README.md", "Start"), ("docs/tutorial.md", "Five lessons"), ("docs/use
         ("docs/gallery.md", "Gallery"), ("docs/keys.md", "Every key"), ("docs/known-limits.md", "Known limits"),
         ("docs/other-programs.md", "Tables in other programs"),
         ("docs/method.md", "Method"), ("docs/validation.md", "Validation"), ("docs/performance.md", "Performance"),
+        ("docs/other-programs.md", "Tables elsewhere"),
         ("docs/continuous-integration.md", "Hosted CI"), ("docs/for-helpers.md", "For helpers"),
         ("docs/architecture.md", "Architecture"), ("results/README.md", "Results"), ("CONTRIBUTING.md", "Contributing"),
         ("CHANGELOG.md", "Changes")]
