@@ -35,6 +35,7 @@ declare -A below=(
   [response]='response/proof response/rotating'
   [branch/orbits]='batch response'
   [branch/continuation]='branch/orbits'
+  [fit/rub]='branch/orbits'
   [branch/curves]='branch/continuation'
   [branch/families]='branch/continuation sweep'
   [trace]='batch response'

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -13,6 +16,8 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/fit/prepare_again.hpp"
+#include "rubsweep/fit/rub/rub_orbits.hpp"
 #include "rubsweep/identify/linear_run.hpp"
 #include "shared/program.hpp"
 
@@ -25,16 +30,16 @@ constexpr std::array<std::string_view, 4> own_names{fit::eccentricity_name, fit:
 
 bool is_key(const std::string& name) { return std::ranges::find(own_names, name) == own_names.end(); }
 
-/// Values over a printed configuration.
-config::RunConfig changed(const std::string& text, const std::vector<fit::Parameter>& parameters,
-                          const Eigen::VectorXd& values) {
+/// Values of the parameters that are keys, as --set takes them.
+std::vector<std::string> overrides_of(const std::vector<fit::Parameter>& parameters,
+                                      const Eigen::VectorXd& values) {
   std::vector<std::string> overrides;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (is_key(parameters[i].name))
       overrides.push_back(
           fmt::format("{}={:.17g}", parameters[i].name, values(static_cast<Eigen::Index>(i))));
   }
-  return config::read_run_config_text(text, "the fitted configuration", overrides);
+  return overrides;
 }
 
 bool allowed(const std::string& text, const std::string& key, double value) {
@@ -129,13 +134,44 @@ std::vector<fit::MeasuredData> data_of(const RubfitArguments& arguments,
         {file.string(),
          fit::as_run_up(fit::read_steady(file, angle_deg), *arguments.rate_hz_per_s, arguments.window_turns),
          arguments.run_out});
+  for (const auto& directory : arguments.rubs)
+    data.push_back({directory.string(), fit::read_rub(directory), false});
   return data;
 }
 
+/// The last machines of a fit: a step along a number that is no key, and the steps of derivatives, ask for
+/// those that others have had. For several threads.
+class LastMachines {
+ public:
+  std::optional<scene::PreparedMachine> find(const std::vector<std::string>& overrides) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find(machines_, overrides, &Kept::first);
+    return found == machines_.end() ? std::nullopt : std::optional(found->second);
+  }
+  void keep(std::vector<std::string> overrides, const scene::PreparedMachine& machine) {
+    constexpr std::size_t most = 4;
+    const std::lock_guard lock(mutex_);
+    machines_.emplace_front(std::move(overrides), machine);
+    if (machines_.size() > most) machines_.pop_back();
+  }
+
+ private:
+  using Kept = std::pair<std::vector<std::string>, scene::PreparedMachine>;
+  std::mutex mutex_;
+  std::deque<Kept> machines_;
+};
+
 /// The machine of a printed configuration with values of these parameters.
-auto machine_of(std::string text, std::vector<fit::Parameter> parameters) {
-  return [text = std::move(text), parameters = std::move(parameters)](const Eigen::VectorXd& values) {
-    return scene::prepare_machine(changed(text, parameters, values).study.machine);
+auto machine_of(std::string text, std::vector<fit::Parameter> parameters,
+                const scene::PreparedMachine& first) {
+  return [text = std::move(text), parameters = std::move(parameters), first,
+          last = std::make_shared<LastMachines>()](const Eigen::VectorXd& values) {
+    std::vector<std::string> overrides = overrides_of(parameters, values);
+    if (auto known = last->find(overrides)) return *known;
+    const scene::PreparedMachine machine = fit::prepare_again(
+        config::read_run_config_text(text, "the fitted configuration", overrides).study.machine, first);
+    last->keep(std::move(overrides), machine);
+    return machine;
   };
 }
 
@@ -143,25 +179,30 @@ auto machine_of(std::string text, std::vector<fit::Parameter> parameters) {
 
 fit::MachineFit machine_fit_of(const RubfitArguments& arguments, const config::RunConfig& config) {
   const std::string text = config::print_config(config);
-  fit::MachineFit problem{
-      .parameters = {},
-      .data =
-          data_of(arguments, identify::sensor_rows(scene::prepare_machine(config.study.machine)).angle_deg),
-      .eccentricity_m = arguments.eccentricity_m,
-      .mark_deg = arguments.mark_deg,
-      .hit_s = arguments.hit_s,
-      .machine = {}};
+  const scene::PreparedMachine first = scene::prepare_machine(config.study.machine);
+  fit::MachineFit problem{.parameters = {},
+                          .data = data_of(arguments, identify::sensor_rows(first).angle_deg),
+                          .eccentricity_m = arguments.eccentricity_m,
+                          .mark_deg = arguments.mark_deg,
+                          .hit_s = arguments.hit_s,
+                          .machine = {}};
   for (const FittedKey& key : arguments.keys)
     problem.parameters.push_back(parameter_of(arguments, key, config, text));
-  const bool rotating =
-      arguments.run_ups.size() + arguments.steady.size() + arguments.ramped_speeds.size() > 0;
+  const bool rotating = arguments.run_ups.size() + arguments.steady.size() + arguments.ramped_speeds.size() +
+                            arguments.rubs.size() >
+                        0;
   if (rotating && arguments.eccentricity_m == 0 &&
       std::ranges::find(arguments.keys, fit::eccentricity_name, &FittedKey::name) == arguments.keys.end())
     throw UsageError("--eccentricity-m: is needed with 1X, or --fit eccentricity_m=LOW:HIGH");
   if (rotating && arguments.eccentricity_m == 0 &&
       std::ranges::find(arguments.without, fit::eccentricity_name) != arguments.without.end())
     throw UsageError("--compare-without eccentricity_m: needs --eccentricity-m, what it is without a fit");
-  problem.machine = machine_of(text, problem.parameters);
+  problem.machine = machine_of(text, problem.parameters, first);
+  problem.rub_lines =
+      [orbits = std::make_shared<fit::rub::RubOrbits>(config.study.solver, config.study.response)](
+          const scene::PreparedMachine& machine, const fit::RubLines& rub, double eccentricity_m) {
+        return orbits->lines_m(machine, {rub.speed_hz, eccentricity_m, rub.turns, rub.order});
+      };
   return problem;
 }
 
@@ -171,13 +212,15 @@ fit::MachineFit without(const fit::MachineFit& problem, const config::RunConfig&
   std::erase_if(less.parameters, [&](const fit::Parameter& parameter) {
     return std::ranges::find(names, parameter.name) != names.end();
   });
-  less.machine = machine_of(config::print_config(config), less.parameters);
+  less.machine =
+      machine_of(config::print_config(config), less.parameters, scene::prepare_machine(config.study.machine));
   return less;
 }
 
 std::string fitted_config(const fit::MachineFit& problem, const config::RunConfig& config,
                           const Eigen::VectorXd& values) {
-  return config::print_config(changed(config::print_config(config), problem.parameters, values));
+  return config::print_config(config::read_run_config_text(
+      config::print_config(config), "the fitted configuration", overrides_of(problem.parameters, values)));
 }
 
 }  // namespace rubsweep::apps

@@ -27,7 +27,9 @@ po::options_description visible_options() {
       "run-up", files(), "1X on a ramp, bode.csv of rubscope")(
       "steady", files(), "1X at steady speeds: speed_hz, sensor_0_amplitude_m, sensor_0_phase_deg, ...")(
       "ramp", files(), "the same columns on a ramp of --rate-hz-per-s")(
-      "rate-hz-per-s", po::value<double>()->value_name("R"), "of --ramp, below 0 for a coast-down")(
+      "rub", po::value<Texts>()->value_name("DIR"),
+      "lines of a rub at a steady speed, a directory of rubscope; what the kick of the configuration leads "
+      "to")("rate-hz-per-s", po::value<double>()->value_name("R"), "of --ramp, below 0 for a coast-down")(
       "window-turns", po::value<double>()->value_name("N"),
       "turns that each 1X of --ramp is the mean of; 0 unless given")(
       "eccentricity-m", po::value<double>()->value_name("E"),
@@ -103,10 +105,11 @@ std::vector<std::string> names_in(std::string_view text) {
 
 std::string rubfit_help() {
   return fmt::format(
-      "rubfit CONFIG.yaml --fit KEY ... --ring-down|--run-up|--steady|--ramp FILE.csv ... [options]\n"
+      "rubfit CONFIG.yaml --fit KEY ... --ring-down|--run-up|--steady|--ramp FILE.csv|--rub DIR ... "
+      "[options]\n"
       "Finds numbers of a machine from what was measured: least squares of ring-downs, of 1X at steady "
       "speeds and of "
-      "1X on ramps, by the response to the ramp itself. Stops do not count.\n\n"
+      "1X on ramps, by the response to the ramp itself, without stops; and of the lines of a rub.\n\n"
       "{}\n"
       "Examples:\n"
       "  rubfit kit.yaml --ring-down hit/sensors.csv --fit rotor.damping_ratio --fit hit_s=-0.01:0.01\n"
@@ -139,9 +142,10 @@ RubfitArguments parse_rubfit_arguments(int argc, const char* const* argv) {
   arguments.run_ups = files_of(given, "run-up");
   arguments.steady = files_of(given, "steady");
   arguments.ramped_speeds = files_of(given, "ramp");
+  arguments.rubs = files_of(given, "rub");
   if (arguments.ring_downs.empty() && arguments.run_ups.empty() && arguments.steady.empty() &&
-      arguments.ramped_speeds.empty())
-    throw UsageError("data are needed: --ring-down, --run-up, --steady or --ramp");
+      arguments.ramped_speeds.empty() && arguments.rubs.empty())
+    throw UsageError("data are needed: --ring-down, --run-up, --steady, --ramp or --rub");
   if (given.count("rate-hz-per-s")) arguments.rate_hz_per_s = number_of(given, "rate-hz-per-s");
   if (arguments.ramped_speeds.empty() == arguments.rate_hz_per_s.has_value() || arguments.rate_hz_per_s == 0)
     throw UsageError("--ramp and --rate-hz-per-s go together; allowed: a rate other than 0");

@@ -17,7 +17,8 @@ struct FittedKey {
 
 struct RubfitArguments : StudyArguments {
   std::vector<FittedKey> keys = {};
-  std::vector<std::filesystem::path> ring_downs = {}, run_ups = {}, steady = {}, ramped_speeds = {};
+  std::vector<std::filesystem::path> ring_downs = {}, run_ups = {}, steady = {}, ramped_speeds = {},
+                                     rubs = {};
   std::optional<double> rate_hz_per_s = {};
   double window_turns = 0;
   double eccentricity_m = 0, mark_deg = 0, hit_s = 0, from_s = 0;

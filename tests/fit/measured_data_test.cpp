@@ -54,7 +54,10 @@ TEST_F(MeasuredDataTest, RunUpTakesEverySecondRowOfOrderOne) {
   EXPECT_NEAR(data.ramp.from_hz, 20, 1e-4);
   EXPECT_NEAR(data.ramp.rate_hz_per_s, 4, 1e-4);
   EXPECT_NEAR(std::abs(data.phasor_m(3, 0) - std::complex<double>(0, -2e-5)), 0, 1e-15);
-  EXPECT_THROW(read_run_up(write(text + "4.1,80,1,1,0\n5,90,1,1,0\n5.1,99,1,1,1\n")), ConfigError);
+  const std::string uneven = text + "4.1,80,1,1,0\n5,90,1,1,0\n5.1,99,1,1,1\n";
+  EXPECT_FALSE(read_run_up(write(uneven)).ramp.even());
+  EXPECT_EQ(read_run_up(write(uneven)).ramp.knot_s, read_run_up(write(uneven)).t_s);
+  EXPECT_THROW(read_run_up(write(text + "4.1,80,1,1,0\n3,90,1,1,0\n")), ConfigError);
 }
 
 TEST_F(MeasuredDataTest, SteadyPhasesCountFromTheSensor) {

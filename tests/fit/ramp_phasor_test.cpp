@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <complex>
 #include <numbers>
 
@@ -61,6 +62,67 @@ TEST(RampPhasor, IsThatOfStepsUpAndDown) {
           << rate;
     }
   }
+}
+
+TEST(RampPhasor, AnUnevenSpeedIsThatOfSteps) {
+  const model::Machine machine = scene::one_side_machine();
+  const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+  const auto& rotor = std::get<model::JeffcottRotor>(machine.rotor);
+  const double w = 2 * std::numbers::pi * rotor.natural_frequency_hz;
+  Ramp ramp;
+  // Fast, then hesitating at the resonance, then fast again.
+  ramp.knot_s = {0, 1.5, 3.5, 5};
+  ramp.knot_hz = {20, 29, 31, 42};
+  double phi = 0, t = 0;
+  const auto rate = [&](const std::array<Complex, 2>& z, double at, double angle) {
+    const double speed = 2 * std::numbers::pi * speed_hz(ramp, at);
+    const double gain = (2 * std::numbers::pi * speed_hz(ramp, at + 1e-9) - speed) / 1e-9;
+    return std::array<Complex, 2>{z[1], -w * w * z[0] - 2 * rotor.damping_ratio * w * z[1] +
+                                            1e-5 * Complex(speed * speed, -gain) * std::polar(1.0, angle)};
+  };
+  const auto angle_after = [&](double step) {
+    return phi + 2 * std::numbers::pi * step * (speed_hz(ramp, t) + speed_hz(ramp, t + step)) / 2;
+  };
+  constexpr double step = 1e-3;
+  const double begin = 2 * std::numbers::pi * 20;
+  const Complex start =
+      1e-5 * begin * begin / Complex(w * w - begin * begin, 2 * rotor.damping_ratio * w * begin);
+  std::array<Complex, 2> z{start, Complex(0, begin) * start};
+  std::vector<double> t_s;
+  std::vector<Complex> steps;
+  while (t < 4.9) {
+    t_s.push_back(t);
+    steps.push_back(z[0] * std::polar(1.0, -phi));
+    const auto moved = [&](const std::array<Complex, 2>& by, double h) {
+      return std::array<Complex, 2>{z[0] + h * by[0], z[1] + h * by[1]};
+    };
+    const auto a = rate(z, t, phi), b = rate(moved(a, step / 2), t + step / 2, angle_after(step / 2));
+    const auto c = rate(moved(b, step / 2), t + step / 2, angle_after(step / 2));
+    const auto d = rate(moved(c, step), t + step, angle_after(step));
+    for (std::size_t i = 0; i < 2; ++i) z[i] += step / 6 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
+    phi = angle_after(step);
+    t += step;
+  }
+  const Eigen::MatrixXcd found =
+      ramp_phasors(prepared, identify::sensor_rows(prepared).rows, 1e-5, ramp, t_s, 0);
+  double largest = 0, most = 0;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    largest = std::max(largest, std::abs(steps[k]));
+    if (t_s[k] > 1) most = std::max(most, std::abs(steps[k] - found(static_cast<Eigen::Index>(k), 0)));
+  }
+  EXPECT_LT(most, 2e-3 * largest);
+  EXPECT_GT(largest, 1.5e-4) << "it hesitates at the resonance";
+}
+
+TEST(RampPhasor, KnotsOnALineAreAnEvenRamp) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(bowed_kit());
+  const Eigen::MatrixXd rows = identify::sensor_rows(prepared).rows;
+  Ramp knots;
+  knots.knot_s = {0, 1, 1.7, 4};
+  knots.knot_hz = {20, 24, 26.8, 36};
+  const std::vector<double> t_s{0.5, 1.2, 2, 3, 3.9};
+  const Eigen::MatrixXcd line = ramp_phasors(prepared, rows, 1e-5, {20, 4}, t_s, 2);
+  EXPECT_LT((ramp_phasors(prepared, rows, 1e-5, knots, t_s, 2) - line).norm(), 1e-8 * line.norm());
 }
 
 TEST(RampPhasor, SupportsFollowTheirTables) {

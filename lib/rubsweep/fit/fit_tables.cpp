@@ -42,18 +42,20 @@ std::vector<Series> series_of(const MeasuredData& data) {
                  },
                  [](const RunUp& run) {
                    std::vector<double> speeds;
-                   for (const double t : run.t_s)
-                     speeds.push_back(run.ramp.from_hz + run.ramp.rate_hz_per_s * t);
+                   for (const double t : run.t_s) speeds.push_back(speed_hz(run.ramp, t));
                    return phasor_series("run_up", speeds, run.phasor_m.cols());
                  },
                  [](const Steady& steady) {
                    return phasor_series("steady", steady.speed_hz, steady.phasor_m.cols());
-                 }},
+                 },
+                 [](const RubLines& rub) { return phasor_series("rub", rub.order, 1); }},
       data.data);
 }
 
 /// Sentence on the residuals of a series; empty where they are noise.
 std::string doubt_of(const Series& series, std::span<const double> residuals) {
+  // Neighbouring lines of a spectrum have nothing to do with each other.
+  if (series.kind == "rub") return {};
   const ResidualTest test = test_residuals(residuals);
   if (test.white) return {};
   if (test.line_stands_out && series.kind == "ring_down") {

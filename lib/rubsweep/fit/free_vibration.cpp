@@ -36,7 +36,7 @@ Eigen::MatrixXd free_vibration(const scene::PreparedMachine& prepared, const Eig
   const Eigen::MatrixXcd seen = rows.cast<Complex>() * modes.vectors.topRows(rows.cols());
   Eigen::MatrixXd signal = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(since_s.size()), rows.rows());
   for (const scene::Pulse& pulse : pulses) {
-    const Eigen::VectorXcd push = modes.force * (pulse.force_n * pulse.direction).cast<Complex>();
+    const Eigen::VectorXcd push = modes.force((pulse.force_n * pulse.direction).cast<Complex>());
     Eigen::VectorXcd state(push.size());
     for (std::size_t k = 0; k < since_s.size(); ++k) {
       for (Eigen::Index i = 0; i < push.size(); ++i)

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <deque>
+#include <functional>
+#include <mutex>
 #include <numbers>
+#include <utility>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/fit/free_vibration.hpp"
@@ -50,8 +54,58 @@ Pair with_run_out(const Eigen::MatrixXcd& measured, Eigen::MatrixXcd model, bool
   return {stacked(measured), stacked(model)};
 }
 
+/// Lines of a rub turned to the measured mark. A period of several turns may begin with any of them: the one
+/// that leaves the least.
+Pair with_first_turn(const RubLines& rub, const Eigen::VectorXcd& lines_m, double mark_rad) {
+  Eigen::VectorXcd best;
+  for (int turn = 0; turn < rub.turns; ++turn) {
+    Eigen::VectorXcd turned = lines_m;
+    for (Eigen::Index i = 0; i < turned.size(); ++i)
+      turned(i) *=
+          std::polar(1.0, rub.order[static_cast<std::size_t>(i)] * (mark_rad + 2 * std::numbers::pi * turn));
+    if (turn == 0 || (turned - rub.line_m).squaredNorm() < (best - rub.line_m).squaredNorm())
+      best = std::move(turned);
+  }
+  return {stacked(rub.line_m), stacked(best)};
+}
+
+/// Ramps that were computed last: those along an eccentricity or an angle of the mark differ by a factor. For
+/// several threads.
+class LastRamps {
+ public:
+  /// `values` of the problem's parameters; `make` computes what is not there.
+  RampParts of(const MachineFit& problem, const RunUp& run, Eigen::VectorXd values,
+               const std::function<RampParts()>& make) {
+    for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+      const std::string& name = problem.parameters[i].name;
+      if (name == eccentricity_name || name == mark_name || name == hit_name)
+        values(static_cast<Eigen::Index>(i)) = 0;
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      for (const Known& known : known_)
+        if (known.run == &run && known.values == values) return known.parts;
+    }
+    RampParts parts = make();
+    const std::size_t most = 4 * problem.data.size();
+    const std::lock_guard lock(mutex_);
+    known_.push_front({&run, std::move(values), parts});
+    if (known_.size() > most) known_.pop_back();
+    return parts;
+  }
+
+ private:
+  struct Known {
+    const RunUp* run;
+    Eigen::VectorXd values;
+    RampParts parts;
+  };
+  std::mutex mutex_;
+  std::deque<Known> known_;
+};
+
 Pair pair_of(const MachineFit& problem, const MeasuredData& data, const scene::PreparedMachine& machine,
-             const Eigen::VectorXd& values) {
+             const Eigen::VectorXd& values, LastRamps& ramps) {
   const identify::SensorRows sensors = identify::sensor_rows(machine);
   const auto rows_for = [&](Eigen::Index count) {
     if (count > sensors.rows.rows())
@@ -64,35 +118,40 @@ Pair pair_of(const MachineFit& problem, const MeasuredData& data, const scene::P
   const Complex turn =
       std::polar(1.0, named(problem, values, mark_name, problem.mark_deg) * std::numbers::pi / 180);
   return std::visit(
-      overloaded{[&](const RingDown& ring) {
-                   const double hit_s = named(problem, values, hit_name, problem.hit_s);
-                   std::vector<double> since_s = ring.t_s;
-                   for (double& t : since_s) t -= hit_s;
-                   return with_scale(ring.signal_m,
-                                     free_vibration(machine, rows_for(ring.signal_m.cols()), since_s));
-                 },
-                 [&](const RunUp& run) {
-                   Ramp ramp = run.ramp;
-                   std::vector<double> t_s = run.t_s;
-                   const double rate = named(problem, values, rate_name, ramp.rate_hz_per_s);
-                   if (rate != ramp.rate_hz_per_s) {
-                     // The speeds stay, the instants follow.
-                     for (double& t : t_s) t = t * ramp.rate_hz_per_s / rate;
-                     ramp.rate_hz_per_s = rate;
-                   }
-                   return with_run_out(run.phasor_m,
-                                       turn * ramp_phasors(machine, rows_for(run.phasor_m.cols()),
-                                                           eccentricity_m, ramp, t_s, run.window_turns),
-                                       data.run_out);
-                 },
-                 [&](const Steady& steady) {
-                   Eigen::MatrixXcd model(steady.phasor_m.rows(), steady.phasor_m.cols());
-                   const Eigen::MatrixXd rows = rows_for(steady.phasor_m.cols());
-                   for (Eigen::Index k = 0; k < model.rows(); ++k)
-                     model.row(k) = turn * steady_phasors(machine, rows, eccentricity_m,
-                                                          steady.speed_hz[static_cast<std::size_t>(k)]);
-                   return with_run_out(steady.phasor_m, model, data.run_out);
-                 }},
+      overloaded{
+          [&](const RingDown& ring) {
+            const double hit_s = named(problem, values, hit_name, problem.hit_s);
+            std::vector<double> since_s = ring.t_s;
+            for (double& t : since_s) t -= hit_s;
+            return with_scale(ring.signal_m,
+                              free_vibration(machine, rows_for(ring.signal_m.cols()), since_s));
+          },
+          [&](const RunUp& run) {
+            Ramp ramp = run.ramp;
+            std::vector<double> t_s = run.t_s;
+            const double rate = named(problem, values, rate_name, ramp.rate_hz_per_s);
+            if (rate != ramp.rate_hz_per_s) {
+              // The speeds stay, the instants follow.
+              for (double& t : t_s) t = t * ramp.rate_hz_per_s / rate;
+              ramp.rate_hz_per_s = rate;
+            }
+            const RampParts parts = ramps.of(problem, run, values, [&] {
+              return ramp_parts(machine, rows_for(run.phasor_m.cols()), ramp, t_s, run.window_turns);
+            });
+            return with_run_out(run.phasor_m, turn * (eccentricity_m * parts.per_eccentricity + parts.bow_m),
+                                data.run_out);
+          },
+          [&](const Steady& steady) {
+            Eigen::MatrixXcd model(steady.phasor_m.rows(), steady.phasor_m.cols());
+            const Eigen::MatrixXd rows = rows_for(steady.phasor_m.cols());
+            for (Eigen::Index k = 0; k < model.rows(); ++k)
+              model.row(k) = turn * steady_phasors(machine, rows, eccentricity_m,
+                                                   steady.speed_hz[static_cast<std::size_t>(k)]);
+            return with_run_out(steady.phasor_m, model, data.run_out);
+          },
+          [&](const RubLines& rub) {
+            return with_first_turn(rub, problem.rub_lines(machine, rub, eccentricity_m), std::arg(turn));
+          }},
       data.data);
 }
 
@@ -103,18 +162,19 @@ int eliminated_of(const MeasuredData& data) {
           [&](const RunUp& run) { return data.run_out ? 2 * static_cast<int>(run.phasor_m.cols()) : 0; },
           [&](const Steady& steady) {
             return data.run_out ? 2 * static_cast<int>(steady.phasor_m.cols()) : 0;
-          }},
+          },
+          [](const RubLines&) { return 0; }},
       data.data);
 }
 
 /// Residuals of all files, each over its noise.
 Eigen::VectorXd residuals_of(const MachineFit& problem, const std::vector<double>& noise_m,
-                             const Eigen::VectorXd& values) {
+                             const Eigen::VectorXd& values, LastRamps& ramps) {
   const scene::PreparedMachine machine = problem.machine(values);
   std::vector<Eigen::VectorXd> parts;
   Eigen::Index count = 0;
   for (std::size_t i = 0; i < problem.data.size(); ++i) {
-    const Pair pair = pair_of(problem, problem.data[i], machine, values);
+    const Pair pair = pair_of(problem, problem.data[i], machine, values, ramps);
     parts.push_back((pair.measured - pair.modelled) / noise_m[i]);
     count += parts.back().size();
   }
@@ -129,8 +189,8 @@ Eigen::VectorXd residuals_of(const MachineFit& problem, const std::vector<double
 
 /// A hundredth of the size of the data: what the first fit weighs them by.
 double rough_noise_m(const MachineFit& problem, const MeasuredData& data,
-                     const scene::PreparedMachine& machine, const Eigen::VectorXd& values) {
-  const Eigen::VectorXd measured = pair_of(problem, data, machine, values).measured;
+                     const scene::PreparedMachine& machine, const Eigen::VectorXd& values, LastRamps& ramps) {
+  const Eigen::VectorXd measured = pair_of(problem, data, machine, values, ramps).measured;
   const double mean = measured.mean();
   return std::max(0.01 * std::sqrt((measured.array() - mean).square().mean() + mean * mean * 1e-6), 1e-300);
 }
@@ -144,18 +204,20 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
     start(i) = problem.parameters[static_cast<std::size_t>(i)].start;
   std::vector<double> noise_m;
   const scene::PreparedMachine first = problem.machine(start);
-  for (const MeasuredData& data : problem.data) noise_m.push_back(rough_noise_m(problem, data, first, start));
+  LastRamps ramps;
+  for (const MeasuredData& data : problem.data)
+    noise_m.push_back(rough_noise_m(problem, data, first, start, ramps));
   MachineFitResult result;
   const auto fit = [&](const LeastSquaresOptions& how) {
-    squares.residuals = [&problem, noise_m](const Eigen::VectorXd& values) {
-      return residuals_of(problem, noise_m, values);
+    squares.residuals = [&problem, &ramps, noise_m](const Eigen::VectorXd& values) {
+      return residuals_of(problem, noise_m, values, ramps);
     };
     result.fit = least_squares(squares, how);
     result.data.clear();
     int begin = 0;
     for (std::size_t i = 0; i < problem.data.size(); ++i) {
       const auto count = static_cast<int>(
-          pair_of(problem, problem.data[i], problem.machine(result.fit.value), result.fit.value)
+          pair_of(problem, problem.data[i], problem.machine(result.fit.value), result.fit.value, ramps)
               .measured.size());
       result.data.push_back({problem.data[i].name, begin, count, eliminated_of(problem.data[i]), noise_m[i]});
       begin += count;
@@ -199,7 +261,8 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
 }
 
 ModelledData modelled(const MachineFit& problem, std::size_t data, const Eigen::VectorXd& values) {
-  const Pair pair = pair_of(problem, problem.data[data], problem.machine(values), values);
+  LastRamps ramps;
+  const Pair pair = pair_of(problem, problem.data[data], problem.machine(values), values, ramps);
   return {pair.measured, pair.modelled};
 }
 

@@ -26,6 +26,9 @@ struct MachineFit {
   /// Machine with these values of the parameters that are keys (in their order), else the names from above
   /// are skipped. Throws ConfigError for values that are not allowed.
   std::function<scene::PreparedMachine(const Eigen::VectorXd&)> machine;
+  /// Lines of these orders that a machine with an eccentricity in metres has while it rubs, phi = 0 where its
+  /// mark points along +x; needed with RubLines. Throws as `machine` does.
+  std::function<Eigen::VectorXcd(const scene::PreparedMachine&, const RubLines&, double)> rub_lines{};
 };
 
 /// Residuals of one file of data.

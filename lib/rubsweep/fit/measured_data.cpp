@@ -45,9 +45,8 @@ void require_rows(const std::filesystem::path& file, std::size_t rows, std::size
         fmt::format("{}: has {} rows of such data, allowed: {} or more", file.string(), rows, fewest));
 }
 
-/// Least squares line through speeds over time.
-Ramp even_ramp(const std::filesystem::path& file, const std::vector<double>& t_s,
-               const std::vector<double>& speed_hz) {
+/// Least squares line through speeds over time, or the speeds themselves where they are off it.
+Ramp ramp_of(const std::vector<double>& t_s, const std::vector<double>& speed_hz) {
   constexpr double even = 0.02;
   const auto count = static_cast<double>(t_s.size());
   double t = 0, f = 0, tt = 0, tf = 0, largest = 0;
@@ -63,11 +62,8 @@ Ramp even_ramp(const std::filesystem::path& file, const std::vector<double>& t_s
   for (std::size_t k = 0; k < t_s.size(); ++k)
     largest = std::max(largest, std::abs(speed_hz[k] - f - rate * (t_s[k] - t)));
   const double change = std::abs(rate * (t_s.back() - t_s.front()));
-  if (!(largest <= even * change))
-    throw ConfigError(
-        fmt::format("{}: the speed is {:.3g} Hz off an even change of {:.3g} Hz, allowed: 2 % of it",
-                    file.string(), largest, change));
-  return {f - rate * t, rate};
+  if (largest <= even * change) return {f - rate * t, rate};
+  return {speed_hz.front(), 0, t_s, speed_hz};
 }
 
 }  // namespace
@@ -112,6 +108,9 @@ RunUp read_run_up(const std::filesystem::path& file) {
     if (number(table, order) != 1) continue;
     if (taken) {
       data.t_s.push_back(number(table, time));
+      if (data.t_s.size() > 1 && !(data.t_s.back() > data.t_s[data.t_s.size() - 2]))
+        throw ConfigError(fmt::format("{}:{}: t_s: does not rise, allowed: more than {}", file.string(),
+                                      table.place().line, data.t_s[data.t_s.size() - 2]));
       speeds.push_back(number(table, speed));
       rows.emplace_back();
       for (std::size_t i = 0; i < amplitudes.size(); ++i)
@@ -120,7 +119,7 @@ RunUp read_run_up(const std::filesystem::path& file) {
     taken = !taken;
   }
   require_rows(file, rows.size(), 16);
-  data.ramp = even_ramp(file, data.t_s, speeds);
+  data.ramp = ramp_of(data.t_s, speeds);
   data.phasor_m = matrix_of(rows);
   return data;
 }
@@ -148,6 +147,37 @@ Steady read_steady(const std::filesystem::path& file, const std::vector<double>&
   }
   require_rows(file, rows.size(), 1);
   data.phasor_m = matrix_of(rows);
+  return data;
+}
+
+RubLines read_rub(const std::filesystem::path& directory) {
+  CsvReader measures(directory / "measures.csv");
+  const std::size_t quantity = measures.column("quantity"), value = measures.column("value");
+  double speed_hz = NAN, period_turns = NAN;
+  while (measures.next()) {
+    if (measures.cells()[quantity] == "speed_hz") speed_hz = number(measures, value);
+    if (measures.cells()[quantity] == "period_turns") period_turns = number(measures, value);
+  }
+  if (!(speed_hz > 0) || !(period_turns >= 1))
+    throw ConfigError(
+        measures.path().string() +
+        ": holds no speed_hz and period_turns, allowed: a steady recording whose motion repeats");
+  RubLines data{.speed_hz = speed_hz, .turns = static_cast<int>(period_turns), .order = {}, .line_m = {}};
+  CsvReader table(directory / "lines.csv");
+  const std::size_t order = table.column("order"), amplitude = table.column("amplitude_m"),
+                    phase = table.column("phase_deg");
+  std::vector<Complex> lines;
+  bool backward = false;
+  while (table.next()) {
+    backward = backward || number(table, order) < 0;
+    if (number(table, order) == 0 || std::isnan(table.number(phase))) continue;
+    data.order.push_back(number(table, order));
+    lines.push_back(std::polar(number(table, amplitude), number(table, phase) * degree));
+  }
+  require_rows(table.path(), lines.size(), 2);
+  if (!backward)
+    throw ConfigError(table.path().string() + ": has the lines of one probe, allowed: those of two, x + iy");
+  data.line_m = Eigen::Map<const Eigen::VectorXcd>(lines.data(), static_cast<Eigen::Index>(lines.size()));
   return data;
 }
 

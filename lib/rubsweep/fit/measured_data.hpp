@@ -16,7 +16,7 @@ struct RingDown {
   Eigen::MatrixXd signal_m;
 };
 
-/// 1X during a run-up or coast-down with an even change of speed: A of Re(A e^{i phi}), phi = 0 at the mark;
+/// 1X during a run-up or coast-down: A of Re(A e^{i phi}), phi = 0 at the mark;
 /// points x sensors.
 struct RunUp {
   Ramp ramp;
@@ -31,10 +31,19 @@ struct Steady {
   Eigen::MatrixXcd phasor_m;
 };
 
+/// Lines of the full spectrum of a rub that repeats after whole turns: L of x + iy = sum of L e^{i order
+/// phi}, phi = 0 at the mark.
+struct RubLines {
+  double speed_hz = 0;
+  int turns = 1;              ///< of the period
+  std::vector<double> order;  ///< multiples of 1 / turns other than 0
+  Eigen::VectorXcd line_m;
+};
+
 /// One file of data; sensors in the order of the configuration's sensors (of a Jeffcott rotor x and y).
 struct MeasuredData {
   std::string name;  ///< of the file
-  std::variant<RingDown, RunUp, Steady> data;
+  std::variant<RingDown, RunUp, Steady, RubLines> data;
   bool run_out = false;  ///< a constant of every sensor is eliminated from 1X
 };
 
@@ -44,13 +53,19 @@ struct MeasuredData {
 RingDown read_ring_down(const std::filesystem::path& file, double from_s);
 
 /// bode.csv of rubscope: t_s, speed_hz, order, x_amplitude_m, x_phase_deg and perhaps y; of order 1 every
-/// second row is taken, since each is the mean of two turns. Throws ConfigError where the speed does not
-/// change evenly to 2 % of the change.
+/// second row is taken, since each is the mean of two turns. A speed that changes evenly to 2 % of the change
+/// is taken to be even; else it goes in straight lines from row to row. Throws ConfigError where times do not
+/// rise.
 RunUp read_run_up(const std::filesystem::path& file);
 
 /// bode.csv of rubtrace, or any table of speed_hz, sensor_0_amplitude_m, sensor_0_phase_deg, ...; a phase
 /// counts from the instant at which the mark passes its sensor, which looks in direction `angle_deg`.
 Steady read_steady(const std::filesystem::path& file, const std::vector<double>& angle_deg);
+
+/// Directory that rubscope wrote of a steady recording by two probes: speed and period of measures.csv, lines
+/// of lines.csv but the gap (0X) and those that noise leaves no phase. Throws ConfigError for a motion
+/// without a period.
+RubLines read_rub(const std::filesystem::path& directory);
 
 /// The same speeds as a run-up of this rate, each a mean of `window_turns`.
 RunUp as_run_up(const Steady& steady, double rate_hz_per_s, double window_turns);

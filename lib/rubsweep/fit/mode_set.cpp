@@ -23,13 +23,18 @@ ModeSet modes_at(const scene::PreparedMachine& prepared, double speed_rad_per_s)
   generator.bottomRightCorner(n, n) = -mass.solve(system.damping);
   numerics::GeneralModes found = numerics::general_modes(generator, true);
   if (!found.converged) throw SolverError("modes: the eigenvalue iteration does not converge");
-  ModeSet modes{std::move(found.values), std::move(found.vectors), {}, {}};
+  ModeSet modes{std::move(found.values), std::move(found.vectors), {}, mass.inverse()};
   modes.vectors.bottomRows(n) *= typical;
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> inverse(modes.vectors);
-  modes.inverse = inverse.inverse();
-  if (!modes.inverse.allFinite()) throw SolverError("modes: they do not span the motion");
-  modes.force = modes.inverse.rightCols(n) * mass.inverse().cast<std::complex<double>>();
+  modes.factor.compute(modes.vectors);
+  if (!modes.factor.matrixLU().allFinite() || !(modes.factor.matrixLU().diagonal().cwiseAbs().minCoeff() > 0))
+    throw SolverError("modes: they do not span the motion");
   return modes;
+}
+
+Eigen::VectorXcd ModeSet::force(const Eigen::VectorXcd& newtons) const {
+  Eigen::VectorXcd rate = Eigen::VectorXcd::Zero(values.size());
+  rate.tail(newtons.size()) = inverse_mass.cast<std::complex<double>>() * newtons;
+  return factor.solve(rate);
 }
 
 }  // namespace rubsweep::fit

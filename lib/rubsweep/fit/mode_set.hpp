@@ -1,18 +1,21 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include "rubsweep/scene/prepared_machine.hpp"
 
 namespace rubsweep::fit {
 
 /// Vibration modes of a machine without its contacts at one shaft speed: the state (q, q') is vectors * a,
-/// with a' = values a + force * f for a generalised force f in newtons.
+/// with a' = values a + force(f) for a generalised force f in newtons.
 struct ModeSet {
-  Eigen::VectorXcd values;   ///< 2 n eigenvalues in 1/s
-  Eigen::MatrixXcd vectors;  ///< 2 n x 2 n
-  Eigen::MatrixXcd force;    ///< 2 n x n
-  Eigen::MatrixXcd inverse;  ///< of vectors
+  Eigen::VectorXcd values;                       ///< 2 n eigenvalues in 1/s
+  Eigen::MatrixXcd vectors;                      ///< 2 n x 2 n
+  Eigen::PartialPivLU<Eigen::MatrixXcd> factor;  ///< of vectors
+  Eigen::MatrixXd inverse_mass;                  ///< n x n
+
+  Eigen::VectorXcd force(const Eigen::VectorXcd& newtons) const;
 };
 
 /// With gyroscopic moments and rotating damping of this speed. Throws SolverError where the iteration does

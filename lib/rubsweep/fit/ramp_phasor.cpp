@@ -22,7 +22,8 @@ using Complex = std::complex<double>;
 /// A mode follows the speed where |rate of the shaft| / |distance from resonance|^2 is below this: what is
 /// left out is the square of it.
 constexpr double far_from_resonance = 1e-4;
-constexpr int stretches = 64, stretches_of_tables = 128;
+/// Modes are those of stretches of this width, or of so many.
+constexpr double stretch_hz = 0.25, most_stretches = 64, most_stretches_of_tables = 128;
 constexpr double longest_step_rad = 2;
 
 struct GaussPoint {
@@ -34,55 +35,102 @@ constexpr std::array<GaussPoint, 5> gauss{{{0.046910077030668, 0.118463442528095
                                            {0.769234655052842, 0.239314335249683},
                                            {0.953089922969332, 0.118463442528095}}};
 
-/// Forces that turn with the shaft, and modes, at the speed of the moment.
+/// Piece of a ramp with knots that holds an instant, or is the nearest one.
+std::size_t piece_of(const Ramp& ramp, double t_s) {
+  const auto above = std::ranges::upper_bound(ramp.knot_s, t_s) - ramp.knot_s.begin();
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(ramp.knot_s) - 2));
+}
+
+double rate_hz_per_s(const Ramp& ramp, std::size_t piece) {
+  return (ramp.knot_hz[piece + 1] - ramp.knot_hz[piece]) / (ramp.knot_s[piece + 1] - ramp.knot_s[piece]);
+}
+
+/// Shaft's speed and angle over time, in radians.
+class Turning {
+ public:
+  explicit Turning(const Ramp& ramp) : ramp_(ramp) {
+    if (ramp.even()) {
+      most_gain_ = std::abs(2 * pi * ramp.rate_hz_per_s);
+      return;
+    }
+    turns_.push_back(0);
+    for (std::size_t k = 0; k + 1 < ramp.knot_s.size(); ++k) {
+      turns_.push_back(turns_.back() +
+                       (ramp.knot_hz[k] + ramp.knot_hz[k + 1]) / 2 * (ramp.knot_s[k + 1] - ramp.knot_s[k]));
+      most_gain_ = std::max(most_gain_, std::abs(2 * pi * rate_hz_per_s(ramp, k)));
+    }
+  }
+
+  double speed(double t) const { return 2 * pi * speed_hz(ramp_, t); }
+  double gain(double t) const {
+    return 2 * pi * (ramp_.even() ? ramp_.rate_hz_per_s : rate_hz_per_s(ramp_, piece_of(ramp_, t)));
+  }
+  double angle(double t) const {
+    if (ramp_.even()) return 2 * pi * (ramp_.from_hz * t + ramp_.rate_hz_per_s * t * t / 2);
+    const std::size_t piece = piece_of(ramp_, t);
+    const double since = t - ramp_.knot_s[piece];
+    return 2 * pi *
+           (turns_[piece] + ramp_.knot_hz[piece] * since + rate_hz_per_s(ramp_, piece) * since * since / 2);
+  }
+  double most_gain() const { return most_gain_; }
+
+ private:
+  Ramp ramp_;
+  std::vector<double> turns_;  ///< at the knots
+  double most_gain_ = 0;
+};
+
+/// Forces that turn with the shaft, and modes, at the speed of the moment: one column of the motion for the
+/// unbalance of an eccentricity of 1 m, one for the bow.
 class Ramped {
  public:
-  Ramped(const scene::PreparedMachine& prepared, double eccentricity_m, const Ramp& ramp, double begin_s,
-         double end_s)
-      : prepared_(prepared),
-        ramp_(ramp),
-        unbalance_n_(eccentricity_m * prepared.assembly.system.unbalance_kg) {
+  Ramped(const scene::PreparedMachine& prepared, const Ramp& ramp, double begin_s, double end_s)
+      : prepared_(prepared), turning_(ramp), unbalance_kg_(prepared.assembly.system.unbalance_kg) {
     const auto& assembly = prepared.assembly;
-    bow_n_ = assembly.bow_n.size() > 0 ? assembly.bow_n : Eigen::VectorXcd::Zero(unbalance_n_.size());
+    bow_n_ = assembly.bow_n.size() > 0 ? assembly.bow_n : Eigen::VectorXcd::Zero(unbalance_kg_.size());
     const bool changing =
         assembly.gyroscopic.size() > 0 || assembly.circulatory.size() > 0 || !assembly.tables.empty();
-    const int count = assembly.tables.empty() ? stretches : stretches_of_tables;
-    stretch_s_ = changing ? std::max((end_s - begin_s) / count, 1e-9) : INFINITY;
+    const double most = assembly.tables.empty() ? most_stretches : most_stretches_of_tables;
+    const double stretches =
+        std::clamp(turning_.most_gain() / (2 * pi) * (end_s - begin_s) / stretch_hz, 1.0, most);
+    stretch_s_ = changing ? std::max((end_s - begin_s) / stretches, 1e-9) : INFINITY;
     start(begin_s);
   }
 
   /// Displacements in the frame that turns with the shaft.
-  Eigen::VectorXcd advance(double to_s) {
+  Eigen::MatrixX2cd advance(double to_s) {
     while (now_s_ < to_s) {
       const double stretch_end_s = stretch_begin_s_ + stretch_s_;
       integrate(std::min(to_s, stretch_end_s));
       if (now_s_ >= stretch_end_s) restart();
     }
-    return modes_->vectors.topRows(unbalance_n_.size()) * amplitudes();
+    return modes_->vectors.topRows(unbalance_kg_.size()) * amplitudes();
   }
 
  private:
-  double speed(double t) const { return 2 * pi * (ramp_.from_hz + ramp_.rate_hz_per_s * t); }
-  double gain() const { return 2 * pi * ramp_.rate_hz_per_s; }
-  double angle(double t) const { return 2 * pi * (ramp_.from_hz * t + ramp_.rate_hz_per_s * t * t / 2); }
+  using Both = Eigen::RowVector2cd;
 
-  /// Modal force of mode k in the turning frame: unbalance_ (W^2 - i W') + bow_.
-  Complex push(Eigen::Index k, double t) const {
+  double speed(double t) const { return turning_.speed(t); }
+  double gain(double t) const { return turning_.gain(t); }
+  double angle(double t) const { return turning_.angle(t); }
+
+  /// Modal forces of mode k in the turning frame: unbalance_ (W^2 - i W'), and bow_.
+  Both push(Eigen::Index k, double t) const {
     const double w = speed(t);
-    return unbalance_(k) * Complex(w * w, -gain()) + bow_(k);
+    return {unbalance_(k) * Complex(w * w, -gain(t)), bow_(k)};
   }
 
   /// Answer of a mode that follows the speed: a = -c / m - (c / m)' / m with m = value - i W.
-  Complex following(Eigen::Index k, double t) const {
-    const Complex m = modes_->values(k) - Complex(0, speed(t)), c = push(k, t);
-    const Complex c_rate = unbalance_(k) * 2.0 * speed(t) * gain(), m_rate(0, -gain());
+  Both following(Eigen::Index k, double t) const {
+    const Complex m = modes_->values(k) - Complex(0, speed(t)), m_rate(0, -gain(t));
+    const Both c = push(k, t), c_rate(unbalance_(k) * 2.0 * speed(t) * gain(t), 0);
     return -c / m - (c_rate / m - c * m_rate / (m * m)) / m;
   }
 
   void use_modes(double t) {
     modes_ = modes_at(prepared_, speed(t + (std::isfinite(stretch_s_) ? stretch_s_ / 2 : 0)));
-    unbalance_ = modes_->force * unbalance_n_;
-    bow_ = modes_->force * bow_n_;
+    unbalance_ = modes_->force(unbalance_kg_);
+    bow_ = modes_->force(bow_n_);
     follows_.assign(static_cast<std::size_t>(modes_->values.size()), true);
     for (Eigen::Index k = 0; k < modes_->values.size(); ++k) {
       // The nearest that the stretch, or without stretches any speed, comes to the mode.
@@ -92,34 +140,34 @@ class Ramped {
         const auto [low, high] = std::minmax({speed(t), speed(t + stretch_s_)});
         nearest = std::abs(value - Complex(0, std::clamp(value.imag(), low, high)));
       }
-      follows_[static_cast<std::size_t>(k)] = std::abs(gain()) < far_from_resonance * nearest * nearest;
+      follows_[static_cast<std::size_t>(k)] = turning_.most_gain() < far_from_resonance * nearest * nearest;
     }
   }
 
   void start(double t) {
     now_s_ = stretch_begin_s_ = t;
     use_modes(t);
-    state_.resize(modes_->values.size());
-    for (Eigen::Index k = 0; k < state_.size(); ++k) state_(k) = following(k, t);
+    state_.resize(modes_->values.size(), 2);
+    for (Eigen::Index k = 0; k < state_.rows(); ++k) state_.row(k) = following(k, t);
   }
 
   /// The modes of the next stretch take over the motion.
   void restart() {
-    const Eigen::VectorXcd motion = modes_->vectors * amplitudes();
+    const Eigen::MatrixX2cd motion = modes_->vectors * amplitudes();
     stretch_begin_s_ = now_s_;
     use_modes(now_s_);
-    state_ = modes_->inverse * motion;
+    state_ = modes_->factor.solve(motion);
   }
 
-  Eigen::VectorXcd amplitudes() const {
-    Eigen::VectorXcd all = state_;
-    for (Eigen::Index k = 0; k < all.size(); ++k)
-      if (follows_[static_cast<std::size_t>(k)]) all(k) = following(k, now_s_);
+  Eigen::MatrixX2cd amplitudes() const {
+    Eigen::MatrixX2cd all = state_;
+    for (Eigen::Index k = 0; k < all.rows(); ++k)
+      if (follows_[static_cast<std::size_t>(k)]) all.row(k) = following(k, now_s_);
     return all;
   }
 
   void integrate(double to_s) {
-    for (Eigen::Index k = 0; k < state_.size(); ++k) {
+    for (Eigen::Index k = 0; k < state_.rows(); ++k) {
       if (follows_[static_cast<std::size_t>(k)]) continue;
       const Complex value = modes_->values(k);
       double t = now_s_;
@@ -127,13 +175,14 @@ class Ramped {
         const double distance = std::abs(value - Complex(0, speed(t)));
         const double step = std::min(to_s - t, longest_step_rad / std::max(distance, 1e-3));
         const double end = t + step >= to_s ? to_s : t + step;
-        Complex sum = state_(k) * std::exp(value * (end - t) - Complex(0, angle(end) - angle(t)));
+        Both sum = state_.row(k) * std::exp(value * (end - t) - Complex(0, angle(end) - angle(t)));
         for (const GaussPoint& point : gauss) {
           const double at = t + point.place * (end - t);
-          sum += point.weight * (end - t) * push(k, at) *
-                 std::exp(value * (end - at) - Complex(0, angle(end) - angle(at)));
+          const Complex share =
+              point.weight * (end - t) * std::exp(value * (end - at) - Complex(0, angle(end) - angle(at)));
+          sum += share * push(k, at);
         }
-        state_(k) = sum;
+        state_.row(k) = sum;
         t = end;
       }
     }
@@ -141,11 +190,12 @@ class Ramped {
   }
 
   const scene::PreparedMachine& prepared_;
-  Ramp ramp_;
-  Eigen::VectorXcd unbalance_n_, bow_n_;
+  Turning turning_;
+  Eigen::VectorXcd unbalance_kg_, bow_n_;
   double stretch_s_ = 0, stretch_begin_s_ = 0, now_s_ = 0;
   std::optional<ModeSet> modes_;
-  Eigen::VectorXcd unbalance_, bow_, state_;
+  Eigen::VectorXcd unbalance_, bow_;
+  Eigen::MatrixX2cd state_;
   std::vector<bool> follows_;
 };
 
@@ -157,15 +207,20 @@ struct Node {
 
 }  // namespace
 
-Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
-                              double eccentricity_m, const Ramp& ramp, const std::vector<double>& t_s,
-                              double window_turns) {
+double speed_hz(const Ramp& ramp, double t_s) {
+  if (ramp.even()) return ramp.from_hz + ramp.rate_hz_per_s * t_s;
+  const std::size_t piece = piece_of(ramp, t_s);
+  return ramp.knot_hz[piece] + rate_hz_per_s(ramp, piece) * (t_s - ramp.knot_s[piece]);
+}
+
+RampParts ramp_parts(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows, const Ramp& ramp,
+                     const std::vector<double>& t_s, double window_turns) {
   std::vector<Node> nodes;
   for (std::size_t k = 0; k < t_s.size(); ++k) {
     const auto point = static_cast<Eigen::Index>(k);
-    const double speed_hz = ramp.from_hz + ramp.rate_hz_per_s * t_s[k];
-    if (!(speed_hz > 0)) throw ConfigError("a ramp reaches speed 0, allowed: speeds above it");
-    const double half_s = window_turns / speed_hz / 2;
+    const double now_hz = speed_hz(ramp, t_s[k]);
+    if (!(now_hz > 0)) throw ConfigError("a ramp reaches speed 0, allowed: speeds above it");
+    const double half_s = window_turns / now_hz / 2;
     if (half_s > 0) {
       nodes.push_back({t_s[k] - half_s, 1.0 / 6, point});
       nodes.push_back({t_s[k] + half_s, 1.0 / 6, point});
@@ -173,16 +228,32 @@ Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eige
     nodes.push_back({t_s[k], half_s > 0 ? 4.0 / 6 : 1, point});
   }
   std::ranges::sort(nodes, {}, &Node::t_s);
-  Eigen::MatrixXcd phasors = Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(t_s.size()), rows.rows());
-  if (nodes.empty()) return phasors;
-  const auto [low_hz, high_hz] = std::minmax({ramp.from_hz + ramp.rate_hz_per_s * nodes.front().t_s,
-                                              ramp.from_hz + ramp.rate_hz_per_s * nodes.back().t_s});
+  RampParts parts;
+  parts.per_eccentricity = parts.bow_m =
+      Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(t_s.size()), rows.rows());
+  if (nodes.empty()) return parts;
+  double low_hz = INFINITY, high_hz = 0;
+  for (const Node& node : nodes) {
+    low_hz = std::min(low_hz, speed_hz(ramp, node.t_s));
+    high_hz = std::max(high_hz, speed_hz(ramp, node.t_s));
+  }
   structure::refuse_beyond_tables(prepared.machine, low_hz, high_hz);
   structure::refuse_changing_mass(prepared.machine, "a ramp");
-  Ramped run(prepared, eccentricity_m, ramp, nodes.front().t_s, nodes.back().t_s);
-  for (const Node& node : nodes)
-    phasors.row(node.point) += node.weight * (rows.cast<Complex>() * run.advance(node.t_s)).transpose();
-  return phasors;
+  Ramped run(prepared, ramp, nodes.front().t_s, nodes.back().t_s);
+  const Eigen::MatrixXcd seen = rows.cast<Complex>();
+  for (const Node& node : nodes) {
+    const Eigen::MatrixX2cd both = node.weight * (seen * run.advance(node.t_s));
+    parts.per_eccentricity.row(node.point) += both.col(0).transpose();
+    parts.bow_m.row(node.point) += both.col(1).transpose();
+  }
+  return parts;
+}
+
+Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
+                              double eccentricity_m, const Ramp& ramp, const std::vector<double>& t_s,
+                              double window_turns) {
+  const RampParts parts = ramp_parts(prepared, rows, ramp, t_s, window_turns);
+  return eccentricity_m * parts.per_eccentricity + parts.bow_m;
 }
 
 Eigen::RowVectorXcd steady_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,

@@ -7,22 +7,35 @@
 
 namespace rubsweep::fit {
 
-/// Shaft angle phi = 2 pi (from_hz t + rate_hz_per_s t^2 / 2).
+/// Shaft angle phi = 2 pi (from_hz t + rate_hz_per_s t^2 / 2); or, of a speed that changes unevenly, straight
+/// lines between the speeds at ascending instants, of which the first and last go on beyond them.
 struct Ramp {
   double from_hz = 0;
   double rate_hz_per_s = 0;
-};
+  std::vector<double> knot_s{}, knot_hz{};  ///< empty, or two or more of each
 
-/// 1X of a machine without its stops while its shaft speed changes evenly: A of the displacement Re(A e^{i
+  bool even() const { return knot_s.empty(); }
+};
+double speed_hz(const Ramp& ramp, double t_s);
+
+/// 1X of a machine without its stops while its shaft speed changes: A of the displacement Re(A e^{i
 /// phi}) that unbalance and bow make, at ascending instants, one row each, one column for each row of `rows`
 /// (displacement = row * q). Every value is the mean over `window_turns` turns about its instant, as 1X of a
 /// recording is; 0: none. Each mode near a resonance is integrated by Gauss and Legendre's rule; one far from
-/// any follows the speed by its answer to second order. The modes are those of up to 64 speeds. Before the
-/// first instant the speed is taken to have been passed without a resonance. Throws ConfigError for a speed
-/// that is not above 0.
+/// any follows the speed by its answer to second order. The modes are those of stretches 0.25 Hz wide, at
+/// most 64, with tables 128. Before the first instant the speed is taken to have been passed without a resonance. Throws
+/// ConfigError for a speed that is not above 0.
 Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
                               double eccentricity_m, const Ramp& ramp, const std::vector<double>& t_s,
                               double window_turns);
+
+/// The same in parts, eccentricity times the first and the second, for what asks for several eccentricities.
+struct RampParts {
+  Eigen::MatrixXcd per_eccentricity;  ///< without a unit: metres per metre
+  Eigen::MatrixXcd bow_m;
+};
+RampParts ramp_parts(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows, const Ramp& ramp,
+                     const std::vector<double>& t_s, double window_turns);
 
 /// The same at a steady speed, in closed form.
 Eigen::RowVectorXcd steady_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,

@@ -1,0 +1,146 @@
+#include "rubsweep/fit/rub/rub_orbits.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "rubsweep/branch/orbits/scene_orbits.hpp"
+#include "rubsweep/branch/orbits/settled_start.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/response/proof/section_map.hpp"
+
+namespace rubsweep::fit::rub {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int samples_per_turn = 256;
+
+/// The orbit near `state` by Newton's iteration, which ends a step after its change is small: the error is
+/// then about the square of it.
+std::optional<Eigen::VectorXd> closed(const branch::orbits::OrbitProblem& problem, Eigen::VectorXd state) {
+  constexpr int most_steps = 12;
+  constexpr double small = 1e-7;
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(state.size(), state.size());
+  for (int step = 0; step < most_steps; ++step) {
+    Eigen::VectorXd image = state;
+    Eigen::MatrixXd monodromy;
+    if (problem.returns(0, image, &monodromy) != branch::orbits::Evaluation::ok) return std::nullopt;
+    const Eigen::VectorXd change = (identity - monodromy).partialPivLu().solve(image - state);
+    if (!change.allFinite()) return std::nullopt;
+    state += change;
+    if (change.norm() < small * std::max(1.0, state.norm())) return state;
+  }
+  return std::nullopt;
+}
+
+/// Displacements of the observed point in metres at equal angles of the shaft over `turns`; empty where
+/// nothing touches or the solver fails.
+std::vector<Complex> sampled(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                             integrate::exact::modes::ModeCache& modes, const Eigen::VectorXd& state,
+                             int turns) {
+  const auto& observed = scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
+  const integrate::run::Run run = integrate::start(response::proof::after_the_kick(scene), solver, modes);
+  run.restart({state.data(), static_cast<std::size_t>(state.size())});
+  integrate::run::TurnRequest request;
+  request.samples_per_revolution = samples_per_turn;
+  integrate::run::TurnReport report;
+  std::vector<Complex> places_m;
+  bool touched = false;
+  for (int turn = 0; turn < turns; ++turn) {
+    if (run.advance(request, report) != integrate::run::Outcome::ok) return {};
+    touched = touched || report.touched;
+    const Eigen::Map<const Eigen::MatrixXd> samples(report.samples.data(), state.size(), report.sample_count);
+    for (Eigen::Index k = 0; k < samples.cols(); ++k) {
+      const Eigen::Vector2d place_m =
+          scene.length_scale_m * (observed * samples.col(k).head(state.size() / 2));
+      places_m.emplace_back(place_m.x(), place_m.y());
+    }
+  }
+  return touched ? places_m : std::vector<Complex>{};
+}
+
+/// Angle of the shaft where a run of the scene begins: the scene turns the forces of the shaft so that it
+/// begins with the smallest gap.
+double shaft_angle_at_start_rad(const scene::PreparedMachine& machine, const scene::Cell& cell,
+                                const AskedLines& asked) {
+  const double speed_rad_per_s = 2 * std::numbers::pi * asked.speed_hz;
+  Eigen::VectorXcd force =
+      asked.eccentricity_m * speed_rad_per_s * speed_rad_per_s * machine.assembly.system.unbalance_kg;
+  if (machine.assembly.bow_n.size() > 0) force += machine.assembly.bow_n;
+  return std::arg(force.dot(cell.scene.harmonic_n));
+}
+
+Eigen::VectorXcd lines_of(const std::vector<Complex>& places_m, const AskedLines& asked, double begin_rad) {
+  Eigen::VectorXcd lines(static_cast<Eigen::Index>(asked.order.size()));
+  const auto count = static_cast<double>(places_m.size());
+  for (std::size_t i = 0; i < asked.order.size(); ++i) {
+    const double order = asked.order[i];
+    Complex sum = 0;
+    for (std::size_t k = 0; k < places_m.size(); ++k)
+      sum += places_m[k] *
+             std::polar(1.0, -2 * std::numbers::pi * order * static_cast<double>(k) / samples_per_turn);
+    lines(static_cast<Eigen::Index>(i)) = sum / count * std::polar(1.0, -order * begin_rad);
+  }
+  return lines;
+}
+
+}  // namespace
+
+RubOrbits::RubOrbits(integrate::run::SolverOptions solver, response::motion::ResponseOptions options)
+    : solver_(std::move(solver)), options_(std::move(options)) {}
+
+std::optional<Eigen::VectorXd> RubOrbits::last_m() const {
+  const std::lock_guard lock(mutex_);
+  return last_m_;
+}
+
+Eigen::VectorXcd RubOrbits::lines_m(const scene::PreparedMachine& machine, const AskedLines& asked) {
+  const scene::PreparedMachine there = scene::prepared_at(machine, asked.speed_hz);
+  const scene::Cell cell =
+      scene::build_cell(there, asked.speed_hz, scene::Eccentricity{asked.eccentricity_m});
+  response::motion::Workspace workspace;
+  const branch::orbits::OrbitProblem problem = branch::orbits::scene_orbits(
+      [&](double) { return std::optional(cell.scene); }, asked.turns, solver_, workspace.modes);
+  const Eigen::Index states = 2 * cell.scene.structure.coordinates();
+  std::optional<Eigen::VectorXd> orbit;
+  std::vector<Complex> places_m;
+  const auto take = [&](const Eigen::VectorXd& near) {
+    orbit = closed(problem, near);
+    places_m =
+        orbit ? sampled(cell.scene, solver_, workspace.modes, *orbit, asked.turns) : std::vector<Complex>{};
+  };
+  if (const auto last = last_m(); last && last->size() == states) take(*last / cell.scene.length_scale_m);
+  if (places_m.empty()) {
+    if (!scene::can_run(cell.start))
+      throw ConfigError(
+          fmt::format("rub: there is no motion at {:.6g} Hz and an eccentricity of {:.6g} m, allowed: a "
+                      "machine whose quiet whirl does not touch",
+                      asked.speed_hz, asked.eccentricity_m));
+    const branch::orbits::SettledStart start =
+        branch::orbits::settle_on_orbit(cell, solver_, options_, workspace);
+    const bool repeats = start.order && asked.turns % *start.order == 0 &&
+                         start.closing == branch::orbits::Closing::with_the_shaft;
+    if (repeats) take(start.state);
+    if (places_m.empty())
+      throw ConfigError(fmt::format(
+          "rub: at {:.6g} Hz and an eccentricity of {:.6g} m the kick leads to a motion that "
+          "is {}{}, allowed: one in contact that repeats after {} turns as the recorded one",
+          asked.speed_hz, asked.eccentricity_m, to_string(start.motion_class),
+          start.order && *start.order > 1 ? fmt::format(" 1/{}", *start.order) : "", asked.turns));
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    last_m_ = *orbit * cell.scene.length_scale_m;
+  }
+  return lines_of(places_m, asked, shaft_angle_at_start_rad(there, cell, asked));
+}
+
+}  // namespace rubsweep::fit::rub
