@@ -3,19 +3,37 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/map/finished_map.hpp"
 #include "rubsweep/page/report_page.hpp"
+#include "rubsweep/report/map_summary.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/program.hpp"
 #include "shared/report_file.hpp"
+#include "shared/run_summary.hpp"
 #include "shared/writable.hpp"
 #include "terminal_map.hpp"
 
 namespace rubsweep::apps {
+
+namespace {
+
+/// Cells of a map in all and of each motion, as the table on the terminal names them.
+void count_cells(const std::filesystem::path& map) {
+  std::map<std::string, std::size_t> counts;
+  for (batch::CsvReader rows(map); rows.next();) {
+    ++counts["cells"];
+    ++counts[report::motion_name(batch::csv_row(rows.cells()))];
+  }
+  for (const auto& [name, cells] : counts) count_in_summary(name, cells);
+}
+
+}  // namespace
 
 void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study) {
   if (arguments.fade && study.robustness != sweep::Robustness::probability)
@@ -36,6 +54,7 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
                const report::MapSummary& summary, const config::RunConfig& config,
                map::MapDirectory& directory) {
   const sweep::Study& study = config.study;
+  if (summary_is_wanted()) count_cells(directory.map());
   const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
   const TerminalView view =
       shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};

@@ -33,6 +33,7 @@
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
 #include "shared/verdict.hpp"
+#include "watched_map.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -142,6 +143,10 @@ int perform(const RubsweepArguments& arguments) {
   }
   if (arguments.status) {
     print("{}", map::map_status(*arguments.status));
+    return done;
+  }
+  if (arguments.watched) {
+    watch_map(*arguments.watched);
     return done;
   }
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);

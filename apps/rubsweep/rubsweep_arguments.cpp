@@ -34,6 +34,8 @@ po::options_description visible_options() {
       "instead: print the kinds of motion, their colours and signs, as CSV")(
       "status", po::value<std::string>()->value_name("DIR"),
       "instead: say how far the map in DIR is, of which shards, and who is at work")(
+      "watch", po::value<std::string>()->value_name("DIR"),
+      "instead: show the map in DIR while it is computed, and what each process does, until nobody is at work")(
       "export-matrices", po::value<std::string>()->value_name("DIR"),
       "instead: write the rotor kit as matrices of all its elements into DIR, with a configuration that reads them");
   add_fresh(options);
@@ -106,6 +108,11 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
     status.status = given["status"].as<std::string>();
     return status;
   }
+  if (asks_for("watch", given)) {
+    RubsweepArguments watch;
+    watch.watched = given["watch"].as<std::string>();
+    return watch;
+  }
   if (auto answer = key_answer(given, config::keys::run_form(), "Configuration of rubsweep")) {
     RubsweepArguments question;
     question.key_answer = std::move(answer);
@@ -152,6 +159,7 @@ std::string rubsweep_help() {
       "/tmp/refined\n"
       "  rubsweep configs/benchmark/one_side.yaml --shard 2/8\n"
       "  rubsweep --status results/benchmark/one_side\n"
+      "  rubsweep --watch results/benchmark/one_side\n"
       "  rubsweep configs/benchmark/one_side.yaml --report\n"
       "  rubsweep configs/benchmark/one_side.yaml --figure map.png\n"
       "  rubsweep --init one_side > my.yaml\n"

@@ -33,6 +33,7 @@
 #include "shared/kept_files.hpp"
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
+#include "shared/run_summary.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -79,7 +80,7 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
   RubsweepArguments arguments = parse_rubsweep_arguments(argc, argv);
   if (answered(mpi_program_name, arguments.action, help)) return done;
   if (arguments.action != Action::run || arguments.shard || arguments.merge || arguments.verified ||
-      arguments.status) {
+      arguments.status || arguments.watched) {
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
@@ -178,13 +179,15 @@ int run(int argc, char** argv) {
       mpi::smallest(machine_memory_bytes() / static_cast<std::size_t>(mpi::ranks_on_this_machine()));
   std::optional<MapJob> job;
   int code = 0;
+  hold_summary(true);
   if (rank == 0) {
     code = run_program(mpi_program_name, [&] { return prepare(argc, argv, ranks, memory_bytes, job); });
   }
   code = mpi::broadcast_number(code);
   const int threads = mpi::broadcast_number(job ? job->arguments.threads : 0);
+  hold_summary(false);
   const std::string text = mpi::broadcast_text(job ? config::print_config(job->config) : "");
-  if (code != done || text.empty()) return code;
+  if (code != done || text.empty()) return run_program(mpi_program_name, [&] { return code; });
   code = run_program(mpi_program_name, [&] {
     batch::require_threads(threads, 1);
     if (job) return lead(*job, ranks);

@@ -18,20 +18,6 @@
 namespace rubsweep::apps {
 namespace {
 
-std::size_t terminal_width() {
-  constexpr std::size_t usual = 80, widest = 110;
-  winsize size{};
-  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
-  return std::min<std::size_t>(size.ws_col, widest);
-}
-
-/// Whether colours are used: as https://no-color.org has it, and only on a terminal with 24-bit colours.
-bool shows_colours() {
-  const char *none = std::getenv("NO_COLOR"), *colours = std::getenv("COLORTERM");
-  const std::string_view named = colours == nullptr ? "" : colours;
-  return (none == nullptr || *none == '\0') && (named == "truecolor" || named == "24bit");
-}
-
 /// Option in the unit of the person where that names the same cell to the last bit.
 std::string speed_option(const sweep::Grid& grid, double speed_hz) {
   const auto rpm = sweep::exactly_in_units(grid.written_speed, speed_hz);
@@ -63,20 +49,44 @@ std::string rubtrace_command(const std::filesystem::path& directory, const sweep
                      speed_option(grid, place.speed_hz), unbalance_option(grid, place.unbalance), keys);
 }
 
-}  // namespace
-
-TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid& grid, bool has_report) {
-  if (::isatty(STDOUT_FILENO) == 0) return {};
+/// Reads a map; true where cells that are next to each other in characters are neighbours: a map that somebody
+/// sorted anew is not shown.
+bool read_map(const std::filesystem::path& path, const sweep::Grid& grid, report::TerminalMap& map) {
   batch::CsvReader rows(path);
   report::CellsOfRows cells(rows, grid);
-  report::TerminalMap map(grid);
-  bool sorted = true;  // a map that somebody sorted anew is not shown
+  bool sorted = true;
   for (std::size_t cell = 0; rows.next(); ++cell) {
     sorted = cells.take(rows) == cell && sorted;
     map.add(batch::csv_row(rows.cells()));
   }
-  // Cells that are next to each other in characters must be neighbours.
-  const bool in_order = sorted && !sweep::disordered_axis(grid);
+  return sorted && !sweep::disordered_axis(grid);
+}
+
+}  // namespace
+
+std::size_t terminal_width() {
+  constexpr std::size_t usual = 80, widest = 110;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
+  return std::min<std::size_t>(size.ws_col, widest);
+}
+
+bool shows_colours() {
+  if (::isatty(STDOUT_FILENO) == 0) return false;
+  const char *none = std::getenv("NO_COLOR"), *colours = std::getenv("COLORTERM");
+  const std::string_view named = colours == nullptr ? "" : colours;
+  return (none == nullptr || *none == '\0') && (named == "truecolor" || named == "24bit");
+}
+
+std::string map_in_characters(const std::filesystem::path& path, const sweep::Grid& grid) {
+  report::TerminalMap map(grid);
+  return read_map(path, grid, map) ? map.text(terminal_width(), shows_colours()) : "";
+}
+
+TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid& grid, bool has_report) {
+  if (::isatty(STDOUT_FILENO) == 0) return {};
+  report::TerminalMap map(grid);
+  const bool in_order = read_map(path, grid, map);
   TerminalView view{in_order ? map.text(terminal_width(), shows_colours()) : "", {}};
   if (in_order && view.map.empty()) return view;
   if (const auto cell = map.typical_rub()) {

@@ -13,6 +13,15 @@ struct TerminalView {
   std::string next;  ///< commands that look closer: the most frequent rub by rubtrace, the report
 };
 
+/// Columns of the terminal behind standard output, 80 where there is none, at most 110.
+std::size_t terminal_width();
+
+/// Whether colours are used: as https://no-color.org has it, and only on a terminal with 24-bit colours.
+bool shows_colours();
+
+/// Reads the map at `path`, whose grid this is; empty where it cannot be shown. Throws IoError.
+std::string map_in_characters(const std::filesystem::path& path, const sweep::Grid& grid);
+
 /// Reads the map at `path`, whose grid this is. Throws IoError.
 TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid& grid, bool has_report);
 

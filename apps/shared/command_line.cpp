@@ -11,6 +11,7 @@
 #include "rubsweep/config/yaml/nearest.hpp"
 #include "rubsweep/model/magnitude.hpp"
 #include "shared/program.hpp"
+#include "shared/run_summary.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -85,7 +86,9 @@ void add_verify(po::options_description& options, const char* meaning) {
 }
 
 void add_last(po::options_description& options) {
-  options.add_options()("quiet", "print errors only")(
+  options.add_options()("summary", po::value<std::string>()->value_name("json"),
+                        "end with one line of JSON on standard output: exit code, seconds, counts, warnings, files")(
+      "quiet", "print errors only")(
       "help", "print this and exit; -h, -o and -j are short for --help, --output and --threads")(
       "version", "print the version and exit");
 }
@@ -115,6 +118,11 @@ po::variables_map read_command_line(int argc, const char* const* argv, const po:
     throw UsageError(fmt::format("{}, allowed: a number", error.what()));
   } catch (const po::error& error) {
     throw UsageError(error.what());
+  }
+  if (is_given(given, "summary")) {
+    const auto& form = given["summary"].as<std::string>();
+    if (form != "json") throw UsageError(fmt::format("--summary: '{}' is not allowed, allowed: json", form));
+    want_summary();
   }
   return given;
 }
@@ -179,7 +187,7 @@ std::optional<double> not_negative_number(const po::variables_map& given, const 
 bool asks_for(const char* name, const po::variables_map& given) {
   if (!is_given(given, name) || is_given(given, "help") || is_given(given, "version")) return false;
   for (const auto& [other, value] : given) {
-    if (!value.defaulted() && other != name && other != "quiet")
+    if (!value.defaulted() && other != name && other != "quiet" && other != "summary")
       throw UsageError(fmt::format("--{}: is asked for alone, allowed: without {}", name,
                                    other == "config" ? "CONFIG.yaml" : "--" + other));
   }

@@ -16,6 +16,7 @@
 #include "rubsweep/error.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
+#include "shared/run_summary.hpp"
 
 namespace rubsweep::apps {
 
@@ -108,11 +109,20 @@ int run_guarded(std::string_view name, const std::function<int()>& body) {
   }
 }
 
+/// Adds the summary where one is wanted.
+int summarised(std::string_view name, int code) {
+  if (!summary_is_wanted()) return code;
+  return run_guarded(name, [&] {
+    print_summary(name, code);
+    return code;
+  });
+}
+
 }  // namespace
 
 int run_program(std::string_view name, const std::function<int()>& body) {
   try {
-    return run_guarded(name, body);
+    return summarised(name, run_guarded(name, body));
   } catch (...) {  // no memory, perhaps not even for the message about something else
     say_without_memory("out of memory");
     return software_fault;

@@ -64,6 +64,17 @@ expect_exit 0 --status nothing
 expect_contains stdout 'nothing: no map was begun here'
 expect_exit 3 --status no_such_directory
 expect_exit 1 --status part --merge
+
+# The same with the map: once where nobody sits at a terminal.
+expect_exit 0 --watch part
+expect_matches stdout '^ +0\.2 [ .1-9*oqr?]{12}$'
+expect_contains stdout 'part: 24 of 96 cells are finished (25 %), nobody is at work'
+expect_matches stdout '^  map.shard-2-of-4 +24  nobody is at work$'
+expect_exit 0 --watch whole
+expect_contains stdout 'whole: the map is there'
+expect_contains stdout '  . non_contact'
+expect_exit 3 --watch no_such_directory
+expect_exit 1 --watch part --fresh
 # The same part again has nothing left to do; another division goes on from there.
 expect_exit 0 "${quick[@]}" --output part --shard 2/4
 expect_contains stderr '24 of 24 cells were finished before'

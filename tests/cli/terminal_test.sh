@@ -53,6 +53,12 @@ trace_as_said 'subharmonic 1/2'
 sed -e 's/force_n: 200/force_n: 10/' -e '/^sweep:/a\  x: {key: kick.force_n, values: [200]}' "$minimal" >keys.yaml
 at_terminal "$(printf '%q ' "$rubsweep" keys.yaml --output keys)"
 trace_as_said 'subharmonic 1/2'
+# A map that is there is shown once, from the top of the screen.
+at_terminal "$(printf '%q ' "$rubsweep" --watch 'a map')"
+expect_contains stdout $'\x1b[H\x1b[J'
+tr -d '\r' <stdout >screen
+expect_contains screen '  2 subharmonic 1/2'
+expect_contains screen 'a map: the map is there'
 export COLORTERM=truecolor
 at_terminal "$(printf '%q ' "$rubsweep" "$minimal" --output 'a map')"
 expect_contains stdout $'\x1b[48;2;204;102;119m'

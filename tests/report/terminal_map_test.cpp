@@ -40,6 +40,23 @@ TEST(TerminalMap, HasACharacterForEachCellUnbalanceUpward) {
             "  2 subharmonic 1/2  ? unsettled\n");
 }
 
+TEST(TerminalMap, LeavesUnfinishedCellsBlankAndOutOfTheLegend) {
+  TerminalMap map(grid);
+  for (int i = 0; i < 2; ++i) {
+    map.add(line(MotionClass::chaotic));
+    map.add_unfinished();
+    map.add(line(MotionClass::chaotic));
+  }
+  EXPECT_EQ(map.text(80, false),
+            "           0.6 * *\n"
+            "           0.2 * *\n"
+            "   whirl_ratio 50 Hz 70 Hz\n"
+            "  * chaotic\n");
+  EXPECT_NE(map.text(80, true).find("m*\x1b[0m \x1b["), std::string::npos);
+  ASSERT_TRUE(map.typical_rub());
+  EXPECT_EQ(map.name(*map.typical_rub()), "chaotic");
+}
+
 TEST(TerminalMap, IsInTheUnitsOfThePerson) {
   sweep::Grid written = grid;
   written.measure = sweep::UnbalanceMeasure::eccentricity_m;

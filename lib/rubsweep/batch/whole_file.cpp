@@ -12,6 +12,7 @@
 
 #include "rubsweep/batch/directory.hpp"
 #include "rubsweep/batch/leftovers.hpp"
+#include "rubsweep/batch/written_files.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
@@ -78,6 +79,7 @@ void WholeFile::rename() {
   finish();
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw_io_error("write", path_, errno);
   committed_ = true;
+  note_written_file(path_);
   ::close(descriptor_.release());  // and with it the lock of a temporary that is none any more
 }
 

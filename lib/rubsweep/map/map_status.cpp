@@ -60,14 +60,41 @@ std::string rate_text(std::size_t before, std::size_t now) {
   return fmt::format(", {:.3g} cells/s", rate);
 }
 
-}  // namespace
+/// Name of a journal without its ending -> who holds its lock.
+using Holders = std::map<std::string, std::string>;
 
-std::string map_status(const fs::path& directory) {
-  if (!fs::is_directory(directory)) throw IoError(fmt::format("{}: is not a directory", directory.string()));
-  std::map<std::string, std::string> holders;
+Holders holders_in(const fs::path& directory) {
+  Holders holders;
   for (const std::string& name : names_with(directory, ".lock")) {
     if (const auto holder = batch::lock_holder(directory / (name + ".lock"))) holders[name] = *holder;
   }
+  return holders;
+}
+
+std::size_t cells_in(const Finished& finished, const std::string& name) {
+  const auto there = finished.by_journal.find(name);
+  return there == finished.by_journal.end() ? 0 : there->second;
+}
+
+/// State of the process that writes a journal: the processes of MPI write one each, and the first of them
+/// alone holds a lock.
+std::string work_on(const std::string& name, const Holders& holders, const Finished& before, const Finished& now) {
+  const std::string rate = rate_text(cells_in(before, name), cells_in(now, name));
+  if (const auto holder = holders.find(name); holder != holders.end())
+    return "at work: " + holder->second + rate;
+  const auto first = holders.find("map");
+  if (name.starts_with("map.rank-") && first != holders.end() && first->second.find("mpi") != std::string::npos)
+    return "helps" + rate;
+  return now.by_journal.contains(name) ? "nobody is at work" : "not begun";
+}
+
+}  // namespace
+
+bool is_at_work(const fs::path& directory) { return !holders_in(directory).empty(); }
+
+std::string map_status(const fs::path& directory) {
+  if (!fs::is_directory(directory)) throw IoError(fmt::format("{}: is not a directory", directory.string()));
+  const Holders holders = holders_in(directory);
   Finished finished = read_finished(directory);
   const Finished before = finished;
   if (!holders.empty()) {
@@ -93,13 +120,9 @@ std::string map_status(const fs::path& directory) {
   for (const auto& [name, holder] : holders) shards = std::max(shards, share_count_of(name));
   for (std::size_t i = 1; i <= shards; ++i) names.insert(share_name(Share{i - 1, shards}));
   for (const std::string& name : names) {
-    const auto there = finished.by_journal.find(name);
-    const auto holder = holders.find(name);
-    text += fmt::format("  {:24} {:>8}  {}\n", name,
-                        there == finished.by_journal.end() ? "-" : std::to_string(there->second),
-                        holder != holders.end()              ? "at work: " + holder->second
-                        : there == finished.by_journal.end() ? "not begun"
-                                                             : "nobody is at work");
+    const bool begun = finished.by_journal.contains(name);
+    text += fmt::format("  {:24} {:>8}  {}\n", name, begun ? std::to_string(cells_in(finished, name)) : "-",
+                        work_on(name, holders, before, finished));
   }
   return text;
 }

@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::size_t most_rows = 20, label_width = 14;
 
+/// Cells that are still to be computed.
+constexpr response::motion::MotionKind unfinished{"unfinished", "unfinished", 0, 0, ' ', false, false};
+
 /// A character of the map, and its kind.
 struct Sign {
   char character;
@@ -30,7 +33,7 @@ Sign sign_of(std::string_view name, const response::motion::MotionKind& kind) {
 
 /// A character on the colour of its kind, black or white, whichever can be read on it.
 std::string shown(const Sign& sign, bool coloured) {
-  if (!coloured) return std::string(1, sign.character);
+  if (!coloured || sign.kind == &unfinished) return std::string(1, sign.character);
   const std::uint32_t rgb = sign.kind->colour;
   const auto red = rgb >> 16U & 0xFFU, green = rgb >> 8U & 0xFFU, blue = rgb & 0xFFU;
   const bool light = 299 * red + 587 * green + 114 * blue > 140'000;
@@ -44,6 +47,7 @@ std::vector<std::pair<std::string, Sign>> legend_of(
   std::vector<std::pair<std::string, Sign>> legend;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string& name = names[i];
+    if (kinds[i] == &unfinished) continue;
     const Sign sign = sign_of(name, *kinds[i]);
     const std::string meaning = sign.character == '+' ? "subharmonic of more than 9 turns" : name;
     const bool known = std::ranges::any_of(legend, [&](const auto& entry) { return entry.first == meaning; });
@@ -81,13 +85,16 @@ std::size_t middle_of(std::size_t i, std::size_t parts, std::size_t values) {
 
 }  // namespace
 
-void TerminalMap::add(std::string_view map_line) {
-  const std::string name = motion_name(map_line);
+void TerminalMap::add(std::string_view map_line) { add(motion_name(map_line), kind_in(map_line)); }
+
+void TerminalMap::add_unfinished() { add("unfinished", unfinished); }
+
+void TerminalMap::add(const std::string& name, const response::motion::MotionKind& kind) {
   const auto known = std::ranges::find(names_, name);
   cells_.push_back(static_cast<std::uint16_t>(known - names_.begin()));
   if (known != names_.end()) return;
   names_.push_back(name);
-  kinds_.push_back(&kind_in(map_line));
+  kinds_.push_back(&kind);
 }
 
 std::string TerminalMap::text(std::size_t width, bool coloured) const {

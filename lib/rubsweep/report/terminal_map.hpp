@@ -22,6 +22,9 @@ class TerminalMap {
   /// A line of map.csv; all of them in the order of the file.
   void add(std::string_view map_line);
 
+  /// A cell that is not computed yet: a blank, which the legend leaves out.
+  void add_unfinished();
+
   /// Map as text, at most `width` characters wide and 20 rows high, unbalance upward, with the ends of both
   /// axes and the meaning of each character. `coloured`: with 24-bit colours, those of the figures.
   std::string text(std::size_t width, bool coloured) const;
@@ -34,6 +37,8 @@ class TerminalMap {
   const std::string& name(std::size_t cell) const { return names_[cells_[cell]]; }
 
  private:
+  void add(const std::string& name, const response::motion::MotionKind& kind);
+
   const sweep::Grid& grid_;
   std::vector<std::string> names_;
   std::vector<const response::motion::MotionKind*> kinds_;  ///< of the names

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "rubsweep/config/yaml/said_lines.hpp"
 #include "rubsweep/config/yaml/text.hpp"
 
 namespace rubsweep::config::yaml {
@@ -38,6 +39,10 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-void say(const std::string& text) { std::fputs(printable(text).c_str(), stderr); }
+void say(const std::string& text) {
+  const std::string shown = printable(text);
+  std::fputs(shown.c_str(), stderr);
+  remember_lines(shown);
+}
 
 }  // namespace rubsweep::config::yaml

@@ -1,0 +1,72 @@
+#include "watched_map.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "rubsweep/batch/finished_cells.hpp"
+#include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/map/map_status.hpp"
+#include "rubsweep/report/terminal_map.hpp"
+#include "rubsweep/sweep/grid.hpp"
+#include "shared/program.hpp"
+#include "terminal_map.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Finished cells of all journals in characters; empty where there are none to show.
+std::string cells_under_way(const fs::path& directory, const sweep::Grid& grid) {
+  batch::FinishedCells finished(sweep::cell_count(grid));
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with("map.") && name.ends_with(".journal")) finished.add(entry.path());
+  }
+  if (finished.count() == 0 || sweep::disordered_axis(grid)) return "";
+  report::TerminalMap map(grid);
+  for (std::size_t cell = 0; cell < sweep::cell_count(grid); ++cell) {
+    if (finished.contains(cell)) {
+      map.add(finished.text(cell));
+    } else {
+      map.add_unfinished();
+    }
+  }
+  return map.text(terminal_width(), shows_colours());
+}
+
+/// The map as far as it is. Processes come and go, and with them their files: then nothing is shown this time.
+std::string picture(const fs::path& directory) {
+  try {
+    const sweep::Grid grid = config::read_run_config(directory / "config.yaml", {}).study.grid;
+    if (fs::exists(directory / "map.csv")) return map_in_characters(directory / "map.csv", grid);
+    return cells_under_way(directory, grid);
+  } catch (const IoError&) {
+    return "";
+  } catch (const fs::filesystem_error&) {
+    return "";
+  }
+}
+
+}  // namespace
+
+void watch_map(const fs::path& directory) {
+  // From the upper left corner, and without what was there below the end.
+  constexpr std::string_view from_the_top = "\x1b[H\x1b[J";
+  const bool again = ::isatty(STDOUT_FILENO) != 0;
+  for (bool first = true;; first = false) {
+    const std::string status = map::map_status(directory);  // waits two seconds where somebody is at work
+    const std::string shown = picture(directory);
+    if (again) std::fputs((first ? "\x1b[2J" + std::string(from_the_top) : std::string(from_the_top)).c_str(), stdout);
+    std::fputs(shown.c_str(), stdout);  // with its colours
+    print("{}", status);
+    std::fflush(stdout);
+    if (!again || !map::is_at_work(directory)) return;
+  }
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,74 @@
+"""summary_test.py APPS CONFIGS: --summary json ends a run of every program with one line of JSON that says how it went."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+APPS, CONFIGS = sys.argv[1:3]
+MINIMAL = os.path.join(CONFIGS, "minimal.yaml")
+KEYS = ["program", "version", "exit_code", "seconds", "counts", "warnings", "messages", "files"]
+CELL = ("--speed-hz", "70", "--whirl-ratio", "0.4")
+
+
+class Summary(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def run_program(self, program, *arguments, code=0):
+        """The summary, and all lines of standard output before it."""
+        ran = subprocess.run([os.path.join(APPS, program), *arguments, "--summary", "json"], cwd=self.folder, text=True,
+                             capture_output=True, stdin=subprocess.DEVNULL)
+        self.assertEqual(ran.returncode, code, ran.stderr)
+        *before, last = ran.stdout.splitlines()
+        summary = json.loads(last)
+        self.assertEqual(list(summary), KEYS)
+        self.assertEqual((summary["program"], summary["exit_code"]), (program, code))
+        self.assertGreaterEqual(summary["seconds"], 0)
+        self.assertEqual(sorted(summary["warnings"] + summary["messages"]), sorted(filter(None, ran.stderr.splitlines())))
+        for path in summary["files"]:
+            self.assertTrue(os.path.isabs(path) and os.path.isfile(path), path)
+        return summary, before
+
+    def names(self, summary):
+        return sorted(os.path.basename(path) for path in summary["files"])
+
+    def test_a_map(self):
+        summary, before = self.run_program("rubsweep", MINIMAL, "--output", "map", "--quiet")
+        self.assertEqual(before, [])
+        self.assertEqual(self.names(summary), ["config.yaml", "map.csv"])
+        counts = summary["counts"]
+        self.assertEqual(counts.pop("cells"), 24)
+        self.assertEqual(sum(counts.values()), 24)
+        self.assertEqual(counts["non_contact"], 11)
+        self.assertIn("rubsweep: warning: in 2 of 24 cells", " ".join(self.run_program(
+            "rubsweep", MINIMAL, "--output", "other")[0]["warnings"]))
+
+    def test_one_run_of_each_program(self):
+        trace = self.run_program("rubtrace", MINIMAL, *CELL, "--revolutions", "30", "--output", "t")[0]
+        self.assertIn("trajectory.csv", self.names(trace))
+        line = self.run_program("rubline", MINIMAL, "--along", "speed_hz", "--whirl-ratio", "0.4", "--output", "l")[0]
+        self.assertEqual(self.names(line), ["bifurcation.csv", "cascade.csv", "config.yaml", "line.csv"])
+        self.run_program("rubsweep", MINIMAL, "--output", "a", "--quiet")
+        maps = os.path.join("a", "map.csv")
+        self.assertEqual(self.run_program("rubsweep-compare", maps, maps)[0]["files"], [])
+
+    def test_what_is_refused_has_one(self):
+        summary, _ = self.run_program("rubsweep", MINIMAL, "--set", "rotor.mass_kg=-1", code=2)
+        self.assertEqual((summary["files"], summary["counts"]), ([], {}))
+        self.assertIn("rotor.mass_kg", summary["messages"][0])
+        self.run_program("rubsweep", "nowhere.yaml", code=3)
+        self.run_program("rubsweep", "--verify", self.folder, code=7)
+
+    def test_another_form_is_no_option(self):
+        ran = subprocess.run([os.path.join(APPS, "rubsweep"), MINIMAL, "--summary", "xml"], text=True, capture_output=True)
+        self.assertEqual((ran.returncode, ran.stdout), (1, ""))
+        self.assertIn("--summary: 'xml' is not allowed, allowed: json", ran.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
