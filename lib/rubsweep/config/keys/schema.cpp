@@ -13,7 +13,7 @@
 namespace rubsweep::config::keys {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string json_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
@@ -24,7 +24,7 @@ std::string quoted(std::string_view text) {
 
 std::string listed(const std::vector<std::string>& texts) {
   std::string result;
-  for (const std::string& text : texts) result.append(result.empty() ? "" : ",").append(quoted(text));
+  for (const std::string& text : texts) result.append(result.empty() ? "" : ",").append(json_string(text));
   return "[" + result + "]";
 }
 
@@ -80,7 +80,7 @@ class Writer {
 
   std::string definitions() const {
     std::vector<std::string> parts;
-    for (const auto& [name, text] : definitions_) parts.push_back(quoted(name) + ":" + text);
+    for (const auto& [name, text] : definitions_) parts.push_back(json_string(name) + ":" + text);
     return joined(parts, ",\n");
   }
 
@@ -130,7 +130,7 @@ class Writer {
     std::vector<std::string> properties{"\"base\":" + std::string(base)}, required, rules;
     for (const Key& key : form.keys) {
       if (key.name == "base") continue;
-      properties.push_back(quoted(key.name) + ":" + property(key, path, part));
+      properties.push_back(json_string(key.name) + ":" + property(key, path, part));
       const bool unconditional = key.when.words.empty() && !is_chosen(form, key.name);
       if (key.required && unconditional && !part) required.push_back(key.name);
       if (!key.when.words.empty()) rules.push_back(condition(key, part));
@@ -150,7 +150,7 @@ class Writer {
     std::string inner = value(key.form, path.empty() ? key.name : path + "." + key.name, part);
     if (part) inner = "{\"anyOf\":[" + inner + ",{\"type\":\"null\"}]}";
     // Beside a reference draft 7 knows nothing.
-    return fmt::format("{{\"description\":{},\"allOf\":[{}]}}", quoted(said), inner);
+    return fmt::format("{{\"description\":{},\"allOf\":[{}]}}", json_string(said), inner);
   }
 
   static std::string condition(const Key& key, bool part) {
@@ -158,9 +158,9 @@ class Writer {
     const bool needs_selector = !when.without_selector && !part;
     return fmt::format(
         R"({{"if":{{{}"properties":{{{}:{{"enum":{}}}}}}},"then":{},"else":{{"properties":{{{}:{}}}}}}})",
-        needs_selector ? "\"required\":" + listed({when.selector}) + "," : "", quoted(when.selector),
+        needs_selector ? "\"required\":" + listed({when.selector}) + "," : "", json_string(when.selector),
         listed(when.words), key.required && !part ? "{\"required\":" + listed({key.name}) + "}" : "true",
-        quoted(key.name), nothing(part));
+        json_string(key.name), nothing(part));
   }
 
   /// A key that must not be there; over a base it may take that back.
@@ -179,7 +179,7 @@ class Writer {
       std::vector<std::string> others;
       for (const std::string& name : all) {
         if (std::ranges::count(way.required, name) + std::ranges::count(way.optional, name) == 0)
-          others.push_back(quoted(name) + ":" + nothing(part));
+          others.push_back(json_string(name) + ":" + nothing(part));
       }
       const bool demands = !part && !way.required.empty();
       forms.push_back(fmt::format("{{{}\"properties\":{{{}}}}}",
@@ -201,7 +201,7 @@ std::string schema_of(const Form& root, std::string_view title) {
   return fmt::format(
       "{{\"$schema\":\"http://json-schema.org/draft-07/"
       "schema#\",\n\"title\":{},\n\"allOf\":[{}],\n\"definitions\":{{\n{}\n}}}}\n",
-      quoted(title), whole, writer.definitions());
+      json_string(title), whole, writer.definitions());
 }
 
 }  // namespace rubsweep::config::keys
