@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,7 +23,9 @@
 #include "shared/kept_files.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/run_summary.hpp"
 #include "shared/verdict.hpp"
+#include "shared/working_time.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -45,16 +50,33 @@ bool chart(const RingstabArguments& arguments, const ring::Study& study, const b
   const batch::ProgressMode mode = arguments.quiet ? batch::ProgressMode::never : arguments.progress;
   batch::Progress progress(study.chart->values.size(), mode);
   const std::atomic<bool>& stop = catch_interrupts();
+  std::mutex mutex;  // guards progress and finished lines
+  const std::string interrupted =
+      fmt::format("ringstab: interrupted; finished lines are in {}\n", partial.string());
+  std::optional<Watch> watch(
+      std::in_place,
+      [&] {
+        const std::lock_guard lock(mutex);
+        progress.refresh();
+      },
+      [&] {
+        const std::lock_guard lock(mutex);
+        progress.finish();
+        say(interrupted);
+        std::_Exit(128 + caught_signal());
+      });
   lines = ring::run_chart(
       study.system, *study.chart, ring::speeds_rad_per_s(study), arguments.threads,
       [&](const ring::ChartLine& line) {
+        const std::lock_guard lock(mutex);
         finished.append(ring::chart_rows(study, line));
         progress.advance();
       },
       stop);
+  watch.reset();
   progress.finish();
   if (caught_signal() != 0) {
-    say(fmt::format("ringstab: interrupted; finished lines are in {}\n", partial.string()));
+    say(interrupted);
     return false;
   }
   files["chart.csv"] = comments + ring::chart_csv(study, lines);
@@ -73,6 +95,8 @@ int run(const RingstabArguments& arguments, const config::ring::RingConfig& conf
   const batch::ResultSource source{"ringstab", config::ring::ring_study_digest(study),
                                    batch::caption_lines(config.captions)};
   const std::string comments = ring::ring_comments();
+  count_in_summary("speeds", study.speeds_rpm.size());
+  std::optional<WorkingTime> working(std::in_place, "ringstab", "computes eigenvalues", !arguments.quiet);
   const ring::Analysis analysis = ring::analyse(study.system, ring::speeds_rad_per_s(study));
   batch::ResultFiles files{
       {"config.yaml", config::ring::print_ring_config(config)},
@@ -85,6 +109,7 @@ int run(const RingstabArguments& arguments, const config::ring::RingConfig& conf
     files["static_load.csv"] = comments + ring::static_load_csv(study, loads);
     summary += ring::validity_summary(study, loads);
   }
+  working.reset();
   Lines lines;
   if (study.chart && !chart(arguments, study, source, directory, files, lines)) return 128 + caught_signal();
   batch::write_result_files(files, file_names, directory, source);
@@ -92,6 +117,7 @@ int run(const RingstabArguments& arguments, const config::ring::RingConfig& conf
   if (!arguments.quiet) {
     print("{}{}{}", summary, ring::chart_summary(lines), batch::files_line(files, directory));
   }
+  count_in_summary("chart_lines", lines.size());
   const bool all_ok =
       std::all_of(lines.begin(), lines.end(), [](const auto& line) { return line->status == "ok"; });
   return all_ok ? done : some_cells_failed;

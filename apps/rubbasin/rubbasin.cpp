@@ -23,6 +23,7 @@
 #include "shared/missing_cells.hpp"
 #include "shared/place_arguments.hpp"
 #include "shared/program.hpp"
+#include "shared/run_summary.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -79,6 +80,7 @@ int write_slice(const RubbasinArguments& arguments, const Plane& plane, const co
       map, {{plane[0].column, plane[1].column}, {axes.at(0).values, axes.at(1).values}}, config.study.grid);
   const batch::ResultFiles files{{"slice.csv", report::map_comments() + report::slice_csv(slice)},
                                  {"attractors.csv", report::map_comments() + report::attractors_csv(slice)}};
+  count_in_summary("starts", sweep::cell_count(config.study.grid));
   const fs::path directory = map.parent_path();
   batch::write_result_files(
       files, map::slice_files, directory,

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,8 @@
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/run_summary.hpp"
+#include "shared/working_time.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -150,8 +153,10 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
   say(arguments, sentence);
   const auto variants = bench::variants_of(scene, study.solver, arguments.work.turns, arguments.steppers,
                                            arguments.relative_tolerances);
-  for (bench::Measurement& measurement :
-       bench::measure(scene, study.solver, variants, reference.section, arguments.work)) {
+  std::optional<WorkingTime> working(std::in_place, "rubbench", "times " + name, !arguments.quiet);
+  auto measurements = bench::measure(scene, study.solver, variants, reference.section, arguments.work);
+  working.reset();
+  for (bench::Measurement& measurement : measurements) {
     // Without long double they are the reference: their error is the distance of the others.
     if (!reference.long_double && !measurement.variant.stepper && measurement.state_error)
       measurement.state_error = bench::uncertainty(reference);
@@ -179,7 +184,9 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   for (const CellArgument& cell : arguments.cells)
     scene_of(study, place_at(study.grid, cell.speed_hz, cell.unbalance));
   const auto to_label = places_to_label(study.grid, arguments);
+  std::optional<WorkingTime> working(std::in_place, "rubbench", "labels cells", !arguments.quiet);
   const auto labelled = bench::reference_labels(study.machine, to_label, study.solver, study.response);
+  working.reset();
   const auto places = places_to_time(arguments, study.grid, to_label, labelled);
   if (!to_label.empty())
     say(arguments, fmt::format("labels: {} of {} cells can be kicked\n", labelled.size(), to_label.size()));
@@ -187,8 +194,11 @@ int run(const RubbenchArguments& arguments, const config::RunConfig& config) {
   std::string comments = bench::work_precision_comments(arguments.work);
   std::vector<bench::WorkPrecisionLine> lines;
   for (const scene::Place& place : places) comments += "# " + measure_cell(arguments, study, place, lines);
+  working.emplace("rubbench", "labels cells by every method", !arguments.quiet);
   Labels labels(study, labelled, arguments.label_seconds);
   for (bench::WorkPrecisionLine& line : lines) labels.fill(lines, line);
+  working.reset();
+  count_in_summary("measurements", lines.size());
 
   const InterruptsWait whole_set;
   batch::write_result_files({{file_names[0], config::print_config(config)},

@@ -32,6 +32,8 @@
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/run_summary.hpp"
+#include "shared/working_time.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -114,9 +116,11 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const scene::Cell cell = scene::build_cell(prepared, arguments.cell.speed_hz,
                                              sweep::unbalance_of(study.grid, arguments.cell.unbalance));
   if (!scene::can_run(cell.start)) return nothing_to_follow("the cell has no motion that could be run");
+  std::optional<WorkingTime> working(std::in_place, "rubbranch", "waits until the motion has settled", !arguments.quiet);
   response::motion::Workspace workspace;
   const branch::orbits::SettledStart settled =
       branch::orbits::settle_on_orbit(cell, study.solver, study.response, workspace);
+  working.reset();
   if (!settled.order) {
     return nothing_to_follow(fmt::format("the cell settles on no periodic orbit in contact, its motion is {}",
                                          to_string(settled.motion_class)));
@@ -128,6 +132,7 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const branch::orbits::OrbitProblem problem = problem_of(family, closing, *settled.order, study, workspace);
   const auto start = branch::continuation::orbit_from(problem, settled.state, family.start);
   if (!start) return nothing_to_follow("Newton's iteration does not find the orbit that the cell settles on");
+  working.emplace("rubbranch", "follows the orbit", !arguments.quiet);
   branch::continuation::FollowOptions options;
   options.most_points = arguments.most_points;
   std::vector<branch::continuation::Branch> branches{
@@ -139,6 +144,9 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
     curves = curves_of(branches, *plane, {family.low, family.high}, study, arguments.most_points, workspace);
 
   const batch::ResultFiles files = files_of(arguments, config, branches, curves);
+  working.reset();
+  count_in_summary("branches", branches.size());
+  count_in_summary("curves", curves.size());
   const InterruptsWait whole_set;
   batch::write_result_files(
       files, file_names, directory,

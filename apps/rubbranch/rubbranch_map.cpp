@@ -25,6 +25,7 @@
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
+#include "shared/run_summary.hpp"
 #include "shared/report_file.hpp"
 #include "shared/writable.hpp"
 
@@ -125,6 +126,7 @@ int run_on_map(const RubbranchArguments& arguments) {
        {"contradictions.csv", branch::families::contradictions_csv(study.grid, labels, checks)}},
       map::family_files, output, {"rubbranch", map.digest, batch::caption_lines(config.captions)});
   journal.remove();
+  count_in_summary("families", families.list.size());
   if (!arguments.quiet) {
     print("{}{}files     {}: boundaries.csv contradictions.csv edges.csv families.csv\n",
           branch::families::families_summary(study.grid, families, proven.size(), edges),

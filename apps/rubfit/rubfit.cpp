@@ -5,7 +5,10 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +25,7 @@
 #include "shared/kept_files.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/run_summary.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -35,7 +39,7 @@ class Steps {
  public:
   explicit Steps(bool shown) : shown_(shown && isatty(STDERR_FILENO) != 0) {}
   ~Steps() {
-    if (shown_ && any_) say("\n");
+    if (shown_ && any_) put("\n");
   }
   Steps(const Steps&) = delete;
   Steps& operator=(const Steps&) = delete;
@@ -47,12 +51,17 @@ class Steps {
     const double done = start + std::min(1.0, step / usual_steps);
     const std::string left =
         done > 0 ? batch::hours_minutes_seconds(elapsed_s * std::max(0.0, starts - done) / done) : "?";
-    say(fmt::format("\rstart {} of {}, step {}, sum of squares {:.6g}, about {} left ", start + 1, starts,
+    put(fmt::format("\rstart {} of {}, step {}, sum of squares {:.6g}, about {} left ", start + 1, starts,
                     step, 2 * cost, left));
     any_ = true;
   }
 
  private:
+  static void put(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+    std::fflush(stderr);
+  }
+
   bool shown_, any_ = false;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
@@ -64,6 +73,14 @@ int run(const RubfitArguments& arguments) {
   const std::filesystem::path directory = results_directory(arguments, config.output_directory, "_fit");
   const ResultDirectory made(directory, file_names);
   const std::atomic<bool>& stop = catch_interrupts();
+  // A step of some data takes longer than anybody wants to wait: nothing is kept then.
+  std::optional<Watch> watch(
+      std::in_place, [] {},
+      [] {
+        say("\nrubfit: interrupted in the middle of a step; nothing was written\n");
+        remove_empty_result_directories();
+        std::_Exit(128 + caught_signal());
+      });
   fit::LeastSquaresOptions options{
       .robust_beyond = arguments.robust_beyond, .starts = arguments.starts, .stop = &stop};
   fit::MachineFitResult result;
@@ -74,6 +91,7 @@ int run(const RubfitArguments& arguments) {
     };
     result = fit::fit_machine(problem, options);
   }
+  if (result.fit.stopped) watch.reset();
   fit::FitTables tables = fit::tables_of(problem, result);
   if (!arguments.without.empty() && !result.fit.stopped) {
     options.on_iteration = {};
@@ -83,6 +101,8 @@ int run(const RubfitArguments& arguments) {
       tables.summary +=
           fit::comparison_text(result, less, fmt::format("{}", fmt::join(arguments.without, ", ")));
   }
+  watch.reset();
+  count_in_summary("parameters", result.fit.value.size());
   const batch::ResultFiles files{{"config.yaml", fitted_config(problem, config, result.fit.value)},
                                  {"parameters.csv", std::move(tables.parameters_csv)},
                                  {"correlation.csv", std::move(tables.correlation_csv)},

@@ -33,6 +33,7 @@
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/run_summary.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -171,6 +172,7 @@ class LineRun {
     watch.reset();
     progress_.finish();
     write();
+    count_in_summary("cells", points_.size());
     if (points_.size() < cells_.size() * arguments_.passes.size()) return interrupted();
     if (!arguments_.quiet)
       print("{}{}", line::line_summary(points_, cells_), batch::files_line(files_, directory_));

@@ -25,6 +25,8 @@
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/run_summary.hpp"
+#include "shared/working_time.hpp"
 #include "simulated_motion.hpp"
 
 namespace rubsweep::apps {
@@ -65,6 +67,8 @@ int look(const RubscopeArguments& arguments) {
   const std::string text = batch::read_input(file);
   const recording::Recording recording =
       recording::make_recording(recording::read_recording_file(file, text), instrument, file.string());
+  std::optional<WorkingTime> working(std::in_place, "rubscope", "looks at the recording", !arguments.quiet);
+  count_in_summary("turns", static_cast<std::size_t>(recording.turns()));
   const bool changing = recording.turns() >= scope::history_turns && scope::speed_changes(recording);
   if (changing && compared)
     throw ConfigError(file.string() +
@@ -85,6 +89,7 @@ int look(const RubscopeArguments& arguments) {
     files["lines.csv"] = std::move(tables.lines_csv);
   }
   if (compared) add_comparison(*config, compared->cell, recording, verdict, files, tables.summary);
+  working.reset();
   batch::write_result_files(files, file_names, arguments.directory,
                             {"rubscope", config::digest_of(description + text), {}});
   if (!arguments.quiet) print("{}{}", tables.summary, batch::files_line(files, arguments.directory));

@@ -22,6 +22,8 @@
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/program.hpp"
+#include "shared/run_summary.hpp"
+#include "shared/working_time.hpp"
 #include "shared/writable.hpp"
 
 namespace rubsweep::apps {
@@ -122,7 +124,11 @@ int compare(const po::variables_map& given) {
   std::optional<fs::path> sensitive;
   if (given.count("sensitive")) sensitive = given["sensitive"].as<std::string>();
   for (const std::string& map : maps) map::require_whole_table("rubsweep-compare", map);
+  std::optional<WorkingTime> working(std::in_place, "rubsweep-compare", "reads the maps", !given.count("quiet"));
   const auto comparison = report::compare_maps(maps[0], maps[1], tolerance, sensitive);
+  working.reset();
+  count_in_summary("cells", comparison.cells.size());
+  count_in_summary("equal", comparison.count(report::CellVerdict::equal));
   if (!given.count("quiet")) print("{}", report::describe_comparison(comparison, tolerance));
   if (cells) write_compared_cells(*cells, comparison, maps[0], maps[1], tolerance);
   if (figure)

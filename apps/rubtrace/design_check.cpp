@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,7 @@
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/working_time.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -75,7 +77,9 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   if (!arguments.quiet) warn_of(questions.operating, study, prepared);
   const ResultDirectory made(directory, file_names);
+  std::optional<WorkingTime> working(std::in_place, "rubtrace", "checks the design", !arguments.quiet);
   const design::DesignCheck check = design::check_design(study, prepared, questions);
+  working.reset();
   design::DesignTables tables = design::tables_of(check);
   batch::ResultFiles files{{"config.yaml", config::print_config(config)},
                            {"design_check.csv", std::move(tables.design_check_csv)},

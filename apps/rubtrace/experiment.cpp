@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -27,6 +28,7 @@
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/working_time.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -150,7 +152,9 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
                    const std::filesystem::path& directory) {
   const ResultDirectory made(directory, file_names);
   end_on_interrupts("nothing was written");
+  std::optional<WorkingTime> working(std::in_place, "rubtrace", "runs the experiment", !arguments.quiet);
   auto [files, summary, run] = perform(arguments, config.study);
+  working.reset();
   files.emplace("config.yaml", config::print_config(config));
   std::erase_if(files, [](const auto& file) { return file.second.empty(); });
   {

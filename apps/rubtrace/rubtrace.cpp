@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -37,6 +38,8 @@
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/run_summary.hpp"
+#include "shared/working_time.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -146,6 +149,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const ResultDirectory made(directory, file_names);
   end_on_interrupts("nothing was written");
 
+  std::optional<WorkingTime> working(std::in_place, "rubtrace", "runs the cell", !arguments.quiet);
   response::motion::Workspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, prepared, 0, workspace);
   batch::ResultFiles files{
@@ -172,6 +176,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
     if (options.probes)
       summary += look_by_probes(trace, *options.probes, place.speed_hz, study, workspace, files);
   }
+  working.reset();
   {
     const InterruptsWait whole_set;
     batch::write_result_files(
@@ -179,6 +184,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
         {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
     end_on_interrupts("the files are written, no figure is");
   }
+  count_in_summary("revolutions", static_cast<std::size_t>(trace.revolutions));
   if (!arguments.quiet) print("{}{}", summary, batch::files_line(files, directory));
   if (arguments.figure && trace.revolutions > 0) {
     arguments.figure->draw("trace", directory, "One cell under the lens");

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "shared/open_line.hpp"
 #include "shared/result_directory.hpp"
 
 namespace rubsweep::apps {
@@ -37,6 +38,7 @@ void write_out(std::string_view text) { (void)!::write(STDERR_FILENO, text.data(
 
 void end_now(int number) {
   const std::string_view words = words_at_the_end.load();
+  if (line_is_open()) write_out("\n");
   write_out(program_invocation_short_name);
   write_out(words.empty() ? ": interrupted" : ": interrupted; ");
   write_out(words);
