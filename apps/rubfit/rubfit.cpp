@@ -6,9 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -73,14 +71,6 @@ int run(const RubfitArguments& arguments) {
   const std::filesystem::path directory = results_directory(arguments, config.output_directory, "_fit");
   const ResultDirectory made(directory, file_names);
   const std::atomic<bool>& stop = catch_interrupts();
-  // A step of some data takes longer than anybody wants to wait: nothing is kept then.
-  std::optional<Watch> watch(
-      std::in_place, [] {},
-      [] {
-        say("\nrubfit: interrupted in the middle of a step; nothing was written\n");
-        remove_empty_result_directories();
-        std::_Exit(128 + caught_signal());
-      });
   fit::LeastSquaresOptions options{
       .robust_beyond = arguments.robust_beyond, .starts = arguments.starts, .stop = &stop};
   fit::MachineFitResult result;
@@ -91,7 +81,6 @@ int run(const RubfitArguments& arguments) {
     };
     result = fit::fit_machine(problem, options);
   }
-  if (result.fit.stopped) watch.reset();
   fit::FitTables tables = fit::tables_of(problem, result);
   if (!arguments.without.empty() && !result.fit.stopped) {
     options.on_iteration = {};
@@ -101,7 +90,6 @@ int run(const RubfitArguments& arguments) {
       tables.summary +=
           fit::comparison_text(result, less, fmt::format("{}", fmt::join(arguments.without, ", ")));
   }
-  watch.reset();
   count_in_summary("parameters", result.fit.value.size());
   const batch::ResultFiles files{{"config.yaml", fitted_config(problem, config, result.fit.value)},
                                  {"parameters.csv", std::move(tables.parameters_csv)},
