@@ -90,7 +90,7 @@ int run(const RubfitArguments& arguments) {
       tables.summary +=
           fit::comparison_text(result, less, fmt::format("{}", fmt::join(arguments.without, ", ")));
   }
-  count_in_summary("parameters", result.fit.value.size());
+  count_in_summary("parameters", static_cast<std::size_t>(result.fit.value.size()));
   const batch::ResultFiles files{{"config.yaml", fitted_config(problem, config, result.fit.value)},
                                  {"parameters.csv", std::move(tables.parameters_csv)},
                                  {"correlation.csv", std::move(tables.correlation_csv)},
