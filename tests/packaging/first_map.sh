@@ -32,7 +32,7 @@ for format in $formats; do
   holds "map.$format"
   holds "orbit.$format"
 done
-for program in rubsweep-compare rubbench rubline rubbasin rubbranch rubfit rubreport rubscope ringstab; do
+for program in rubsweep-compare rubbench rubline rubbasin rubbranch rubdata rubfit rubreport rubscope ringstab; do
   "$program" --help >help.txt
   holds help.txt
 done

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <atomic>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "rubdata_arguments.hpp"
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/config/dataset/read_data_study.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
+#include "rubsweep/dataset/data_set.hpp"
+#include "shared/exit_code.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/program.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+dataset::DataStudy read_study(const RubdataArguments& arguments) {
+  dataset::DataStudy study = config::dataset::read_data_study_text(
+      config::yaml::read_config_bytes(arguments.study), arguments.study.string());
+  if (arguments.output) study.directory = *arguments.output;
+  return study;
+}
+
+/// Makes what is missing; false when a signal came first.
+bool make_missing(const RubdataArguments& arguments, const dataset::DataStudy& study, dataset::DataSet& set) {
+  const std::size_t missing = set.missing().size();
+  if (missing == 0) return true;
+  const auto all = static_cast<std::size_t>(study.recordings);
+  const std::atomic<bool>& stop = catch_interrupts();
+  std::mutex one_at_a_time;
+  batch::Progress progress(all, arguments.quiet ? batch::ProgressMode::never : arguments.progress, stderr,
+                           all - missing);
+  const Watch watch(
+      [&] {
+        const std::lock_guard lock(one_at_a_time);
+        progress.refresh();
+      },
+      // A recording takes a fraction of a second; each is waited for.
+      [] {});
+  set.make(
+      arguments.threads,
+      [&] {
+        const std::lock_guard lock(one_at_a_time);
+        progress.advance();
+      },
+      stop);
+  return set.missing().empty();
+}
+
+int perform(const RubdataArguments& arguments) {
+  if (answered("rubdata", arguments.action, rubdata_help)) return done;
+  const dataset::DataStudy study = read_study(arguments);
+  if (arguments.action == Action::check) {
+    print("{}: ok, {} recordings\n", arguments.study.string(), study.recordings);
+    return done;
+  }
+  batch::require_threads(arguments.threads, 1);
+  dataset::DataSet set(study, fmt::format("rubdata {}", RUBSWEEP_VERSION));
+  if (!make_missing(arguments, study, set)) {
+    say("rubdata: interrupted; finished recordings are kept, the same command goes on\n");
+    return 128 + caught_signal();
+  }
+  set.finish();
+  if (!arguments.quiet) print("{} recordings: {}\n", study.recordings, study.directory.string());
+  return done;
+}
+
+}  // namespace
+}  // namespace rubsweep::apps
+
+int main(int argc, char** argv) {
+  using namespace rubsweep::apps;
+  return run_program("rubdata", [&] { return perform(parse_rubdata_arguments(argc, argv)); });
+}

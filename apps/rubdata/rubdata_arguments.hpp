@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "rubsweep/batch/progress.hpp"
+#include "shared/action.hpp"
+
+namespace rubsweep::apps {
+
+struct RubdataArguments {
+  Action action = Action::run;
+  bool quiet = false;
+  std::filesystem::path study = {};
+  std::optional<std::filesystem::path> output = {};
+  int threads = 0;
+  batch::ProgressMode progress = batch::ProgressMode::automatic;
+};
+
+/// Throws UsageError (program.hpp).
+RubdataArguments parse_rubdata_arguments(int argc, const char* const* argv);
+
+/// Text of --help.
+std::string rubdata_help();
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/batch/file_lock.hpp"
+#include "rubsweep/batch/journal.hpp"
+#include "rubsweep/dataset/data_study.hpp"
+
+namespace rubsweep::dataset {
+
+/// A set of recordings on the disk. Each recording is a file of its own, and a line of recordings.journal
+/// says that it is whole, so that an interrupted run goes on where it ended. One process at a time.
+class DataSet {
+ public:
+  /// Makes the directories. `program`: name and version of who writes. Throws ConfigError where the directory
+  /// holds a set of another study or version, LockedError where another process is at work there, IoError.
+  DataSet(const DataStudy& study, std::string program);
+
+  /// Recordings that are not there yet, ascending.
+  std::vector<std::size_t> missing() const;
+
+  /// Makes missing recordings on so many threads (0: all processors); `on_finished` after each, one at a
+  /// time. Once `stop` is true no new one begins. Throws IoError, and SolverError where one cannot be made.
+  void make(int threads, const std::function<void()>& on_finished, const std::atomic<bool>& stop);
+
+  /// Writes labels.csv, README.md and instrument.yaml once nothing is missing. Throws IoError.
+  void finish();
+
+ private:
+  std::filesystem::path journal_path() const;
+
+  DataStudy study_;
+  std::string program_;
+  batch::JournalHeader header_;
+  batch::FileLock lock_;
+  batch::Journal journal_;
+};
+
+}  // namespace rubsweep::dataset

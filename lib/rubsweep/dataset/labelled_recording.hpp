@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/dataset/data_study.hpp"
+#include "rubsweep/diagnose/simulated_motion.hpp"
+
+namespace rubsweep::dataset {
+
+/// One recording and all that is known of it.
+struct LabelledRecording {
+  std::size_t index = 0, machine = 0, candidate = 0;
+  std::string_view part{};  ///< training, validation or test, the same for all recordings of a machine
+  int draws = 1;            ///< until a drawn machine could be simulated; nearly always 1
+  diagnose::Point values{};
+  double speed_hz = 0, clearance_m = 0, stop_angle_deg = 0;
+  double noise_m = 0;                                      ///< standard deviation of every reading
+  std::vector<double> gain{};                              ///< of each probe
+  diagnose::SimulatedMotion motion{};                      ///< label; its samples are used up
+  std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: of two probes
+};
+
+/// Voltage of the keyphasor beside its mark and at it.
+inline constexpr double no_mark_v = -2, mark_v = -12;
+
+/// Makes the recording of that index. Of its machine are its stops, frequency, damping, clearance and
+/// contact, where its stop stands and where its mark is, and the gains of its probes; its own are speed,
+/// unbalance, the kick that started it, and its noise. Depends on its arguments alone. Throws SolverError
+/// where many draws in a row cannot be simulated.
+LabelledRecording make_recording(const DataStudy& study, std::size_t index,
+                                 response::motion::Workspace& workspace);
+
+}  // namespace rubsweep::dataset

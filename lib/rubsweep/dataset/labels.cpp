@@ -1,0 +1,127 @@
+#include "rubsweep/dataset/labels.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "rubsweep/batch/csv_table.hpp"
+
+namespace rubsweep::dataset {
+namespace {
+
+using diagnose::Cause;
+using diagnose::Unknown;
+
+struct Column {
+  LabelColumn column;
+  std::string (*text)(const DataStudy&, const LabelledRecording&);
+};
+
+std::string number(double value) { return batch::csv_number(value); }
+
+bool touches(const DataStudy& study, const LabelledRecording& recording) {
+  return study.candidates[recording.candidate].cause != Cause::no_rub;
+}
+
+/// A number of machines with stops.
+template <Unknown unknown>
+std::string of_stop(const DataStudy& study, const LabelledRecording& recording) {
+  return touches(study, recording) ? number(value_of(recording.values, unknown)) : "";
+}
+
+template <Unknown unknown, Cause cause>
+std::string of_cause(const DataStudy& study, const LabelledRecording& recording) {
+  return study.candidates[recording.candidate].cause == cause ? number(value_of(recording.values, unknown))
+                                                              : "";
+}
+
+using S = const DataStudy&;
+using R = const LabelledRecording&;
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> all{
+      {{"recording", "number of the recording, from 0"}, [](S, R r) { return std::to_string(r.index); }},
+      {{"file", "its file"}, [](S s, R r) { return file_of(s, r); }},
+      {{"split", "part of the set, by machine: no machine is in two of them"},
+       [](S, R r) { return std::string(r.part); }},
+      {{"machine", "number of the machine, from 0"}, [](S, R r) { return std::to_string(r.machine); }},
+      {{"cause", "stops that the machine has"},
+       [](S s, R r) { return std::string(to_string(s.candidates[r.candidate].cause)); }},
+      {{"candidate", "name of the candidate in the study"},
+       [](S s, R r) { return s.candidates[r.candidate].name; }},
+      {{"rubs", "1: a stop is touched in the recording"},
+       [](S, R r) { return std::string(r.motion.rubs ? "1" : "0"); }},
+      {{"class", "class of the settled motion, as in map.csv"},
+       [](S, R r) { return std::string(to_string(r.motion.motion_class)); }},
+      {{"order", "turns of its period, of a motion that touches and repeats"},
+       [](S, R r) { return r.motion.order ? std::to_string(*r.motion.order) : std::string(); }},
+      {{"proof", "evidence for the class, as in map.csv; empty: none"},
+       [](S, R r) { return r.motion.proof ? std::string(to_string(*r.motion.proof)) : std::string(); }},
+      {{"speed_hz", "shaft speed"}, [](S, R r) { return number(r.speed_hz); }},
+      {{"mass_kg", "mass of the rotor"}, [](S s, R) { return number(s.fixed.rotor_mass_kg); }},
+      {{"natural_frequency_hz", "natural frequency of the rotor"},
+       [](S, R r) { return number(value_of(r.values, Unknown::natural_frequency)); }},
+      {{"damping_ratio", "damping ratio of the rotor"},
+       [](S, R r) { return number(value_of(r.values, Unknown::damping_ratio)); }},
+      {{"eccentricity_m", "eccentricity of the unbalance"},
+       [](S, R r) { return number(r.motion.eccentricity_m); }},
+      {{"whirl_ratio", "largest excursion of the quiet whirl over the clearance left"},
+       [](S s, R r) { return touches(s, r) ? number(r.motion.whirl_ratio) : std::string(); }},
+      {{"clearance_m", "clearance of the first stop"},
+       [](S s, R r) { return touches(s, r) ? number(r.clearance_m) : std::string(); }},
+      {{"stiffness_n_per_m", "stiffness of the contact"}, of_stop<Unknown::stiffness>},
+      {{"restitution", "nominal restitution of the contact"}, of_stop<Unknown::restitution>},
+      {{"friction_coefficient", "coefficient of dry friction"}, of_stop<Unknown::friction>},
+      {{"casing_mass_kg", "mass behind each stop"}, of_stop<Unknown::casing_mass>},
+      {{"casing_frequency_hz", "natural frequency of that mass on its mount"},
+       of_stop<Unknown::casing_frequency>},
+      {{"second_clearance_ratio", "clearance of the second stop over that of the first"},
+       of_cause<Unknown::second_clearance_ratio, Cause::two_sides>},
+      {{"offset_ratio", "offset of an annular stop over its clearance"},
+       of_cause<Unknown::offset_ratio, Cause::annular_offset>},
+      {{"stop_angle_deg",
+        "direction of the first stop, of an offset that of the narrowest gap, from +x to +y"},
+       [](S s, R r) {
+         const Cause cause = s.candidates[r.candidate].cause;
+         return touches(s, r) && cause != Cause::annular ? number(r.stop_angle_deg) : std::string();
+       }},
+      {{"contact_fraction", "share of the time in contact"},
+       [](S, R r) { return number(r.motion.contact.contact_fraction); }},
+      {{"peak_force_n", "largest normal force at one stop"},
+       [](S, R r) { return number(r.motion.contact.peak_contact_force_n); }},
+      {{"noise_m", "standard deviation of the white noise of every reading"},
+       [](S, R r) { return number(r.noise_m); }},
+      {{"gain_x", "gain of the probe in x, 1 being right"}, [](S, R r) { return number(r.gain[0]); }},
+      {{"gain_y", "gain of the probe in y"},
+       [](S, R r) { return r.gain.size() > 1 ? number(r.gain[1]) : std::string(); }},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::vector<LabelColumn> label_columns() {
+  std::vector<LabelColumn> result;
+  for (const Column& column : columns()) result.push_back(column.column);
+  return result;
+}
+
+std::string label_header() {
+  std::vector<std::string> names;
+  for (const Column& column : columns()) names.emplace_back(column.column.name);
+  return batch::csv_row(names);
+}
+
+std::string label_line(const DataStudy& study, const LabelledRecording& recording) {
+  std::vector<std::string> cells;
+  for (const Column& column : columns()) cells.push_back(column.text(study, recording));
+  return batch::csv_row(cells);
+}
+
+std::string file_of(const DataStudy& study, const LabelledRecording& recording) {
+  return fmt::format("{}/{:06}.{}", recording.part, recording.index,
+                     study.format == Format::csv ? "csv" : "mat");
+}
+
+}  // namespace rubsweep::dataset

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "rubsweep/dataset/labelled_recording.hpp"
+#include "rubsweep/diagnose/random_stream.hpp"
+
+namespace rubsweep::dataset {
+
+/// Share of a turn that the mark on the shaft passes the keyphasor.
+inline constexpr double mark_share = 0.05;
+
+/// Fills the columns of a recording from its motion: readings at even times from 0 on, with lines of other
+/// origin, gains and noise; the leading edge of the mark passes `mark_turns` after the begin of each turn.
+void read_motion(const Measurement& measurement, double mark_turns, diagnose::RandomStream& random,
+                 LabelledRecording& recording);
+
+}  // namespace rubsweep::dataset

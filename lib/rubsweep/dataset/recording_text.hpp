@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "rubsweep/dataset/labelled_recording.hpp"
+
+namespace rubsweep::dataset {
+
+/// t_s, x_m, y_m (of two probes), keyphasor_v: seven digits.
+std::string recording_csv(const LabelledRecording& recording);
+
+/// Writes the same columns as variables of a MATLAB file, version 5, compressed; its head is the same in
+/// every run. Whole or not at all. Throws IoError.
+void write_recording_matlab(const LabelledRecording& recording, const std::filesystem::path& file);
+
+}  // namespace rubsweep::dataset

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/diagnose/spread.hpp"
+#include "rubsweep/model/range.hpp"
+
+namespace rubsweep::diagnose {
+
+/// Kind of stops that a candidate has.
+enum class Cause {
+  no_rub,         ///< nothing is touched
+  one_side,       ///< one flat stop
+  two_sides,      ///< two flat stops that face each other
+  annular,        ///< a round stop about the rest position
+  annular_offset  ///< a round stop whose centre is somewhere else
+};
+std::string_view to_string(Cause cause);
+
+/// Numbers that a recording alone does not tell. Angles count from the stop, as the machine looks the same
+/// from all directions without it.
+enum class Unknown : std::size_t {
+  natural_frequency,  ///< of the rotor, Hz
+  damping_ratio,
+  whirl_ratio,             ///< quiet whirl / clearance left
+  stiffness,               ///< of the contact, N/m
+  restitution,             ///< nominal
+  friction,                ///< dry coefficient
+  casing_mass,             ///< kg
+  casing_frequency,        ///< of the casing on its mount, Hz
+  kick_ratio,              ///< velocity after the kick / (clearance x natural angular frequency)
+  kick_angle,              ///< degrees from the stop
+  kick_phase,              ///< of the shaft, degrees
+  second_clearance_ratio,  ///< two_sides: clearance of the second stop / that of the first one
+  offset_ratio,            ///< annular_offset: offset / clearance
+  sight                    ///< direction in which one probe looks, degrees from the stop
+};
+inline constexpr std::size_t unknown_count = 14;
+
+/// A number for every unknown: its values, or places in the unit interval where its Spread has them.
+using Point = std::array<double, unknown_count>;
+
+struct UnknownRow {
+  Unknown unknown;
+  std::string_view key;  ///< in a file of candidates
+  model::Range range;    ///< that a machine may have
+  Spread usual;          ///< unless a file says otherwise
+  bool logarithmic;      ///< how an interval of a file is meant
+  bool of_file = true;   ///< may be said in a file; false: the machine or the recording says it
+};
+const std::array<UnknownRow, unknown_count>& unknown_rows();
+
+/// One explanation that is asked about.
+struct Candidate {
+  std::string name;
+  Cause cause = Cause::no_rub;
+  double weight = 1;  ///< share of its prior probability among all candidates, > 0
+  std::array<Spread, unknown_count> spreads{};
+  Spread clearance_m{1e-5, 5e-3, true};
+};
+
+Spread& spread_of(Candidate& candidate, Unknown unknown);
+const Spread& spread_of(const Candidate& candidate, Unknown unknown);
+
+/// A candidate with the usual ranges; numbers that its stops do not have are known (bounds that are equal).
+Candidate usual_candidate(Cause cause);
+
+/// No rub, one flat stop, two of them, an annular stop centred and with offset.
+std::vector<Candidate> usual_candidates();
+
+/// Values at a place in the unit cube.
+Point values_at(const Candidate& candidate, const Point& unit);
+
+inline double value_of(const Point& point, Unknown unknown) {
+  return point[static_cast<std::size_t>(unknown)];
+}
+
+}  // namespace rubsweep::diagnose

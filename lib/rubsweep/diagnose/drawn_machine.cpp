@@ -1,0 +1,54 @@
+#include "rubsweep/diagnose/drawn_machine.hpp"
+
+#include <numbers>
+
+namespace rubsweep::diagnose {
+namespace {
+
+using std::numbers::pi;
+
+model::Stop stop_of(const Point& values, double clearance_m, const FixedNumbers& fixed) {
+  const double mass_kg = value_of(values, Unknown::casing_mass),
+               angular = 2 * pi * value_of(values, Unknown::casing_frequency);
+  model::Stop stop;
+  stop.geometry = model::OneSideGeometry{.angle_deg = 0};
+  stop.clearance_m = clearance_m;
+  stop.stiffness_n_per_m = value_of(values, Unknown::stiffness);
+  stop.damping = model::NominalRestitution{value_of(values, Unknown::restitution)};
+  stop.contact_radius_m = fixed.contact_radius_m;
+  stop.friction = model::ConstantFriction{value_of(values, Unknown::friction)};
+  stop.casing = model::Casing{mass_kg, mass_kg * angular * angular, fixed.casing_damping_ratio};
+  return stop;
+}
+
+}  // namespace
+
+model::Machine drawn_machine(Cause cause, const Point& values, double clearance_m,
+                             const FixedNumbers& fixed) {
+  const double frequency_hz = value_of(values, Unknown::natural_frequency);
+  model::Machine machine;
+  machine.rotor =
+      model::JeffcottRotor{fixed.rotor_mass_kg, frequency_hz, value_of(values, Unknown::damping_ratio)};
+  model::Stop stop = stop_of(values, clearance_m, fixed);
+  if (cause == Cause::annular) stop.geometry = model::AnnularGeometry{};
+  if (cause == Cause::annular_offset)
+    stop.geometry = model::AnnularGeometry{{value_of(values, Unknown::offset_ratio) * clearance_m, 0}};
+  machine.stops.push_back(stop);
+  if (cause == Cause::two_sides) {
+    stop.geometry = model::OneSideGeometry{.angle_deg = 180};
+    stop.clearance_m *= value_of(values, Unknown::second_clearance_ratio);
+    machine.stops.push_back(stop);
+  }
+  if (cause == Cause::no_rub) return machine;
+  const double speed_m_per_s = value_of(values, Unknown::kick_ratio) * clearance_m * 2 * pi * frequency_hz;
+  model::Kick kick;
+  // A half sine of force F has the impulse 2 F duration / pi.
+  kick.force_n = fixed.rotor_mass_kg * speed_m_per_s * pi / (2 * kick_duration_s);
+  kick.duration_s = kick_duration_s;
+  kick.angle_deg = value_of(values, Unknown::kick_angle);
+  kick.phase_deg = value_of(values, Unknown::kick_phase);
+  machine.kick = kick;
+  return machine;
+}
+
+}  // namespace rubsweep::diagnose

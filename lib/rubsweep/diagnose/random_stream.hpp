@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+namespace rubsweep::diagnose {
+
+/// Random numbers that depend on three numbers alone, so that any thread may make any stream: a seed, the
+/// index of what is drawn, and its purpose, which keeps draws of one index apart. SplitMix64 (Steele, Lea,
+/// Flood 2014) from a start that these numbers are mixed into.
+class RandomStream {
+ public:
+  RandomStream(std::uint64_t seed, std::uint64_t index, std::uint64_t purpose);
+
+  std::uint64_t bits();
+  double uniform();  ///< in [0, 1), multiples of 2^-53
+  double normal();   ///< mean 0, standard deviation 1 (Box and Muller 1958)
+
+ private:
+  std::uint64_t state_;
+  double waiting_ = 0;
+  bool has_waiting_ = false;
+};
+
+}  // namespace rubsweep::diagnose

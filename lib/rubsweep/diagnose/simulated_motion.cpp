@@ -1,0 +1,86 @@
+#include "rubsweep/diagnose/simulated_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/response/settle.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
+
+namespace rubsweep::diagnose {
+namespace {
+
+/// Adds the samples of a turn, which are scaled by the length of the scene.
+void add_samples(const scene::Scene& scene, const integrate::run::TurnReport& turn,
+                 std::vector<std::complex<double>>& displacement_m) {
+  const auto& map = scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
+  const auto coordinates = static_cast<std::size_t>(scene.structure.coordinates());
+  for (std::size_t k = 0; k < static_cast<std::size_t>(turn.sample_count); ++k) {
+    const Eigen::Map<const Eigen::VectorXd> q(turn.samples.data() + k * 2 * coordinates,
+                                              scene.structure.coordinates());
+    const Eigen::Vector2d z = scene.length_scale_m * (map * q);
+    displacement_m.emplace_back(z.x(), z.y());
+  }
+}
+
+int turns_after_verdict(const model::JeffcottRotor& rotor, double speed_hz, bool touches) {
+  const int decay = turns_to_decay(rotor.natural_frequency_hz, rotor.damping_ratio, speed_hz);
+  return std::clamp(decay, fewest_turns_after_verdict,
+                    touches ? most_turns_touching : most_turns_after_verdict);
+}
+
+}  // namespace
+
+int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz) {
+  constexpr double left = 1e-3, most = 1e6;
+  const double turns =
+      -std::log(left) * speed_hz / (2 * std::numbers::pi * damping_ratio * natural_frequency_hz);
+  return static_cast<int>(std::ceil(std::min(turns, most)));
+}
+
+std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, double speed_hz,
+                                               const scene::Unbalance& unbalance, int turns,
+                                               const SettlingOptions& options,
+                                               response::motion::Workspace& workspace) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+  scene::Cell cell = scene::build_cell(prepared, speed_hz, unbalance);
+  if (!scene::can_run(cell.start)) return std::nullopt;
+  const integrate::run::SolverOptions solver;
+  response::motion::ResponseOptions response;
+  response.max_revolutions = options.max_revolutions;
+  response.window_revolutions = options.window_revolutions;
+  response.samples_per_revolution = samples_per_revolution;
+  response.exponent = options.exponent;
+  const response::SettledRun settled = response::settle(cell, solver, response, workspace);
+  if (settled.outcome != integrate::run::Outcome::ok) return std::nullopt;
+  SimulatedMotion motion{.motion_class = settled.motion.motion_class,
+                         .order = settled.motion.order,
+                         .proof = settled.proof,
+                         .eccentricity_m = cell.eccentricity_m,
+                         .whirl_ratio = cell.whirl_ratio};
+  // Set back to revolution 0 the run would be kicked again.
+  cell.scene.pulses.clear();
+  const integrate::run::Run run = integrate::start(cell.scene, solver, workspace.modes);
+  run.restart(settled.section);
+  integrate::run::TurnReport turn;
+  const bool touches = response::motion::row_of(settled.motion.motion_class).rubs;
+  const int waiting = turns_after_verdict(std::get<model::JeffcottRotor>(machine.rotor), speed_hz, touches);
+  for (int k = 0; k < waiting; ++k)
+    if (run.advance({}, turn) != integrate::run::Outcome::ok) return std::nullopt;
+  std::vector<response::motion::ContactFacts> facts;
+  integrate::run::TurnRequest request;
+  request.samples_per_revolution = samples_per_revolution;
+  request.peaks = true;
+  for (int k = 0; k < turns; ++k) {
+    if (run.advance(request, turn) != integrate::run::Outcome::ok) return std::nullopt;
+    add_samples(cell.scene, turn, motion.displacement_m);
+    facts.push_back(response::motion::facts_of(turn));
+    motion.rubs = motion.rubs || turn.touched;
+  }
+  motion.contact = response::motion::together(facts);
+  return motion;
+}
+
+}  // namespace rubsweep::diagnose

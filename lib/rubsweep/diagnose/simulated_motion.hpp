@@ -1,0 +1,54 @@
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/model/machine.hpp"
+#include "rubsweep/response/motion/contact_facts.hpp"
+#include "rubsweep/response/motion/motion_class.hpp"
+#include "rubsweep/response/motion/proof.hpp"
+#include "rubsweep/response/motion/workspace.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::diagnose {
+
+inline constexpr int samples_per_revolution = 128;
+
+/// How long a motion is given to settle.
+struct SettlingOptions {
+  int max_revolutions = 160;
+  int window_revolutions = 32;
+  bool exponent = false;  ///< tells chaos from what is not decided, at a price
+};
+
+/// Turns of the shaft in which free vibration of a rotor falls to a thousandth: the verdict on a motion comes
+/// while it is still dying away.
+int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz);
+
+/// Most and fewest turns that pass between the verdict on a motion and its recording: those of turns_to_decay
+/// in between. Motions that touch a stop are not waited for longer than `most_turns_touching`, as contacts
+/// damp them, too.
+inline constexpr int fewest_turns_after_verdict = 40, most_turns_after_verdict = 2000,
+                     most_turns_touching = 150;
+
+/// A settled motion and its label.
+struct SimulatedMotion {
+  /// x + iy in metres, samples_per_revolution of every turn.
+  std::vector<std::complex<double>> displacement_m{};
+  response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
+  std::optional<int> order{};
+  std::optional<response::motion::Proof> proof{};
+  response::motion::ContactFacts contact{};  ///< over the recorded turns
+  double eccentricity_m = 0, whirl_ratio = 0;
+  bool rubs = false;  ///< touched a stop in the recorded turns
+};
+
+/// Runs a machine with a Jeffcott rotor from its start until its motion is known, on until its free vibration
+/// has died away, and then records so many turns. Empty where the run fails, or cannot start.
+std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, double speed_hz,
+                                               const scene::Unbalance& unbalance, int turns,
+                                               const SettlingOptions& options,
+                                               response::motion::Workspace& workspace);
+
+}  // namespace rubsweep::diagnose

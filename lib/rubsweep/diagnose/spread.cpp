@@ -1,0 +1,15 @@
+#include "rubsweep/diagnose/spread.hpp"
+
+#include <cmath>
+
+namespace rubsweep::diagnose {
+
+double value_at(const Spread& spread, double unit) {
+  if (spread.low == spread.high) return spread.low;
+  if (!spread.logarithmic) return spread.low + (spread.high - spread.low) * unit;
+  return spread.low * std::pow(spread.high / spread.low, unit);
+}
+
+bool contains(const Spread& spread, double value) { return value >= spread.low && value <= spread.high; }
+
+}  // namespace rubsweep::diagnose

@@ -1,0 +1,77 @@
+#include "rubsweep/dataset/data_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "dataset/small_study.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::dataset {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class DataSetTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    study_.directory = fs::path(testing::TempDir()) / "data_set_test";
+    fs::remove_all(study_.directory);
+  }
+  void TearDown() override { fs::remove_all(study_.directory); }
+
+  DataStudy study_ = small_study();
+};
+
+TEST_F(DataSetTest, GoesOnWhereItWasStopped) {
+  {
+    DataSet set(study_, "rubdata 0");
+    std::atomic<bool> stop{false};
+    int finished = 0;
+    set.make(
+        1, [&] { stop = ++finished == 2; }, stop);
+    EXPECT_EQ(set.missing().size(), 4u);
+  }
+  DataSet set(study_, "rubdata 0");
+  EXPECT_EQ(set.missing().size(), 4u);
+  set.make(
+      1, [] {}, std::atomic<bool>{false});
+  EXPECT_TRUE(set.missing().empty());
+  set.finish();
+  const std::string labels = text_of(study_.directory / "labels.csv");
+  EXPECT_NE(labels.find("\n0,"), std::string::npos);
+  EXPECT_NE(labels.find("\n5,"), std::string::npos);
+}
+
+TEST_F(DataSetTest, MissesARecordingWhoseFileIsGone) {
+  DataSet set(study_, "rubdata 0");
+  set.make(
+      1, [] {}, std::atomic<bool>{false});
+  for (const auto& entry : fs::recursive_directory_iterator(study_.directory))
+    if (entry.path().filename() == "000003.csv") {
+      fs::remove(entry.path());
+      break;
+    }
+  EXPECT_EQ(set.missing(), std::vector<std::size_t>{3});
+}
+
+TEST_F(DataSetTest, RefusesTheDirectoryOfAnotherStudyOrVersion) {
+  { const DataSet set(study_, "rubdata 0"); }
+  EXPECT_THROW(DataSet(study_, "rubdata 1"), ConfigError);
+  study_.seed = 2;
+  EXPECT_THROW(DataSet(study_, "rubdata 0"), ConfigError);
+}
+
+TEST_F(DataSetTest, IsOfOneProcessAtATime) {
+  const DataSet set(study_, "rubdata 0");
+  EXPECT_THROW(DataSet(study_, "rubdata 0"), LockedError);
+}
+
+}  // namespace
+}  // namespace rubsweep::dataset
