@@ -9,9 +9,9 @@ MARK = "# yaml-language-server: $schema="
 
 
 def schema_of(path):
-    """Name of the schema of a configuration by the name of its file; empty for one that is a part of others."""
+    """Name of the schema of a configuration by its file; empty for a part of others, and for those of rubdata."""
     name = os.path.basename(path)
-    if name == "stop.yaml":
+    if name == "stop.yaml" or os.path.basename(os.path.dirname(path)) == "recordings":
         return ""
     return "ringstab.schema.json" if name.startswith("ring") else "rubsweep.schema.json"
 
@@ -32,8 +32,9 @@ def configurations(configs):
     """Files below a folder that have a schema."""
     for folder, _, names in sorted(os.walk(configs)):
         for name in sorted(names):
-            if name.endswith(".yaml") and schema_of(name):
-                yield os.path.join(folder, name)
+            path = os.path.join(folder, name)
+            if name.endswith(".yaml") and schema_of(path):
+                yield path
 
 
 def main(arguments):

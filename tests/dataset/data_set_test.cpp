@@ -21,7 +21,9 @@ std::string text_of(const fs::path& file) {
 class DataSetTest : public testing::Test {
  protected:
   void SetUp() override {
-    study_.directory = fs::path(testing::TempDir()) / "data_set_test";
+    // Tests run beside each other.
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    study_.directory = fs::path(testing::TempDir()) / ("data_set_test_" + name);
     fs::remove_all(study_.directory);
   }
   void TearDown() override { fs::remove_all(study_.directory); }

@@ -104,13 +104,16 @@ RunUp read_run_up(const std::filesystem::path& file) {
   RunUp data{.ramp = {}, .t_s = {}, .phasor_m = {}, .window_turns = 2};
   std::vector<double> speeds;
   std::vector<std::vector<Complex>> rows;
+  double last_s = -INFINITY;
   for (bool taken = true; table.next();) {
     if (number(table, order) != 1) continue;
+    const double t_s = number(table, time);
+    if (!(t_s > last_s))
+      throw ConfigError(fmt::format("{}:{}: t_s: does not rise, allowed: more than {}", file.string(),
+                                    table.place().line, last_s));
+    last_s = t_s;
     if (taken) {
-      data.t_s.push_back(number(table, time));
-      if (data.t_s.size() > 1 && !(data.t_s.back() > data.t_s[data.t_s.size() - 2]))
-        throw ConfigError(fmt::format("{}:{}: t_s: does not rise, allowed: more than {}", file.string(),
-                                      table.place().line, data.t_s[data.t_s.size() - 2]));
+      data.t_s.push_back(t_s);
       speeds.push_back(number(table, speed));
       rows.emplace_back();
       for (std::size_t i = 0; i < amplitudes.size(); ++i)
