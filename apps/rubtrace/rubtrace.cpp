@@ -132,6 +132,20 @@ trace::TraceOptions options_of(const RubtraceArguments& arguments, const sweep::
           .trajectory_revolutions = arguments.last_revolutions};
 }
 
+/// Files and text of the motion, added to those of the row.
+void add_trace(const trace::Trace& trace, const trace::TraceOptions& options, const sweep::Study& study,
+               const sweep::Row& row, double length_scale_m, response::motion::Workspace& workspace,
+               batch::ResultFiles& files, std::string& summary) {
+  const trace::TraceWindow window = trace::last_window(trace, options, row.order, workspace.spectrum);
+  files["trajectory.csv"] = trace::trajectory_csv(trace);
+  files["section.csv"] = trace::section_csv(trace);
+  files["events.csv"] = trace::events_csv(trace);
+  files["spectrum.csv"] = trace::spectrum_csv(window.spectrum, options.speed_hz);
+  summary += trace::trace_summary(trace, window, length_scale_m);
+  if (options.probes)
+    summary += look_by_probes(trace, *options.probes, options.speed_hz, study, workspace, files);
+}
+
 int run(const RubtraceArguments& arguments, config::RunConfig config) {
   const scene::Place place{arguments.place.speed_hz.value(),
                            unbalance_of(arguments.place, config.study.machine)};
@@ -167,14 +181,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   if (scene::can_run(cell.start)) {
     trace = trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,
                              study.solver, options);
-    const trace::TraceWindow window = trace::last_window(trace, options, row.order, workspace.spectrum);
-    files["trajectory.csv"] = trace::trajectory_csv(trace);
-    files["section.csv"] = trace::section_csv(trace);
-    files["events.csv"] = trace::events_csv(trace);
-    files["spectrum.csv"] = trace::spectrum_csv(window.spectrum, place.speed_hz);
-    summary += trace::trace_summary(trace, window, cell.scene.length_scale_m);
-    if (options.probes)
-      summary += look_by_probes(trace, *options.probes, place.speed_hz, study, workspace, files);
+    add_trace(trace, options, study, row, cell.scene.length_scale_m, workspace, files, summary);
   }
   working.reset();
   {

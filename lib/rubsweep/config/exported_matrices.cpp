@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/batch/result_files.hpp"
-#include "rubsweep/config/machine/shaft_matrices.hpp"
+#include "rubsweep/config/machine/printed_matrices.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/structure/matrix_export.hpp"

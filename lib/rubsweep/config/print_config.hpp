@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rubsweep/config/machine/shaft_matrices.hpp"
+#include "rubsweep/config/machine/printed_matrices.hpp"
 #include "rubsweep/config/run_config.hpp"
 #include "rubsweep/sweep/study.hpp"
 

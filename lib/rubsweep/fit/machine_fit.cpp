@@ -195,36 +195,68 @@ double rough_noise_m(const MachineFit& problem, const MeasuredData& data,
   return std::max(0.01 * std::sqrt((measured.array() - mean).square().mean() + mean * mean * 1e-6), 1e-300);
 }
 
+Eigen::VectorXd start_of(const MachineFit& problem) {
+  Eigen::VectorXd start(static_cast<Eigen::Index>(problem.parameters.size()));
+  for (Eigen::Index i = 0; i < start.size(); ++i)
+    start(i) = problem.parameters[static_cast<std::size_t>(i)].start;
+  return start;
+}
+
+/// Which residuals are of which file.
+std::vector<DataResidual> parts_of(const MachineFit& problem, const std::vector<double>& noise_m,
+                                   const Eigen::VectorXd& values, LastRamps& ramps) {
+  const scene::PreparedMachine machine = problem.machine(values);
+  std::vector<DataResidual> parts;
+  int begin = 0;
+  for (std::size_t i = 0; i < problem.data.size(); ++i) {
+    const MeasuredData& data = problem.data[i];
+    const auto count = static_cast<int>(pair_of(problem, data, machine, values, ramps).measured.size());
+    parts.push_back({data.name, begin, count, eliminated_of(data), noise_m[i]});
+    begin += count;
+  }
+  return parts;
+}
+
+/// Makes the noise of each file what its residuals say; returns the largest change of a logarithm.
+double weigh_anew(const MachineFitResult& result, std::vector<double>& noise_m) {
+  double change = 0;
+  for (std::size_t i = 0; i < noise_m.size(); ++i) {
+    const DataResidual& data = result.data[i];
+    const auto part = result.fit.residuals.segment(data.begin, data.count);
+    const double factor =
+        std::max(std::sqrt(part.squaredNorm() / std::max(data.count - data.eliminated, 1)), 1e-9);
+    noise_m[i] *= factor;
+    change = std::max(change, std::abs(std::log(factor)));
+  }
+  return change;
+}
+
+/// Schwarz' criterion of so many parameters.
+double bic_of(const MachineFitResult& result, std::size_t parameters) {
+  double bic = static_cast<double>(parameters) * std::log(static_cast<double>(result.fit.residuals.size()));
+  for (const DataResidual& data : result.data) {
+    const double square = result.fit.residuals.segment(data.begin, data.count).squaredNorm() / data.count;
+    bic += data.count * std::log(square * data.noise_m * data.noise_m);
+  }
+  return bic;
+}
+
 }  // namespace
 
 MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOptions& options) {
   LeastSquares squares{problem.parameters, {}};
-  Eigen::VectorXd start(static_cast<Eigen::Index>(problem.parameters.size()));
-  for (Eigen::Index i = 0; i < start.size(); ++i)
-    start(i) = problem.parameters[static_cast<std::size_t>(i)].start;
   std::vector<double> noise_m;
-  const scene::PreparedMachine first = problem.machine(start);
   LastRamps ramps;
+  const Eigen::VectorXd start = start_of(problem);
+  const scene::PreparedMachine first = problem.machine(start);
   for (const MeasuredData& data : problem.data)
     noise_m.push_back(rough_noise_m(problem, data, first, start, ramps));
-  MachineFitResult result;
-  const auto fit = [&](const LeastSquaresOptions& how) {
-    squares.residuals = [&problem, &ramps, noise_m](const Eigen::VectorXd& values) {
-      return residuals_of(problem, noise_m, values, ramps);
-    };
-    result.fit = least_squares(squares, how);
-    result.data.clear();
-    int begin = 0;
-    for (std::size_t i = 0; i < problem.data.size(); ++i) {
-      const auto count = static_cast<int>(
-          pair_of(problem, problem.data[i], problem.machine(result.fit.value), result.fit.value, ramps)
-              .measured.size());
-      result.data.push_back({problem.data[i].name, begin, count, eliminated_of(problem.data[i]), noise_m[i]});
-      begin += count;
-    }
+  squares.residuals = [&](const Eigen::VectorXd& values) {
+    return residuals_of(problem, noise_m, values, ramps);
   };
-  fit(options);
-  const int starts = result.fit.starts, agreeing = result.fit.agreeing;
+  MachineFitResult result;
+  result.fit = least_squares(squares, options);
+  result.data = parts_of(problem, noise_m, result.fit.value, ramps);
   LeastSquaresOptions again = options;
   again.starts = 1;
   // The first fit may have followed the noisy data and left much of the others: a few rounds find the noise
@@ -233,30 +265,19 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
   constexpr double settled = 0.05;
   double change = problem.data.size() > 1 ? INFINITY : 0;
   for (int round = 0; round < most_rounds && change > settled && !result.fit.stopped; ++round) {
-    change = 0;
-    for (std::size_t i = 0; i < noise_m.size(); ++i) {
-      const DataResidual& data = result.data[i];
-      const auto part = result.fit.residuals.segment(data.begin, data.count);
-      const double factor =
-          std::max(std::sqrt(part.squaredNorm() / std::max(data.count - data.eliminated, 1)), 1e-9);
-      noise_m[i] *= factor;
-      change = std::max(change, std::abs(std::log(factor)));
-    }
+    change = weigh_anew(result, noise_m);
     for (Eigen::Index i = 0; i < start.size(); ++i)
       squares.parameters[static_cast<std::size_t>(i)].start = result.fit.value(i);
-    fit(again);
+    const int starts = result.fit.starts, agreeing = result.fit.agreeing;
+    result.fit = least_squares(squares, again);
+    result.fit.starts = starts;
+    result.fit.agreeing = agreeing;
+    result.data = parts_of(problem, noise_m, result.fit.value, ramps);
   }
-  result.fit.starts = starts;
-  result.fit.agreeing = agreeing;
   int eliminated = 0;
   for (const DataResidual& data : result.data) eliminated += data.eliminated;
   result.uncertainty = uncertainty_of(result.fit, eliminated);
-  result.bic = static_cast<double>(problem.parameters.size()) *
-               std::log(static_cast<double>(result.fit.residuals.size()));
-  for (const DataResidual& data : result.data) {
-    const double square = result.fit.residuals.segment(data.begin, data.count).squaredNorm() / data.count;
-    result.bic += data.count * std::log(square * data.noise_m * data.noise_m);
-  }
+  result.bic = bic_of(result, problem.parameters.size());
   return result;
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "rubsweep/model/shaft_matrices.hpp"
-#include "rubsweep/structure/matrix_shaft.hpp"
+#include "rubsweep/structure/matrix_problems.hpp"
 
 namespace rubsweep::report {
 namespace {

@@ -127,6 +127,60 @@ std::optional<DoubtfulPeriod> doubtful_period(const FullSpectrum& spectrum, int 
   return std::nullopt;
 }
 
+/// Spectrum of the last whole periods of n turns.
+FullSpectrum spectrum_of_periods(std::span<const Complex> samples, int samples_per_revolution, int n,
+                                 SpectrumWorkspace& workspace) {
+  const auto window = whole_periods(samples, samples_per_revolution, n);
+  return response::spectrum::full_spectrum(window, static_cast<int>(window.size()) / samples_per_revolution,
+                                           workspace);
+}
+
+/// Shortest period beside which no line is visible, if any, and a longer one that cannot be ruled out.
+void find_period(std::span<const Complex> samples, int samples_per_revolution, SpectrumWorkspace& workspace,
+                 Verdict& verdict) {
+  for (int n = 1; n <= verdict.longest_period && !verdict.period; ++n) {
+    const FullSpectrum spectrum = spectrum_of_periods(samples, samples_per_revolution, n, workspace);
+    const Threshold threshold = threshold_of(spectrum);
+    if (largest_beside(spectrum, n) > threshold.visible_m) continue;
+    verdict.period = n;
+    verdict.turns = spectrum.turns;
+    verdict.noise_m = threshold.noise_m;
+    verdict.visible_m = threshold.visible_m;
+    for (int m = 2 * n; m <= verdict.longest_period && !verdict.doubtful; m += n) {
+      const FullSpectrum longer = spectrum_of_periods(samples, samples_per_revolution, m, workspace);
+      verdict.doubtful = doubtful_period(longer, n, m, threshold_of(longer));
+    }
+  }
+}
+
+MeasuredClass aperiodic_class(std::span<const Complex> samples, SpectrumWorkspace& workspace) {
+  const std::size_t half = samples.size() / 2;
+  return response::spectrum::same_discrete_lines(samples.first(half), samples.last(half), workspace)
+             ? MeasuredClass::quasi_periodic
+             : MeasuredClass::aperiodic;
+}
+
+/// Mean orbit of a period and its lines; without a period the last turns, as many lines as a figure can show,
+/// each with the noise of so much fewer turns.
+void take_orbit(std::span<const Complex> samples, int samples_per_revolution, Verdict& verdict) {
+  const auto per_turn = static_cast<std::size_t>(samples_per_revolution);
+  if (verdict.period) {
+    const int n = *verdict.period;
+    verdict.orbit_m = mean_period(whole_periods(samples, samples_per_revolution, n),
+                                  static_cast<std::size_t>(n) * per_turn);
+    verdict.lines = lines_of(verdict.orbit_m, n);
+    return;
+  }
+  const int turns = std::min(verdict.turns, most_aperiodic_turns);
+  const double fewer = std::sqrt(static_cast<double>(verdict.turns) / turns);
+  verdict.turns = turns;
+  verdict.noise_m *= fewer;
+  verdict.visible_m *= fewer;
+  const auto last = samples.last(static_cast<std::size_t>(turns) * per_turn);
+  verdict.orbit_m.assign(last.begin(), last.end());
+  verdict.lines = lines_of(verdict.orbit_m, turns);
+}
+
 /// Share of the energy on the forward side and what noise does to it.
 void measure_whirl(Verdict& verdict) {
   double forward = 0, backward = 0;
@@ -164,56 +218,21 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
   if (turns < fewest_periods + 1) throw SolverError("judge: too few turns");
   SpectrumWorkspace workspace;
   Verdict verdict{.longest_period = longest_period_in(turns)};
-  const FullSpectrum whole = response::spectrum::full_spectrum(displacement_m, turns, workspace);
-  const Threshold first = threshold_of(whole);
+  const Threshold first = threshold_of(response::spectrum::full_spectrum(displacement_m, turns, workspace));
   verdict.turns = turns;
   verdict.noise_m = first.noise_m;
   verdict.visible_m = first.visible_m;
   if (first.largest_m <= first.noise_m * std::sqrt(2 * std::log(2 * most_order * turns / false_alarm))) {
     verdict.period = 1;
-  }
-  const bool rest = verdict.period.has_value();
-  for (int n = 1; n <= verdict.longest_period && !verdict.period; ++n) {
-    const auto window = whole_periods(displacement_m, samples_per_revolution, n);
-    const int length = static_cast<int>(window.size()) / samples_per_revolution;
-    const FullSpectrum spectrum = response::spectrum::full_spectrum(window, length, workspace);
-    const Threshold threshold = threshold_of(spectrum);
-    if (largest_beside(spectrum, n) > threshold.visible_m) continue;
-    verdict.period = n;
-    verdict.turns = length;
-    verdict.noise_m = threshold.noise_m;
-    verdict.visible_m = threshold.visible_m;
-    for (int m = 2 * n; m <= verdict.longest_period && !verdict.doubtful; m += n) {
-      const auto longer = whole_periods(displacement_m, samples_per_revolution, m);
-      const int longer_turns = static_cast<int>(longer.size()) / samples_per_revolution;
-      const FullSpectrum of_longer = response::spectrum::full_spectrum(longer, longer_turns, workspace);
-      verdict.doubtful = doubtful_period(of_longer, n, m, threshold_of(of_longer));
-    }
-  }
-  if (verdict.period) {
-    const int n = *verdict.period;
-    verdict.motion = rest     ? MeasuredClass::at_rest
-                     : n == 1 ? MeasuredClass::synchronous
-                              : MeasuredClass::subharmonic;
-    const auto length = static_cast<std::size_t>(n) * static_cast<std::size_t>(samples_per_revolution);
-    verdict.orbit_m = mean_period(whole_periods(displacement_m, samples_per_revolution, n), length);
-    verdict.lines = lines_of(verdict.orbit_m, n);
+    verdict.motion = MeasuredClass::at_rest;
   } else {
-    const std::size_t half = displacement_m.size() / 2;
-    const bool same = response::spectrum::same_discrete_lines(displacement_m.first(half),
-                                                              displacement_m.last(half), workspace);
-    verdict.motion = same ? MeasuredClass::quasi_periodic : MeasuredClass::aperiodic;
-    // The last turns alone: as many lines as a figure can show, each with that much more noise.
-    verdict.turns = std::min(turns, most_aperiodic_turns);
-    const double fewer = std::sqrt(static_cast<double>(turns) / verdict.turns);
-    verdict.noise_m *= fewer;
-    verdict.visible_m *= fewer;
-    const auto last = displacement_m.last(static_cast<std::size_t>(verdict.turns) *
-                                          static_cast<std::size_t>(samples_per_revolution));
-    verdict.orbit_m.assign(last.begin(), last.end());
-    verdict.lines = lines_of(verdict.orbit_m, verdict.turns);
+    find_period(displacement_m, samples_per_revolution, workspace, verdict);
+    verdict.motion = !verdict.period       ? aperiodic_class(displacement_m, workspace)
+                     : *verdict.period > 1 ? MeasuredClass::subharmonic
+                                           : MeasuredClass::synchronous;
   }
-  if (plane && !rest) {
+  take_orbit(displacement_m, samples_per_revolution, verdict);
+  if (plane && verdict.motion != MeasuredClass::at_rest) {
     verdict.shape = response::spectrum::orbit_kind(
         verdict.orbit_m, response::spectrum::full_spectrum(
                              verdict.orbit_m, verdict.period.value_or(verdict.turns), workspace));

@@ -8,106 +8,15 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/numerics/lu.hpp"
-#include "rubsweep/overloaded.hpp"
 #include "rubsweep/structure/beam_element.hpp"
+#include "rubsweep/structure/beam_mesh.hpp"
 #include "rubsweep/structure/matrix_shaft.hpp"
 
 namespace rubsweep::structure {
 namespace {
 
-constexpr double same_place = 1e-9;  ///< of the shaft's length
-
 std::complex<double> phasor(double amplitude, double phase_deg) {
   return std::polar(amplitude, phase_deg * std::numbers::pi / 180);
-}
-
-/// Places where something stands that is not part of the shaft itself.
-void add_places(const model::RotorKit& kit, std::vector<double>& stations) {
-  for (const auto& disc : kit.discs) stations.push_back(disc.position_m);
-  for (const auto& support : kit.supports) {
-    if (!support.at_housing) stations.push_back(support.position_m);
-  }
-  for (const auto& point : kit.point_masses) stations.push_back(point.position_m);
-  for (const auto& coupling : kit.couplings) stations.push_back(coupling.position_m);
-  for (const auto& load : kit.static_loads) stations.push_back(load.position_m);
-  for (const auto& sensor : kit.sensors) stations.push_back(sensor.position_m);
-  if (kit.bow) {
-    std::visit(overloaded{[](const model::BowMode&) {},
-                          [&](const model::BowPoints& points) {
-                            stations.insert(stations.end(), points.position_m.begin(),
-                                            points.position_m.end());
-                          }},
-               kit.bow->shape);
-  }
-}
-
-std::vector<double> stations_of(const model::RotorKit& kit, std::vector<double> stations) {
-  double end = 0;
-  stations.push_back(end);
-  for (const auto& segment : kit.shaft) stations.push_back(end += segment.length_m);
-  add_places(kit, stations);
-  std::sort(stations.begin(), stations.end());
-  const auto same = [&](double a, double b) { return b - a <= same_place * end; };
-  stations.erase(std::unique(stations.begin(), stations.end(), same), stations.end());
-  return stations;
-}
-
-struct Element {
-  std::size_t first_node;
-  double length_m;
-  const model::ShaftSegment* segment;
-  double from, to;  ///< shares of the segment's length
-};
-
-struct Mesh {
-  std::vector<double> node_position_m;
-  std::vector<Element> elements;
-};
-
-bool coupling_at(const model::RotorKit& kit, double position_m, double tolerance_m) {
-  return std::ranges::any_of(kit.couplings, [&](const auto& coupling) {
-    return std::abs(coupling.position_m - position_m) <= tolerance_m;
-  });
-}
-
-/// A segment and where it begins.
-struct Placed {
-  const model::ShaftSegment& segment;
-  double begin_m;
-};
-
-Placed segment_at(const model::RotorKit& kit, double position_m) {
-  double begin = 0;
-  for (const auto& segment : kit.shaft) {
-    const double end = begin + segment.length_m;
-    if (position_m < end || &segment == &kit.shaft.back()) return {segment, begin};
-    begin = end;
-  }
-  throw SolverError("beam shaft: there is no segment");
-}
-
-Mesh mesh_of(const model::RotorKit& kit, const std::vector<double>& stations) {
-  const double length = stations.back(), longest = length / kit.elements * (1 + same_place);
-  Mesh mesh;
-  mesh.node_position_m.push_back(stations.front());
-  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-    const double gap = stations[i + 1] - stations[i];
-    if (i > 0 && coupling_at(kit, stations[i], same_place * length)) {
-      mesh.node_position_m.push_back(stations[i]);
-    }
-    const auto pieces = static_cast<int>(std::ceil(gap / longest));
-    // No structured binding: clang 14 refuses it in a lambda.
-    const Placed at = segment_at(kit, stations[i] + gap / 2);
-    const auto share = [&](int k) {
-      return std::clamp((stations[i] + gap * k / pieces - at.begin_m) / at.segment.length_m, 0.0, 1.0);
-    };
-    for (int k = 1; k <= pieces; ++k) {
-      mesh.elements.push_back(
-          {mesh.node_position_m.size() - 1, gap / pieces, &at.segment, share(k - 1), share(k)});
-      mesh.node_position_m.push_back(k == pieces ? stations[i + 1] : stations[i] + gap * k / pieces);
-    }
-  }
-  return mesh;
 }
 
 /// The same coefficient at both ends of a spring or damper between two coordinates.
@@ -118,8 +27,8 @@ void connect(Eigen::MatrixXd& matrix, Eigen::Index a, Eigen::Index b, double val
   matrix(b, a) -= value;
 }
 
-void add_shaft(const Mesh& mesh, BeamShaft& shaft) {
-  for (const Element& element : mesh.elements) {
+void add_shaft(const BeamMesh& mesh, BeamShaft& shaft) {
+  for (const MeshElement& element : mesh.elements) {
     const BeamElement beam = layered_element(*element.segment, element.length_m, element.from, element.to);
     const auto first = static_cast<Eigen::Index>(2 * element.first_node);
     shaft.mass.block<4, 4>(first, first) += beam.mass;
@@ -250,7 +159,7 @@ Eigen::Index BeamShaft::deflection(double position_m) const {
 
 BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<double>& stations_m) {
   if (kit.matrices) return assemble_matrices(kit, stations_m);
-  const Mesh mesh = mesh_of(kit, stations_of(kit, stations_m));
+  const BeamMesh mesh = mesh_of(kit, stations_m);
   BeamShaft shaft;
   shaft.node_position_m = mesh.node_position_m;
   const auto on_shaft = static_cast<Eigen::Index>(2 * mesh.node_position_m.size());

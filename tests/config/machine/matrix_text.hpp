@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <fstream>
 #include <string>
@@ -9,10 +10,30 @@
 #include "batch/temporary_directory.hpp"
 #include "config/support.hpp"
 #include "rubsweep/config/machine/matrix_market.hpp"
-#include "rubsweep/config/machine/shaft_matrices.hpp"
+#include "rubsweep/config/machine/printed_matrices.hpp"
 #include "rubsweep/model/shaft_matrices.hpp"
 
 namespace rubsweep::config::machine {
+
+inline const model::ShaftMatrices& matrices_of(const RunConfig& config) {
+  return *model::kit_of(config.study.machine)->matrices;
+}
+
+inline void expect_same(const model::ShaftMatrices& a, const model::ShaftMatrices& b) {
+  EXPECT_EQ(a.mass, b.mass);
+  EXPECT_EQ(a.stiffness, b.stiffness);
+  EXPECT_EQ(a.damping, b.damping);
+  EXPECT_EQ(a.gyroscopic, b.gyroscopic);
+  ASSERT_EQ(a.degrees_of_freedom.size(), b.degrees_of_freedom.size());
+  for (std::size_t i = 0; i < a.degrees_of_freedom.size(); ++i) {
+    const model::DegreeOfFreedom &one = a.degrees_of_freedom[i], &other = b.degrees_of_freedom[i];
+    EXPECT_EQ(one.node, other.node);
+    EXPECT_EQ(one.direction, other.direction);
+    EXPECT_EQ(one.position_m, other.position_m);
+    EXPECT_EQ(one.weight_kg, other.weight_kg);
+  }
+  EXPECT_EQ(a.unbalance_kg, b.unbalance_kg);
+}
 
 /// A directory with the files of a matrix rotor and a configuration that reads them; the disc at 0.5 m.
 class MatrixFiles {

@@ -12,26 +12,6 @@
 namespace rubsweep::config::machine {
 namespace {
 
-const model::ShaftMatrices& matrices_of(const RunConfig& config) {
-  return *model::kit_of(config.study.machine)->matrices;
-}
-
-void expect_same(const model::ShaftMatrices& a, const model::ShaftMatrices& b) {
-  EXPECT_EQ(a.mass, b.mass);
-  EXPECT_EQ(a.stiffness, b.stiffness);
-  EXPECT_EQ(a.damping, b.damping);
-  EXPECT_EQ(a.gyroscopic, b.gyroscopic);
-  ASSERT_EQ(a.degrees_of_freedom.size(), b.degrees_of_freedom.size());
-  for (std::size_t i = 0; i < a.degrees_of_freedom.size(); ++i) {
-    const model::DegreeOfFreedom &one = a.degrees_of_freedom[i], &other = b.degrees_of_freedom[i];
-    EXPECT_EQ(one.node, other.node);
-    EXPECT_EQ(one.direction, other.direction);
-    EXPECT_EQ(one.position_m, other.position_m);
-    EXPECT_EQ(one.weight_kg, other.weight_kg);
-  }
-  EXPECT_EQ(a.unbalance_kg, b.unbalance_kg);
-}
-
 TEST(ShaftMatrices, AreReadFromFilesAndPrintedInsideTheConfiguration) {
   const MatrixFiles files;
   model::ShaftMatrices written = structure::disc_and_bracket();
@@ -95,44 +75,6 @@ TEST(ShaftMatrices, TakeTheUnbalanceByNode) {
             std::string::npos)
       << printed;
   EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
-}
-
-TEST(ShaftMatrices, LeaveOutWhatIsNothing) {
-  const MatrixFiles files;
-  model::ShaftMatrices plain = structure::disc_and_bracket();
-  plain.damping.setZero();
-  plain.unbalance_kg.setZero();
-  files.write(plain);
-  const std::string printed = print_config(files.read());
-  EXPECT_EQ(printed.find("damping: |"), std::string::npos);
-  EXPECT_EQ(printed.find("gyroscopic"), std::string::npos);
-  EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
-}
-
-/// As many as a large model of beams has; every matrix is a band.
-TEST(ShaftMatrices, OfFourHundredDegreesOfFreedomArePrintedAndReadBack) {
-  const MatrixFiles files;
-  std::vector<double> places;
-  for (int i = 0; i < 100; ++i) places.push_back(0.01 * i);
-  model::ShaftMatrices large = structure::empty_matrices(structure::freedoms_at(places));
-  for (Eigen::Index i = 0; i + 8 <= 400; i += 4) {
-    const structure::BookElement element = structure::book_element(0.01, 0.05);
-    large.mass.block<8, 8>(i, i) += element.mass;
-    large.stiffness.block<8, 8>(i, i) += element.stiffness;
-    large.gyroscopic.block<8, 8>(i, i) += element.gyroscopic;
-  }
-  large.stiffness.diagonal().array() += 1e3;
-  files.write(large);
-  const std::string printed = print_config(files.read());
-  expect_same(matrices_of(read_run_config_text(printed, "printed.yaml", {})), large);
-  // Full matrices, as a program that condenses has them: as an array each of them has 1.6 MB.
-  large.damping = Eigen::MatrixXd::Constant(400, 400, 1.0 / 3);
-  large.stiffness.array() += 1.0 / 3;
-  files.write(large);
-  const std::string full = print_config(files.read());
-  EXPECT_GT(full.size(), 2'000'000U);
-  EXPECT_EQ(matrices_of(read_run_config_text(full, "printed.yaml", {})).stiffness,
-            matrices_of(files.read()).stiffness);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rubsweep/config/machine/shaft_matrices.hpp"
+#include "rubsweep/config/machine/printed_matrices.hpp"
 #include "rubsweep/config/yaml/printer.hpp"
 #include "rubsweep/config/yaml/section.hpp"
 #include "rubsweep/model/rotor_kit.hpp"

@@ -12,11 +12,12 @@
 #include <vector>
 
 #include "rubsweep/config/machine/matlab_matrix.hpp"
+#include "rubsweep/config/machine/matrix_keys.hpp"
 #include "rubsweep/config/machine/matrix_market.hpp"
 #include "rubsweep/config/machine/table_file.hpp"
 #include "rubsweep/config/yaml/text.hpp"
 #include "rubsweep/model/physical_range.hpp"
-#include "rubsweep/structure/matrix_shaft.hpp"
+#include "rubsweep/structure/matrix_problems.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
@@ -24,24 +25,12 @@ namespace {
 using model::ShaftMatrices;
 
 constexpr std::size_t most = ShaftMatrices::most_degrees_of_freedom;
-constexpr std::string_view freedoms_key = "degrees_of_freedom", unbalance_key = "unbalance";
-constexpr std::string_view no_place = "none";
 constexpr std::string_view matrix_form = "a map with file, or the text of a Matrix Market file";
 constexpr std::string_view freedoms_form = "a map with file, or one with node, direction and position_m";
 constexpr std::string_view unbalance_form =
     "a map with file, one with node, direction, real_kg and imaginary_kg, or a list of maps";
 constexpr std::array<std::string_view, 4> directions{"x", "y", "rx", "ry"};
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-struct Key {
-  std::string_view name;
-  Eigen::MatrixXd ShaftMatrices::*matrix;
-  bool needed;
-};
-constexpr std::array<Key, 4> keys{{{"mass", &ShaftMatrices::mass, true},
-                                   {"stiffness", &ShaftMatrices::stiffness, true},
-                                   {"damping", &ShaftMatrices::damping, false},
-                                   {"gyroscopic", &ShaftMatrices::gyroscopic, false}}};
 
 /// Puts the text of the file that a matrix names in its place.
 void resolve_matrix(yaml::Node& matrix, std::string_view key, yaml::Diagnostics& diagnostics) {
@@ -226,7 +215,7 @@ void read_unbalance(const yaml::Value& value, const Freedoms& freedoms, ShaftMat
 /// Placeholders where a matrix is left out or could not be had.
 void read_matrices(yaml::Section& section, ShaftMatrices& matrices) {
   const auto n = static_cast<Eigen::Index>(matrices.degrees_of_freedom.size());
-  for (const Key& key : keys) {
+  for (const MatrixKey& key : matrix_keys) {
     Eigen::MatrixXd& matrix = matrices.*key.matrix;
     // Numbers that nobody objects to, where the matrix cannot be had.
     matrix = key.needed ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)) : Eigen::MatrixXd::Zero(n, n);
@@ -251,82 +240,13 @@ void refuse_problems(yaml::Section& section, const ShaftMatrices& matrices, cons
   }
 }
 
-/// Row of a table of the unbalance.
-struct UnbalanceRow {
-  const model::DegreeOfFreedom* at;
-  double real_kg, imaginary_kg;
-};
-
-/// Rows of what is known of the unbalance; one at least, as a table has.
-std::vector<UnbalanceRow> unbalance_rows(const ShaftMatrices& matrices) {
-  std::vector<UnbalanceRow> rows;
-  for (std::size_t i = 0; i < matrices.degrees_of_freedom.size(); ++i) {
-    const auto value = matrices.unbalance_kg(static_cast<Eigen::Index>(i));
-    if (!std::isnan(value.real()))
-      rows.push_back({&matrices.degrees_of_freedom[i], value.real() + 0.0, value.imag() + 0.0});
-  }
-  if (rows.empty()) rows.push_back({&matrices.degrees_of_freedom.front(), 0, 0});
-  return rows;
-}
-
-bool has_weights(const ShaftMatrices& matrices) {
-  return std::ranges::any_of(matrices.degrees_of_freedom,
-                             [](const model::DegreeOfFreedom& one) { return one.weight_kg.has_value(); });
-}
-
-std::string cell(const std::optional<double>& value, std::string_view nothing) {
-  return value ? fmt::format("{}", *value) : std::string(nothing);
-}
-
-template <class Items, class Text>
-std::string listed(const Items& items, Text text) {
-  std::string list;
-  for (const auto& item : items) list += fmt::format("{}{}", list.empty() ? "" : ", ", text(item));
-  return fmt::format("[{}]", list);
-}
-
-void print_freedoms(yaml::Printer& printer, const ShaftMatrices& matrices) {
-  const auto& all = matrices.degrees_of_freedom;
-  std::vector<std::string> nodes;
-  for (const model::DegreeOfFreedom& one : all) nodes.push_back(one.node);
-  printer.open(freedoms_key);
-  printer.texts("node", nodes);
-  printer.word("direction", listed(all, [](const auto& one) { return to_string(one.direction); }));
-  printer.word("position_m", listed(all, [](const auto& one) { return cell(one.position_m, no_place); }));
-  if (has_weights(matrices))
-    printer.word("weight_kg", listed(all, [](const auto& one) { return cell(one.weight_kg, no_place); }));
-  printer.close();
-}
-
-void print_unbalance(yaml::Printer& printer, const ShaftMatrices& matrices) {
-  printer.open(unbalance_key);
-  for (const model::NodeUnbalance& one : matrices.unbalance) {
-    printer.open_item();
-    printer.text("node", one.node);
-    printer.number("mass_kg", one.mass_kg);
-    printer.number("eccentricity_ratio", one.eccentricity_ratio);
-    printer.number("phase_deg", one.phase_deg);
-    printer.close();
-  }
-  if (matrices.unbalance.empty()) {
-    const std::vector<UnbalanceRow> rows = unbalance_rows(matrices);
-    std::vector<std::string> nodes;
-    for (const UnbalanceRow& row : rows) nodes.push_back(row.at->node);
-    printer.texts("node", nodes);
-    printer.word("direction", listed(rows, [](const auto& row) { return to_string(row.at->direction); }));
-    printer.word("real_kg", listed(rows, [](const auto& row) { return cell(row.real_kg, ""); }));
-    printer.word("imaginary_kg", listed(rows, [](const auto& row) { return cell(row.imaginary_kg, ""); }));
-  }
-  printer.close();
-}
-
 }  // namespace
 
 void resolve_matrices(yaml::Node& root, yaml::Diagnostics& diagnostics) {
   yaml::Node* rotor = child(&root, "rotor");
   const yaml::Node* kind = child(rotor, "kind");
   if (kind == nullptr || kind->text != "matrices") return;
-  for (const Key& key : keys) {
+  for (const MatrixKey& key : matrix_keys) {
     if (yaml::Node* matrix = child(rotor, key.name)) resolve_matrix(*matrix, key.name, diagnostics);
   }
   for (const std::string_view key : {freedoms_key, unbalance_key}) {
@@ -338,7 +258,7 @@ void resolve_matrices(yaml::Node& root, yaml::Diagnostics& diagnostics) {
 std::shared_ptr<const ShaftMatrices> read_shaft_matrices(yaml::Section& section) {
   const auto listed = section.require(freedoms_key, freedoms_form);
   const auto unbalance = section.require(unbalance_key, unbalance_form);
-  for (const Key& key : keys) section.find(key.name);
+  for (const MatrixKey& key : matrix_keys) section.find(key.name);
   const auto freedoms = listed ? read_freedoms(*listed) : std::nullopt;
   if (!freedoms) return nullptr;
   const auto matrices = std::make_shared<ShaftMatrices>();
@@ -349,46 +269,6 @@ std::shared_ptr<const ShaftMatrices> read_shaft_matrices(yaml::Section& section)
   if (unbalance) read_unbalance(*unbalance, *freedoms, *matrices);
   if (section.is_sound()) refuse_problems(section, *matrices, *freedoms);
   return matrices;
-}
-
-void print_shaft_matrices(yaml::Printer& printer, const ShaftMatrices& matrices, MatrixPrint how) {
-  const auto files = matrix_files(matrices);
-  for (const Key& key : keys) {
-    const std::string name = std::string(key.name) + ".mtx";
-    if (how == MatrixPrint::as_files) {
-      printer.word(key.name, fmt::format("{{file: {}}}", name));
-    } else if (key.needed || !(matrices.*key.matrix).isZero(0)) {
-      printer.block(key.name, files.at(name));
-    }
-  }
-  if (how == MatrixPrint::inside) {
-    print_freedoms(printer, matrices);
-    print_unbalance(printer, matrices);
-    return;
-  }
-  for (const std::string_view key : {freedoms_key, unbalance_key})
-    printer.word(key, fmt::format("{{file: {}.csv}}", key));
-}
-
-std::map<std::string_view, std::string> matrix_files(const ShaftMatrices& matrices) {
-  std::map<std::string_view, std::string> files{
-      {"mass.mtx", matrix_market(matrices.mass)},
-      {"stiffness.mtx", matrix_market(matrices.stiffness)},
-      {"damping.mtx", matrix_market(matrices.damping)},
-      {"gyroscopic.mtx", matrix_market(matrices.gyroscopic)},
-  };
-  const bool weights = has_weights(matrices);
-  std::string freedoms = weights ? "node,direction,position_m,weight_kg\n" : "node,direction,position_m\n";
-  for (const model::DegreeOfFreedom& one : matrices.degrees_of_freedom)
-    freedoms += fmt::format("{},{},{}{}{}\n", one.node, to_string(one.direction), cell(one.position_m, ""),
-                            weights ? "," : "", weights ? cell(one.weight_kg, "") : "");
-  std::string unbalance = "node,direction,real_kg,imaginary_kg\n";
-  for (const UnbalanceRow& row : unbalance_rows(matrices))
-    unbalance += fmt::format("{},{},{},{}\n", row.at->node, to_string(row.at->direction), row.real_kg,
-                             row.imaginary_kg);
-  files["degrees_of_freedom.csv"] = std::move(freedoms);
-  files["unbalance.csv"] = std::move(unbalance);
-  return files;
 }
 
 }  // namespace rubsweep::config::machine

@@ -1,13 +1,9 @@
 #pragma once
 
-#include <map>
 #include <memory>
-#include <string>
-#include <string_view>
 
 #include "rubsweep/config/yaml/diagnostics.hpp"
 #include "rubsweep/config/yaml/document.hpp"
-#include "rubsweep/config/yaml/printer.hpp"
 #include "rubsweep/config/yaml/section.hpp"
 #include "rubsweep/model/shaft_matrices.hpp"
 
@@ -26,13 +22,5 @@ void resolve_matrices(yaml::Node& root, yaml::Diagnostics& diagnostics);
 /// together. Null where the degrees of freedom could not be had; after another problem some matrices may be
 /// placeholders.
 std::shared_ptr<const model::ShaftMatrices> read_shaft_matrices(yaml::Section& section);
-
-/// How matrices are written: as texts within the configuration, or as names of the files of matrix_files.
-enum class MatrixPrint { inside, as_files };
-void print_shaft_matrices(yaml::Printer& printer, const model::ShaftMatrices& matrices, MatrixPrint how);
-
-/// Files by name that MatrixPrint::as_files refers to: mass.mtx, stiffness.mtx, damping.mtx, gyroscopic.mtx,
-/// degrees_of_freedom.csv and unbalance.csv.
-std::map<std::string_view, std::string> matrix_files(const model::ShaftMatrices& matrices);
 
 }  // namespace rubsweep::config::machine
